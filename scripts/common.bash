@@ -1,0 +1,123 @@
+# What the scripts of this folder share: packages, configuration, build, ROS environment.
+# Sourced by setup, demo and test (bash, with `set -euo pipefail`); does nothing by itself.
+# shellcheck shell=bash
+
+REPO_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+BUILD_DIR=$REPO_ROOT/build
+DEVEL_DIR=$REPO_ROOT/devel # not inside build/, where rosrun does not look for programs
+MEMORY_PER_JOB_KIB=$((3 * 512 * 1024)) # 1.5 GiB: a file that includes torch needs 1.1 GB
+
+say() { printf '%s\n' "-- $*" >&2; }
+
+die() {
+  printf '%s\n' "error: $*" >&2
+  exit 1
+}
+
+# Exits 2, as for any wrong command line.
+die_usage() {
+  printf '%s\n' "error: $*" "try: $0 --help" >&2
+  exit 2
+}
+
+# Prints the comment at the top of the calling script, which is its manual.
+print_usage() { sed -n '2,/^$/s/^# \{0,1\}//p' "$0"; }
+
+refuse_arguments() {
+  [[ ${1:-} != --help && ${1:-} != -h ]] || { print_usage && exit 0; }
+  [[ $# -eq 0 ]] || die_usage "unknown argument: $1"
+}
+
+# ---- packages ----
+
+listed_packages() { sed 's/#.*//' "$REPO_ROOT/scripts/packages.txt" | xargs -n 1; }
+
+missing_packages() {
+  local installed
+  installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p' | sort -u)
+  comm -23 <(listed_packages | sort -u) <(printf '%s\n' "$installed")
+}
+
+install_packages() {
+  { command -v dpkg-query && command -v apt-get; } > /dev/null ||
+    die "this is no Debian: install what scripts/packages.txt lists in your system's way"
+  local missing as_root=()
+  mapfile -t missing < <(missing_packages)
+  [[ ${#missing[@]} -gt 0 ]] || return 0
+  if [[ $EUID -ne 0 ]]; then
+    command -v sudo > /dev/null || die "neither root nor sudo; as root: apt-get install ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "installing ${#missing[@]} missing packages: ${missing[*]}"
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=600)
+  "${apt[@]}" update >&2 || die "apt-get update failed"
+  "${apt[@]}" install -y --no-install-recommends "${missing[@]}" >&2 || die "apt-get install failed"
+}
+
+# ---- build ----
+
+# ROS and catkin run on the system's python3, whichever python the caller has first in PATH.
+use_system_python() {
+  export PATH=/usr/bin:$PATH
+  unset PYTHONHOME
+}
+
+# As many compilers as there are cores, unless memory is short. CMAKE_BUILD_PARALLEL_LEVEL overrides.
+parallel_jobs() {
+  local available_kib by_memory cores
+  available_kib=$(awk '/^MemAvailable:/ {print $2}' /proc/meminfo)
+  by_memory=$((available_kib / MEMORY_PER_JOB_KIB))
+  cores=$(nproc)
+  echo $((by_memory < 1 ? 1 : by_memory < cores ? by_memory : cores))
+}
+
+cached() { sed -n "s/^$1:[A-Z]*=//p" "$BUILD_DIR/CMakeCache.txt"; }
+
+# True for a folder that was configured elsewhere, in another way, or without success.
+build_folder_is_stale() {
+  [[ -e $BUILD_DIR/CMakeCache.txt ]] || return 1
+  [[ $(cached CMAKE_HOME_DIRECTORY) != "$REPO_ROOT" || $(cached CMAKE_CACHEFILE_DIR) != "$BUILD_DIR" ||
+    $(cached CMAKE_GENERATOR) != Ninja || $(cached PYTHON_EXECUTABLE) != /usr/bin/python3 ||
+    $(cached CATKIN_DEVEL_PREFIX) != "$DEVEL_DIR" || ! -e $BUILD_DIR/build.ninja ]]
+}
+
+configure() {
+  if build_folder_is_stale; then
+    say "removing build/ and devel/: configured for another folder, in another way, or not to the end"
+    rm -rf "$BUILD_DIR" "$DEVEL_DIR"
+  fi
+  local log=$BUILD_DIR/configure.log
+  mkdir -p "$BUILD_DIR"
+  say "configuring $BUILD_DIR"
+  cmake -S "$REPO_ROOT" -B "$BUILD_DIR" -G Ninja -DCATKIN_DEVEL_PREFIX="$DEVEL_DIR" \
+    -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
+    -DCMAKE_CXX_COMPILER_LAUNCHER="$(command -v ccache || true)" > "$log" 2>&1 || {
+    cat "$log" >&2
+    die "cmake failed (its output is above and in $log)"
+  }
+}
+
+# build TARGET...
+build() {
+  local jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(parallel_jobs)}
+  say "building $* with $jobs job(s)"
+  cmake --build "$BUILD_DIR" -j "$jobs" --target "$@" >&2 || die "the build failed"
+}
+
+# prepare TARGET...: from a bare machine to built targets.
+prepare() {
+  install_packages
+  use_system_python
+  configure
+  build "$@"
+}
+
+# ---- ROS ----
+
+# env.bash for scripts, which have `set -eu` where catkin's own files do not expect it.
+use_ros_environment() {
+  set +eu
+  # shellcheck source=scripts/env.bash
+  source "$REPO_ROOT/scripts/env.bash" || exit 1
+  set -eu
+}

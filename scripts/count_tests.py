@@ -1,0 +1,93 @@
+#!/usr/bin/python3
+"""Counts test cases after ctest and prints `N passed, N failed` as the last line.
+
+usage: count_tests.py BUILD_DIR CTEST_JUNIT_XML
+
+catkin's tests have the JUnit file that they write on their command line: its cases are counted. A file that is
+missing, unreadable or empty counts as one failure, and so does a test that ctest calls failed although no case of
+its file did (a crash at exit, say). Any other test counts as one case. Exits 1 unless some passed and none failed.
+"""
+import json
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from collections import Counter
+from pathlib import Path
+
+
+def ctest_outcomes(junit_file):
+    """What ctest says of each test, by name."""
+    outcomes = {}
+    for case in ElementTree.parse(junit_file).iter('testcase'):
+        skipped = case.find('skipped')
+        asked_for = skipped is not None and 'SKIP_RETURN_CODE' in skipped.get('message', '')
+        if asked_for or case.get('status') == 'disabled':
+            outcomes[case.get('name')] = 'skipped'
+        else:
+            outcomes[case.get('name')] = 'passed' if case.get('status') == 'run' else 'failed'
+    return outcomes
+
+
+def case_outcome(case):
+    if case.find('failure') is not None or case.find('error') is not None:
+        return 'failed'
+    return 'skipped' if case.find('skipped') is not None or case.get('status') == 'notrun' else 'passed'
+
+
+def junit_outcomes(junit_file):
+    """The cases of one file. rostest writes one case for each program that it runs, named `test` and the program's
+    test name; the cases of that program are in a file beside it."""
+    outcomes = []
+    for case in ElementTree.parse(junit_file).iter('testcase'):
+        program_file = junit_file.parent / 'rosunit-{}.xml'.format(case.get('name', '')[len('test'):])
+        if case.get('classname') == 'rostest.runner.RosTest' and program_file.exists():
+            program = junit_outcomes(program_file)
+            if case_outcome(case) == 'failed' and 'failed' not in program:
+                program.append('failed')
+            outcomes += program
+        else:
+            outcomes.append(case_outcome(case))
+    return outcomes
+
+
+def registered_tests(build_dir):
+    """(name, the JUnit file that it writes or None) of every test that ctest knows."""
+    listing = subprocess.run(['ctest', '--test-dir', build_dir, '--show-only=json-v1'], check=True,
+                             stdout=subprocess.PIPE)
+    results = str(Path(build_dir) / 'test_results')
+    for test in json.loads(listing.stdout)['tests']:
+        files = [word for word in test.get('command', []) if word.startswith(results) and word.endswith('.xml')]
+        yield test['name'], Path(files[0]) if files else None
+
+
+def outcomes_of(name, junit_file, by_ctest):
+    whole = by_ctest.get(name, 'failed')
+    if junit_file is None or whole == 'skipped':
+        return [whole]
+    try:
+        cases = junit_outcomes(junit_file)
+    except (OSError, ElementTree.ParseError):
+        return ['failed']
+    if not cases or (whole == 'failed' and 'failed' not in cases):
+        cases.append('failed')
+    return cases
+
+
+def main(build_dir, ctest_junit):
+    by_ctest = ctest_outcomes(ctest_junit)
+    count = Counter()
+    for name, junit_file in registered_tests(build_dir):
+        outcomes = outcomes_of(name, junit_file, by_ctest)
+        count.update(outcomes)
+        if 'failed' in outcomes:
+            print('failed: {} ({} of {})'.format(name, outcomes.count('failed'), len(outcomes)))
+    if count['skipped']:
+        print('skipped: {}'.format(count['skipped']))
+    print('{} passed, {} failed'.format(count['passed'], count['failed']))
+    return 0 if count['passed'] and not count['failed'] else 1
+
+
+if __name__ == '__main__':
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,39 @@
+# usage: source scripts/env.bash      (bash, after scripts/setup)
+#
+# Makes the built package known to this shell: rosrun, roslaunch, rosservice, rviz, and the tools by name.
+# /usr/bin goes first in PATH, because ROS needs the system's python3. ROS_MASTER_URI is left alone;
+# ROS_HOSTNAME is set to localhost unless ROS_HOSTNAME or ROS_IP is set, ROS_HOME to build/ros_home unless set.
+# shellcheck shell=bash
+
+if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
+  echo "env.bash must be sourced: source ${BASH_SOURCE[0]}" >&2
+  exit 2
+fi
+
+# Moves a folder to the front of PATH.
+_collision_forge_path_first() {
+  local path=:$PATH:
+  path=${path//":$1:"/:}
+  path=${path#:}
+  PATH=$1:${path%:}
+}
+
+_collision_forge_environment() {
+  local root
+  root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+  if [[ ! -e $root/devel/setup.bash ]]; then
+    echo "env.bash: $root/devel/setup.bash is missing: run scripts/setup first" >&2
+    return 1
+  fi
+  _collision_forge_path_first /usr/bin
+  # shellcheck disable=SC1091
+  source "$root/devel/setup.bash" || return 1
+  _collision_forge_path_first "$root/devel/lib/collision_forge"
+  _collision_forge_path_first /usr/bin
+  export PATH
+  [[ -n ${ROS_HOSTNAME:-}${ROS_IP:-} ]] || export ROS_HOSTNAME=localhost
+  export ROS_HOME=${ROS_HOME:-$root/build/ros_home}
+  mkdir -p "$ROS_HOME"
+}
+
+_collision_forge_environment

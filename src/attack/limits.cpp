@@ -1,0 +1,91 @@
+#include "attack/limits.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace forge {
+namespace {
+
+double totalAcceleration(const TrajectoryPoint& point) {
+  return std::hypot(point.acceleration, point.speed * point.speed * point.curvature);
+}
+
+bool isFinite(const TrajectoryPoint& point) {
+  return point.pose.isFinite() && std::isfinite(point.speed) && std::isfinite(point.acceleration) &&
+         std::isfinite(point.curvature);
+}
+
+/// Keeps the broken limit with the greatest ratio of value to limit.
+class Worst {
+ public:
+  void check(const char* name, double value, double limit) {
+    if (value <= limit) return;
+    const double ratio = limit > 0.0 ? value / limit : 1.0 + value;
+    if (found_ && ratio <= ratio_) return;
+    ratio_ = ratio;
+    found_ = BrokenLimit{name, value, limit};
+  }
+  const std::optional<BrokenLimit>& found() const { return found_; }
+
+ private:
+  double ratio_ = 0.0;
+  std::optional<BrokenLimit> found_;
+};
+
+void checkPoint(const TrajectoryPoint& point, const VehicleLimits& limits, Worst& worst) {
+  worst.check("max_forward_acceleration", point.acceleration, limits.max_forward_acceleration);
+  worst.check("max_braking", -point.acceleration, limits.max_braking);
+  worst.check("max_total_acceleration", totalAcceleration(point), limits.max_total_acceleration);
+  worst.check("max_speed", point.speed, limits.max_speed);
+  worst.check("no_reversing", -point.speed, 0.0);
+  if (point.speed >= limits.curvature_min_speed) {
+    worst.check("max_curvature", std::abs(point.curvature), limits.max_curvature);
+  }
+}
+
+}  // namespace
+
+std::optional<BrokenLimit> findBrokenLimit(const AttackerTrajectory& trajectory, double start_yaw,
+                                           double until, const VehicleLimits& limits) {
+  Worst worst;
+  double slow_yaw = start_yaw;  // heading where the current slow stretch began
+  double slow_distance = 0.0;   // metres driven since
+  const TrajectoryPoint* previous = nullptr;
+  for (const TrajectoryPoint& point : trajectory.points) {
+    if (!isFinite(point)) return BrokenLimit{"finite", 0.0, 0.0};
+    checkPoint(point, limits, worst);
+    if (previous && previous->speed >= limits.curvature_min_speed) {
+      slow_yaw = previous->pose.yaw;
+      slow_distance = 0.0;
+    }
+    if (previous) slow_distance += (point.pose.position() - previous->pose.position()).norm();
+    if (!previous || point.speed < limits.curvature_min_speed) {
+      worst.check("heading_slack", std::abs(angleBetween(slow_yaw, point.pose.yaw)),
+                  limits.heading_slack + limits.heading_per_metre * slow_distance);
+    }
+    if (point.time >= until) break;
+    previous = &point;
+  }
+  return worst.found();
+}
+
+std::string describe(const BrokenLimit& broken) {
+  char text[128];
+  std::snprintf(text, sizeof(text), "%s %.3f > %.3f", broken.name.c_str(), broken.value,
+                broken.limit);
+  return text;
+}
+
+double effort(const AttackerTrajectory& trajectory, double until, const VehicleLimits& limits) {
+  double sum = 0.0;
+  int count = 0;
+  for (const TrajectoryPoint& point : trajectory.points) {
+    const double share = totalAcceleration(point) / limits.max_total_acceleration;
+    sum += share * share;
+    ++count;
+    if (point.time >= until) break;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+}  // namespace forge

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "scene/track.h"
+
+namespace forge {
+
+/// How an agent moves at the instant of its newest state.
+struct Motion {
+  Pose2 pose;                 ///< box centre, global map frame, as recorded
+  double speed = 0.0;         ///< m/s along the heading; negative when reversing
+  double acceleration = 0.0;  ///< m/s2 along the heading
+  double yaw_rate = 0.0;      ///< rad/s
+};
+
+/// Fits a parabola in time to the positions, and a line to the yaws, of the `frames` newest states
+/// of an unbroken stretch (no gap above 1.1 s): least squares, evaluated at the newest. Two states
+/// give a velocity without acceleration, one gives standstill. The past alone is looked at, recorded
+/// velocities (which may look ahead) are not. Throws std::invalid_argument for a track without states.
+Motion estimateMotion(const Track& track, int frames);
+
+}  // namespace forge

@@ -1,0 +1,100 @@
+#include "attack/pattern_predictor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "attack/kinematic_prediction.h"
+#include "attack/motion_estimate.h"
+#include "attack/placement.h"
+#include "attack/request_check.h"
+
+namespace forge {
+namespace {
+
+struct RankedPattern {
+  CollisionPattern pattern;
+  double cost = 0.0;
+};
+
+/// How far the attacker's mean speed to the impact is from the mean of its speeds at both ends.
+double speedMismatch(const CollisionPattern& pattern, const Motion& motion, double tta) {
+  const Pose2 impact = compose(pattern.ego.center, pattern.attacker_offset);
+  const double distance = (impact.position() - motion.pose.position()).norm();
+  return std::abs(distance / tta - 0.5 * (motion.speed + pattern.attacker_speed));
+}
+
+/// A left turn across path comes from the opposite direction, a crossing from the side: the share
+/// of a half turn by which the attacker's heading now is off that.
+double approachMismatch(CollisionType type, const Pose2& ego, const Pose2& attacker) {
+  const double heading = std::abs(angleBetween(ego.yaw, attacker.yaw));
+  if (type == CollisionType::kLtap) return (M_PI - heading) / M_PI;
+  if (type == CollisionType::kJunctionCrossing) return std::abs(heading - M_PI_2) / M_PI;
+  return 0.0;
+}
+
+/// The candidate at the ego's pose at impact, pushed in from `side`.
+RankedPattern placedPattern(const Track& agent, Side side, const AgentState& ego,
+                            const Snapshot& snapshot, const CollisionRequest& request,
+                            const AttackOptions& options) {
+  const PredictionOptions& prediction = options.prediction;
+  const Motion motion = estimateMotion(agent, prediction.motion_frames);
+  const double heading =
+      signedHeading(side, options.collision_types.at(request.type).nominal_heading);
+  CollisionPattern pattern;
+  pattern.type = request.type;
+  pattern.attacker_id = agent.id;
+  pattern.time = snapshot.now + request.tta;
+  pattern.ego = boxAt(snapshot.ego, ego.pose);
+  pattern.attacker_offset =
+      attackerOffset(snapshot.ego.size, agent.size, side, heading, 0.0, 0.0);
+  pattern.attacker_speed = request.type == CollisionType::kRearEnd
+                               ? ego.velocity.norm() + prediction.rear_end_closing_speed
+                               : std::max(motion.speed, prediction.min_impact_speed);
+  const double mean_speed = 0.5 * (motion.speed + pattern.attacker_speed);
+  const double approach =
+      approachMismatch(request.type, snapshot.ego.states.back().pose, motion.pose);
+  return {pattern, speedMismatch(pattern, motion, request.tta) + approach * mean_speed};
+}
+
+}  // namespace
+
+KinematicPatternPredictor::KinematicPatternPredictor(AttackOptions options)
+    : options_(std::move(options)) {}
+
+PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
+                                                     const LaneIndex& lanes,
+                                                     const CollisionRequest& request,
+                                                     const Future* recorded) const {
+  PatternPrediction prediction;
+  prediction.future =
+      recorded ? *recorded
+               : predictFuture(snapshot, lanes, request.tta + options_.prediction.tail,
+                               options_.prediction);
+  const auto ego = stateAt(prediction.future.ego, snapshot.now + request.tta);
+  if (!ego) {
+    prediction.status = {StatusCode::kBeyondRecording,
+                         "the ego's recording ends before the impact, tta = " +
+                             std::to_string(request.tta) + " s from now"};
+    return prediction;
+  }
+  std::vector<RankedPattern> ranked;
+  for (const Track& agent : snapshot.agents) {
+    if (request.attacker && agent.id != *request.attacker) continue;
+    if (!isCandidate(agent, snapshot, options_.prediction)) continue;
+    for (const Side side : sidesOf(request.type)) {
+      ranked.push_back(placedPattern(agent, side, *ego, snapshot, request, options_));
+    }
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  for (RankedPattern& entry : ranked) prediction.patterns.push_back(std::move(entry.pattern));
+  if (prediction.patterns.empty()) {
+    prediction.status = {StatusCode::kNoCandidate,
+                         "no vehicle seen at now, and in the frame before, is within " +
+                             std::to_string(options_.prediction.candidate_radius) +
+                             " m (candidate_radius)"};
+  }
+  return prediction;
+}
+
+}  // namespace forge

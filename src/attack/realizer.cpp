@@ -1,0 +1,158 @@
+#include "attack/realizer.h"
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include "attack/limits.h"
+#include "attack/placement.h"
+#include "attack/quintic_join.h"
+
+namespace forge {
+namespace {
+
+/// A step away from a pattern.
+struct Variation {
+  double heading = 0.0;  ///< rad
+  double slide = 0.0;    ///< share of half the side that is hit
+  double speed = 0.0;    ///< m/s
+};
+
+std::vector<Variation> drawVariations(std::uint64_t seed, const RealizationOptions& options) {
+  std::mt19937_64 generator(seed);
+  // The standard's distributions differ between libraries; the generator does not.
+  const auto symmetric = [&generator](double spread) {
+    const double unit = static_cast<double>(generator() >> 11) * 0x1p-53;
+    return spread * (2.0 * unit - 1.0);
+  };
+  std::vector<Variation> variations(1);
+  for (int i = 1; i < options.samples; ++i) {
+    Variation variation;
+    variation.heading = symmetric(options.heading_spread);
+    variation.slide = symmetric(options.slide_spread);
+    variation.speed = symmetric(options.speed_spread);
+    variations.push_back(variation);
+  }
+  return variations;
+}
+
+/// The side of the ego that the pattern's attacker stands at.
+Side sideOf(const CollisionPattern& pattern) {
+  for (const Side side : sidesOf(pattern.type)) {
+    if (side == Side::kFront || side == Side::kRear) return side;
+  }
+  return pattern.attacker_offset.y > 0.0 ? Side::kLeft : Side::kRight;
+}
+
+CollisionPattern varied(CollisionPattern pattern, const Variation& variation,
+                        const BoxSize& attacker, double depth) {
+  const double heading = wrapAngle(pattern.attacker_offset.yaw + variation.heading);
+  pattern.attacker_offset = attackerOffset(pattern.ego.size, attacker, sideOf(pattern), heading,
+                                           variation.slide, depth);
+  pattern.attacker_speed = std::max(0.0, pattern.attacker_speed + variation.speed);
+  return pattern;
+}
+
+/// A pattern's variation with what it takes to drive it.
+struct Attempt {
+  CollisionPattern pattern;
+  AttackerTrajectory trajectory;
+  double effort = 0.0;
+};
+
+const Track& attackerOf(const CollisionPattern& pattern, const Snapshot& snapshot) {
+  return *std::find_if(snapshot.agents.begin(), snapshot.agents.end(), [&](const Track& agent) {
+    return agent.id == pattern.attacker_id;
+  });
+}
+
+/// Counts why variations were not taken, for the message of a refusal.
+class Rejections {
+ public:
+  void add(const std::string& reason) { ++counts_[reason]; }
+
+  std::string summary() const {
+    std::string text;
+    for (const auto& [reason, count] : counts_) {
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
+    }
+    return text;
+  }
+
+ private:
+  std::map<std::string, int> counts_;
+};
+
+/// All variations of all patterns that keep the limits, least effort first.
+std::vector<Attempt> drivableAttempts(const std::vector<CollisionPattern>& patterns,
+                                      const VerificationInput& input,
+                                      const AttackOptions& options, Rejections& rejections) {
+  const std::vector<Variation> variations =
+      drawVariations(input.request.seed, options.realization);
+  std::vector<Attempt> attempts;
+  for (const CollisionPattern& pattern : patterns) {
+    const Track& attacker = attackerOf(pattern, input.snapshot);
+    const Motion motion = estimateMotion(attacker, options.prediction.motion_frames);
+    for (const Variation& variation : variations) {
+      const CollisionPattern target =
+          varied(pattern, variation, attacker.size, options.realization.depth);
+      AttackerTrajectory trajectory =
+          joinByQuintic(attacker, motion, input.snapshot.now, target, options.realization);
+      const auto broken = findBrokenLimit(trajectory, motion.pose.yaw, target.time,
+                                          options.vehicle_limits);
+      if (broken) {
+        rejections.add("broke " + broken->name);
+        continue;
+      }
+      const double cost = effort(trajectory, target.time, options.vehicle_limits);
+      attempts.push_back({target, std::move(trajectory), cost});
+    }
+  }
+  std::stable_sort(attempts.begin(), attempts.end(),
+                   [](const Attempt& a, const Attempt& b) { return a.effort < b.effort; });
+  return attempts;
+}
+
+std::string shortcoming(const CollisionReport& report) {
+  if (!report.contact) return "missed the ego";
+  if (!report.first_other_id.empty()) return "touched someone else first";
+  if (!report.on_time) return "made contact at the wrong time";
+  if (!report.type_kept) return "made contact at the wrong relative heading";
+  return "broke " + report.broken_bound;
+}
+
+}  // namespace
+
+Realization realize(const std::vector<CollisionPattern>& patterns, const VerificationInput& input,
+                    const AttackOptions& options) {
+  Rejections rejections;
+  Realization best;
+  double best_cost = 0.0;
+  int verified = 0;
+  for (const Attempt& attempt : drivableAttempts(patterns, input, options, rejections)) {
+    const CollisionReport report = verify(attempt.trajectory, input, options);
+    if (!report.verified()) {
+      rejections.add(shortcoming(report));
+      continue;
+    }
+    const double cost =
+        attempt.effort + options.realization.off_road_weight * report.off_road_share;
+    if (verified == 0 || cost < best_cost) {
+      best.pattern = attempt.pattern;
+      best.trajectory = attempt.trajectory;
+      best.report = report;
+      best_cost = cost;
+    }
+    if (++verified >= options.realization.compared) break;
+  }
+  if (verified == 0) {
+    best.status = {StatusCode::kNoAttackWithinBounds,
+                   "no variation of " + std::to_string(patterns.size()) +
+                       " patterns passed: " + rejections.summary()};
+    return best;
+  }
+  best.report.confidence = confidence(best.trajectory, input, options);
+  return best;
+}
+
+}  // namespace forge

@@ -1,0 +1,168 @@
+#include "attack/verification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/Geometry>
+
+#include "attack/kinematic_prediction.h"
+#include "attack/limits.h"
+#include "geometry/swept_contact.h"
+
+namespace forge {
+namespace {
+
+/// The attacker's pose at a time within its trajectory.
+Pose2 poseAt(const AttackerTrajectory& trajectory, double time) {
+  const auto& points = trajectory.points;
+  const auto after = std::lower_bound(
+      points.begin(), points.end(), time,
+      [](const TrajectoryPoint& point, double value) { return point.time < value; });
+  if (after == points.begin()) return points.front().pose;
+  if (after == points.end()) return points.back().pose;
+  const TrajectoryPoint& before = *std::prev(after);
+  return interpolate(before.pose, after->pose, (time - before.time) / (after->time - before.time));
+}
+
+/// Instants at which either of the two starts a new straight piece, from the first point to `end`.
+std::vector<double> breakpoints(const AttackerTrajectory& trajectory, const Track& track,
+                                double end) {
+  std::vector<double> times;
+  const double begin = trajectory.points.front().time;
+  for (const TrajectoryPoint& point : trajectory.points) times.push_back(point.time);
+  for (const AgentState& state : track.states) times.push_back(state.time);
+  times.push_back(end);
+  std::sort(times.begin(), times.end());
+  times.erase(std::remove_if(times.begin(), times.end(),
+                             [=](double time) { return time < begin || time > end; }),
+              times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// True when the two stay too far apart to touch up to `end`.
+bool staysClear(const AttackerTrajectory& trajectory, const Track& track, double end) {
+  if (track.states.empty()) return true;
+  const double reach = circumradius(trajectory.size) + circumradius(track.size);
+  const auto extent = [end](const auto& samples, auto position) {
+    Eigen::AlignedBox2d box;
+    for (const auto& sample : samples) {
+      box.extend(position(sample));
+      if (sample.time > end) break;
+    }
+    return box;
+  };
+  const auto attacker =
+      extent(trajectory.points, [](const TrajectoryPoint& p) { return p.pose.position(); });
+  const auto other = extent(track.states, [](const AgentState& s) { return s.pose.position(); });
+  return attacker.squaredExteriorDistance(other) > reach * reach;
+}
+
+std::optional<double> firstContactTime(const AttackerTrajectory& trajectory, const Track& track,
+                                       double end, double tolerance) {
+  if (staysClear(trajectory, track, end)) return std::nullopt;
+  const std::vector<double> times = breakpoints(trajectory, track, end);
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const auto from = stateAt(track, times[i]);
+    const auto to = stateAt(track, times[i + 1]);
+    if (!from || !to) continue;
+    const auto ratio = firstContact(
+        {poseAt(trajectory, times[i]), poseAt(trajectory, times[i + 1]), trajectory.size},
+        {from->pose, to->pose, track.size}, tolerance);
+    if (ratio) return times[i] + *ratio * (times[i + 1] - times[i]);
+  }
+  return std::nullopt;
+}
+
+Vector2 velocityAt(const AttackerTrajectory& trajectory, double time) {
+  const auto after = std::find_if(trajectory.points.begin(), trajectory.points.end(),
+                                  [=](const TrajectoryPoint& point) { return point.time >= time; });
+  const TrajectoryPoint& point = after == trajectory.points.end() ? trajectory.points.back() : *after;
+  return point.speed * point.pose.heading();
+}
+
+double offRoadShare(const AttackerTrajectory& trajectory, double until, const LaneIndex& lanes) {
+  double sum = 0.0;
+  int count = 0;
+  for (const TrajectoryPoint& point : trajectory.points) {
+    if (point.time > until) break;
+    sum += lanes.offRoadShare({point.pose, trajectory.size}).value_or(0.0);
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+void describeContact(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                     const AttackOptions& options, CollisionReport& report) {
+  const TypeDefinition& type = options.collision_types.at(input.request.type);
+  const auto ego = stateAt(input.future.ego, report.contact_time);
+  report.ego_at_contact = ego->pose;
+  report.attacker_at_contact = poseAt(trajectory, report.contact_time);
+  report.relative_heading = angleBetween(ego->pose.yaw, report.attacker_at_contact.yaw);
+  report.impact_speed = (velocityAt(trajectory, report.contact_time) - ego->velocity).norm();
+  const double heading = std::abs(report.relative_heading);
+  report.type_kept = heading >= type.min_heading && heading <= type.max_heading;
+  const double elapsed = report.contact_time - input.snapshot.now;
+  report.on_time = std::abs(elapsed - input.request.tta) <= options.verification.time_tolerance;
+}
+
+void findFirstOther(const AttackerTrajectory& trajectory, const Future& future, double end,
+                    double tolerance, CollisionReport& report) {
+  for (const Track& other : future.agents) {
+    if (other.id == trajectory.attacker_id) continue;
+    const auto time = firstContactTime(trajectory, other, end, tolerance);
+    if (!time || (report.contact && *time >= report.contact_time)) continue;
+    if (report.first_other_id.empty() || *time < report.first_other_time) {
+      report.first_other_id = other.id;
+      report.first_other_time = *time;
+    }
+  }
+}
+
+}  // namespace
+
+CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                       const AttackOptions& options) {
+  CollisionReport report;
+  const double end = trajectory.points.back().time;
+  const double tolerance = options.verification.overlap_tolerance;
+  const auto contact =
+      firstContactTime(trajectory, input.future.ego, end, tolerance);
+  if (contact) {
+    report.contact = *contact > trajectory.points.front().time;
+    report.contact_time = *contact;
+    describeContact(trajectory, input, options, report);
+  }
+  const double until = contact.value_or(end);
+  findFirstOther(trajectory, input.future, until, tolerance, report);
+
+  const auto attacker = std::find_if(
+      input.snapshot.agents.begin(), input.snapshot.agents.end(),
+      [&](const Track& agent) { return agent.id == trajectory.attacker_id; });
+  const double start_yaw = attacker != input.snapshot.agents.end()
+                               ? attacker->states.back().pose.yaw
+                               : trajectory.points.front().pose.yaw;
+  const auto broken = findBrokenLimit(trajectory, start_yaw, until, options.vehicle_limits);
+  report.bounds_kept = !broken;
+  if (broken) report.broken_bound = describe(*broken);
+  report.off_road_share = offRoadShare(trajectory, until, input.lanes);
+  return report;
+}
+
+double confidence(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                  const AttackOptions& options) {
+  if (input.request.mode == Mode::kReplay) {
+    return verify(trajectory, input, options).verified() ? 1.0 : 0.0;
+  }
+  int kept = 0;
+  Future varied = input.future;
+  for (const double factor : options.verification.confidence_speed_factors) {
+    varied.ego = scaledInTime(input.future.ego, input.snapshot.now, factor);
+    const VerificationInput variation{input.snapshot, varied, input.request, input.lanes};
+    if (verify(trajectory, variation, options).verified()) ++kept;
+  }
+  return static_cast<double>(kept) / static_cast<double>(options.verification.confidence_speed_factors.size());
+}
+
+}  // namespace forge

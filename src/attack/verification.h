@@ -1,0 +1,29 @@
+#pragma once
+
+#include "attack/attack.h"
+#include "attack/options.h"
+#include "map/lane_queries.h"
+#include "scene/scene.h"
+
+namespace forge {
+
+/// Everything that a trajectory is held against.
+struct VerificationInput {
+  const Snapshot& snapshot;
+  const Future& future;  ///< ego and others from now on; the attacker's own track is left out
+  const CollisionRequest& request;
+  const LaneIndex& lanes;
+};
+
+/// First contact of the attacker with the ego and with anybody else before, found continuously
+/// between samples (see firstContact()); type, time, limits and ground at that contact. The ego and
+/// the others move linearly between the states of `future`. Confidence is left at 0.
+CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                       const AttackOptions& options);
+
+/// Share of the ego futures at the speeds of `confidence_speed_factors` in which verify() finds all
+/// conditions kept; in replay mode, where the future is known, 1 or 0.
+double confidence(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                  const AttackOptions& options);
+
+}  // namespace forge

@@ -1,0 +1,111 @@
+#include "drawing/draw_scenario.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "drawing/aside_file.h"
+#include "drawing/gif_writer.h"
+#include "drawing/scenario_painter.h"
+
+namespace forge {
+
+namespace {
+
+constexpr int kPaletteColors = 255;
+constexpr double kTimeTolerance = 1e-6;  // s
+
+/// One picture of the animation.
+struct Frame {
+  double time = 0.0;  ///< seconds on the scene's clock
+  int delay = 0;      ///< hundredths of a second
+};
+
+void checkDrawable(const ScenarioView& view, const DrawingOptions& options) {
+  if (options.gif_frames_per_second <= 0 || options.ghost_interval <= 0 ||
+      options.min_extent <= 0 || options.close_up_extent <= 0) {
+    throw std::runtime_error("drawing options: rate, interval and extents must be above zero");
+  }
+  const std::vector<TrajectoryPoint>& points = view.trajectory.points;
+  if (points.empty()) throw std::runtime_error("the attacker's trajectory is empty");
+  if (view.future.ego.states.empty()) throw std::runtime_error("the ego's future is empty");
+  const double key_time = ScenarioMotion(view).keyTime();
+  const bool spanned = key_time >= view.snapshot.now - kTimeTolerance &&
+                       key_time <= points.back().time + kTimeTolerance;
+  if (!spanned) {
+    throw std::runtime_error("the attacker's trajectory does not span now to the contact at " +
+                             std::to_string(key_time) + " s");
+  }
+}
+
+/// The first instant to show: not before the ego's first known state.
+double startTime(const ScenarioView& view, const DrawingOptions& options) {
+  const double earliest = view.snapshot.now - options.seconds_before_now;
+  const std::vector<AgentState>& past = view.snapshot.ego.states;
+  return past.empty() ? view.snapshot.now : std::max(earliest, past.front().time);
+}
+
+/// Evenly spaced around the contact, which is held.
+std::vector<Frame> planFrames(const ScenarioView& view, const DrawingOptions& options) {
+  const double rate = options.gif_frames_per_second;
+  const double key_time = ScenarioMotion(view).keyTime();
+  const auto count = [rate](double seconds) {
+    return static_cast<int>(std::floor(seconds * rate + kTimeTolerance));
+  };
+  const int before = count(key_time - startTime(view, options));
+  const int after = count(options.gif_seconds_after_contact);
+  std::vector<Frame> frames;
+  for (int i = -before; i <= after; ++i) {
+    const double seconds = 1.0 / rate + (i == 0 ? options.gif_contact_hold : 0.0);
+    frames.push_back({key_time + i / rate, static_cast<int>(std::lround(100.0 * seconds))});
+  }
+  return frames;
+}
+
+void writePng(const std::string& path, const ScenarioView& view, const DrawingOptions& options) {
+  checkDrawable(view, options);
+  const ScenarioPainter painter(view, options, pngSize(options));
+  painter.paint(ScenarioMotion(view).keyTime(), view.snapshot.now).writePng(path);
+}
+
+/// Paints every frame twice, for the shared palette and for the file: that is quicker than it is
+/// big to keep them.
+void writeGif(const std::string& path, const ScenarioView& view, const DrawingOptions& options) {
+  checkDrawable(view, options);
+  const ScenarioPainter painter(view, options, gifSize(options));
+  const std::vector<Frame> frames = planFrames(view, options);
+  ColorHistogram histogram;
+  for (const Frame& frame : frames) histogram.add(painter.paint(frame.time, frame.time));
+  const ColorPalette palette(histogram, kPaletteColors);
+  GifWriter writer(path, options.gif_width, options.gif_height, palette);
+  for (const Frame& frame : frames) {
+    writer.addFrame(painter.paint(frame.time, frame.time), frame.delay);
+  }
+  writer.close();
+}
+
+/// Writes aside and moves the file to its place; errors name that place.
+template <typename Write>
+void writeAside(const std::string& path, const Write& write) {
+  AsideFile file(path);
+  try {
+    write(file.temporaryPath());
+  } catch (const std::exception& error) {
+    throw std::runtime_error("cannot draw " + path + ": " + error.what());
+  }
+  file.commit();
+}
+
+}  // namespace
+
+void drawScenarioPng(const std::string& path, const ScenarioView& view,
+                     const DrawingOptions& options) {
+  writeAside(path, [&](const std::string& aside) { writePng(aside, view, options); });
+}
+
+void drawScenarioGif(const std::string& path, const ScenarioView& view,
+                     const DrawingOptions& options) {
+  writeAside(path, [&](const std::string& aside) { writeGif(aside, view, options); });
+}
+
+}  // namespace forge

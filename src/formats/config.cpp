@@ -1,0 +1,350 @@
+#include "formats/config.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <utility>
+
+namespace forge {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMaxHeading = 3.1416;  // rad; pi as the files round it
+
+std::string textOf(const YAML::Node& node) {
+  return node.IsScalar() ? node.Scalar() : YAML::Dump(node);
+}
+
+/// One mapping of a file. Every read checks the value; finish() finds the keys that nobody read.
+class Section {
+ public:
+  Section(std::string file, std::string name, const YAML::Node& node)
+      : file_(std::move(file)), name_(std::move(name)), node_(node) {
+    if (!node_.IsMap()) fail(name_.empty() ? "the file" : name_, node_, "is not a mapping");
+    for (const auto& entry : node_) {
+      if (!entry.first.IsScalar()) fail(pathOf(textOf(entry.first)), entry.second, "has no name");
+      const std::string key = entry.first.Scalar();
+      if (!unread_.insert(key).second) fail(pathOf(key), entry.second, "is given twice");
+    }
+  }
+
+  Section section(const std::string& key) { return {file_, pathOf(key), take(key)}; }
+
+  double positive(const std::string& key) {
+    const YAML::Node node = take(key);
+    const double value = toNumber(key, node);
+    if (!(value > 0.0)) fail(pathOf(key), node, "is not positive");
+    return value;
+  }
+
+  double within(const std::string& key, double min, double max) {
+    const YAML::Node node = take(key);
+    const double value = toNumber(key, node);
+    if (!(value >= min && value <= max)) fail(pathOf(key), node, rangeText(min, max));
+    return value;
+  }
+
+  double nonNegative(const std::string& key) { return within(key, 0.0, kInfinity); }
+
+  int count(const std::string& key, int min, int max = std::numeric_limits<int>::max()) {
+    const YAML::Node node = take(key);
+    int value = 0;
+    if (!YAML::convert<int>::decode(node, value)) fail(pathOf(key), node, "is not an integer");
+    if (value < min || value > max) fail(pathOf(key), node, rangeText(min, max));
+    return value;
+  }
+
+  std::vector<double> positives(const std::string& key) {
+    const YAML::Node node = take(key);
+    if (!node.IsSequence() || node.size() == 0) fail(pathOf(key), node, "is not a list of numbers");
+    std::vector<double> values;
+    for (const YAML::Node& entry : node) {
+      values.push_back(toNumber(key, entry));
+      if (!(values.back() > 0.0)) fail(pathOf(key), entry, "is not positive");
+    }
+    return values;
+  }
+
+  /// [red, green, blue], each 0 to 1.
+  Color color(const std::string& key) {
+    const YAML::Node node = take(key);
+    if (!node.IsSequence() || node.size() != 3) {
+      fail(pathOf(key), node, "is not [red, green, blue]");
+    }
+    double shares[3] = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+      shares[i] = toNumber(key, node[i]);
+      if (!(shares[i] >= 0.0 && shares[i] <= 1.0)) fail(pathOf(key), node, rangeText(0.0, 1.0));
+    }
+    return {shares[0], shares[1], shares[2]};
+  }
+
+  DrivingSide drivingSide(const std::string& key) {
+    const YAML::Node node = take(key);
+    const std::string side = textOf(node);
+    if (side != "right" && side != "left") fail(pathOf(key), node, "is neither right nor left");
+    return side == "right" ? DrivingSide::kRight : DrivingSide::kLeft;
+  }
+
+  /// Keys that were not read yet.
+  const std::set<std::string>& unread() const { return unread_; }
+
+  void finish() const {
+    if (unread_.empty()) return;
+    const std::string& key = *unread_.begin();
+    fail(pathOf(key), node_[key], "is an unknown key");
+  }
+
+ private:
+  std::string pathOf(const std::string& key) const {
+    return name_.empty() ? key : name_ + "." + key;
+  }
+
+  [[noreturn]] void fail(const std::string& path, const YAML::Node& node,
+                         const std::string& problem) const {
+    throw ConfigError(file_ + ": " + path + " = " + textOf(node) + " " + problem);
+  }
+
+  static std::string rangeText(double min, double max) {
+    std::ostringstream text;
+    text << "is not within " << min << " to " << max;
+    return text.str();
+  }
+
+  YAML::Node take(const std::string& key) {
+    if (unread_.erase(key) == 0) throw ConfigError(file_ + ": " + pathOf(key) + " is missing");
+    return node_[key];
+  }
+
+  double toNumber(const std::string& key, const YAML::Node& node) const {
+    double value = 0.0;
+    if (!YAML::convert<double>::decode(node, value)) fail(pathOf(key), node, "is not a number");
+    if (!std::isfinite(value)) fail(pathOf(key), node, "is not finite");
+    return value;
+  }
+
+  std::string file_;
+  std::string name_;
+  const YAML::Node node_;
+  std::set<std::string> unread_;
+};
+
+Section openFile(const std::string& directory, const std::string& name) {
+  const std::string path = directory + "/" + name;
+  try {
+    return {path, "", YAML::LoadFile(path)};
+  } catch (const YAML::Exception& error) {
+    throw ConfigError(path + ": " + error.what());
+  }
+}
+
+VehicleLimits loadVehicleLimits(const std::string& directory) {
+  Section file = openFile(directory, "vehicle_limits.yaml");
+  Section section = file.section("vehicle_limits");
+  VehicleLimits limits;
+  limits.max_forward_acceleration = section.positive("max_forward_acceleration");
+  limits.max_braking = section.positive("max_braking");
+  limits.max_total_acceleration = section.positive("max_total_acceleration");
+  limits.max_curvature = section.positive("max_curvature");
+  limits.max_speed = section.positive("max_speed");
+  limits.curvature_min_speed = section.nonNegative("curvature_min_speed");
+  limits.heading_slack = section.nonNegative("heading_slack");
+  limits.heading_per_metre = section.nonNegative("heading_per_metre");
+  section.finish();
+  file.finish();
+  return limits;
+}
+
+EgoVehicle loadEgoVehicle(const std::string& directory) {
+  Section file = openFile(directory, "ego_vehicle.yaml");
+  Section section = file.section("ego_vehicle");
+  EgoVehicle vehicle;
+  vehicle.size = {section.positive("length"), section.positive("width")};
+  const double half_length = 0.5 * vehicle.size.length;
+  vehicle.center_offset = section.within("center_offset", -half_length, half_length);
+  section.finish();
+  file.finish();
+  return vehicle;
+}
+
+TypeDefinitions loadCollisionTypes(const std::string& directory) {
+  Section file = openFile(directory, "collision_types.yaml");
+  Section types = file.section("collision_types");
+  TypeDefinitions definitions;
+  for (const CollisionType type : kCollisionTypes) {
+    Section section = types.section(toString(type));
+    TypeDefinition& definition = definitions[type];
+    definition.min_heading = section.within("min_heading", 0.0, kMaxHeading);
+    definition.max_heading = section.within("max_heading", definition.min_heading, kMaxHeading);
+    definition.nominal_heading =
+        section.within("nominal_heading", definition.min_heading, definition.max_heading);
+    section.finish();
+  }
+  types.finish();
+  file.finish();
+  return definitions;
+}
+
+PredictionOptions loadPrediction(const std::string& directory) {
+  Section file = openFile(directory, "prediction.yaml");
+  Section section = file.section("prediction");
+  PredictionOptions options;
+  options.history_frames = section.count("history_frames", 1);
+  options.min_history_frames = section.count("min_history_frames", 1, options.history_frames);
+  options.motion_frames = section.count("motion_frames", 2);
+  options.min_tta = section.positive("min_tta");
+  options.max_tta = section.within("max_tta", options.min_tta, kInfinity);
+  options.candidate_radius = section.positive("candidate_radius");
+  options.step = section.positive("step");
+  options.tail = section.positive("tail");
+  options.lane_max_distance = section.nonNegative("lane_max_distance");
+  options.lane_max_heading = section.within("lane_max_heading", 0.0, kMaxHeading);
+  options.standstill_speed = section.nonNegative("standstill_speed");
+  options.lane_return_distance = section.positive("lane_return_distance");
+  options.rear_end_closing_speed = section.positive("rear_end_closing_speed");
+  options.min_impact_speed = section.nonNegative("min_impact_speed");
+  section.finish();
+  file.finish();
+  return options;
+}
+
+RealizationOptions readRealization(Section section) {
+  RealizationOptions options;
+  options.step = section.positive("step");
+  options.tail = section.within("tail", options.step, kInfinity);
+  options.depth = section.nonNegative("depth");
+  options.samples = section.count("samples", 1);
+  options.heading_spread = section.within("heading_spread", 0.0, kMaxHeading);
+  options.slide_spread = section.within("slide_spread", 0.0, 1.0);
+  options.speed_spread = section.nonNegative("speed_spread");
+  options.compared = section.count("compared", 1);
+  options.off_road_weight = section.nonNegative("off_road_weight");
+  section.finish();
+  return options;
+}
+
+VerificationOptions readVerification(Section section) {
+  VerificationOptions options;
+  options.time_tolerance = section.positive("time_tolerance");
+  options.overlap_tolerance = section.positive("overlap_tolerance");
+  options.confidence_speed_factors = section.positives("confidence_speed_factors");
+  section.finish();
+  return options;
+}
+
+EncodingOptions loadEncoding(const std::string& directory) {
+  Section file = openFile(directory, "encoding.yaml");
+  Section section = file.section("encoding");
+  EncodingOptions options;
+  options.lane_radius = section.positive("lane_radius");
+  options.max_lanes = section.count("max_lanes", 1);
+  options.lane_points = section.count("lane_points", 2);
+  options.lane_point_spacing = section.positive("lane_point_spacing");
+  section.finish();
+  file.finish();
+  return options;
+}
+
+ConversionOptions loadConversion(const std::string& directory) {
+  Section file = openFile(directory, "conversion.yaml");
+  Section section = file.section("conversion");
+  ConversionOptions options;
+  options.map_radius = section.positive("map_radius");
+  options.centerline_resolution = section.positive("centerline_resolution");
+  section.finish();
+  file.finish();
+  return options;
+}
+
+void readDrawingSizes(Section& section, DrawingOptions& options) {
+  constexpr int kMinPixels = 64;
+  constexpr int kMaxPixels = 8192;
+  options.png_width = section.count("png_width", kMinPixels, kMaxPixels);
+  options.png_height = section.count("png_height", kMinPixels, kMaxPixels);
+  options.png_font_size = section.positive("png_font_size");
+  options.gif_width = section.count("gif_width", kMinPixels, kMaxPixels);
+  options.gif_height = section.count("gif_height", kMinPixels, kMaxPixels);
+  options.gif_font_size = section.positive("gif_font_size");
+  options.gif_frames_per_second = section.positive("gif_frames_per_second");
+  options.gif_seconds_after_contact = section.nonNegative("gif_seconds_after_contact");
+  options.gif_contact_hold = section.nonNegative("gif_contact_hold");
+  options.seconds_before_now = section.nonNegative("seconds_before_now");
+  options.view_margin = section.nonNegative("view_margin");
+  options.min_extent = section.positive("min_extent");
+  options.close_up_extent = section.positive("close_up_extent");
+  options.scale_bar = section.positive("scale_bar");
+  options.ghost_interval = section.positive("ghost_interval");
+  options.ghost_opacity = section.within("ghost_opacity", 0.0, 1.0);
+}
+
+DrawingOptions loadDrawing(const std::string& directory) {
+  Section file = openFile(directory, "drawing.yaml");
+  Section section = file.section("drawing");
+  DrawingOptions options;
+  readDrawingSizes(section, options);
+  options.background_color = section.color("background_color");
+  options.text_color = section.color("text_color");
+  options.muted_text_color = section.color("muted_text_color");
+  options.drivable_color = section.color("drivable_color");
+  options.lane_color = section.color("lane_color");
+  options.connector_color = section.color("connector_color");
+  options.agent_color = section.color("agent_color");
+  options.ego_color = section.color("ego_color");
+  options.attacker_color = section.color("attacker_color");
+  options.pattern_ego_color = section.color("pattern_ego_color");
+  options.pattern_attacker_color = section.color("pattern_attacker_color");
+  options.contact_color = section.color("contact_color");
+  options.passed_color = section.color("passed_color");
+  options.failed_color = section.color("failed_color");
+  section.finish();
+  file.finish();
+  return options;
+}
+
+std::map<std::string, DrivingSide> loadLocations(const std::string& directory) {
+  Section file = openFile(directory, "locations.yaml");
+  Section section = file.section("locations");
+  std::map<std::string, DrivingSide> locations;
+  while (!section.unread().empty()) {
+    const std::string prefix = *section.unread().begin();
+    locations[prefix] = section.drivingSide(prefix);
+  }
+  file.finish();
+  return locations;
+}
+
+}  // namespace
+
+Config loadConfig(const std::string& directory) {
+  Config config;
+  config.attack.vehicle_limits = loadVehicleLimits(directory);
+  config.attack.collision_types = loadCollisionTypes(directory);
+  config.attack.prediction = loadPrediction(directory);
+  Section realization = openFile(directory, "realization.yaml");
+  config.attack.realization = readRealization(realization.section("realization"));
+  config.attack.verification = readVerification(realization.section("verification"));
+  realization.finish();
+  config.ego_vehicle = loadEgoVehicle(directory);
+  config.encoding = loadEncoding(directory);
+  config.conversion = loadConversion(directory);
+  config.drawing = loadDrawing(directory);
+  config.locations = loadLocations(directory);
+  return config;
+}
+
+DrivingSide drivingSide(const Config& config, const std::string& location) {
+  const std::pair<const std::string, DrivingSide>* best = nullptr;
+  for (const auto& entry : config.locations) {
+    const bool fits = location.compare(0, entry.first.size(), entry.first) == 0;
+    if (fits && (!best || entry.first.size() > best->first.size())) best = &entry;
+  }
+  if (!best) {
+    throw ConfigError("locations.yaml: no prefix under locations fits location = " + location);
+  }
+  return best->second;
+}
+
+}  // namespace forge

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "attack/options.h"
+#include "drawing/drawing_options.h"
+#include "map/lane_map.h"
+#include "network/encoding_options.h"
+#include "scene/scene.h"
+
+namespace forge {
+
+/// config/conversion.yaml, where each number's unit stands.
+struct ConversionOptions {
+  double map_radius = 0.0;
+  double centerline_resolution = 0.0;
+};
+
+/// Everything that can be tuned, as read from the files of config/.
+struct Config {
+  AttackOptions attack;
+  EgoVehicle ego_vehicle;
+  EncodingOptions encoding;
+  ConversionOptions conversion;
+  DrawingOptions drawing;
+  std::map<std::string, DrivingSide> locations;  ///< by prefix of the location's name
+};
+
+/// Names file, key and value.
+struct ConfigError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads every .yaml file in `directory`. Throws ConfigError for a missing, unknown or malformed key.
+Config loadConfig(const std::string& directory);
+
+/// The side for a location; throws ConfigError when no prefix in config/locations.yaml fits.
+DrivingSide drivingSide(const Config& config, const std::string& location);
+
+}  // namespace forge

@@ -1,0 +1,46 @@
+#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.hpp>
+#include <ros/ros.h>
+
+#include <optional>
+
+#include "ros/injection.h"
+#include "ros/topic_names.h"
+
+namespace forge {
+
+/// agents -> injected_agents, with the newest attacker's trajectory in place of its recorded future.
+/// A replay that is restarted before the attack's start passes the recording through until then.
+class AttackerInjectorNodelet : public nodelet::Nodelet {
+ private:
+  static constexpr int kQueue = 100;
+
+  void onInit() override {
+    ros::NodeHandle& node = getNodeHandle();
+    publisher_ = node.advertise<collision_forge::AgentArray>(names::kInjectedAgents, kQueue);
+    trajectory_subscriber_ = node.subscribe(names::kAttackerTrajectory, 1,
+                                            &AttackerInjectorNodelet::receiveTrajectory, this);
+    agents_subscriber_ =
+        node.subscribe(names::kAgents, kQueue, &AttackerInjectorNodelet::receiveAgents, this);
+  }
+
+  void receiveTrajectory(const collision_forge::AttackerTrajectory& message) {
+    injector_.emplace(message);
+    if (last_) injector_->inject(*last_);
+  }
+
+  void receiveAgents(const collision_forge::AgentArray::ConstPtr& message) {
+    last_ = message;
+    publisher_.publish(injector_ ? injector_->inject(*message) : *message);
+  }
+
+  std::optional<AttackerInjector> injector_;
+  collision_forge::AgentArray::ConstPtr last_;  // tells the injector the attacker's height
+  ros::Publisher publisher_;
+  ros::Subscriber trajectory_subscriber_;
+  ros::Subscriber agents_subscriber_;
+};
+
+}  // namespace forge
+
+PLUGINLIB_EXPORT_CLASS(forge::AttackerInjectorNodelet, nodelet::Nodelet)

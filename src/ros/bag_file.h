@@ -1,0 +1,59 @@
+#pragma once
+
+#include <rosbag/bag.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace forge {
+
+/// A bag that cannot be read or written; names the path, and the topic and time if it has them.
+struct BagError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The name in a bag of a topic of topic_names.h.
+inline std::string bagTopic(const char* name) { return std::string("/") + name; }
+
+/// An LZ4 bag that takes its name only when it is complete: written to `path` + ".part", renamed by
+/// commit(), removed if that never comes.
+class NewBag {
+ public:
+  explicit NewBag(const std::string& path);
+  ~NewBag();
+  NewBag(const NewBag&) = delete;
+  NewBag& operator=(const NewBag&) = delete;
+
+  template <typename Message>
+  void write(const std::string& topic, const ros::Time& time, const Message& message) {
+    bag_.write(topic, time, message);
+  }
+
+  /// As a latched publisher would have been recorded: rosbag play latches it again.
+  template <typename Message>
+  void writeLatched(const std::string& topic, const ros::Time& time, const Message& message) {
+    bag_.write(topic, time, message, latchedHeader<Message>());
+  }
+
+  rosbag::Bag& bag() { return bag_; }
+
+  /// Closes and renames. Throws BagError.
+  void commit();
+
+ private:
+  template <typename Message>
+  static boost::shared_ptr<ros::M_string> latchedHeader() {
+    auto header = boost::make_shared<ros::M_string>();
+    (*header)["type"] = ros::message_traits::datatype<Message>();
+    (*header)["md5sum"] = ros::message_traits::md5sum<Message>();
+    (*header)["message_definition"] = ros::message_traits::definition<Message>();
+    (*header)["latching"] = "1";
+    return header;
+  }
+
+  std::string path_;
+  std::string part_;
+  rosbag::Bag bag_;
+};
+
+}  // namespace forge

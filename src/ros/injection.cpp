@@ -1,0 +1,112 @@
+#include "ros/injection.h"
+
+#include <rosbag/view.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <algorithm>
+
+#include "ros/bag_file.h"
+#include "ros/conversions.h"
+#include "ros/markers.h"
+#include "ros/topic_names.h"
+
+namespace forge {
+namespace {
+
+/// The point of the trajectory at a time within it, interpolated.
+TrajectoryPoint pointAt(const AttackerTrajectory& trajectory, double time) {
+  const auto after = std::find_if(trajectory.points.begin(), trajectory.points.end(),
+                                  [=](const TrajectoryPoint& point) { return point.time >= time; });
+  if (after == trajectory.points.begin()) return trajectory.points.front();
+  if (after == trajectory.points.end()) return trajectory.points.back();
+  const TrajectoryPoint& before = *std::prev(after);
+  const double ratio = (time - before.time) / (after->time - before.time);
+  TrajectoryPoint point = *after;
+  point.time = time;
+  point.pose = interpolate(before.pose, after->pose, ratio);
+  point.speed = before.speed + ratio * (after->speed - before.speed);
+  return point;
+}
+
+void writeAttack(NewBag& bag, const ros::Time& time, const AttackMessages& attack) {
+  bag.writeLatched(bagTopic(names::kCollisionPattern), time, attack.pattern);
+  bag.writeLatched(bagTopic(names::kAttackerTrajectory), time, attack.trajectory);
+  bag.writeLatched(bagTopic(names::kCollisionReport), time, attack.report);
+  bag.writeLatched(bagTopic(names::kTestedReport), time, attack.tested_report);
+}
+
+}  // namespace
+
+AttackerInjector::AttackerInjector(collision_forge::AttackerTrajectory trajectory)
+    : trajectory_(std::move(trajectory)) {
+  attacker_.id = trajectory_.attacker_id;
+  attacker_.agent_class = trajectory_.agent_class;
+  attacker_.size = trajectory_.size;
+}
+
+collision_forge::AgentArray AttackerInjector::inject(collision_forge::AgentArray agents) {
+  auto& all = agents.agents;
+  const auto recorded =
+      std::find_if(all.begin(), all.end(),
+                   [this](const collision_forge::Agent& a) { return a.id == attacker_.id; });
+  if (trajectory_.points.empty() || agents.header.stamp <= trajectory_.points.front().stamp) {
+    if (recorded != all.end()) attacker_ = *recorded;
+    return agents;
+  }
+  if (agents.header.stamp > trajectory_.points.back().stamp) {
+    if (recorded != all.end()) all.erase(recorded);
+    return agents;
+  }
+  const TrajectoryPoint point = pointAt(fromMessage(trajectory_), agents.header.stamp.toSec());
+  collision_forge::Agent attacker = attacker_;
+  const double z = attacker_.pose.position.z;
+  attacker.pose = toPoseMessage(point.pose);
+  attacker.pose.position.z = z;
+  const Vector2 velocity = point.speed * point.pose.heading();
+  attacker.velocity.x = velocity.x();
+  attacker.velocity.y = velocity.y();
+  attacker.velocity.z = 0.0;
+  if (recorded != all.end()) {
+    *recorded = attacker;
+  } else {
+    all.push_back(attacker);
+  }
+  return agents;
+}
+
+void injectIntoBag(const std::string& in, const std::string& out, const AttackMessages& attack) {
+  try {
+    const rosbag::Bag source(in, rosbag::bagmode::Read);
+    NewBag target(out);
+    AttackerInjector injector(attack.trajectory);
+    const ros::Time now = attack.trajectory.header.stamp;
+    bool added = false;
+    collision_forge::AgentArray injected;
+    for (const rosbag::MessageInstance& instance : rosbag::View(source)) {
+      const ros::Time time = instance.getTime();
+      if (!added && time > now) {
+        writeAttack(target, now, attack);
+        added = true;
+      }
+      if (instance.getTopic() == bagTopic(names::kAgents)) {
+        injected = injector.inject(*instance.instantiate<collision_forge::AgentArray>());
+        if (time > now) {
+          target.bag().write(instance.getTopic(), time, injected, instance.getConnectionHeader());
+          continue;
+        }
+      }
+      if (time > now && instance.getTopic() == bagTopic(names::kAnnotationMarkers)) {
+        target.bag().write(instance.getTopic(), time, annotationMarkers(injected),
+                           instance.getConnectionHeader());
+        continue;
+      }
+      target.bag().write(instance.getTopic(), time, instance, instance.getConnectionHeader());
+    }
+    if (!added) writeAttack(target, now, attack);
+    target.commit();
+  } catch (const rosbag::BagException& error) {
+    throw BagError(in + " to " + out + ": " + error.what());
+  }
+}
+
+}  // namespace forge

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <collision_forge/AgentArray.h>
+#include <collision_forge/AttackerTrajectory.h>
+#include <collision_forge/CollisionPattern.h>
+#include <collision_forge/CollisionReport.h>
+
+#include <string>
+
+namespace forge {
+
+/// Remembers what the trajectory does not say about an attacker (height, z), and puts it into
+/// frames of agents.
+class AttackerInjector {
+ public:
+  explicit AttackerInjector(collision_forge::AttackerTrajectory trajectory);
+
+  /// Frames up to the trajectory's start pass as they are. Later, the attacker is where its
+  /// trajectory has it, whether it was recorded in that frame or not, and all others are as they
+  /// were. After the trajectory's end the attacker is gone: the aftermath of a crash is not modelled.
+  collision_forge::AgentArray inject(collision_forge::AgentArray agents);
+
+ private:
+  collision_forge::AttackerTrajectory trajectory_;
+  collision_forge::Agent attacker_;
+};
+
+/// What a generated collision adds to a bag.
+struct AttackMessages {
+  collision_forge::CollisionPattern pattern;
+  collision_forge::AttackerTrajectory trajectory;
+  collision_forge::CollisionReport report;         ///< at generation
+  collision_forge::CollisionReport tested_report;  ///< against the recorded future
+};
+
+/// Copies the bag at `in` to `out`: the attacker's recorded future in /agents and
+/// /annotation_markers is replaced, the four messages are added (latched, at the trajectory's start),
+/// every other message is copied byte for byte with its connection. Throws BagError.
+void injectIntoBag(const std::string& in, const std::string& out, const AttackMessages& attack);
+
+}  // namespace forge

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <std_msgs/ColorRGBA.h>
+
+#include <array>
+#include <cstdint>
+
+/// Every colour that RViz shows, for a white background. The ego, the attacker, the pattern and the
+/// contact look as in the figures (config/drawing.yaml).
+namespace forge::colors {
+
+struct MarkerColor {
+  float red = 0.0F;
+  float green = 0.0F;
+  float blue = 0.0F;
+  float alpha = 1.0F;
+};
+
+inline constexpr MarkerColor kDrivableArea{0.90F, 0.91F, 0.92F};
+inline constexpr MarkerColor kLane{0.66F, 0.69F, 0.72F};
+inline constexpr MarkerColor kConnector{0.78F, 0.80F, 0.82F};
+
+inline constexpr MarkerColor kEgo{0.12F, 0.40F, 0.80F};
+inline constexpr MarkerColor kAttacker{0.84F, 0.15F, 0.16F};
+inline constexpr MarkerColor kPatternEgo{0.52F, 0.20F, 0.68F};
+inline constexpr MarkerColor kPatternAttacker{0.98F, 0.58F, 0.10F};
+inline constexpr MarkerColor kContact{1.00F, 0.87F, 0.12F};
+
+inline constexpr MarkerColor kText{0.13F, 0.15F, 0.18F};
+inline constexpr MarkerColor kNose{1.00F, 1.00F, 1.00F, 0.75F};  ///< the arrow head on a box
+
+/// In the order of the constants in Agent.msg.
+inline constexpr std::array<MarkerColor, 11> kAgentClasses{{
+    {0.44F, 0.53F, 0.62F},  // car
+    {0.05F, 0.45F, 0.45F},  // truck
+    {0.52F, 0.50F, 0.05F},  // bus
+    {0.35F, 0.68F, 0.64F},  // trailer
+    {0.50F, 0.31F, 0.16F},  // construction vehicle
+    {0.85F, 0.25F, 0.62F},  // emergency vehicle
+    {0.10F, 0.50F, 0.16F},  // motorcycle
+    {0.42F, 0.74F, 0.20F},  // bicycle
+    {0.05F, 0.68F, 0.85F},  // pedestrian
+    {0.70F, 0.66F, 0.42F},  // animal
+    {0.60F, 0.60F, 0.60F},  // static object
+}};
+
+/// A class that does not exist looks like a static object.
+inline MarkerColor agentColor(std::uint8_t agent_class) {
+  return agent_class < kAgentClasses.size() ? kAgentClasses[agent_class] : kAgentClasses.back();
+}
+
+inline MarkerColor withAlpha(MarkerColor color, float alpha) {
+  color.alpha = alpha;
+  return color;
+}
+
+inline std_msgs::ColorRGBA toMessage(const MarkerColor& color) {
+  std_msgs::ColorRGBA message;
+  message.r = color.red;
+  message.g = color.green;
+  message.b = color.blue;
+  message.a = color.alpha;
+  return message;
+}
+
+}  // namespace forge::colors

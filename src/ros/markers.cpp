@@ -1,0 +1,281 @@
+#include "ros/markers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "ros/conversions.h"
+#include "ros/marker_fill.h"
+#include "ros/marker_list.h"
+
+namespace forge {
+
+namespace {
+
+using visualization_msgs::MarkerArray;
+
+// Heights above ground, m: what should be seen from above lies higher.
+constexpr double kAreaHeight = 0.0;
+constexpr double kConnectorHeight = 0.02;
+constexpr double kLaneHeight = 0.04;
+constexpr double kTrailHeight = 0.1;
+constexpr double kGhostHeight = 0.2;
+constexpr double kVehicleHeight = 1.5;  // of a box whose height is unknown
+constexpr double kPathHeight = 4.5;     // above every bus
+constexpr double kOutlineHeight = 4.6;
+constexpr double kPatternHeight = 4.7;
+constexpr double kContactHeight = 4.8;
+constexpr double kTextHeight = 5.0;
+
+constexpr double kLaneWidth = 0.12;     // m, of lines
+constexpr double kTrailWidth = 0.25;    // m
+constexpr double kPathWidth = 0.3;      // m
+constexpr double kPatternWidth = 0.22;  // m
+constexpr double kGhostWidth = 0.1;     // m
+
+constexpr double kArrowSpacing = 15.0;  // m along a centreline
+constexpr double kArrowLength = 1.2;    // m
+constexpr double kArrowWidth = 1.0;     // m
+
+constexpr double kGhostInterval = 0.5;    // s
+constexpr double kTimeTolerance = 1e-6;   // s
+constexpr double kContactDiameter = 1.0;  // m
+constexpr float kGhostAlpha = 0.16F;
+constexpr float kContactAlpha = 0.45F;  // of the vehicles at contact
+constexpr float kTrailAlpha = 0.6F;
+
+constexpr double kIdLetterHeight = 1.6;      // m
+constexpr double kReportLetterHeight = 2.2;  // m
+constexpr std::size_t kIdLetters = 6;
+
+BoxSize sizeOf(const geometry_msgs::Vector3& size) { return {size.x, size.y}; }
+
+template <typename Ring>
+std::vector<Vector2> positions(const Ring& points) {
+  std::vector<Vector2> ring;
+  ring.reserve(points.size());
+  for (const auto& point : points) ring.emplace_back(point.x, point.y);
+  return ring;
+}
+
+/// The start of an id above its box, for RViz that looks along -z with y up. Long ids (nuScenes: 32
+/// letters) would hide the scene.
+void addId(const std::string& id, const OrientedBox& box, MarkerList& markers) {
+  double top = box.center.y;
+  for (const Vector2& corner : corners(box)) top = std::max(top, corner.y());
+  markers.addText("ids", id.substr(0, kIdLetters), {box.center.x, top + 0.6 * kIdLetterHeight},
+                  kIdLetterHeight, kTextHeight, colors::kText);
+}
+
+bool canAttackClass(std::uint8_t agent_class) {
+  return agent_class <= collision_forge::Agent::STATIC_OBJECT &&
+         canAttack(static_cast<AgentClass>(agent_class));
+}
+
+Polygon polygonOf(const collision_forge::PolygonWithHoles& message) {
+  Polygon polygon{positions(message.exterior.points), {}};
+  for (const auto& hole : message.holes) polygon.holes.push_back(positions(hole.points));
+  return polygon;
+}
+
+void appendArrowHead(const Pose2& pose, std::vector<Vector2>& lines) {
+  const auto point = [&pose](double forward, double left) {
+    return compose(pose, {forward, left, 0.0}).position();
+  };
+  appendPolyline({point(-kArrowLength / 2, kArrowWidth / 2), point(kArrowLength / 2, 0.0),
+                  point(-kArrowLength / 2, -kArrowWidth / 2)},
+                 lines);
+}
+
+/// An arrow head every kArrowSpacing metres, the first half a spacing in.
+void appendArrowHeads(const std::vector<Vector2>& centerline, std::vector<Vector2>& lines) {
+  double ahead = kArrowSpacing / 2;  // to the next arrow head
+  for (std::size_t i = 1; i < centerline.size(); ++i) {
+    const Vector2 step = centerline[i] - centerline[i - 1];
+    const double length = step.norm();
+    if (!std::isfinite(length)) continue;
+    for (; ahead < length; ahead += kArrowSpacing) {
+      const Vector2 position = centerline[i - 1] + ahead / length * step;
+      appendArrowHead({position.x(), position.y(), std::atan2(step.y(), step.x())}, lines);
+    }
+    ahead -= length;
+  }
+}
+
+void addLanes(const collision_forge::LaneMap& map, MarkerList& markers) {
+  std::vector<Vector2> lanes;
+  std::vector<Vector2> connectors;
+  for (const auto& lane : map.lanes) {
+    std::vector<Vector2>& lines = lane.is_connector ? connectors : lanes;
+    const std::vector<Vector2> centerline = positions(lane.centerline);
+    appendPolyline(centerline, lines);
+    appendArrowHeads(centerline, lines);
+  }
+  markers.addLines("connectors", connectors, kLaneWidth, kConnectorHeight, colors::kConnector);
+  markers.addLines("lanes", lanes, kLaneWidth, kLaneHeight, colors::kLane);
+}
+
+std::vector<Vector2> trailOf(const collision_forge::AgentTrack& track) {
+  std::vector<Vector2> lines;
+  std::vector<Vector2> trail;
+  for (const auto& state : track.states) trail.emplace_back(state.pose.x, state.pose.y);
+  appendPolyline(trail, lines);
+  return lines;
+}
+
+void addTrack(const std::string& name_space, const collision_forge::AgentTrack& track,
+              const ros::Time& now, const colors::MarkerColor& color, MarkerList& markers) {
+  markers.addLines(name_space + "_trail", trailOf(track), kTrailWidth, kTrailHeight,
+                   colors::withAlpha(color, kTrailAlpha));
+  if (track.states.empty() || track.states.back().stamp < now) return;
+  const OrientedBox box{fromMessage(track.states.back().pose), sizeOf(track.size)};
+  markers.addBox(name_space, box, kVehicleHeight, color);
+  if (!canAttackClass(track.agent_class) || track.id == kEgoId) return;
+  addId(track.id, box, markers);
+}
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+/// The corner of either box that is nearest to the other box.
+Vector2 contactPoint(const OrientedBox& ego, const OrientedBox& attacker) {
+  Vector2 nearest = ego.center.position();
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto& [box, other] : {std::pair(ego, attacker), std::pair(attacker, ego)}) {
+    for (const Vector2& corner : corners(box)) {
+      const double gap = distance({{corner.x(), corner.y(), 0.0}, {}}, other);
+      if (gap >= smallest) continue;
+      smallest = gap;
+      nearest = corner;
+    }
+  }
+  return nearest;
+}
+
+std::string reportText(const collision_forge::CollisionPattern& pattern,
+                       const collision_forge::CollisionReport& report) {
+  std::string text = pattern.collision_type;
+  if (!report.contact) return text + ": no contact";
+  text += format("\ncontact in %.2f s", (report.contact_time - report.header.stamp).toSec());
+  text += format("\nheading %+.0f deg", report.relative_heading * 180 / M_PI);
+  text += format("\nimpact %.1f m/s", report.impact_speed);
+  return report.verified ? text : text + "\nNOT VERIFIED";
+}
+
+/// Where a text hides neither vehicle's way to the contact: ahead of both.
+Vector2 textPlace(const Vector2& contact, double ego_yaw, double attacker_yaw) {
+  const Vector2 margin(15.0, 11.0);  // m, for half the text and the boxes
+  const Pose2 ego{0.0, 0.0, ego_yaw};
+  const Pose2 attacker{0.0, 0.0, attacker_yaw};
+  Vector2 ahead = ego.heading() + attacker.heading();
+  if (ahead.norm() < 0.5) ahead = {-ego.heading().y(), ego.heading().x()};
+  return contact + ahead.normalized().cwiseProduct(margin);
+}
+
+/// The attacker's way up to `until` with a ghost every kGhostInterval seconds.
+void addAttackerPath(const collision_forge::AttackerTrajectory& trajectory, const ros::Time& until,
+                     MarkerList& markers) {
+  std::vector<Vector2> path;
+  std::vector<Vector2> outlines;
+  double next_ghost = 0.0;  // s from now
+  for (const auto& point : trajectory.points) {
+    if (point.stamp > until) break;
+    const OrientedBox box{fromMessage(point.pose), sizeOf(trajectory.size)};
+    path.push_back(box.center.position());
+    if ((point.stamp - trajectory.header.stamp).toSec() < next_ghost - kTimeTolerance) continue;
+    next_ghost += kGhostInterval;
+    appendOutline(box, outlines);
+    markers.addSlab("attacker_ghosts", box, kGhostHeight,
+                    colors::withAlpha(colors::kAttacker, kGhostAlpha));
+  }
+  std::vector<Vector2> lines;
+  appendPolyline(path, lines);
+  markers.addLines("attacker_path", lines, kPathWidth, kPathHeight, colors::kAttacker);
+  markers.addLines("attacker_ghost_outlines", outlines, kGhostWidth, kOutlineHeight,
+                   colors::kAttacker);
+}
+
+void addPatternBox(const OrientedBox& box, const std::string& name_space,
+                   const colors::MarkerColor& color, MarkerList& markers) {
+  std::vector<Vector2> outline;
+  appendOutline(box, outline);
+  markers.addLines(name_space, outline, kPatternWidth, kPatternHeight, color);
+}
+
+void addContact(const OrientedBox& ego, const OrientedBox& attacker, const std::string& text,
+                MarkerList& markers) {
+  markers.addSlab("contact_boxes", ego, kPathHeight,
+                  colors::withAlpha(colors::kEgo, kContactAlpha));
+  markers.addSlab("contact_boxes", attacker, kPathHeight,
+                  colors::withAlpha(colors::kAttacker, kContactAlpha));
+  const Vector2 point = contactPoint(ego, attacker);
+  const Vector2 place = textPlace(point, ego.center.yaw, attacker.center.yaw);
+  markers.addDisc("contact", point, kContactDiameter, kContactHeight, colors::kContact);
+  markers.addText("report", text, place, kReportLetterHeight, kTextHeight, colors::kText);
+}
+
+}  // namespace
+
+MarkerArray mapMarkers(const collision_forge::LaneMap& map) {
+  MarkerList markers(map.header);
+  std::vector<Vector2> area;
+  for (const auto& polygon : map.drivable_area) {
+    const std::vector<Vector2> triangles = fillTriangles(polygonOf(polygon));
+    area.insert(area.end(), triangles.begin(), triangles.end());
+  }
+  markers.addTriangles("drivable_area", area, kAreaHeight, colors::kDrivableArea);
+  addLanes(map, markers);
+  return markers.take();
+}
+
+MarkerArray sceneMarkers(const collision_forge::EncodedScene& scene) {
+  MarkerList markers(scene.header);
+  for (const auto& agent : scene.agents) {
+    addTrack("agents", agent, scene.header.stamp, colors::agentColor(agent.agent_class), markers);
+  }
+  addTrack("ego", scene.ego, scene.header.stamp, colors::kEgo, markers);
+  return markers.take();
+}
+
+MarkerArray attackMarkers(const collision_forge::CollisionPattern& pattern,
+                          const collision_forge::AttackerTrajectory& trajectory,
+                          const collision_forge::CollisionReport& report) {
+  MarkerList markers(trajectory.header);
+  const OrientedBox pattern_ego{fromMessage(pattern.ego), sizeOf(pattern.ego_size)};
+  const OrientedBox pattern_attacker{
+      compose(pattern_ego.center, fromMessage(pattern.attacker_offset)), sizeOf(trajectory.size)};
+  addAttackerPath(trajectory, report.contact ? report.contact_time : ros::TIME_MAX, markers);
+  addPatternBox(pattern_ego, "pattern_ego", colors::kPatternEgo, markers);
+  addPatternBox(pattern_attacker, "pattern_attacker", colors::kPatternAttacker, markers);
+  const std::string text = reportText(pattern, report);
+  if (report.contact) {
+    addContact({fromMessage(report.ego_at_contact), pattern_ego.size},
+               {fromMessage(report.attacker_at_contact), pattern_attacker.size}, text, markers);
+  } else {
+    const Vector2 middle = (pattern_ego.center.position() + pattern_attacker.center.position()) / 2;
+    markers.addText("report", text,
+                    textPlace(middle, pattern_ego.center.yaw, pattern_attacker.center.yaw),
+                    kReportLetterHeight, kTextHeight, colors::kText);
+  }
+  return markers.take();
+}
+
+MarkerArray annotationMarkers(const collision_forge::AgentArray& agents) {
+  MarkerList markers(agents.header);
+  for (const auto& agent : agents.agents) {
+    const OrientedBox box{fromMessage(agent.pose), sizeOf(agent.size)};
+    const double height = agent.size.z > 0 ? agent.size.z : kVehicleHeight;
+    markers.addBox("agents", box, height, colors::agentColor(agent.agent_class));
+    addId(agent.id, box, markers);
+  }
+  return markers.take();
+}
+
+MarkerArray noMarkers(const std_msgs::Header& header) { return MarkerList(header).take(); }
+
+}  // namespace forge

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <collision_forge/AgentArray.h>
+#include <collision_forge/AttackerTrajectory.h>
+#include <collision_forge/CollisionPattern.h>
+#include <collision_forge/CollisionReport.h>
+#include <collision_forge/EncodedScene.h>
+#include <collision_forge/LaneMap.h>
+#include <visualization_msgs/MarkerArray.h>
+
+/// Messages as RViz shows them. Frame and stamp are those of the message's header; every array
+/// starts with DELETEALL and so replaces the one before. Colours: ros/marker_colors.h.
+namespace forge {
+
+/// Drivable area, and the centrelines of lanes and connectors with arrow heads along them.
+visualization_msgs::MarkerArray mapMarkers(const collision_forge::LaneMap& map);
+
+/// The ego and the agents present now: box, past trail, and the start of its id on what can attack.
+visualization_msgs::MarkerArray sceneMarkers(const collision_forge::EncodedScene& scene);
+
+/// The attacker's way to the contact with a ghost every half second, the pattern's two boxes, both
+/// vehicles at contact, and what the report says in words.
+visualization_msgs::MarkerArray attackMarkers(const collision_forge::CollisionPattern& pattern,
+                                              const collision_forge::AttackerTrajectory& trajectory,
+                                              const collision_forge::CollisionReport& report);
+
+/// A box and the start of its id for everybody.
+visualization_msgs::MarkerArray annotationMarkers(const collision_forge::AgentArray& agents);
+
+/// Takes away what was shown.
+visualization_msgs::MarkerArray noMarkers(const std_msgs::Header& header);
+
+}  // namespace forge

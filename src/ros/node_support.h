@@ -1,0 +1,59 @@
+#pragma once
+
+#include <collision_forge/LaneMap.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "formats/config.h"
+#include "map/lane_queries.h"
+
+namespace forge {
+
+/// The configuration in the folder named by the private parameter `config_dir`, by default the
+/// package's own config/. Throws ConfigError.
+Config loadNodeConfig(const ros::NodeHandle& private_node);
+
+/// Keeps the newest lane map, ready for queries. Thread-safe.
+class LaneMapSubscriber {
+ public:
+  explicit LaneMapSubscriber(ros::NodeHandle& node);
+
+  /// Null until a usable map has come.
+  std::shared_ptr<const LaneIndex> lanes() const;
+
+ private:
+  void receive(const collision_forge::LaneMap& message);
+
+  mutable std::mutex mutex_;
+  std::shared_ptr<const LaneIndex> lanes_;
+  ros::Subscriber subscriber_;
+};
+
+/// A service with a thread of its own: callers are answered one after the other, and a callback may
+/// call other services without starving the nodelet manager's threads.
+class OwnThreadService {
+ public:
+  template <typename Owner, typename Request, typename Response>
+  OwnThreadService(ros::NodeHandle node, const std::string& name,
+                   bool (Owner::*callback)(Request&, Response&), Owner* owner)
+      : spinner_(1, &queue_) {
+    node.setCallbackQueue(&queue_);
+    server_ = node.advertiseService(name, callback, owner);
+    spinner_.start();
+  }
+  ~OwnThreadService() {
+    spinner_.stop();
+    server_.shutdown();
+  }
+
+ private:
+  ros::CallbackQueue queue_;
+  ros::AsyncSpinner spinner_;
+  ros::ServiceServer server_;
+};
+
+}  // namespace forge

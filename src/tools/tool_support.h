@@ -1,0 +1,47 @@
+#pragma once
+
+#include <ros/package.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+/// What the command line tools share.
+namespace forge {
+
+/// Exit codes of every tool.
+enum ExitCode { kExitOk = 0, kExitError = 1, kExitUsage = 2, kExitNoAttack = 3 };
+
+/// Adds --config, by default the package's own configuration.
+inline void addConfigOption(CLI::App& app, std::string& directory) {
+  directory = ros::package::getPath("collision_forge") + "/config";
+  app.add_option("--config", directory, "folder with the configuration files")
+      ->check(CLI::ExistingDirectory)
+      ->capture_default_str();
+}
+
+inline void printWarnings(const std::string& subject, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    std::fprintf(stderr, "warning: %s: %s\n", subject.c_str(), warning.c_str());
+  }
+}
+
+/// Parses the command line, runs the tool, and turns exceptions into a message and an exit code.
+template <typename Tool>
+int runTool(CLI::App& app, int argc, char** argv, Tool tool) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitOk : kExitUsage;
+  }
+  try {
+    return tool();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), error.what());
+    return kExitError;
+  }
+}
+
+}  // namespace forge

@@ -1,0 +1,150 @@
+#include "attack/pattern_predictor.h"
+
+#include <gtest/gtest.h>
+
+#include "attack/kinematic_prediction.h"
+#include "attack/placement.h"
+#include "attack/test_scenes.h"
+
+namespace forge {
+namespace {
+
+constexpr double kTta = 4.0;
+
+/// The ego drives east at 10 m/s from the origin.
+PatternPrediction predict(CollisionType type, std::vector<Track> agents,
+                          const std::optional<std::string>& attacker = std::nullopt,
+                          const Future* recorded = nullptr) {
+  const auto map = emptyMap();
+  const Snapshot snapshot =
+      snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0), std::move(agents), map);
+  CollisionRequest request;
+  request.type = type;
+  request.tta = kTta;
+  request.attacker = attacker;
+  return KinematicPatternPredictor(shippedOptions())
+      .predict(snapshot, LaneIndex(map), request, recorded);
+}
+
+std::vector<std::string> attackers(const PatternPrediction& prediction) {
+  std::vector<std::string> ids;
+  for (const CollisionPattern& pattern : prediction.patterns) ids.push_back(pattern.attacker_id);
+  return ids;
+}
+
+TEST(KinematicPatternPredictor, PutsTheEgoWhereItIsPredictedAtImpact) {
+  const auto prediction =
+      predict(CollisionType::kRearEnd, {pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)});
+  ASSERT_EQ(prediction.status.code, StatusCode::kOk);
+  ASSERT_EQ(prediction.patterns.size(), 1u);
+  const CollisionPattern& pattern = prediction.patterns[0];
+  EXPECT_EQ(pattern.type, CollisionType::kRearEnd);
+  EXPECT_EQ(pattern.attacker_id, "a");
+  EXPECT_EQ(pattern.time, kNow + kTta);
+  EXPECT_NEAR(pattern.ego.center.x, 40.0, 1e-6);
+  EXPECT_EQ(pattern.ego.size.length, kEgoSize.length);
+  EXPECT_GE(prediction.future.ego.states.back().time, kNow + kTta + 2.0 - 1e-9);
+  EXPECT_EQ(prediction.future.agents.size(), 1u);
+}
+
+TEST(KinematicPatternPredictor, PlacesARearEndAttackerBehindAndFaster) {
+  const auto pattern =
+      predict(CollisionType::kRearEnd, {pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)})
+          .patterns.at(0);
+  EXPECT_NEAR(pattern.attacker_offset.x, -0.5 * (kEgoSize.length + kCarSize.length), 1e-6);
+  EXPECT_NEAR(pattern.attacker_offset.y, 0.0, 1e-9);
+  EXPECT_EQ(pattern.attacker_offset.yaw, 0.0);
+  EXPECT_NEAR(pattern.attacker_speed, 14.0, 1e-6) << "closing at 4 m/s";
+}
+
+TEST(KinematicPatternPredictor, PlacesAnOppositeAttackerInFront) {
+  const auto pattern =
+      predict(CollisionType::kOppositeDirection, {pastTrack("a", kCarSize, {75.0, 3.5, M_PI}, 9.0)})
+          .patterns.at(0);
+  EXPECT_NEAR(pattern.attacker_offset.x, 0.5 * (kEgoSize.length + kCarSize.length), 1e-4);
+  EXPECT_NEAR(std::abs(pattern.attacker_offset.yaw), M_PI, 1e-4);
+  EXPECT_NEAR(pattern.attacker_speed, 9.0, 1e-6);
+}
+
+TEST(KinematicPatternPredictor, PlacesSideAttackersOnBothSidesHeadingForTheEgo) {
+  for (const CollisionType type :
+       {CollisionType::kLaneChange, CollisionType::kJunctionCrossing, CollisionType::kLtap}) {
+    const auto prediction = predict(type, {pastTrack("a", kCarSize, {10.0, 30.0, 0.0}, 1.0)});
+    ASSERT_EQ(prediction.patterns.size(), 2u);
+    const double nominal = shippedOptions().collision_types.at(type).nominal_heading;
+    int left = 0;
+    for (const CollisionPattern& pattern : prediction.patterns) {
+      const bool is_left = pattern.attacker_offset.y > 0.0;
+      left += is_left ? 1 : 0;
+      EXPECT_NEAR(pattern.attacker_offset.yaw, is_left ? -nominal : nominal, 1e-12);
+      EXPECT_NEAR(pattern.attacker_speed, 3.0, 1e-9) << "min_impact_speed";
+    }
+    EXPECT_EQ(left, 1);
+  }
+}
+
+TEST(KinematicPatternPredictor, ConsidersCandidatesOnly) {
+  Track pedestrian = pastTrack("pedestrian", {0.7, 0.7}, {5.0, 5.0, 0.0}, 1.0);
+  pedestrian.agent_class = AgentClass::kPedestrian;
+  Track gone = pastTrack("gone", kCarSize, {-20.0, 4.0, 0.0}, 12.0);
+  gone.states.pop_back();
+  Track fresh = pastTrack("fresh", kCarSize, {-20.0, 8.0, 0.0}, 12.0);
+  fresh.states = {fresh.states.back()};
+  const Track far = pastTrack("far", kCarSize, {-81.0, 0.0, 0.0}, 12.0);
+  const Track truck = pastTrack("near", kCarSize, {-79.0, 0.0, 0.0}, 12.0);
+  EXPECT_EQ(attackers(predict(CollisionType::kRearEnd, {pedestrian, gone, fresh, far, truck})),
+            (std::vector<std::string>{"near"}));
+  const auto nobody = predict(CollisionType::kRearEnd, {pedestrian, gone, fresh, far});
+  EXPECT_EQ(nobody.status.code, StatusCode::kNoCandidate);
+  EXPECT_NE(nobody.status.message.find("80"), std::string::npos);
+  EXPECT_NE(nobody.status.message.find("candidate_radius"), std::string::npos);
+}
+
+TEST(KinematicPatternPredictor, ConsidersTheAttackerThatIsAskedForAlone) {
+  const std::vector<Track> agents{pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0),
+                                  pastTrack("b", kCarSize, {-25.0, 3.5, 0.0}, 12.0)};
+  EXPECT_EQ(attackers(predict(CollisionType::kRearEnd, agents, "b")),
+            (std::vector<std::string>{"b"}));
+  EXPECT_EQ(predict(CollisionType::kRearEnd, agents).patterns.size(), 2u);
+}
+
+TEST(KinematicPatternPredictor, RanksAttackersWhoseSpeedFitsTheDistanceFirst) {
+  // From x to 35.7 m in 4 s at a mean of 13 m/s: the fitting one starts 16.3 m behind.
+  const std::vector<Track> agents{pastTrack("far", kCarSize, {-60.0, 0.0, 0.0}, 12.0),
+                                  pastTrack("fits", kCarSize, {-16.0, 3.5, 0.0}, 12.0),
+                                  pastTrack("close", kCarSize, {-6.0, 0.0, 0.0}, 12.0)};
+  EXPECT_EQ(attackers(predict(CollisionType::kRearEnd, agents)),
+            (std::vector<std::string>{"fits", "close", "far"}));
+}
+
+TEST(KinematicPatternPredictor, RanksCrossingsFromTheSideAndLeftTurnsFromAheadFirst) {
+  // All start equally far from the impact at (40, 0) with the same speed.
+  const std::vector<Track> agents{pastTrack("oncoming", kCarSize, {72.0, 0.0, M_PI}, 8.0),
+                                  pastTrack("crossing", kCarSize, {40.0, 32.0, -M_PI_2}, 8.0)};
+  EXPECT_EQ(attackers(predict(CollisionType::kLtap, agents)).front(), "oncoming");
+  EXPECT_EQ(attackers(predict(CollisionType::kJunctionCrossing, agents)).front(), "crossing");
+}
+
+TEST(KinematicPatternPredictor, UsesTheRecordedFutureInReplay) {
+  Future recorded;
+  recorded.ego = futureTrack(kEgoId, kEgoSize, {}, 5.0);
+  const std::vector<Track> agents{pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)};
+  const auto prediction = predict(CollisionType::kRearEnd, agents, std::nullopt, &recorded);
+  ASSERT_EQ(prediction.status.code, StatusCode::kOk);
+  EXPECT_NEAR(prediction.patterns.at(0).ego.center.x, 20.0, 1e-9);
+  EXPECT_NEAR(prediction.patterns.at(0).attacker_speed, 9.0, 1e-9);
+  EXPECT_TRUE(prediction.future.agents.empty());
+}
+
+TEST(KinematicPatternPredictor, NeedsTheRecordingUpToTheImpact) {
+  Future recorded;
+  recorded.ego = straightTrack(kEgoId, kEgoSize, {}, 5.0, kNow, kNow, kNow + kTta - 0.5);
+  const std::vector<Track> agents{pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)};
+  const auto prediction = predict(CollisionType::kRearEnd, agents, std::nullopt, &recorded);
+  EXPECT_EQ(prediction.status.code, StatusCode::kBeyondRecording);
+  EXPECT_NE(prediction.status.message.find("tta = 4.0"), std::string::npos);
+  EXPECT_TRUE(prediction.patterns.empty());
+}
+
+}  // namespace
+}  // namespace forge

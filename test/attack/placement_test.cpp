@@ -1,0 +1,94 @@
+#include "attack/placement.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace forge {
+namespace {
+
+constexpr BoxSize kEgo{4.0, 2.0};
+constexpr BoxSize kAttacker{5.0, 2.2};
+
+Vector2 pushFrom(Side side) {
+  switch (side) {
+    case Side::kFront:
+      return {-1.0, 0.0};
+    case Side::kRear:
+      return {1.0, 0.0};
+    case Side::kLeft:
+      return {0.0, -1.0};
+    default:
+      return {0.0, 1.0};
+  }
+}
+
+OrientedBox moved(OrientedBox box, const Vector2& by) {
+  box.center.x += by.x();
+  box.center.y += by.y();
+  return box;
+}
+
+TEST(SidesOf, AreThoseThatTheTypeHits) {
+  EXPECT_EQ(sidesOf(CollisionType::kRearEnd), (std::vector<Side>{Side::kRear}));
+  EXPECT_EQ(sidesOf(CollisionType::kOppositeDirection), (std::vector<Side>{Side::kFront}));
+  const std::vector<Side> both{Side::kLeft, Side::kRight};
+  EXPECT_EQ(sidesOf(CollisionType::kLaneChange), both);
+  EXPECT_EQ(sidesOf(CollisionType::kJunctionCrossing), both);
+  EXPECT_EQ(sidesOf(CollisionType::kLtap), both);
+}
+
+TEST(SignedHeading, PointsTowardsTheEgo) {
+  EXPECT_DOUBLE_EQ(signedHeading(Side::kLeft, 0.3), -0.3);
+  EXPECT_DOUBLE_EQ(signedHeading(Side::kRight, 0.3), 0.3);
+  EXPECT_DOUBLE_EQ(signedHeading(Side::kRear, 0.0), 0.0);
+  EXPECT_DOUBLE_EQ(signedHeading(Side::kFront, 3.0), 3.0);
+  EXPECT_LE(signedHeading(Side::kFront, 3.1416), M_PI);
+}
+
+TEST(AttackerOffset, OfAlignedBoxesIsHalfTheSidesMinusTheDepth) {
+  const auto expect_offset = [](Side side, double heading, double slide, const Pose2& expected) {
+    const Pose2 offset = attackerOffset(kEgo, kAttacker, side, heading, slide, 0.15);
+    EXPECT_NEAR(offset.x, expected.x, 1e-9);
+    EXPECT_NEAR(offset.y, expected.y, 1e-9);
+    EXPECT_EQ(offset.yaw, expected.yaw);
+  };
+  expect_offset(Side::kFront, M_PI, 0.5, {4.35, 0.5, M_PI});
+  expect_offset(Side::kRear, 0.0, -0.5, {-4.35, -0.5, 0.0});
+  expect_offset(Side::kLeft, -M_PI_2, 0.5, {1.0, 3.35, -M_PI_2});
+  expect_offset(Side::kRight, M_PI_2, -0.5, {-1.0, -3.35, M_PI_2});
+}
+
+TEST(AttackerOffset, OverlapsByTheDepthAlongThePushForAnyBoxes) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int i = 0; i < 2000; ++i) {
+    const BoxSize ego{1.0 + 12.0 * unit(random), 0.5 + 3.0 * unit(random)};
+    const BoxSize attacker{1.0 + 12.0 * unit(random), 0.5 + 3.0 * unit(random)};
+    const auto side = static_cast<Side>(i % 4);
+    const double heading = M_PI * (2.0 * unit(random) - 1.0);
+    const double slide = 2.0 * unit(random) - 1.0;
+    const double depth = 0.3 * unit(random);
+    const OrientedBox ego_box{{}, ego};
+    const OrientedBox box{attackerOffset(ego, attacker, side, heading, slide, depth), attacker};
+    EXPECT_EQ(box.center.yaw, heading);
+    EXPECT_TRUE(overlaps(ego_box, moved(box, -(depth - 1e-6) * pushFrom(side)))) << i;
+    EXPECT_FALSE(overlaps(ego_box, moved(box, -(depth + 1e-6) * pushFrom(side)))) << i;
+    for (double back = depth + 0.05; back < 20.0; back += 0.25) {
+      EXPECT_FALSE(overlaps(ego_box, moved(box, -back * pushFrom(side))))
+          << i << ": a contact further out along the push";
+    }
+  }
+}
+
+TEST(AttackerOffset, SlidesAsAShareOfHalfTheSideThatIsHit) {
+  for (const double slide : {-1.0, -0.3, 0.0, 0.8, 1.0}) {
+    EXPECT_NEAR(attackerOffset(kEgo, kAttacker, Side::kLeft, -0.3, slide, 0.1).x, 2.0 * slide,
+                1e-12);
+    EXPECT_NEAR(attackerOffset(kEgo, kAttacker, Side::kRear, 0.1, slide, 0.1).y, slide, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,140 @@
+#include <cairo.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "drawing/draw_scenario.h"
+#include "drawing/sample_view.h"
+#include "drawing/scenario_painter.h"
+
+namespace forge {
+namespace {
+
+/// A PNG file read back.
+class Picture {
+ public:
+  explicit Picture(const std::string& path)
+      : surface_(cairo_image_surface_create_from_png(path.c_str()), &cairo_surface_destroy) {}
+
+  bool valid() const { return cairo_surface_status(surface_.get()) == CAIRO_STATUS_SUCCESS; }
+  int width() const { return cairo_image_surface_get_width(surface_.get()); }
+  int height() const { return cairo_image_surface_get_height(surface_.get()); }
+  std::uint32_t at(const Vector2& pixel) const {
+    const auto* row = cairo_image_surface_get_data(surface_.get()) +
+                      static_cast<int>(pixel.y()) * cairo_image_surface_get_stride(surface_.get());
+    return reinterpret_cast<const std::uint32_t*>(row)[static_cast<int>(pixel.x())] & 0xFFFFFFU;
+  }
+
+ private:
+  std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
+};
+
+class DrawPng : public testing::Test {
+ protected:
+  void TearDown() override { std::remove(path_.c_str()); }
+
+  /// Draws the view and says what is at a place on the ground, in the map and in the close-up.
+  void draw() { drawScenarioPng(path_, view_, options_); }
+  std::uint32_t onMap(const Vector2& world) const {
+    return Picture(path_).at(painter().mapViewport().toPixel(world));
+  }
+  std::uint32_t onCloseUp(const Vector2& world) const {
+    return Picture(path_).at(painter().closeUpViewport().toPixel(world));
+  }
+  ScenarioPainter painter() const { return {view_, options_, pngSize(options_)}; }
+
+  ScenarioView view_ = sampleView();
+  DrawingOptions options_ = sampleOptions();
+  std::string path_ = temporaryPath("scenario.png");
+};
+
+/// The message of the error that drawing ends with; empty without one.
+template <typename Draw>
+std::string errorOf(const Draw& draw) {
+  try {
+    draw();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(DrawPng, HasTheAskedSize) {
+  draw();
+  const Picture picture(path_);
+  ASSERT_TRUE(picture.valid());
+  EXPECT_EQ(picture.width(), options_.png_width);
+  EXPECT_EQ(picture.height(), options_.png_height);
+}
+
+TEST_F(DrawPng, ShowsEverybodyWhereTheyAreAtContact) {
+  draw();
+  EXPECT_EQ(onMap({10, 0}), packedColor(options_.ego_color));
+  EXPECT_EQ(onMap({5.5, 0}), packedColor(options_.attacker_color));
+  EXPECT_EQ(onMap({10, 8}), packedColor(options_.agent_color));
+  EXPECT_EQ(onMap({30, 3}), packedColor(options_.drivable_color));
+  EXPECT_EQ(onMap({10, -8}), packedColor(options_.background_color));  // north is up
+}
+
+TEST_F(DrawPng, MarksTheContactOnMapAndCloseUp) {
+  draw();
+  EXPECT_EQ(onMap({8, 0}), packedColor(options_.contact_color));
+  EXPECT_EQ(onCloseUp({8, 0}), packedColor(options_.contact_color));
+  EXPECT_EQ(onCloseUp({10, -0.5}), packedColor(options_.ego_color));
+  EXPECT_EQ(onCloseUp({5, 0}), packedColor(options_.attacker_color));
+}
+
+TEST_F(DrawPng, WithoutContactThereIsNoMark) {
+  view_.report.contact = false;
+  draw();
+  EXPECT_NE(onCloseUp({7.8, 0}), packedColor(options_.contact_color));
+}
+
+TEST_F(DrawPng, NeedsNoMap) {
+  view_.snapshot.map = nullptr;
+  draw();
+  EXPECT_EQ(onMap({30, 3}), packedColor(options_.background_color));
+}
+
+TEST_F(DrawPng, SameInputGivesTheSameBytes) {
+  draw();
+  const std::string first = readBytes(path_);
+  draw();
+  EXPECT_FALSE(first.empty());
+  EXPECT_EQ(first, readBytes(path_));
+}
+
+TEST_F(DrawPng, NamesAnUnwritablePathAndLeavesNothing) {
+  path_ = temporaryPath("missing") + "/scenario.png";
+  EXPECT_NE(errorOf([this] { draw(); }).find(path_), std::string::npos);
+  EXPECT_FALSE(exists(path_ + ".tmp"));
+}
+
+TEST_F(DrawPng, LeavesNoTemporaryFileWhenThePathIsAFolder) {
+  ASSERT_EQ(mkdir(path_.c_str(), 0700), 0);
+  EXPECT_NE(errorOf([this] { draw(); }).find(path_), std::string::npos);
+  EXPECT_FALSE(exists(path_ + ".tmp"));
+}
+
+TEST_F(DrawPng, RefusesWhatCannotBeDrawnAndKeepsTheOldFile) {
+  draw();
+  const std::string before = readBytes(path_);
+  view_.trajectory.points.resize(5);
+  EXPECT_NE(errorOf([this] { draw(); }).find(path_), std::string::npos);
+  view_.trajectory.points.clear();
+  const std::string message = errorOf([this] { draw(); });
+  EXPECT_NE(message.find(path_), std::string::npos);
+  EXPECT_NE(message.find("empty"), std::string::npos);
+  view_ = sampleView();
+  view_.report.contact_time = std::nan("");
+  EXPECT_NE(errorOf([this] { draw(); }), "");
+  EXPECT_EQ(readBytes(path_), before);
+  EXPECT_FALSE(exists(path_ + ".tmp"));
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,70 @@
+#include "drawing/scenario_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drawing/sample_view.h"
+
+namespace forge {
+namespace {
+
+TEST(ScenarioMotion, JoinsPastAndFuture) {
+  const ScenarioView view = sampleView();
+  const ScenarioMotion motion(view);
+  EXPECT_NEAR(motion.egoAt(98.5)->center.x, 10 - 5 * 3.54, 1e-9);
+  EXPECT_NEAR(motion.egoAt(101.25)->center.x, 10 - 5 * 0.79, 1e-9);
+  EXPECT_NEAR(motion.attackerAt(98.5)->center.x, 5.5 - 10 * 3.54, 1e-9);
+  EXPECT_NEAR(motion.attackerAt(101.25)->center.x, 5.5 - 10 * 0.79, 1e-9);
+  EXPECT_FALSE(motion.egoAt(97.9));
+  EXPECT_FALSE(motion.attackerAt(97.9));
+}
+
+TEST(ScenarioMotion, FreezesEgoAndAttackerFromContactOn) {
+  const ScenarioView view = sampleView();
+  const ScenarioMotion motion(view);
+  EXPECT_DOUBLE_EQ(motion.egoAt(103.0)->center.x, 10.0);
+  EXPECT_DOUBLE_EQ(motion.attackerAt(103.0)->center.x, 5.5);
+}
+
+TEST(ScenarioMotion, GoesOnWithoutContact) {
+  ScenarioView view = sampleView();
+  view.report.contact = false;
+  const ScenarioMotion motion(view);
+  EXPECT_DOUBLE_EQ(motion.keyTime(), 102.0);
+  EXPECT_NEAR(motion.egoAt(103.0)->center.x, 10 + 5 * 0.96, 1e-9);
+  EXPECT_NEAR(motion.attackerAt(103.0)->center.x, 5.5 + 10 * 0.96, 1e-9);
+}
+
+TEST(ScenarioMotion, OthersLeaveOutTheAttacker) {
+  const ScenarioView view = sampleView();
+  const ScenarioMotion motion(view);
+  for (const double time : {99.0, 101.0}) {
+    const std::vector<AgentBox> others = motion.othersAt(time);
+    ASSERT_EQ(others.size(), 1U);
+    EXPECT_DOUBLE_EQ(others.front().box.center.y, 8.0);
+  }
+}
+
+TEST(ScenarioMotion, BoxesReachBothEnds) {
+  const ScenarioView view = sampleView();
+  const std::vector<OrientedBox> boxes = ScenarioMotion(view).egoBoxes(100.0, 102.04);
+  EXPECT_EQ(boxes.size(), 22U);
+  EXPECT_NEAR(boxes.front().center.x, 10 - 5 * 2.04, 1e-9);
+  EXPECT_DOUBLE_EQ(boxes.back().center.x, 10.0);
+}
+
+TEST(TouchPoint, IsTheMiddleOfTheSharedSide) {
+  const OrientedBox front{{10, 0, 0}, {4, 2}};
+  EXPECT_TRUE(touchPoint(front, {{5.5, 0, 0}, {5, 2}}).isApprox(Vector2(8, 0)));
+  EXPECT_TRUE(touchPoint(front, {{5.5, 1, 0}, {5, 2}}).isApprox(Vector2(8, 0.5)));
+}
+
+TEST(TouchPoint, IsTheCornerThatPokesASide) {
+  const double half_diagonal = std::sqrt(2.0);
+  const OrientedBox diamond{{-half_diagonal, 0.3, std::atan(1.0)}, {2, 2}};
+  EXPECT_TRUE(touchPoint({{2, 0, 0}, {4, 2}}, diamond).isApprox(Vector2(0, 0.3), 1e-9));
+}
+
+}  // namespace
+}  // namespace forge

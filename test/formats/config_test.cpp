@@ -1,0 +1,359 @@
+#include "formats/config.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const kShipped = COLLISION_FORGE_SOURCE_DIR "/config";
+
+/// A copy of the shipped files that a test may spoil; removed with the test.
+class SpoiltConfig : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    directory_ = fs::path(testing::TempDir()) / (std::string("config_test_") + test->name());
+    restore();
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+
+  void restore() const {
+    fs::remove_all(directory_);
+    fs::create_directories(directory_);
+    for (const auto& entry : fs::directory_iterator(kShipped)) {
+      fs::copy(entry.path(), directory_ / entry.path().filename());
+    }
+  }
+
+  void write(const std::string& file, const std::string& text) const {
+    std::ofstream(directory_ / file) << text;
+  }
+
+  /// Replaces the first `from` in a fresh copy of a file.
+  void replace(const std::string& file, const std::string& from, const std::string& to) const {
+    restore();
+    std::stringstream content;
+    content << std::ifstream(directory_ / file).rdbuf();
+    std::string text = content.str();
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from << " is not in " << file;
+    write(file, text.replace(at, from.size(), to));
+  }
+
+  /// What loading says; empty when it succeeds.
+  std::string complaint() const {
+    try {
+      loadConfig(directory_.string());
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  /// The complaint about a file after a replacement names all of `parts`.
+  void expectComplaint(const std::string& file, const std::string& from, const std::string& to,
+                       const std::vector<std::string>& parts) const {
+    replace(file, from, to);
+    const std::string text = complaint();
+    EXPECT_NE(text.find(file), std::string::npos) << to << ": \"" << text << "\"";
+    for (const std::string& part : parts) {
+      EXPECT_NE(text.find(part), std::string::npos) << part << " in \"" << text << "\"";
+    }
+  }
+
+  fs::path directory_;
+};
+
+TEST(Config, ShippedLimitsAndVehicleHaveTheDocumentedValues) {
+  const Config config = loadConfig(kShipped);
+  const VehicleLimits& limits = config.attack.vehicle_limits;
+  EXPECT_EQ(limits.max_forward_acceleration, 5.0);
+  EXPECT_EQ(limits.max_braking, 8.0);
+  EXPECT_EQ(limits.max_total_acceleration, 8.0);
+  EXPECT_EQ(limits.max_curvature, 0.2);
+  EXPECT_EQ(limits.max_speed, 25.0);
+  EXPECT_EQ(limits.curvature_min_speed, 2.0);
+  EXPECT_EQ(limits.heading_slack, 0.1745);
+  EXPECT_EQ(limits.heading_per_metre, 0.3);
+  EXPECT_EQ(config.ego_vehicle.size.length, 4.084);
+  EXPECT_EQ(config.ego_vehicle.size.width, 1.730);
+  EXPECT_EQ(config.ego_vehicle.center_offset, 1.385);
+}
+
+TEST(Config, ShippedPredictionAndEncodingHaveTheDocumentedValues) {
+  const Config config = loadConfig(kShipped);
+  const PredictionOptions& prediction = config.attack.prediction;
+  EXPECT_EQ(prediction.history_frames, 8);
+  EXPECT_EQ(prediction.min_history_frames, 2);
+  EXPECT_EQ(prediction.motion_frames, 4);
+  EXPECT_EQ(prediction.min_tta, 0.5);
+  EXPECT_EQ(prediction.max_tta, 9.0);
+  EXPECT_EQ(prediction.candidate_radius, 80.0);
+  EXPECT_EQ(prediction.step, 0.1);
+  EXPECT_EQ(prediction.tail, 2.0);
+  EXPECT_EQ(prediction.lane_max_distance, 2.0);
+  EXPECT_EQ(prediction.lane_max_heading, 0.7854);
+  EXPECT_EQ(prediction.standstill_speed, 0.5);
+  EXPECT_EQ(prediction.lane_return_distance, 15.0);
+  EXPECT_EQ(prediction.rear_end_closing_speed, 4.0);
+  EXPECT_EQ(prediction.min_impact_speed, 3.0);
+  EXPECT_EQ(config.encoding.lane_radius, 60.0);
+  EXPECT_EQ(config.encoding.max_lanes, 128);
+  EXPECT_EQ(config.encoding.lane_points, 20);
+  EXPECT_EQ(config.encoding.lane_point_spacing, 2.0);
+}
+
+TEST(Config, ShippedRealizationAndVerificationHaveTheDocumentedValues) {
+  const Config config = loadConfig(kShipped);
+  const RealizationOptions& realization = config.attack.realization;
+  EXPECT_EQ(realization.step, 0.1);
+  EXPECT_EQ(realization.tail, 2.0);
+  EXPECT_EQ(realization.depth, 0.15);
+  EXPECT_EQ(realization.samples, 96);
+  EXPECT_EQ(realization.heading_spread, 0.1309);
+  EXPECT_EQ(realization.slide_spread, 0.8);
+  EXPECT_EQ(realization.speed_spread, 6.0);
+  EXPECT_EQ(realization.compared, 20);
+  EXPECT_EQ(realization.off_road_weight, 2.0);
+  EXPECT_EQ(config.attack.verification.time_tolerance, 0.5);
+  EXPECT_EQ(config.attack.verification.overlap_tolerance, 0.001);
+  EXPECT_EQ(config.attack.verification.confidence_speed_factors,
+            (std::vector<double>{0.8, 0.9, 1.0, 1.1, 1.2}));
+}
+
+TEST(Config, ShippedCollisionTypesHaveTheDocumentedBands) {
+  const TypeDefinitions types = loadConfig(kShipped).attack.collision_types;
+  ASSERT_EQ(types.size(), 5u);
+  const auto expect_band = [&](CollisionType type, double min, double max, double nominal) {
+    EXPECT_EQ(types.at(type).min_heading, min) << toString(type);
+    EXPECT_EQ(types.at(type).max_heading, max) << toString(type);
+    EXPECT_EQ(types.at(type).nominal_heading, nominal) << toString(type);
+  };
+  expect_band(CollisionType::kLaneChange, 0.1745, 0.5236, 0.2618);
+  expect_band(CollisionType::kOppositeDirection, 2.9671, 3.1416, 3.1416);
+  expect_band(CollisionType::kRearEnd, 0.0, 0.1745, 0.0);
+  expect_band(CollisionType::kJunctionCrossing, 1.3963, 1.7453, 1.5708);
+  expect_band(CollisionType::kLtap, 1.3963, 1.7453, 1.5708);
+}
+
+TEST(Config, ShippedConversionAndDrawingHaveTheDocumentedValues) {
+  const Config config = loadConfig(kShipped);
+  EXPECT_EQ(config.conversion.map_radius, 150.0);
+  EXPECT_EQ(config.conversion.centerline_resolution, 1.0);
+  EXPECT_EQ(config.drawing.png_width, 900);
+  EXPECT_EQ(config.drawing.gif_font_size, 10.5);
+  EXPECT_EQ(config.drawing.ghost_opacity, 0.22);
+  EXPECT_EQ(config.drawing.attacker_color.red, 0.84);
+  EXPECT_EQ(config.drawing.attacker_color.green, 0.15);
+  EXPECT_EQ(config.drawing.attacker_color.blue, 0.16);
+}
+
+TEST(Config, DrivingSideIsThatOfTheLocationsPrefix) {
+  const Config config = loadConfig(kShipped);
+  EXPECT_EQ(drivingSide(config, "boston-seaport"), DrivingSide::kRight);
+  EXPECT_EQ(drivingSide(config, "singapore-onenorth"), DrivingSide::kLeft);
+  EXPECT_EQ(drivingSide(config, "singapore"), DrivingSide::kLeft);
+  EXPECT_EQ(drivingSide(config, "embedded-left"), DrivingSide::kLeft);
+  EXPECT_EQ(drivingSide(config, "embedded-right-2"), DrivingSide::kRight);
+}
+
+TEST(Config, LongestFittingPrefixDecidesTheDrivingSide) {
+  Config config;
+  config.locations = {{"a", DrivingSide::kRight}, {"a-b", DrivingSide::kLeft}};
+  EXPECT_EQ(drivingSide(config, "a-b-c"), DrivingSide::kLeft);
+  EXPECT_EQ(drivingSide(config, "a-c"), DrivingSide::kRight);
+}
+
+TEST(Config, LocationWithoutAFittingPrefixIsRefusedByName) {
+  const Config config = loadConfig(kShipped);
+  for (const char* location : {"las_vegas", "bost", ""}) {
+    try {
+      drivingSide(config, location);
+      ADD_FAILURE() << location;
+    } catch (const ConfigError& error) {
+      EXPECT_NE(std::string(error.what()).find(location), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("locations"), std::string::npos);
+    }
+  }
+}
+
+TEST_F(SpoiltConfig, UnspoiltCopyLoads) { EXPECT_EQ(complaint(), ""); }
+
+TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
+  for (const auto& [file, section] :
+       std::vector<std::pair<std::string, std::string>>{{"vehicle_limits.yaml", "vehicle_limits"},
+                                                        {"ego_vehicle.yaml", "ego_vehicle"},
+                                                        {"prediction.yaml", "prediction"},
+                                                        {"encoding.yaml", "encoding"},
+                                                        {"conversion.yaml", "conversion"},
+                                                        {"drawing.yaml", "drawing"},
+                                                        {"realization.yaml", "realization"},
+                                                        {"realization.yaml", "verification"}}) {
+    expectComplaint(file, "\n" + section + ":", "\n" + section + ":\n  stray: 7.5",
+                    {section + ".stray", "7.5", "unknown"});
+  }
+  expectComplaint("collision_types.yaml", "{min_heading: 0.1745",
+                  "{stray: 7.5, min_heading: 0.1745",
+                  {"collision_types.lane_change.stray", "7.5", "unknown"});
+  expectComplaint("collision_types.yaml",
+                  "  ltap:", "  u_turn: {}\n  ltap:", {"collision_types.u_turn", "unknown"});
+}
+
+TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
+  for (const char* file : {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml",
+                           "collision_types.yaml", "prediction.yaml", "realization.yaml",
+                           "encoding.yaml", "conversion.yaml", "drawing.yaml"}) {
+    expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
+  }
+}
+
+TEST_F(SpoiltConfig, MissingKeysAreNamed) {
+  expectComplaint("vehicle_limits.yaml", "max_curvature:", "#",
+                  {"vehicle_limits.max_curvature", "missing"});
+  expectComplaint("ego_vehicle.yaml", "width:", "#", {"ego_vehicle.width", "missing"});
+  expectComplaint("prediction.yaml", "  step:", "#", {"prediction.step", "missing"});
+  expectComplaint("encoding.yaml", "max_lanes:", "#", {"encoding.max_lanes", "missing"});
+  expectComplaint("realization.yaml", "samples:", "#", {"realization.samples", "missing"});
+  expectComplaint("conversion.yaml", "map_radius:", "#", {"conversion.map_radius", "missing"});
+  expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
+  expectComplaint("realization.yaml", "time_tolerance:", "#",
+                  {"verification.time_tolerance", "missing"});
+  expectComplaint("collision_types.yaml", "  ltap:", "#", {"collision_types.ltap", "missing"});
+  expectComplaint("collision_types.yaml", ", nominal_heading: 0.0}", "}",
+                  {"collision_types.rear_end.nominal_heading", "missing"});
+}
+
+TEST_F(SpoiltConfig, MissingSectionsAreNamed) {
+  write("locations.yaml", "places: {boston: right}\n");
+  EXPECT_NE(complaint().find("locations.yaml: locations is missing"), std::string::npos);
+}
+
+TEST_F(SpoiltConfig, MissingAndEmptyAndMalformedFilesAreNamed) {
+  fs::remove(directory_ / "encoding.yaml");
+  EXPECT_NE(complaint().find("encoding.yaml"), std::string::npos);
+  for (const char* text : {"", "encoding", "- 1\n- 2\n", "encoding: {lane_radius: [}\n"}) {
+    write("encoding.yaml", text);
+    EXPECT_NE(complaint().find("encoding.yaml"), std::string::npos) << text;
+  }
+  write("encoding.yaml", "encoding: 5\n");
+  EXPECT_NE(complaint().find("encoding = 5 is not a mapping"), std::string::npos);
+}
+
+TEST_F(SpoiltConfig, KeysGivenTwiceAreRefused) {
+  expectComplaint("prediction.yaml",
+                  "min_tta:", "min_tta: 0.7\n  min_tta:", {"prediction.min_tta", "twice"});
+}
+
+TEST_F(SpoiltConfig, WrongTypesAreRefused) {
+  expectComplaint("vehicle_limits.yaml", "max_speed: 25.0", "max_speed: fast",
+                  {"vehicle_limits.max_speed", "fast", "not a number"});
+  expectComplaint("vehicle_limits.yaml", "max_speed: 25.0", "max_speed: 25.0 km/h",
+                  {"vehicle_limits.max_speed", "25.0 km/h", "not a number"});
+  expectComplaint("ego_vehicle.yaml", "width: 1.730", "width: [1.73]",
+                  {"ego_vehicle.width", "[1.73]", "not a number"});
+  expectComplaint("prediction.yaml", "history_frames: 8 ", "history_frames: 8.5 ",
+                  {"prediction.history_frames", "8.5", "not an integer"});
+  expectComplaint("realization.yaml", "samples: 96",
+                  "samples: ", {"realization.samples", "not an integer"});
+  expectComplaint("realization.yaml", "[0.8, 0.9, 1.0, 1.1, 1.2]", "1.0",
+                  {"verification.confidence_speed_factors", "1.0", "not a list"});
+  expectComplaint("realization.yaml", "[0.8, 0.9, 1.0, 1.1, 1.2]", "[]",
+                  {"verification.confidence_speed_factors", "[]", "not a list"});
+  expectComplaint("realization.yaml", "0.9, 1.0", "half, 1.0",
+                  {"verification.confidence_speed_factors", "half", "not a number"});
+  expectComplaint("locations.yaml", "boston: right", "boston: middle",
+                  {"locations.boston", "middle", "right"});
+  expectComplaint("collision_types.yaml",
+                  "{min_heading: 0.1745, max_heading: 0.5236, "
+                  "nominal_heading: 0.2618}",
+                  "0.2", {"collision_types.lane_change", "0.2", "mapping"});
+}
+
+TEST_F(SpoiltConfig, ColorsAreThreeSharesOfOne) {
+  const std::string shipped = "lane_color: [0.68, 0.71, 0.74]";
+  for (const char* color : {"[0.68, 0.71]", "[0.68, 0.71, 0.74, 1.0]", "blue", "[0.68, 0.71, 255]",
+                            "[-0.1, 0.71, 0.74]", "[.nan, 0.71, 0.74]", "[red, 0.71, 0.74]"}) {
+    expectComplaint("drawing.yaml", shipped, std::string("lane_color: ") + color,
+                    {"drawing.lane_color"});
+  }
+  expectComplaint("drawing.yaml", "png_width: 900", "png_width: 10",
+                  {"drawing.png_width", "= 10", "within 64"});
+}
+
+TEST_F(SpoiltConfig, NumbersThatAreNotFiniteAreRefused) {
+  expectComplaint("vehicle_limits.yaml", "max_braking: 8.0", "max_braking: .inf",
+                  {"vehicle_limits.max_braking", ".inf", "not finite"});
+  expectComplaint("prediction.yaml", "tail: 2.0", "tail: .nan",
+                  {"prediction.tail", ".nan", "not finite"});
+  expectComplaint("ego_vehicle.yaml", "center_offset: 1.385", "center_offset: -.inf",
+                  {"ego_vehicle.center_offset", "-.inf", "not finite"});
+  expectComplaint("realization.yaml", "1.1, 1.2", "1.1, .nan",
+                  {"verification.confidence_speed_factors", ".nan", "not finite"});
+}
+
+/// Every number of these files has a sign; -1 is outside all of their domains.
+TEST_F(SpoiltConfig, NegativeValuesAreRefusedWhereverTheyMakeNoSense) {
+  for (const char* file : {"vehicle_limits.yaml", "prediction.yaml", "realization.yaml",
+                           "encoding.yaml", "collision_types.yaml"}) {
+    restore();
+    std::stringstream content;
+    content << std::ifstream(directory_ / file).rdbuf();
+    const std::string text = content.str();
+    int spoilt = 0;
+    for (std::size_t at = text.find(": "); at != std::string::npos; at = text.find(": ", at + 1)) {
+      const std::size_t end = text.find_first_of(" ,}\n", at + 2);
+      const std::string value = text.substr(at + 2, end - at - 2);
+      if (value.empty() || value.find_first_not_of("0123456789.") != std::string::npos) continue;
+      write(file, std::string(text).replace(at + 2, value.size(), "-1"));
+      EXPECT_NE(complaint().find("-1"), std::string::npos) << text.substr(at - 20, 30);
+      ++spoilt;
+    }
+    EXPECT_GE(spoilt, 4) << file;
+  }
+}
+
+TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
+  expectComplaint("prediction.yaml", "history_frames: 8", "history_frames: 0",
+                  {"prediction.history_frames", "= 0", "within 1"});
+  expectComplaint("prediction.yaml", "  step: 0.1", "  step: 0.0", {"prediction.step", "0.0"});
+  expectComplaint("prediction.yaml", "motion_frames: 4", "motion_frames: 1",
+                  {"prediction.motion_frames", "= 1"});
+  expectComplaint("prediction.yaml", "lane_return_distance: 15.0", "lane_return_distance: 0",
+                  {"prediction.lane_return_distance", "= 0"});
+  expectComplaint("realization.yaml", "  step: 0.1", "  step: 0", {"realization.step", "= 0"});
+  expectComplaint("realization.yaml", "samples: 96", "samples: 0", {"realization.samples", "= 0"});
+  expectComplaint("realization.yaml", "compared: 20", "compared: 0",
+                  {"realization.compared", "= 0"});
+  expectComplaint("realization.yaml", "[0.8,", "[0.0,",
+                  {"verification.confidence_speed_factors", "0.0"});
+  expectComplaint("encoding.yaml", "max_lanes: 128", "max_lanes: 0", {"encoding.max_lanes", "= 0"});
+  expectComplaint("ego_vehicle.yaml", "length: 4.084", "length: 0.0",
+                  {"ego_vehicle.length", "0.0"});
+}
+
+TEST_F(SpoiltConfig, ValuesBeyondEachOtherOrTheirRangeAreRefused) {
+  expectComplaint("prediction.yaml", "max_tta: 9.0", "max_tta: 0.4",
+                  {"prediction.max_tta", "0.4", "within 0.5"});
+  expectComplaint("prediction.yaml", "min_history_frames: 2", "min_history_frames: 9",
+                  {"prediction.min_history_frames", "= 9", "to 8"});
+  expectComplaint("collision_types.yaml", "max_heading: 0.5236", "max_heading: 0.1",
+                  {"collision_types.lane_change.max_heading", "0.1", "within 0.1745"});
+  expectComplaint("collision_types.yaml", "nominal_heading: 0.2618", "nominal_heading: 0.6",
+                  {"collision_types.lane_change.nominal_heading", "0.6"});
+  expectComplaint("collision_types.yaml", "max_heading: 3.1416", "max_heading: 180",
+                  {"collision_types.opposite_direction.max_heading", "180"});
+  expectComplaint("realization.yaml", "slide_spread: 0.8", "slide_spread: 1.1",
+                  {"realization.slide_spread", "1.1"});
+  expectComplaint("realization.yaml", "tail: 2.0", "tail: 0.05", {"realization.tail", "0.05"});
+  expectComplaint("ego_vehicle.yaml", "center_offset: 1.385", "center_offset: 2.1",
+                  {"ego_vehicle.center_offset", "2.1"});
+}
+
+}  // namespace
+}  // namespace forge

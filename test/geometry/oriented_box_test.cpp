@@ -1,0 +1,122 @@
+#include "geometry/oriented_box.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/reference_geometry.h"
+
+namespace forge {
+namespace {
+
+constexpr int kPairs = 20000;
+
+TEST(OrientedBox, CornersGoCounterClockwiseFromFrontLeft) {
+  const auto points = corners({{10.0, 20.0, M_PI_2}, {4.0, 2.0}});
+  const Vector2 expected[] = {{9.0, 22.0}, {9.0, 18.0}, {11.0, 18.0}, {11.0, 22.0}};
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR((points[i] - expected[i]).norm(), 0.0, 1e-12);
+  }
+  reference::Random random(4);
+  for (int i = 0; i < 1000; ++i) {
+    const OrientedBox box = random.box(100.0);
+    const auto got = corners(box);
+    const auto want = reference::outline(box);
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_NEAR((got[k] - want[k]).norm(), 0.0, 1e-10);
+      EXPECT_NEAR((got[k] - box.center.position()).norm(), circumradius(box.size), 1e-10);
+    }
+  }
+}
+
+TEST(OrientedBox, ShrinksEverySide) {
+  const OrientedBox box{{1.0, 2.0, 0.3}, {4.0, 2.0}};
+  EXPECT_DOUBLE_EQ(shrunk(box, 0.25).size.length, 3.5);
+  EXPECT_DOUBLE_EQ(shrunk(box, 0.25).size.width, 1.5);
+  EXPECT_DOUBLE_EQ(shrunk(box, -0.5).size.width, 3.0);
+  EXPECT_DOUBLE_EQ(shrunk(box, 1.5).size.width, 0.0);
+  EXPECT_DOUBLE_EQ(shrunk(box, 1.5).size.length, 1.0);
+  EXPECT_DOUBLE_EQ(shrunk(box, 0.25).center.x, 1.0);
+}
+
+TEST(OrientedBox, OverlapAndDistanceAgreeWithEdgeByEdge) {
+  reference::Random random(5);
+  int overlapping = 0;
+  for (int i = 0; i < kPairs; ++i) {
+    const OrientedBox a = random.box(6.0);
+    const OrientedBox b = random.box(6.0);
+    const double expected = reference::distance(a, b);
+    overlapping += expected == 0.0;
+    EXPECT_EQ(overlaps(a, b), expected == 0.0);
+    EXPECT_EQ(overlaps(b, a), expected == 0.0);
+    EXPECT_NEAR(distance(a, b), expected, 1e-9);
+    EXPECT_NEAR(distance(b, a), expected, 1e-9);
+  }
+  EXPECT_GT(overlapping, kPairs / 5);
+  EXPECT_LT(overlapping, kPairs * 4 / 5);
+}
+
+TEST(OrientedBox, LargestAxisGapBoundsTheDistance) {
+  reference::Random random(6);
+  for (int i = 0; i < kPairs; ++i) {
+    const OrientedBox a = random.box(15.0);
+    const OrientedBox b = random.box(15.0);
+    const double expected = reference::distance(a, b);
+    double largest = -1e9;
+    for (const AxisGap& axis_gap : axisGaps(a, b)) {
+      largest = std::max(largest, axis_gap.gap);
+      EXPECT_NEAR(axis_gap.axis.norm(), 1.0, 1e-12);
+      EXPECT_GE(axis_gap.axis.dot(b.center.position() - a.center.position()), 0.0);
+    }
+    EXPECT_LE(largest, expected + 1e-9);
+    if (expected > 0.0) {
+      EXPECT_GE(largest * M_SQRT2, expected - 1e-9);
+    }
+  }
+}
+
+TEST(OrientedBox, SharedAreaAgreesWithSortedCrossings) {
+  reference::Random random(7);
+  for (int i = 0; i < kPairs; ++i) {
+    const OrientedBox a = random.box(6.0);
+    const OrientedBox b = random.box(6.0);
+    const double expected = reference::intersectionArea(a, b);
+    EXPECT_NEAR(intersectionArea(a, b), expected, 1e-8);
+    EXPECT_NEAR(intersectionArea(b, a), expected, 1e-8);
+    const double joint = a.size.length * a.size.width + b.size.length * b.size.width - expected;
+    EXPECT_NEAR(intersectionOverUnion(a, b), expected / joint, 1e-8);
+  }
+}
+
+TEST(OrientedBox, SharedAreaKeepsItsPrecisionFarFromTheOrigin) {
+  const OrientedBox a{{1e6, -1e6, 0.0}, {4.0, 2.0}};
+  const OrientedBox b{{1e6 + 3.0, -1e6 + 1.0, M_PI_2}, {4.0, 4.0}};
+  EXPECT_NEAR(intersectionArea(a, b), 2.0, 1e-8);
+}
+
+TEST(OrientedBox, KnownCases) {
+  const OrientedBox unit{{0.0, 0.0, 0.0}, {2.0, 2.0}};
+  EXPECT_TRUE(overlaps(unit, {{2.0, 0.0, 0.0}, {2.0, 2.0}})) << "closed boxes share an edge";
+  EXPECT_FALSE(overlaps(unit, {{2.0 + 1e-9, 0.0, 0.0}, {2.0, 2.0}}));
+  EXPECT_NEAR(distance(unit, {{5.0, 6.0, 0.0}, {2.0, 2.0}}), 5.0, 1e-12);
+  EXPECT_NEAR(intersectionArea(unit, unit), 4.0, 1e-12);
+  EXPECT_NEAR(intersectionOverUnion(unit, unit), 1.0, 1e-12);
+  // A square within, and the octagon of a square turned by 45 degrees.
+  EXPECT_NEAR(intersectionArea(unit, {{0.2, 0.1, 0.7}, {0.5, 0.5}}), 0.25, 1e-12);
+  EXPECT_NEAR(intersectionArea(unit, {{0.0, 0.0, M_PI_4}, {2.0, 2.0}}), 8.0 * (M_SQRT2 - 1.0),
+              1e-12);
+}
+
+TEST(OrientedBox, ZeroSizeBoxesArePoints) {
+  const OrientedBox point{{1.0, 0.0, 0.4}, {0.0, 0.0}};
+  const OrientedBox box{{0.0, 0.0, 0.0}, {4.0, 2.0}};
+  EXPECT_TRUE(overlaps(point, box));
+  EXPECT_TRUE(overlaps(point, point));
+  EXPECT_EQ(intersectionArea(point, box), 0.0);
+  EXPECT_EQ(intersectionOverUnion(point, point), 0.0);
+  EXPECT_NEAR(distance(point, {{5.0, 0.0, 0.0}, {0.0, 0.0}}), 4.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,374 @@
+#include "ros/markers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <tuple>
+
+#include "ros/marker_colors.h"
+#include "ros/marker_fill.h"
+
+namespace forge {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std_msgs::Header header(double stamp) {
+  std_msgs::Header header;
+  header.frame_id = "map";
+  header.stamp = ros::Time(stamp);
+  return header;
+}
+
+geometry_msgs::Vector3 carSize() {
+  geometry_msgs::Vector3 size;
+  size.x = 4.6;
+  size.y = 1.9;
+  return size;
+}
+
+geometry_msgs::Pose2D pose2d(double x, double y, double yaw) {
+  geometry_msgs::Pose2D pose;
+  pose.x = x;
+  pose.y = y;
+  pose.theta = yaw;
+  return pose;
+}
+
+geometry_msgs::Polygon square(double half_side) {
+  geometry_msgs::Polygon polygon;
+  for (const auto& [x, y] :
+       {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)}) {
+    geometry_msgs::Point32 point;
+    point.x = static_cast<float>(x * half_side);
+    point.y = static_cast<float>(y * half_side);
+    polygon.points.push_back(point);
+  }
+  return polygon;
+}
+
+collision_forge::Lane lane(bool is_connector, double length) {
+  collision_forge::Lane lane;
+  lane.is_connector = is_connector;
+  lane.centerline = {pose2d(0, 0, 0), pose2d(length / 2, 0, 0), pose2d(length, 0, 0)};
+  return lane;
+}
+
+collision_forge::LaneMap junctionMap() {
+  collision_forge::LaneMap map;
+  map.header = header(1.0);
+  map.drivable_area.resize(1);
+  map.drivable_area[0].exterior = square(10);
+  map.drivable_area[0].holes = {square(2)};
+  map.lanes = {lane(false, 20), lane(false, 10), lane(true, 5)};
+  return map;
+}
+
+collision_forge::AgentTrack track(const std::string& id, std::uint8_t agent_class, double x) {
+  collision_forge::AgentTrack track;
+  track.id = id;
+  track.agent_class = agent_class;
+  track.size = carSize();
+  for (int i = 0; i < 4; ++i) {
+    collision_forge::TrackState state;
+    state.stamp = ros::Time(8.5 + 0.5 * i);
+    state.pose = pose2d(x + i, 3.0, 0.3);
+    track.states.push_back(state);
+  }
+  return track;
+}
+
+collision_forge::EncodedScene scene() {
+  collision_forge::EncodedScene scene;
+  scene.header = header(10.0);
+  scene.ego = track("ego", collision_forge::Agent::CAR, 0.0);
+  scene.agents = {track("0123456789abcdef", collision_forge::Agent::CAR, 10.0),
+                  track("walker", collision_forge::Agent::PEDESTRIAN, 20.0)};
+  return scene;
+}
+
+/// An attack from the right: contact 3 s from now at the origin.
+struct Attack {
+  collision_forge::CollisionPattern pattern;
+  collision_forge::AttackerTrajectory trajectory;
+  collision_forge::CollisionReport report;
+
+  MarkerArray markers() const { return attackMarkers(pattern, trajectory, report); }
+};
+
+Attack attack() {
+  Attack attack;
+  attack.pattern.header = attack.trajectory.header = attack.report.header = header(10.0);
+  attack.pattern.collision_type = "junction_crossing";
+  attack.pattern.ego_size = attack.trajectory.size = carSize();
+  attack.pattern.attacker_offset = pose2d(3.2, 0.0, M_PI / 2);
+  for (int i = 0; i <= 40; ++i) {
+    collision_forge::TrajectoryPoint point;
+    point.stamp = ros::Time(10.0 + 0.1 * i);
+    point.pose.position.x = 3.2;
+    point.pose.position.y = i - 30.0;
+    point.pose.orientation.z = point.pose.orientation.w = std::sqrt(0.5);
+    attack.trajectory.points.push_back(point);
+  }
+  attack.report.verified = attack.report.contact = true;
+  attack.report.contact_time = ros::Time(13.0);
+  attack.report.relative_heading = M_PI / 2;
+  attack.report.attacker_at_contact = pose2d(3.2, 0.0, M_PI / 2);
+  attack.report.impact_speed = 12.34;
+  return attack;
+}
+
+std::vector<Marker> inNamespace(const MarkerArray& array, const std::string& name) {
+  std::vector<Marker> found;
+  std::copy_if(array.markers.begin(), array.markers.end(), std::back_inserter(found),
+               [&name](const Marker& marker) { return marker.ns == name; });
+  return found;
+}
+
+void expectFinite(const geometry_msgs::Point& point) {
+  EXPECT_TRUE(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
+}
+
+void expectScale(const Marker& marker) {
+  EXPECT_TRUE(marker.scale.x > 0 || marker.type == Marker::TEXT_VIEW_FACING) << marker.ns;
+  EXPECT_TRUE(marker.scale.y > 0 || marker.type == Marker::TEXT_VIEW_FACING ||
+              marker.type == Marker::LINE_LIST)
+      << marker.ns;
+  EXPECT_TRUE(marker.scale.z > 0 || marker.type == Marker::LINE_LIST) << marker.ns;
+}
+
+/// What RViz asks of every marker, and what ours promise.
+void expectValid(const MarkerArray& array, double stamp) {
+  ASSERT_FALSE(array.markers.empty());
+  EXPECT_EQ(array.markers.front().action, Marker::DELETEALL);
+  std::set<std::pair<std::string, int>> keys;
+  for (std::size_t i = 1; i < array.markers.size(); ++i) {
+    const Marker& marker = array.markers[i];
+    EXPECT_EQ(marker.action, Marker::ADD);
+    EXPECT_EQ(marker.header.frame_id, "map");
+    EXPECT_EQ(marker.header.stamp, ros::Time(stamp));
+    EXPECT_TRUE(marker.lifetime.isZero());
+    EXPECT_TRUE(keys.insert({marker.ns, marker.id}).second) << marker.ns << " " << marker.id;
+    const auto& q = marker.pose.orientation;
+    EXPECT_NEAR(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 1.0, 1e-9) << marker.ns;
+    EXPECT_GT(marker.color.a, 0.0F) << marker.ns;
+    expectFinite(marker.pose.position);
+    expectScale(marker);
+    for (const auto& point : marker.points) expectFinite(point);
+    const bool has_points =
+        marker.type == Marker::LINE_LIST || marker.type == Marker::TRIANGLE_LIST;
+    EXPECT_EQ(has_points, !marker.points.empty()) << marker.ns;
+    EXPECT_EQ(marker.points.size() % (marker.type == Marker::LINE_LIST ? 2 : 3), 0U) << marker.ns;
+  }
+}
+
+double area(const std::vector<Vector2>& triangles) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    const Vector2 a = triangles[i + 1] - triangles[i];
+    const Vector2 b = triangles[i + 2] - triangles[i];
+    const double part = (a.x() * b.y() - a.y() * b.x()) / 2;
+    EXPECT_GT(part, 0.0) << "clockwise or empty triangle " << i / 3;
+    sum += part;
+  }
+  return sum;
+}
+
+TEST(FillTriangles, CoverAConcavePolygonWithoutItsHole) {
+  const Polygon u_shape{{{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}},
+                        {{{0.5, 0.5}, {0.5, 1.5}, {1.5, 1.5}, {1.5, 0.5}}}};
+  EXPECT_NEAR(area(fillTriangles(u_shape)), 24.0 - 4.0 - 1.0, 1e-12);
+}
+
+TEST(FillTriangles, DoNotDependOnTheRingsOrientation) {
+  Polygon polygon{{{0, 0}, {7, 1}, {5, 6}, {3, 2}, {1, 5}}, {}};
+  const double expected = area(fillTriangles(polygon));
+  std::reverse(polygon.exterior.begin(), polygon.exterior.end());
+  EXPECT_NEAR(expected, 21.0, 1e-12);
+  EXPECT_NEAR(area(fillTriangles(polygon)), expected, 1e-12);
+}
+
+TEST(FillTriangles, AreNoneForNothingAndForNumbersThatAreNot) {
+  EXPECT_TRUE(fillTriangles({}).empty());
+  EXPECT_TRUE(fillTriangles({{{0, 0}, {1, 1}}, {}}).empty());
+  EXPECT_TRUE(fillTriangles({{{0, 0}, {1, 0}, {kNan, 1}}, {}}).empty());
+}
+
+TEST(MapMarkers, HoldAreaLanesAndConnectorsOnceEach) {
+  const MarkerArray array = mapMarkers(junctionMap());
+  expectValid(array, 1.0);
+  EXPECT_EQ(array.markers.size(), 4U);
+  EXPECT_EQ(inNamespace(array, "drivable_area").size(), 1U);
+  // 2 lanes of 2 lines, arrow heads of 2 lines at 7.5 m on both; 2 points a line.
+  ASSERT_EQ(inNamespace(array, "lanes").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "lanes")[0].points.size(), 2U * (2 * 2 + 2 * 2));
+  ASSERT_EQ(inNamespace(array, "connectors").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "connectors")[0].points.size(), 2U * 2);
+}
+
+TEST(MapMarkers, LeaveOutWhatIsNotFinite) {
+  collision_forge::LaneMap map = junctionMap();
+  map.lanes[0].centerline[1].x = kNan;
+  map.drivable_area[0].exterior.points[0].x = std::numeric_limits<float>::infinity();
+  const MarkerArray array = mapMarkers(map);
+  expectValid(array, 1.0);
+  EXPECT_TRUE(inNamespace(array, "drivable_area").empty());
+}
+
+TEST(MapMarkers, OfNothingDeleteWhatWas) {
+  collision_forge::LaneMap map;
+  map.header = header(2.0);
+  const MarkerArray array = mapMarkers(map);
+  expectValid(array, 2.0);
+  EXPECT_EQ(array.markers.size(), 1U);
+}
+
+TEST(SceneMarkers, ShowEgoAndAgentsWithTrails) {
+  const MarkerArray array = sceneMarkers(scene());
+  expectValid(array, 10.0);
+  ASSERT_EQ(inNamespace(array, "ego").size(), 1U);
+  const Marker ego = inNamespace(array, "ego")[0];
+  EXPECT_DOUBLE_EQ(ego.pose.position.x, 3.0);
+  EXPECT_DOUBLE_EQ(ego.scale.x, 4.6);
+  EXPECT_NEAR(ego.pose.orientation.z, std::sin(0.15), 1e-12);
+  EXPECT_EQ(inNamespace(array, "ego_trail").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "agents").size(), 2U);
+  ASSERT_EQ(inNamespace(array, "agents_trail").size(), 2U);
+  EXPECT_EQ(inNamespace(array, "agents_trail")[0].points.size(), 6U);
+}
+
+TEST(SceneMarkers, NameOnlyWhatCanAttackAndKeepTheNameShort) {
+  const auto ids = inNamespace(sceneMarkers(scene()), "ids");
+  ASSERT_EQ(ids.size(), 1U);
+  EXPECT_EQ(ids[0].text, "012345");
+}
+
+TEST(SceneMarkers, ShowNoBoxOfAnAgentThatLeft) {
+  collision_forge::EncodedScene encoded = scene();
+  encoded.agents[0].states.pop_back();
+  const MarkerArray array = sceneMarkers(encoded);
+  expectValid(array, 10.0);
+  EXPECT_EQ(inNamespace(array, "agents").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "agents_trail").size(), 2U);
+}
+
+TEST(SceneMarkers, LeaveOutBoxesWithoutExtent) {
+  collision_forge::EncodedScene encoded = scene();
+  encoded.agents[0].size.x = 0.0;
+  encoded.agents[1].states.back().pose.theta = kNan;
+  const MarkerArray array = sceneMarkers(encoded);
+  expectValid(array, 10.0);
+  EXPECT_TRUE(inNamespace(array, "agents").empty());
+}
+
+TEST(SceneMarkers, OfNothingDeleteWhatWas) {
+  collision_forge::EncodedScene empty;
+  empty.header = header(3.0);
+  const MarkerArray array = sceneMarkers(empty);
+  expectValid(array, 3.0);
+  EXPECT_EQ(array.markers.size(), 1U);
+}
+
+TEST(AttackMarkers, HoldAGhostEveryHalfSecondUpToContact) {
+  const MarkerArray array = attack().markers();
+  expectValid(array, 10.0);
+  const auto ghosts = inNamespace(array, "attacker_ghosts");
+  ASSERT_EQ(ghosts.size(), 7U);
+  EXPECT_DOUBLE_EQ(ghosts[1].pose.position.y - ghosts[0].pose.position.y, 5.0);
+  ASSERT_EQ(inNamespace(array, "attacker_path").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "attacker_path")[0].points.size(), 2U * 30);
+}
+
+TEST(AttackMarkers, PutTheContactWhereTheBoxesTouch) {
+  const auto contact = inNamespace(attack().markers(), "contact");
+  ASSERT_EQ(contact.size(), 1U);
+  EXPECT_NEAR(contact[0].pose.position.x, 2.3, 0.06);
+  EXPECT_LE(std::abs(contact[0].pose.position.y), 0.96);
+}
+
+TEST(AttackMarkers, SayWhatTheReportSays) {
+  const auto text = inNamespace(attack().markers(), "report");
+  ASSERT_EQ(text.size(), 1U);
+  EXPECT_EQ(text[0].text, "junction_crossing\ncontact in 3.00 s\nheading +90 deg\nimpact 12.3 m/s");
+}
+
+TEST(AttackMarkers, WarnOfAnAttackThatIsNotVerified) {
+  Attack unverified = attack();
+  unverified.report.verified = false;
+  const auto text = inNamespace(unverified.markers(), "report");
+  ASSERT_EQ(text.size(), 1U);
+  EXPECT_NE(text[0].text.find("NOT VERIFIED"), std::string::npos);
+}
+
+TEST(AttackMarkers, ShowTheWholePathAndThePatternWithoutContact) {
+  Attack missed = attack();
+  missed.report.contact = missed.report.verified = false;
+  const MarkerArray array = missed.markers();
+  expectValid(array, 10.0);
+  EXPECT_TRUE(inNamespace(array, "contact").empty());
+  EXPECT_EQ(inNamespace(array, "attacker_ghosts").size(), 9U);
+  EXPECT_EQ(inNamespace(array, "pattern_ego").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "pattern_attacker").size(), 1U);
+  ASSERT_EQ(inNamespace(array, "report").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "report")[0].text, "junction_crossing: no contact");
+}
+
+TEST(AttackMarkers, OfEmptyMessagesAreValid) {
+  Attack empty;
+  empty.trajectory.header = header(4.0);
+  expectValid(empty.markers(), 4.0);
+}
+
+TEST(AnnotationMarkers, HoldABoxAndANameForEverybody) {
+  collision_forge::AgentArray agents;
+  agents.header = header(5.0);
+  agents.agents.resize(3);
+  for (auto& agent : agents.agents) {
+    agent.id = "c0ffee00c0ffee";
+    agent.size = carSize();
+    agent.size.z = 1.7;
+    agent.pose.orientation.w = 1.0;
+  }
+  agents.agents[2].agent_class = 255;
+  const MarkerArray array = annotationMarkers(agents);
+  expectValid(array, 5.0);
+  const auto boxes = inNamespace(array, "agents");
+  ASSERT_EQ(boxes.size(), 3U);
+  EXPECT_DOUBLE_EQ(boxes[0].scale.z, 1.7);
+  ASSERT_EQ(inNamespace(array, "ids").size(), 3U);
+  EXPECT_EQ(inNamespace(array, "ids")[0].text, "c0ffee");
+}
+
+TEST(AnnotationMarkers, OfNobodyDeleteWhatWas) {
+  collision_forge::AgentArray nobody;
+  nobody.header = header(6.0);
+  EXPECT_EQ(annotationMarkers(nobody).markers.size(), 1U);
+}
+
+TEST(NoMarkers, DeleteWhatWas) {
+  const MarkerArray array = noMarkers(header(7.0));
+  expectValid(array, 7.0);
+  EXPECT_EQ(array.markers.size(), 1U);
+}
+
+TEST(MarkerColors, TellEverythingApart) {
+  std::vector<colors::MarkerColor> all(colors::kAgentClasses.begin(), colors::kAgentClasses.end());
+  all.insert(all.end(), {colors::kEgo, colors::kAttacker, colors::kPatternEgo,
+                         colors::kPatternAttacker, colors::kContact, colors::kDrivableArea});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = i + 1; k < all.size(); ++k) {
+      const double difference = std::hypot(all[i].red - all[k].red, all[i].green - all[k].green,
+                                           all[i].blue - all[k].blue);
+      EXPECT_GT(difference, 0.12) << i << " and " << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,50 @@
+#include "scene/collision_request.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace forge {
+namespace {
+
+TEST(CollisionRequest, TypeNamesAreReadBackInAnyCase) {
+  for (const CollisionType type : kCollisionTypes) {
+    EXPECT_EQ(collisionTypeFromString(toString(type)), type);
+  }
+  EXPECT_EQ(collisionTypeFromString("Rear_End"), CollisionType::kRearEnd);
+}
+
+TEST(CollisionRequest, ShortTypeNamesAreThoseOfThePaper) {
+  EXPECT_EQ(collisionTypeFromString("LC"), CollisionType::kLaneChange);
+  EXPECT_EQ(collisionTypeFromString("OD"), CollisionType::kOppositeDirection);
+  EXPECT_EQ(collisionTypeFromString("HO"), CollisionType::kOppositeDirection);
+  EXPECT_EQ(collisionTypeFromString("RE"), CollisionType::kRearEnd);
+  EXPECT_EQ(collisionTypeFromString("JC"), CollisionType::kJunctionCrossing);
+  EXPECT_EQ(collisionTypeFromString("LTAP"), CollisionType::kLtap);
+  EXPECT_EQ(collisionTypeFromString("ltap"), CollisionType::kLtap);
+}
+
+TEST(CollisionRequest, UnknownNamesAreNoTypeOrMode) {
+  for (const char* name : {"", "rear end", "rear_end ", "REAR", "unknown"}) {
+    EXPECT_FALSE(collisionTypeFromString(name)) << name;
+    EXPECT_FALSE(modeFromString(name)) << name;
+  }
+}
+
+TEST(CollisionRequest, ModeNamesAreReadBack) {
+  EXPECT_EQ(modeFromString(toString(Mode::kHistory)), Mode::kHistory);
+  EXPECT_EQ(modeFromString(toString(Mode::kReplay)), Mode::kReplay);
+  EXPECT_EQ(modeFromString("REPLAY"), Mode::kReplay);
+}
+
+TEST(CollisionRequest, StatusNamesAreDistinct) {
+  std::set<std::string> names;
+  for (int code = 0; code <= 12; ++code) names.insert(toString(static_cast<StatusCode>(code)));
+  EXPECT_EQ(names.size(), 13u);
+  EXPECT_EQ(names.count("UNKNOWN"), 0u);
+  EXPECT_STREQ(toString(static_cast<StatusCode>(13)), "UNKNOWN");
+  EXPECT_STREQ(toString(StatusCode::kTtaOutOfRange), "TTA_OUT_OF_RANGE");
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,155 @@
+#include "scene/scene_history.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace forge {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+const EgoVehicle kVehicle{{4.084, 1.73}, 1.385};
+
+Track seen(const std::string& id, const Pose2& pose) {
+  return {id, AgentClass::kBus, {10.0, 2.9}, {{0.0, pose, Vector2::Zero()}}};
+}
+
+Frame frameAt(double time, std::vector<Track> agents = {}) {
+  return {time, {4.0 * time, 0.0, 0.1}, std::move(agents)};
+}
+
+TEST(SceneHistory, StartsEmpty) {
+  const SceneHistory history(4, kVehicle);
+  EXPECT_TRUE(history.empty());
+  const Snapshot snapshot = history.snapshot();
+  EXPECT_TRUE(snapshot.ego.states.empty());
+  EXPECT_EQ(snapshot.ego.id, kEgoId);
+  EXPECT_EQ(snapshot.ego.size.width, 1.73);
+  EXPECT_FALSE(snapshot.map);
+}
+
+TEST(SceneHistory, KeepsTheNewestFrames) {
+  SceneHistory history(3, kVehicle);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(history.add(frameAt(0.5 * i)), 0);
+  const Snapshot snapshot = history.snapshot();
+  EXPECT_FALSE(history.empty());
+  EXPECT_EQ(snapshot.now, 2.0);
+  ASSERT_EQ(snapshot.ego.states.size(), 3u);
+  EXPECT_EQ(snapshot.ego.states.front().time, 1.0);
+  EXPECT_EQ(snapshot.ego.states.back().pose.x, 8.0);
+  EXPECT_EQ(snapshot.ego.states.back().pose.yaw, 0.1);
+  EXPECT_NEAR(snapshot.ego.states.back().velocity.x(), 4.0, 1e-12);
+}
+
+TEST(SceneHistory, GathersTheFramesOfEachAgentSortedById) {
+  SceneHistory history(8, kVehicle);
+  history.add(frameAt(0.0, {seen("b", {0.0, 0.0, 0.0}), seen("gone", {5.0, 5.0, 0.0})}));
+  history.add(frameAt(0.5, {seen("b", {1.0, 0.0, 0.0})}));
+  history.add(frameAt(1.0, {seen("b", {2.0, 0.0, 0.0}), seen("a", {7.0, 7.0, 1.0})}));
+  const Snapshot snapshot = history.snapshot();
+  ASSERT_EQ(snapshot.agents.size(), 3u);
+  EXPECT_EQ(snapshot.agents[0].id, "a");
+  EXPECT_EQ(snapshot.agents[1].id, "b");
+  EXPECT_EQ(snapshot.agents[2].id, "gone");
+  const Track& b = snapshot.agents[1];
+  EXPECT_EQ(b.agent_class, AgentClass::kBus);
+  EXPECT_EQ(b.size.length, 10.0);
+  ASSERT_EQ(b.states.size(), 3u);
+  EXPECT_EQ(b.states[1].time, 0.5) << "the frame's time counts, not the state's";
+  EXPECT_DOUBLE_EQ(b.states[2].velocity.x(), 2.0);
+}
+
+TEST(SceneHistory, ForgetsAgentsWithTheirFrames) {
+  SceneHistory history(2, kVehicle);
+  history.add(frameAt(0.0, {seen("gone", {})}));
+  history.add(frameAt(0.5));
+  EXPECT_EQ(history.snapshot().agents.size(), 1u);
+  history.add(frameAt(1.0));
+  EXPECT_TRUE(history.snapshot().agents.empty());
+}
+
+TEST(SceneHistory, LeavesOutAndCountsUnusableAgents) {
+  Track flat = seen("flat", {});
+  flat.size.width = 0.0;
+  Track sizeless = seen("sizeless", {});
+  sizeless.size.length = kNan;
+  Track stateless = seen("stateless", {});
+  stateless.states.clear();
+  SceneHistory history(4, kVehicle);
+  EXPECT_EQ(history.add(frameAt(
+                0.0, {flat, seen("good", {}), sizeless, stateless,
+                      seen("nowhere", {kNan, 0.0, 0.0}), seen("far", {0.0, kInfinity, 0.0})})),
+            5);
+  ASSERT_EQ(history.snapshot().agents.size(), 1u);
+  EXPECT_EQ(history.snapshot().agents[0].id, "good");
+}
+
+TEST(SceneHistory, LeavesOutAgentsOfInfiniteSize) {
+  Track endless = seen("endless", {});
+  endless.size.length = kInfinity;
+  SceneHistory history(4, kVehicle);
+  EXPECT_EQ(history.add(frameAt(0.0, {endless})), 1);
+}
+
+TEST(SceneHistory, RefusesAnEgoPoseThatIsNotFinite) {
+  SceneHistory history(4, kVehicle);
+  Frame frame = frameAt(0.0);
+  frame.ego.yaw = kNan;
+  EXPECT_THROW(history.add(frame), std::invalid_argument);
+  EXPECT_TRUE(history.empty());
+}
+
+TEST(SceneHistory, StartsAnewWhenTimeDoesNotAdvance) {
+  for (const double restart : {0.5, 0.0, -10.0}) {
+    SceneHistory history(4, kVehicle);
+    history.add(frameAt(0.0, {seen("a", {})}));
+    history.add(frameAt(0.5, {seen("a", {})}));
+    history.add(frameAt(restart));
+    const Snapshot snapshot = history.snapshot();
+    EXPECT_EQ(snapshot.now, restart);
+    EXPECT_EQ(snapshot.ego.states.size(), 1u);
+    EXPECT_TRUE(snapshot.agents.empty());
+  }
+}
+
+TEST(SceneHistory, KeepsOneStateOfAnAgentNamedTwiceInAFrame) {
+  SceneHistory history(4, kVehicle);
+  history.add(frameAt(0.0, {seen("a", {1.0, 0.0, 0.0}), seen("a", {2.0, 0.0, 0.0})}));
+  ASSERT_EQ(history.snapshot().agents.size(), 1u);
+  ASSERT_EQ(history.snapshot().agents[0].states.size(), 1u);
+  EXPECT_EQ(history.snapshot().agents[0].states[0].pose.x, 1.0);
+}
+
+TEST(SceneHistory, EqualsTheSnapshotOfTheSameFramesInAScene) {
+  Scene scene;
+  scene.ego = {kEgoId, AgentClass::kCar, kVehicle.size, {}};
+  Track agent = seen("a", {});
+  agent.states.clear();
+  SceneHistory history(3, kVehicle);
+  for (int i = 0; i < 5; ++i) {
+    const double time = 0.5 * i;
+    const Pose2 pose{3.0 * time * time, time, 0.2 * time};
+    scene.frame_times.push_back(time);
+    scene.ego.states.push_back({time, frameAt(time).ego, Vector2::Zero()});
+    agent.states.push_back({time, pose, Vector2::Zero()});
+    history.add(frameAt(time, {seen("a", pose)}));
+  }
+  scene.agents = {agent};
+  const Snapshot expected = snapshotAt(scene, 2.0, 3);
+  const Snapshot snapshot = history.snapshot();
+  ASSERT_EQ(snapshot.agents.size(), 1u);
+  ASSERT_EQ(snapshot.agents[0].states.size(), 3u);
+  ASSERT_EQ(expected.agents[0].states.size(), 3u);
+  EXPECT_EQ(snapshot.now, expected.now);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(snapshot.ego.states[i].velocity, expected.ego.states[i].velocity);
+    EXPECT_EQ(snapshot.agents[0].states[i].time, expected.agents[0].states[i].time);
+    EXPECT_EQ(snapshot.agents[0].states[i].pose.x, expected.agents[0].states[i].pose.x);
+    EXPECT_EQ(snapshot.agents[0].states[i].velocity, expected.agents[0].states[i].velocity);
+  }
+}
+
+}  // namespace
+}  // namespace forge

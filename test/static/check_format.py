@@ -1,0 +1,33 @@
+#!/usr/bin/python3
+"""usage: check_format.py SOURCE_DIR: are all C++ files as clang-format would write them?"""
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+SKIPPED = 77
+
+
+def is_formatted(file):
+    checked = subprocess.run(['clang-format', '--style=file', '--dry-run', '--Werror', file], check=False,
+                             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return checked.returncode == 0
+
+
+def main(source_dir):
+    if shutil.which('clang-format') is None:
+        print('clang-format is not installed')
+        return SKIPPED
+    files = sorted(str(path) for folder in ('src', 'test') for path in Path(source_dir, folder).rglob('*')
+                   if path.suffix in ('.cpp', '.h'))
+    if not files:
+        print('no C++ file in {}'.format(source_dir))
+        return 1
+    unformatted = [file for file in files if not is_formatted(file)]
+    for file in unformatted:
+        print('clang-format -i {}'.format(Path(file).relative_to(source_dir)))
+    return 1 if unformatted else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(sys.argv[1]))
