@@ -44,14 +44,14 @@ struct CollisionReport {
   Pose2 ego_at_contact;
   Pose2 attacker_at_contact;
   double impact_speed = 0.0;    ///< m/s, norm of the relative velocity at contact
-  bool type_kept = false;       ///< relative heading within the type's band
+  bool type_kept = false;       ///< relative heading within the type's bands, at contact and now
   bool on_time = false;         ///< |contact time - requested time| within tolerance
   bool bounds_kept = false;     ///< every vehicle limit kept from now to contact
   std::string broken_bound;     ///< name, value and limit of the worst broken one; empty if kept
   std::string first_other_id;   ///< whom the attacker touches before the ego; empty if nobody
   double first_other_time = 0;  ///< seconds, same clock; valid with first_other_id
   double off_road_share = 0.0;  ///< mean share of the box off the drivable area, now to contact
-  double confidence = 0.0;      ///< chance that all conditions hold on the road, [0, 1]
+  double confidence = 0.0;      ///< share of likely ego futures with all conditions kept, [0, 1]
 
   /// All conditions at once: what alone may be called a success.
   bool verified() const {

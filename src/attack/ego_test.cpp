@@ -26,9 +26,8 @@ void EgoTest::addEgo(const AgentState& state) { append(ego_, state); }
 
 void EgoTest::addAgents(const std::vector<Track>& agents) {
   for (const Track& agent : agents) {
-    Track& track =
-        agents_.try_emplace(agent.id, Track{agent.id, agent.agent_class, agent.size, {}})
-            .first->second;
+    Track& track = agents_.try_emplace(agent.id, Track{agent.id, agent.agent_class, agent.size, {}})
+                       .first->second;
     for (const AgentState& state : agent.states) {
       append(track, state);
       agents_until_ = std::max(agents_until_, state.time);
@@ -42,6 +41,13 @@ std::optional<CollisionReport> EgoTest::outcome(const LaneIndex& lanes,
   for (const auto& [id, track] : agents_) driven.agents.push_back(track);
   Snapshot start;
   start.now = trajectory_.points.front().time;
+  const auto attacker = agents_.find(trajectory_.attacker_id);
+  if (attacker != agents_.end()) {
+    if (const auto state = stateAt(attacker->second, start.now)) {
+      start.agents.push_back(attacker->second);
+      start.agents.back().states = {*state};
+    }
+  }
   const CollisionReport report = verify(trajectory_, {start, driven, request_, lanes}, options);
   const bool ended =
       !ego_.states.empty() && ego_.states.back().time >= trajectory_.points.back().time;

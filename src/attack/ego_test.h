@@ -14,14 +14,15 @@ class EgoTest {
   /// The trajectory must have points; throws std::invalid_argument otherwise.
   EgoTest(AttackerTrajectory trajectory, const CollisionRequest& request, const EgoVehicle& ego);
 
-  /// Middle of the ego's box.
+  /// Middle of the ego's box. States from before the trajectory's start may be given.
   void addEgo(const AgentState& state);
   /// Everybody else at one time, one state each.
   void addAgents(const std::vector<Track>& agents);
 
   /// The verification against what was driven: as soon as the attacker has touched the ego and the
   /// others are known up to then, or when the trajectory has ended; empty before.
-  std::optional<CollisionReport> outcome(const LaneIndex& lanes, const AttackOptions& options) const;
+  std::optional<CollisionReport> outcome(const LaneIndex& lanes,
+                                         const AttackOptions& options) const;
 
  private:
   AttackerTrajectory trajectory_;

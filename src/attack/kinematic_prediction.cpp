@@ -34,12 +34,12 @@ Track trackFrom(const Track& past, double now, double horizon, double step,
 Track followLane(const Track& past, double now, double horizon, const Motion& motion,
                  const Polyline& path, const PredictionOptions& options) {
   const PolylineProjection start = path.project(motion.pose.position());
-  const double start_heading = angleBetween(start.pose.yaw, motion.pose.yaw);
+  const Pose2 offset = relativeTo(start.pose, motion.pose);
   return trackFrom(past, now, horizon, options.step, [=, &path](double t) {
     const double driven = motion.speed * t;
     const double fade = std::exp(-driven / options.lane_return_distance);
     return compose(path.poseAt(start.arc_length + driven),
-                   {0.0, start.lateral * fade, start_heading * fade});
+                   {offset.x * fade, offset.y * fade, offset.yaw * fade});
   });
 }
 
@@ -47,7 +47,9 @@ Track predictTrack(const Track& past, const Snapshot& snapshot, const LaneIndex&
                    double horizon, const PredictionOptions& options) {
   const Motion motion = estimateMotion(past, options.motion_frames);
   const double now = snapshot.now;
-  if (std::abs(motion.speed) < options.standstill_speed && followsLanes(past.agent_class)) {
+  const Vector2 velocity = past.states.back().velocity;
+  const double speed = followsLanes(past.agent_class) ? std::abs(motion.speed) : velocity.norm();
+  if (speed < options.standstill_speed) {
     return trackFrom(past, now, horizon, options.step, [&](double) { return motion.pose; });
   }
   if (followsLanes(past.agent_class) && motion.speed > 0.0) {
@@ -60,7 +62,6 @@ Track predictTrack(const Track& past, const Snapshot& snapshot, const LaneIndex&
       return followLane(past, now, horizon, motion, path, options);
     }
   }
-  const Vector2 velocity = past.states.back().velocity;
   return trackFrom(past, now, horizon, options.step, [&](double t) {
     return Pose2{motion.pose.x + velocity.x() * t, motion.pose.y + velocity.y() * t,
                  motion.pose.yaw};

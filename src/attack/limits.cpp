@@ -6,6 +6,8 @@
 namespace forge {
 namespace {
 
+constexpr double kBackwardSlack = 1e-3;  // m between two points, for rounding at standstill
+
 double totalAcceleration(const TrajectoryPoint& point) {
   return std::hypot(point.acceleration, point.speed * point.speed * point.curvature);
 }
@@ -58,7 +60,11 @@ std::optional<BrokenLimit> findBrokenLimit(const AttackerTrajectory& trajectory,
       slow_yaw = previous->pose.yaw;
       slow_distance = 0.0;
     }
-    if (previous) slow_distance += (point.pose.position() - previous->pose.position()).norm();
+    if (previous) {
+      const Vector2 step = point.pose.position() - previous->pose.position();
+      slow_distance += step.norm();
+      worst.check("no_reversing", -step.dot(previous->pose.heading()), kBackwardSlack);
+    }
     if (!previous || point.speed < limits.curvature_min_speed) {
       worst.check("heading_slack", std::abs(angleBetween(slow_yaw, point.pose.yaw)),
                   limits.heading_slack + limits.heading_per_metre * slow_distance);

@@ -17,9 +17,10 @@ struct BrokenLimit {
 
 /// Checks every point up to and including the first at or after `until`: acceleration forward,
 /// braking and in total (speed^2 * curvature across), speed, no reversing, and curvature. Below
-/// `curvature_min_speed` curvature is not defined well; there the heading may change, from where the
-/// slow stretch began, by heading_slack + heading_per_metre * distance. The same holds between
-/// `start_yaw` (the recorded yaw now) and the first point. Returns the worst broken limit, by ratio.
+/// `curvature_min_speed` curvature is not defined well; there the heading may change, from where
+/// the slow stretch began, by heading_slack + heading_per_metre * distance. The same holds between
+/// `start_yaw` (the recorded yaw now) and the first point. Returns the worst broken limit, by
+/// ratio.
 std::optional<BrokenLimit> findBrokenLimit(const AttackerTrajectory& trajectory, double start_yaw,
                                            double until, const VehicleLimits& limits);
 

@@ -43,8 +43,7 @@ Motion estimateMotion(const Track& track, int frames) {
         angleBetween(newest.pose.yaw, state.pose.yaw);
   }
   const Eigen::MatrixXd positions = design.colPivHouseholderQr().solve(values.leftCols(2));
-  const Eigen::MatrixXd yaws =
-      design.leftCols(2).colPivHouseholderQr().solve(values.col(2));
+  const Eigen::MatrixXd yaws = design.leftCols(2).colPivHouseholderQr().solve(values.col(2));
 
   const Vector2 heading = newest.pose.heading();
   motion.speed = heading.dot(positions.row(1).transpose());

@@ -14,8 +14,9 @@ struct Motion {
 
 /// Fits a parabola in time to the positions, and a line to the yaws, of the `frames` newest states
 /// of an unbroken stretch (no gap above 1.1 s): least squares, evaluated at the newest. Two states
-/// give a velocity without acceleration, one gives standstill. The past alone is looked at, recorded
-/// velocities (which may look ahead) are not. Throws std::invalid_argument for a track without states.
+/// give a velocity without acceleration, one gives standstill. The past alone is looked at,
+/// recorded velocities (which may look ahead) are not. Throws std::invalid_argument for a track
+/// without states.
 Motion estimateMotion(const Track& track, int frames);
 
 }  // namespace forge

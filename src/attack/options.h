@@ -19,11 +19,13 @@ struct VehicleLimits {
   double heading_per_metre = 0.0;
 };
 
-/// One entry of config/collision_types.yaml: |relative heading| at first contact, radians.
+/// One entry of config/collision_types.yaml: bands of |relative heading|, radians.
 struct TypeDefinition {
-  double min_heading = 0.0;
+  double min_heading = 0.0;  ///< at first contact
   double max_heading = 0.0;
   double nominal_heading = 0.0;
+  double min_approach = 0.0;  ///< now
+  double max_approach = 0.0;
 };
 using TypeDefinitions = std::map<CollisionType, TypeDefinition>;
 
@@ -53,7 +55,8 @@ struct RealizationOptions {
   int samples = 0;
   double heading_spread = 0.0;
   double slide_spread = 0.0;
-  double speed_spread = 0.0;
+  double min_speed_factor = 0.0;
+  double max_speed_factor = 0.0;
   int compared = 0;
   double off_road_weight = 0.0;
 };

@@ -23,13 +23,12 @@ double speedMismatch(const CollisionPattern& pattern, const Motion& motion, doub
   return std::abs(distance / tta - 0.5 * (motion.speed + pattern.attacker_speed));
 }
 
-/// A left turn across path comes from the opposite direction, a crossing from the side: the share
-/// of a half turn by which the attacker's heading now is off that.
-double approachMismatch(CollisionType type, const Pose2& ego, const Pose2& attacker) {
-  const double heading = std::abs(angleBetween(ego.yaw, attacker.yaw));
-  if (type == CollisionType::kLtap) return (M_PI - heading) / M_PI;
-  if (type == CollisionType::kJunctionCrossing) return std::abs(heading - M_PI_2) / M_PI;
-  return 0.0;
+/// True when the agent comes from where the type wants it: a left turn across path from the
+/// opposite direction, a crossing from the side.
+bool approachFits(const Track& agent, const Snapshot& snapshot, const TypeDefinition& type) {
+  const double approach =
+      std::abs(angleBetween(snapshot.ego.states.back().pose.yaw, agent.states.back().pose.yaw));
+  return approach >= type.min_approach && approach <= type.max_approach;
 }
 
 /// The candidate at the ego's pose at impact, pushed in from `side`.
@@ -45,15 +44,11 @@ RankedPattern placedPattern(const Track& agent, Side side, const AgentState& ego
   pattern.attacker_id = agent.id;
   pattern.time = snapshot.now + request.tta;
   pattern.ego = boxAt(snapshot.ego, ego.pose);
-  pattern.attacker_offset =
-      attackerOffset(snapshot.ego.size, agent.size, side, heading, 0.0, 0.0);
+  pattern.attacker_offset = attackerOffset(snapshot.ego.size, agent.size, side, heading, 0.0, 0.0);
   pattern.attacker_speed = request.type == CollisionType::kRearEnd
                                ? ego.velocity.norm() + prediction.rear_end_closing_speed
                                : std::max(motion.speed, prediction.min_impact_speed);
-  const double mean_speed = 0.5 * (motion.speed + pattern.attacker_speed);
-  const double approach =
-      approachMismatch(request.type, snapshot.ego.states.back().pose, motion.pose);
-  return {pattern, speedMismatch(pattern, motion, request.tta) + approach * mean_speed};
+  return {pattern, speedMismatch(pattern, motion, request.tta)};
 }
 
 }  // namespace
@@ -66,10 +61,10 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
                                                      const CollisionRequest& request,
                                                      const Future* recorded) const {
   PatternPrediction prediction;
-  prediction.future =
-      recorded ? *recorded
-               : predictFuture(snapshot, lanes, request.tta + options_.prediction.tail,
-                               options_.prediction);
+  prediction.future = recorded
+                          ? *recorded
+                          : predictFuture(snapshot, lanes, request.tta + options_.prediction.tail,
+                                          options_.prediction);
   const auto ego = stateAt(prediction.future.ego, snapshot.now + request.tta);
   if (!ego) {
     prediction.status = {StatusCode::kBeyondRecording,
@@ -81,7 +76,8 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   for (const Track& agent : snapshot.agents) {
     if (request.attacker && agent.id != *request.attacker) continue;
     if (!isCandidate(agent, snapshot, options_.prediction)) continue;
-    for (const Side side : sidesOf(request.type)) {
+    if (!approachFits(agent, snapshot, options_.collision_types.at(request.type))) continue;
+    for (const Side side : sidesOf(request.type, lanes.map().driving_side)) {
       ranked.push_back(placedPattern(agent, side, *ego, snapshot, request, options_));
     }
   }
@@ -89,10 +85,11 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
                    [](const auto& a, const auto& b) { return a.cost < b.cost; });
   for (RankedPattern& entry : ranked) prediction.patterns.push_back(std::move(entry.pattern));
   if (prediction.patterns.empty()) {
-    prediction.status = {StatusCode::kNoCandidate,
-                         "no vehicle seen at now, and in the frame before, is within " +
-                             std::to_string(options_.prediction.candidate_radius) +
-                             " m (candidate_radius)"};
+    prediction.status = {
+        StatusCode::kNoCandidate,
+        std::string("no vehicle within candidate_radius, seen now and in the frame "
+                    "before, comes from where ") +
+            toString(request.type) + " wants it"};
   }
   return prediction;
 }

@@ -35,8 +35,7 @@ class KinematicPatternPredictor : public PatternPredictor {
   explicit KinematicPatternPredictor(AttackOptions options);
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
-                            const CollisionRequest& request,
-                            const Future* recorded) const override;
+                            const CollisionRequest& request, const Future* recorded) const override;
 
  private:
   AttackOptions options_;

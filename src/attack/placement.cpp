@@ -21,12 +21,14 @@ Vector2 outward(Side side) {
 
 }  // namespace
 
-std::vector<Side> sidesOf(CollisionType type) {
+std::vector<Side> sidesOf(CollisionType type, DrivingSide driving_side) {
   switch (type) {
     case CollisionType::kRearEnd:
       return {Side::kRear};
     case CollisionType::kOppositeDirection:
       return {Side::kFront};
+    case CollisionType::kLtap:
+      return {driving_side == DrivingSide::kRight ? Side::kLeft : Side::kRight};
     default:
       return {Side::kLeft, Side::kRight};
   }

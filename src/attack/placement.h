@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "geometry/oriented_box.h"
+#include "map/lane_map.h"
 #include "scene/collision_request.h"
 
 namespace forge {
@@ -10,9 +11,10 @@ namespace forge {
 /// From where the attacker's box is pushed against the ego's, in the ego box's frame.
 enum class Side { kFront, kRear, kLeft, kRight };
 
-/// The sides that a type can hit: rear_end the rear, opposite_direction the front, all others the
-/// left and the right (placements of COLLIDE).
-std::vector<Side> sidesOf(CollisionType type);
+/// The sides that a type can hit: rear_end the rear, opposite_direction the front, ltap the side
+/// that an oncoming vehicle turns across from (the left in right-hand traffic, its mirror in
+/// left-hand traffic), all others the left and the right (placements of COLLIDE).
+std::vector<Side> sidesOf(CollisionType type, DrivingSide driving_side);
 
 /// Heading of the attacker relative to the ego, radians, for a type's unsigned heading: an attacker
 /// from the left heads to the right (negative), one from the right to the left.

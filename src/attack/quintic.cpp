@@ -9,8 +9,8 @@ Quintic::Quintic(const AxisState& start, const AxisState& end, double duration) 
   const double t = duration;
   const double t2 = t * t;
   // What the start's parabola leaves to be made up at the end.
-  const double dp = end.position - start.position - start.velocity * t -
-                    0.5 * start.acceleration * t2;
+  const double dp =
+      end.position - start.position - start.velocity * t - 0.5 * start.acceleration * t2;
   const double dv = end.velocity - start.velocity - start.acceleration * t;
   const double da = end.acceleration - start.acceleration;
   coefficients_ = {start.position,

@@ -28,12 +28,15 @@ TrajectoryPoint pointFrom(double time, const PlaneState& state, double held_yaw)
   point.pose = {state.x.position, state.y.position, held_yaw};
   if (speed > kStandstill) {
     point.pose.yaw = std::atan2(velocity.y(), velocity.x());
+    point.speed = speed;
+    point.acceleration = velocity.dot(acceleration) / speed;
     point.curvature = (velocity.x() * acceleration.y() - velocity.y() * acceleration.x()) /
                       (speed * speed * speed);
+  } else {
+    const Vector2 heading = point.pose.heading();
+    point.speed = heading.dot(velocity);
+    point.acceleration = heading.dot(acceleration);
   }
-  const Vector2 heading = point.pose.heading();
-  point.speed = heading.dot(velocity);
-  point.acceleration = heading.dot(acceleration);
   return point;
 }
 

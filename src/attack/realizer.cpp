@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <random>
+#include <stdexcept>
 
 #include "attack/limits.h"
 #include "attack/placement.h"
@@ -13,24 +14,24 @@ namespace {
 
 /// A step away from a pattern.
 struct Variation {
-  double heading = 0.0;  ///< rad
-  double slide = 0.0;    ///< share of half the side that is hit
-  double speed = 0.0;    ///< m/s
+  double heading = 0.0;       ///< rad
+  double slide = 0.0;         ///< share of half the side that is hit
+  double speed_factor = 1.0;  ///< of the pattern's attacker speed
 };
 
 std::vector<Variation> drawVariations(std::uint64_t seed, const RealizationOptions& options) {
   std::mt19937_64 generator(seed);
   // The standard's distributions differ between libraries; the generator does not.
-  const auto symmetric = [&generator](double spread) {
+  const auto uniform = [&generator](double low, double high) {
     const double unit = static_cast<double>(generator() >> 11) * 0x1p-53;
-    return spread * (2.0 * unit - 1.0);
+    return low + unit * (high - low);
   };
   std::vector<Variation> variations(1);
   for (int i = 1; i < options.samples; ++i) {
     Variation variation;
-    variation.heading = symmetric(options.heading_spread);
-    variation.slide = symmetric(options.slide_spread);
-    variation.speed = symmetric(options.speed_spread);
+    variation.heading = uniform(-options.heading_spread, options.heading_spread);
+    variation.slide = uniform(-options.slide_spread, options.slide_spread);
+    variation.speed_factor = uniform(options.min_speed_factor, options.max_speed_factor);
     variations.push_back(variation);
   }
   return variations;
@@ -38,18 +39,17 @@ std::vector<Variation> drawVariations(std::uint64_t seed, const RealizationOptio
 
 /// The side of the ego that the pattern's attacker stands at.
 Side sideOf(const CollisionPattern& pattern) {
-  for (const Side side : sidesOf(pattern.type)) {
-    if (side == Side::kFront || side == Side::kRear) return side;
-  }
+  if (pattern.type == CollisionType::kRearEnd) return Side::kRear;
+  if (pattern.type == CollisionType::kOppositeDirection) return Side::kFront;
   return pattern.attacker_offset.y > 0.0 ? Side::kLeft : Side::kRight;
 }
 
 CollisionPattern varied(CollisionPattern pattern, const Variation& variation,
                         const BoxSize& attacker, double depth) {
   const double heading = wrapAngle(pattern.attacker_offset.yaw + variation.heading);
-  pattern.attacker_offset = attackerOffset(pattern.ego.size, attacker, sideOf(pattern), heading,
-                                           variation.slide, depth);
-  pattern.attacker_speed = std::max(0.0, pattern.attacker_speed + variation.speed);
+  pattern.attacker_offset =
+      attackerOffset(pattern.ego.size, attacker, sideOf(pattern), heading, variation.slide, depth);
+  pattern.attacker_speed = pattern.attacker_speed * variation.speed_factor;
   return pattern;
 }
 
@@ -61,9 +61,14 @@ struct Attempt {
 };
 
 const Track& attackerOf(const CollisionPattern& pattern, const Snapshot& snapshot) {
-  return *std::find_if(snapshot.agents.begin(), snapshot.agents.end(), [&](const Track& agent) {
-    return agent.id == pattern.attacker_id;
-  });
+  const auto attacker =
+      std::find_if(snapshot.agents.begin(), snapshot.agents.end(),
+                   [&](const Track& agent) { return agent.id == pattern.attacker_id; });
+  if (attacker == snapshot.agents.end()) {
+    throw std::invalid_argument("the pattern's attacker_id \"" + pattern.attacker_id +
+                                "\" is nobody in the scene");
+  }
+  return *attacker;
 }
 
 /// Counts why variations were not taken, for the message of a refusal.
@@ -85,10 +90,9 @@ class Rejections {
 
 /// All variations of all patterns that keep the limits, least effort first.
 std::vector<Attempt> drivableAttempts(const std::vector<CollisionPattern>& patterns,
-                                      const VerificationInput& input,
-                                      const AttackOptions& options, Rejections& rejections) {
-  const std::vector<Variation> variations =
-      drawVariations(input.request.seed, options.realization);
+                                      const VerificationInput& input, const AttackOptions& options,
+                                      Rejections& rejections) {
+  const std::vector<Variation> variations = drawVariations(input.request.seed, options.realization);
   std::vector<Attempt> attempts;
   for (const CollisionPattern& pattern : patterns) {
     const Track& attacker = attackerOf(pattern, input.snapshot);
@@ -98,8 +102,8 @@ std::vector<Attempt> drivableAttempts(const std::vector<CollisionPattern>& patte
           varied(pattern, variation, attacker.size, options.realization.depth);
       AttackerTrajectory trajectory =
           joinByQuintic(attacker, motion, input.snapshot.now, target, options.realization);
-      const auto broken = findBrokenLimit(trajectory, motion.pose.yaw, target.time,
-                                          options.vehicle_limits);
+      const auto broken =
+          findBrokenLimit(trajectory, motion.pose.yaw, target.time, options.vehicle_limits);
       if (broken) {
         rejections.add("broke " + broken->name);
         continue;

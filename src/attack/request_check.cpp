@@ -19,6 +19,14 @@ bool isFinite(const Track& track) {
                      [](const AgentState& state) { return state.pose.isFinite(); });
 }
 
+constexpr double kMaxGap = 1.1;  // s, the default of stateAt()
+
+/// False when the newest two states are too far apart to tell a motion from.
+bool hasMotion(const Track& track) {
+  const auto& states = track.states;
+  return states.size() >= 2 && states.back().time - states[states.size() - 2].time <= kMaxGap;
+}
+
 Status checkEgo(const Snapshot& snapshot, const PredictionOptions& options) {
   const Track& ego = snapshot.ego;
   if (!(ego.size.length > 0.0 && ego.size.width > 0.0)) {
@@ -30,6 +38,10 @@ Status checkEgo(const Snapshot& snapshot, const PredictionOptions& options) {
       !newestAt(ego, snapshot.now)) {
     return refuse(StatusCode::kTooLittleHistory, "the ego was seen in ", ego.states.size(),
                   " frames up to now, ", options.min_history_frames, " are needed");
+  }
+  if (!hasMotion(ego)) {
+    return refuse(StatusCode::kTooLittleHistory, "the ego was not seen in the ", kMaxGap,
+                  " s before now");
   }
   return {};
 }
@@ -48,7 +60,14 @@ Status checkAttacker(const std::string& id, const Snapshot& snapshot,
     return refuse(StatusCode::kAbsentAttacker, "attacker \"", id, "\" is a ",
                   toString(attacker->agent_class), ", which cannot attack");
   }
-  if (attacker->states.size() < 2) {
+  if (!isFinite(*attacker)) {
+    return refuse(StatusCode::kInvalidInput, "the pose of attacker \"", id, "\" is not a number");
+  }
+  if (!(attacker->size.length > 0.0 && attacker->size.width > 0.0)) {
+    return refuse(StatusCode::kInvalidInput, "the size of attacker \"", id, "\" is ",
+                  attacker->size.length, " x ", attacker->size.width, " m");
+  }
+  if (!hasMotion(*attacker)) {
     return refuse(StatusCode::kTooLittleHistory, "attacker \"", id, "\" has just appeared");
   }
   if (!isCandidate(*attacker, snapshot, options)) {
@@ -61,7 +80,7 @@ Status checkAttacker(const std::string& id, const Snapshot& snapshot,
 }  // namespace
 
 bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options) {
-  if (!canAttack(agent.agent_class) || agent.states.size() < 2) return false;
+  if (!canAttack(agent.agent_class) || !hasMotion(agent)) return false;
   if (!newestAt(agent, snapshot.now) || !isFinite(agent)) return false;
   if (!(agent.size.length > 0.0 && agent.size.width > 0.0)) return false;
   const Vector2 ego = snapshot.ego.states.back().pose.position();

@@ -70,16 +70,25 @@ std::optional<double> firstContactTime(const AttackerTrajectory& trajectory, con
     const auto ratio = firstContact(
         {poseAt(trajectory, times[i]), poseAt(trajectory, times[i + 1]), trajectory.size},
         {from->pose, to->pose, track.size}, tolerance);
-    if (ratio) return times[i] + *ratio * (times[i + 1] - times[i]);
+    if (ratio) {
+      return std::min(times[i] + *ratio * (times[i + 1] - times[i]), times[i + 1]);
+    }
   }
   return std::nullopt;
 }
 
 Vector2 velocityAt(const AttackerTrajectory& trajectory, double time) {
-  const auto after = std::find_if(trajectory.points.begin(), trajectory.points.end(),
+  const auto& points = trajectory.points;
+  const auto after = std::find_if(points.begin(), points.end(),
                                   [=](const TrajectoryPoint& point) { return point.time >= time; });
-  const TrajectoryPoint& point = after == trajectory.points.end() ? trajectory.points.back() : *after;
-  return point.speed * point.pose.heading();
+  const auto velocity = [](const TrajectoryPoint& point) -> Vector2 {
+    return point.speed * point.pose.heading();
+  };
+  if (after == points.end()) return velocity(points.back());
+  if (after == points.begin()) return velocity(points.front());
+  const TrajectoryPoint& before = *std::prev(after);
+  const double ratio = (time - before.time) / (after->time - before.time);
+  return velocity(before) + ratio * (velocity(*after) - velocity(before));
 }
 
 double offRoadShare(const AttackerTrajectory& trajectory, double until, const LaneIndex& lanes) {
@@ -102,7 +111,12 @@ void describeContact(const AttackerTrajectory& trajectory, const VerificationInp
   report.relative_heading = angleBetween(ego->pose.yaw, report.attacker_at_contact.yaw);
   report.impact_speed = (velocityAt(trajectory, report.contact_time) - ego->velocity).norm();
   const double heading = std::abs(report.relative_heading);
-  report.type_kept = heading >= type.min_heading && heading <= type.max_heading;
+  const TrajectoryPoint& start = trajectory.points.front();
+  const AgentState ego_now =
+      stateAt(input.future.ego, start.time).value_or(input.future.ego.states.front());
+  const double approach = std::abs(angleBetween(ego_now.pose.yaw, start.pose.yaw));
+  report.type_kept = heading >= type.min_heading && heading <= type.max_heading &&
+                     approach >= type.min_approach && approach <= type.max_approach;
   const double elapsed = report.contact_time - input.snapshot.now;
   report.on_time = std::abs(elapsed - input.request.tta) <= options.verification.time_tolerance;
 }
@@ -127,8 +141,7 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   CollisionReport report;
   const double end = trajectory.points.back().time;
   const double tolerance = options.verification.overlap_tolerance;
-  const auto contact =
-      firstContactTime(trajectory, input.future.ego, end, tolerance);
+  const auto contact = firstContactTime(trajectory, input.future.ego, end, tolerance);
   if (contact) {
     report.contact = *contact > trajectory.points.front().time;
     report.contact_time = *contact;
@@ -137,9 +150,9 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   const double until = contact.value_or(end);
   findFirstOther(trajectory, input.future, until, tolerance, report);
 
-  const auto attacker = std::find_if(
-      input.snapshot.agents.begin(), input.snapshot.agents.end(),
-      [&](const Track& agent) { return agent.id == trajectory.attacker_id; });
+  const auto attacker =
+      std::find_if(input.snapshot.agents.begin(), input.snapshot.agents.end(),
+                   [&](const Track& agent) { return agent.id == trajectory.attacker_id; });
   const double start_yaw = attacker != input.snapshot.agents.end()
                                ? attacker->states.back().pose.yaw
                                : trajectory.points.front().pose.yaw;
@@ -162,7 +175,8 @@ double confidence(const AttackerTrajectory& trajectory, const VerificationInput&
     const VerificationInput variation{input.snapshot, varied, input.request, input.lanes};
     if (verify(trajectory, variation, options).verified()) ++kept;
   }
-  return static_cast<double>(kept) / static_cast<double>(options.verification.confidence_speed_factors.size());
+  return static_cast<double>(kept) /
+         static_cast<double>(options.verification.confidence_speed_factors.size());
 }
 
 }  // namespace forge

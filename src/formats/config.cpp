@@ -181,6 +181,8 @@ TypeDefinitions loadCollisionTypes(const std::string& directory) {
     definition.max_heading = section.within("max_heading", definition.min_heading, kMaxHeading);
     definition.nominal_heading =
         section.within("nominal_heading", definition.min_heading, definition.max_heading);
+    definition.min_approach = section.within("min_approach", 0.0, kMaxHeading);
+    definition.max_approach = section.within("max_approach", definition.min_approach, kMaxHeading);
     section.finish();
   }
   types.finish();
@@ -219,7 +221,8 @@ RealizationOptions readRealization(Section section) {
   options.samples = section.count("samples", 1);
   options.heading_spread = section.within("heading_spread", 0.0, kMaxHeading);
   options.slide_spread = section.within("slide_spread", 0.0, 1.0);
-  options.speed_spread = section.nonNegative("speed_spread");
+  options.min_speed_factor = section.within("min_speed_factor", 0.0, 1.0);
+  options.max_speed_factor = section.within("max_speed_factor", 1.0, kInfinity);
   options.compared = section.count("compared", 1);
   options.off_road_weight = section.nonNegative("off_road_weight");
   section.finish();

@@ -33,7 +33,8 @@ struct ConfigError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads every .yaml file in `directory`. Throws ConfigError for a missing, unknown or malformed key.
+/// Reads the files of config/ in `directory`. Throws ConfigError for a missing, unknown or
+/// malformed key.
 Config loadConfig(const std::string& directory);
 
 /// The side for a location; throws ConfigError when no prefix in config/locations.yaml fits.

@@ -59,10 +59,14 @@ void encodeAgents(const Snapshot& snapshot, int frames, SceneEncoding& encoding)
       const auto frame = std::lower_bound(times.begin(), times.end(), state.time - kTimeEpsilon);
       if (frame == times.end() || std::abs(*frame - state.time) > kTimeEpsilon) continue;
       const auto column = frames - static_cast<std::int64_t>(std::distance(frame, times.end()));
-      const double values[kAgentFeatures] = {
-          state.pose.x,         state.pose.y,         std::cos(state.pose.yaw),
-          std::sin(state.pose.yaw), state.velocity.x(), state.velocity.y(),
-          track.size.length,    track.size.width};
+      const double values[kAgentFeatures] = {state.pose.x,
+                                             state.pose.y,
+                                             std::cos(state.pose.yaw),
+                                             std::sin(state.pose.yaw),
+                                             state.velocity.x(),
+                                             state.velocity.y(),
+                                             track.size.length,
+                                             track.size.width};
       for (int i = 0; i < kAgentFeatures; ++i) feature[row][column][i] = values[i];
       seen[row][column] = 1.0;
     }

@@ -1,6 +1,6 @@
 #include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <ros/ros.h>
+#include <pluginlib/class_list_macros.hpp>
 
 #include <optional>
 
@@ -9,8 +9,9 @@
 
 namespace forge {
 
-/// agents -> injected_agents, with the newest attacker's trajectory in place of its recorded future.
-/// A replay that is restarted before the attack's start passes the recording through until then.
+/// agents -> injected_agents, with the newest attacker's trajectory in place of its recorded
+/// future. A replay that is restarted before the attack's start passes the recording through until
+/// then.
 class AttackerInjectorNodelet : public nodelet::Nodelet {
  private:
   static constexpr int kQueue = 100;
@@ -26,7 +27,7 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
 
   void receiveTrajectory(const collision_forge::AttackerTrajectory& message) {
     injector_.emplace(message);
-    if (last_) injector_->inject(*last_);
+    if (last_) injector_->remember(*last_);
   }
 
   void receiveAgents(const collision_forge::AgentArray::ConstPtr& message) {

@@ -3,31 +3,46 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
 
 namespace forge {
+namespace {
 
-NewBag::NewBag(const std::string& path) : path_(path), part_(path + ".part") {
+/// A bag loads and unloads its encryption plugin when it is made and destroyed, and the plugin
+/// loader must not do that from two threads at a time.
+std::mutex& pluginMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+std::unique_ptr<rosbag::Bag> makeBag() {
+  const std::lock_guard<std::mutex> lock(pluginMutex());
+  return std::make_unique<rosbag::Bag>();
+}
+
+}  // namespace
+
+NewBag::NewBag(const std::string& path) : path_(path), part_(path + ".part"), bag_(makeBag()) {
   try {
-    bag_.open(part_, rosbag::bagmode::Write);
+    bag_->open(part_, rosbag::bagmode::Write);
   } catch (const rosbag::BagException& error) {
     throw BagError(path_ + ": cannot be written: " + error.what());
   }
-  bag_.setCompression(rosbag::compression::LZ4);
+  bag_->setCompression(rosbag::compression::LZ4);
 }
 
 NewBag::~NewBag() {
-  if (part_.empty()) return;
   try {
-    bag_.close();
+    close();
   } catch (const rosbag::BagException&) {
-    // The file goes away anyway.
+    // Only an uncommitted bag gets here open, and its file goes away.
   }
-  std::remove(part_.c_str());
+  if (!part_.empty()) std::remove(part_.c_str());
 }
 
 void NewBag::commit() {
   try {
-    bag_.close();
+    close();
   } catch (const rosbag::BagException& error) {
     throw BagError(path_ + ": cannot be completed: " + error.what());
   }
@@ -35,6 +50,13 @@ void NewBag::commit() {
     throw BagError(path_ + ": cannot be written: " + std::strerror(errno));
   }
   part_.clear();
+}
+
+void NewBag::close() {
+  if (!bag_) return;
+  bag_->close();
+  const std::lock_guard<std::mutex> lock(pluginMutex());
+  bag_.reset();
 }
 
 }  // namespace forge

@@ -2,6 +2,7 @@
 
 #include <rosbag/bag.h>
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -16,7 +17,7 @@ struct BagError : std::runtime_error {
 inline std::string bagTopic(const char* name) { return std::string("/") + name; }
 
 /// An LZ4 bag that takes its name only when it is complete: written to `path` + ".part", renamed by
-/// commit(), removed if that never comes.
+/// commit(), removed if that never comes. Different bags may be written from different threads.
 class NewBag {
  public:
   explicit NewBag(const std::string& path);
@@ -26,16 +27,16 @@ class NewBag {
 
   template <typename Message>
   void write(const std::string& topic, const ros::Time& time, const Message& message) {
-    bag_.write(topic, time, message);
+    bag_->write(topic, time, message);
   }
 
   /// As a latched publisher would have been recorded: rosbag play latches it again.
   template <typename Message>
   void writeLatched(const std::string& topic, const ros::Time& time, const Message& message) {
-    bag_.write(topic, time, message, latchedHeader<Message>());
+    bag_->write(topic, time, message, latchedHeader<Message>());
   }
 
-  rosbag::Bag& bag() { return bag_; }
+  rosbag::Bag& bag() { return *bag_; }
 
   /// Closes and renames. Throws BagError.
   void commit();
@@ -51,9 +52,11 @@ class NewBag {
     return header;
   }
 
+  void close();
+
   std::string path_;
   std::string part_;
-  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::Bag> bag_;
 };
 
 }  // namespace forge

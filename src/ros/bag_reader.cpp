@@ -88,7 +88,8 @@ class SceneBuilder {
 
 void requireTopics(const std::string& path, const Scene& scene) {
   if (!scene.map) throw BagError(path + ": no message on " + bagTopic(names::kLaneMap));
-  if (scene.frame_times.empty()) throw BagError(path + ": no message on " + bagTopic(names::kAgents));
+  if (scene.frame_times.empty())
+    throw BagError(path + ": no message on " + bagTopic(names::kAgents));
   if (scene.ego.states.empty()) {
     throw BagError(path + ": no transform " + names::kMapFrame + " -> " + names::kBaseFrame +
                    " on " + names::kTf);

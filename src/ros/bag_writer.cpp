@@ -96,8 +96,8 @@ void writeBag(const std::string& path, const NuScenesRecording& recording, const
     throw BagError(path + ": scene " + recording.name + " has no ego poses or no frames");
   }
   NewBag bag(path);
-  const ros::Time start = toTime(std::min(recording.ego_poses.front().timestamp_us,
-                                          recording.frames.front().timestamp_us));
+  const ros::Time start = toTime(
+      std::min(recording.ego_poses.front().timestamp_us, recording.frames.front().timestamp_us));
   bag.writeLatched(bagTopic(names::kLaneMap), start, toMessage(map, start));
   auto frame = recording.frames.begin();
   const auto writeFramesUpTo = [&](std::int64_t timestamp_us) {

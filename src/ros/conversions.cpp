@@ -1,6 +1,7 @@
 #include "ros/conversions.h"
 
 #include <cmath>
+#include <limits>
 
 #include "ros/topic_names.h"
 
@@ -16,8 +17,10 @@ geometry_msgs::Vector3 toMessage(const BoxSize& size) {
 
 BoxSize fromMessage(const geometry_msgs::Vector3& message) { return {message.x, message.y}; }
 
+/// NaN for a quaternion that is not finite.
 template <typename Quaternion>
 double yawOf(const Quaternion& q) {
+  if (!std::isfinite(q.w + q.x + q.y + q.z)) return std::numeric_limits<double>::quiet_NaN();
   return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
 }
 
@@ -155,7 +158,8 @@ std::vector<Track> fromMessage(const collision_forge::AgentArray& message) {
 }
 
 Track fromMessage(const collision_forge::AgentTrack& message) {
-  Track track{message.id, agentClass(message.agent_class, message.id), fromMessage(message.size), {}};
+  Track track{
+      message.id, agentClass(message.agent_class, message.id), fromMessage(message.size), {}};
   for (const auto& state : message.states) {
     track.states.push_back({state.stamp.toSec(), fromMessage(state.pose),
                             Vector2(state.velocity_x, state.velocity_y)});

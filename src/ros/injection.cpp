@@ -4,6 +4,8 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 #include "ros/bag_file.h"
 #include "ros/conversions.h"
@@ -35,6 +37,20 @@ void writeAttack(NewBag& bag, const ros::Time& time, const AttackMessages& attac
   bag.writeLatched(bagTopic(names::kTestedReport), time, attack.tested_report);
 }
 
+/// Every frame of agents with the attack in it, by the time at which it was recorded.
+std::map<ros::Time, collision_forge::AgentArray> injectedFrames(
+    const rosbag::Bag& bag, const collision_forge::AttackerTrajectory& trajectory) {
+  AttackerInjector injector(trajectory);
+  std::map<ros::Time, collision_forge::AgentArray> frames;
+  const rosbag::TopicQuery topic(bagTopic(names::kAgents));
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag, topic)) {
+    if (const auto agents = instance.instantiate<collision_forge::AgentArray>()) {
+      frames[instance.getTime()] = injector.inject(*agents);
+    }
+  }
+  return frames;
+}
+
 }  // namespace
 
 AttackerInjector::AttackerInjector(collision_forge::AttackerTrajectory trajectory)
@@ -44,13 +60,19 @@ AttackerInjector::AttackerInjector(collision_forge::AttackerTrajectory trajector
   attacker_.size = trajectory_.size;
 }
 
+void AttackerInjector::remember(const collision_forge::AgentArray& recorded) {
+  for (const collision_forge::Agent& agent : recorded.agents) {
+    if (agent.id == attacker_.id) attacker_ = agent;
+  }
+}
+
 collision_forge::AgentArray AttackerInjector::inject(collision_forge::AgentArray agents) {
   auto& all = agents.agents;
   const auto recorded =
       std::find_if(all.begin(), all.end(),
                    [this](const collision_forge::Agent& a) { return a.id == attacker_.id; });
   if (trajectory_.points.empty() || agents.header.stamp <= trajectory_.points.front().stamp) {
-    if (recorded != all.end()) attacker_ = *recorded;
+    remember(agents);
     return agents;
   }
   if (agents.header.stamp > trajectory_.points.back().stamp) {
@@ -78,29 +100,31 @@ void injectIntoBag(const std::string& in, const std::string& out, const AttackMe
   try {
     const rosbag::Bag source(in, rosbag::bagmode::Read);
     NewBag target(out);
-    AttackerInjector injector(attack.trajectory);
     const ros::Time now = attack.trajectory.header.stamp;
+    const auto frames = injectedFrames(source, attack.trajectory);
     bool added = false;
-    collision_forge::AgentArray injected;
     for (const rosbag::MessageInstance& instance : rosbag::View(source)) {
+      const std::string& topic = instance.getTopic();
       const ros::Time time = instance.getTime();
       if (!added && time > now) {
         writeAttack(target, now, attack);
         added = true;
       }
-      if (instance.getTopic() == bagTopic(names::kAgents)) {
-        injected = injector.inject(*instance.instantiate<collision_forge::AgentArray>());
-        if (time > now) {
-          target.bag().write(instance.getTopic(), time, injected, instance.getConnectionHeader());
+      // Messages of the same time come in any order: markers may come before the agents they show.
+      const auto after = frames.upper_bound(time);
+      const auto frame = after == frames.begin() ? frames.end() : std::prev(after);
+      if (time > now && frame != frames.end()) {
+        if (topic == bagTopic(names::kAgents) && frame->first == time) {
+          target.bag().write(topic, time, frame->second, instance.getConnectionHeader());
+          continue;
+        }
+        if (topic == bagTopic(names::kAnnotationMarkers)) {
+          target.bag().write(topic, time, annotationMarkers(frame->second),
+                             instance.getConnectionHeader());
           continue;
         }
       }
-      if (time > now && instance.getTopic() == bagTopic(names::kAnnotationMarkers)) {
-        target.bag().write(instance.getTopic(), time, annotationMarkers(injected),
-                           instance.getConnectionHeader());
-        continue;
-      }
-      target.bag().write(instance.getTopic(), time, instance, instance.getConnectionHeader());
+      target.bag().write(topic, time, instance, instance.getConnectionHeader());
     }
     if (!added) writeAttack(target, now, attack);
     target.commit();

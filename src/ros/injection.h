@@ -15,9 +15,13 @@ class AttackerInjector {
  public:
   explicit AttackerInjector(collision_forge::AttackerTrajectory trajectory);
 
+  /// Takes height and z from a recorded frame, if the attacker is in it.
+  void remember(const collision_forge::AgentArray& recorded);
+
   /// Frames up to the trajectory's start pass as they are. Later, the attacker is where its
   /// trajectory has it, whether it was recorded in that frame or not, and all others are as they
-  /// were. After the trajectory's end the attacker is gone: the aftermath of a crash is not modelled.
+  /// were. After the trajectory's end the attacker is gone: the aftermath of a crash is not
+  /// modelled.
   collision_forge::AgentArray inject(collision_forge::AgentArray agents);
 
  private:
@@ -34,8 +38,8 @@ struct AttackMessages {
 };
 
 /// Copies the bag at `in` to `out`: the attacker's recorded future in /agents and
-/// /annotation_markers is replaced, the four messages are added (latched, at the trajectory's start),
-/// every other message is copied byte for byte with its connection. Throws BagError.
+/// /annotation_markers is replaced, the four messages are added (latched, at the trajectory's
+/// start), every other message is copied byte for byte with its connection. Throws BagError.
 void injectIntoBag(const std::string& in, const std::string& out, const AttackMessages& attack);
 
 }  // namespace forge

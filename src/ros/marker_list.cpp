@@ -102,8 +102,8 @@ void MarkerList::addText(const std::string& name_space, const std::string& text,
   marker.scale = scale(0.0, 0.0, letter_height);
 }
 
-void MarkerList::addGroups(const std::string& name_space, std::int32_t type, std::size_t group_size,
-                           const std::vector<Vector2>& points, double z,
+void MarkerList::addGroups(const std::string& name_space, std::int32_t type,
+                           std::ptrdiff_t group_size, const std::vector<Vector2>& points, double z,
                            const geometry_msgs::Vector3& scale, const colors::MarkerColor& color) {
   std::vector<geometry_msgs::Point> finite;
   finite.reserve(points.size());

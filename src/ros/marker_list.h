@@ -3,6 +3,8 @@
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -42,7 +44,7 @@ class MarkerList {
                                   const colors::MarkerColor& color);
   void addCuboid(const std::string& name_space, const OrientedBox& box, double bottom, double top,
                  const colors::MarkerColor& color);
-  void addGroups(const std::string& name_space, std::int32_t type, std::size_t group_size,
+  void addGroups(const std::string& name_space, std::int32_t type, std::ptrdiff_t group_size,
                  const std::vector<Vector2>& points, double z, const geometry_msgs::Vector3& scale,
                  const colors::MarkerColor& color);
 

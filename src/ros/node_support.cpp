@@ -23,8 +23,8 @@ std::shared_ptr<const LaneIndex> LaneMapSubscriber::lanes() const {
 
 void LaneMapSubscriber::receive(const collision_forge::LaneMap& message) {
   try {
-    auto lanes = std::make_shared<const LaneIndex>(
-        std::make_shared<const LaneMap>(fromMessage(message)));
+    auto lanes =
+        std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(fromMessage(message)));
     const std::lock_guard<std::mutex> lock(mutex_);
     lanes_ = std::move(lanes);
   } catch (const std::exception& error) {

@@ -4,9 +4,10 @@
 #include <collision_forge/CollisionReport.h>
 #include <nav_msgs/Odometry.h>
 #include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <ros/ros.h>
+#include <pluginlib/class_list_macros.hpp>
 
+#include <deque>
 #include <optional>
 
 #include "attack/ego_test.h"
@@ -20,7 +21,7 @@ namespace forge {
 /// or at the end of the attacker's trajectory when there was none.
 class PlannerTesterNodelet : public nodelet::Nodelet {
  private:
-  static constexpr int kQueue = 100;
+  static constexpr std::size_t kQueue = 100;
 
   void onInit() override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
@@ -58,7 +59,8 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
       request.tta = pattern_->tta;
       request.mode = Mode::kReplay;
       test_.emplace(fromMessage(*trajectory_), request, config_.ego_vehicle);
-      if (last_ego_) test_->addEgo(*last_ego_);
+      for (const AgentState& ego : egos_) test_->addEgo(ego);
+      for (const auto& frame : frames_) test_->addAgents(frame);
     } catch (const MessageError& error) {
       NODELET_ERROR_STREAM("attack left out: " << error.what());
     }
@@ -66,21 +68,36 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
 
   void receiveOdometry(const nav_msgs::Odometry& message) {
     const Pose2 base = fromMessage(message.pose.pose);
-    last_ego_ = AgentState{message.header.stamp.toSec(),
-                           compose(base, {config_.ego_vehicle.center_offset, 0.0, 0.0}),
-                           message.twist.twist.linear.x * base.heading()};
-    if (!test_ || !last_ego_->pose.isFinite()) return;
-    test_->addEgo(*last_ego_);
+    const AgentState ego{message.header.stamp.toSec(),
+                         compose(base, {config_.ego_vehicle.center_offset, 0.0, 0.0}),
+                         message.twist.twist.linear.x * base.heading()};
+    if (!ego.pose.isFinite()) return;
+    if (!egos_.empty() && ego.time < egos_.back().time) forget();  // the replay was restarted
+    keepNewest(egos_, ego);
+    if (!test_) return;
+    test_->addEgo(ego);
     publishOutcome();
   }
 
   void receiveAgents(const collision_forge::AgentArray& message) {
-    if (!test_) return;
     try {
-      test_->addAgents(fromMessage(message));
+      keepNewest(frames_, fromMessage(message));
+      if (test_) test_->addAgents(frames_.back());
     } catch (const MessageError& error) {
       NODELET_ERROR_STREAM_THROTTLE(1.0, "frame left out: " << error.what());
     }
+  }
+
+  void forget() {
+    egos_.clear();
+    frames_.clear();
+    test_.reset();
+  }
+
+  template <typename Value>
+  static void keepNewest(std::deque<Value>& values, const Value& value) {
+    values.push_back(value);
+    if (values.size() > kQueue) values.pop_front();
   }
 
   void publishOutcome() {
@@ -97,7 +114,8 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
   std::unique_ptr<LaneMapSubscriber> map_;
   std::optional<collision_forge::CollisionPattern> pattern_;
   std::optional<collision_forge::AttackerTrajectory> trajectory_;
-  std::optional<AgentState> last_ego_;
+  std::deque<AgentState> egos_;            // the newest, as an answer is later than its "now"
+  std::deque<std::vector<Track>> frames_;  // the same of everybody else
   std::optional<EgoTest> test_;
   ros::Publisher publisher_;
   std::vector<ros::Subscriber> subscribers_;

@@ -1,11 +1,11 @@
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/EncodedScene.h>
 #include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <ros/ros.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/message_filter.h>
 #include <tf2_ros/transform_listener.h>
+#include <pluginlib/class_list_macros.hpp>
 
 #include <message_filters/subscriber.h>
 
@@ -42,8 +42,8 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
       addFrame(*message);
       publish();
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM_THROTTLE(1.0, "frame at " << message->header.stamp << " left out: "
-                                                     << error.what());
+      NODELET_ERROR_STREAM_THROTTLE(
+          1.0, "frame at " << message->header.stamp << " left out: " << error.what());
     }
   }
 
@@ -52,8 +52,8 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
         buffer_.lookupTransform(names::kMapFrame, names::kBaseFrame, message.header.stamp);
     Frame frame;
     frame.time = message.header.stamp.toSec();
-    frame.ego = compose(fromMessage(transform.transform),
-                        {config_.ego_vehicle.center_offset, 0.0, 0.0});
+    frame.ego =
+        compose(fromMessage(transform.transform), {config_.ego_vehicle.center_offset, 0.0, 0.0});
     frame.agents = fromMessage(message);
     if (const int dropped = history_->add(std::move(frame))) {
       NODELET_WARN_STREAM_THROTTLE(1.0, dropped << " agents at " << message.header.stamp
@@ -69,8 +69,8 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
     }
     const Snapshot snapshot = history_->snapshot();
     publisher_.publish(toMessage(
-        snapshot, encodeScene(snapshot, *lanes, config_.attack.prediction.history_frames,
-                              config_.encoding)));
+        snapshot,
+        encodeScene(snapshot, *lanes, config_.attack.prediction.history_frames, config_.encoding)));
   }
 
   Config config_;

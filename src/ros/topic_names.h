@@ -4,22 +4,23 @@
 namespace forge::names {
 
 // As recorded.
-inline constexpr char kAgents[] = "agents";                         // AgentArray
-inline constexpr char kLaneMap[] = "lane_map";                      // LaneMap, latched
-inline constexpr char kOdometry[] = "odom";                         // nav_msgs/Odometry
-inline constexpr char kAnnotationMarkers[] = "annotation_markers";  // visualization_msgs/MarkerArray
+inline constexpr char kAgents[] = "agents";     // AgentArray
+inline constexpr char kLaneMap[] = "lane_map";  // LaneMap, latched
+inline constexpr char kOdometry[] = "odom";     // nav_msgs/Odometry
+inline constexpr char kAnnotationMarkers[] =
+    "annotation_markers";  // visualization_msgs/MarkerArray
 inline constexpr char kTf[] = "/tf";
 
 // Made by the suite.
-inline constexpr char kEncodedScene[] = "encoded_scene";            // EncodedScene
-inline constexpr char kCollisionPattern[] = "collision_pattern";    // CollisionPattern, latched
+inline constexpr char kEncodedScene[] = "encoded_scene";              // EncodedScene
+inline constexpr char kCollisionPattern[] = "collision_pattern";      // CollisionPattern, latched
 inline constexpr char kAttackerTrajectory[] = "attacker_trajectory";  // AttackerTrajectory, latched
-inline constexpr char kCollisionReport[] = "collision_report";      // CollisionReport, latched
-inline constexpr char kTestedReport[] = "tested_report";            // CollisionReport, as it came about
-inline constexpr char kInjectedAgents[] = "injected_agents";        // AgentArray
-inline constexpr char kMapMarkers[] = "map_markers";                // MarkerArray, latched
-inline constexpr char kSceneMarkers[] = "scene_markers";            // MarkerArray
-inline constexpr char kAttackMarkers[] = "attack_markers";          // MarkerArray, latched
+inline constexpr char kCollisionReport[] = "collision_report";        // CollisionReport, latched
+inline constexpr char kTestedReport[] = "tested_report";  // CollisionReport, latched: as it came
+inline constexpr char kInjectedAgents[] = "injected_agents";  // AgentArray
+inline constexpr char kMapMarkers[] = "map_markers";          // MarkerArray, latched
+inline constexpr char kSceneMarkers[] = "scene_markers";      // MarkerArray
+inline constexpr char kAttackMarkers[] = "attack_markers";    // MarkerArray, latched
 
 // Services.
 inline constexpr char kGenerateCollision[] = "generate_collision";

@@ -35,16 +35,16 @@ enum class StatusCode : std::uint8_t {
   kOk = 0,
   kUnknownType = 1,
   kTtaOutOfRange = 2,
-  kUnknownAttacker = 3,      ///< no agent of that id was ever seen
-  kAbsentAttacker = 4,       ///< the agent is known, but not there now, or cannot attack
+  kUnknownAttacker = 3,  ///< no agent of that id in the frames held
+  kAbsentAttacker = 4,   ///< the agent is known, but not there now, or cannot attack
   kTooLittleHistory = 5,
-  kNoCandidate = 6,          ///< nobody in reach could attack
+  kNoCandidate = 6,           ///< nobody in reach comes from where the type wants it
   kNoAttackWithinBounds = 7,  ///< candidates exist, none can be driven into the ego as asked
-  kNoScene = 8,              ///< no agents, map or ego pose received yet
-  kNoRecording = 9,          ///< replay mode without a recording
-  kBeyondRecording = 10,     ///< replay mode and the recording ends before the impact
-  kInvalidInput = 11,        ///< not a number, unknown mode, zero-size ego
-  kNodeUnavailable = 12,     ///< a node of the suite did not answer
+  kNoScene = 8,               ///< no agents, map or ego pose received yet
+  kNoRecording = 9,           ///< replay mode without a recording
+  kBeyondRecording = 10,      ///< replay mode and the recording ends before the impact
+  kInvalidInput = 11,         ///< unknown mode, a pose that is not a number, a box without size
+  kNodeUnavailable = 12,      ///< a node of the suite did not answer
 };
 const char* toString(StatusCode code);
 

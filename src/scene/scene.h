@@ -36,8 +36,7 @@ struct Snapshot {
   std::shared_ptr<const LaneMap> map;
 };
 
-/// How everybody moves from now on, predicted or recorded: the first state of every track is at
-/// or before now.
+/// How everybody moves from now on, predicted or recorded. Recorded agents may appear later.
 struct Future {
   Track ego;
   std::vector<Track> agents;

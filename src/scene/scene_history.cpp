@@ -1,6 +1,7 @@
 #include "scene/scene_history.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -9,7 +10,8 @@ namespace {
 
 bool isUsable(const Track& agent) {
   return agent.states.size() == 1 && agent.states.front().pose.isFinite() &&
-         agent.size.length > 0.0 && agent.size.width > 0.0;
+         std::isfinite(agent.size.length) && agent.size.length > 0.0 &&
+         std::isfinite(agent.size.width) && agent.size.width > 0.0;
 }
 
 }  // namespace

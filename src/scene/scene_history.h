@@ -8,8 +8,8 @@ namespace forge {
 
 /// One annotation frame as it arrives: the ego and everybody else at one time.
 struct Frame {
-  double time = 0.0;  ///< seconds
-  Pose2 ego;          ///< middle of the ego's box, global map frame
+  double time = 0.0;          ///< seconds
+  Pose2 ego;                  ///< middle of the ego's box, global map frame
   std::vector<Track> agents;  ///< each with exactly one state, at `time`
 };
 

@@ -33,7 +33,7 @@ bool canAttack(AgentClass agent_class);
 struct AgentState {
   double time = 0.0;  ///< seconds; one clock for a whole scene
   Pose2 pose;
-  Vector2 velocity = Vector2::Zero();  ///< m/s, global map frame
+  Vector2 velocity{0.0, 0.0};  ///< m/s, global map frame
 };
 
 /// The states of one agent, times strictly increasing.

@@ -24,20 +24,13 @@ struct Arguments {
   collision_forge::CollisionRequest request;
 };
 
-CollisionRequest parseRequest(const collision_forge::CollisionRequest& message) {
-  const auto parsed = fromMessage(message);
-  if (const Status* refusal = std::get_if<Status>(&parsed)) {
-    throw std::invalid_argument(refusal->message);
-  }
-  return std::get<CollisionRequest>(parsed);
-}
-
 /// The frame at or before `now` seconds after the scene's first.
 double frameAt(const Scene& scene, double now) {
   const double start = scene.frame_times.front();
   const auto frame = lastFrameTime(scene, start + now);
-  if (!frame || start + now > scene.frame_times.back()) {
-    throw std::invalid_argument("--now " + std::to_string(now) + " is outside the recording, 0 to " +
+  if (!frame || !(start + now <= scene.frame_times.back())) {
+    throw std::invalid_argument("--now " + std::to_string(now) +
+                                " is outside the recording, 0 to " +
                                 std::to_string(scene.frame_times.back() - start) + " s");
   }
   return *frame;
@@ -55,8 +48,14 @@ void printReport(const char* subject, const CollisionReport& report, double now)
             << report.relative_heading * kDegrees << " degrees, impact speed "
             << report.impact_speed << " m/s, "
             << (report.bounds_kept ? "bounds kept" : report.broken_bound)
-            << (report.first_other_id.empty() ? "" : ", touches " + report.first_other_id + " first")
+            << (report.first_other_id.empty() ? ""
+                                              : ", touches " + report.first_other_id + " first")
             << ", " << 100.0 * report.off_road_share << " % off road\n";
+}
+
+int refuse(const Status& status) {
+  std::cerr << toString(status.code) << ": " << status.message << "\n";
+  return kExitNoAttack;
 }
 
 int inject(const Arguments& arguments) {
@@ -64,7 +63,9 @@ int inject(const Arguments& arguments) {
       std::filesystem::weakly_canonical(arguments.out)) {
     throw std::invalid_argument("--out names the input bag " + arguments.bag);
   }
-  const CollisionRequest request = parseRequest(arguments.request);
+  const auto parsed = fromMessage(arguments.request);
+  if (const Status* refusal = std::get_if<Status>(&parsed)) return refuse(*refusal);
+  const auto& request = std::get<CollisionRequest>(parsed);
   const Config config = loadConfig(arguments.config);
   std::vector<std::string> warnings;
   const Scene scene = readBag(arguments.bag, config.ego_vehicle, &warnings);
@@ -74,28 +75,25 @@ int inject(const Arguments& arguments) {
   const LaneIndex lanes(scene.map);
   const Snapshot snapshot = snapshotAt(scene, now, config.attack.prediction.history_frames);
   const Future recorded = recordedFuture(scene, now);
-  const Realization attack =
-      generateCollision(request, snapshot, lanes, &recorded,
-                        KinematicPatternPredictor(config.attack), config.attack);
-  if (attack.status.code != StatusCode::kOk) {
-    std::cerr << toString(attack.status.code) << ": " << attack.status.message << "\n";
-    return kExitNoAttack;
-  }
-  const CollisionReport tested =
+  const Realization attack = generateCollision(
+      request, snapshot, lanes, &recorded, KinematicPatternPredictor(config.attack), config.attack);
+  if (attack.status.code != StatusCode::kOk) return refuse(attack.status);
+  CollisionReport tested =
       verify(attack.trajectory, {snapshot, recorded, request, lanes}, config.attack);
+  tested.confidence = attack.report.confidence;
   const std::string& attacker = attack.trajectory.attacker_id;
   injectIntoBag(arguments.bag, arguments.out,
                 {toMessage(attack.pattern, now), toMessage(attack.trajectory),
                  toMessage(attack.report, attacker, now), toMessage(tested, attacker, now)});
-  std::cout << toString(request.type) << " by " << attacker << ", now = "
-            << now - scene.frame_times.front() << " s, confidence " << attack.report.confidence
-            << "\n";
+  std::cout << toString(request.type) << " by " << attacker
+            << ", now = " << now - scene.frame_times.front() << " s, confidence "
+            << attack.report.confidence << "\n";
   printReport("generated", attack.report, now);
   printReport("against the recording", tested, now);
   std::cout << "wrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {
-    const ScenarioView view{scene.name,       request.tta,       request.mode, snapshot, recorded,
-                            attack.pattern,   attack.trajectory, tested};
+    const ScenarioView view{scene.name, request.tta,    request.mode,      snapshot,
+                            recorded,   attack.pattern, attack.trajectory, tested};
     drawScenarioPng(arguments.draw + ".png", view, config.drawing);
     drawScenarioGif(arguments.draw + ".gif", view, config.drawing);
     std::cout << "wrote " << arguments.draw << ".png\nwrote " << arguments.draw << ".gif\n";
@@ -110,19 +108,23 @@ int main(int argc, char** argv) {
   CLI::App app("Makes an agent of a recorded bag crash into the ego, and writes the attacked bag.",
                "inject_attacker");
   app.add_option("--bag", arguments.bag, "recorded bag, as from nuscenes_to_bag")->required();
-  app.add_option("--type", arguments.request.collision_type,
-                 "lane_change, opposite_direction, rear_end, junction_crossing or ltap (LC, OD, HO, "
-                 "RE, JC, LTAP)")
+  app.add_option(
+         "--type", arguments.request.collision_type,
+         "lane_change, opposite_direction, rear_end, junction_crossing or ltap (LC, OD, HO, "
+         "RE, JC, LTAP)")
       ->required();
-  app.add_option("--tta", arguments.request.tta, "seconds from now to impact, 0.5 to 9")->required();
-  app.add_option("--now", arguments.now, "seconds from the bag's first frame; the frame at or before")
+  app.add_option("--tta", arguments.request.tta, "seconds from now to impact, 0.5 to 9")
+      ->required();
+  app.add_option("--now", arguments.now,
+                 "seconds from the bag's first frame; the frame at or before")
       ->required();
   app.add_option("--attacker", arguments.request.attacker_id, "agent id; any by default");
   app.add_option("--mode", arguments.request.mode,
                  "history: use only what was seen up to now; replay: use the recorded future")
       ->check(CLI::IsMember({"history", "replay"}))
       ->default_str("history");
-  app.add_option("--seed", arguments.request.seed, "of the variations tried")->capture_default_str();
+  app.add_option("--seed", arguments.request.seed, "of the variations tried")
+      ->capture_default_str();
   app.add_option("--out", arguments.out, "bag to write")->required();
   app.add_option("--draw", arguments.draw, "also draw to this name + .png and .gif");
   addConfigOption(app, arguments.config);

@@ -19,7 +19,7 @@ struct Arguments {
   std::string version;
   std::string out;
   std::string config;
-  double now = 4.0;
+  std::vector<double> nows = {4.0, 8.0, 12.0};
   std::vector<double> ttas = {2.0, 4.0, 6.0};
 };
 
@@ -30,10 +30,10 @@ struct Tally {
 };
 using Tallies = std::map<std::pair<Mode, CollisionType>, Tally>;
 
-void answerAll(const Scene& scene, const Arguments& arguments, const Config& config,
-               std::ostream& csv, Tallies& tallies) {
-  const auto now = lastFrameTime(scene, scene.frame_times.front() + arguments.now);
-  const LaneIndex lanes(scene.map);
+void answerAll(const Scene& scene, double seconds, const LaneIndex& lanes,
+               const Arguments& arguments, const Config& config, std::ostream& csv,
+               Tallies& tallies) {
+  const auto now = lastFrameTime(scene, scene.frame_times.front() + seconds);
   const Snapshot snapshot = snapshotAt(scene, *now, config.attack.prediction.history_frames);
   const Future recorded = recordedFuture(scene, *now);
   const KinematicPatternPredictor predictor(config.attack);
@@ -54,10 +54,10 @@ void answerAll(const Scene& scene, const Arguments& arguments, const Config& con
                           .verified();
           tally.confirmed += confirmed;
         }
-        csv << scene.name << ',' << toString(mode) << ',' << toString(type) << ',' << tta << ','
-            << toString(attack.status.code) << ',' << attack.trajectory.attacker_id << ','
-            << attack.report.confidence << ',' << attack.report.off_road_share << ',' << confirmed
-            << '\n';
+        csv << scene.name << ',' << seconds << ',' << toString(mode) << ',' << toString(type) << ','
+            << tta << ',' << toString(attack.status.code) << ',' << attack.trajectory.attacker_id
+            << ',' << attack.report.confidence << ',' << attack.report.off_road_share << ','
+            << confirmed << '\n';
       }
     }
   }
@@ -89,19 +89,22 @@ int measure(const Arguments& arguments) {
   const NuScenesRoot root(arguments.dataroot, arguments.version);
   std::map<std::string, std::shared_ptr<const LaneMap>> maps;
   std::ofstream csv(arguments.out + ".part");
-  csv << "scene,mode,type,tta,code,attacker,confidence,off_road_share,confirmed\n";
+  csv << "scene,now,mode,type,tta,code,attacker,confidence,off_road_share,confirmed\n";
   Tallies tallies;
   boost::timer::progress_display progress(root.sceneNames().size(), std::cerr);
   for (const std::string& name : root.sceneNames()) {
     const NuScenesRecording recording = root.readScene(name);
     auto& map = maps[recording.location];
     if (!map) {
-      map = std::make_shared<const LaneMap>(
-          readNuScenesMap(arguments.dataroot, recording.location,
-                          drivingSide(config, recording.location),
-                          {config.conversion.centerline_resolution}));
+      map = std::make_shared<const LaneMap>(readNuScenesMap(
+          arguments.dataroot, recording.location, drivingSide(config, recording.location),
+          {config.conversion.centerline_resolution}));
     }
-    answerAll(toScene(recording, config.ego_vehicle, map), arguments, config, csv, tallies);
+    const Scene scene = toScene(recording, config.ego_vehicle, map);
+    const LaneIndex lanes(map);
+    for (const double now : arguments.nows) {
+      answerAll(scene, now, lanes, arguments, config, csv, tallies);
+    }
     ++progress;
   }
   csv.close();
@@ -120,7 +123,7 @@ int main(int argc, char** argv) {
   app.add_option("--dataroot", arguments.dataroot, "nuScenes root")->required();
   app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini")->required();
   app.add_option("--out", arguments.out, "CSV to write, a row a request")->required();
-  app.add_option("--now", arguments.now, "seconds from each scene's first frame")
+  app.add_option("--now", arguments.nows, "seconds from each scene's first frame")
       ->capture_default_str();
   app.add_option("--tta", arguments.ttas, "seconds from now to impact")->capture_default_str();
   addConfigOption(app, arguments.config);

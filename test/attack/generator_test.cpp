@@ -116,13 +116,13 @@ TEST(GenerateCollision, RefusesTooLittleHistory) {
 TEST(GenerateCollision, RefusesScenesWithoutACandidate) {
   Case scene;
   scene.snapshot.agents.clear();
-  scene.expectRefusal(StatusCode::kNoCandidate, {"candidate_radius", "80"});
+  scene.expectRefusal(StatusCode::kNoCandidate, {"candidate_radius", "rear_end"});
 }
 
 TEST(GenerateCollision, RefusesWhatNobodyCanDrive) {
   Case scene;
   scene.request.tta = 0.5;
-  scene.request.type = CollisionType::kJunctionCrossing;
+  scene.request.type = CollisionType::kLaneChange;
   scene.expectRefusal(StatusCode::kNoAttackWithinBounds, {"4 patterns", "broke"});
 }
 
@@ -294,6 +294,9 @@ class BruteForce {
     const TypeDefinition& band = options_.collision_types.at(request.type);
     EXPECT_GE(heading, band.min_heading - 1e-9);
     EXPECT_LE(heading, band.max_heading + 1e-9);
+    const double approach = std::abs(turn(future_.ego.states.front().pose.yaw, path_[0].yaw));
+    EXPECT_GE(approach, band.min_approach - 1e-9);
+    EXPECT_LE(approach, band.max_approach + 1e-9);
     EXPECT_LE(std::abs(contact - kNow - request.tta), options_.verification.time_tolerance + 1e-9);
   }
 
@@ -351,10 +354,14 @@ class RandomScene {
     const Pose2 ego{between(-50.0, 0.0), seed % 2 == 0 ? 0.0 : -1.75, between(-0.05, 0.05)};
     scene_.snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, ego, ego_speed), {}, scene_.map);
     scene_.recorded = Future{futureTrack(kEgoId, kEgoSize, ego, ego_speed), {}};
-    const int agents = 1 + static_cast<int>(between(0.0, 6.0));
-    for (int i = 0; i < agents; ++i) addAgent("agent" + std::to_string(i), ego);
     scene_.request.type = kCollisionTypes[static_cast<std::size_t>(between(0.0, 5.0))];
     scene_.request.tta = between(0.5, 7.0);
+    const int agents = static_cast<int>(between(0.0, 6.0));
+    for (int i = 0; i < agents; ++i) addAgent("agent" + std::to_string(i), anywhereNear(ego));
+    // Oncoming, at an ordinary speed away from where the ego will be.
+    const double impact = ego.x + ego_speed * scene_.request.tta;
+    addAgent("oncoming", {impact + between(5.0, 8.0) * scene_.request.tta, between(2.0, 8.0),
+                          M_PI + between(-0.2, 0.2)});
     scene_.request.mode = between(0.0, 1.0) < 0.5 ? Mode::kHistory : Mode::kReplay;
     scene_.request.seed = seed;
   }
@@ -366,9 +373,12 @@ class RandomScene {
     return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
   }
 
-  void addAgent(const std::string& id, const Pose2& ego) {
-    const Pose2 pose{ego.x + between(-60.0, 60.0), ego.y + between(-25.0, 25.0),
-                     M_PI_2 * std::floor(between(0.0, 4.0)) + between(-0.2, 0.2)};
+  Pose2 anywhereNear(const Pose2& ego) {
+    return {ego.x + between(-60.0, 60.0), ego.y + between(-25.0, 25.0),
+            M_PI_2 * std::floor(between(0.0, 4.0)) + between(-0.2, 0.2)};
+  }
+
+  void addAgent(const std::string& id, const Pose2& pose) {
     const BoxSize size{between(3.5, 10.0), between(1.6, 2.6)};
     const double speed = between(0.0, 1.0) < 0.2 ? 0.0 : between(0.0, 15.0);
     Track past = pastTrack(id, size, pose, speed);

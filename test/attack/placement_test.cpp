@@ -31,12 +31,19 @@ OrientedBox moved(OrientedBox box, const Vector2& by) {
 }
 
 TEST(SidesOf, AreThoseThatTheTypeHits) {
-  EXPECT_EQ(sidesOf(CollisionType::kRearEnd), (std::vector<Side>{Side::kRear}));
-  EXPECT_EQ(sidesOf(CollisionType::kOppositeDirection), (std::vector<Side>{Side::kFront}));
   const std::vector<Side> both{Side::kLeft, Side::kRight};
-  EXPECT_EQ(sidesOf(CollisionType::kLaneChange), both);
-  EXPECT_EQ(sidesOf(CollisionType::kJunctionCrossing), both);
-  EXPECT_EQ(sidesOf(CollisionType::kLtap), both);
+  for (const DrivingSide traffic : {DrivingSide::kRight, DrivingSide::kLeft}) {
+    EXPECT_EQ(sidesOf(CollisionType::kRearEnd, traffic), (std::vector<Side>{Side::kRear}));
+    EXPECT_EQ(sidesOf(CollisionType::kOppositeDirection, traffic),
+              (std::vector<Side>{Side::kFront}));
+    EXPECT_EQ(sidesOf(CollisionType::kLaneChange, traffic), both);
+    EXPECT_EQ(sidesOf(CollisionType::kJunctionCrossing, traffic), both);
+  }
+}
+
+TEST(SidesOf, ATurnAcrossThePathComesFromTheSideOfOncomingTraffic) {
+  EXPECT_EQ(sidesOf(CollisionType::kLtap, DrivingSide::kRight), (std::vector<Side>{Side::kLeft}));
+  EXPECT_EQ(sidesOf(CollisionType::kLtap, DrivingSide::kLeft), (std::vector<Side>{Side::kRight}));
 }
 
 TEST(SignedHeading, PointsTowardsTheEgo) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "attack/test_scenes.h"
 
@@ -162,6 +163,10 @@ TEST(Verify, TypeIsKeptWithinTheBandOnBothSides) {
         Case inside = meeting(0.4, sign * (edge + inwards));
         Case outside = meeting(0.4, sign * (edge - inwards));
         inside.request.type = outside.request.type = type;
+        for (Case* attack : {&inside, &outside}) {
+          attack->options.collision_types[type].min_approach = 0.0;
+          attack->options.collision_types[type].max_approach = M_PI;
+        }
         EXPECT_TRUE(inside.report().type_kept) << toString(type) << " " << edge;
         EXPECT_FALSE(outside.report().type_kept) << toString(type) << " " << edge;
         EXPECT_FALSE(outside.report().verified());
@@ -171,6 +176,28 @@ TEST(Verify, TypeIsKeptWithinTheBandOnBothSides) {
   Case opposite = meeting(0.4, M_PI);
   opposite.request.type = CollisionType::kOppositeDirection;
   EXPECT_TRUE(opposite.report().type_kept);
+}
+
+TEST(Verify, TypeIsKeptWhenTheAttackerComesFromWhereTheTypeWants) {
+  for (const double sign : {1.0, -1.0}) {
+    Case attack = meeting(3.0, sign * M_PI_2);
+    attack.request.type = CollisionType::kJunctionCrossing;
+    TypeDefinition& type = attack.options.collision_types[CollisionType::kJunctionCrossing];
+    EXPECT_TRUE(attack.report().type_kept);
+    for (const auto& [min, max, kept] :
+         std::vector<std::tuple<double, double, bool>>{{M_PI_2 - 1e-3, M_PI, true},
+                                                       {M_PI_2 + 1e-3, M_PI, false},
+                                                       {0.0, M_PI_2 + 1e-3, true},
+                                                       {0.0, M_PI_2 - 1e-3, false}}) {
+      type.min_approach = min;
+      type.max_approach = max;
+      EXPECT_EQ(attack.report().type_kept, kept) << min << " to " << max;
+    }
+    attack.request.type = CollisionType::kLtap;
+    EXPECT_FALSE(attack.report().type_kept) << "from the side";
+    attack.trajectory.points.front().pose.yaw = wrapAngle(3.0 + sign * 3.0);
+    EXPECT_TRUE(attack.report().type_kept) << "headed the opposite way now";
+  }
 }
 
 TEST(Verify, IsOnTimeWithinTheToleranceBothWays) {

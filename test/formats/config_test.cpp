@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -118,7 +119,8 @@ TEST(Config, ShippedRealizationAndVerificationHaveTheDocumentedValues) {
   EXPECT_EQ(realization.samples, 96);
   EXPECT_EQ(realization.heading_spread, 0.1309);
   EXPECT_EQ(realization.slide_spread, 0.8);
-  EXPECT_EQ(realization.speed_spread, 6.0);
+  EXPECT_EQ(realization.min_speed_factor, 0.1);
+  EXPECT_EQ(realization.max_speed_factor, 1.6);
   EXPECT_EQ(realization.compared, 20);
   EXPECT_EQ(realization.off_road_weight, 2.0);
   EXPECT_EQ(config.attack.verification.time_tolerance, 0.5);
@@ -130,16 +132,18 @@ TEST(Config, ShippedRealizationAndVerificationHaveTheDocumentedValues) {
 TEST(Config, ShippedCollisionTypesHaveTheDocumentedBands) {
   const TypeDefinitions types = loadConfig(kShipped).attack.collision_types;
   ASSERT_EQ(types.size(), 5u);
-  const auto expect_band = [&](CollisionType type, double min, double max, double nominal) {
-    EXPECT_EQ(types.at(type).min_heading, min) << toString(type);
-    EXPECT_EQ(types.at(type).max_heading, max) << toString(type);
-    EXPECT_EQ(types.at(type).nominal_heading, nominal) << toString(type);
+  const auto expect_bands = [&](CollisionType type, const std::array<double, 5>& values) {
+    EXPECT_EQ(types.at(type).min_heading, values[0]) << toString(type);
+    EXPECT_EQ(types.at(type).max_heading, values[1]) << toString(type);
+    EXPECT_EQ(types.at(type).nominal_heading, values[2]) << toString(type);
+    EXPECT_EQ(types.at(type).min_approach, values[3]) << toString(type);
+    EXPECT_EQ(types.at(type).max_approach, values[4]) << toString(type);
   };
-  expect_band(CollisionType::kLaneChange, 0.1745, 0.5236, 0.2618);
-  expect_band(CollisionType::kOppositeDirection, 2.9671, 3.1416, 3.1416);
-  expect_band(CollisionType::kRearEnd, 0.0, 0.1745, 0.0);
-  expect_band(CollisionType::kJunctionCrossing, 1.3963, 1.7453, 1.5708);
-  expect_band(CollisionType::kLtap, 1.3963, 1.7453, 1.5708);
+  expect_bands(CollisionType::kLaneChange, {0.1745, 0.5236, 0.2618, 0.0, 3.1416});
+  expect_bands(CollisionType::kOppositeDirection, {2.9671, 3.1416, 3.1416, 0.0, 3.1416});
+  expect_bands(CollisionType::kRearEnd, {0.0, 0.1745, 0.0, 0.0, 3.1416});
+  expect_bands(CollisionType::kJunctionCrossing, {1.3963, 1.7453, 1.5708, 0.7854, 2.3562});
+  expect_bands(CollisionType::kLtap, {1.3963, 1.7453, 1.5708, 2.3562, 3.1416});
 }
 
 TEST(Config, ShippedConversionAndDrawingHaveTheDocumentedValues) {
@@ -224,8 +228,9 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
   expectComplaint("realization.yaml", "time_tolerance:", "#",
                   {"verification.time_tolerance", "missing"});
-  expectComplaint("collision_types.yaml", "  ltap:", "#", {"collision_types.ltap", "missing"});
-  expectComplaint("collision_types.yaml", ", nominal_heading: 0.0}", "}",
+  expectComplaint("collision_types.yaml",
+                  "  ltap:", "  turn:", {"collision_types.ltap", "missing"});
+  expectComplaint("collision_types.yaml", ", nominal_heading: 0.0,", ",",
                   {"collision_types.rear_end.nominal_heading", "missing"});
 }
 
@@ -269,10 +274,9 @@ TEST_F(SpoiltConfig, WrongTypesAreRefused) {
                   {"verification.confidence_speed_factors", "half", "not a number"});
   expectComplaint("locations.yaml", "boston: right", "boston: middle",
                   {"locations.boston", "middle", "right"});
-  expectComplaint("collision_types.yaml",
-                  "{min_heading: 0.1745, max_heading: 0.5236, "
-                  "nominal_heading: 0.2618}",
-                  "0.2", {"collision_types.lane_change", "0.2", "mapping"});
+  write("collision_types.yaml", "collision_types: {lane_change: 0.2}");
+  EXPECT_NE(complaint().find("collision_types.lane_change = 0.2 is not a mapping"),
+            std::string::npos);
 }
 
 TEST_F(SpoiltConfig, ColorsAreThreeSharesOfOne) {
@@ -350,6 +354,10 @@ TEST_F(SpoiltConfig, ValuesBeyondEachOtherOrTheirRangeAreRefused) {
                   {"collision_types.opposite_direction.max_heading", "180"});
   expectComplaint("realization.yaml", "slide_spread: 0.8", "slide_spread: 1.1",
                   {"realization.slide_spread", "1.1"});
+  expectComplaint("collision_types.yaml", "max_approach: 2.3562", "max_approach: 0.7",
+                  {"collision_types.junction_crossing.max_approach", "0.7", "within 0.7854"});
+  expectComplaint("realization.yaml", "max_speed_factor: 1.6", "max_speed_factor: 0.9",
+                  {"realization.max_speed_factor", "0.9"});
   expectComplaint("realization.yaml", "tail: 2.0", "tail: 0.05", {"realization.tail", "0.05"});
   expectComplaint("ego_vehicle.yaml", "center_offset: 1.385", "center_offset: 2.1",
                   {"ego_vehicle.center_offset", "2.1"});

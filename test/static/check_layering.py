@@ -2,7 +2,7 @@
 """usage: check_layering.py SOURCE_DIR: do the includes under src/ keep the layers of the architecture?
 
 1. A module includes itself and modules below it (LAYERS, lowest first).
-2. ROS is included only in src/ros, src/rviz, src/tools and the bag files of src/formats.
+2. ROS is included only in src/ros, src/rviz and src/tools.
 3. torch is included only in src/network, and no file outside it includes a header that brings torch along.
 """
 import re
@@ -30,7 +30,7 @@ def module_of(file):
 
 
 def may_include_ros(file):
-    return module_of(file) in ROS_MODULES or re.match(r'formats/bag', file) is not None
+    return module_of(file) in ROS_MODULES
 
 
 def shows_torch(file, includes, seen=()):

@@ -27,7 +27,7 @@ class CheckLayering(unittest.TestCase):
                          violations_of(geometry__a_cpp='map/b.h', map__b_h=''))
 
     def test_ros_stays_in_its_modules(self):
-        self.assertEqual([], violations_of(ros__a_cpp='ros/ros.h', formats__bag_reader_cpp='rosbag/bag.h',
+        self.assertEqual([], violations_of(ros__a_cpp='ros/ros.h', ros__bag_reader_cpp='rosbag/bag.h',
                                            tools__b_cpp='nav_msgs/Path.h', rviz__c_cpp='rviz/panel.h'))
         self.assertEqual(1, len(violations_of(formats__tables_cpp='ros/time.h')))
         self.assertEqual(1, len(violations_of(scene__a_cpp='geometry_msgs/Pose.h')))

@@ -1,0 +1,522 @@
+#!/usr/bin/python3
+"""inject_attacker: what it changes in a bag and what not, and what it answers to impossible requests and bad bags."""
+import math
+import struct
+
+import rosbag
+
+import road
+
+SCENE = 'scene-0003'
+NOW = 6.0  # s from the first frame
+TYPES = ['lane_change', 'opposite_direction', 'rear_end', 'junction_crossing']
+
+
+class InjectionTest(road.RoadTest):
+    """One attack, and the bag that it was put into against the bag that came out."""
+    SCENES = [SCENE]
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.source = cls.folder / (SCENE + '.bag')
+        cls.attacked = cls.folder / 'attacked.bag'
+        cls.drawing = cls.folder / 'attack'
+        cls.result = road.inject(cls.source, cls.attacked, 'rear_end', 4.0, NOW, '--seed', 5, '--draw', cls.drawing)
+        assert cls.result.returncode == 0, cls.result.stderr
+        cls.trajectory = road.read_one(cls.attacked, '/attacker_trajectory')
+        cls.attacker = cls.trajectory.attacker_id
+        cls.now = cls.trajectory.header.stamp
+        cls.end = cls.trajectory.points[-1].stamp
+
+    def test_all_other_topics_are_copied_byte_for_byte(self):
+        before, after = road.read_raw(self.source), road.read_raw(self.attacked)
+        self.assertEqual(sorted(after), sorted(list(before) + road.ATTACK_TOPICS))
+        for topic in set(before) - set(road.ATTACKED_TOPICS):
+            self.assertEqual(after[topic], before[topic], topic)
+
+    def test_frames_up_to_now_are_copied_byte_for_byte(self):
+        before, after = road.read_raw(self.source), road.read_raw(self.attacked)
+        for topic in road.ATTACKED_TOPICS:
+            self.assertEqual([time for time, _ in after[topic]], [time for time, _ in before[topic]])
+            changed = [old[0] for old, new in zip(before[topic], after[topic]) if old != new]
+            self.assertGreater(len(changed), 0)
+            self.assertGreater(min(changed), self.now.to_nsec(), topic)
+
+    def test_connections_keep_type_definition_and_latching(self):
+        headers = []
+        for path in (self.source, self.attacked):
+            with rosbag.Bag(str(path)) as bag:
+                headers.append({connection.topic: (connection.datatype, connection.md5sum, connection.msg_def,
+                                                   connection.header.get('latching'))
+                                for connection in bag._get_connections()})
+        for topic, header in headers[0].items():
+            self.assertEqual(headers[1][topic], header)
+        for topic in road.ATTACK_TOPICS:
+            self.assertEqual(headers[1][topic][3], b'1', topic)
+
+    def test_attack_is_recorded_once_and_at_now(self):
+        start = road.read(self.source, '/agents')[0][1]
+        self.assertEqual((self.now - start).to_sec(), NOW)
+        for topic in road.ATTACK_TOPICS:
+            (message, time), = road.read(self.attacked, topic)
+            self.assertEqual(time, self.now, topic)
+            self.assertEqual(message.header.stamp, self.now, topic)
+            self.assertEqual(message.header.frame_id, 'map', topic)
+            self.assertEqual(message.attacker_id, self.attacker, topic)
+
+    def expected_state(self, stamp):
+        """Where the trajectory has the attacker: x, y, yaw and speed."""
+        points = self.trajectory.points
+        after = next(index for index, point in enumerate(points) if point.stamp >= stamp)
+        first, second = points[after - 1], points[after]
+        ratio = (stamp - first.stamp) / (second.stamp - first.stamp)
+        yaws = [road.yaw_of(point.pose.orientation) for point in (first, second)]
+
+        def between(start, end):
+            return start + ratio * (end - start)
+        return (between(first.pose.position.x, second.pose.position.x),
+                between(first.pose.position.y, second.pose.position.y),
+                yaws[0] + ratio * road.angle_between(*yaws), between(first.speed, second.speed))
+
+    def test_attacker_drives_its_trajectory_and_others_are_as_recorded(self):
+        driven = 0
+        last_seen = None
+        for (before, _), (after, _) in zip(road.read(self.source, '/agents'), road.read(self.attacked, '/agents')):
+            recorded = {agent.id: agent for agent in before.agents}
+            attacked = {agent.id: agent for agent in after.agents}
+            self.assertEqual(len(attacked), len(after.agents), 'an agent is there twice')
+            self.assertEqual(after.header, before.header)
+            if before.header.stamp <= self.now:
+                last_seen = recorded.get(self.attacker, last_seen)
+                continue
+            recorded.pop(self.attacker, None)
+            attacker = attacked.pop(self.attacker, None)
+            self.assertEqual(attacked, recorded)
+            self.assertEqual(attacker is not None, before.header.stamp <= self.end, 'there until its trajectory ends')
+            if attacker is None:
+                continue
+            driven += 1
+            x, y, yaw, speed = self.expected_state(before.header.stamp)
+            self.assertAlmostEqual(attacker.pose.position.x, x, places=6)
+            self.assertAlmostEqual(attacker.pose.position.y, y, places=6)
+            self.assertEqual(attacker.pose.position.z, last_seen.pose.position.z)
+            self.assertAlmostEqual(road.angle_between(yaw, road.yaw_of(attacker.pose.orientation)), 0.0, places=6)
+            self.assertAlmostEqual(attacker.velocity.x, speed * math.cos(yaw), places=6)
+            self.assertAlmostEqual(attacker.velocity.y, speed * math.sin(yaw), places=6)
+            self.assertEqual((attacker.size, attacker.agent_class), (last_seen.size, last_seen.agent_class))
+        self.assertGreater(driven, 5)
+
+    def test_annotation_markers_show_the_attacked_agents(self):
+        for (agents, _), (markers, _) in zip(road.read(self.attacked, '/agents'),
+                                             road.read(self.attacked, '/annotation_markers')):
+            places = {(round(marker.pose.position.x, 6), round(marker.pose.position.y, 6))
+                      for marker in markers.markers}
+            for agent in agents.agents:
+                self.assertIn((round(agent.pose.position.x, 6), round(agent.pose.position.y, 6)), places)
+
+    def test_trajectory_starts_at_the_attacker_and_touches_when_reported(self):
+        agents = {message.header.stamp: message for message, _ in road.read(self.source, '/agents')}
+        attacker, = [agent for agent in agents[self.now].agents if agent.id == self.attacker]
+        first = self.trajectory.points[0]
+        self.assertEqual(first.stamp, self.now)
+        self.assertAlmostEqual(first.pose.position.x, attacker.pose.position.x, places=6)
+        self.assertAlmostEqual(first.pose.position.y, attacker.pose.position.y, places=6)
+        report = road.read_one(self.attacked, '/collision_report')
+        self.assertTrue(report.verified)
+        x, y, yaw, _ = self.expected_state(report.contact_time)
+        self.assertAlmostEqual(report.attacker_at_contact.x, x, places=3)
+        self.assertAlmostEqual(report.attacker_at_contact.y, y, places=3)
+        self.assertLess(abs((report.contact_time - self.now).to_sec() - 4.0), 0.5)
+        self.assertLess(abs(report.relative_heading), math.radians(10.0))
+        heading = road.angle_between(report.ego_at_contact.theta, yaw)
+        self.assertAlmostEqual(road.angle_between(heading, report.relative_heading), 0.0, places=3)
+
+    def test_tested_report_is_of_the_recorded_ego(self):
+        report = road.read_one(self.attacked, '/tested_report')
+        if not report.contact:
+            return
+        poses = {}
+        for message, _ in road.read(self.source, '/odom'):
+            poses[message.header.stamp] = message.pose.pose
+        nearest = min(poses, key=lambda stamp: abs((stamp - report.contact_time).to_sec()))
+        pose = poses[nearest].position
+        self.assertLess(math.hypot(pose.x - report.ego_at_contact.x, pose.y - report.ego_at_contact.y), 3.0)
+
+    def test_pictures_are_drawn(self):
+        png = (self.folder / 'attack.png').read_bytes()
+        gif = (self.folder / 'attack.gif').read_bytes()
+        self.assertEqual(png[:8], b'\x89PNG\r\n\x1a\n')
+        width, height = struct.unpack('>II', png[16:24])
+        self.assertGreater(min(width, height), 200)
+        self.assertEqual((gif[:6], gif[-1:]), (b'GIF89a', b';'))
+        self.assertGreater(len(png), 10000)
+        self.assertGreater(len(gif), 10000)
+
+    def test_answer_is_printed(self):
+        for text in ('rear_end by ' + self.attacker, 'crash as asked', str(self.attacked), 'attack.png', 'attack.gif'):
+            self.assertIn(text, self.result.stdout)
+
+    def test_same_seed_same_bytes(self):
+        again = self.path('out.bag')
+        result = road.inject(self.source, again, 'rear_end', 4.0, NOW, '--seed', 5)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(again.read_bytes(), self.attacked.read_bytes())
+
+    def test_other_seed_other_attack(self):
+        other = self.path('out.bag')
+        result = road.inject(self.source, other, 'rear_end', 4.0, NOW, '--seed', 6)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertNotEqual(road.read_one(other, '/attacker_trajectory'), self.trajectory)
+
+    def test_now_between_frames_is_the_frame_before(self):
+        other = self.path('out.bag')
+        result = road.inject(self.source, other, 'rear_end', 4.0, NOW + 0.4, '--seed', 5)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(road.read_one(other, '/attacker_trajectory'), self.trajectory)
+
+    def test_chosen_attacker_attacks(self):
+        attackers = set()
+        for collision_type in TYPES:
+            result = road.inject(self.source, self.path('out.bag'), collision_type, 4.0, NOW)
+            if road.code_of(result) == 'OK':
+                attackers.add((collision_type, road.read_one(self.path('out.bag'), '/collision_report').attacker_id))
+        self.assertGreater(len({attacker for _, attacker in attackers}), 1)
+        for collision_type, attacker in attackers:
+            out = self.path('chosen.bag')
+            result = road.inject(self.source, out, collision_type, 4.0, NOW, '--attacker', attacker)
+            self.assertEqual(road.code_of(result), 'OK', result.stderr)
+            self.assertEqual(road.read_one(out, '/attacker_trajectory').attacker_id, attacker)
+
+    def test_attacked_bag_is_a_bag_like_any_other(self):
+        result = road.inject(self.attacked, self.path('out.bag'), 'rear_end', 4.0, 2.0)
+        self.assertEqual(road.code_of(result), 'OK', result.stderr)
+
+
+class ImpossibleRequestTest(road.RoadTest):
+    """Exit code 3 and the code's name where the answer is no; nothing is written."""
+    SCENES = [SCENE]
+
+    def assert_refused(self, code, named, collision_type, tta, now, *arguments):
+        out = self.path('out.bag')
+        result = road.inject(self.bag(SCENE), out, collision_type, tta, now, *arguments)
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertEqual(road.code_of(result), code, result.stderr)
+        for text in named:
+            self.assertIn(text, result.stderr)
+        self.assertFalse(out.exists())
+        self.assertEqual(list(self.folder.glob('*.part')), [])
+
+    def test_unknown_type(self):
+        self.assert_refused('UNKNOWN_TYPE', ['sideswipe'], 'sideswipe', 4.0, NOW)
+
+    def test_tta_out_of_range(self):
+        for tta in ('0.49', '9.01', '0', '-4', 'inf', '-inf', 'nan'):
+            self.assert_refused('TTA_OUT_OF_RANGE', ['tta'], 'rear_end', tta, NOW)
+
+    def test_bounds_of_tta_are_within_range(self):
+        for tta in (0.5, 9.0):
+            result = road.inject(self.bag(SCENE), self.path('out.bag'), 'rear_end', tta, NOW)
+            self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_BOUNDS'), result.stderr)
+
+    def test_unknown_attacker(self):
+        self.assert_refused('UNKNOWN_ATTACKER', ['nobody'], 'rear_end', 4.0, NOW, '--attacker', 'nobody')
+
+    def frames(self):
+        """By seconds from the first frame: the agents by id."""
+        messages = [message for message, _ in road.read(self.bag(SCENE), '/agents')]
+        start = messages[0].header.stamp
+        return {(message.header.stamp - start).to_sec(): {agent.id: agent for agent in message.agents}
+                for message in messages}
+
+    def test_absent_attacker(self):
+        """Somebody who has just driven out of sight, and one who left it longer ago than the history reaches."""
+        frames = self.frames()
+        vanished = [(now, gone) for now in sorted(frames)[2:-1]
+                    for gone in sorted(set(frames[now - 0.5]) - set(frames[now]))]
+        now, gone = next((now, gone) for now, gone in vanished if gone not in frames[now + 0.5])
+        self.assert_refused('ABSENT_ATTACKER', [gone, 'not there now'], 'rear_end', 4.0, now, '--attacker', gone)
+        now, gone = next((now, gone) for now, gone in vanished
+                         if not any(gone in frames[later] for later in frames if later >= now))
+        self.assert_refused('UNKNOWN_ATTACKER', [gone], 'rear_end', 2.0, now + 4.0, '--attacker', gone)
+
+    def test_attacker_that_has_just_appeared(self):
+        frames = self.frames()
+        now, new = next((now, agent.id) for now in sorted(frames)[8:] for agent in frames[now].values()
+                        if agent.agent_class == 0 and not any(agent.id in frames[now - 0.5 * i] for i in range(1, 9)))
+        self.assert_refused('TOO_LITTLE_HISTORY', [new], 'rear_end', 4.0, now, '--attacker', new)
+
+    def test_pedestrian_cannot_attack(self):
+        pedestrian = min(agent.id for agent in self.frames()[NOW].values() if agent.agent_class == 8)
+        self.assert_refused('ABSENT_ATTACKER', [pedestrian, 'pedestrian'], 'rear_end', 4.0, NOW, '--attacker', pedestrian)
+
+    def test_first_frame_is_too_little_history(self):
+        self.assert_refused('TOO_LITTLE_HISTORY', ['1 frames'], 'rear_end', 4.0, 0.0)
+
+    def test_beyond_recording(self):
+        self.assert_refused('BEYOND_RECORDING', [], 'rear_end', 6.0, 18.0, '--mode', 'replay')
+
+    def test_history_mode_needs_no_future(self):
+        result = road.inject(self.bag(SCENE), self.path('out.bag'), 'rear_end', 6.0, 18.0, '--mode', 'history')
+        self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_BOUNDS', 'NO_CANDIDATE'), result.stderr)
+
+    def test_out_of_reach(self):
+        """Half a second is not enough to turn round."""
+        self.assert_refused('NO_ATTACK_WITHIN_BOUNDS', [], 'opposite_direction', 0.5, 2.0)
+
+    def test_errors(self):
+        """Exit code 1: the request or a file cannot be understood."""
+        out = self.path('out.bag')
+        for arguments, named in [((self.bag(SCENE), out, 'rear_end', 4.0, 20.1), '--now'),
+                                 ((self.bag(SCENE), out, 'rear_end', 4.0, -1.0), '--now'),
+                                 ((self.bag(SCENE), out, 'rear_end', 4.0, 'nan'), '--now'),
+                                 ((self.path('none.bag'), out, 'rear_end', 4.0, NOW), 'none.bag'),
+                                 ((self.folder, out, 'rear_end', 4.0, NOW), str(self.folder))]:
+            result = road.inject(*arguments)
+            self.assertEqual(result.returncode, 1, '{}: {}'.format(arguments, result.stderr))
+            self.assertIn(named, result.stderr)
+            self.assertFalse(out.exists())
+
+    def test_wrong_command(self):
+        complete = ['--bag', self.bag(SCENE), '--out', self.path('out.bag'), '--type', 'rear_end', '--tta', '4', '--now', '6']
+        for arguments in ([], complete[:-2], complete + ['--mode', 'future'], complete + ['--seed', 'many'],
+                          complete[:-1] + ['soon'], complete + ['--config', self.path('nowhere')]):
+            result = road.run('inject_attacker', *arguments)
+            self.assertEqual(result.returncode, 2, '{}: {}'.format(arguments, result.stderr))
+            self.assertNotEqual(result.stderr, '')
+
+    def test_out_is_the_input(self):
+        """Under its own name and through a link; the bag stays as it is."""
+        before = self.bag(SCENE).read_bytes()
+        link = self.path('link.bag')
+        link.symlink_to(self.bag(SCENE))
+        for out in (self.bag(SCENE), self.folder / 'x' / '..' / (SCENE + '.bag'), link):
+            result = road.inject(self.bag(SCENE), out, 'rear_end', 4.0, NOW)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertIn('--out', result.stderr)
+            self.assertEqual(self.bag(SCENE).read_bytes(), before)
+
+    def test_unwritable_out(self):
+        for out in (self.path('nowhere') / 'out.bag', self.folder):
+            result = road.inject(self.bag(SCENE), out, 'rear_end', 4.0, NOW)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertIn(str(out), result.stderr)
+            self.assertEqual(list(self.folder.glob('*.part')) + list(self.folder.parent.glob(self.folder.name + '.*')), [])
+
+    def test_unwritable_drawing(self):
+        result = road.inject(self.bag(SCENE), self.path('out.bag'), 'rear_end', 4.0, NOW, '--draw',
+                             self.path('nowhere') / 'attack')
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn('attack.png', result.stderr)
+
+
+class BadBagTest(road.RoadTest):
+    """Bags that are damaged, incomplete, or hold nonsense: a message that names the bag, or the attack all the same."""
+    SCENES = [SCENE]
+
+    def inject(self, bag, *arguments):
+        return road.inject(bag, self.path('out.bag'), 'rear_end', 4.0, NOW, *arguments)
+
+    def changed(self, change):
+        bag = self.path('changed.bag')
+        road.copy_bag(self.bag(SCENE), bag, change)
+        return bag
+
+    def assert_refused(self, bag, *named):
+        result = self.inject(bag)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        for text in (str(bag),) + named:
+            self.assertIn(text, result.stderr)
+        self.assertFalse(self.path('out.bag').exists())
+
+    def test_truncated(self):
+        whole = self.bag(SCENE).read_bytes()
+        for size in (0, 5, 13, 2000, 5000, len(whole) // 2, len(whole) - 7):
+            bag = self.path('cut_at_{}.bag'.format(size))
+            bag.write_bytes(whole[:size])
+            self.assert_refused(bag)
+
+    def test_without_index_as_after_a_killed_recording(self):
+        whole = self.bag(SCENE).read_bytes()
+        at = whole.index(b'index_pos=') + len(b'index_pos=')
+        bag = self.path('unindexed.bag')
+        bag.write_bytes(whole[:at] + bytes(8) + whole[at + 8:len(whole) // 2])
+        self.assert_refused(bag, 'truncated')
+
+    def test_scrambled(self):
+        whole = bytearray(self.bag(SCENE).read_bytes())
+        middle = len(whole) // 3
+        for index in range(middle, middle + 2000):
+            whole[index] = index * 37 % 251
+        bag = self.path('scrambled.bag')
+        bag.write_bytes(whole)
+        self.assert_refused(bag)
+
+    def test_no_bag_at_all(self):
+        text = self.path('text.bag')
+        text.write_text('not a bag\n' * 1000)
+        self.assert_refused(text)
+
+    def test_empty_bag(self):
+        self.assert_refused(self.changed(lambda topic, message: None))
+
+    def test_without_a_topic(self):
+        for missing, named in (('/lane_map', '/lane_map'), ('/agents', '/agents'), ('/tf', '/tf')):
+            self.assert_refused(self.changed(lambda topic, message: None if topic == missing else message), named)
+
+    def test_without_topics_that_are_not_needed(self):
+        bag = self.changed(lambda topic, message: None if topic in ('/odom', '/annotation_markers') else message)
+        self.assertEqual(road.code_of(self.inject(bag)), 'OK')
+
+    def test_other_type_on_the_topic_of_the_agents(self):
+        bag = self.path('other_type.bag')
+        with rosbag.Bag(str(self.bag(SCENE))) as source, rosbag.Bag(str(bag), 'w') as target:
+            for topic, message, time in road.messages_of(source):
+                if topic != '/agents':
+                    target.write(topic, message, time)
+                if topic == '/odom':
+                    target.write('/agents', message, time)
+        self.assert_refused(bag, '/agents')
+
+    def test_unknown_agent_class(self):
+        def change(topic, message):
+            if topic == '/agents':
+                for agent in message.agents:
+                    agent.agent_class = 42
+            return message
+        self.assert_refused(self.changed(change), '42')
+
+    def test_no_agents_in_the_frames(self):
+        def change(topic, message):
+            if topic == '/agents':
+                message.agents = []
+            return message
+        result = self.inject(self.changed(change))
+        self.assertEqual(road.code_of(result), 'NO_CANDIDATE', result.stderr)
+
+    def test_agents_with_poses_that_are_not_numbers(self):
+        """They are left out with a warning, and the others attack."""
+        ids = sorted({agent.id for message, _ in road.read(self.bag(SCENE), '/agents') for agent in message.agents})
+        broken = set(ids[::2])
+
+        def change(topic, message):
+            if topic == '/agents':
+                for agent in message.agents:
+                    if agent.id in broken:
+                        agent.pose.position.x = math.nan
+            return message
+        result = self.inject(self.changed(change))
+        self.assertIn('warning', result.stderr)
+        self.assertIn('not a number', result.stderr)
+        if road.code_of(result) == 'OK':
+            self.assertNotIn(road.read_one(self.path('out.bag'), '/collision_report').attacker_id, broken)
+
+    def test_all_agents_not_numbers(self):
+        def change(topic, message):
+            if topic == '/agents':
+                for agent in message.agents:
+                    agent.pose.orientation.z = math.inf
+            return message
+        self.assertEqual(road.code_of(self.inject(self.changed(change))), 'NO_CANDIDATE')
+
+    def test_boxes_without_size(self):
+        def change(topic, message):
+            if topic == '/agents':
+                for agent in message.agents:
+                    agent.size.x = 0.0
+            return message
+        result = self.inject(self.changed(change))
+        self.assertEqual(road.code_of(result), 'NO_CANDIDATE', result.stderr)
+        self.assertIn('warning', result.stderr)
+
+    def test_ego_poses_that_are_not_numbers(self):
+        """One is left out with a warning; without any the bag is refused."""
+        count = []
+
+        def change_all(topic, message):
+            if topic == '/tf':
+                message.transforms[0].transform.translation.x = math.nan
+            return message
+
+        def change_one(topic, message):
+            if topic == '/tf':
+                count.append(topic)
+                if len(count) == 33:
+                    message.transforms[0].transform.rotation.w = math.nan
+            return message
+        self.assert_refused(self.changed(change_all), '/tf')
+        result = self.inject(self.changed(change_one))
+        self.assertEqual(road.code_of(result), 'OK', result.stderr)
+        self.assertIn('1 ego poses', result.stderr)
+
+    def test_time_that_goes_backwards(self):
+        """A bag of a replay that was restarted: the first run counts, with a warning."""
+        bag = self.path('twice.bag')
+        with rosbag.Bag(str(self.bag(SCENE))) as source, rosbag.Bag(str(bag), 'w') as target:
+            messages = list(road.messages_of(source))
+            length = messages[-1][2] - messages[0][2]
+            for topic, message, time in messages:
+                target.write(topic, message, time)
+            for topic, message, time in messages:
+                target.write(topic, message, time + length + road.Duration(1))
+        result = self.inject(bag)
+        self.assertEqual(road.code_of(result), 'OK', result.stderr)
+        self.assertIn('warning', result.stderr)
+        reference = self.path('reference.bag')
+        self.assertEqual(road.code_of(road.inject(self.bag(SCENE), reference, 'rear_end', 4.0, NOW)), 'OK')
+        self.assertEqual(road.read_one(self.path('out.bag'), '/attacker_trajectory'),
+                         road.read_one(reference, '/attacker_trajectory'))
+
+    def test_attacker_twice_in_a_frame(self):
+        def change(topic, message):
+            if topic == '/agents':
+                message.agents = message.agents + message.agents
+            return message
+        result = self.inject(self.changed(change))
+        self.assertEqual(road.code_of(result), 'OK', result.stderr)
+        attacker = road.read_one(self.path('out.bag'), '/collision_report').attacker_id
+        poses = set()
+        for message, _ in road.read(self.path('out.bag'), '/agents')[-14:-12]:
+            poses |= {(message.header.stamp, agent.pose.position.x) for agent in message.agents if agent.id == attacker}
+        self.assertLessEqual(len(poses), 2, 'the recorded attacker is still beside the attack')
+
+    def test_ego_that_never_moves(self):
+        first = road.read(self.bag(SCENE), '/tf')[0][0].transforms[0].transform
+        first_odometry = road.read(self.bag(SCENE), '/odom')[0][0].pose
+
+        def change(topic, message):
+            if topic == '/tf':
+                message.transforms[0].transform = first
+            if topic == '/odom':
+                message.pose = first_odometry
+            return message
+        bag = self.changed(change)
+        for collision_type in TYPES + ['ltap']:
+            for mode in ('history', 'replay'):
+                result = road.inject(bag, self.path('out.bag'), collision_type, 4.0, NOW, '--mode', mode)
+                code = road.code_of(result)
+                self.assertIn(code, ('OK', 'NO_CANDIDATE', 'NO_ATTACK_WITHIN_BOUNDS'), result.stderr)
+                if code == 'OK':
+                    self.assertTrue(road.read_one(self.path('out.bag'), '/collision_report').verified)
+
+    def test_map_without_lanes_and_ground(self):
+        def change(topic, message):
+            if topic == '/lane_map':
+                message.lanes = []
+                message.drivable_area = []
+            return message
+        result = self.inject(self.changed(change))
+        self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_BOUNDS'), result.stderr)
+
+    def test_map_that_is_not_a_number(self):
+        def change(topic, message):
+            if topic == '/lane_map':
+                message.lanes[0].centerline[0].x = math.nan
+            return message
+        result = self.inject(self.changed(change))
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertNotEqual(result.stderr, '')
+
+
+if __name__ == '__main__':
+    road.main()

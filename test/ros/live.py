@@ -1,0 +1,272 @@
+"""What the rostests share: the suite, started beside the test under the test's own master, and a player of bags that
+goes exactly as far as it is told to and then lets time stand still."""
+import os
+import signal
+import subprocess
+import threading
+import time
+
+import rosbag
+import rosgraph
+import rospy
+from rosgraph_msgs.msg import Clock
+
+import road
+from collision_forge.msg import AgentArray, AttackerTrajectory, CollisionPattern, CollisionReport, EncodedScene
+from collision_forge.srv import GenerateCollision
+from visualization_msgs.msg import MarkerArray
+
+TIMEOUT = 30.0  # s; for what takes a fraction of a second on an idle machine
+
+# What every node of the suite publishes, hears and answers.
+NODES = {
+    'scene_encoder': (['/encoded_scene'], ['/agents', '/lane_map', '/tf'], []),
+    'pattern_predictor': ([], ['/lane_map'], ['/predict_pattern']),
+    'trajectory_realizer': ([], ['/lane_map'], ['/realize_trajectory']),
+    'planner_tester': (['/tested_report'],
+                       ['/agents', '/attacker_trajectory', '/collision_pattern', '/lane_map', '/odom'], []),
+    'collision_generator': (['/attacker_trajectory', '/collision_pattern', '/collision_report'],
+                            ['/encoded_scene'], ['/generate_collision']),
+    'attacker_injector': (['/injected_agents'], ['/agents', '/attacker_trajectory'], []),
+    'scene_visualizer': (['/attack_markers', '/map_markers', '/scene_markers'],
+                         ['/attacker_trajectory', '/collision_pattern', '/collision_report', '/encoded_scene',
+                          '/lane_map'], []),
+}
+MANAGER = 'collision_forge_manager'
+PLAYED = ['/agents', '/lane_map', '/odom', '/tf']  # what the suite hears of a bag
+
+TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/encoded_scene': EncodedScene,
+         '/attacker_trajectory': AttackerTrajectory, '/collision_pattern': CollisionPattern,
+         '/collision_report': CollisionReport, '/tested_report': CollisionReport, '/attack_markers': MarkerArray,
+         '/map_markers': MarkerArray, '/scene_markers': MarkerArray}
+
+
+def until(condition, what, timeout=TIMEOUT, interval=0.05):
+    """What `condition` returns as soon as that is true; fails after the timeout."""
+    deadline = time.monotonic() + timeout
+    while True:
+        result = condition()
+        if result:
+            return result
+        if time.monotonic() > deadline or rospy.is_shutdown():
+            raise AssertionError('waited {} s in vain for {}'.format(timeout, what() if callable(what) else what))
+        time.sleep(interval)
+
+
+def graph():
+    """Sets of (topic, node) for publishers and subscribers and of (service, node), without leading slashes of nodes."""
+    return [{(name, node.lstrip('/')) for name, nodes in entries for node in nodes}
+            for entries in rosgraph.Master(rospy.get_name()).getSystemState()]
+
+
+def missing_of(nodes, owner=lambda node: node):
+    """What of NODES is not registered with the master; `owner` tells which process a node lives in."""
+    actual = graph()
+    missing = []
+    for node in nodes:
+        for expected, registered, verb in zip(NODES[node], actual, ('publishes', 'hears', 'answers')):
+            missing += ['{} {} {}'.format(node, verb, name) for name in expected
+                        if (name, owner(node)) not in registered]
+    return missing
+
+
+class Suite:
+    """launch/collision_forge.launch with some arguments, until stop()."""
+
+    def __init__(self, folder, **arguments):
+        self.nodelets = arguments.get('nodelets', 'true') == 'true'
+        self.log = folder / 'roslaunch.log'
+        with open(str(self.log), 'w') as log:
+            self.process = subprocess.Popen(
+                ['/usr/bin/roslaunch', road.PACKAGE, 'collision_forge.launch'] +
+                ['{}:={}'.format(*argument) for argument in arguments.items()],
+                stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT)
+        try:
+            self.wait_until_ready()
+        except AssertionError:
+            self.stop()
+            raise
+
+    def missing(self):
+        assert self.process.poll() is None, 'roslaunch ended: ' + self.output()
+        if not self.nodelets:
+            return missing_of(NODES)
+        # A node that loads a nodelet ties itself to the manager when it is done.
+        bonds = [node for node in NODES if ('/' + MANAGER + '/bond', node) not in graph()[1]]
+        return missing_of(NODES, lambda node: MANAGER) + ['{} is loaded'.format(node) for node in bonds]
+
+    def wait_until_ready(self):
+        until(lambda: not self.missing(), lambda: '{}\n{}'.format(self.missing(), self.output()), timeout=60.0)
+
+    def output(self):
+        return self.log.read_text(errors='replace')
+
+    def stop(self):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+        try:
+            self.process.wait(timeout=60.0)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            raise
+
+
+class Player:
+    """Publishes /clock and the messages of a bag, in their order, up to the time that it is given."""
+
+    def __init__(self, path):
+        with rosbag.Bag(str(path)) as bag:
+            self.messages = sorted(road.messages_of(bag, PLAYED),
+                                   key=lambda entry: (entry[2], entry[0] == '/agents'))
+            latched = {connection.topic: connection.header.get('latching') == b'1'
+                       for connection in bag._get_connections()}
+        self.start = self.messages[0][2]
+        self.next = 0
+        self.clock = rospy.Publisher('/clock', Clock, queue_size=1000)
+        self.publishers = {topic: rospy.Publisher(topic, type(message), queue_size=1000, latch=latched[topic])
+                           for topic, message in {topic: message for topic, message, _ in self.messages}.items()}
+
+    def connect(self, suite):
+        """Waits until everybody who will hear has connected."""
+        for topic, publisher in self.publishers.items():
+            hearers = 1 if suite.nodelets else sum(topic in heard for _, heard, _ in NODES.values())
+            until(lambda: publisher.get_num_connections() >= hearers, '{} subscribers of {}'.format(hearers, topic))
+        until(lambda: self.clock.get_num_connections() > 0, 'a subscriber of /clock')
+
+    def play_to(self, seconds):
+        """Goes on to `seconds` after the first message; starts anew if that is past."""
+        end = self.start + rospy.Duration(seconds)
+        if self.next > 0 and self.messages[self.next - 1][2] > end:
+            self.restart()
+        while self.next < len(self.messages) and self.messages[self.next][2] <= end:
+            topic, message, stamp = self.messages[self.next]
+            if self.next == 0 or self.messages[self.next - 1][2] != stamp:
+                self.clock.publish(Clock(stamp))
+            self.publishers[topic].publish(message)
+            self.next += 1
+        return end
+
+    def restart(self):
+        self.next = 0
+
+    def unregister(self):
+        for publisher in [self.clock] + list(self.publishers.values()):
+            publisher.unregister()
+
+
+class Listener:
+    """Keeps all that comes on a topic."""
+
+    def __init__(self, topic):
+        self.topic = topic
+        self.messages = []
+        self.latched = []
+        self.lock = threading.Lock()
+        self.subscriber = rospy.Subscriber(topic, TYPES[topic], self.receive)
+
+    def receive(self, message):
+        with self.lock:
+            self.messages.append(message)
+            self.latched.append(message._connection_header.get('latching') == '1')
+
+    def all(self):
+        with self.lock:
+            return list(self.messages)
+
+    def last(self, condition=lambda message: True):
+        return next((message for message in reversed(self.all()) if condition(message)), None)
+
+    def wait(self, condition=lambda message: True, timeout=TIMEOUT):
+        """The newest message that fulfils the condition."""
+        return until(lambda: self.last(condition), lambda: 'such a message on {}; {} came, the last: {:.2000}'.format(
+            self.topic, len(self.all()), str(self.last())), timeout)
+
+    def clear(self):
+        with self.lock:
+            self.messages.clear()
+            self.latched.clear()
+
+    def close(self):
+        self.subscriber.unregister()
+
+
+def ask(collision_type='rear_end', tta=4.0, attacker='', mode='history', seed=0):
+    return rospy.ServiceProxy('/generate_collision', GenerateCollision)(collision_type, tta, attacker, mode, seed)
+
+
+class LiveTest(road.RoadTest):
+    """A test of the running suite: ARGUMENTS of the launch file, and the bag of SCENES[0] as recording and on replay."""
+    ARGUMENTS = {}
+    RECORDING = True
+    HEARD = ['/encoded_scene']
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        arguments = dict(cls.ARGUMENTS)
+        if cls.RECORDING:
+            arguments['recording'] = cls.folder / (cls.SCENES[0] + '.bag')
+        cls.heard = {topic: Listener(topic) for topic in cls.HEARD}
+        for listener in cls.heard.values():
+            cls.addClassCleanup(listener.close)
+        cls.suite = Suite(cls.folder, **arguments)
+        cls.addClassCleanup(cls.suite.stop)
+        if cls.SCENES:
+            cls.player = Player(cls.folder / (cls.SCENES[0] + '.bag'))
+            cls.addClassCleanup(cls.player.unregister)
+            cls.player.connect(cls.suite)
+
+    def play_to(self, seconds):
+        """Plays, and waits until the encoder has published the frame at that time, anew if it was there before."""
+        listener = self.heard['/encoded_scene']
+        listener.clear()
+        self.player.restart()
+        end = self.player.play_to(seconds)
+        return listener.wait(lambda scene: scene.header.stamp == end)
+
+    def ask_until(self, expected, *arguments, **named):
+        """Asks until the answer is as expected (the generator hears of a new scene when it does); fails in the end."""
+        answers = []
+
+        def once():
+            answers.append(ask(*arguments, **named))
+            return expected(answers[-1])
+        until(once, lambda: 'such an answer to {} {}; the last: {} {}'.format(
+            arguments, named, road.CODES[answers[-1].code], answers[-1].message))
+        return answers[-1]
+
+    def ask_for_code(self, code, *arguments, **named):
+        return self.ask_until(lambda answer: road.CODES[answer.code] == code, *arguments, **named)
+
+    def assert_answer(self, answer, attacked):
+        """The answer of the service is what inject_attacker put into a bag."""
+        self.assert_close(answer.pattern, road.read_one(attacked, '/collision_pattern'))
+        self.assert_close(answer.trajectory, road.read_one(attacked, '/attacker_trajectory'))
+        self.assert_close(answer.report, road.read_one(attacked, '/collision_report'))
+
+    def offline(self, collision_type, mode, seed=0, nows=(6.0, 4.0, 8.0, 10.0), ttas=(4.0, 6.0, 2.0)):
+        """The first request that inject_attacker can fulfil: now, tta and the bag."""
+        out = self.path('{}_{}.bag'.format(collision_type, mode))
+        for now in nows:
+            for tta in ttas:
+                result = road.inject(self.bag(self.SCENES[0]), out, collision_type, tta, now, '--mode', mode, '--seed', seed)
+                if road.code_of(result) == 'OK':
+                    return now, tta, out
+        raise AssertionError('no {} in {} mode in {}'.format(collision_type, mode, self.SCENES[0]))
+
+
+def kill_node(name):
+    """Ends a node as the kernel would: without a word to anybody."""
+    os.kill(pid_of(name), signal.SIGKILL)
+
+
+def pid_of(name):
+    _, _, pid = rosgraph.xmlrpcapi(rosgraph.Master(rospy.get_name()).lookupNode('/' + name)).getPid(rospy.get_name())
+    return pid
+
+
+def main(name):
+    """Runs the tests of the calling script; `name` is the node's and the test-name of the rostest file."""
+    import rostest
+    rospy.init_node(name)
+    rostest.rosrun(road.PACKAGE, name, '__main__')

@@ -1,0 +1,151 @@
+"""What the tests of this folder share: the package's tools, its embedded data, and bags to make, read and damage."""
+import math
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import rosbag
+import roslib.message
+import roslib.packages
+import rospkg
+import rosunit
+from genpy import Duration, Time
+
+PACKAGE = 'collision_forge'
+PACKAGE_FOLDER = Path(rospkg.RosPack().get_path(PACKAGE))
+DATAROOT = PACKAGE_FOLDER / 'data' / 'embedded'
+VERSION = 'v1.0-embedded'
+TOOL_TIMEOUT = 120.0  # s; a tool takes less than one
+
+CODES = ['OK', 'UNKNOWN_TYPE', 'TTA_OUT_OF_RANGE', 'UNKNOWN_ATTACKER', 'ABSENT_ATTACKER', 'TOO_LITTLE_HISTORY',
+         'NO_CANDIDATE', 'NO_ATTACK_WITHIN_BOUNDS', 'NO_SCENE', 'NO_RECORDING', 'BEYOND_RECORDING', 'INVALID_INPUT',
+         'NODE_UNAVAILABLE']  # GenerateCollision.srv, by number
+
+ATTACK_TOPICS = ['/attacker_trajectory', '/collision_pattern', '/collision_report', '/tested_report']
+ATTACKED_TOPICS = ['/agents', '/annotation_markers']
+
+
+def tool(name):
+    """The path of one of the package's programs."""
+    found = roslib.packages.find_node(PACKAGE, name)
+    if not found:
+        raise FileNotFoundError('{} has no program {}: is it built, and its environment sourced?'.format(PACKAGE, name))
+    return found[0]
+
+
+def run(name, *arguments):
+    """Runs a tool; its exit code, stdout and stderr are in what is returned."""
+    return subprocess.run([tool(name)] + [str(argument) for argument in arguments], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, universal_newlines=True,
+                          timeout=TOOL_TIMEOUT, check=False)
+
+
+def convert(out, *arguments, dataroot=DATAROOT, version=VERSION):
+    return run('nuscenes_to_bag', '--dataroot', dataroot, '--version', version, '--out', out, *arguments)
+
+
+def inject(bag, out, collision_type, tta, now, *arguments):
+    return run('inject_attacker', '--bag', bag, '--out', out, '--type', collision_type, '--tta', tta, '--now', now,
+               *arguments)
+
+
+def code_of(injection):
+    """The name of the status code that a run of inject_attacker ended with."""
+    if injection.returncode == 0:
+        return 'OK'
+    if injection.returncode == 3:
+        return {code.lower(): code for code in CODES}[injection.stderr.splitlines()[-1].split(':')[0].lower()]
+    raise AssertionError('inject_attacker: exit code {}: {}'.format(injection.returncode, injection.stderr))
+
+
+class RoadTest(unittest.TestCase):
+    """A test with a folder for its files, and with the bags of some scenes of the embedded data in it."""
+    SCENES = []
+
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory(prefix='collision_forge_test_')
+        cls.addClassCleanup(temporary.cleanup)
+        cls.folder = Path(temporary.name)
+        if cls.SCENES:
+            result = convert(cls.folder, '--scene', *cls.SCENES)
+            assert result.returncode == 0, result.stderr
+
+    def bag(self, scene):
+        return self.folder / (scene + '.bag')
+
+    def path(self, name):
+        """A path for a file of this test alone."""
+        return self.folder / (self.id().rsplit('.', 1)[-1] + '_' + name)
+
+    def assert_close(self, actual, expected, tolerance=1e-6, name='message'):
+        """Two messages (or their parts) are equal, numbers and times to the tolerance; headers but for `seq`."""
+        if isinstance(expected, (Time, Duration)):
+            actual, expected = actual.to_sec() - expected.to_sec(), 0.0
+        if hasattr(expected, '__slots__'):
+            self.assertIs(type(actual), type(expected), name)
+            for field in expected.__slots__:
+                if field == 'seq' and hasattr(expected, 'frame_id'):
+                    continue  # counts what the publisher has sent
+                self.assert_close(getattr(actual, field), getattr(expected, field), tolerance, name + '.' + field)
+        elif isinstance(expected, (list, tuple)):
+            self.assertEqual(len(actual), len(expected), 'length of ' + name)
+            for index, pair in enumerate(zip(actual, expected)):
+                self.assert_close(*pair, tolerance, '{}[{}]'.format(name, index))
+        elif isinstance(expected, float):
+            self.assertLessEqual(abs(actual - expected), tolerance, name)
+        else:
+            self.assertEqual(actual, expected, name)
+
+
+def messages_of(bag, topics=None):
+    """Like bag.read_messages(), but as messages of the types that are installed, which compare with others."""
+    for topic, (datatype, data, md5sum, *_), time in bag.read_messages(topics, raw=True):
+        message_class = roslib.message.get_message_class(datatype)
+        assert message_class._md5sum == md5sum, '{} was recorded with another {}'.format(topic, datatype)
+        yield topic, message_class().deserialize(data), time
+
+
+def read(path, topic):
+    """The messages of a topic with the times at which they were recorded."""
+    with rosbag.Bag(str(path)) as bag:
+        return [(message, time) for _, message, time in messages_of(bag, topic)]
+
+
+def read_one(path, topic):
+    (message, _), = read(path, topic)
+    return message
+
+
+def read_raw(path):
+    """By topic: (time in ns, bytes) of every message."""
+    messages = {}
+    with rosbag.Bag(str(path)) as bag:
+        for topic, raw, time in bag.read_messages(raw=True):
+            messages.setdefault(topic, []).append((time.to_nsec(), raw[1]))
+    return messages
+
+
+def copy_bag(source, target, change):
+    """Copies a bag message by message; `change(topic, message)` returns what to write instead, None for nothing."""
+    with rosbag.Bag(str(source)) as bag, rosbag.Bag(str(target), 'w') as changed:
+        for topic, message, time in messages_of(bag):
+            message = change(topic, message)
+            if message is not None:
+                changed.write(topic, message, time)
+
+
+def yaw_of(quaternion):
+    return math.atan2(2.0 * (quaternion.w * quaternion.z + quaternion.x * quaternion.y),
+                      1.0 - 2.0 * (quaternion.y ** 2 + quaternion.z ** 2))
+
+
+def angle_between(first, second):
+    return math.remainder(second - first, 2.0 * math.pi)
+
+
+def main():
+    """Runs the tests of the calling script."""
+    rosunit.unitrun(PACKAGE, Path(sys.argv[0]).stem, '__main__')

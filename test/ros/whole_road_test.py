@@ -1,0 +1,226 @@
+#!/usr/bin/python3
+"""The whole road, live: a bag is played into the suite (nodelets in one process), and every type of collision is asked
+for in both modes. Answers, topics and injected agents are what inject_attacker makes of the same bag offline."""
+import threading
+
+import live
+import road
+import rospy
+from live import Listener, ask, until
+
+REPORT_TOPICS = {'/collision_pattern': 'pattern', '/attacker_trajectory': 'trajectory', '/collision_report': 'report'}
+
+
+class WholeRoadTest(live.LiveTest):
+    HEARD = ['/encoded_scene', '/agents', '/injected_agents', '/tested_report', '/map_markers', '/scene_markers',
+             '/attack_markers']
+
+    def play_and_ask(self, collision_type, mode, seed):
+        """Answered live as offline; returns the answer and the attacked bag."""
+        now, tta, attacked = self.offline(collision_type, mode, seed)
+        end = self.play_to(now).header.stamp
+        answer = self.ask_until(lambda answer: answer.code == 0 and answer.pattern.header.stamp == end, collision_type,
+                                tta, mode=mode, seed=seed)
+        self.assertEqual(answer.message, '')
+        self.assert_answer(answer, attacked)
+        self.assertTrue(answer.report.verified)
+        return answer, attacked
+
+    def assert_published(self, answer):
+        """Whoever subscribes later gets the answer, too."""
+        for topic, part in REPORT_TOPICS.items():
+            listener = Listener(topic)
+            message = listener.wait(lambda message: message.header.stamp == answer.pattern.header.stamp)
+            self.assert_close(message, getattr(answer, part), tolerance=0.0)
+            self.assertEqual(listener.latched, [True])
+            listener.close()
+
+    def assert_played_on(self, answer, attacked):
+        """The replay goes on: the attacker is replaced in injected_agents, and tested_report tells what happened."""
+        now, end = answer.trajectory.points[0].stamp, answer.trajectory.points[-1].stamp
+        self.heard['/attack_markers'].wait(
+            lambda markers: len(markers.markers) > 1 and markers.markers[-1].header.stamp == now)
+        for topic in ('/injected_agents', '/tested_report'):
+            self.heard[topic].clear()
+        self.player.play_to((end - self.player.start).to_sec() + 1.0)
+        last = min(end + rospy.Duration(1), self.player.messages[-1][2])
+        expected = {message.header.stamp: message for message, time in road.read(attacked, '/agents')
+                    if now < time <= last}
+        until(lambda: len(self.heard['/injected_agents'].all()) >= len(expected), 'the injected agents')
+        for message in self.heard['/injected_agents'].all():
+            self.assert_close(message, expected.pop(message.header.stamp))
+        self.assertEqual(expected, {})
+
+        tested = self.heard['/tested_report'].wait()
+        offline = road.read_one(attacked, '/tested_report')
+        self.assertEqual(tested.header.stamp, offline.header.stamp)
+        self.assertEqual((tested.attacker_id, tested.contact), (offline.attacker_id, offline.contact))
+        self.assertEqual(tested.bounds_kept, offline.bounds_kept)
+        if offline.contact:
+            self.assertLess(abs((tested.contact_time - offline.contact_time).to_sec()), 0.02)
+            self.assertLess(abs(road.angle_between(tested.relative_heading, offline.relative_heading)), 0.01)
+        return tested
+
+    def check(self, collision_type, mode, seed):
+        answer, attacked = self.play_and_ask(collision_type, mode, seed)
+        self.assert_published(answer)
+        tested = self.assert_played_on(answer, attacked)
+        if mode == 'replay':
+            self.assertTrue(tested.verified, 'the recorded ego is hit as foreseen:\n{}'.format(tested))
+
+
+class JunctionTest(WholeRoadTest):
+    SCENES = ['scene-0003']
+
+    def test_history_lane_change(self):
+        self.check('lane_change', 'history', 0)
+
+    def test_history_opposite_direction(self):
+        self.check('opposite_direction', 'history', 1)
+
+    def test_history_rear_end(self):
+        self.check('rear_end', 'history', 2)
+
+    def test_history_junction_crossing(self):
+        self.check('junction_crossing', 'history', 3)
+
+    def test_replay_lane_change(self):
+        self.check('lane_change', 'replay', 4)
+
+    def test_replay_opposite_direction(self):
+        self.check('opposite_direction', 'replay', 5)
+
+    def test_replay_rear_end(self):
+        self.check('rear_end', 'replay', 2 ** 64 - 1)
+
+    def test_replay_junction_crossing(self):
+        self.check('junction_crossing', 'replay', 7)
+
+    def test_before_an_attack_agents_pass_as_they_are(self):
+        self.play_to(2.0)
+        recorded = self.heard['/agents'].last()
+        injected = self.heard['/injected_agents'].wait(lambda message: message.header.stamp == recorded.header.stamp)
+        self.assert_close(injected, recorded, tolerance=0.0)
+
+    def test_encoded_scene_is_that_of_the_ego_and_the_agents(self):
+        scene = self.play_to(5.0)
+        recorded = self.heard['/agents'].last(lambda message: message.header.stamp == scene.header.stamp)
+        now = {track.id: track for track in scene.agents if track.states[-1].stamp == scene.header.stamp}
+        self.assertEqual(sorted(now), sorted(agent.id for agent in recorded.agents))
+        for agent in recorded.agents:
+            self.assertAlmostEqual(now[agent.id].states[-1].pose.x, agent.pose.position.x, places=6)
+            self.assertAlmostEqual(now[agent.id].states[-1].pose.y, agent.pose.position.y, places=6)
+        rows, frames = 1 + len(scene.agents), 8
+        self.assertEqual((scene.ego.id, len(scene.ego.states)), ('ego', frames))
+        self.assertEqual(scene.agent_features.shape, (rows, frames, 8))
+        self.assertEqual(scene.agent_mask.shape, (rows, frames))
+        self.assertEqual(len(scene.agent_features.data), rows * frames * 8)
+        self.assertEqual(scene.agent_mask.data[:frames], (1.0,) * frames)
+        for index, expected in enumerate((0.0, 0.0, 1.0, 0.0)):  # the ego now, seen from itself
+            self.assertAlmostEqual(scene.agent_features.data[(frames - 1) * 8 + index], expected, places=6)
+        self.assertEqual(scene.lane_features.shape[0], len(scene.lane_ids))
+        self.assertGreater(len(scene.lane_ids), 0)
+
+    def test_markers(self):
+        self.play_to(3.0)
+        for topic, latched in (('/map_markers', True), ('/scene_markers', False)):
+            self.assertGreater(len(self.heard[topic].wait().markers), 1, topic)
+            self.assertIn(latched, self.heard[topic].latched, topic)
+        late = Listener('/map_markers')
+        self.assertGreater(len(late.wait().markers), 1)
+        late.close()
+
+    def test_attack_markers_go_when_the_replay_is_restarted(self):
+        answer, _ = self.play_and_ask('rear_end', 'history', 0)
+        listener = self.heard['/attack_markers']
+        listener.wait(lambda markers: len(markers.markers) > 1 and
+                      markers.markers[-1].header.stamp == answer.pattern.header.stamp)
+        self.play_to(1.0)
+        until(lambda: len(listener.all()[-1].markers) <= 1, 'the attack markers to go')
+
+    def test_restarted_replay_starts_history_anew(self):
+        self.assertEqual(len(self.play_to(8.0).ego.states), 8)
+        scene = self.play_to(1.5)
+        self.assertEqual([round((state.stamp - self.player.start).to_sec(), 3) for state in scene.ego.states],
+                         [0.0, 0.5, 1.0, 1.5])
+        for track in scene.agents:
+            self.assertLessEqual(track.states[-1].stamp, scene.header.stamp)
+            self.assertGreaterEqual(track.states[0].stamp, self.player.start)
+        now, tta, attacked = self.offline('rear_end', 'history', nows=(1.5,))
+        answer = self.ask_until(lambda answer: answer.code == 0 and answer.pattern.header.stamp == scene.header.stamp,
+                                'rear_end', tta)
+        self.assertEqual(now, 1.5)
+        self.assert_answer(answer, attacked)
+
+    def test_first_frame_is_too_little_history(self):
+        self.assertEqual(len(self.play_to(0.0).ego.states), 1)
+        answer = self.ask_for_code('TOO_LITTLE_HISTORY')
+        self.assertIn('1 frames', answer.message)
+
+    def test_beyond_recording(self):
+        self.play_to(18.0)
+        self.ask_for_code('BEYOND_RECORDING', 'rear_end', 6.0, mode='replay')
+
+    def test_same_seed_same_answer(self):
+        first, _ = self.play_and_ask('rear_end', 'history', 9)
+        tta = self.offline('rear_end', 'history', 9)[1]
+        for _ in range(3):
+            self.assertEqual(ask('rear_end', tta, seed=9), first)
+
+    def test_short_names_of_types_and_default_mode(self):
+        first, _ = self.play_and_ask('rear_end', 'history', 0)
+        tta = self.offline('rear_end', 'history')[1]
+        for name in ('RE', 're', 'REAR_END'):
+            self.assertEqual(ask(name, tta, mode=''), first)
+
+    def test_two_callers_at_once(self):
+        requests = {}
+        for collision_type in ('rear_end', 'lane_change'):
+            for seed in range(3):
+                now, tta, attacked = self.offline(collision_type, 'history', seed, nows=(6.0,))
+                kept = attacked.with_name('{}_{}'.format(seed, attacked.name))
+                attacked.rename(kept)
+                requests[(collision_type, tta, '', 'history', seed)] = kept
+        scene = self.play_to(6.0)
+        self.ask_until(lambda answer: answer.pattern.header.stamp == scene.header.stamp, *next(iter(requests)))
+        answers = {}
+
+        def call(request):
+            answers[request] = ask(*request)
+        threads = [threading.Thread(target=call, args=(request,)) for request in requests]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join(live.TIMEOUT)
+        self.assertEqual(len(answers), len(requests), 'everybody is answered')
+        for request, attacked in requests.items():
+            self.assertEqual(answers[request].code, 0, answers[request].message)
+            self.assert_answer(answers[request], attacked)
+
+
+class RoundaboutTest(WholeRoadTest):
+    SCENES = ['scene-0007']
+
+    def test_history_ltap(self):
+        self.check('ltap', 'history', 0)
+
+    def test_replay_ltap(self):
+        self.check('ltap', 'replay', 1)
+
+    def test_bag_of_another_scene_is_not_the_recording(self):
+        other = self.folder / 'scene-0001.bag'
+        self.assertEqual(road.convert(self.folder, '--scene', 'scene-0001').returncode, 0)
+        player = live.Player(other)
+        self.addCleanup(player.unregister)
+        player.connect(self.suite)
+        end = player.play_to(4.0)
+        self.heard['/encoded_scene'].wait(lambda scene: scene.header.stamp == end)
+        answer = self.ask_for_code('NO_RECORDING', 'rear_end', 4.0, mode='replay')
+        self.assertIn('scene-0007', answer.message)
+
+
+# These have no tests of their own.
+del WholeRoadTest
+
+if __name__ == '__main__':
+    live.main('whole_road_test')
