@@ -37,6 +37,7 @@ void EgoTest::addAgents(const std::vector<Track>& agents) {
 
 std::optional<CollisionReport> EgoTest::outcome(const LaneIndex& lanes,
                                                 const AttackOptions& options) const {
+  if (ego_.states.empty()) return std::nullopt;
   Future driven{ego_, {}};
   for (const auto& [id, track] : agents_) driven.agents.push_back(track);
   Snapshot start;
@@ -49,8 +50,7 @@ std::optional<CollisionReport> EgoTest::outcome(const LaneIndex& lanes,
     }
   }
   const CollisionReport report = verify(trajectory_, {start, driven, request_, lanes}, options);
-  const bool ended =
-      !ego_.states.empty() && ego_.states.back().time >= trajectory_.points.back().time;
+  const bool ended = ego_.states.back().time >= trajectory_.points.back().time;
   if (ended || (report.contact && agents_until_ >= report.contact_time)) return report;
   return std::nullopt;
 }

@@ -65,6 +65,7 @@ struct RealizationOptions {
 struct VerificationOptions {
   double time_tolerance = 0.0;
   double overlap_tolerance = 0.0;
+  double off_road_interval = 0.0;
   std::vector<double> confidence_speed_factors;
 };
 

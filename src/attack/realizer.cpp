@@ -134,11 +134,13 @@ Realization realize(const std::vector<CollisionPattern>& patterns, const Verific
   double best_cost = 0.0;
   int verified = 0;
   for (const Attempt& attempt : drivableAttempts(patterns, input, options, rejections)) {
-    const CollisionReport report = verify(attempt.trajectory, input, options);
+    CollisionReport report = verifyMotion(attempt.trajectory, input, options);
     if (!report.verified()) {
       rejections.add(shortcoming(report));
       continue;
     }
+    report.off_road_share =
+        offRoadShare(attempt.trajectory, report, input.lanes, options.verification);
     const double cost =
         attempt.effort + options.realization.off_road_weight * report.off_road_share;
     if (verified == 0 || cost < best_cost) {

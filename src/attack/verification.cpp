@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include <Eigen/Geometry>
 
@@ -91,17 +92,6 @@ Vector2 velocityAt(const AttackerTrajectory& trajectory, double time) {
   return velocity(before) + ratio * (velocity(*after) - velocity(before));
 }
 
-double offRoadShare(const AttackerTrajectory& trajectory, double until, const LaneIndex& lanes) {
-  double sum = 0.0;
-  int count = 0;
-  for (const TrajectoryPoint& point : trajectory.points) {
-    if (point.time > until) break;
-    sum += lanes.offRoadShare({point.pose, trajectory.size}).value_or(0.0);
-    ++count;
-  }
-  return count > 0 ? sum / count : 0.0;
-}
-
 void describeContact(const AttackerTrajectory& trajectory, const VerificationInput& input,
                      const AttackOptions& options, CollisionReport& report) {
   const TypeDefinition& type = options.collision_types.at(input.request.type);
@@ -136,8 +126,10 @@ void findFirstOther(const AttackerTrajectory& trajectory, const Future& future, 
 
 }  // namespace
 
-CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
-                       const AttackOptions& options) {
+CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                             const AttackOptions& options) {
+  if (trajectory.points.empty()) throw std::invalid_argument("the trajectory has no points");
+  if (input.future.ego.states.empty()) throw std::invalid_argument("the ego's future is empty");
   CollisionReport report;
   const double end = trajectory.points.back().time;
   const double tolerance = options.verification.overlap_tolerance;
@@ -159,21 +151,40 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   const auto broken = findBrokenLimit(trajectory, start_yaw, until, options.vehicle_limits);
   report.bounds_kept = !broken;
   if (broken) report.broken_bound = describe(*broken);
-  report.off_road_share = offRoadShare(trajectory, until, input.lanes);
+  return report;
+}
+
+double offRoadShare(const AttackerTrajectory& trajectory, const CollisionReport& report,
+                    const LaneIndex& lanes, const VerificationOptions& options) {
+  const double until = report.contact ? report.contact_time : trajectory.points.back().time;
+  double sum = 0.0;
+  int count = 0;
+  for (double time = trajectory.points.front().time; time <= until;
+       time += options.off_road_interval) {
+    sum += lanes.offRoadShare({poseAt(trajectory, time), trajectory.size}).value_or(0.0);
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                       const AttackOptions& options) {
+  CollisionReport report = verifyMotion(trajectory, input, options);
+  report.off_road_share = offRoadShare(trajectory, report, input.lanes, options.verification);
   return report;
 }
 
 double confidence(const AttackerTrajectory& trajectory, const VerificationInput& input,
                   const AttackOptions& options) {
   if (input.request.mode == Mode::kReplay) {
-    return verify(trajectory, input, options).verified() ? 1.0 : 0.0;
+    return verifyMotion(trajectory, input, options).verified() ? 1.0 : 0.0;
   }
   int kept = 0;
   Future varied = input.future;
   for (const double factor : options.verification.confidence_speed_factors) {
     varied.ego = scaledInTime(input.future.ego, input.snapshot.now, factor);
     const VerificationInput variation{input.snapshot, varied, input.request, input.lanes};
-    if (verify(trajectory, variation, options).verified()) ++kept;
+    if (verifyMotion(trajectory, variation, options).verified()) ++kept;
   }
   return static_cast<double>(kept) /
          static_cast<double>(options.verification.confidence_speed_factors.size());

@@ -16,8 +16,18 @@ struct VerificationInput {
 };
 
 /// First contact of the attacker with the ego and with anybody else before, found continuously
-/// between samples (see firstContact()); type, time, limits and ground at that contact. The ego and
-/// the others move linearly between the states of `future`. Confidence is left at 0.
+/// between samples (see firstContact()); type, time and limits at that contact. The ego and the
+/// others move linearly between the states of `future`. Off-road share and confidence are left at
+/// 0. Throws std::invalid_argument for a trajectory without points or a future without an ego.
+CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                             const AttackOptions& options);
+
+/// Mean share of the attacker's box off the drivable area, from now to the report's contact (or to
+/// the end), at poses `off_road_interval` apart; 0 when the map has no drivable area.
+double offRoadShare(const AttackerTrajectory& trajectory, const CollisionReport& report,
+                    const LaneIndex& lanes, const VerificationOptions& options);
+
+/// verifyMotion() and offRoadShare().
 CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
                        const AttackOptions& options);
 

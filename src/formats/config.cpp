@@ -233,6 +233,7 @@ VerificationOptions readVerification(Section section) {
   VerificationOptions options;
   options.time_tolerance = section.positive("time_tolerance");
   options.overlap_tolerance = section.positive("overlap_tolerance");
+  options.off_road_interval = section.positive("off_road_interval");
   options.confidence_speed_factors = section.positives("confidence_speed_factors");
   section.finish();
   return options;

@@ -10,7 +10,12 @@ namespace forge {
 Config loadNodeConfig(const ros::NodeHandle& private_node) {
   const std::string directory = private_node.param<std::string>(
       "config_dir", ros::package::getPath("collision_forge") + "/config");
-  return loadConfig(directory);
+  try {
+    return loadConfig(directory);
+  } catch (const std::exception& error) {
+    ROS_FATAL_STREAM("no configuration: " << error.what());  // the nodelet loader does not tell why
+    throw;
+  }
 }
 
 LaneMapSubscriber::LaneMapSubscriber(ros::NodeHandle& node)

@@ -29,7 +29,7 @@ inline AttackOptions shippedOptions() {
       {CollisionType::kLtap, {1.3963, 1.7453, 1.5708, 2.3562, 3.1416}}};
   options.prediction = {8, 2, 4, 0.5, 9.0, 80.0, 0.1, 2.0, 2.0, 0.7854, 0.5, 15.0, 4.0, 3.0};
   options.realization = {0.1, 2.0, 0.15, 96, 0.1309, 0.8, 0.1, 1.6, 20, 2.0};
-  options.verification = {0.5, 0.001, {0.8, 0.9, 1.0, 1.1, 1.2}};
+  options.verification = {0.5, 0.001, 0.5, {0.8, 0.9, 1.0, 1.1, 1.2}};
   return options;
 }
 

@@ -109,9 +109,9 @@ TEST(Verify, FindsAContactThatEndsBetweenSamples) {
 TEST(Verify, FollowsEveryBendOfTheEgosTrackBetweenTheAttackersSamples) {
   Case attack({}, 0.0, {}, 0.0);
   attack.trajectory = straightDrive({}, 0.0, 2.0, 1.0);
-  attack.future.ego.states = {{kNow, {0.0, 20.0, 0.0}, {}},
-                              {kNow + 0.5, {0.0, 0.0, 0.0}, {}},
-                              {kNow + 1.0, {0.0, 20.0, 0.0}, {}}};
+  attack.future.ego.states = {{kNow, {0.0, 20.0, 0.0}, Vector2::Zero()},
+                              {kNow + 0.5, {0.0, 0.0, 0.0}, Vector2::Zero()},
+                              {kNow + 1.0, {0.0, 20.0, 0.0}, Vector2::Zero()}};
   const double beside = 0.5 * (kEgoSize.width + kCarSize.width);
   EXPECT_TRUE(attack.report().contact);
   EXPECT_NEAR(attack.report().contact_time, kNow + (20.0 - beside) / 40.0, kFine);
@@ -300,7 +300,8 @@ TEST(Verify, FindsAContactInTheLastInstantOfATrack) {
     for (double end = begin + 0.6; end < begin + 0.9; end += 0.001) {
       Case attack({10.0, 0.0, 0.0}, 0.0, {}, 0.0);
       attack.future.ego.size = attack.trajectory.size = {4.0, 2.0};
-      attack.future.ego.states = {{begin, {10.0, 0.0, 0.0}, {}}, {end, {10.0, 0.0, 0.0}, {}}};
+      attack.future.ego.states = {{begin, {10.0, 0.0, 0.0}, Vector2::Zero()},
+                                  {end, {10.0, 0.0, 0.0}, Vector2::Zero()}};
       attack.trajectory.points = {{begin, {4.0, 0.0, 0.0}, 10.0, 0.0, 0.0},
                                   {end, {6.0, 0.0, 0.0}, 10.0, 0.0, 0.0},
                                   {end + 1.0, {14.0, 0.0, 0.0}, 10.0, 0.0, 0.0}};

@@ -97,7 +97,7 @@ TEST(Config, ShippedPredictionAndEncodingHaveTheDocumentedValues) {
   EXPECT_EQ(prediction.max_tta, 9.0);
   EXPECT_EQ(prediction.candidate_radius, 80.0);
   EXPECT_EQ(prediction.step, 0.1);
-  EXPECT_EQ(prediction.tail, 2.0);
+  EXPECT_EQ(prediction.tail, 3.0);
   EXPECT_EQ(prediction.lane_max_distance, 2.0);
   EXPECT_EQ(prediction.lane_max_heading, 0.7854);
   EXPECT_EQ(prediction.standstill_speed, 0.5);
@@ -125,6 +125,7 @@ TEST(Config, ShippedRealizationAndVerificationHaveTheDocumentedValues) {
   EXPECT_EQ(realization.off_road_weight, 2.0);
   EXPECT_EQ(config.attack.verification.time_tolerance, 0.5);
   EXPECT_EQ(config.attack.verification.overlap_tolerance, 0.001);
+  EXPECT_EQ(config.attack.verification.off_road_interval, 0.5);
   EXPECT_EQ(config.attack.verification.confidence_speed_factors,
             (std::vector<double>{0.8, 0.9, 1.0, 1.1, 1.2}));
 }
@@ -293,7 +294,7 @@ TEST_F(SpoiltConfig, ColorsAreThreeSharesOfOne) {
 TEST_F(SpoiltConfig, NumbersThatAreNotFiniteAreRefused) {
   expectComplaint("vehicle_limits.yaml", "max_braking: 8.0", "max_braking: .inf",
                   {"vehicle_limits.max_braking", ".inf", "not finite"});
-  expectComplaint("prediction.yaml", "tail: 2.0", "tail: .nan",
+  expectComplaint("prediction.yaml", "tail: 3.0", "tail: .nan",
                   {"prediction.tail", ".nan", "not finite"});
   expectComplaint("ego_vehicle.yaml", "center_offset: 1.385", "center_offset: -.inf",
                   {"ego_vehicle.center_offset", "-.inf", "not finite"});

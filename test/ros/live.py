@@ -5,6 +5,7 @@ import signal
 import subprocess
 import threading
 import time
+from xmlrpc.client import ServerProxy
 
 import rosbag
 import rosgraph
@@ -34,6 +35,8 @@ NODES = {
 }
 MANAGER = 'collision_forge_manager'
 PLAYED = ['/agents', '/lane_map', '/odom', '/tf']  # what the suite hears of a bag
+
+ANSWERED = {'/collision_pattern': 'pattern', '/attacker_trajectory': 'trajectory', '/collision_report': 'report'}  # topic: field of the answer
 
 TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/encoded_scene': EncodedScene,
          '/attacker_trajectory': AttackerTrajectory, '/collision_pattern': CollisionPattern,
@@ -216,6 +219,9 @@ class LiveTest(road.RoadTest):
             cls.addClassCleanup(cls.player.unregister)
             cls.player.connect(cls.suite)
 
+    def setUp(self):
+        self.assertIsNone(self.suite.process.poll(), 'roslaunch has ended:\n' + self.suite.output())
+
     def play_to(self, seconds):
         """Plays, and waits until the encoder has published the frame at that time, anew if it was there before."""
         listener = self.heard['/encoded_scene']
@@ -255,13 +261,73 @@ class LiveTest(road.RoadTest):
         raise AssertionError('no {} in {} mode in {}'.format(collision_type, mode, self.SCENES[0]))
 
 
+class WholeRoadTest(LiveTest):
+    """Checks that what the suite answers and publishes is what inject_attacker makes of the same bag offline."""
+    HEARD = ['/encoded_scene', '/agents', '/injected_agents', '/tested_report', '/map_markers', '/scene_markers',
+             '/attack_markers']
+
+    def play_and_ask(self, collision_type, mode, seed):
+        """Answered live as offline; returns the answer and the attacked bag."""
+        now, tta, attacked = self.offline(collision_type, mode, seed)
+        end = self.play_to(now).header.stamp
+        answer = self.ask_until(lambda answer: answer.code == 0 and answer.pattern.header.stamp == end, collision_type,
+                                tta, mode=mode, seed=seed)
+        self.assertEqual(answer.message, '')
+        self.assert_answer(answer, attacked)
+        self.assertTrue(answer.report.verified)
+        return answer, attacked
+
+    def assert_published(self, answer):
+        """Whoever subscribes later gets the answer, too."""
+        for topic, part in ANSWERED.items():
+            listener = Listener(topic)
+            message = listener.wait(lambda message: message.header.stamp == answer.pattern.header.stamp)
+            self.assert_close(message, getattr(answer, part), tolerance=0.0)
+            self.assertEqual(listener.latched, [True])
+            listener.close()
+
+    def assert_played_on(self, answer, attacked):
+        """The replay goes on: the attacker is replaced in injected_agents, and tested_report tells what happened."""
+        now, end = answer.trajectory.points[0].stamp, answer.trajectory.points[-1].stamp
+        self.heard['/attack_markers'].wait(
+            lambda markers: len(markers.markers) > 1 and markers.markers[-1].header.stamp == now)
+        for topic in ('/injected_agents', '/tested_report'):
+            self.heard[topic].clear()
+        self.player.play_to((end - self.player.start).to_sec() + 1.0)
+        last = min(end + rospy.Duration(1), self.player.messages[-1][2])
+        expected = {message.header.stamp: message for message, time in road.read(attacked, '/agents')
+                    if now < time <= last}
+        until(lambda: len(self.heard['/injected_agents'].all()) >= len(expected), 'the injected agents')
+        for message in self.heard['/injected_agents'].all():
+            self.assert_close(message, expected.pop(message.header.stamp))
+        self.assertEqual(expected, {})
+
+        tested = self.heard['/tested_report'].wait()
+        offline = road.read_one(attacked, '/tested_report')
+        self.assertEqual(tested.header.stamp, offline.header.stamp)
+        self.assertEqual((tested.attacker_id, tested.contact), (offline.attacker_id, offline.contact))
+        self.assertEqual(tested.bounds_kept, offline.bounds_kept)
+        if offline.contact:
+            self.assertLess(abs((tested.contact_time - offline.contact_time).to_sec()), 0.02)
+            self.assertLess(abs(road.angle_between(tested.relative_heading, offline.relative_heading)), 0.01)
+        return tested
+
+    def check(self, collision_type, mode, seed):
+        answer, attacked = self.play_and_ask(collision_type, mode, seed)
+        self.assert_published(answer)
+        tested = self.assert_played_on(answer, attacked)
+        if mode == 'replay':
+            self.assertTrue(tested.verified, 'the recorded ego is hit as foreseen:\n{}'.format(tested))
+
+
 def kill_node(name):
     """Ends a node as the kernel would: without a word to anybody."""
     os.kill(pid_of(name), signal.SIGKILL)
 
 
 def pid_of(name):
-    _, _, pid = rosgraph.xmlrpcapi(rosgraph.Master(rospy.get_name()).lookupNode('/' + name)).getPid(rospy.get_name())
+    """The process that is registered as that node; OSError when nobody answers there."""
+    _, _, pid = ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode('/' + name)).getPid(rospy.get_name())
     return pid
 
 

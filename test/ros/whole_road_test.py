@@ -5,71 +5,9 @@ import threading
 
 import live
 import road
-import rospy
 from live import Listener, ask, until
 
-REPORT_TOPICS = {'/collision_pattern': 'pattern', '/attacker_trajectory': 'trajectory', '/collision_report': 'report'}
-
-
-class WholeRoadTest(live.LiveTest):
-    HEARD = ['/encoded_scene', '/agents', '/injected_agents', '/tested_report', '/map_markers', '/scene_markers',
-             '/attack_markers']
-
-    def play_and_ask(self, collision_type, mode, seed):
-        """Answered live as offline; returns the answer and the attacked bag."""
-        now, tta, attacked = self.offline(collision_type, mode, seed)
-        end = self.play_to(now).header.stamp
-        answer = self.ask_until(lambda answer: answer.code == 0 and answer.pattern.header.stamp == end, collision_type,
-                                tta, mode=mode, seed=seed)
-        self.assertEqual(answer.message, '')
-        self.assert_answer(answer, attacked)
-        self.assertTrue(answer.report.verified)
-        return answer, attacked
-
-    def assert_published(self, answer):
-        """Whoever subscribes later gets the answer, too."""
-        for topic, part in REPORT_TOPICS.items():
-            listener = Listener(topic)
-            message = listener.wait(lambda message: message.header.stamp == answer.pattern.header.stamp)
-            self.assert_close(message, getattr(answer, part), tolerance=0.0)
-            self.assertEqual(listener.latched, [True])
-            listener.close()
-
-    def assert_played_on(self, answer, attacked):
-        """The replay goes on: the attacker is replaced in injected_agents, and tested_report tells what happened."""
-        now, end = answer.trajectory.points[0].stamp, answer.trajectory.points[-1].stamp
-        self.heard['/attack_markers'].wait(
-            lambda markers: len(markers.markers) > 1 and markers.markers[-1].header.stamp == now)
-        for topic in ('/injected_agents', '/tested_report'):
-            self.heard[topic].clear()
-        self.player.play_to((end - self.player.start).to_sec() + 1.0)
-        last = min(end + rospy.Duration(1), self.player.messages[-1][2])
-        expected = {message.header.stamp: message for message, time in road.read(attacked, '/agents')
-                    if now < time <= last}
-        until(lambda: len(self.heard['/injected_agents'].all()) >= len(expected), 'the injected agents')
-        for message in self.heard['/injected_agents'].all():
-            self.assert_close(message, expected.pop(message.header.stamp))
-        self.assertEqual(expected, {})
-
-        tested = self.heard['/tested_report'].wait()
-        offline = road.read_one(attacked, '/tested_report')
-        self.assertEqual(tested.header.stamp, offline.header.stamp)
-        self.assertEqual((tested.attacker_id, tested.contact), (offline.attacker_id, offline.contact))
-        self.assertEqual(tested.bounds_kept, offline.bounds_kept)
-        if offline.contact:
-            self.assertLess(abs((tested.contact_time - offline.contact_time).to_sec()), 0.02)
-            self.assertLess(abs(road.angle_between(tested.relative_heading, offline.relative_heading)), 0.01)
-        return tested
-
-    def check(self, collision_type, mode, seed):
-        answer, attacked = self.play_and_ask(collision_type, mode, seed)
-        self.assert_published(answer)
-        tested = self.assert_played_on(answer, attacked)
-        if mode == 'replay':
-            self.assertTrue(tested.verified, 'the recorded ego is hit as foreseen:\n{}'.format(tested))
-
-
-class JunctionTest(WholeRoadTest):
+class JunctionTest(live.WholeRoadTest):
     SCENES = ['scene-0003']
 
     def test_history_lane_change(self):
@@ -198,7 +136,7 @@ class JunctionTest(WholeRoadTest):
             self.assert_answer(answers[request], attacked)
 
 
-class RoundaboutTest(WholeRoadTest):
+class RoundaboutTest(live.WholeRoadTest):
     SCENES = ['scene-0007']
 
     def test_history_ltap(self):
@@ -217,10 +155,6 @@ class RoundaboutTest(WholeRoadTest):
         self.heard['/encoded_scene'].wait(lambda scene: scene.header.stamp == end)
         answer = self.ask_for_code('NO_RECORDING', 'rear_end', 4.0, mode='replay')
         self.assertIn('scene-0007', answer.message)
-
-
-# These have no tests of their own.
-del WholeRoadTest
 
 if __name__ == '__main__':
     live.main('whole_road_test')

@@ -1,0 +1,109 @@
+#!/usr/bin/python3
+"""Every node as a process of its own: alone, all together, and killed."""
+import os
+import signal
+import subprocess
+import time
+
+import live
+import road
+import rosgraph
+from live import NODES, ask, until
+
+ANSWER_LIMIT = 10.0  # s; how long the generator may take to notice that a node is gone
+
+
+class NodeAloneTest(road.RoadTest):
+    """rosrun of one node: it offers what it should, and ends when it is told to."""
+
+    def run_node(self, name, *arguments):
+        with open(str(self.path('log')), 'w') as log:
+            process = subprocess.Popen(['/usr/bin/rosrun', road.PACKAGE, name] + list(arguments), stdout=log,
+                                       stdin=subprocess.DEVNULL, stderr=subprocess.STDOUT)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def check(self, name):
+        process = self.run_node(name)
+        until(lambda: process.poll() is not None or not live.missing_of([name]),
+              lambda: '{}\n{}'.format(live.missing_of([name]), self.path('log').read_text()))
+        self.assertIsNone(process.poll(), self.path('log').read_text())
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(live.TIMEOUT), 0, self.path('log').read_text())
+        left = [(entry, node) for registered in live.graph() for entry, node in registered if node == name]
+        self.assertEqual(left, [], 'it has said goodbye to the master')
+
+    def test_unknown_configuration_is_refused(self):
+        process = self.run_node('pattern_predictor', '_config_dir:=/nowhere')
+        self.assertNotEqual(process.wait(live.TIMEOUT), 0)
+        self.assertIn('/nowhere', self.path('log').read_text())
+
+
+def add_node_tests():
+    for name in NODES:
+        setattr(NodeAloneTest, 'test_' + name, lambda self, name=name: self.check(name))
+
+
+add_node_tests()
+
+
+class SeparateNodesTest(live.WholeRoadTest):
+    SCENES = ['scene-0003']
+    ARGUMENTS = {'nodelets': 'false'}
+
+    def test_every_node_is_its_own_process(self):
+        self.assertEqual(len({live.pid_of(name) for name in NODES}), len(NODES))
+
+    def test_rear_end_as_offline(self):
+        answer, attacked = self.play_and_ask('rear_end', 'replay', 3)
+        self.assert_published(answer)
+        self.assert_played_on(answer, attacked)
+
+    def check_killed(self, name):
+        """The answer says within bounded time that a node is gone, and is as before when roslaunch has restarted it."""
+        answer, attacked = self.play_and_ask('lane_change', 'history', 1)
+        _, tta, _ = self.offline('lane_change', 'history', 1)
+        self.suite.process.send_signal(signal.SIGSTOP)  # so that it does not restart the node at once
+        self.addCleanup(self.suite.process.send_signal, signal.SIGCONT)
+        live.kill_node(name)
+        start = time.monotonic()
+        self.assertEqual(road.CODES[ask('lane_change', tta, seed=1).code], 'NODE_UNAVAILABLE')
+        self.assertLess(time.monotonic() - start, ANSWER_LIMIT)
+        self.assertIn(NODES[name][2][0], ask('lane_change', tta, seed=1).message)
+        self.suite.process.send_signal(signal.SIGCONT)
+        again = self.ask_for_code('OK', 'lane_change', tta, seed=1)
+        self.assertEqual(again.trajectory.points, answer.trajectory.points)
+        self.assert_answer(again, attacked)
+
+    def test_killed_pattern_predictor(self):
+        self.check_killed('pattern_predictor')
+
+    def test_killed_trajectory_realizer(self):
+        self.check_killed('trajectory_realizer')
+
+    def check_restarted(self, name):
+        """A node that was killed is back after a while, connected to all others, and the road is whole again."""
+        pid = live.pid_of(name)
+        os.kill(pid, signal.SIGKILL)
+
+        def is_back():
+            try:
+                return live.pid_of(name) != pid and not self.suite.missing()
+            except (OSError, rosgraph.MasterException):
+                return False  # registered, but nobody there
+        until(is_back, name + ' to come back')
+        self.player.connect(self.suite)
+        answer, attacked = self.play_and_ask('rear_end', 'history', 4)
+        self.assert_published(answer)
+        self.assert_played_on(answer, attacked)
+
+    def test_restarted_scene_encoder(self):
+        self.check_restarted('scene_encoder')
+
+    def test_restarted_collision_generator(self):
+        self.check_restarted('collision_generator')
+
+
+if __name__ == '__main__':
+    live.main('nodes_test')
