@@ -108,7 +108,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   }
 
   Status predictAndRealize(collision_forge::PredictPattern& predict, Response& response) {
-    if (!ros::service::call(predict_name_, predict)) return unavailable(predict_name_);
+    if (!callService(predict_name_, predict)) return unavailable(predict_name_);
     if (predict.response.code != Response::OK) return statusOf(predict.response);
 
     collision_forge::RealizeTrajectory realize;
@@ -116,7 +116,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     realize.request.request = predict.request.request;
     realize.request.patterns = std::move(predict.response.patterns);
     realize.request.future = std::move(predict.response.future);
-    if (!ros::service::call(realize_name_, realize)) return unavailable(realize_name_);
+    if (!callService(realize_name_, realize)) return unavailable(realize_name_);
     if (realize.response.code != Response::OK) return statusOf(realize.response);
     response.pattern = std::move(realize.response.pattern);
     response.trajectory = std::move(realize.response.trajectory);
@@ -138,6 +138,13 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     }
     future = toMessage(recordedFuture(*recording_, *frame));
     return {};
+  }
+
+  /// roscpp loses a connection now and then (seen: 1 call in 20,000). The nodes behind answer the
+  /// same again, so one more try costs nothing.
+  template <typename Service>
+  static bool callService(const std::string& name, Service& service) {
+    return ros::service::call(name, service) || ros::service::call(name, service);
   }
 
   static Status unavailable(const std::string& service) {

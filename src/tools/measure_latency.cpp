@@ -26,24 +26,29 @@ int measure(const Arguments& arguments) {
   }
   std::vector<double> milliseconds;
   std::map<int, int> codes;
+  int failures = 0;
   for (int i = 0; i < arguments.calls; ++i) {
     collision_forge::GenerateCollision call;
     call.request = arguments.request;
     call.request.seed = static_cast<std::uint64_t>(i);
     const auto start = std::chrono::steady_clock::now();
-    if (!ros::service::call(service, call)) throw std::runtime_error(service + " failed");
+    if (!ros::service::call(service, call)) {
+      ++failures;
+      continue;
+    }
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
     milliseconds.push_back(elapsed.count());
     ++codes[call.response.code];
   }
+  if (milliseconds.empty()) throw std::runtime_error(service + " never answered");
   std::cout << "first " << milliseconds.front() << " ms";
   std::sort(milliseconds.begin(), milliseconds.end());
   const auto percentile = [&](double share) {
     return milliseconds[static_cast<std::size_t>(share * (milliseconds.size() - 1))];
   };
   std::cout << ", p50 " << percentile(0.5) << " ms, p99 " << percentile(0.99) << " ms of "
-            << arguments.calls << " calls; codes:";
+            << arguments.calls << " calls; lost " << failures << "; codes:";
   for (const auto& [code, count] : codes) std::cout << " " << code << " x" << count;
   std::cout << "\n";
   return kExitOk;

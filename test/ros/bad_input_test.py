@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The running suite on scenes made up here, most of them bad: every answer names what is wrong, and the next is right."""
+"""The running suite on scenes made up here, most of them bad: answers name what is wrong, and the next is right."""
 import math
 
 import live
@@ -43,7 +43,7 @@ def agent(name, x, y=0.0, yaw=0.0, agent_class=Agent.CAR):
 
 def traffic(seconds):
     """Somebody behind, somebody coming towards, and somebody who walks."""
-    return [agent('behind', -20.0 + 11.0 * seconds), agent('oncoming', 120.0 - 9.0 * seconds, 3.5, math.pi),
+    return [agent('behind', -20.0 + 11.0 * seconds), agent('oncoming', 140.0 - 9.0 * seconds, 3.5, math.pi),
             agent('walker', 30.0 + seconds, -5.0, 0.0, Agent.PEDESTRIAN)]
 
 
@@ -90,7 +90,7 @@ class BadInputTest(live.LiveTest):
             self.publishers['/agents'].publish(message)
 
     def show(self, frames, left_out=0):
-        """Publishes until the encoder has had all frames: what comes while it notices that time went backwards is lost."""
+        """Publishes until the encoder has had all frames: what comes while it sees time go backwards is lost."""
         self.publishers['/lane_map'].publish(lane_map())
         end = rospy.Time(self.start) + rospy.Duration(frames[-1][0])
         expected = min(len(frames) - left_out, HISTORY)

@@ -131,7 +131,8 @@ class ConversionTest(road.RoadTest):
                 self.assertEqual(topic, '/lane_map')
                 self.assertEqual(bag.get_message_count('/lane_map'), 1)
                 self.assertEqual(time.to_sec(), bag.get_start_time())
-                latching = {connection.topic: connection.header.get('latching') for connection in bag._get_connections()}
+                latching = {connection.topic: connection.header.get('latching')
+                            for connection in bag._get_connections()}
             self.assertEqual(latching, {'/lane_map': b'1', '/tf': None, '/odom': None, '/agents': None,
                                         '/annotation_markers': None})
             self.assertGreater(len(message.lanes), 10)

@@ -248,7 +248,8 @@ class ImpossibleRequestTest(road.RoadTest):
 
     def test_pedestrian_cannot_attack(self):
         pedestrian = min(agent.id for agent in self.frames()[NOW].values() if agent.agent_class == 8)
-        self.assert_refused('ABSENT_ATTACKER', [pedestrian, 'pedestrian'], 'rear_end', 4.0, NOW, '--attacker', pedestrian)
+        self.assert_refused('ABSENT_ATTACKER', [pedestrian, 'pedestrian'], 'rear_end', 4.0, NOW, '--attacker',
+                            pedestrian)
 
     def test_first_frame_is_too_little_history(self):
         self.assert_refused('TOO_LITTLE_HISTORY', ['1 frames'], 'rear_end', 4.0, 0.0)
@@ -278,7 +279,8 @@ class ImpossibleRequestTest(road.RoadTest):
             self.assertFalse(out.exists())
 
     def test_wrong_command(self):
-        complete = ['--bag', self.bag(SCENE), '--out', self.path('out.bag'), '--type', 'rear_end', '--tta', '4', '--now', '6']
+        complete = ['--bag', self.bag(SCENE), '--out', self.path('out.bag'), '--type', 'rear_end', '--tta', '4',
+                    '--now', '6']
         for arguments in ([], complete[:-2], complete + ['--mode', 'future'], complete + ['--seed', 'many'],
                           complete[:-1] + ['soon'], complete + ['--config', self.path('nowhere')]):
             result = road.run('inject_attacker', *arguments)
@@ -301,7 +303,8 @@ class ImpossibleRequestTest(road.RoadTest):
             result = road.inject(self.bag(SCENE), out, 'rear_end', 4.0, NOW)
             self.assertEqual(result.returncode, 1, result.stderr)
             self.assertIn(str(out), result.stderr)
-            self.assertEqual(list(self.folder.glob('*.part')) + list(self.folder.parent.glob(self.folder.name + '.*')), [])
+            left = list(self.folder.glob('*.part')) + list(self.folder.parent.glob(self.folder.name + '.*'))
+            self.assertEqual(left, [])
 
     def test_unwritable_drawing(self):
         result = road.inject(self.bag(SCENE), self.path('out.bag'), 'rear_end', 4.0, NOW, '--draw',

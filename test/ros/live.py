@@ -36,7 +36,8 @@ NODES = {
 MANAGER = 'collision_forge_manager'
 PLAYED = ['/agents', '/lane_map', '/odom', '/tf']  # what the suite hears of a bag
 
-ANSWERED = {'/collision_pattern': 'pattern', '/attacker_trajectory': 'trajectory', '/collision_report': 'report'}  # topic: field of the answer
+# Topics on which the parts of an answer are published.
+ANSWERED = {'/collision_pattern': 'pattern', '/attacker_trajectory': 'trajectory', '/collision_report': 'report'}
 
 TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/encoded_scene': EncodedScene,
          '/attacker_trajectory': AttackerTrajectory, '/collision_pattern': CollisionPattern,
@@ -198,7 +199,7 @@ def ask(collision_type='rear_end', tta=4.0, attacker='', mode='history', seed=0)
 
 
 class LiveTest(road.RoadTest):
-    """A test of the running suite: ARGUMENTS of the launch file, and the bag of SCENES[0] as recording and on replay."""
+    """A test of the suite, launched with ARGUMENTS; the bag of SCENES[0] is its recording and on replay."""
     ARGUMENTS = {}
     RECORDING = True
     HEARD = ['/encoded_scene']
@@ -255,7 +256,8 @@ class LiveTest(road.RoadTest):
         out = self.path('{}_{}.bag'.format(collision_type, mode))
         for now in nows:
             for tta in ttas:
-                result = road.inject(self.bag(self.SCENES[0]), out, collision_type, tta, now, '--mode', mode, '--seed', seed)
+                result = road.inject(self.bag(self.SCENES[0]), out, collision_type, tta, now, '--mode', mode,
+                                     '--seed', seed)
                 if road.code_of(result) == 'OK':
                     return now, tta, out
         raise AssertionError('no {} in {} mode in {}'.format(collision_type, mode, self.SCENES[0]))

@@ -36,13 +36,13 @@ class JunctionTest(live.WholeRoadTest):
 
     def test_before_an_attack_agents_pass_as_they_are(self):
         self.play_to(2.0)
-        recorded = self.heard['/agents'].last()
+        recorded = self.heard['/agents'].wait()
         injected = self.heard['/injected_agents'].wait(lambda message: message.header.stamp == recorded.header.stamp)
         self.assert_close(injected, recorded, tolerance=0.0)
 
     def test_encoded_scene_is_that_of_the_ego_and_the_agents(self):
         scene = self.play_to(5.0)
-        recorded = self.heard['/agents'].last(lambda message: message.header.stamp == scene.header.stamp)
+        recorded = self.heard['/agents'].wait(lambda message: message.header.stamp == scene.header.stamp)
         now = {track.id: track for track in scene.agents if track.states[-1].stamp == scene.header.stamp}
         self.assertEqual(sorted(now), sorted(agent.id for agent in recorded.agents))
         for agent in recorded.agents:
