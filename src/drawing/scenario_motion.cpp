@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "geometry/touch_point.h"
 
 namespace forge {
-
 namespace {
 
-constexpr double kSampleStep = 0.1;        // s
-constexpr double kCornerTolerance = 0.05;  // m
+constexpr double kSampleStep = 0.1;  // s
 
 const Track* findTrack(const std::vector<Track>& tracks, const std::string& id) {
   const auto found = std::find_if(tracks.begin(), tracks.end(),
@@ -104,31 +103,6 @@ Vector2 ScenarioMotion::contactPoint() const {
 
 OrientedBox patternAttackerBox(const ScenarioView& view) {
   return {compose(view.pattern.ego.center, view.pattern.attacker_offset), view.trajectory.size};
-}
-
-Vector2 touchPoint(const OrientedBox& a, const OrientedBox& b) {
-  struct Corner {
-    Vector2 position;
-    double gap;
-  };
-  std::vector<Corner> all;
-  const auto collect = [&all](const OrientedBox& box, const OrientedBox& other) {
-    for (const Vector2& corner : corners(box)) {
-      all.push_back({corner, distance({{corner.x(), corner.y(), 0.0}, {}}, other)});
-    }
-  };
-  collect(a, b);
-  collect(b, a);
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Corner& corner : all) smallest = std::min(smallest, corner.gap);
-  Vector2 sum = Vector2::Zero();
-  int count = 0;
-  for (const Corner& corner : all) {
-    if (corner.gap > smallest + kCornerTolerance) continue;
-    sum += corner.position;
-    ++count;
-  }
-  return sum / count;
 }
 
 }  // namespace forge

@@ -44,8 +44,4 @@ class ScenarioMotion {
 /// The attacker's box as the pattern asks for it, global map frame.
 OrientedBox patternAttackerBox(const ScenarioView& view);
 
-/// The middle of the contact of two boxes that just touch: the mean of those corners of either box
-/// that are, to 5 cm, nearest to the other box.
-Vector2 touchPoint(const OrientedBox& a, const OrientedBox& b);
-
 }  // namespace forge

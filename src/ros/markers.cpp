@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
-#include <utility>
 
+#include "geometry/touch_point.h"
 #include "ros/conversions.h"
 #include "ros/marker_fill.h"
 #include "ros/marker_list.h"
@@ -142,21 +141,6 @@ std::string format(const char* pattern, double value) {
   return text;
 }
 
-/// The corner of either box that is nearest to the other box.
-Vector2 contactPoint(const OrientedBox& ego, const OrientedBox& attacker) {
-  Vector2 nearest = ego.center.position();
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& [box, other] : {std::pair(ego, attacker), std::pair(attacker, ego)}) {
-    for (const Vector2& corner : corners(box)) {
-      const double gap = distance({{corner.x(), corner.y(), 0.0}, {}}, other);
-      if (gap >= smallest) continue;
-      smallest = gap;
-      nearest = corner;
-    }
-  }
-  return nearest;
-}
-
 std::string reportText(const collision_forge::CollisionPattern& pattern,
                        const collision_forge::CollisionReport& report) {
   std::string text = pattern.collision_type;
@@ -213,7 +197,7 @@ void addContact(const OrientedBox& ego, const OrientedBox& attacker, const std::
                   colors::withAlpha(colors::kEgo, kContactAlpha));
   markers.addSlab("contact_boxes", attacker, kPathHeight,
                   colors::withAlpha(colors::kAttacker, kContactAlpha));
-  const Vector2 point = contactPoint(ego, attacker);
+  const Vector2 point = touchPoint(ego, attacker);
   const Vector2 place = textPlace(point, ego.center.yaw, attacker.center.yaw);
   markers.addDisc("contact", point, kContactDiameter, kContactHeight, colors::kContact);
   markers.addText("report", text, place, kReportLetterHeight, kTextHeight, colors::kText);

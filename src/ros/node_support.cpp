@@ -2,6 +2,7 @@
 
 #include <ros/package.h>
 
+#include "attack/request_check.h"
 #include "ros/conversions.h"
 #include "ros/topic_names.h"
 
@@ -35,6 +36,19 @@ void LaneMapSubscriber::receive(const collision_forge::LaneMap& message) {
   } catch (const std::exception& error) {
     ROS_ERROR_STREAM("lane_map of " << message.location << " is not usable: " << error.what());
   }
+}
+
+std::variant<SceneRequest, Status> checkedRequest(const LaneMapSubscriber& map,
+                                                  const collision_forge::EncodedScene& scene,
+                                                  const collision_forge::CollisionRequest& request,
+                                                  const PredictionOptions& options) {
+  const auto parsed = fromMessage(request);
+  if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
+  SceneRequest checked{map.lanes(), fromMessage(scene), std::get<CollisionRequest>(parsed)};
+  if (!checked.lanes) return Status{StatusCode::kNoScene, "no usable lane_map has come yet"};
+  const Status status = checkRequest(checked.request, checked.snapshot, options);
+  if (status.code != StatusCode::kOk) return status;
+  return checked;
 }
 
 }  // namespace forge

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <collision_forge/CollisionRequest.h>
+#include <collision_forge/EncodedScene.h>
 #include <collision_forge/LaneMap.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -7,9 +9,11 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <variant>
 
 #include "formats/config.h"
 #include "map/lane_queries.h"
+#include "scene/scene.h"
 
 namespace forge {
 
@@ -32,6 +36,33 @@ class LaneMapSubscriber {
   std::shared_ptr<const LaneIndex> lanes_;
   ros::Subscriber subscriber_;
 };
+
+/// What is asked of a scene, in the core's terms.
+struct SceneRequest {
+  std::shared_ptr<const LaneIndex> lanes;
+  Snapshot snapshot;
+  CollisionRequest request;
+};
+
+/// The messages converted and passed through checkRequest(), or why that failed.
+std::variant<SceneRequest, Status> checkedRequest(const LaneMapSubscriber& map,
+                                                  const collision_forge::EncodedScene& scene,
+                                                  const collision_forge::CollisionRequest& request,
+                                                  const PredictionOptions& options);
+
+/// Answers a service with what `work` returns, code and message; an exception is INVALID_INPUT.
+template <typename Response, typename Work>
+bool answerWith(Response& response, Work work) {
+  Status status;
+  try {
+    status = work();
+  } catch (const std::exception& error) {
+    status = {StatusCode::kInvalidInput, error.what()};
+  }
+  response.code = static_cast<std::uint8_t>(status.code);
+  response.message = status.message;
+  return true;
+}
 
 /// A service with a thread of its own: callers are answered one after the other, and a callback may
 /// call other services without starving the nodelet manager's threads.

@@ -3,7 +3,6 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "attack/realizer.h"
-#include "attack/request_check.h"
 #include "ros/conversions.h"
 #include "ros/node_support.h"
 #include "ros/topic_names.h"
@@ -23,37 +22,25 @@ class TrajectoryRealizerNodelet : public nodelet::Nodelet {
 
   bool answer(collision_forge::RealizeTrajectory::Request& message,
               collision_forge::RealizeTrajectory::Response& response) {
-    const Status status = realizeInto(message, response);
-    response.code = static_cast<std::uint8_t>(status.code);
-    response.message = status.message;
-    return true;
+    return answerWith(response, [&] { return realizeInto(message, response); });
   }
 
   Status realizeInto(const collision_forge::RealizeTrajectory::Request& message,
                      collision_forge::RealizeTrajectory::Response& response) {
-    const auto lanes = map_->lanes();
-    if (!lanes) return {StatusCode::kNoScene, "trajectory_realizer has no lane_map"};
-    const auto parsed = fromMessage(message.request);
-    if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
-    const auto& request = std::get<CollisionRequest>(parsed);
-    try {
-      const Snapshot snapshot = fromMessage(message.scene);
-      const Status check = checkRequest(request, snapshot, options_.prediction);
-      if (check.code != StatusCode::kOk) return check;
-      const Future future = fromMessage(message.future);
-      std::vector<CollisionPattern> patterns;
-      for (const auto& pattern : message.patterns) patterns.push_back(fromMessage(pattern));
-      const Realization realization =
-          realize(patterns, {snapshot, future, request, *lanes}, options_);
-      if (realization.status.code != StatusCode::kOk) return realization.status;
-      response.pattern = toMessage(realization.pattern, snapshot.now);
-      response.trajectory = toMessage(realization.trajectory);
-      response.report =
-          toMessage(realization.report, realization.trajectory.attacker_id, snapshot.now);
-      return realization.status;
-    } catch (const std::exception& error) {
-      return {StatusCode::kInvalidInput, error.what()};
-    }
+    const auto checked = checkedRequest(*map_, message.scene, message.request, options_.prediction);
+    if (const Status* refusal = std::get_if<Status>(&checked)) return *refusal;
+    const auto& [lanes, snapshot, request] = std::get<SceneRequest>(checked);
+    const Future future = fromMessage(message.future);
+    std::vector<CollisionPattern> patterns;
+    for (const auto& pattern : message.patterns) patterns.push_back(fromMessage(pattern));
+    const Realization realization =
+        realize(patterns, {snapshot, future, request, *lanes}, options_);
+    if (realization.status.code != StatusCode::kOk) return realization.status;
+    const std::string& attacker = realization.trajectory.attacker_id;
+    response.pattern = toMessage(realization.pattern, snapshot.now);
+    response.trajectory = toMessage(realization.trajectory);
+    response.report = toMessage(realization.report, attacker, snapshot.now);
+    return realization.status;
   }
 
   AttackOptions options_;
