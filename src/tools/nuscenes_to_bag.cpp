@@ -78,11 +78,20 @@ LaneMap mapAround(const NuScenesRecording& recording, const LaneMap& map, double
   return cropped(map, points, radius);
 }
 
+/// A progress bar over the bytes of the tables.
+NuScenesProgress showReading() {
+  std::shared_ptr<boost::timer::progress_display> bar;
+  return [bar](std::uint64_t done, std::uint64_t total) mutable {
+    if (!bar) bar = std::make_shared<boost::timer::progress_display>(total, std::cerr);
+    *bar += done - bar->count();
+  };
+}
+
 int convert(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   std::filesystem::create_directories(arguments.out);
   std::cerr << "reading " << arguments.dataroot << "/" << arguments.version << "\n";
-  const NuScenesRoot root(arguments.dataroot, arguments.version, {arguments.scenes, {}});
+  const NuScenesRoot root(arguments.dataroot, arguments.version, {arguments.scenes, showReading()});
   const std::vector<std::string> scenes = missingScenes(arguments, root.sceneNames());
   std::cerr << scenes.size() << " scenes to convert, " << root.sceneNames().size() - scenes.size()
             << " converted before\n";

@@ -14,12 +14,18 @@ namespace forge {
 /// Exit codes of every tool.
 enum ExitCode { kExitOk = 0, kExitError = 1, kExitUsage = 2, kExitNoAttack = 3 };
 
-/// Adds --config, by default the package's own configuration.
+/// Adds --config, by default the package's own configuration; required where ROS does not know the
+/// package (its environment is not sourced).
 inline void addConfigOption(CLI::App& app, std::string& directory) {
-  directory = ros::package::getPath("collision_forge") + "/config";
-  app.add_option("--config", directory, "folder with the configuration files")
-      ->check(CLI::ExistingDirectory)
-      ->capture_default_str();
+  const std::string package = ros::package::getPath("collision_forge");
+  CLI::Option* option = app.add_option("--config", directory, "folder with the configuration files")
+                            ->check(CLI::ExistingDirectory);
+  if (package.empty()) {
+    option->required();
+  } else {
+    directory = package + "/config";
+    option->capture_default_str();
+  }
 }
 
 inline void printWarnings(const std::string& subject, const std::vector<std::string>& warnings) {
