@@ -5,7 +5,9 @@
 #include <nodelet/nodelet.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <chrono>
 #include <cmath>
+#include <future>
 #include <mutex>
 #include <optional>
 
@@ -23,6 +25,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
  private:
   using Request = collision_forge::GenerateCollision::Request;
   using Response = collision_forge::GenerateCollision::Response;
+  static constexpr std::chrono::seconds kAnswerTimeout{10};  // hundreds of times the usual
 
   void onInit() override {
     ros::NodeHandle& node = getNodeHandle();
@@ -140,11 +143,23 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     return {};
   }
 
+  /// True when the service has answered within kAnswerTimeout.
+  template <typename Service>
+  static bool callOnce(const std::string& name, Service& service) {
+    // A persistent client, because shutting it down ends a call that is under way.
+    ros::ServiceClient client = ros::NodeHandle().serviceClient<Service>(name, true);
+    auto answer = std::async(std::launch::async, [&] { return client.call(service); });
+    if (answer.wait_for(kAnswerTimeout) == std::future_status::timeout) client.shutdown();
+    return answer.get();
+  }
+
   /// roscpp loses a connection now and then (seen: 1 call in 20,000). The nodes behind answer the
-  /// same again, so one more try costs nothing.
+  /// same again, so a call that failed at once is tried once more.
   template <typename Service>
   static bool callService(const std::string& name, Service& service) {
-    return ros::service::call(name, service) || ros::service::call(name, service);
+    const auto start = std::chrono::steady_clock::now();
+    if (callOnce(name, service)) return true;
+    return std::chrono::steady_clock::now() - start < kAnswerTimeout && callOnce(name, service);
   }
 
   static Status unavailable(const std::string& service) {

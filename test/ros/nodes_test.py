@@ -11,6 +11,7 @@ import rosgraph
 from live import NODES, ask, until
 
 ANSWER_LIMIT = 10.0  # s; how long the generator may take to notice that a node is gone
+FROZEN_LIMIT = 30.0  # s; the same for a node that is there but does not answer
 
 
 class NodeAloneTest(road.RoadTest):
@@ -75,6 +76,25 @@ class SeparateNodesTest(live.WholeRoadTest):
         again = self.ask_for_code('OK', 'lane_change', tta, seed=1)
         self.assertEqual(again.trajectory.points, answer.trajectory.points)
         self.assert_answer(again, attacked)
+
+    def check_frozen(self, name):
+        """A node that does not answer does not hang the caller, and is used again when it goes on."""
+        _, attacked = self.play_and_ask('lane_change', 'history', 1)
+        _, tta, _ = self.offline('lane_change', 'history', 1)
+        pid = live.pid_of(name)
+        os.kill(pid, signal.SIGSTOP)
+        self.addCleanup(os.kill, pid, signal.SIGCONT)
+        start = time.monotonic()
+        self.assertEqual(road.CODES[ask('lane_change', tta, seed=1).code], 'NODE_UNAVAILABLE')
+        self.assertLess(time.monotonic() - start, FROZEN_LIMIT)
+        os.kill(pid, signal.SIGCONT)
+        self.assert_answer(self.ask_for_code('OK', 'lane_change', tta, seed=1), attacked)
+
+    def test_frozen_pattern_predictor(self):
+        self.check_frozen('pattern_predictor')
+
+    def test_frozen_trajectory_realizer(self):
+        self.check_frozen('trajectory_realizer')
 
     def test_killed_pattern_predictor(self):
         self.check_killed('pattern_predictor')
