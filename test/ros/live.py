@@ -122,20 +122,29 @@ class Player:
         with rosbag.Bag(str(path)) as bag:
             self.messages = sorted(road.messages_of(bag, PLAYED),
                                    key=lambda entry: (entry[2], entry[0] == '/agents'))
-            latched = {connection.topic: connection.header.get('latching') == b'1'
-                       for connection in bag._get_connections()}
+            self.latched = {connection.topic: connection.header.get('latching') == b'1'
+                            for connection in bag._get_connections()}
         self.start = self.messages[0][2]
         self.next = 0
-        self.clock = rospy.Publisher('/clock', Clock, queue_size=1000)
-        self.publishers = {topic: rospy.Publisher(topic, type(message), queue_size=1000, latch=latched[topic])
-                           for topic, message in {topic: message for topic, message, _ in self.messages}.items()}
+        self.publishers = {}
 
-    def connect(self, suite):
-        """Waits until everybody who will hear has connected."""
+    def connect(self, suite, listeners):
+        """Advertises, and waits until all of the suite and the listeners have connected, to it and to each other.
+
+        It advertises anew each time, as rospy counts the connection of a subscriber that was killed until it fails.
+        """
+        self.unregister()
+        types = {topic: type(message) for topic, message, _ in self.messages}
+        self.publishers = {topic: rospy.Publisher(topic, types[topic], queue_size=1000, latch=self.latched[topic])
+                           for topic in types}
+        self.publishers['/clock'] = rospy.Publisher('/clock', Clock, queue_size=1000)
         for topic, publisher in self.publishers.items():
-            hearers = 1 if suite.nodelets else sum(topic in heard for _, heard, _ in NODES.values())
-            until(lambda: publisher.get_num_connections() >= hearers, '{} subscribers of {}'.format(hearers, topic))
-        until(lambda: self.clock.get_num_connections() > 0, 'a subscriber of /clock')
+            hearers = 1 if suite.nodelets else sum(topic in heard or topic == '/clock' for _, heard, _ in NODES.values())
+            hearers += topic in listeners
+            until(lambda: publisher.get_num_connections() >= hearers, lambda: '{} subscribers of {}; {} came'.format(
+                hearers, topic, publisher.get_num_connections()))
+        for topic, listener in listeners.items():
+            until(lambda: listener.subscriber.get_num_connections() > 0, 'a publisher of ' + topic)
 
     def play_to(self, seconds):
         """Goes on to `seconds` after the first message; starts anew if that is past."""
@@ -145,7 +154,7 @@ class Player:
         while self.next < len(self.messages) and self.messages[self.next][2] <= end:
             topic, message, stamp = self.messages[self.next]
             if self.next == 0 or self.messages[self.next - 1][2] != stamp:
-                self.clock.publish(Clock(stamp))
+                self.publishers['/clock'].publish(Clock(stamp))
             self.publishers[topic].publish(message)
             self.next += 1
         return end
@@ -154,7 +163,7 @@ class Player:
         self.next = 0
 
     def unregister(self):
-        for publisher in [self.clock] + list(self.publishers.values()):
+        for publisher in self.publishers.values():
             publisher.unregister()
 
 
@@ -218,7 +227,7 @@ class LiveTest(road.RoadTest):
         if cls.SCENES:
             cls.player = Player(cls.folder / (cls.SCENES[0] + '.bag'))
             cls.addClassCleanup(cls.player.unregister)
-            cls.player.connect(cls.suite)
+            cls.player.connect(cls.suite, cls.heard)
 
     def setUp(self):
         self.assertIsNone(self.suite.process.poll(), 'roslaunch has ended:\n' + self.suite.output())

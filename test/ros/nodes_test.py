@@ -113,7 +113,7 @@ class SeparateNodesTest(live.WholeRoadTest):
             except (OSError, rosgraph.MasterException):
                 return False  # registered, but nobody there
         until(is_back, name + ' to come back')
-        self.player.connect(self.suite)
+        self.player.connect(self.suite, self.heard)
         answer, attacked = self.play_and_ask('rear_end', 'history', 4)
         self.assert_published(answer)
         self.assert_played_on(answer, attacked)

@@ -150,7 +150,7 @@ class RoundaboutTest(live.WholeRoadTest):
         self.assertEqual(road.convert(self.folder, '--scene', 'scene-0001').returncode, 0)
         player = live.Player(other)
         self.addCleanup(player.unregister)
-        player.connect(self.suite)
+        player.connect(self.suite, self.heard)
         end = player.play_to(4.0)
         self.heard['/encoded_scene'].wait(lambda scene: scene.header.stamp == end)
         answer = self.ask_for_code('NO_RECORDING', 'rear_end', 4.0, mode='replay')
