@@ -18,6 +18,7 @@ from collision_forge.srv import GenerateCollision
 from visualization_msgs.msg import MarkerArray
 
 TIMEOUT = 30.0  # s; for what takes a fraction of a second on an idle machine
+CLOCK_LEAD = 0.5  # s from the first /clock to the first message: tf2 drops what is before its past until time jumps back
 
 # What every node of the suite publishes, hears and answers.
 NODES = {
@@ -151,6 +152,9 @@ class Player:
         end = self.start + rospy.Duration(seconds)
         if self.next > 0 and self.messages[self.next - 1][2] > end:
             self.restart()
+        if self.next == 0:
+            self.publishers['/clock'].publish(Clock(self.start))
+            time.sleep(CLOCK_LEAD)
         while self.next < len(self.messages) and self.messages[self.next][2] <= end:
             topic, message, stamp = self.messages[self.next]
             if self.next == 0 or self.messages[self.next - 1][2] != stamp:
