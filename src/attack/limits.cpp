@@ -47,13 +47,14 @@ void checkPoint(const TrajectoryPoint& point, const VehicleLimits& limits, Worst
 
 }  // namespace
 
-std::optional<BrokenLimit> findBrokenLimit(const AttackerTrajectory& trajectory, double start_yaw,
-                                           double until, const VehicleLimits& limits) {
+std::optional<BrokenLimit> findBrokenLimit(const std::vector<TrajectoryPoint>& points,
+                                           double start_yaw, double until,
+                                           const VehicleLimits& limits) {
   Worst worst;
   double slow_yaw = start_yaw;  // heading where the current slow stretch began
   double slow_distance = 0.0;   // metres driven since
   const TrajectoryPoint* previous = nullptr;
-  for (const TrajectoryPoint& point : trajectory.points) {
+  for (const TrajectoryPoint& point : points) {
     if (!isFinite(point)) return BrokenLimit{"finite", 0.0, 0.0};
     checkPoint(point, limits, worst);
     if (previous && previous->speed >= limits.curvature_min_speed) {
@@ -77,15 +78,15 @@ std::optional<BrokenLimit> findBrokenLimit(const AttackerTrajectory& trajectory,
 
 std::string describe(const BrokenLimit& broken) {
   char text[128];
-  std::snprintf(text, sizeof(text), "%s %.3f > %.3f", broken.name.c_str(), broken.value,
-                broken.limit);
+  std::snprintf(text, sizeof(text), "%s %.3f > %.3f", broken.name, broken.value, broken.limit);
   return text;
 }
 
-double effort(const AttackerTrajectory& trajectory, double until, const VehicleLimits& limits) {
+double effort(const std::vector<TrajectoryPoint>& points, double until,
+              const VehicleLimits& limits) {
   double sum = 0.0;
   int count = 0;
-  for (const TrajectoryPoint& point : trajectory.points) {
+  for (const TrajectoryPoint& point : points) {
     const double share = totalAcceleration(point) / limits.max_total_acceleration;
     sum += share * share;
     ++count;

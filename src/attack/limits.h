@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "attack/attack.h"
 #include "attack/options.h"
@@ -10,7 +11,7 @@ namespace forge {
 
 /// A limit that a trajectory breaks, and by how much.
 struct BrokenLimit {
-  std::string name;  ///< key in config/vehicle_limits.yaml, or "no_reversing", "finite"
+  const char* name = "";  ///< key in config/vehicle_limits.yaml, or "no_reversing", "finite"
   double value = 0.0;
   double limit = 0.0;
 };
@@ -21,14 +22,16 @@ struct BrokenLimit {
 /// the slow stretch began, by heading_slack + heading_per_metre * distance. The same holds between
 /// `start_yaw` (the recorded yaw now) and the first point. Returns the worst broken limit, by
 /// ratio.
-std::optional<BrokenLimit> findBrokenLimit(const AttackerTrajectory& trajectory, double start_yaw,
-                                           double until, const VehicleLimits& limits);
+std::optional<BrokenLimit> findBrokenLimit(const std::vector<TrajectoryPoint>& points,
+                                           double start_yaw, double until,
+                                           const VehicleLimits& limits);
 
 /// "name value > limit", for people.
 std::string describe(const BrokenLimit& broken);
 
 /// Mean square over the points until then of the total acceleration over its limit: 0 for a
 /// constant velocity, 1 for driving at the limit throughout.
-double effort(const AttackerTrajectory& trajectory, double until, const VehicleLimits& limits);
+double effort(const std::vector<TrajectoryPoint>& points, double until,
+              const VehicleLimits& limits);
 
 }  // namespace forge

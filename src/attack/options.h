@@ -1,9 +1,8 @@
 #pragma once
 
-#include <map>
 #include <vector>
 
-#include "scene/collision_request.h"
+#include "scene/collision_types.h"
 
 namespace forge {
 
@@ -18,16 +17,6 @@ struct VehicleLimits {
   double heading_slack = 0.0;
   double heading_per_metre = 0.0;
 };
-
-/// One entry of config/collision_types.yaml: bands of |relative heading|, radians.
-struct TypeDefinition {
-  double min_heading = 0.0;  ///< at first contact
-  double max_heading = 0.0;
-  double nominal_heading = 0.0;
-  double min_approach = 0.0;  ///< now
-  double max_approach = 0.0;
-};
-using TypeDefinitions = std::map<CollisionType, TypeDefinition>;
 
 /// config/prediction.yaml
 struct PredictionOptions {
@@ -47,18 +36,43 @@ struct PredictionOptions {
   double min_impact_speed = 0.0;
 };
 
-/// config/realization.yaml, section realization
-struct RealizationOptions {
+/// config/search.yaml, section bicycle
+struct BicycleOptions {
+  int iterations = 0;
+  double convergence = 0.0;
+  double max_miss = 0.0;
+  double position_scale = 0.0;
+  double heading_scale = 0.0;
+  double speed_scale = 0.0;
+  double acceleration_scale = 0.0;
+  double curvature_scale = 0.0;
+};
+
+/// config/search.yaml, section search
+struct SearchOptions {
   double step = 0.0;
   double tail = 0.0;
   double depth = 0.0;
-  int samples = 0;
-  double heading_spread = 0.0;
-  double slide_spread = 0.0;
-  double min_speed_factor = 0.0;
-  double max_speed_factor = 0.0;
-  int compared = 0;
+  double limit_margin = 0.0;
+  double heading_margin = 0.0;
+  double time_margin = 0.0;
+  double overlap_margin = 0.0;
+  int max_attackers = 0;
+  int lane_paths = 0;
+  int ego_poses = 0;
+  int draws = 0;
+  int kept = 0;
+  int rounds = 0;
+  int perturbations = 0;
+  int bicycle_targets = 0;
+  int bicycle_rounds = 0;
+  int bicycle_perturbations = 0;
+  double good_share = 0.0;
+  double good_off_road = 0.0;
   double off_road_weight = 0.0;
+  double effort_weight = 0.0;
+  double closeness_weight = 0.0;
+  double min_confidence = 0.0;
 };
 
 /// config/realization.yaml, section verification
@@ -66,15 +80,16 @@ struct VerificationOptions {
   double time_tolerance = 0.0;
   double overlap_tolerance = 0.0;
   double off_road_interval = 0.0;
-  std::vector<double> confidence_speed_factors;
 };
 
 /// Everything that the road from a snapshot to an attacker trajectory is tuned by.
 struct AttackOptions {
   VehicleLimits vehicle_limits;
+  TypeRules type_rules = TypeRules::kFull;
   TypeDefinitions collision_types;
   PredictionOptions prediction;
-  RealizationOptions realization;
+  SearchOptions search;
+  BicycleOptions bicycle;
   VerificationOptions verification;
 };
 

@@ -23,28 +23,30 @@ double speedMismatch(const CollisionPattern& pattern, const Motion& motion, doub
   return std::abs(distance / tta - 0.5 * (motion.speed + pattern.attacker_speed));
 }
 
-/// True when the agent comes from where the type wants it: a left turn across path from the
-/// opposite direction, a crossing from the side.
-bool approachFits(const Track& agent, const Snapshot& snapshot, const TypeDefinition& type) {
+/// True when the agent comes from where the type wants it.
+bool comesFromThere(const Track& agent, const Snapshot& snapshot, CollisionType type,
+                    const AttackOptions& options) {
+  if (options.type_rules == TypeRules::kAngle) return true;
   const double approach =
-      std::abs(angleBetween(snapshot.ego.states.back().pose.yaw, agent.states.back().pose.yaw));
-  return approach >= type.min_approach && approach <= type.max_approach;
+      angleBetween(snapshot.ego.states.back().pose.yaw, agent.states.back().pose.yaw);
+  return approachFits(approach, options.collision_types.at(type));
 }
 
 /// The candidate at the ego's pose at impact, pushed in from `side`.
-RankedPattern placedPattern(const Track& agent, Side side, const AgentState& ego,
+RankedPattern placedPattern(const Track& agent, const Placement& placement, const AgentState& ego,
                             const Snapshot& snapshot, const CollisionRequest& request,
                             const AttackOptions& options) {
   const PredictionOptions& prediction = options.prediction;
   const Motion motion = estimateMotion(agent, prediction.motion_frames);
-  const double heading =
-      signedHeading(side, options.collision_types.at(request.type).nominal_heading);
+  const double nominal = options.collision_types.at(request.type).nominal_heading;
+  const double heading = wrapAngle(placement.sign < 0.0 ? -nominal : nominal);
   CollisionPattern pattern;
   pattern.type = request.type;
   pattern.attacker_id = agent.id;
   pattern.time = snapshot.now + request.tta;
   pattern.ego = boxAt(snapshot.ego, ego.pose);
-  pattern.attacker_offset = attackerOffset(snapshot.ego.size, agent.size, side, heading, 0.0, 0.0);
+  pattern.attacker_offset =
+      attackerOffset(snapshot.ego.size, agent.size, placement.side, heading, 0.0, 0.0);
   pattern.attacker_speed = request.type == CollisionType::kRearEnd
                                ? ego.velocity.norm() + prediction.rear_end_closing_speed
                                : std::max(motion.speed, prediction.min_impact_speed);
@@ -72,13 +74,19 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
                              std::to_string(request.tta) + " s from now"};
     return prediction;
   }
+  if (!recorded) {
+    for (int i = 0; i < 64; ++i) {
+      prediction.future.ego_samples.push_back(
+          scaledInTime(prediction.future.ego, snapshot.now, 0.6 + 0.8 * (i + 0.5) / 64));
+    }
+  }
   std::vector<RankedPattern> ranked;
   for (const Track& agent : snapshot.agents) {
     if (request.attacker && agent.id != *request.attacker) continue;
     if (!isCandidate(agent, snapshot, options_.prediction)) continue;
-    if (!approachFits(agent, snapshot, options_.collision_types.at(request.type))) continue;
-    for (const Side side : sidesOf(request.type, lanes.map().driving_side)) {
-      ranked.push_back(placedPattern(agent, side, *ego, snapshot, request, options_));
+    if (!comesFromThere(agent, snapshot, request.type, options_)) continue;
+    for (const Placement& placement : placementsOf(request.type, lanes.map().driving_side)) {
+      ranked.push_back(placedPattern(agent, placement, *ego, snapshot, request, options_));
     }
   }
   std::stable_sort(ranked.begin(), ranked.end(),

@@ -21,21 +21,21 @@ Vector2 outward(Side side) {
 
 }  // namespace
 
-std::vector<Side> sidesOf(CollisionType type, DrivingSide driving_side) {
+std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side) {
   switch (type) {
     case CollisionType::kRearEnd:
-      return {Side::kRear};
+      return {{Side::kRear, 0.0}, {Side::kFront, 0.0}};
     case CollisionType::kOppositeDirection:
-      return {Side::kFront};
+      return {{Side::kFront, 0.0}};
+    case CollisionType::kLaneChange:
+      return {{Side::kLeft, -1.0}, {Side::kRight, 1.0}};
+    case CollisionType::kJunctionCrossing:
+      return {{Side::kLeft, -1.0}, {Side::kRight, 1.0}, {Side::kFront, -1.0}, {Side::kFront, 1.0}};
     case CollisionType::kLtap:
-      return {driving_side == DrivingSide::kRight ? Side::kLeft : Side::kRight};
-    default:
-      return {Side::kLeft, Side::kRight};
+      if (driving_side == DrivingSide::kRight) return {{Side::kLeft, -1.0}, {Side::kFront, -1.0}};
+      return {{Side::kRight, 1.0}, {Side::kFront, 1.0}};
   }
-}
-
-double signedHeading(Side side, double heading) {
-  return wrapAngle(side == Side::kLeft ? -heading : heading);
+  return {};
 }
 
 Pose2 attackerOffset(const BoxSize& ego, const BoxSize& attacker, Side side, double heading,

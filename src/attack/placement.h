@@ -11,14 +11,18 @@ namespace forge {
 /// From where the attacker's box is pushed against the ego's, in the ego box's frame.
 enum class Side { kFront, kRear, kLeft, kRight };
 
-/// The sides that a type can hit: rear_end the rear, opposite_direction the front, ltap the side
-/// that an oncoming vehicle turns across from (the left in right-hand traffic, its mirror in
-/// left-hand traffic), all others the left and the right (placements of COLLIDE).
-std::vector<Side> sidesOf(CollisionType type, DrivingSide driving_side);
+/// A side and which way the attacker heads there.
+struct Placement {
+  Side side = Side::kLeft;
+  double sign = 0.0;  ///< of the attacker's heading relative to the ego's; 0: either
+};
 
-/// Heading of the attacker relative to the ego, radians, for a type's unsigned heading: an attacker
-/// from the left heads to the right (negative), one from the right to the left.
-double signedHeading(Side side, double heading);
+/// Where a type's attackers can stand. An attacker at the left heads to the right (sign -1), one at
+/// the right to the left. rear_end: behind the ego, or ahead with the ego running into it.
+/// opposite_direction: ahead. lane_change: beside. junction_crossing: beside or in front. ltap: the
+/// side that an oncoming vehicle turns across from (the left in right-hand traffic, its mirror in
+/// left-hand traffic), or in front, heading away from there. The first ones are COLLIDE's.
+std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side);
 
 /// Box middle and heading of the attacker in the ego box's frame such that, pushed in from `side`,
 /// the boxes overlap by `depth` metres along the push. `slide` in [-1, 1] moves the attacker along

@@ -2,79 +2,32 @@
 
 #include <algorithm>
 #include <map>
-#include <random>
 #include <stdexcept>
 
-#include "attack/limits.h"
-#include "attack/placement.h"
-#include "attack/quintic_join.h"
+#include "attack/attack_search.h"
 
 namespace forge {
 namespace {
 
-/// A step away from a pattern.
-struct Variation {
-  double heading = 0.0;       ///< rad
-  double slide = 0.0;         ///< share of half the side that is hit
-  double speed_factor = 1.0;  ///< of the pattern's attacker speed
-};
-
-std::vector<Variation> drawVariations(std::uint64_t seed, const RealizationOptions& options) {
-  std::mt19937_64 generator(seed);
-  // The standard's distributions differ between libraries; the generator does not.
-  const auto uniform = [&generator](double low, double high) {
-    const double unit = static_cast<double>(generator() >> 11) * 0x1p-53;
-    return low + unit * (high - low);
-  };
-  std::vector<Variation> variations(1);
-  for (int i = 1; i < options.samples; ++i) {
-    Variation variation;
-    variation.heading = uniform(-options.heading_spread, options.heading_spread);
-    variation.slide = uniform(-options.slide_spread, options.slide_spread);
-    variation.speed_factor = uniform(options.min_speed_factor, options.max_speed_factor);
-    variations.push_back(variation);
+void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot& snapshot) {
+  for (const CollisionPattern& pattern : patterns) {
+    const bool known =
+        std::any_of(snapshot.agents.begin(), snapshot.agents.end(),
+                    [&](const Track& agent) { return agent.id == pattern.attacker_id; });
+    if (!known) {
+      throw std::invalid_argument("the pattern's attacker_id \"" + pattern.attacker_id +
+                                  "\" is nobody in the scene");
+    }
+    if (!(pattern.time > snapshot.now)) {
+      throw std::invalid_argument("the pattern's time is not after now");
+    }
   }
-  return variations;
 }
 
-/// The side of the ego that the pattern's attacker stands at.
-Side sideOf(const CollisionPattern& pattern) {
-  if (pattern.type == CollisionType::kRearEnd) return Side::kRear;
-  if (pattern.type == CollisionType::kOppositeDirection) return Side::kFront;
-  return pattern.attacker_offset.y > 0.0 ? Side::kLeft : Side::kRight;
-}
-
-CollisionPattern varied(CollisionPattern pattern, const Variation& variation,
-                        const BoxSize& attacker, double depth) {
-  const double heading = wrapAngle(pattern.attacker_offset.yaw + variation.heading);
-  pattern.attacker_offset =
-      attackerOffset(pattern.ego.size, attacker, sideOf(pattern), heading, variation.slide, depth);
-  pattern.attacker_speed = pattern.attacker_speed * variation.speed_factor;
-  return pattern;
-}
-
-/// A pattern's variation with what it takes to drive it.
-struct Attempt {
-  CollisionPattern pattern;
-  AttackerTrajectory trajectory;
-  double effort = 0.0;
-};
-
-const Track& attackerOf(const CollisionPattern& pattern, const Snapshot& snapshot) {
-  const auto attacker =
-      std::find_if(snapshot.agents.begin(), snapshot.agents.end(),
-                   [&](const Track& agent) { return agent.id == pattern.attacker_id; });
-  if (attacker == snapshot.agents.end()) {
-    throw std::invalid_argument("the pattern's attacker_id \"" + pattern.attacker_id +
-                                "\" is nobody in the scene");
-  }
-  return *attacker;
-}
-
-/// Counts why variations were not taken, for the message of a refusal.
+/// Counts why attacks were not taken, for the message of a refusal.
 class Rejections {
  public:
-  void add(const std::string& reason) { ++counts_[reason]; }
+  void add(const CollisionReport& report) { ++counts_[shortcoming(report)]; }
 
   std::string summary() const {
     std::string text;
@@ -85,80 +38,96 @@ class Rejections {
   }
 
  private:
+  static std::string shortcoming(const CollisionReport& report) {
+    if (!report.contact) return "missed the ego";
+    if (!report.first_other_id.empty()) return "touched someone else first";
+    if (!report.on_time) return "made contact at the wrong time";
+    if (!report.type_kept) return "made contact in another way";
+    return "broke " + report.broken_bound;
+  }
+
   std::map<std::string, int> counts_;
 };
 
-/// All variations of all patterns that keep the limits, least effort first.
-std::vector<Attempt> drivableAttempts(const std::vector<CollisionPattern>& patterns,
-                                      const VerificationInput& input, const AttackOptions& options,
-                                      Rejections& rejections) {
-  const std::vector<Variation> variations = drawVariations(input.request.seed, options.realization);
-  std::vector<Attempt> attempts;
-  for (const CollisionPattern& pattern : patterns) {
-    const Track& attacker = attackerOf(pattern, input.snapshot);
-    const Motion motion = estimateMotion(attacker, options.prediction.motion_frames);
-    for (const Variation& variation : variations) {
-      const CollisionPattern target =
-          varied(pattern, variation, attacker.size, options.realization.depth);
-      AttackerTrajectory trajectory =
-          joinByQuintic(attacker, motion, input.snapshot.now, target, options.realization);
-      const auto broken =
-          findBrokenLimit(trajectory, motion.pose.yaw, target.time, options.vehicle_limits);
-      if (broken) {
-        rejections.add("broke " + broken->name);
-        continue;
-      }
-      const double cost = effort(trajectory, target.time, options.vehicle_limits);
-      attempts.push_back({target, std::move(trajectory), cost});
-    }
+/// Every second sample, from `first` on; the known ego without samples.
+std::vector<const Track*> everySecond(const Future& future, std::size_t first) {
+  std::vector<const Track*> egos;
+  for (std::size_t i = first; i < future.ego_samples.size(); i += 2) {
+    egos.push_back(&future.ego_samples[i]);
   }
-  std::stable_sort(attempts.begin(), attempts.end(),
-                   [](const Attempt& a, const Attempt& b) { return a.effort < b.effort; });
-  return attempts;
+  if (egos.empty()) egos.push_back(&future.ego);
+  return egos;
 }
 
-std::string shortcoming(const CollisionReport& report) {
-  if (!report.contact) return "missed the ego";
-  if (!report.first_other_id.empty()) return "touched someone else first";
-  if (!report.on_time) return "made contact at the wrong time";
-  if (!report.type_kept) return "made contact at the wrong relative heading";
-  return "broke " + report.broken_bound;
+/// The pattern that an attack makes at its contact with the ego.
+CollisionPattern patternOf(const FoundAttack& attack, const CollisionReport& report,
+                           const VerificationInput& input) {
+  CollisionPattern pattern;
+  pattern.type = input.request.type;
+  pattern.attacker_id = attack.attacker->id;
+  pattern.time = report.contact_time;
+  pattern.ego = {report.ego_at_contact, input.snapshot.ego.size};
+  pattern.attacker_offset = relativeTo(report.ego_at_contact, report.attacker_at_contact);
+  for (const TrajectoryPoint& point : attack.points) {
+    pattern.attacker_speed = point.speed;
+    if (point.time >= report.contact_time) break;
+  }
+  return pattern;
+}
+
+/// Verifies the attack in the futures that it should hit, until one bears it out.
+bool verifyInFutures(const FoundAttack& attack, const std::vector<const Track*>& egos,
+                     const std::vector<std::size_t>& hits, const VerificationInput& input,
+                     const AttackOptions& options, Rejections& rejections, Realization& found) {
+  constexpr std::size_t kTries = 4;
+  const Track& agent = *attack.attacker;
+  found.trajectory = {agent.id, agent.agent_class, agent.size, attack.points};
+  Future future = input.future;
+  for (std::size_t i = 0; i < std::min(kTries, hits.size()); ++i) {
+    // From the middle of the hits, which are in the order of the samples.
+    const std::size_t hit = hits[(hits.size() / 2 + i) % hits.size()];
+    future.ego = *egos[hit];
+    found.report =
+        verify(found.trajectory, {input.snapshot, future, input.request, input.lanes}, options);
+    if (!found.report.verified()) {
+      rejections.add(found.report);
+      continue;
+    }
+    found.pattern = patternOf(attack, found.report, input);
+    return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 Realization realize(const std::vector<CollisionPattern>& patterns, const VerificationInput& input,
                     const AttackOptions& options) {
+  checkPatterns(patterns, input.snapshot);
+  const std::vector<const Track*> searched = everySecond(input.future, 0);
+  const std::vector<const Track*> held_out = everySecond(input.future, 1);
+  const std::vector<FoundAttack> attacks = searchAttacks(
+      {input.snapshot, input.future, searched, patterns, input.request, input.lanes}, options);
+  const auto scorerOf = [&](const std::vector<const Track*>& egos) {
+    return FutureScorer(egos, input.future.agents, input.request, input.snapshot.now,
+                        input.lanes.map().driving_side, options);
+  };
+  const FutureScorer searched_scorer = scorerOf(searched);
   Rejections rejections;
-  Realization best;
-  double best_cost = 0.0;
-  int verified = 0;
-  for (const Attempt& attempt : drivableAttempts(patterns, input, options, rejections)) {
-    CollisionReport report = verifyMotion(attempt.trajectory, input, options);
-    if (!report.verified()) {
-      rejections.add(shortcoming(report));
-      continue;
-    }
-    report.off_road_share =
-        offRoadShare(attempt.trajectory, report, input.lanes, options.verification);
-    const double cost =
-        attempt.effort + options.realization.off_road_weight * report.off_road_share;
-    if (verified == 0 || cost < best_cost) {
-      best.pattern = attempt.pattern;
-      best.trajectory = attempt.trajectory;
-      best.report = report;
-      best_cost = cost;
-    }
-    if (++verified >= options.realization.compared) break;
+  Realization found;
+  for (const FoundAttack& attack : attacks) {
+    const auto hits = searched_scorer.hits(*attack.attacker, attack.points);
+    if (!verifyInFutures(attack, searched, hits, input, options, rejections, found)) continue;
+    found.report.confidence = input.future.ego_samples.empty()
+                                  ? 1.0
+                                  : scorerOf(held_out).score(*attack.attacker, attack.points).share;
+    return found;
   }
-  if (verified == 0) {
-    best.status = {StatusCode::kNoAttackWithinBounds,
-                   "no variation of " + std::to_string(patterns.size()) +
-                       " patterns passed: " + rejections.summary()};
-    return best;
-  }
-  best.report.confidence = confidence(best.trajectory, input, options);
-  return best;
+  found.status = {StatusCode::kNoAttackWithinBounds,
+                  "no attack by " + std::to_string(patterns.size()) +
+                      " patterns holds within the limits; best ones: " +
+                      (attacks.empty() ? "none" : rejections.summary())};
+  return found;
 }
 
 }  // namespace forge

@@ -11,16 +11,16 @@ namespace forge {
 /// A verified attack, or why there is none.
 struct Realization {
   Status status;
-  CollisionPattern pattern;  ///< the variation that was realised; these three with kOk only
-  AttackerTrajectory trajectory;
+  CollisionPattern pattern;  ///< as realised: the ego's pose is that of the future verified against
+  AttackerTrajectory trajectory;  ///< these three with kOk only
   CollisionReport report;
 };
 
-/// Varies every pattern (heading, slide along the ego's side, speed at impact; the draws follow
-/// from the request's seed), keeps what can be driven within the limits, verifies in order of
-/// effort, and returns the best of the first `compared` verified crashes: least effort and least
-/// off the road. Same input and seed, same answer. Throws std::invalid_argument for a pattern whose
-/// attacker is not in the snapshot, or whose time is not after now.
+/// Searches (searchAttacks()) around the patterns, and returns the best attack that passes verify()
+/// in one of the ego's futures: of `future.ego_samples` half are searched, the other half tell the
+/// confidence; without samples the ego is known, and the confidence is 1. Same input and seed, same
+/// answer. Declines with kLowConfidence below `min_confidence`. Throws std::invalid_argument for a
+/// pattern whose attacker is not in the snapshot, or whose time is not after now.
 Realization realize(const std::vector<CollisionPattern>& patterns, const VerificationInput& input,
                     const AttackOptions& options);
 

@@ -100,13 +100,17 @@ void describeContact(const AttackerTrajectory& trajectory, const VerificationInp
   report.attacker_at_contact = poseAt(trajectory, report.contact_time);
   report.relative_heading = angleBetween(ego->pose.yaw, report.attacker_at_contact.yaw);
   report.impact_speed = (velocityAt(trajectory, report.contact_time) - ego->velocity).norm();
-  const double heading = std::abs(report.relative_heading);
-  const TrajectoryPoint& start = trajectory.points.front();
-  const AgentState ego_now =
-      stateAt(input.future.ego, start.time).value_or(input.future.ego.states.front());
-  const double approach = std::abs(angleBetween(ego_now.pose.yaw, start.pose.yaw));
-  report.type_kept = heading >= type.min_heading && heading <= type.max_heading &&
-                     approach >= type.min_approach && approach <= type.max_approach;
+  report.type_kept = headingFits(report.relative_heading, type);
+  if (options.type_rules == TypeRules::kFull) {
+    const TrajectoryPoint& start = trajectory.points.front();
+    const AgentState ego_now =
+        stateAt(input.future.ego, start.time).value_or(input.future.ego.states.front());
+    const Pose2 offset = relativeTo(ego->pose, report.attacker_at_contact);
+    report.type_kept = report.type_kept &&
+                       approachFits(angleBetween(ego_now.pose.yaw, start.pose.yaw), type) &&
+                       contactFits(input.request.type, offset, input.future.ego.size,
+                                   trajectory.size, input.lanes.map().driving_side);
+  }
   const double elapsed = report.contact_time - input.snapshot.now;
   report.on_time = std::abs(elapsed - input.request.tta) <= options.verification.time_tolerance;
 }
@@ -148,7 +152,7 @@ CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const Verific
   const double start_yaw = attacker != input.snapshot.agents.end()
                                ? attacker->states.back().pose.yaw
                                : trajectory.points.front().pose.yaw;
-  const auto broken = findBrokenLimit(trajectory, start_yaw, until, options.vehicle_limits);
+  const auto broken = findBrokenLimit(trajectory.points, start_yaw, until, options.vehicle_limits);
   report.bounds_kept = !broken;
   if (broken) report.broken_bound = describe(*broken);
   return report;
@@ -172,22 +176,6 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   CollisionReport report = verifyMotion(trajectory, input, options);
   report.off_road_share = offRoadShare(trajectory, report, input.lanes, options.verification);
   return report;
-}
-
-double confidence(const AttackerTrajectory& trajectory, const VerificationInput& input,
-                  const AttackOptions& options) {
-  if (input.request.mode == Mode::kReplay) {
-    return verifyMotion(trajectory, input, options).verified() ? 1.0 : 0.0;
-  }
-  int kept = 0;
-  Future varied = input.future;
-  for (const double factor : options.verification.confidence_speed_factors) {
-    varied.ego = scaledInTime(input.future.ego, input.snapshot.now, factor);
-    const VerificationInput variation{input.snapshot, varied, input.request, input.lanes};
-    if (verifyMotion(trajectory, variation, options).verified()) ++kept;
-  }
-  return static_cast<double>(kept) /
-         static_cast<double>(options.verification.confidence_speed_factors.size());
 }
 
 }  // namespace forge

@@ -31,9 +31,4 @@ double offRoadShare(const AttackerTrajectory& trajectory, const CollisionReport&
 CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
                        const AttackOptions& options);
 
-/// Share of the ego futures at the speeds of `confidence_speed_factors` in which verify() finds all
-/// conditions kept; in replay mode, where the future is known, 1 or 0.
-double confidence(const AttackerTrajectory& trajectory, const VerificationInput& input,
-                  const AttackOptions& options);
-
 }  // namespace forge

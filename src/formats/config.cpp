@@ -213,29 +213,58 @@ PredictionOptions loadPrediction(const std::string& directory) {
   return options;
 }
 
-RealizationOptions readRealization(Section section) {
-  RealizationOptions options;
-  options.step = section.positive("step");
-  options.tail = section.within("tail", options.step, kInfinity);
-  options.depth = section.nonNegative("depth");
-  options.samples = section.count("samples", 1);
-  options.heading_spread = section.within("heading_spread", 0.0, kMaxHeading);
-  options.slide_spread = section.within("slide_spread", 0.0, 1.0);
-  options.min_speed_factor = section.within("min_speed_factor", 0.0, 1.0);
-  options.max_speed_factor = section.within("max_speed_factor", 1.0, kInfinity);
-  options.compared = section.count("compared", 1);
-  options.off_road_weight = section.nonNegative("off_road_weight");
+BicycleOptions readBicycle(Section section) {
+  BicycleOptions options;
+  options.iterations = section.count("iterations", 1);
+  options.convergence = section.nonNegative("convergence");
+  options.max_miss = section.positive("max_miss");
+  options.position_scale = section.positive("position_scale");
+  options.heading_scale = section.positive("heading_scale");
+  options.speed_scale = section.positive("speed_scale");
+  options.acceleration_scale = section.positive("acceleration_scale");
+  options.curvature_scale = section.positive("curvature_scale");
   section.finish();
   return options;
 }
 
-VerificationOptions readVerification(Section section) {
+SearchOptions readSearch(Section section) {
+  SearchOptions options;
+  options.step = section.positive("step");
+  options.tail = section.within("tail", options.step, kInfinity);
+  options.depth = section.nonNegative("depth");
+  options.limit_margin = section.within("limit_margin", 0.0, 1.0);
+  options.heading_margin = section.nonNegative("heading_margin");
+  options.time_margin = section.nonNegative("time_margin");
+  options.overlap_margin = section.nonNegative("overlap_margin");
+  options.max_attackers = section.count("max_attackers", 1);
+  options.lane_paths = section.count("lane_paths", 0);
+  options.ego_poses = section.count("ego_poses", 1);
+  options.draws = section.count("draws", 1);
+  options.kept = section.count("kept", 1);
+  options.rounds = section.count("rounds", 0);
+  options.perturbations = section.count("perturbations", 0);
+  options.bicycle_targets = section.count("bicycle_targets", 0);
+  options.bicycle_rounds = section.count("bicycle_rounds", 0);
+  options.bicycle_perturbations = section.count("bicycle_perturbations", 0);
+  options.good_share = section.within("good_share", 0.0, 1.0);
+  options.good_off_road = section.within("good_off_road", 0.0, 1.0);
+  options.off_road_weight = section.nonNegative("off_road_weight");
+  options.effort_weight = section.nonNegative("effort_weight");
+  options.closeness_weight = section.within("closeness_weight", 0.0, 1.0);
+  options.min_confidence = section.within("min_confidence", 0.0, 1.0);
+  section.finish();
+  return options;
+}
+
+VerificationOptions loadVerification(const std::string& directory) {
+  Section file = openFile(directory, "verification.yaml");
+  Section section = file.section("verification");
   VerificationOptions options;
   options.time_tolerance = section.positive("time_tolerance");
   options.overlap_tolerance = section.positive("overlap_tolerance");
   options.off_road_interval = section.positive("off_road_interval");
-  options.confidence_speed_factors = section.positives("confidence_speed_factors");
   section.finish();
+  file.finish();
   return options;
 }
 
@@ -327,10 +356,11 @@ Config loadConfig(const std::string& directory) {
   config.attack.vehicle_limits = loadVehicleLimits(directory);
   config.attack.collision_types = loadCollisionTypes(directory);
   config.attack.prediction = loadPrediction(directory);
-  Section realization = openFile(directory, "realization.yaml");
-  config.attack.realization = readRealization(realization.section("realization"));
-  config.attack.verification = readVerification(realization.section("verification"));
-  realization.finish();
+  Section search = openFile(directory, "search.yaml");
+  config.attack.search = readSearch(search.section("search"));
+  config.attack.bicycle = readBicycle(search.section("bicycle"));
+  search.finish();
+  config.attack.verification = loadVerification(directory);
   config.ego_vehicle = loadEgoVehicle(directory);
   config.encoding = loadEncoding(directory);
   config.conversion = loadConversion(directory);

@@ -150,10 +150,9 @@ class BoxSamples {
 
 }  // namespace
 
-LaneIndex::LaneIndex(std::shared_ptr<const LaneMap> map) : map_(std::move(map)) {
-  if (!map_) {
-    throw std::invalid_argument("lane index needs a map");
-  }
+LaneIndex::LaneIndex(std::shared_ptr<const LaneMap> map)
+    : map_(map ? std::move(map) : throw std::invalid_argument("lane index needs a map")),
+      drivable_(*map_) {
   std::unordered_map<std::string, std::size_t> index_of;
   for (std::size_t i = 0; i < map_->lanes.size(); ++i) {
     index_of.emplace(map_->lanes[i].id, i);

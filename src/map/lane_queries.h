@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/polyline.h"
+#include "map/drivable_raster.h"
 #include "map/lane_map.h"
 
 namespace forge {
@@ -58,6 +59,9 @@ class LaneIndex {
   /// the end of the lanes. Throws std::invalid_argument for a lane without a centreline.
   std::optional<std::size_t> straightestSuccessor(std::size_t lane) const;
 
+  /// The drivable area, quickly and to half a metre.
+  const DrivableRaster& drivable() const { return drivable_; }
+
   /// Share of the box's area off the union of the drivable polygons, in [0, 1], told from the
   /// middles of equal cells at most 0.25 m long and wide. Empty (unknown) when the map has no
   /// drivable area.
@@ -67,6 +71,7 @@ class LaneIndex {
   const Polyline& existingCenterline(std::size_t lane) const;
 
   std::shared_ptr<const LaneMap> map_;
+  DrivableRaster drivable_;
   std::vector<std::optional<Polyline>> centerlines_;  // one a lane
   std::vector<std::vector<std::size_t>> successors_;  // one a lane
   std::vector<Eigen::AlignedBox2d> lane_bounds_;      // one a lane, empty without a centreline

@@ -38,8 +38,9 @@ struct Snapshot {
 
 /// How everybody moves from now on, predicted or recorded. Recorded agents may appear later.
 struct Future {
-  Track ego;
+  Track ego;  ///< the likeliest, or the recorded one
   std::vector<Track> agents;
+  std::vector<Track> ego_samples;  ///< equally likely; empty when `ego` is known for certain
 };
 
 /// The last frame at or before `time`; empty when the scene starts later.

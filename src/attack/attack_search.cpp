@@ -1,0 +1,356 @@
+#include "attack/attack_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "attack/limits.h"
+#include "attack/placement.h"
+
+namespace forge {
+namespace {
+
+/// The standard's distributions differ between libraries; the generator does not.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : generator_(seed) {}
+  double uniform(double low, double high) {
+    return low + static_cast<double>(generator_() >> 11) * 0x1p-53 * (high - low);
+  }
+  /// Sum of uniforms (Irwin-Hall of 4), scaled: bell-shaped, at most 3.46 deviations wide.
+  double bell(double deviation) {
+    double sum = -2.0;
+    for (int i = 0; i < 4; ++i) sum += uniform(0.0, 1.0);
+    return sum * std::sqrt(3.0) * deviation;
+  }
+  std::size_t index(std::size_t count) {
+    return std::min(count - 1, static_cast<std::size_t>(uniform(0.0, static_cast<double>(count))));
+  }
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+VehicleLimits scaled(VehicleLimits limits, double margin) {
+  limits.max_forward_acceleration *= margin;
+  limits.max_braking *= margin;
+  limits.max_total_acceleration *= margin;
+  limits.max_curvature *= margin;
+  limits.max_speed *= margin;
+  limits.heading_slack *= margin;
+  limits.heading_per_metre *= margin;
+  return limits;
+}
+
+/// One attacker and the ways it may drive.
+struct Contender {
+  const Track* track = nullptr;
+  DriveStart start;
+  std::vector<ReferencePath> paths;
+  std::vector<std::unique_ptr<TrajectoryFamily>> quintics;
+};
+
+struct Candidate {
+  const Contender* contender = nullptr;
+  const TrajectoryFamily* family = nullptr;
+  Pose2 ego;     // that is aimed at
+  Pose2 offset;  // from it
+  Arrival arrival;
+  FutureScore score;
+  double off_road = 0.0;
+  double objective = 0.0;
+};
+
+class Search {
+ public:
+  Search(const SearchInput& input, const AttackOptions& options)
+      : input_(input),
+        options_(options),
+        search_(options.search),
+        limits_(scaled(options.vehicle_limits, options.search.limit_margin)),
+        bicycle_(limits_, options.bicycle),
+        scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
+                input.lanes.map().driving_side, options),
+        random_(input.request.seed) {
+    chooseEgos();
+    chooseContenders();
+  }
+
+  std::vector<FoundAttack> run() {
+    for (const auto& contender : contenders_) drawFor(*contender);
+    for (int round = 0; round < search_.rounds && !isGood(); ++round) {
+      perturb(search_.perturbations, std::pow(0.6, round), nullptr);
+    }
+    if (!isGood()) {
+      steer();
+      for (int round = 0; round < search_.bicycle_rounds && !isGood(); ++round) {
+        perturb(search_.bicycle_perturbations, std::pow(0.6, round + 1), &bicycle_);
+      }
+    }
+    std::vector<FoundAttack> found;
+    for (const Candidate& candidate : kept_) {
+      if (candidate.score.share > 0.0) found.push_back(finished(candidate));
+    }
+    return found;
+  }
+
+ private:
+  /// Ego poses at the impact, spread over the futures along the way.
+  void chooseEgos() {
+    struct Placed {
+      double along;
+      Pose2 pose;
+    };
+    std::vector<Placed> placed;
+    const double time = input_.snapshot.now + input_.request.tta;
+    const Pose2 now = input_.snapshot.ego.states.back().pose;
+    for (const Track* ego : input_.egos) {
+      const Pose2 pose = stateAt(*ego, time).value_or(ego->states.back()).pose;
+      placed.push_back({relativeTo(now, pose).x, pose});
+    }
+    std::stable_sort(placed.begin(), placed.end(),
+                     [](const Placed& a, const Placed& b) { return a.along < b.along; });
+    const int count = std::min(search_.ego_poses, static_cast<int>(placed.size()));
+    for (int i = 0; i < count; ++i) {
+      const auto rank =
+          static_cast<std::size_t>((i + 0.5) / count * static_cast<double>(placed.size()));
+      egos_.push_back(placed[rank].pose);
+    }
+  }
+
+  void chooseContenders() {
+    for (const CollisionPattern& pattern : input_.patterns) {
+      if (static_cast<int>(contenders_.size()) >= search_.max_attackers) break;
+      const auto same = [&](const auto& other) { return other->track->id == pattern.attacker_id; };
+      if (std::any_of(contenders_.begin(), contenders_.end(), same)) continue;
+      for (const Track& agent : input_.snapshot.agents) {
+        if (agent.id == pattern.attacker_id) contenders_.push_back(contender(agent));
+      }
+    }
+  }
+
+  std::unique_ptr<Contender> contender(const Track& agent) const {
+    auto entry = std::make_unique<Contender>();
+    const PredictionOptions& prediction = options_.prediction;
+    entry->track = &agent;
+    entry->start = {estimateMotion(agent, prediction.motion_frames), input_.snapshot.now,
+                    search_.step, scorer_.steps()};
+    entry->start.motion.speed = std::clamp(entry->start.motion.speed, 0.0, limits_.max_speed);
+    if (entry->start.motion.speed < prediction.standstill_speed)
+      entry->start.motion.acceleration = 0.0;
+    const double reach = input_.request.tta *
+                         std::min(limits_.max_speed,
+                                  entry->start.motion.speed +
+                                      0.5 * limits_.max_forward_acceleration * input_.request.tta);
+    entry->paths = pathsAhead(input_.lanes, agent.states.back().pose, reach + 10.0,
+                              prediction.lane_max_distance, prediction.lane_max_heading,
+                              static_cast<std::size_t>(search_.lane_paths));
+    entry->quintics.push_back(std::make_unique<QuinticFamily>());
+    for (const ReferencePath& path : entry->paths) {
+      entry->quintics.push_back(std::make_unique<QuinticFamily>(path));
+    }
+    return entry;
+  }
+
+  /// An offset of the attacker from the ego's box, drawn from a placement's.
+  Pose2 drawOffset(const Contender& contender, const Placement& placement, bool nominal) {
+    const TypeDefinition& type = options_.collision_types.at(input_.request.type);
+    double heading = type.nominal_heading;
+    double slide = 0.0;
+    if (!nominal) {
+      heading = random_.uniform(type.min_heading, type.max_heading);
+      slide = random_.uniform(-0.9, 0.9);
+    }
+    double sign = placement.sign;
+    if (sign == 0.0) sign = nominal || random_.uniform(-1.0, 1.0) > 0.0 ? 1.0 : -1.0;
+    return attackerOffset(input_.snapshot.ego.size, contender.track->size, placement.side,
+                          wrapAngle(sign * heading), slide, search_.depth);
+  }
+
+  /// Speed at the arrival for which a steady change of speed covers the distance.
+  double steadySpeed(const Contender& contender, const Pose2& target) const {
+    const double distance = (target.position() - contender.start.motion.pose.position()).norm();
+    return std::clamp(2.0 * distance / input_.request.tta - contender.start.motion.speed, 0.5,
+                      limits_.max_speed);
+  }
+
+  Candidate drawn(const Contender& contender, const Placement& placement, bool nominal) {
+    Candidate candidate;
+    candidate.contender = &contender;
+    candidate.ego = nominal ? egos_[egos_.size() / 2] : egos_[random_.index(egos_.size())];
+    candidate.offset = drawOffset(contender, placement, nominal);
+    Arrival& arrival = candidate.arrival;
+    arrival.time = input_.request.tta;
+    arrival.pose = compose(candidate.ego, candidate.offset);
+    arrival.speed = steadySpeed(contender, arrival.pose);
+    arrival.start_acceleration = std::clamp(contender.start.motion.acceleration, -3.0, 3.0);
+    if (!nominal) {
+      arrival.speed =
+          std::clamp(arrival.speed * random_.uniform(0.5, 1.5) + random_.uniform(-1.0, 1.0), 0.3,
+                     limits_.max_speed);
+      arrival.start_acceleration = random_.bell(1.5);
+      arrival.end_acceleration = random_.bell(1.5);
+    }
+    return candidate;
+  }
+
+  void drawFor(const Contender& contender) {
+    if (!canReach(contender)) return;
+    const auto placements = placementsOf(input_.request.type, input_.lanes.map().driving_side);
+    for (const Placement& placement : placements) {
+      for (const auto& family : contender.quintics) {
+        for (int i = 0; i < search_.draws; ++i) {
+          Candidate candidate = drawn(contender, placement, i == 0);
+          candidate.family = family.get();
+          consider(candidate);
+        }
+      }
+    }
+  }
+
+  /// False when no speed within the limits brings the attacker near any of the ego's poses.
+  bool canReach(const Contender& contender) const {
+    const double tta = input_.request.tta;
+    const double reach =
+        tta * std::min(limits_.max_speed,
+                       contender.start.motion.speed + 0.5 * limits_.max_forward_acceleration * tta);
+    return std::any_of(egos_.begin(), egos_.end(), [&](const Pose2& ego) {
+      return (ego.position() - contender.start.motion.pose.position()).norm() < reach + 6.0;
+    });
+  }
+
+  /// Drives the candidate, scores it, and keeps it if it is among the best.
+  bool consider(Candidate& candidate) {
+    const DriveStart& start = candidate.contender->start;
+    if (!candidate.family->drive(start, candidate.arrival, points_)) return false;
+    const double until = start.now + input_.request.tta + options_.verification.time_tolerance;
+    if (findBrokenLimit(points_, start.motion.pose.yaw, until, limits_)) return false;
+    candidate.score = scorer_.score(*candidate.contender->track, points_);
+    candidate.objective =
+        candidate.score.share + search_.closeness_weight * candidate.score.closeness;
+    if (static_cast<int>(kept_.size()) >= search_.kept &&
+        candidate.objective < kept_.back().objective) {
+      return false;
+    }
+    candidate.off_road = offRoad(*candidate.contender->track);
+    candidate.objective -=
+        search_.off_road_weight * candidate.off_road +
+        search_.effort_weight * effort(points_, start.now + input_.request.tta, limits_);
+    insert(candidate);
+    return true;
+  }
+
+  void insert(const Candidate& candidate) {
+    const auto place = std::upper_bound(
+        kept_.begin(), kept_.end(), candidate,
+        [](const Candidate& a, const Candidate& b) { return a.objective > b.objective; });
+    kept_.insert(place, candidate);
+    if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();
+  }
+
+  /// Mean share of nine places of the box that are off the drivable area, to the impact.
+  double offRoad(const Track& attacker) const {
+    const DrivableRaster& drivable = input_.lanes.drivable();
+    if (!drivable.known()) return 0.0;
+    const int stride = std::max(
+        1, static_cast<int>(std::lround(options_.verification.off_road_interval / search_.step)));
+    int off = 0;
+    int asked = 0;
+    for (std::size_t i = 0; i < points_.size(); i += static_cast<std::size_t>(stride)) {
+      const Pose2& pose = points_[i].pose;
+      for (int x = -1; x <= 1; ++x) {
+        for (int y = -1; y <= 1; ++y) {
+          const Pose2 place =
+              compose(pose, {x * 0.4 * attacker.size.length, y * 0.4 * attacker.size.width, 0.0});
+          off += !drivable.isDrivable(place.position());
+          ++asked;
+        }
+      }
+    }
+    return static_cast<double>(off) / asked;
+  }
+
+  bool isGood() const {
+    return !kept_.empty() && kept_.front().score.share >= search_.good_share &&
+           kept_.front().off_road <= search_.good_off_road;
+  }
+
+  /// Moves away from the kept candidates, better ones more often; `family` replaces theirs.
+  void perturb(int count, double scale, const TrajectoryFamily* family) {
+    const std::vector<Candidate> parents = kept_;
+    if (parents.empty()) return;
+    for (int i = 0; i < count && !isGood(); ++i) {
+      const std::size_t better =
+          std::min(random_.index(parents.size()), random_.index(parents.size()));
+      Candidate candidate = parents[better];
+      if (family) candidate.family = family;
+      Pose2& offset = candidate.offset;
+      offset.x += random_.bell(1.0 * scale);
+      offset.y += random_.bell(0.6 * scale);
+      offset.yaw = wrapAngle(offset.yaw + random_.bell(0.07 * scale));
+      Arrival& arrival = candidate.arrival;
+      arrival.pose = compose(candidate.ego, offset);
+      arrival.time = std::clamp(arrival.time + random_.bell(0.25 * scale),
+                                std::max(0.3, input_.request.tta - 1.0), input_.request.tta + 0.4);
+      arrival.speed = std::clamp(arrival.speed + random_.bell((0.5 + 0.15 * arrival.speed) * scale),
+                                 0.2, limits_.max_speed);
+      arrival.start_acceleration += random_.bell(1.0 * scale);
+      arrival.end_acceleration += random_.bell(1.0 * scale);
+      consider(candidate);
+    }
+  }
+
+  /// Steers the bicycle to arrivals of every attacker in turn.
+  void steer() {
+    const auto placements = placementsOf(input_.request.type, input_.lanes.map().driving_side);
+    std::vector<const Contender*> reachable;
+    for (const auto& contender : contenders_) {
+      if (canReach(*contender)) reachable.push_back(contender.get());
+    }
+    if (reachable.empty()) return;
+    for (int i = 0; i < search_.bicycle_targets && !isGood(); ++i) {
+      const auto turn = static_cast<std::size_t>(i);
+      const Contender& contender = *reachable[turn % reachable.size()];
+      const Placement& placement = placements[turn / reachable.size() % placements.size()];
+      Candidate candidate =
+          drawn(contender, placement, turn < reachable.size() * placements.size());
+      candidate.family = &bicycle_;
+      consider(candidate);
+    }
+  }
+
+  FoundAttack finished(const Candidate& candidate) const {
+    FoundAttack found;
+    found.attacker = candidate.contender->track;
+    found.arrival = candidate.arrival;
+    DriveStart start = candidate.contender->start;
+    start.points =
+        static_cast<int>(std::lround((input_.request.tta + search_.tail) / search_.step)) + 1;
+    candidate.family->drive(start, candidate.arrival, found.points);
+    found.score = candidate.score;
+    found.off_road = candidate.off_road;
+    found.objective = candidate.objective;
+    return found;
+  }
+
+  const SearchInput& input_;
+  const AttackOptions& options_;
+  const SearchOptions& search_;
+  VehicleLimits limits_;
+  BicycleFamily bicycle_;
+  FutureScorer scorer_;
+  Random random_;
+  std::vector<Pose2> egos_;
+  std::vector<std::unique_ptr<Contender>> contenders_;
+  std::vector<Candidate> kept_;  // best first
+  std::vector<TrajectoryPoint> points_;
+};
+
+}  // namespace
+
+std::vector<FoundAttack> searchAttacks(const SearchInput& input, const AttackOptions& options) {
+  return Search(input, options).run();
+}
+
+}  // namespace forge

@@ -1,0 +1,218 @@
+#include "attack/future_scorer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace forge {
+namespace {
+
+constexpr std::size_t kLanes = 8;       // entries of a row come in multiples of this
+constexpr double kCloseGap = 2.0;       // m; a miss by this much is worth 1/e of a near hit
+constexpr double kCloseHeading = 0.26;  // rad (15 degrees); the same for the heading
+constexpr double kCloseTime = 0.5;      // s; the same for the time
+
+}  // namespace
+
+/// What happened in one future.
+struct FutureScorer::Outcome {
+  int contact = -1;  // step of the first contact; -1: none
+  float gap = 1e9F;  // m, smallest while contact would be on time
+  Pose2 offset;      // the attacker seen from the ego, at contact
+  bool hit = false;  // all conditions hold
+};
+
+FutureScorer::FutureScorer(const std::vector<const Track*>& egos, const std::vector<Track>& agents,
+                           const CollisionRequest& request, double now, DrivingSide driving_side,
+                           const AttackOptions& options)
+    : count_(egos.size()),
+      padded_((egos.size() + kLanes - 1) / kLanes * kLanes),
+      ego_size_(egos.front()->size),
+      type_(request.type),
+      rules_(options.type_rules),
+      band_(options.collision_types.at(request.type)),
+      driving_side_(driving_side),
+      overlap_margin_(options.search.overlap_margin) {
+  const SearchOptions& search = options.search;
+  const double tolerance = options.verification.time_tolerance;
+  steps_ = static_cast<int>(std::floor((request.tta + tolerance) / search.step)) + 1;
+  first_in_time_ = static_cast<int>(
+      std::ceil((request.tta - tolerance + search.time_margin) / search.step - 1e-9));
+  last_in_time_ = static_cast<int>(
+      std::floor((request.tta + tolerance - search.time_margin) / search.step + 1e-9));
+  band_.min_heading = band_.min_heading > 0.0 ? band_.min_heading + search.heading_margin : 0.0;
+  band_.max_heading =
+      band_.max_heading < M_PI - 1e-3 ? band_.max_heading - search.heading_margin : M_PI;
+
+  origin_ = {egos.front()->states.front().pose.x, egos.front()->states.front().pose.y, 0.0};
+  const std::size_t size = padded_ * static_cast<std::size_t>(steps_);
+  x_.resize(size);
+  y_.resize(size);
+  cosine_.resize(size);
+  sine_.resize(size);
+  for (int step = 0; step < steps_; ++step) {
+    const double time = now + step * search.step;
+    Vector2 sum = Vector2::Zero();
+    const std::size_t row = padded_ * static_cast<std::size_t>(step);
+    for (std::size_t i = 0; i < padded_; ++i) {
+      const Track& ego = *egos[std::min(i, count_ - 1)];
+      const AgentState state = stateAt(ego, time).value_or(
+          time < ego.states.front().time ? ego.states.front() : ego.states.back());
+      x_[row + i] = static_cast<float>(state.pose.x - origin_.x);
+      y_[row + i] = static_cast<float>(state.pose.y - origin_.y);
+      cosine_[row + i] = static_cast<float>(std::cos(state.pose.yaw));
+      sine_[row + i] = static_cast<float>(std::sin(state.pose.yaw));
+      sum += Vector2(x_[row + i], y_[row + i]);
+    }
+    const Vector2 middle = sum / static_cast<double>(padded_);
+    double spread = 0.0;
+    for (std::size_t i = 0; i < padded_; ++i) {
+      spread = std::max(spread, (Vector2(x_[row + i], y_[row + i]) - middle).norm());
+    }
+    middle_.push_back({middle.x(), middle.y(), 0.0});
+    spread_.push_back(spread);
+  }
+  for (const Track& agent : agents) {
+    Other entry;
+    entry.id = agent.id;
+    entry.size = agent.size;
+    bool begun = false;
+    for (int step = 0; step < steps_; ++step) {
+      const auto state = stateAt(agent, now + step * search.step);
+      if (!state && begun) break;
+      if (!state) continue;
+      if (!begun) entry.begin = step;
+      begun = true;
+      entry.poses.push_back(
+          {state->pose.x - origin_.x, state->pose.y - origin_.y, state->pose.yaw});
+    }
+    if (begun) others_.push_back(std::move(entry));
+  }
+}
+
+int FutureScorer::firstOther(const Track& attacker,
+                             const std::vector<TrajectoryPoint>& points) const {
+  int first = steps_;
+  const double attacker_radius = circumradius(attacker.size);
+  for (const Other& other : others_) {
+    if (other.id == attacker.id) continue;
+    const double reach = attacker_radius + circumradius(other.size);
+    const int end = std::min(first, other.begin + static_cast<int>(other.poses.size()));
+    for (int step = other.begin; step < end; ++step) {
+      const Pose2& pose = other.poses[static_cast<std::size_t>(step - other.begin)];
+      const Pose2& point = points[static_cast<std::size_t>(step)].pose;
+      const double dx = point.x - origin_.x - pose.x;
+      const double dy = point.y - origin_.y - pose.y;
+      if (dx * dx + dy * dy > reach * reach) continue;
+      const Pose2 moved{point.x - origin_.x, point.y - origin_.y, point.yaw};
+      // Whole boxes, and a hand's breadth more: nobody is to be brushed.
+      if (overlaps(shrunk({moved, attacker.size}, -overlap_margin_), {pose, other.size})) {
+        first = step;
+        break;
+      }
+    }
+  }
+  return first;
+}
+
+void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryPoint>& points,
+                            std::vector<Outcome>& outcomes) const {
+  outcomes.assign(count_, {});
+  const double reach = circumradius(ego_size_) + circumradius(attacker.size);
+  const auto half = [this](const BoxSize& size, double BoxSize::*side) {
+    return static_cast<float>(std::max(0.0, 0.5 * size.*side - overlap_margin_));
+  };
+  const float ego_length = half(ego_size_, &BoxSize::length);
+  const float ego_width = half(ego_size_, &BoxSize::width);
+  const float length = half(attacker.size, &BoxSize::length);
+  const float width = half(attacker.size, &BoxSize::width);
+  std::vector<float> gaps(padded_);
+  std::size_t open = count_;
+  for (int step = 0; step < steps_ && open > 0; ++step) {
+    const Pose2& pose = points[static_cast<std::size_t>(step)].pose;
+    const double px = pose.x - origin_.x;
+    const double py = pose.y - origin_.y;
+    const std::size_t at = static_cast<std::size_t>(step);
+    const bool in_time = step >= first_in_time_ && step <= last_in_time_;
+    const double apart = std::hypot(px - middle_[at].x, py - middle_[at].y) - spread_[at] - reach;
+    if (apart > (in_time ? 3.0 * kCloseGap : 0.0)) continue;
+    const float ax = static_cast<float>(px), ay = static_cast<float>(py);
+    const float ac = static_cast<float>(std::cos(pose.yaw));
+    const float as = static_cast<float>(std::sin(pose.yaw));
+    const float* ex = &x_[at * padded_];
+    const float* ey = &y_[at * padded_];
+    const float* ec = &cosine_[at * padded_];
+    const float* es = &sine_[at * padded_];
+    // Separating axes of the two boxes, for all futures at once; plain enough to be vectorised.
+    for (std::size_t i = 0; i < padded_; ++i) {
+      const float dx = ax - ex[i];
+      const float dy = ay - ey[i];
+      const float cosine = std::fabs(ac * ec[i] + as * es[i]);
+      const float sine = std::fabs(as * ec[i] - ac * es[i]);
+      const float e1 =
+          std::fabs(dx * ec[i] + dy * es[i]) - (ego_length + length * cosine + width * sine);
+      const float e2 =
+          std::fabs(dy * ec[i] - dx * es[i]) - (ego_width + length * sine + width * cosine);
+      const float a1 =
+          std::fabs(dx * ac + dy * as) - (length + ego_length * cosine + ego_width * sine);
+      const float a2 =
+          std::fabs(dy * ac - dx * as) - (width + ego_length * sine + ego_width * cosine);
+      const float e = e1 > e2 ? e1 : e2;
+      const float a = a1 > a2 ? a1 : a2;
+      gaps[i] = e > a ? e : a;
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+      Outcome& outcome = outcomes[i];
+      if (outcome.contact >= 0) continue;
+      if (in_time) outcome.gap = std::min(outcome.gap, gaps[i]);
+      if (gaps[i] > 0.0F) continue;
+      outcome.contact = step;
+      const Pose2 ego{ex[i], ey[i], std::atan2(es[i], ec[i])};
+      outcome.offset = relativeTo(ego, {px, py, pose.yaw});
+      --open;
+    }
+  }
+  const int other = firstOther(attacker, points);
+  for (Outcome& outcome : outcomes) {
+    outcome.hit = outcome.contact >= first_in_time_ && outcome.contact <= last_in_time_ &&
+                  outcome.contact > 0 && outcome.contact < other &&
+                  headingFits(outcome.offset.yaw, band_) &&
+                  (rules_ == TypeRules::kAngle ||
+                   contactFits(type_, outcome.offset, ego_size_, attacker.size, driving_side_));
+  }
+}
+
+FutureScore FutureScorer::score(const Track& attacker,
+                                const std::vector<TrajectoryPoint>& points) const {
+  thread_local std::vector<Outcome> outcomes;
+  evaluate(attacker, points, outcomes);
+  FutureScore score;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.hit) {
+      score.share += 1.0;
+    } else if (outcome.contact < 0) {
+      score.closeness += std::exp(-std::max(0.0F, outcome.gap) / kCloseGap);
+    } else {
+      const double heading = std::abs(outcome.offset.yaw);
+      const double off = std::max({0.0, band_.min_heading - heading, heading - band_.max_heading});
+      const int late =
+          std::max({0, first_in_time_ - outcome.contact, outcome.contact - last_in_time_});
+      score.closeness += std::exp(-off / kCloseHeading - late * 0.1 / kCloseTime);
+    }
+  }
+  score.share /= static_cast<double>(count_);
+  score.closeness /= static_cast<double>(count_);
+  return score;
+}
+
+std::vector<std::size_t> FutureScorer::hits(const Track& attacker,
+                                            const std::vector<TrajectoryPoint>& points) const {
+  std::vector<Outcome> outcomes;
+  evaluate(attacker, points, outcomes);
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (outcomes[i].hit) indices.push_back(i);
+  }
+  return indices;
+}
+
+}  // namespace forge

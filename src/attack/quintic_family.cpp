@@ -1,0 +1,110 @@
+#include <cmath>
+
+#include "attack/quintic.h"
+#include "attack/trajectory_family.h"
+
+namespace forge {
+namespace {
+
+constexpr double kStandstill = 0.1;   // m/s; below it the direction of motion is not a heading
+constexpr double kMinProgress = 0.2;  // cosine between path and arrival: no turning back on a path
+constexpr double kMaxPathLean = 0.8;  // curvature times offset: near 1 the path's normals meet
+
+/// Two axes: x and y of the map, or along and across a path.
+struct Axes {
+  AxisState first;
+  AxisState second;
+};
+
+Axes alongHeading(const Vector2& position, const Vector2& heading, double speed,
+                  double acceleration) {
+  return {{position.x(), speed * heading.x(), acceleration * heading.x()},
+          {position.y(), speed * heading.y(), acceleration * heading.y()}};
+}
+
+void setPose(double time, const Vector2& position, const Vector2& velocity, double held_yaw,
+             TrajectoryPoint& point) {
+  point.time = time;
+  point.speed = velocity.norm();
+  const double yaw = point.speed > kStandstill ? std::atan2(velocity.y(), velocity.x()) : held_yaw;
+  point.pose = {position.x(), position.y(), yaw};
+}
+
+/// Acceleration and curvature from the neighbours' speeds and yaws.
+void deriveFromNeighbours(double step, std::vector<TrajectoryPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const TrajectoryPoint& before = points[i > 0 ? i - 1 : 0];
+    const TrajectoryPoint& after = points[std::min(i + 1, points.size() - 1)];
+    const double elapsed = step * (i > 0 && i + 1 < points.size() ? 2.0 : 1.0);
+    points[i].acceleration = (after.speed - before.speed) / elapsed;
+    const double distance = std::max(points[i].speed, kStandstill) * elapsed;
+    points[i].curvature = angleBetween(before.pose.yaw, after.pose.yaw) / distance;
+  }
+}
+
+/// The velocity that path coordinates stand for.
+Vector2 velocityOn(const ReferencePath::Place& place, const Axes& state) {
+  const Vector2 heading = place.pose.heading();
+  const Vector2 left(-heading.y(), heading.x());
+  return state.first.velocity * (1.0 - place.curvature * state.second.position) * heading +
+         state.second.velocity * left;
+}
+
+/// The path coordinates of a pose and its motion; false where the path has none.
+bool toPath(const ReferencePath& path, const Pose2& pose, double speed, double acceleration,
+            Axes& state) {
+  const double arc_length = path.project(pose.position());
+  const ReferencePath::Place place = path.at(arc_length);
+  const Pose2 local = relativeTo(place.pose, pose);
+  const double lean = 1.0 - place.curvature * local.y;
+  const Vector2 heading = Pose2{0.0, 0.0, local.yaw}.heading();
+  if (heading.x() < kMinProgress || std::abs(place.curvature * local.y) > kMaxPathLean)
+    return false;
+  state.first = {arc_length + local.x, speed * heading.x() / lean,
+                 acceleration * heading.x() / lean};
+  state.second = {local.y, speed * heading.y(), acceleration * heading.y()};
+  return true;
+}
+
+}  // namespace
+
+bool QuinticFamily::drive(const DriveStart& start, const Arrival& arrival,
+                          std::vector<TrajectoryPoint>& points) const {
+  const Motion& motion = start.motion;
+  Axes from = alongHeading(motion.pose.position(), motion.pose.heading(), motion.speed,
+                           arrival.start_acceleration);
+  Axes to = alongHeading(arrival.pose.position(), arrival.pose.heading(), arrival.speed,
+                         arrival.end_acceleration);
+  if (path_) {
+    if (!toPath(*path_, motion.pose, motion.speed, arrival.start_acceleration, from) ||
+        !toPath(*path_, arrival.pose, arrival.speed, arrival.end_acceleration, to)) {
+      return false;
+    }
+  }
+  const Quintic first(from.first, to.first, arrival.time);
+  const Quintic second(from.second, to.second, arrival.time);
+  points.resize(static_cast<std::size_t>(start.points));
+  double yaw = motion.pose.yaw;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double t = static_cast<double>(i) * start.step;
+    if (t >= arrival.time) {
+      const Pose2 pose = compose(arrival.pose, {(t - arrival.time) * arrival.speed, 0.0, 0.0});
+      points[i] = {start.now + t, pose, arrival.speed, 0.0, 0.0};
+      continue;
+    }
+    const Axes state{first.at(t), second.at(t)};
+    if (path_) {
+      const ReferencePath::Place place = path_->at(state.first.position);
+      const Pose2 pose = compose(place.pose, {0.0, state.second.position, 0.0});
+      setPose(start.now + t, pose.position(), velocityOn(place, state), yaw, points[i]);
+    } else {
+      setPose(start.now + t, {state.first.position, state.second.position},
+              {state.first.velocity, state.second.velocity}, yaw, points[i]);
+    }
+    yaw = points[i].pose.yaw;
+  }
+  deriveFromNeighbours(start.step, points);
+  return true;
+}
+
+}  // namespace forge

@@ -1,0 +1,93 @@
+#include "map/drivable_raster.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace forge {
+namespace {
+
+constexpr double kCell = 0.5;  // metres, a side
+
+/// Where a ring crosses the middle line of each row of cells, in cells from the tile's left side.
+template <std::size_t kRows>
+void addCrossings(const std::vector<Vector2>& ring, const Vector2& corner,
+                  std::array<std::vector<double>, kRows>& crossings) {
+  if (ring.empty()) return;
+  Vector2 a = (ring.back() - corner) / kCell;
+  for (const Vector2& point : ring) {
+    const Vector2 b = (point - corner) / kCell;
+    const double low = std::min(a.y(), b.y());
+    const double high = std::max(a.y(), b.y());
+    const auto last_row = static_cast<double>(kRows);
+    const auto first = static_cast<std::size_t>(std::clamp(std::ceil(low - 0.5), 0.0, last_row));
+    const auto end = static_cast<std::size_t>(std::clamp(std::ceil(high - 0.5), 0.0, last_row));
+    for (std::size_t row = first; row < end; ++row) {
+      const double ratio = (static_cast<double>(row) + 0.5 - a.y()) / (b.y() - a.y());
+      crossings[row].push_back(a.x() + ratio * (b.x() - a.x()));
+    }
+    a = b;
+  }
+}
+
+}  // namespace
+
+DrivableRaster::DrivableRaster(const LaneMap& map) : map_(map) {
+  Eigen::AlignedBox2d all;
+  for (const Polygon& polygon : map.drivable_area) {
+    bounds_.emplace_back();
+    for (const Vector2& point : polygon.exterior) bounds_.back().extend(point);
+    all.extend(bounds_.back());
+  }
+  if (all.isEmpty()) return;
+  origin_ = all.min();
+  const Vector2 tiles = (all.sizes() / (kCell * kCells)).array().floor() + 1.0;
+  columns_ = static_cast<int>(tiles.x());
+  rows_ = static_cast<int>(tiles.y());
+  tiles_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+}
+
+bool DrivableRaster::isDrivable(const Vector2& point) const {
+  const Vector2 cell = (point - origin_) / kCell;
+  if (!(cell.x() >= 0.0 && cell.y() >= 0.0)) return false;
+  const Vector2 tile = (cell / kCells).array().floor();
+  if (tile.x() >= columns_ || tile.y() >= rows_) return false;
+  auto& slot = tiles_[static_cast<std::size_t>(tile.y()) * static_cast<std::size_t>(columns_) +
+                      static_cast<std::size_t>(tile.x())];
+  std::shared_ptr<const Tile> filled = std::atomic_load(&slot);
+  if (!filled) {
+    filled = fill(origin_ + tile * (kCell * kCells));
+    std::atomic_store(&slot, filled);
+  }
+  const Vector2 inside = (cell - tile * kCells).array().floor();
+  return (*filled)[static_cast<std::size_t>(inside.y()) * kCells +
+                   static_cast<std::size_t>(inside.x())];
+}
+
+std::shared_ptr<const DrivableRaster::Tile> DrivableRaster::fill(const Vector2& corner) const {
+  const Eigen::AlignedBox2d area(corner, corner + Vector2::Constant(kCell * kCells));
+  auto tile = std::make_shared<Tile>();
+  for (std::size_t i = 0; i < bounds_.size(); ++i) {
+    if (!bounds_[i].intersects(area)) continue;
+    std::array<std::vector<double>, kCells> crossings;
+    addCrossings(map_.drivable_area[i].exterior, corner, crossings);
+    for (const std::vector<Vector2>& hole : map_.drivable_area[i].holes) {
+      addCrossings(hole, corner, crossings);
+    }
+    for (std::size_t row = 0; row < kCells; ++row) {
+      std::sort(crossings[row].begin(), crossings[row].end());
+      for (std::size_t pair = 0; pair + 1 < crossings[row].size(); pair += 2) {
+        const auto cellFrom = [](double x) {
+          return static_cast<std::size_t>(std::clamp(std::ceil(x - 0.5), 0.0, double{kCells}));
+        };
+        const std::size_t end = cellFrom(crossings[row][pair + 1]);
+        for (std::size_t x = cellFrom(crossings[row][pair]); x < end; ++x) {
+          tile->set(row * kCells + x);
+        }
+      }
+    }
+  }
+  return tile;
+}
+
+}  // namespace forge
