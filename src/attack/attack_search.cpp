@@ -32,6 +32,8 @@ class Random {
   std::mt19937_64 generator_;
 };
 
+constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit is within it
+
 VehicleLimits scaled(VehicleLimits limits, double margin) {
   limits.max_forward_acceleration *= margin;
   limits.max_braking *= margin;
@@ -69,7 +71,7 @@ class Search {
         options_(options),
         search_(options.search),
         limits_(scaled(options.vehicle_limits, options.search.limit_margin)),
-        bicycle_(limits_, options.bicycle),
+        bicycle_(scaled(limits_, kRounding), options.bicycle),
         scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
                 input.lanes.map().driving_side, options),
         random_(input.request.seed) {

@@ -38,7 +38,8 @@ void EgoTest::addAgents(const std::vector<Track>& agents) {
 std::optional<CollisionReport> EgoTest::outcome(const LaneIndex& lanes,
                                                 const AttackOptions& options) const {
   if (ego_.states.empty()) return std::nullopt;
-  Future driven{ego_, {}};
+  Future driven;
+  driven.ego = ego_;
   for (const auto& [id, track] : agents_) driven.agents.push_back(track);
   Snapshot start;
   start.now = trajectory_.points.front().time;

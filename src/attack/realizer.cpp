@@ -121,6 +121,14 @@ Realization realize(const std::vector<CollisionPattern>& patterns, const Verific
     found.report.confidence = input.future.ego_samples.empty()
                                   ? 1.0
                                   : scorerOf(held_out).score(*attack.attacker, attack.points).share;
+    if (found.report.confidence < options.search.min_confidence) {
+      Realization declined;
+      declined.status = {
+          StatusCode::kLowConfidence,
+          "the best attack promises " + std::to_string(found.report.confidence) +
+              ", less than min_confidence = " + std::to_string(options.search.min_confidence)};
+      return declined;
+    }
     return found;
   }
   found.status = {StatusCode::kNoAttackWithinBounds,

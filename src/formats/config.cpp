@@ -82,6 +82,13 @@ class Section {
     return {shares[0], shares[1], shares[2]};
   }
 
+  TypeRules typeRules(const std::string& key) {
+    const YAML::Node node = take(key);
+    const auto rules = typeRulesFromString(textOf(node));
+    if (!rules) fail(pathOf(key), node, "is neither full nor angle");
+    return *rules;
+  }
+
   DrivingSide drivingSide(const std::string& key) {
     const YAML::Node node = take(key);
     const std::string side = textOf(node);
@@ -170,13 +177,13 @@ EgoVehicle loadEgoVehicle(const std::string& directory) {
   return vehicle;
 }
 
-TypeDefinitions loadCollisionTypes(const std::string& directory) {
+void loadCollisionTypes(const std::string& directory, AttackOptions& options) {
   Section file = openFile(directory, "collision_types.yaml");
   Section types = file.section("collision_types");
-  TypeDefinitions definitions;
+  options.type_rules = types.typeRules("rules");
   for (const CollisionType type : kCollisionTypes) {
     Section section = types.section(toString(type));
-    TypeDefinition& definition = definitions[type];
+    TypeDefinition& definition = options.collision_types[type];
     definition.min_heading = section.within("min_heading", 0.0, kMaxHeading);
     definition.max_heading = section.within("max_heading", definition.min_heading, kMaxHeading);
     definition.nominal_heading =
@@ -187,7 +194,6 @@ TypeDefinitions loadCollisionTypes(const std::string& directory) {
   }
   types.finish();
   file.finish();
-  return definitions;
 }
 
 PredictionOptions loadPrediction(const std::string& directory) {
@@ -354,7 +360,7 @@ std::map<std::string, DrivingSide> loadLocations(const std::string& directory) {
 Config loadConfig(const std::string& directory) {
   Config config;
   config.attack.vehicle_limits = loadVehicleLimits(directory);
-  config.attack.collision_types = loadCollisionTypes(directory);
+  loadCollisionTypes(directory, config.attack);
   config.attack.prediction = loadPrediction(directory);
   Section search = openFile(directory, "search.yaml");
   config.attack.search = readSearch(search.section("search"));

@@ -184,8 +184,10 @@ collision_forge::AgentTrack toMessage(const Track& track) {
 }
 
 Future fromMessage(const collision_forge::Future& message) {
-  Future future{fromMessage(message.ego), {}};
+  Future future;
+  future.ego = fromMessage(message.ego);
   for (const auto& agent : message.agents) future.agents.push_back(fromMessage(agent));
+  for (const auto& ego : message.ego_samples) future.ego_samples.push_back(fromMessage(ego));
   return future;
 }
 
@@ -193,6 +195,7 @@ collision_forge::Future toMessage(const Future& future) {
   collision_forge::Future message;
   message.ego = toMessage(future.ego);
   for (const Track& agent : future.agents) message.agents.push_back(toMessage(agent));
+  for (const Track& ego : future.ego_samples) message.ego_samples.push_back(toMessage(ego));
   return message;
 }
 

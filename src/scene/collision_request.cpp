@@ -79,6 +79,8 @@ const char* toString(StatusCode code) {
       return "INVALID_INPUT";
     case StatusCode::kNodeUnavailable:
       return "NODE_UNAVAILABLE";
+    case StatusCode::kLowConfidence:
+      return "LOW_CONFIDENCE";
   }
   return "UNKNOWN";
 }

@@ -45,6 +45,7 @@ enum class StatusCode : std::uint8_t {
   kBeyondRecording = 10,      ///< replay mode and the recording ends before the impact
   kInvalidInput = 11,         ///< unknown mode, a pose that is not a number, a box without size
   kNodeUnavailable = 12,      ///< a node of the suite did not answer
+  kLowConfidence = 13,        ///< the best attack promises less than min_confidence
 };
 const char* toString(StatusCode code);
 

@@ -21,7 +21,7 @@ TOOL_TIMEOUT = 120.0  # s; a tool takes less than one
 
 CODES = ['OK', 'UNKNOWN_TYPE', 'TTA_OUT_OF_RANGE', 'UNKNOWN_ATTACKER', 'ABSENT_ATTACKER', 'TOO_LITTLE_HISTORY',
          'NO_CANDIDATE', 'NO_ATTACK_WITHIN_BOUNDS', 'NO_SCENE', 'NO_RECORDING', 'BEYOND_RECORDING', 'INVALID_INPUT',
-         'NODE_UNAVAILABLE']  # GenerateCollision.srv, by number
+         'NODE_UNAVAILABLE', 'LOW_CONFIDENCE']  # GenerateCollision.srv, by number
 
 ATTACK_TOPICS = ['/attacker_trajectory', '/collision_pattern', '/collision_report', '/tested_report']
 ATTACKED_TOPICS = ['/agents', '/annotation_markers']
