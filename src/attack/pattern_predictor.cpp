@@ -83,7 +83,8 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   std::vector<RankedPattern> ranked;
   for (const Track& agent : snapshot.agents) {
     if (request.attacker && agent.id != *request.attacker) continue;
-    if (!isCandidate(agent, snapshot, options_.prediction)) continue;
+    // One that was asked for has been checked, and may be anywhere.
+    if (!request.attacker && !isCandidate(agent, snapshot, options_.prediction)) continue;
     if (!comesFromThere(agent, snapshot, request.type, options_)) continue;
     for (const Placement& placement : placementsOf(request.type, lanes.map().driving_side)) {
       ranked.push_back(placedPattern(agent, placement, *ego, snapshot, request, options_));

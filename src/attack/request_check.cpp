@@ -70,10 +70,6 @@ Status checkAttacker(const std::string& id, const Snapshot& snapshot,
   if (!hasMotion(*attacker)) {
     return refuse(StatusCode::kTooLittleHistory, "attacker \"", id, "\" has just appeared");
   }
-  if (!isCandidate(*attacker, snapshot, options)) {
-    return refuse(StatusCode::kNoCandidate, "attacker \"", id, "\" is farther than ",
-                  options.candidate_radius, " m (candidate_radius) from the ego");
-  }
   return {};
 }
 
