@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <random>
 
 #include "attack/limits.h"
@@ -32,7 +33,10 @@ class Random {
   std::mt19937_64 generator_;
 };
 
-constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit is within it
+constexpr double kMinArrival = 0.3;      // s from now
+constexpr double kMinImpactSpeed = 0.2;  // m/s
+constexpr double kNear = 6.0;            // m from the ego's middle: boxes may touch
+constexpr double kRounding = 0.999;      // of a limit, so that a bicycle at the limit is within it
 
 VehicleLimits scaled(VehicleLimits limits, double margin) {
   limits.max_forward_acceleration *= margin;
@@ -56,9 +60,12 @@ struct Contender {
 struct Candidate {
   const Contender* contender = nullptr;
   const TrajectoryFamily* family = nullptr;
-  Pose2 ego;     // that is aimed at
-  Pose2 offset;  // from it
-  Arrival arrival;
+  // What is varied.
+  std::size_t ego = 0;   // future that is aimed at
+  double contact = 0.0;  // s from now
+  double lead = 0.0;     // s driven straight on before the contact
+  Pose2 offset;          // of the attacker from the ego at the contact
+  Arrival arrival;       // its time and pose follow from these
   FutureScore score;
   double off_road = 0.0;
   double objective = 0.0;
@@ -98,27 +105,26 @@ class Search {
   }
 
  private:
-  /// Ego poses at the impact, spread over the futures along the way.
+  /// Futures to aim at, spread over all of them along the way.
   void chooseEgos() {
-    struct Placed {
-      double along;
-      Pose2 pose;
-    };
-    std::vector<Placed> placed;
-    const double time = input_.snapshot.now + input_.request.tta;
+    const double impact = input_.request.tta;
     const Pose2 now = input_.snapshot.ego.states.back().pose;
-    for (const Track* ego : input_.egos) {
-      const Pose2 pose = stateAt(*ego, time).value_or(ego->states.back()).pose;
-      placed.push_back({relativeTo(now, pose).x, pose});
-    }
-    std::stable_sort(placed.begin(), placed.end(),
-                     [](const Placed& a, const Placed& b) { return a.along < b.along; });
-    const int count = std::min(search_.ego_poses, static_cast<int>(placed.size()));
+    std::vector<std::size_t> order(input_.egos.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<double> along;
+    for (std::size_t i : order) along.push_back(relativeTo(now, egoAt(i, impact)).x);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return along[a] < along[b]; });
+    const int count = std::min(search_.ego_poses, static_cast<int>(order.size()));
     for (int i = 0; i < count; ++i) {
-      const auto rank =
-          static_cast<std::size_t>((i + 0.5) / count * static_cast<double>(placed.size()));
-      egos_.push_back(placed[rank].pose);
+      const double rank = (i + 0.5) / count * static_cast<double>(order.size());
+      egos_.push_back(order[static_cast<std::size_t>(rank)]);
     }
+  }
+
+  Pose2 egoAt(std::size_t ego, double seconds) const {
+    const Track& track = *input_.egos[ego];
+    return stateAt(track, input_.snapshot.now + seconds).value_or(track.states.back()).pose;
   }
 
   void chooseContenders() {
@@ -170,11 +176,25 @@ class Search {
                           wrapAngle(sign * heading), slide, search_.depth);
   }
 
-  /// Speed at the arrival for which a steady change of speed covers the distance.
-  double steadySpeed(const Contender& contender, const Pose2& target) const {
+  /// Speed at the contact for which a steady change of speed covers the distance.
+  double steadySpeed(const Contender& contender, const Pose2& target, double contact) const {
     const double distance = (target.position() - contender.start.motion.pose.position()).norm();
-    return std::clamp(2.0 * distance / input_.request.tta - contender.start.motion.speed, 0.5,
+    return std::clamp(2.0 * distance / contact - contender.start.motion.speed, 0.5,
                       limits_.max_speed);
+  }
+
+  /// The time and pose to arrive at for the candidate's contact.
+  void aim(Candidate& candidate) const {
+    const double slack = options_.verification.time_tolerance - search_.time_margin;
+    candidate.contact =
+        std::clamp(candidate.contact, std::max(kMinArrival, input_.request.tta - slack),
+                   input_.request.tta + slack);
+    candidate.lead = std::clamp(candidate.lead, 0.0, candidate.contact - kMinArrival);
+    Arrival& arrival = candidate.arrival;
+    arrival.speed = std::clamp(arrival.speed, kMinImpactSpeed, limits_.max_speed);
+    arrival.time = candidate.contact - candidate.lead;
+    const Pose2 contact = compose(egoAt(candidate.ego, candidate.contact), candidate.offset);
+    arrival.pose = compose(contact, {-arrival.speed * candidate.lead, 0.0, 0.0});
   }
 
   Candidate drawn(const Contender& contender, const Placement& placement, bool nominal) {
@@ -182,18 +202,22 @@ class Search {
     candidate.contender = &contender;
     candidate.ego = nominal ? egos_[egos_.size() / 2] : egos_[random_.index(egos_.size())];
     candidate.offset = drawOffset(contender, placement, nominal);
+    candidate.contact = input_.request.tta;
+    if (!nominal) {
+      const double slack = options_.verification.time_tolerance - search_.time_margin;
+      candidate.contact += random_.uniform(-slack, slack);
+      candidate.lead = std::max(0.0, random_.uniform(-search_.max_lead, search_.max_lead));
+    }
     Arrival& arrival = candidate.arrival;
-    arrival.time = input_.request.tta;
-    arrival.pose = compose(candidate.ego, candidate.offset);
-    arrival.speed = steadySpeed(contender, arrival.pose);
+    const Pose2 target = compose(egoAt(candidate.ego, candidate.contact), candidate.offset);
+    arrival.speed = steadySpeed(contender, target, candidate.contact);
     arrival.start_acceleration = std::clamp(contender.start.motion.acceleration, -3.0, 3.0);
     if (!nominal) {
-      arrival.speed =
-          std::clamp(arrival.speed * random_.uniform(0.5, 1.5) + random_.uniform(-1.0, 1.0), 0.3,
-                     limits_.max_speed);
+      arrival.speed = arrival.speed * random_.uniform(0.5, 1.5) + random_.uniform(-1.0, 1.0);
       arrival.start_acceleration = random_.bell(1.5);
       arrival.end_acceleration = random_.bell(1.5);
     }
+    aim(candidate);
     return candidate;
   }
 
@@ -217,8 +241,9 @@ class Search {
     const double reach =
         tta * std::min(limits_.max_speed,
                        contender.start.motion.speed + 0.5 * limits_.max_forward_acceleration * tta);
-    return std::any_of(egos_.begin(), egos_.end(), [&](const Pose2& ego) {
-      return (ego.position() - contender.start.motion.pose.position()).norm() < reach + 6.0;
+    return std::any_of(egos_.begin(), egos_.end(), [&](std::size_t ego) {
+      const Vector2 position = egoAt(ego, tta).position();
+      return (position - contender.start.motion.pose.position()).norm() < reach + kNear;
     });
   }
 
@@ -291,14 +316,13 @@ class Search {
       offset.x += random_.bell(1.0 * scale);
       offset.y += random_.bell(0.6 * scale);
       offset.yaw = wrapAngle(offset.yaw + random_.bell(0.07 * scale));
+      candidate.contact += random_.bell(0.2 * scale);
+      candidate.lead += random_.bell(0.2 * scale);
       Arrival& arrival = candidate.arrival;
-      arrival.pose = compose(candidate.ego, offset);
-      arrival.time = std::clamp(arrival.time + random_.bell(0.25 * scale),
-                                std::max(0.3, input_.request.tta - 1.0), input_.request.tta + 0.4);
-      arrival.speed = std::clamp(arrival.speed + random_.bell((0.5 + 0.15 * arrival.speed) * scale),
-                                 0.2, limits_.max_speed);
+      arrival.speed += random_.bell((0.5 + 0.15 * arrival.speed) * scale);
       arrival.start_acceleration += random_.bell(1.0 * scale);
       arrival.end_acceleration += random_.bell(1.0 * scale);
+      aim(candidate);
       consider(candidate);
     }
   }
@@ -343,7 +367,7 @@ class Search {
   BicycleFamily bicycle_;
   FutureScorer scorer_;
   Random random_;
-  std::vector<Pose2> egos_;
+  std::vector<std::size_t> egos_;  // that are aimed at
   std::vector<std::unique_ptr<Contender>> contenders_;
   std::vector<Candidate> kept_;  // best first
   std::vector<TrajectoryPoint> points_;

@@ -61,6 +61,7 @@ struct SearchOptions {
   int lane_paths = 0;
   int ego_poses = 0;
   int draws = 0;
+  double max_lead = 0.0;
   int kept = 0;
   int rounds = 0;
   int perturbations = 0;

@@ -46,8 +46,7 @@ Status checkEgo(const Snapshot& snapshot, const PredictionOptions& options) {
   return {};
 }
 
-Status checkAttacker(const std::string& id, const Snapshot& snapshot,
-                     const PredictionOptions& options) {
+Status checkAttacker(const std::string& id, const Snapshot& snapshot) {
   const auto attacker = std::find_if(snapshot.agents.begin(), snapshot.agents.end(),
                                      [&](const Track& agent) { return agent.id == id; });
   if (attacker == snapshot.agents.end()) {
@@ -91,7 +90,7 @@ Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
   }
   const Status ego = checkEgo(snapshot, options);
   if (ego.code != StatusCode::kOk) return ego;
-  if (request.attacker) return checkAttacker(*request.attacker, snapshot, options);
+  if (request.attacker) return checkAttacker(*request.attacker, snapshot);
   return {};
 }
 

@@ -246,6 +246,7 @@ SearchOptions readSearch(Section section) {
   options.lane_paths = section.count("lane_paths", 0);
   options.ego_poses = section.count("ego_poses", 1);
   options.draws = section.count("draws", 1);
+  options.max_lead = section.nonNegative("max_lead");
   options.kept = section.count("kept", 1);
   options.rounds = section.count("rounds", 0);
   options.perturbations = section.count("perturbations", 0);
