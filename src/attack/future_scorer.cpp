@@ -6,7 +6,10 @@
 namespace forge {
 namespace {
 
-constexpr std::size_t kLanes = 8;       // entries of a row come in multiples of this
+constexpr std::size_t kLanes = 8;  // entries of a row come in multiples of this
+constexpr double kWatched =
+    6.0;  // m, centre circles further apart are passed over; boxes close in less a step
+constexpr float kFar = 1e9F;
 constexpr double kCloseGap = 2.0;       // m; a miss by this much is worth 1/e of a near hit
 constexpr double kCloseHeading = 0.26;  // rad (15 degrees); the same for the heading
 constexpr double kCloseTime = 0.5;      // s; the same for the time
@@ -15,10 +18,10 @@ constexpr double kCloseTime = 0.5;      // s; the same for the time
 
 /// What happened in one future.
 struct FutureScorer::Outcome {
-  int contact = -1;  // step of the first contact; -1: none
-  float gap = 1e9F;  // m, smallest while contact would be on time
-  Pose2 offset;      // the attacker seen from the ego, at contact
-  bool hit = false;  // all conditions hold
+  double contact = -1.0;  // first contact, in steps; below 0: none
+  float gap = 1e9F;       // m, smallest while contact would be on time
+  Pose2 offset;           // the attacker seen from the ego, at contact
+  bool hit = false;       // all conditions hold
 };
 
 FutureScorer::FutureScorer(const std::vector<const Track*>& egos, const std::vector<Track>& agents,
@@ -34,11 +37,10 @@ FutureScorer::FutureScorer(const std::vector<const Track*>& egos, const std::vec
       overlap_margin_(options.search.overlap_margin) {
   const SearchOptions& search = options.search;
   const double tolerance = options.verification.time_tolerance;
+  step_ = search.step;
   steps_ = static_cast<int>(std::floor((request.tta + tolerance) / search.step)) + 1;
-  first_in_time_ = static_cast<int>(
-      std::ceil((request.tta - tolerance + search.time_margin) / search.step - 1e-9));
-  last_in_time_ = static_cast<int>(
-      std::floor((request.tta + tolerance - search.time_margin) / search.step + 1e-9));
+  first_in_time_ = (request.tta - tolerance + search.time_margin) / search.step;
+  last_in_time_ = (request.tta + tolerance - search.time_margin) / search.step;
   band_.min_heading = band_.min_heading > 0.0 ? band_.min_heading + search.heading_margin : 0.0;
   band_.max_heading =
       band_.max_heading < M_PI - 1e-3 ? band_.max_heading - search.heading_margin : M_PI;
@@ -126,6 +128,9 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
   const float length = half(attacker.size, &BoxSize::length);
   const float width = half(attacker.size, &BoxSize::width);
   std::vector<float> gaps(padded_);
+  std::vector<float> gaps_before(padded_, kFar);
+  // Between whole boxes the gap is smaller by what both were shrunk by.
+  const auto touching = static_cast<float>(2.0 * overlap_margin_);
   std::size_t open = count_;
   for (int step = 0; step < steps_ && open > 0; ++step) {
     const Pose2& pose = points[static_cast<std::size_t>(step)].pose;
@@ -134,7 +139,7 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
     const std::size_t at = static_cast<std::size_t>(step);
     const bool in_time = step >= first_in_time_ && step <= last_in_time_;
     const double apart = std::hypot(px - middle_[at].x, py - middle_[at].y) - spread_[at] - reach;
-    if (apart > (in_time ? 3.0 * kCloseGap : 0.0)) continue;
+    if (apart > kWatched) continue;
     const float ax = static_cast<float>(px), ay = static_cast<float>(py);
     const float ac = static_cast<float>(std::cos(pose.yaw));
     const float as = static_cast<float>(std::sin(pose.yaw));
@@ -162,19 +167,30 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
     }
     for (std::size_t i = 0; i < count_; ++i) {
       Outcome& outcome = outcomes[i];
-      if (outcome.contact >= 0) continue;
+      if (outcome.contact >= 0.0) continue;
       if (in_time) outcome.gap = std::min(outcome.gap, gaps[i]);
       if (gaps[i] > 0.0F) continue;
-      outcome.contact = step;
+      // The whole boxes met some time before, since the step before at the earliest.
+      const float before = gaps_before[i];
+      const double ratio =
+          step == 0 || before <= touching ? 0.0 : (before - touching) / (before - gaps[i]);
+      const std::size_t back = step == 0 ? 0 : padded_;
+      const Pose2 ego_before{ex[i - back], ey[i - back], std::atan2(es[i - back], ec[i - back])};
       const Pose2 ego{ex[i], ey[i], std::atan2(es[i], ec[i])};
-      outcome.offset = relativeTo(ego, {px, py, pose.yaw});
+      const Pose2& pose_before = points[step == 0 ? 0 : at - 1].pose;
+      const Pose2 attacker_before{pose_before.x - origin_.x, pose_before.y - origin_.y,
+                                  pose_before.yaw};
+      outcome.contact = std::max(0.0, step - 1.0 + ratio);
+      outcome.offset = relativeTo(interpolate(ego_before, ego, ratio),
+                                  interpolate(attacker_before, {px, py, pose.yaw}, ratio));
       --open;
     }
+    std::swap(gaps, gaps_before);
   }
   const int other = firstOther(attacker, points);
   for (Outcome& outcome : outcomes) {
     outcome.hit = outcome.contact >= first_in_time_ && outcome.contact <= last_in_time_ &&
-                  outcome.contact > 0 && outcome.contact < other &&
+                  outcome.contact > 0.0 && outcome.contact < other &&
                   headingFits(outcome.offset.yaw, band_) &&
                   (rules_ == TypeRules::kAngle ||
                    contactFits(type_, outcome.offset, ego_size_, attacker.size, driving_side_));
@@ -189,14 +205,14 @@ FutureScore FutureScorer::score(const Track& attacker,
   for (const Outcome& outcome : outcomes) {
     if (outcome.hit) {
       score.share += 1.0;
-    } else if (outcome.contact < 0) {
+    } else if (outcome.contact < 0.0) {
       score.closeness += std::exp(-std::max(0.0F, outcome.gap) / kCloseGap);
     } else {
       const double heading = std::abs(outcome.offset.yaw);
       const double off = std::max({0.0, band_.min_heading - heading, heading - band_.max_heading});
-      const int late =
-          std::max({0, first_in_time_ - outcome.contact, outcome.contact - last_in_time_});
-      score.closeness += std::exp(-off / kCloseHeading - late * 0.1 / kCloseTime);
+      const double late =
+          std::max({0.0, first_in_time_ - outcome.contact, outcome.contact - last_in_time_});
+      score.closeness += std::exp(-off / kCloseHeading - late * step_ / kCloseTime);
     }
   }
   score.share /= static_cast<double>(count_);

@@ -18,7 +18,8 @@ struct FutureScore {
 
 /// Scores thousands of motions of attackers: the poses of all futures are laid out by time step.
 /// Boxes are shrunk and bands narrowed by the margins of SearchOptions, contact is looked for at
-/// the steps only; what is exact is verify(). Limits are not looked at. Immutable.
+/// the steps and told between them linearly; what is exact is verify(). Limits are not looked at.
+/// Immutable.
 class FutureScorer {
  public:
   /// `egos` are equally likely tracks from now on; where one ends before tta + time tolerance, it
@@ -46,8 +47,9 @@ class FutureScorer {
   std::size_t count_ = 0;   // futures
   std::size_t padded_ = 0;  // a row of the arrays below
   int steps_ = 0;
-  int first_in_time_ = 0;  // steps at which contact is on time
-  int last_in_time_ = 0;
+  double step_ = 0.0;           // s
+  double first_in_time_ = 0.0;  // steps between which contact is on time
+  double last_in_time_ = 0.0;
   // One row a step, one entry a future.
   std::vector<float> x_, y_, cosine_, sine_;
   // One entry a step: a circle around all futures' positions.
