@@ -33,6 +33,7 @@ class Random {
   std::mt19937_64 generator_;
 };
 
+constexpr double kShrink = 0.6;          // of the perturbations, a round
 constexpr double kMinArrival = 0.3;      // s from now
 constexpr double kMinImpactSpeed = 0.2;  // m/s
 constexpr double kNear = 6.0;            // m from the ego's middle: boxes may touch
@@ -59,7 +60,8 @@ struct Contender {
 
 struct Candidate {
   const Contender* contender = nullptr;
-  const TrajectoryFamily* family = nullptr;
+  const TrajectoryFamily* family = nullptr;  // null: the bicycle, by its knots
+  SteeringKnots knots;
   // What is varied.
   std::size_t ego = 0;   // future that is aimed at
   double contact = 0.0;  // s from now
@@ -89,16 +91,19 @@ class Search {
   std::vector<FoundAttack> run() {
     for (const auto& contender : contenders_) drawFor(*contender);
     for (int round = 0; round < search_.rounds && !isGood(); ++round) {
-      perturb(search_.perturbations, std::pow(0.6, round), nullptr);
+      perturb(quintics_, search_.perturbations, std::pow(kShrink, round));
     }
     if (!isGood()) {
       steer();
       for (int round = 0; round < search_.bicycle_rounds && !isGood(); ++round) {
-        perturb(search_.bicycle_perturbations, std::pow(0.6, round + 1), &bicycle_);
+        perturb(bicycles_, search_.bicycle_perturbations, std::pow(kShrink, round));
       }
     }
+    std::vector<Candidate> all = quintics_;
+    all.insert(all.end(), bicycles_.begin(), bicycles_.end());
+    std::stable_sort(all.begin(), all.end(), better);
     std::vector<FoundAttack> found;
-    for (const Candidate& candidate : kept_) {
+    for (const Candidate& candidate : all) {
       if (candidate.score.share > 0.0) found.push_back(finished(candidate));
     }
     return found;
@@ -247,34 +252,34 @@ class Search {
     });
   }
 
-  /// Drives the candidate, scores it, and keeps it if it is among the best.
-  bool consider(Candidate& candidate) {
+  bool drive(const Candidate& candidate, const DriveStart& start,
+             std::vector<TrajectoryPoint>& points) const {
+    if (candidate.family) return candidate.family->drive(start, candidate.arrival, points);
+    bicycle_.roll(start, candidate.knots, candidate.arrival.time, points);
+    return true;
+  }
+
+  /// Drives the candidate, scores it, and keeps it if it is among the best of its kind.
+  void consider(Candidate& candidate) {
     const DriveStart& start = candidate.contender->start;
-    if (!candidate.family->drive(start, candidate.arrival, points_)) return false;
+    if (!drive(candidate, start, points_)) return;
     const double until = start.now + input_.request.tta + options_.verification.time_tolerance;
-    if (findBrokenLimit(points_, start.motion.pose.yaw, until, limits_)) return false;
+    if (findBrokenLimit(points_, start.motion.pose.yaw, until, limits_)) return;
     candidate.score = scorer_.score(*candidate.contender->track, points_);
     candidate.objective =
         candidate.score.share + search_.closeness_weight * candidate.score.closeness;
-    if (static_cast<int>(kept_.size()) >= search_.kept &&
-        candidate.objective < kept_.back().objective) {
-      return false;
-    }
+    std::vector<Candidate>& kept = candidate.family ? quintics_ : bicycles_;
+    const bool full = static_cast<int>(kept.size()) >= search_.kept;
+    if (full && candidate.objective < kept.back().objective) return;
     candidate.off_road = offRoad(*candidate.contender->track);
     candidate.objective -=
         search_.off_road_weight * candidate.off_road +
         search_.effort_weight * effort(points_, start.now + input_.request.tta, limits_);
-    insert(candidate);
-    return true;
+    kept.insert(std::upper_bound(kept.begin(), kept.end(), candidate, better), candidate);
+    if (static_cast<int>(kept.size()) > search_.kept) kept.pop_back();
   }
 
-  void insert(const Candidate& candidate) {
-    const auto place = std::upper_bound(
-        kept_.begin(), kept_.end(), candidate,
-        [](const Candidate& a, const Candidate& b) { return a.objective > b.objective; });
-    kept_.insert(place, candidate);
-    if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();
-  }
+  static bool better(const Candidate& a, const Candidate& b) { return a.objective > b.objective; }
 
   /// Mean share of nine places of the box that are off the drivable area, to the impact.
   double offRoad(const Track& attacker) const {
@@ -299,35 +304,56 @@ class Search {
   }
 
   bool isGood() const {
-    return !kept_.empty() && kept_.front().score.share >= search_.good_share &&
-           kept_.front().off_road <= search_.good_off_road;
+    const auto good = [this](const std::vector<Candidate>& kept) {
+      return !kept.empty() && kept.front().score.share >= search_.good_share &&
+             kept.front().off_road <= search_.good_off_road;
+    };
+    return good(quintics_) || good(bicycles_);
   }
 
-  /// Moves away from the kept candidates, better ones more often; `family` replaces theirs.
-  void perturb(int count, double scale, const TrajectoryFamily* family) {
-    const std::vector<Candidate> parents = kept_;
+  /// Moves away from the kept candidates, better ones more often.
+  void perturb(const std::vector<Candidate>& kept, int count, double scale) {
+    const std::vector<Candidate> parents = kept;
     if (parents.empty()) return;
     for (int i = 0; i < count && !isGood(); ++i) {
-      const std::size_t better =
+      const std::size_t rank =
           std::min(random_.index(parents.size()), random_.index(parents.size()));
-      Candidate candidate = parents[better];
-      if (family) candidate.family = family;
-      Pose2& offset = candidate.offset;
-      offset.x += random_.bell(1.0 * scale);
-      offset.y += random_.bell(0.6 * scale);
-      offset.yaw = wrapAngle(offset.yaw + random_.bell(0.07 * scale));
-      candidate.contact += random_.bell(0.2 * scale);
-      candidate.lead += random_.bell(0.2 * scale);
-      Arrival& arrival = candidate.arrival;
-      arrival.speed += random_.bell((0.5 + 0.15 * arrival.speed) * scale);
-      arrival.start_acceleration += random_.bell(1.0 * scale);
-      arrival.end_acceleration += random_.bell(1.0 * scale);
-      aim(candidate);
+      Candidate candidate = parents[rank];
+      if (candidate.family) {
+        moveArrival(candidate, scale);
+      } else {
+        moveKnots(candidate.knots, scale);
+      }
       consider(candidate);
     }
   }
 
-  /// Steers the bicycle to arrivals of every attacker in turn.
+  void moveArrival(Candidate& candidate, double scale) {
+    Pose2& offset = candidate.offset;
+    offset.x += random_.bell(1.0 * scale);
+    offset.y += random_.bell(0.6 * scale);
+    offset.yaw = wrapAngle(offset.yaw + random_.bell(0.07 * scale));
+    candidate.contact += random_.bell(0.2 * scale);
+    candidate.lead += random_.bell(0.2 * scale);
+    Arrival& arrival = candidate.arrival;
+    arrival.speed += random_.bell((0.5 + 0.15 * arrival.speed) * scale);
+    arrival.start_acceleration += random_.bell(1.0 * scale);
+    arrival.end_acceleration += random_.bell(1.0 * scale);
+    aim(candidate);
+  }
+
+  void moveKnots(SteeringKnots& knots, double scale) {
+    for (double& knot : knots.acceleration) {
+      knot = std::clamp(knot + random_.bell(1.2 * scale), -limits_.max_braking,
+                        limits_.max_forward_acceleration);
+    }
+    for (double& knot : knots.curvature) {
+      knot = std::clamp(knot + random_.bell(0.02 * scale), -limits_.max_curvature,
+                        limits_.max_curvature);
+    }
+  }
+
+  /// Steers the bicycle to arrivals of every attacker in turn, and anyhow.
   void steer() {
     const auto placements = placementsOf(input_.request.type, input_.lanes.map().driving_side);
     std::vector<const Contender*> reachable;
@@ -341,9 +367,32 @@ class Search {
       const Placement& placement = placements[turn / reachable.size() % placements.size()];
       Candidate candidate =
           drawn(contender, placement, turn < reachable.size() * placements.size());
-      candidate.family = &bicycle_;
+      const auto knots = bicycle_.solve(contender.start, candidate.arrival);
+      if (!knots) continue;
+      candidate.knots = *knots;
       consider(candidate);
     }
+    for (int i = 0; i < search_.bicycle_draws && !isGood(); ++i) {
+      Candidate candidate = driftedFrom(*reachable[static_cast<std::size_t>(i) % reachable.size()]);
+      consider(candidate);
+    }
+  }
+
+  /// The attacker's own motion, with a change of speed and a bend of any size.
+  Candidate driftedFrom(const Contender& contender) {
+    Candidate candidate;
+    candidate.contender = &contender;
+    candidate.arrival.time = input_.request.tta;
+    const double from = random_.uniform(-limits_.max_braking, limits_.max_forward_acceleration);
+    const double to = random_.uniform(-limits_.max_braking, limits_.max_forward_acceleration);
+    const double bend = random_.bell(0.5 * limits_.max_curvature);
+    const double end_bend = random_.bell(0.5 * limits_.max_curvature);
+    for (std::size_t i = 0; i < SteeringKnots::kCount; ++i) {
+      const double ratio = static_cast<double>(i) / (SteeringKnots::kCount - 1);
+      candidate.knots.acceleration[i] = from + ratio * (to - from);
+      candidate.knots.curvature[i] = bend + ratio * (end_bend - bend);
+    }
+    return candidate;
   }
 
   FoundAttack finished(const Candidate& candidate) const {
@@ -353,7 +402,7 @@ class Search {
     DriveStart start = candidate.contender->start;
     start.points =
         static_cast<int>(std::lround((input_.request.tta + search_.tail) / search_.step)) + 1;
-    candidate.family->drive(start, candidate.arrival, found.points);
+    drive(candidate, start, found.points);
     found.score = candidate.score;
     found.off_road = candidate.off_road;
     found.objective = candidate.objective;
@@ -369,7 +418,8 @@ class Search {
   Random random_;
   std::vector<std::size_t> egos_;  // that are aimed at
   std::vector<std::unique_ptr<Contender>> contenders_;
-  std::vector<Candidate> kept_;  // best first
+  std::vector<Candidate> quintics_;  // best first
+  std::vector<Candidate> bicycles_;  // best first
   std::vector<TrajectoryPoint> points_;
 };
 

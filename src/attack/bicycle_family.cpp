@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-constexpr int kKnots = 5;  // of acceleration, and as many of curvature
+constexpr int kKnots = SteeringKnots::kCount;  // of acceleration, and as many of curvature
 using Knots = Eigen::Matrix<double, 2 * kKnots, 1>;
 
 /// Value of five knots, evenly spread over [0, 1].
@@ -78,6 +78,23 @@ class Rollout {
 
 bool BicycleFamily::drive(const DriveStart& start, const Arrival& arrival,
                           std::vector<TrajectoryPoint>& points) const {
+  const auto knots = solve(start, arrival);
+  if (knots) roll(start, *knots, arrival.time, points);
+  return knots.has_value();
+}
+
+void BicycleFamily::roll(const DriveStart& start, const SteeringKnots& steering, double duration,
+                         std::vector<TrajectoryPoint>& points) const {
+  Knots knots;
+  knots.head<kKnots>() =
+      Eigen::Map<const Eigen::Matrix<double, kKnots, 1>>(steering.acceleration.data());
+  knots.tail<kKnots>() =
+      Eigen::Map<const Eigen::Matrix<double, kKnots, 1>>(steering.curvature.data());
+  Rollout(start, duration, limits_).drive(knots, &points);
+}
+
+std::optional<SteeringKnots> BicycleFamily::solve(const DriveStart& start,
+                                                  const Arrival& arrival) const {
   constexpr int kResiduals = 4 + 2 * kKnots;
   const Rollout rollout(start, arrival.time, limits_);
   const double reach = (arrival.pose.position() - start.motion.pose.position()).norm();
@@ -133,9 +150,16 @@ bool BicycleFamily::drive(const DriveStart& start, const Arrival& arrival,
     }
     if (!improved) break;
   }
-  if (r.head<2>().norm() * options_.position_scale > options_.max_miss) return false;
-  rollout.drive(knots, &points);
-  return true;
+  if (r.head<2>().norm() * options_.position_scale > options_.max_miss) return std::nullopt;
+  SteeringKnots steering;
+  for (int i = 0; i < kKnots; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    steering.acceleration[at] =
+        std::clamp(knots[i], -limits_.max_braking, limits_.max_forward_acceleration);
+    steering.curvature[at] =
+        std::clamp(knots[kKnots + i], -limits_.max_curvature, limits_.max_curvature);
+  }
+  return steering;
 }
 
 }  // namespace forge

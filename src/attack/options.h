@@ -66,6 +66,7 @@ struct SearchOptions {
   int rounds = 0;
   int perturbations = 0;
   int bicycle_targets = 0;
+  int bicycle_draws = 0;
   int bicycle_rounds = 0;
   int bicycle_perturbations = 0;
   double good_share = 0.0;

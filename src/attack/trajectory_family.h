@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "attack/attack.h"
@@ -51,16 +53,32 @@ class QuinticFamily : public TrajectoryFamily {
   const ReferencePath* path_ = nullptr;
 };
 
-/// A kinematic bicycle steered by five knots of acceleration and five of curvature, linear in
-/// between, held to the limits at every step; the knots are found by damped least squares on the
-/// arrival (Levenberg 1944, Marquardt 1963). Can turn from rest, brake and turn hard: what a
-/// quintic cannot. Its own start and end acceleration are used; the arrival's are not.
+/// What steers the bicycle: values at instants evenly spread from now to the end of the steering,
+/// linear in between. Acceleration along the heading in m/s2, curvature in 1/m.
+struct SteeringKnots {
+  static constexpr int kCount = 5;
+  std::array<double, kCount> acceleration{};
+  std::array<double, kCount> curvature{};
+};
+
+/// A kinematic bicycle steered by knots of acceleration and curvature, held to the limits at every
+/// step. Can turn from rest, brake and turn hard: what a quintic cannot.
 class BicycleFamily : public TrajectoryFamily {
  public:
   BicycleFamily(const VehicleLimits& limits, const BicycleOptions& options)
       : limits_(limits), options_(options) {}
+
+  /// solve(), then roll(). The arrival's start and end acceleration are not used.
   bool drive(const DriveStart& start, const Arrival& arrival,
              std::vector<TrajectoryPoint>& points) const override;
+
+  /// Knots that bring the bicycle to the arrival, found by damped least squares (Levenberg 1944,
+  /// Marquardt 1963); empty when it stays further than `max_miss` away.
+  std::optional<SteeringKnots> solve(const DriveStart& start, const Arrival& arrival) const;
+
+  /// Steers for `duration` seconds, then goes straight on.
+  void roll(const DriveStart& start, const SteeringKnots& knots, double duration,
+            std::vector<TrajectoryPoint>& points) const;
 
  private:
   VehicleLimits limits_;

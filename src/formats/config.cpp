@@ -251,6 +251,7 @@ SearchOptions readSearch(Section section) {
   options.rounds = section.count("rounds", 0);
   options.perturbations = section.count("perturbations", 0);
   options.bicycle_targets = section.count("bicycle_targets", 0);
+  options.bicycle_draws = section.count("bicycle_draws", 0);
   options.bicycle_rounds = section.count("bicycle_rounds", 0);
   options.bicycle_perturbations = section.count("bicycle_perturbations", 0);
   options.good_share = section.within("good_share", 0.0, 1.0);
