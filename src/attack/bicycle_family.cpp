@@ -74,6 +74,107 @@ class Rollout {
   const VehicleLimits& limits_;
 };
 
+/// Knots of a constant acceleration that covers the straight distance, bent to the arc there.
+Knots alongAnArc(const DriveStart& start, const Arrival& arrival, const VehicleLimits& limits) {
+  const Pose2 local = relativeTo(start.motion.pose, arrival.pose);
+  const double reach = local.position().norm();
+  const double needed =
+      2.0 * (reach - start.motion.speed * arrival.time) / (arrival.time * arrival.time);
+  const double bend = 2.0 * local.y / std::max(1.0, reach * reach);
+  Knots knots;
+  knots.head<kKnots>().setConstant(
+      std::clamp(needed, -0.5 * limits.max_braking, limits.max_forward_acceleration));
+  knots.tail<kKnots>().setConstant(std::clamp(bend, -limits.max_curvature, limits.max_curvature));
+  return knots;
+}
+
+/// Knots of a change to the speed at which a tight turn can be driven, then that turn.
+Knots aroundATurn(const DriveStart& start, const Arrival& arrival, const VehicleLimits& limits,
+                  double side) {
+  constexpr double kShare = 0.8;  // of the tightest turn and its speed
+  const double speed = kShare * std::sqrt(limits.max_total_acceleration / limits.max_curvature);
+  const double change = (speed - start.motion.speed) / (0.4 * arrival.time);
+  Knots knots = Knots::Zero();
+  knots.head<2>().setConstant(
+      std::clamp(change, -limits.max_braking, limits.max_forward_acceleration));
+  knots.tail<kKnots - 1>().setConstant(side * kShare * limits.max_curvature);
+  return knots;
+}
+
+/// Least squares for one arrival.
+class Steering {
+ public:
+  Steering(const DriveStart& start, const Arrival& arrival, const VehicleLimits& limits,
+           const BicycleOptions& options)
+      : rollout_(start, arrival.time, limits), arrival_(arrival), options_(options) {}
+
+  /// From a first guess; empty when the arrival stays too far away.
+  std::optional<Knots> solve(Knots knots) const {
+    Residuals residuals = residualsAt(knots);
+    double cost = residuals.squaredNorm();
+    double damping = kFirstDamping;
+    bool going_on = true;
+    for (int i = 0; i < options_.iterations && going_on; ++i) {
+      const double before = cost;
+      going_on =
+          step(knots, residuals, cost, damping) && before - cost >= options_.convergence * before;
+    }
+    const double miss = residuals.head<2>().norm() * options_.position_scale;
+    return miss <= options_.max_miss ? std::make_optional(knots) : std::nullopt;
+  }
+
+ private:
+  static constexpr int kUnknowns = 2 * kKnots;
+  using Residuals = Eigen::Matrix<double, 4 + kUnknowns, 1>;
+  static constexpr double kFirstDamping = 1e-2;
+  static constexpr int kDampings = 3;  // tried a step
+
+  Residuals residualsAt(const Knots& knots) const {
+    const TrajectoryPoint end = rollout_.drive(knots, nullptr);
+    Residuals residuals;
+    residuals[0] = (end.pose.x - arrival_.pose.x) / options_.position_scale;
+    residuals[1] = (end.pose.y - arrival_.pose.y) / options_.position_scale;
+    residuals[2] = angleBetween(arrival_.pose.yaw, end.pose.yaw) / options_.heading_scale;
+    residuals[3] = (end.speed - arrival_.speed) / options_.speed_scale;
+    residuals.segment<kKnots>(4) = knots.head<kKnots>() / options_.acceleration_scale;
+    residuals.tail<kKnots>() = knots.tail<kKnots>() / options_.curvature_scale;
+    return residuals;
+  }
+
+  /// One damped step; false when none of the dampings gains anything.
+  bool step(Knots& knots, Residuals& residuals, double& cost, double& damping) const {
+    Eigen::Matrix<double, 4 + kUnknowns, kUnknowns> jacobian;
+    for (int i = 0; i < kUnknowns; ++i) {
+      const double delta = i < kKnots ? 1e-2 : 1e-4;
+      Knots moved = knots;
+      moved[i] += delta;
+      jacobian.col(i) = (residualsAt(moved) - residuals) / delta;
+    }
+    const Eigen::Matrix<double, kUnknowns, kUnknowns> normal = jacobian.transpose() * jacobian;
+    const Knots gradient = jacobian.transpose() * residuals;
+    for (int attempt = 0; attempt < kDampings; ++attempt) {
+      Eigen::Matrix<double, kUnknowns, kUnknowns> damped = normal;
+      damped.diagonal() *= 1.0 + damping;
+      const Knots next = knots - damped.ldlt().solve(gradient);
+      const Residuals next_residuals = residualsAt(next);
+      const double next_cost = next_residuals.squaredNorm();
+      if (next_cost < cost) {
+        damping *= 0.3;
+        knots = next;
+        residuals = next_residuals;
+        cost = next_cost;
+        return true;
+      }
+      damping *= 8.0;
+    }
+    return false;
+  }
+
+  Rollout rollout_;
+  const Arrival& arrival_;
+  const BicycleOptions& options_;
+};
+
 }  // namespace
 
 bool BicycleFamily::drive(const DriveStart& start, const Arrival& arrival,
@@ -95,69 +196,24 @@ void BicycleFamily::roll(const DriveStart& start, const SteeringKnots& steering,
 
 std::optional<SteeringKnots> BicycleFamily::solve(const DriveStart& start,
                                                   const Arrival& arrival) const {
-  constexpr int kResiduals = 4 + 2 * kKnots;
-  const Rollout rollout(start, arrival.time, limits_);
-  const double reach = (arrival.pose.position() - start.motion.pose.position()).norm();
-  const auto residuals = [&](const Knots& knots) {
-    const TrajectoryPoint end = rollout.drive(knots, nullptr);
-    Eigen::Matrix<double, kResiduals, 1> r;
-    r[0] = (end.pose.x - arrival.pose.x) / options_.position_scale;
-    r[1] = (end.pose.y - arrival.pose.y) / options_.position_scale;
-    r[2] = angleBetween(arrival.pose.yaw, end.pose.yaw) / options_.heading_scale;
-    r[3] = (end.speed - arrival.speed) / options_.speed_scale;
-    r.segment<kKnots>(4) = knots.head<kKnots>() / options_.acceleration_scale;
-    r.tail<kKnots>() = knots.tail<kKnots>() / options_.curvature_scale;
-    return r;
-  };
-  Knots knots = Knots::Zero();
-  // The constant acceleration that covers the straight distance, and the bend of the arc there.
-  const double needed =
-      2.0 * (reach - start.motion.speed * arrival.time) / (arrival.time * arrival.time);
-  knots.head<kKnots>().setConstant(
-      std::clamp(needed, -0.5 * limits_.max_braking, limits_.max_forward_acceleration));
+  const Steering problem(start, arrival, limits_, options_);
   const Pose2 local = relativeTo(start.motion.pose, arrival.pose);
-  const double bend = 2.0 * local.y / std::max(1.0, reach * reach);
-  knots.tail<kKnots>().setConstant(std::clamp(bend, -limits_.max_curvature, limits_.max_curvature));
-
-  auto r = residuals(knots);
-  double cost = r.squaredNorm();
-  double damping = 1e-2;
-  for (int iteration = 0; iteration < options_.iterations; ++iteration) {
-    Eigen::Matrix<double, kResiduals, 2 * kKnots> jacobian;
-    for (int i = 0; i < 2 * kKnots; ++i) {
-      const double delta = i < kKnots ? 1e-2 : 1e-4;
-      Knots moved = knots;
-      moved[i] += delta;
-      jacobian.col(i) = (residuals(moved) - r) / delta;
-    }
-    const Eigen::Matrix<double, 2 * kKnots, 2 * kKnots> normal = jacobian.transpose() * jacobian;
-    const Knots gradient = jacobian.transpose() * r;
-    bool improved = false;
-    for (int attempt = 0; attempt < 3 && !improved; ++attempt) {
-      Eigen::Matrix<double, 2 * kKnots, 2 * kKnots> damped = normal;
-      damped.diagonal() *= 1.0 + damping;
-      const Knots next = knots - damped.ldlt().solve(gradient);
-      const auto next_r = residuals(next);
-      const double next_cost = next_r.squaredNorm();
-      improved = next_cost < cost;
-      damping *= improved ? 0.3 : 8.0;
-      if (!improved) continue;
-      const bool converged = cost - next_cost < options_.convergence * cost;
-      knots = next;
-      r = next_r;
-      cost = next_cost;
-      if (converged) iteration = options_.iterations;
-    }
-    if (!improved) break;
+  std::optional<Knots> knots = problem.solve(alongAnArc(start, arrival, limits_));
+  // Least squares finds no way around: where the arc leads nowhere, a tight turn to the side where
+  // the arrival lies is tried, then one to the other.
+  const double side = local.y >= 0.0 ? 1.0 : -1.0;
+  for (const double turn : {side, -side}) {
+    if (knots || std::abs(local.yaw) < options_.turn_heading) break;
+    knots = problem.solve(aroundATurn(start, arrival, limits_, turn));
   }
-  if (r.head<2>().norm() * options_.position_scale > options_.max_miss) return std::nullopt;
+  if (!knots) return std::nullopt;
   SteeringKnots steering;
   for (int i = 0; i < kKnots; ++i) {
     const auto at = static_cast<std::size_t>(i);
     steering.acceleration[at] =
-        std::clamp(knots[i], -limits_.max_braking, limits_.max_forward_acceleration);
+        std::clamp((*knots)[i], -limits_.max_braking, limits_.max_forward_acceleration);
     steering.curvature[at] =
-        std::clamp(knots[kKnots + i], -limits_.max_curvature, limits_.max_curvature);
+        std::clamp((*knots)[kKnots + i], -limits_.max_curvature, limits_.max_curvature);
   }
   return steering;
 }

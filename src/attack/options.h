@@ -41,6 +41,7 @@ struct BicycleOptions {
   int iterations = 0;
   double convergence = 0.0;
   double max_miss = 0.0;
+  double turn_heading = 0.0;
   double position_scale = 0.0;
   double heading_scale = 0.0;
   double speed_scale = 0.0;

@@ -224,6 +224,7 @@ BicycleOptions readBicycle(Section section) {
   options.iterations = section.count("iterations", 1);
   options.convergence = section.nonNegative("convergence");
   options.max_miss = section.positive("max_miss");
+  options.turn_heading = section.nonNegative("turn_heading");
   options.position_scale = section.positive("position_scale");
   options.heading_scale = section.positive("heading_scale");
   options.speed_scale = section.positive("speed_scale");
