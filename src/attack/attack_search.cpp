@@ -36,6 +36,7 @@ class Random {
 constexpr double kShrink = 0.6;          // of the perturbations, a round
 constexpr double kMinArrival = 0.3;      // s from now
 constexpr double kMinImpactSpeed = 0.2;  // m/s
+constexpr double kMaxDrawnSpeed = 15.0;  // m/s at the impact
 constexpr double kNear = 6.0;            // m from the ego's middle: boxes may touch
 constexpr double kRounding = 0.999;      // of a limit, so that a bicycle at the limit is within it
 
@@ -202,7 +203,10 @@ class Search {
     arrival.pose = compose(contact, {-arrival.speed * candidate.lead, 0.0, 0.0});
   }
 
-  Candidate drawn(const Contender& contender, const Placement& placement, bool nominal) {
+  /// An arrival somewhere at the placement; the nominal one at its middle. `steady`: at a speed
+  /// that a steady change of speed leads to.
+  Candidate drawn(const Contender& contender, const Placement& placement, bool nominal,
+                  bool steady) {
     Candidate candidate;
     candidate.contender = &contender;
     candidate.ego = nominal ? egos_[egos_.size() / 2] : egos_[random_.index(egos_.size())];
@@ -218,7 +222,10 @@ class Search {
     arrival.speed = steadySpeed(contender, target, candidate.contact);
     arrival.start_acceleration = std::clamp(contender.start.motion.acceleration, -3.0, 3.0);
     if (!nominal) {
-      arrival.speed = arrival.speed * random_.uniform(0.5, 1.5) + random_.uniform(-1.0, 1.0);
+      // Around the steady speed or, as no straight way may lead there, any.
+      arrival.speed = steady || random_.uniform(-1.0, 1.0) > 0.0
+                          ? arrival.speed * random_.uniform(0.5, 1.5)
+                          : random_.uniform(0.5, kMaxDrawnSpeed);
       arrival.start_acceleration = random_.bell(1.5);
       arrival.end_acceleration = random_.bell(1.5);
     }
@@ -232,7 +239,7 @@ class Search {
     for (const Placement& placement : placements) {
       for (const auto& family : contender.quintics) {
         for (int i = 0; i < search_.draws; ++i) {
-          Candidate candidate = drawn(contender, placement, i == 0);
+          Candidate candidate = drawn(contender, placement, i == 0, true);
           candidate.family = family.get();
           consider(candidate);
         }
@@ -366,7 +373,7 @@ class Search {
       const Contender& contender = *reachable[turn % reachable.size()];
       const Placement& placement = placements[turn / reachable.size() % placements.size()];
       Candidate candidate =
-          drawn(contender, placement, turn < reachable.size() * placements.size());
+          drawn(contender, placement, turn < reachable.size() * placements.size(), false);
       const auto knots = bicycle_.solve(contender.start, candidate.arrival);
       if (!knots) continue;
       candidate.knots = *knots;
