@@ -47,6 +47,8 @@ enum class StatusCode : std::uint8_t {
   kNodeUnavailable = 12,      ///< a node of the suite did not answer
 };
 const char* toString(StatusCode code);
+/// Empty for an unknown name; names are those of toString(), in capitals.
+std::optional<StatusCode> statusCodeFromString(const std::string& name);
 
 struct Status {
   StatusCode code = StatusCode::kOk;
