@@ -49,6 +49,15 @@ ItemResult resultOf(const RankMessage& message) {
   return result;
 }
 
+/// Returns with the next message of a kind; others are dropped.
+void waitFor(const Ranks& ranks, MessageTag tag) {
+  while (true) {
+    const auto message = ranks.receive();
+    if (message && message->tag == tag) return;
+    if (!message) std::this_thread::sleep_for(kPoll);
+  }
+}
+
 /// The side of a run that deals and takes.
 class Master {
  public:
@@ -74,15 +83,9 @@ class Master {
 
   /// Returns when every other rank has left; what they still send is dropped.
   void dismissOthers() const {
-    for (int rank = 1; rank < ranks_.size(); ++rank) ranks_.send(rank, MessageTag::kStop, "");
-    for (int left = 1; left < ranks_.size();) {
-      const auto message = ranks_.receive();
-      if (!message) {
-        std::this_thread::sleep_for(kPoll);
-      } else if (message->tag == MessageTag::kLeft) {
-        ++left;
-      }
-    }
+    tellOthers(MessageTag::kStop);
+    for (int rank = 1; rank < ranks_.size(); ++rank) waitFor(ranks_, MessageTag::kLeft);
+    tellOthers(MessageTag::kClosed);
   }
 
  private:
@@ -110,6 +113,10 @@ class Master {
     ledger_.put(resultOf(message));
   }
 
+  void tellOthers(MessageTag tag) const {
+    for (int rank = 1; rank < ranks_.size(); ++rank) ranks_.send(rank, tag, "");
+  }
+
   const Ranks& ranks_;
   std::vector<std::size_t> wanted_;  // items that each other rank could have now
   Ledger ledger_;
@@ -135,6 +142,7 @@ void serve(const WorkerPool::Work& work, int jobs) {
     }
   }
   ranks.send(0, MessageTag::kLeft, "");
+  waitFor(ranks, MessageTag::kClosed);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ enum class MessageTag : int {
   kFailure,  ///< to the master: index, a space, the exception's text
   kStop,     ///< from the master: no more items, drop those not begun
   kLeft,     ///< to the master: the last message of this rank in this run
+  kClosed,   ///< from the master: all have left, the next run may begin
 };
 
 struct RankMessage {
