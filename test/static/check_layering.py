@@ -4,6 +4,7 @@
 1. A module includes itself and modules below it (LAYERS, lowest first).
 2. ROS is included only in src/ros, src/rviz and src/tools.
 3. torch is included only in src/network, and no file outside it includes a header that brings torch along.
+4. MPI is included only in src/batch.
 """
 import re
 import sys
@@ -17,6 +18,7 @@ ROS_MODULES = {'ros', 'rviz', 'tools'}
 ROS_INCLUDE = re.compile(
     r'(ros|rosbag|roscpp|rosconsole|nodelet|pluginlib|rviz|tf|tf2|tf2_\w+|std_srvs|\w+_msgs|collision_forge)/')
 TORCH_INCLUDE = re.compile(r'(torch|ATen|c10|caffe2)/')
+MPI_INCLUDE = re.compile(r'mpi\.h$')
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -55,6 +57,8 @@ def violations_in_file(file, includes):
             yield '{}: ROS has no place in {}'.format(included, module)
         elif TORCH_INCLUDE.match(included) and module != 'network':
             yield '{}: torch has no place outside src/network'.format(included)
+        elif MPI_INCLUDE.match(included) and module != 'batch':
+            yield '{}: MPI has no place outside src/batch'.format(included)
 
 
 def unknown_modules(includes):
