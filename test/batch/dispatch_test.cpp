@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <chrono>
-#include <mutex>
-#include <set>
+#include <cstdlib>
+#include <map>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -126,20 +126,35 @@ TEST(Dispatch, AnErrorOfTakeEndsTheRun) {
   expectTaken(taken, 0, 50);
 }
 
-TEST(Dispatch, EveryProcessWorks) {
+TEST(Dispatch, EveryProcessDoesItsShare) {
   // The answer of an item is the process that worked on it; with mpirun that is each rank.
   const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
-  std::set<std::string> processes;
+  const std::size_t ranks = size ? std::stoul(size) : 1;
+  std::map<std::string, std::size_t> items_of_process;
   dispatch(
       kCount,
       [](std::size_t) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
         return std::to_string(::getpid());
       },
-      [&](std::size_t, const std::string& bytes) { processes.insert(bytes); }, {1, 0});
-  if (isMaster()) {
-    EXPECT_EQ(processes.size(), size ? std::stoul(size) : 1u);
-  }
+      [&](std::size_t, const std::string& bytes) { ++items_of_process[bytes]; }, {1, 0});
+  if (!isMaster()) return;
+  EXPECT_EQ(items_of_process.size(), ranks);
+  for (const auto& [process, items] : items_of_process) EXPECT_GT(items, kCount / ranks / 4);
+}
+
+TEST(Dispatch, AnErrorInAnotherRankArrives) {
+  const char* const rank = std::getenv("OMPI_COMM_WORLD_RANK");
+  const bool is_alone = rank == nullptr;
+  const bool is_other = !is_alone && std::string(rank) != "0";
+  Taken taken;
+  const auto work = [&](std::size_t index) {
+    if (is_other) throw std::runtime_error("not here");
+    return slowly(index);
+  };
+  const std::string error = errorOf(work, std::ref(taken), 1);
+  EXPECT_EQ(error, is_alone || is_other ? "" : "not here");
+  expectTaken(taken, 0, taken.indices.size());
 }
 
 TEST(Dispatch, NothingToDoIsNoError) {
