@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <iterator>
 #include <vector>
 
 #include "scene/collision_types.h"
@@ -94,6 +96,20 @@ struct AttackOptions {
   SearchOptions search;
   BicycleOptions bicycle;
   VerificationOptions verification;
+};
+
+/// For whom a list of requests asks: for any attacker, or for each possible one by its id.
+enum class Attackers { kAny, kEach };
+
+/// What a list of requests is made of; stride, ttas and min_ego_speed by default those of
+/// config/requests.yaml, where their units stand.
+struct RequestListOptions {
+  double stride = 0.0;
+  std::vector<double> ttas;
+  double min_ego_speed = 0.0;
+  std::vector<CollisionType> types{std::begin(kCollisionTypes), std::end(kCollisionTypes)};
+  Attackers attackers = Attackers::kAny;
+  std::uint64_t seed = 0;  ///< of every request
 };
 
 }  // namespace forge

@@ -301,6 +301,18 @@ ConversionOptions loadConversion(const std::string& directory) {
   return options;
 }
 
+RequestListOptions loadRequests(const std::string& directory) {
+  Section file = openFile(directory, "requests.yaml");
+  Section section = file.section("requests");
+  RequestListOptions options;
+  options.stride = section.positive("stride");
+  options.ttas = section.positives("ttas");
+  options.min_ego_speed = section.nonNegative("min_ego_speed");
+  section.finish();
+  file.finish();
+  return options;
+}
+
 void readDrawingSizes(Section& section, DrawingOptions& options) {
   constexpr int kMinPixels = 64;
   constexpr int kMaxPixels = 8192;
@@ -374,6 +386,7 @@ Config loadConfig(const std::string& directory) {
   config.encoding = loadEncoding(directory);
   config.conversion = loadConversion(directory);
   config.drawing = loadDrawing(directory);
+  config.requests = loadRequests(directory);
   config.locations = loadLocations(directory);
   return config;
 }

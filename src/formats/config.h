@@ -25,6 +25,7 @@ struct Config {
   EncodingOptions encoding;
   ConversionOptions conversion;
   DrawingOptions drawing;
+  RequestListOptions requests;
   std::map<std::string, DrivingSide> locations;  ///< by prefix of the location's name
 };
 

@@ -28,6 +28,7 @@ class LaneIndex {
   explicit LaneIndex(std::shared_ptr<const LaneMap> map);
 
   const LaneMap& map() const { return *map_; }
+  std::shared_ptr<const LaneMap> sharedMap() const { return map_; }
 
   /// Empty when the lane has no centreline.
   const std::optional<Polyline>& centerline(std::size_t lane) const {

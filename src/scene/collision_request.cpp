@@ -85,4 +85,13 @@ const char* toString(StatusCode code) {
   return "UNKNOWN";
 }
 
+std::optional<StatusCode> statusCodeFromString(const std::string& name) {
+  for (auto number = static_cast<int>(StatusCode::kOk);
+       number <= static_cast<int>(StatusCode::kNodeUnavailable); ++number) {
+    const auto code = static_cast<StatusCode>(number);
+    if (name == toString(code)) return code;
+  }
+  return std::nullopt;
+}
+
 }  // namespace forge

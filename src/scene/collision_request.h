@@ -48,6 +48,8 @@ enum class StatusCode : std::uint8_t {
   kLowConfidence = 13,        ///< the best attack promises less than min_confidence
 };
 const char* toString(StatusCode code);
+/// Empty for an unknown name; names are those of toString(), in capitals.
+std::optional<StatusCode> statusCodeFromString(const std::string& name);
 
 struct Status {
   StatusCode code = StatusCode::kOk;

@@ -110,6 +110,13 @@ TEST(Config, ShippedPredictionAndEncodingHaveTheDocumentedValues) {
   EXPECT_EQ(config.encoding.lane_point_spacing, 2.0);
 }
 
+TEST(Config, ShippedRequestListHasTheDocumentedValues) {
+  const Config config = loadConfig(kShipped);
+  EXPECT_EQ(config.requests.stride, 2.0);
+  EXPECT_EQ(config.requests.ttas, (std::vector<double>{2.0, 3.0, 4.0, 5.0, 6.0}));
+  EXPECT_EQ(config.requests.min_ego_speed, 2.0);
+}
+
 TEST(Config, ShippedRealizationAndVerificationHaveTheDocumentedValues) {
   const Config config = loadConfig(kShipped);
   const RealizationOptions& realization = config.attack.realization;
@@ -198,6 +205,7 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
                                                         {"encoding.yaml", "encoding"},
                                                         {"conversion.yaml", "conversion"},
                                                         {"drawing.yaml", "drawing"},
+                                                        {"requests.yaml", "requests"},
                                                         {"realization.yaml", "realization"},
                                                         {"realization.yaml", "verification"}}) {
     expectComplaint(file, "\n" + section + ":", "\n" + section + ":\n  stray: 7.5",
@@ -213,7 +221,7 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
 TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
   for (const char* file : {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml",
                            "collision_types.yaml", "prediction.yaml", "realization.yaml",
-                           "encoding.yaml", "conversion.yaml", "drawing.yaml"}) {
+                           "encoding.yaml", "conversion.yaml", "drawing.yaml", "requests.yaml"}) {
     expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
   }
 }
@@ -227,6 +235,7 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("realization.yaml", "samples:", "#", {"realization.samples", "missing"});
   expectComplaint("conversion.yaml", "map_radius:", "#", {"conversion.map_radius", "missing"});
   expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
+  expectComplaint("requests.yaml", "stride:", "#", {"requests.stride", "missing"});
   expectComplaint("realization.yaml", "time_tolerance:", "#",
                   {"verification.time_tolerance", "missing"});
   expectComplaint("collision_types.yaml",
@@ -337,6 +346,9 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
                   {"realization.compared", "= 0"});
   expectComplaint("realization.yaml", "[0.8,", "[0.0,",
                   {"verification.confidence_speed_factors", "0.0"});
+  expectComplaint("requests.yaml", "stride: 2.0", "stride: 0.0", {"requests.stride", "0.0"});
+  expectComplaint("requests.yaml", "[2.0,", "[-2.0,", {"requests.ttas", "-2.0"});
+  expectComplaint("requests.yaml", "speed: 2.0", "speed: -1", {"requests.min_ego_speed", "-1"});
   expectComplaint("encoding.yaml", "max_lanes: 128", "max_lanes: 0", {"encoding.max_lanes", "= 0"});
   expectComplaint("ego_vehicle.yaml", "length: 4.084", "length: 0.0",
                   {"ego_vehicle.length", "0.0"});

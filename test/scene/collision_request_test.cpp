@@ -46,5 +46,15 @@ TEST(CollisionRequest, StatusNamesAreDistinct) {
   EXPECT_STREQ(toString(StatusCode::kTtaOutOfRange), "TTA_OUT_OF_RANGE");
 }
 
+TEST(CollisionRequest, StatusNamesAreReadBack) {
+  for (int code = 0; code <= 12; ++code) {
+    const auto status = static_cast<StatusCode>(code);
+    EXPECT_EQ(statusCodeFromString(toString(status)), status);
+  }
+  for (const char* name : {"", "ok", "UNKNOWN", "OK "}) {
+    EXPECT_FALSE(statusCodeFromString(name)) << name;
+  }
+}
+
 }  // namespace
 }  // namespace forge

@@ -4,18 +4,21 @@
 1. A module includes itself and modules below it (LAYERS, lowest first).
 2. ROS is included only in src/ros, src/rviz and src/tools.
 3. torch is included only in src/network, and no file outside it includes a header that brings torch along.
+4. MPI is included only in src/batch.
 """
 import re
 import sys
 from pathlib import Path
 
-LAYERS = [{'geometry'}, {'map'}, {'scene'}, {'attack', 'drawing', 'formats', 'network'}, {'ros', 'rviz', 'tools'}]
+LAYERS = [{'geometry'}, {'map'}, {'scene'}, {'attack', 'drawing', 'formats', 'network'}, {'batch'},
+          {'ros', 'rviz', 'tools'}]
 LAYER_OF = {module: level for level, modules in enumerate(LAYERS) for module in modules}
 
 ROS_MODULES = {'ros', 'rviz', 'tools'}
 ROS_INCLUDE = re.compile(
     r'(ros|rosbag|roscpp|rosconsole|nodelet|pluginlib|rviz|tf|tf2|tf2_\w+|std_srvs|\w+_msgs|collision_forge)/')
 TORCH_INCLUDE = re.compile(r'(torch|ATen|c10|caffe2)/')
+MPI_INCLUDE = re.compile(r'mpi\.h$')
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -54,6 +57,8 @@ def violations_in_file(file, includes):
             yield '{}: ROS has no place in {}'.format(included, module)
         elif TORCH_INCLUDE.match(included) and module != 'network':
             yield '{}: torch has no place outside src/network'.format(included)
+        elif MPI_INCLUDE.match(included) and module != 'batch':
+            yield '{}: MPI has no place outside src/batch'.format(included)
 
 
 def unknown_modules(includes):

@@ -26,6 +26,11 @@ class CheckLayering(unittest.TestCase):
         self.assertEqual(['src/geometry/a.cpp: map is above geometry'],
                          violations_of(geometry__a_cpp='map/b.h', map__b_h=''))
 
+    def test_batch_is_between_formats_and_tools(self):
+        self.assertEqual([], violations_of(formats__a_h='', batch__b_h='formats/a.h', tools__c_cpp='batch/b.h'))
+        self.assertEqual(['src/formats/a.cpp: batch is above formats'],
+                         violations_of(formats__a_cpp='batch/b.h', batch__b_h=''))
+
     def test_ros_stays_in_its_modules(self):
         self.assertEqual([], violations_of(ros__a_cpp='ros/ros.h', ros__bag_reader_cpp='rosbag/bag.h',
                                            tools__b_cpp='nav_msgs/Path.h', rviz__c_cpp='rviz/panel.h'))
@@ -46,6 +51,11 @@ class CheckLayering(unittest.TestCase):
         self.assertEqual(['src/tools/b.cpp: network/a.h brings torch out of src/network'],
                          violations_of(network__a_h='network/c.h', network__c_h='torch/torch.h',
                                        tools__b_cpp='network/a.h'))
+
+    def test_mpi_stays_in_batch(self):
+        self.assertEqual([], violations_of(batch__a_cpp='mpi.h'))
+        self.assertEqual(['src/tools/a.cpp: mpi.h: MPI has no place outside src/batch'],
+                         violations_of(tools__a_cpp='mpi.h'))
 
     def test_a_new_module_must_be_given_a_layer(self):
         self.assertEqual(1, len(violations_of(physics__a_cpp='vector')))

@@ -1,0 +1,95 @@
+#include <boost/timer/progress_display.hpp>
+#include <iostream>
+#include <optional>
+
+#include "attack/request_list.h"
+#include "formats/config.h"
+#include "formats/nuscenes_tables.h"
+#include "formats/request_file.h"
+#include "tools/tool_support.h"
+
+namespace {
+
+using namespace forge;
+
+struct Arguments {
+  std::string dataroot;
+  std::string version;
+  std::vector<std::string> scenes;
+  std::string out;
+  std::string config;
+  std::optional<double> stride;
+  std::optional<double> min_ego_speed;
+  std::vector<double> ttas;
+  std::vector<std::string> types;
+  Attackers attackers = Attackers::kAny;
+  std::uint64_t seed = 0;
+};
+
+RequestListOptions listOptions(const Arguments& arguments, const Config& config) {
+  RequestListOptions options = config.requests;
+  options.stride = arguments.stride.value_or(options.stride);
+  options.min_ego_speed = arguments.min_ego_speed.value_or(options.min_ego_speed);
+  if (!arguments.ttas.empty()) options.ttas = arguments.ttas;
+  if (!arguments.types.empty()) options.types.clear();
+  for (const std::string& name : arguments.types) {
+    options.types.push_back(collisionTypeFromString(name).value());
+  }
+  options.attackers = arguments.attackers;
+  options.seed = arguments.seed;
+  return options;
+}
+
+int makeRequests(const Arguments& arguments) {
+  const Config config = loadConfig(arguments.config);
+  const RequestListOptions options = listOptions(arguments, config);
+  const NuScenesRoot root(arguments.dataroot, arguments.version, {arguments.scenes, {}});
+  const std::vector<std::string> names = root.sceneNames();
+  std::vector<SceneRequest> requests;
+  boost::timer::progress_display progress(names.size(), std::cerr);
+  for (const std::string& name : names) {
+    const Scene scene = toScene(root.readScene(name), config.ego_vehicle, nullptr);
+    for (SceneRequest& request : listRequests(scene, options, config.attack)) {
+      requests.push_back(std::move(request));
+    }
+    ++progress;
+  }
+  if (requests.empty()) {
+    throw std::runtime_error("no request can be made of these scenes with these options");
+  }
+  writeRequests(arguments.out, requests);
+  std::cout << requests.size() << " requests over " << names.size() << " scenes written to "
+            << arguments.out << "\n";
+  return kExitOk;
+}
+
+/// Accepts the names of collision types.
+std::string checkType(const std::string& name) {
+  return collisionTypeFromString(name) ? "" : name + " is no collision type";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Lists the collisions that can be asked for in nuScenes scenes, one JSON a line.",
+               "make_requests");
+  app.add_option("--dataroot", arguments.dataroot, "folder with the version")->required();
+  app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini")->required();
+  app.add_option("--scene", arguments.scenes, "names of scenes; all by default");
+  app.add_option("--out", arguments.out, "list to write, for generate")->required();
+  app.add_option("--stride", arguments.stride, "seconds between two instants; see requests.yaml")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--types", arguments.types, "collision types; all by default")->check(checkType);
+  app.add_option("--tta", arguments.ttas, "seconds from now to impact; see requests.yaml")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--min-ego-speed", arguments.min_ego_speed, "m/s; see requests.yaml")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--attacker", arguments.attackers, "any agent, or a request for each possible one")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Attackers>{{"any", Attackers::kAny}, {"each", Attackers::kEach}}))
+      ->default_str("any");
+  app.add_option("--seed", arguments.seed, "of every request")->capture_default_str();
+  addConfigOption(app, arguments.config);
+  return runTool(app, argc, argv, [&] { return makeRequests(arguments); });
+}

@@ -1,0 +1,367 @@
+#!/usr/bin/python3
+"""make_requests and generate: what is in their files, how a run goes on after any end, threads and ranks alike."""
+import json
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import time
+
+import jsonschema
+
+import road
+from road import DATAROOT, PACKAGE_FOLDER, VERSION
+
+SCHEMA = PACKAGE_FOLDER / 'docs' / 'scenario.schema.json'
+ROOT = ('--dataroot', DATAROOT, '--version', VERSION)
+WAIT = 60.0  # s for something to happen that takes less than one
+
+
+def make_requests(out, *arguments, dataroot=DATAROOT):
+    return road.run('make_requests', '--dataroot', dataroot, '--version', VERSION, '--out', out, *arguments)
+
+
+def generate_command(requests, out, *arguments):
+    return [str(word) for word in (road.tool('generate'), *ROOT, '--requests', requests, '--out', out, *arguments)]
+
+
+def ranks_command(ranks, requests, out, *arguments):
+    return (['mpirun', '--oversubscribe', '-np', str(ranks)] + generate_command(requests, out, *arguments))
+
+
+def ranks_environment():
+    """Open MPI refuses to run for root unless it is told twice."""
+    return dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
+
+
+def run(command, **options):
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
+                          universal_newlines=True, timeout=road.TOOL_TIMEOUT, check=False, **options)
+
+
+def lines_of(path):
+    return path.read_text().splitlines()
+
+
+def complete_lines(path):
+    """How many lines a file holds; 0 while it is not there."""
+    return path.read_bytes().count(b'\n') if path.exists() else 0
+
+
+def children_of(parent):
+    """The processes that a process started, each with its command."""
+    found = {}
+    for folder in filter(str.isdigit, os.listdir('/proc')):
+        try:
+            with open('/proc/{}/stat'.format(folder)) as stat, open('/proc/{}/cmdline'.format(folder)) as command:
+                if int(stat.read().rsplit(')', 1)[1].split()[1]) == parent:
+                    found[int(folder)] = command.read()
+        except (FileNotFoundError, ProcessLookupError):
+            continue
+    return found
+
+
+class RequestsTest(road.RoadTest):
+    def requests(self, *arguments):
+        result = make_requests(self.path('requests.jsonl'), *arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return [json.loads(line) for line in lines_of(self.path('requests.jsonl'))]
+
+    def test_every_request_is_possible_and_in_order(self):
+        samples = json.loads((DATAROOT / VERSION / 'sample.json').read_text())
+        scenes = json.loads((DATAROOT / VERSION / 'scene.json').read_text())
+        frames = {scene['name']: sorted(row['timestamp'] * 1e-6 for row in samples
+                                        if row['scene_token'] == scene['token']) for scene in scenes}
+        requests = self.requests()
+        for request in requests:
+            times = frames[request['scene']]
+            self.assertIn(request['now'], times)
+            self.assertGreater(request['now'], times[0], 'history')
+            self.assertLessEqual(request['now'] + request['tta'] + 0.5, times[-1])
+            self.assertEqual((request['attacker'], request['seed']), (None, 0))
+        order = [(request['scene'], request['now'], request['tta']) for request in requests]
+        self.assertEqual(order, sorted(order))
+        self.assertEqual(len({json.dumps(request) for request in requests}), len(requests))
+        self.assertEqual({request['tta'] for request in requests}, {2, 3, 4, 5, 6})
+        self.assertEqual(len({request['type'] for request in requests}), 5)
+
+    def test_the_options_are_kept(self):
+        requests = self.requests('--scene', 'scene-0003', 'scene-0001', '--types', 'RE', 'ltap', '--tta', 4.5,
+                                 '--stride', 4, '--seed', 9)
+        self.assertEqual([request['scene'] for request in requests],
+                         sorted(request['scene'] for request in requests), "the table's order")
+        self.assertEqual({request['scene'] for request in requests}, {'scene-0001', 'scene-0003'})
+        self.assertEqual({request['type'] for request in requests}, {'rear_end', 'ltap'})
+        self.assertEqual({(request['tta'], request['seed']) for request in requests}, {(4.5, 9)})
+        nows = sorted({request['now'] for request in requests if request['scene'] == 'scene-0001'})
+        for before, after in zip(nows, nows[1:]):
+            self.assertAlmostEqual(after - before, 4.0, places=1)
+
+    def test_each_attacker_has_a_request(self):
+        requests = self.requests('--scene', 'scene-0001', '--attacker', 'each', '--types', 'RE', '--tta', 4)
+        instances = {row['token'] for row in json.loads((DATAROOT / VERSION / 'instance.json').read_text())}
+        self.assertGreater(len(requests), 10)
+        for request in requests:
+            self.assertIn(request['attacker'], instances)
+
+    def test_a_faster_ego_than_any_leaves_no_request(self):
+        result = make_requests(self.path('none.jsonl'), '--min-ego-speed', 100)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('no request', result.stderr)
+        self.assertFalse(self.path('none.jsonl').exists())
+
+    def test_unknown_scenes_and_options_are_refused(self):
+        result = make_requests(self.path('none.jsonl'), '--scene', 'scene-0099')
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('scene-0099', result.stderr)
+        for arguments in (['--types', 'drift'], ['--attacker', 'all'], ['--stride', '0'], ['--tta', '-1']):
+            self.assertEqual(make_requests(self.path('none.jsonl'), *arguments).returncode, 2, arguments)
+        self.assertFalse(self.path('none.jsonl').exists())
+
+
+class GenerateTest(road.RoadTest):
+    """Runs over one list of a hundred requests or so."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.requests = cls.folder / 'requests.jsonl'
+        result = make_requests(cls.requests, '--scene', 'scene-0001', 'scene-0007', '--stride', 3, '--tta', 2, 4, 6)
+        assert result.returncode == 0, result.stderr
+        cls.expected = cls.folder / 'expected.jsonl'
+        result = run(generate_command(cls.requests, cls.expected, '--jobs', 1))
+        assert result.returncode == 0, result.stderr
+        cls.count = len(lines_of(cls.requests))
+
+    def setUp(self):
+        self.out = self.path('out.jsonl')
+        self.part = self.path('out.jsonl.part')
+
+    def start(self, command, **options):
+        """A run that ends with the test at the latest."""
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
+                                   universal_newlines=True, **options)
+        self.addCleanup(lambda: (process.kill(), process.communicate()))
+        return process
+
+    def start_and_wait_for_lines(self, command, count, **options):
+        process = self.start(command, **options)
+        deadline = time.monotonic() + WAIT
+        while complete_lines(self.part) < count:
+            self.assertIsNone(process.poll(), 'ended too soon')
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.005)
+        return process
+
+    def assert_goes_on(self, before, command=None, **options):
+        """A run after an interrupted one repeats nothing and ends with what an uninterrupted one writes."""
+        kept = complete_lines(self.part)
+        self.assertGreaterEqual(kept, before)
+        self.assertLess(kept, self.count)
+        self.assertFalse(self.out.exists())
+        result = run(command or generate_command(self.requests, self.out, '--jobs', 2), **options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('{} of {} requests were answered before'.format(kept, self.count), result.stderr)
+        self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
+        self.assertFalse(self.part.exists())
+
+    def assert_refused(self, named, *arguments, requests=None):
+        result = run(generate_command(requests or self.requests, self.out, *arguments))
+        self.assertEqual(result.returncode, 1, result.stderr)
+        for text in named:
+            self.assertIn(str(text), result.stderr)
+
+    def test_lines_answer_the_requests_in_order(self):
+        scenarios = [json.loads(line) for line in lines_of(self.expected)]
+        requests = [json.loads(line) for line in lines_of(self.requests)]
+        self.assertEqual(len(scenarios), len(requests))
+        for scenario, request in zip(scenarios, requests):
+            self.assertEqual((scenario['scene'], scenario['now']), (request['scene'], request['now']))
+            self.assertEqual(scenario['request'], {'type': request['type'], 'tta': request['tta'], 'attacker': None,
+                                                   'mode': 'history', 'seed': 0})
+        self.assertGreater(len({scenario['status']['code'] for scenario in scenarios}), 1)
+
+    def test_lines_keep_the_schema(self):
+        schema = json.loads(SCHEMA.read_text())
+        validator = jsonschema.Draft202012Validator(schema)
+        validator.check_schema(schema)
+        for line in lines_of(self.expected):
+            validator.validate(json.loads(line))
+
+    def test_the_schema_refuses_what_is_no_scenario(self):
+        validator = jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text()))
+        good = next(line for line in lines_of(self.expected) if '"code":"OK"' in line)
+        for change in (lambda row: row.pop('ego'), lambda row: row.update(extra=1), lambda row: row.update(version=2),
+                       lambda row: row['status'].update(code='FINE'), lambda row: row.update(attacker=None),
+                       lambda row: row.update(confidence=1.5), lambda row: row['request'].update(type='drift'),
+                       lambda row: row['attacker']['trajectory'][0].pop('kappa'),
+                       lambda row: row['attacker'].update(trajectory=[]),
+                       lambda row: row['status'].update(code='NO_CANDIDATE')):
+            scenario = json.loads(good)
+            change(scenario)
+            self.assertFalse(validator.is_valid(scenario))
+
+    def test_trajectories_run_from_now_to_two_seconds_after_the_impact(self):
+        for line in lines_of(self.expected):
+            scenario = json.loads(line)
+            if scenario['status']['code'] != 'OK':
+                continue
+            times = [point['t'] for point in scenario['attacker']['trajectory']]
+            self.assertEqual(times, [round(0.1 * i, 6) for i in range(len(times))])
+            self.assertAlmostEqual(times[-1], scenario['request']['tta'] + 2.0)
+            self.assertLessEqual(abs(scenario['report']['contact_t'] - scenario['request']['tta']), 0.5)
+
+    def test_replay_is_its_own_mode(self):
+        result = run(generate_command(self.requests, self.out, '--mode', 'replay'))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for line in lines_of(self.out):
+            self.assertEqual(json.loads(line)['request']['mode'], 'replay')
+        self.assertNotEqual(self.out.read_bytes(), self.expected.read_bytes())
+
+    def test_same_bytes_whatever_the_number_of_jobs(self):
+        result = run(generate_command(self.requests, self.out, '--jobs', 5))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
+
+    def test_same_bytes_whatever_the_number_of_ranks(self):
+        for ranks in (1, 2, 4):
+            out = self.path('{}.jsonl'.format(ranks))
+            result = run(ranks_command(ranks, self.requests, out), env=ranks_environment())
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(out.read_bytes(), self.expected.read_bytes(), ranks)
+            self.assertEqual(result.stdout.count('requests answered'), 1, 'rank 0 alone reports')
+            self.assertEqual(result.stderr.count('0%   10'), 1, 'and shows progress')
+
+    def test_ranks_may_have_threads(self):
+        result = run(ranks_command(2, self.requests, self.out, '--jobs', 2), env=ranks_environment())
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
+
+    def test_a_killed_run_goes_on(self):
+        process = self.start_and_wait_for_lines(generate_command(self.requests, self.out, '--jobs', 1), 5)
+        process.kill()
+        process.wait()
+        self.assert_goes_on(5)
+
+    def test_an_interrupted_run_says_so_and_goes_on(self):
+        for signal_sent in (signal.SIGINT, signal.SIGTERM):
+            process = self.start_and_wait_for_lines(generate_command(self.requests, self.out, '--jobs', 2), 5)
+            process.send_signal(signal_sent)
+            _, errors = process.communicate(timeout=WAIT)
+            self.assertEqual(process.returncode, -signal_sent)
+            self.assertIn('interrupted', errors)
+            self.assertIn(str(self.part), errors)
+            self.assert_goes_on(5)
+            self.out.unlink()
+
+    def test_a_half_written_line_is_written_again(self):
+        lines = self.expected.read_bytes().splitlines(keepends=True)
+        run(generate_command(self.requests, self.out))
+        self.out.unlink()
+        self.part.write_bytes(b''.join(lines[:7]) + lines[7][:100])
+        self.assert_goes_on(7)
+
+    def test_a_run_that_loses_a_rank_goes_on(self):
+        command = ranks_command(3, self.requests, self.out)
+        process = self.start_and_wait_for_lines(command, 5, env=ranks_environment())
+        ranks = [pid for pid, words in children_of(process.pid).items() if 'generate' in words]
+        self.assertEqual(len(ranks), 3)
+        os.kill(max(ranks), signal.SIGKILL)
+        process.communicate(timeout=WAIT)
+        self.assertNotEqual(process.returncode, 0)
+        self.assert_goes_on(5, command, env=ranks_environment())
+
+    def test_a_full_disk_is_told_and_the_run_goes_on(self):
+        room = 100000  # bytes; for a few of the lines
+
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))
+
+        result = run(generate_command(self.requests, self.out), preexec_fn=limit)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn(str(self.part) + ': cannot be written: File too large', result.stderr)
+        self.assertTrue(self.part.read_bytes().endswith(b'\n'), 'no half of a line')
+        self.assert_goes_on(3)
+
+    def test_a_complete_file_is_left_alone(self):
+        shutil.copy(str(self.expected), str(self.out))
+        shutil.copy(str(self.expected) + '.options', str(self.out) + '.options')
+        os.utime(str(self.out), (0, 0))
+        result = run(generate_command(self.requests, self.out))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('{0} of {0} requests were answered before'.format(self.count), result.stderr)
+        self.assertEqual(self.out.stat().st_mtime, 0)
+        self.assert_refused(['mode = history, now mode = replay'], '--mode', 'replay')
+        self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
+
+    def test_a_run_does_not_go_on_with_what_another_began(self):
+        begun = b''.join(self.expected.read_bytes().splitlines(keepends=True)[:4])
+        self.part.write_bytes(begun)
+        shutil.copy(str(self.expected) + '.options', str(self.out) + '.options')
+        self.assert_refused([self.part, 'mode = history, now mode = replay'], '--mode', 'replay')
+        other = self.path('other.jsonl')
+        other.write_text('\n'.join(lines_of(self.requests)[:-1]) + '\n')
+        self.assert_refused([self.part, 'requests = '], requests=other)
+        config = self.path('config')
+        shutil.copytree(str(PACKAGE_FOLDER / 'config'), str(config))
+        path = config / 'realization.yaml'
+        path.write_text(path.read_text().replace('samples: 96', 'samples: 95'))
+        self.assert_refused([self.part, 'config/realization.yaml'], '--config', config)
+        self.assertEqual(self.part.read_bytes(), begun)
+        self.assert_goes_on(4)
+
+    def test_a_run_does_not_go_on_after_lines_that_answer_something_else(self):
+        lines = self.expected.read_bytes().splitlines(keepends=True)
+        shutil.copy(str(self.expected) + '.options', str(self.out) + '.options')
+        self.part.write_bytes(lines[0] + lines[2])
+        self.assert_refused([str(self.part) + ': line 2', 'answers'])
+        self.part.write_bytes(lines[0] + b'{"format": "something else"}\n')
+        self.assert_refused([str(self.part) + ': line 2', 'field format'])
+        self.part.write_bytes(b''.join(lines) + lines[0])
+        self.assert_refused(['line {}'.format(self.count + 1), 'any request of the list'])
+
+    def test_two_runs_do_not_write_one_file(self):
+        process = self.start_and_wait_for_lines(generate_command(self.requests, self.out, '--jobs', 1), 1)
+        process.send_signal(signal.SIGSTOP)
+        try:
+            self.assert_refused([self.part, 'is being written'])
+        finally:
+            process.send_signal(signal.SIGCONT)
+        process.kill()
+        process.wait()
+
+    def test_malformed_lists_are_refused_before_anything_is_written(self):
+        good = json.loads(lines_of(self.requests)[0])
+        for change, named in ((dict(type='drift'), 'field type = "drift"'), (dict(scene='scene-0099'), 'scene-0099'),
+                              (dict(tta='soon'), 'field tta = "soon"'), (dict(stray=1), 'field stray = 1')):
+            requests = self.path('bad.jsonl')
+            requests.write_text('{}\n{}\n'.format(json.dumps(good), json.dumps(dict(good, **change))))
+            self.assert_refused([str(requests) + ': line 2', named], requests=requests)
+        requests.write_text(json.dumps(good)[:-3])
+        self.assert_refused([str(requests) + ': line 1: invalid JSON'], requests=requests)
+        self.assert_refused([self.path('none')], requests=self.path('none'))
+        self.assertFalse(self.part.exists())
+        self.assertFalse(self.out.exists())
+
+    def test_what_cannot_be_met_is_answered_with_its_code(self):
+        good = json.loads(lines_of(self.requests)[0])
+        requests = self.path('impossible.jsonl')
+        rows = [dict(good, attacker='nobody'), dict(good, tta=60), dict(good, now=good['now'] + 0.1)]
+        requests.write_text(''.join(json.dumps(row) + '\n' for row in rows))
+        result = run(generate_command(requests, self.out))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        scenarios = [json.loads(line) for line in lines_of(self.out)]
+        self.assertEqual([scenario['status']['code'] for scenario in scenarios],
+                         ['UNKNOWN_ATTACKER', 'TTA_OUT_OF_RANGE', 'NO_SCENE'])
+        for scenario in scenarios:
+            self.assertNotEqual(scenario['status']['message'], '')
+            self.assertEqual([scenario[key] for key in ('attacker', 'pattern', 'confidence', 'report')], [None] * 4)
+
+    def test_wrong_commands(self):
+        for arguments in (['--mode', 'live'], ['--jobs', '0'], ['--nonsense']):
+            self.assertEqual(run(generate_command(self.requests, self.out, *arguments)).returncode, 2, arguments)
+
+
+if __name__ == '__main__':
+    road.main()
