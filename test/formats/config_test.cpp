@@ -152,6 +152,8 @@ TEST(Config, ShippedConversionAndDrawingHaveTheDocumentedValues) {
   EXPECT_EQ(config.conversion.map_radius, 150.0);
   EXPECT_EQ(config.conversion.centerline_resolution, 1.0);
   EXPECT_EQ(config.drawing.png_width, 900);
+  EXPECT_EQ(config.drawing.chart_width, 1200);
+  EXPECT_EQ(config.drawing.chart_height, 420);
   EXPECT_EQ(config.drawing.gif_font_size, 10.5);
   EXPECT_EQ(config.drawing.ghost_opacity, 0.22);
   EXPECT_EQ(config.drawing.attacker_color.red, 0.84);
