@@ -310,6 +310,60 @@ DrawingOptions loadDrawing(const std::string& directory) {
   return options;
 }
 
+CollideOptions readCollide(Section section) {
+  CollideOptions options;
+  options.tail = section.positive("tail");
+  options.held_out_share = section.within("held_out_share", 0.0, 1.0);
+  section.finish();
+  return options;
+}
+
+PublishedOptions readPublished(Section section) {
+  PublishedOptions options;
+  options.min_overlap = section.within("min_overlap", 0.0, 1.0);
+  options.steps_per_interval = section.count("steps_per_interval", 1);
+  options.steps_after = section.count("steps_after", 1);
+  options.similar_heading = section.within("similar_heading", 0.0, kMaxHeading);
+  section.finish();
+  return options;
+}
+
+NominalOptions readNominal(Section section) {
+  NominalOptions options;
+  options.end_distance = section.positive("end_distance");
+  options.side_distance = section.positive("side_distance");
+  options.lane_change_ahead = section.nonNegative("lane_change_ahead");
+  options.lane_change_side = section.nonNegative("lane_change_side");
+  options.lane_change_heading = section.within("lane_change_heading", 0.0, kMaxHeading);
+  section.finish();
+  return options;
+}
+
+StatisticsOptions readStatistics(Section section) {
+  StatisticsOptions options;
+  options.resamples = section.count("resamples", 1);
+  options.confidence = section.within("confidence", 0.0, 1.0);
+  options.seed = static_cast<std::uint64_t>(section.count("seed", 0));
+  section.finish();
+  return options;
+}
+
+EvaluationOptions loadEvaluation(const std::string& directory) {
+  Section file = openFile(directory, "evaluation.yaml");
+  Section section = file.section("evaluation");
+  EvaluationOptions options;
+  const BoxSize box{section.positive("box_length"), section.positive("box_width")};
+  options.collide = readCollide(section.section("collide"));
+  options.published = readPublished(section.section("published"));
+  options.nominal = readNominal(section.section("nominal"));
+  options.statistics = readStatistics(section.section("statistics"));
+  options.collide.box = box;
+  options.published.box = box;
+  section.finish();
+  file.finish();
+  return options;
+}
+
 std::map<std::string, DrivingSide> loadLocations(const std::string& directory) {
   Section file = openFile(directory, "locations.yaml");
   Section section = file.section("locations");
@@ -337,6 +391,7 @@ Config loadConfig(const std::string& directory) {
   config.encoding = loadEncoding(directory);
   config.conversion = loadConversion(directory);
   config.drawing = loadDrawing(directory);
+  config.evaluation = loadEvaluation(directory);
   config.locations = loadLocations(directory);
   return config;
 }

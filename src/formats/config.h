@@ -6,6 +6,7 @@
 
 #include "attack/options.h"
 #include "drawing/drawing_options.h"
+#include "formats/evaluation_options.h"
 #include "map/lane_map.h"
 #include "network/encoding_options.h"
 #include "scene/scene.h"
@@ -25,6 +26,7 @@ struct Config {
   EncodingOptions encoding;
   ConversionOptions conversion;
   DrawingOptions drawing;
+  EvaluationOptions evaluation;
   std::map<std::string, DrivingSide> locations;  ///< by prefix of the location's name
 };
 
