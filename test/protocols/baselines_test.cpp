@@ -110,6 +110,18 @@ TEST(Baselines, RecordedAttackerHasTheMotionOfItsQuintic) {
   }
 }
 
+TEST(Baselines, RecordedMotionDependsOnTheSixFramesAroundAlone) {
+  CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {}, 5.0);
+  for (const std::size_t frame : {std::size_t{4}, std::size_t{13}}) {
+    clip.tracks[0].frames[frame]->pose.y = 1.0;
+  }
+  const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, realization());
+  for (std::size_t i = 0; i < 15; ++i) {  // up to frame 10, whose interval is the first to feel 13
+    EXPECT_NEAR(trajectory.points[i].curvature, 0.0, 1e-6) << i;
+  }
+  EXPECT_GT(std::abs(trajectory.points[25].curvature), 1e-3);
+}
+
 TEST(Baselines, RecordedHeadingsAreInterpolatedBetweenFrames) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {}, 5.0);
   clip.tracks[0].frames[9]->pose.yaw = 0.4;
