@@ -319,6 +319,8 @@ void readDrawingSizes(Section& section, DrawingOptions& options) {
   options.png_width = section.count("png_width", kMinPixels, kMaxPixels);
   options.png_height = section.count("png_height", kMinPixels, kMaxPixels);
   options.png_font_size = section.positive("png_font_size");
+  options.chart_width = section.count("chart_width", kMinPixels, kMaxPixels);
+  options.chart_height = section.count("chart_height", kMinPixels, kMaxPixels);
   options.gif_width = section.count("gif_width", kMinPixels, kMaxPixels);
   options.gif_height = section.count("gif_height", kMinPixels, kMaxPixels);
   options.gif_font_size = section.positive("gif_font_size");
@@ -358,6 +360,60 @@ DrawingOptions loadDrawing(const std::string& directory) {
   return options;
 }
 
+CollideOptions readCollide(Section section) {
+  CollideOptions options;
+  options.tail = section.positive("tail");
+  options.held_out_share = section.within("held_out_share", 0.0, 1.0);
+  section.finish();
+  return options;
+}
+
+PublishedOptions readPublished(Section section) {
+  PublishedOptions options;
+  options.min_overlap = section.within("min_overlap", 0.0, 1.0);
+  options.steps_per_interval = section.count("steps_per_interval", 1);
+  options.steps_after = section.count("steps_after", 1);
+  options.similar_heading = section.within("similar_heading", 0.0, kMaxHeading);
+  section.finish();
+  return options;
+}
+
+NominalOptions readNominal(Section section) {
+  NominalOptions options;
+  options.end_distance = section.positive("end_distance");
+  options.side_distance = section.positive("side_distance");
+  options.lane_change_ahead = section.nonNegative("lane_change_ahead");
+  options.lane_change_side = section.nonNegative("lane_change_side");
+  options.lane_change_heading = section.within("lane_change_heading", 0.0, kMaxHeading);
+  section.finish();
+  return options;
+}
+
+StatisticsOptions readStatistics(Section section) {
+  StatisticsOptions options;
+  options.resamples = section.count("resamples", 1);
+  options.confidence = section.within("confidence", 0.0, 1.0);
+  options.seed = static_cast<std::uint64_t>(section.count("seed", 0));
+  section.finish();
+  return options;
+}
+
+EvaluationOptions loadEvaluation(const std::string& directory) {
+  Section file = openFile(directory, "evaluation.yaml");
+  Section section = file.section("evaluation");
+  EvaluationOptions options;
+  const BoxSize box{section.positive("box_length"), section.positive("box_width")};
+  options.collide = readCollide(section.section("collide"));
+  options.published = readPublished(section.section("published"));
+  options.nominal = readNominal(section.section("nominal"));
+  options.statistics = readStatistics(section.section("statistics"));
+  options.collide.box = box;
+  options.published.box = box;
+  section.finish();
+  file.finish();
+  return options;
+}
+
 std::map<std::string, DrivingSide> loadLocations(const std::string& directory) {
   Section file = openFile(directory, "locations.yaml");
   Section section = file.section("locations");
@@ -387,6 +443,7 @@ Config loadConfig(const std::string& directory) {
   config.conversion = loadConversion(directory);
   config.drawing = loadDrawing(directory);
   config.requests = loadRequests(directory);
+  config.evaluation = loadEvaluation(directory);
   config.locations = loadLocations(directory);
   return config;
 }

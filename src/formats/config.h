@@ -6,6 +6,7 @@
 
 #include "attack/options.h"
 #include "drawing/drawing_options.h"
+#include "formats/evaluation_options.h"
 #include "map/lane_map.h"
 #include "network/encoding_options.h"
 #include "scene/scene.h"
@@ -26,6 +27,7 @@ struct Config {
   ConversionOptions conversion;
   DrawingOptions drawing;
   RequestListOptions requests;
+  EvaluationOptions evaluation;
   std::map<std::string, DrivingSide> locations;  ///< by prefix of the location's name
 };
 

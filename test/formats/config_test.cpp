@@ -137,6 +137,28 @@ TEST(Config, ShippedRealizationAndVerificationHaveTheDocumentedValues) {
             (std::vector<double>{0.8, 0.9, 1.0, 1.1, 1.2}));
 }
 
+TEST(Config, ShippedEvaluationHasTheDocumentedValues) {
+  const EvaluationOptions options = loadConfig(kShipped).evaluation;
+  for (const BoxSize& box : {options.collide.box, options.published.box}) {
+    EXPECT_EQ(box.length, 4.7);
+    EXPECT_EQ(box.width, 2.0);
+  }
+  EXPECT_EQ(options.collide.tail, 2.0);
+  EXPECT_EQ(options.collide.held_out_share, 0.1);
+  EXPECT_EQ(options.published.min_overlap, 0.02);
+  EXPECT_EQ(options.published.steps_per_interval, 5);
+  EXPECT_EQ(options.published.steps_after, 20);
+  EXPECT_NEAR(options.published.similar_heading, 10.0 * M_PI / 180.0, 1e-9);
+  EXPECT_EQ(options.nominal.end_distance, 4.0);
+  EXPECT_EQ(options.nominal.side_distance, 3.0);
+  EXPECT_EQ(options.nominal.lane_change_ahead, 2.0);
+  EXPECT_EQ(options.nominal.lane_change_side, 1.0);
+  EXPECT_NEAR(options.nominal.lane_change_heading, 20.0 * M_PI / 180.0, 1e-4);
+  EXPECT_EQ(options.statistics.resamples, 1000);
+  EXPECT_EQ(options.statistics.confidence, 0.95);
+  EXPECT_EQ(options.statistics.seed, 1u);
+}
+
 TEST(Config, ShippedCollisionTypesHaveTheDocumentedBands) {
   const TypeDefinitions types = loadConfig(kShipped).attack.collision_types;
   ASSERT_EQ(types.size(), 5u);
@@ -159,6 +181,8 @@ TEST(Config, ShippedConversionAndDrawingHaveTheDocumentedValues) {
   EXPECT_EQ(config.conversion.map_radius, 150.0);
   EXPECT_EQ(config.conversion.centerline_resolution, 1.0);
   EXPECT_EQ(config.drawing.png_width, 900);
+  EXPECT_EQ(config.drawing.chart_width, 1200);
+  EXPECT_EQ(config.drawing.chart_height, 420);
   EXPECT_EQ(config.drawing.gif_font_size, 10.5);
   EXPECT_EQ(config.drawing.ghost_opacity, 0.22);
   EXPECT_EQ(config.drawing.attacker_color.red, 0.84);
@@ -203,6 +227,7 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
                                                         {"ego_vehicle.yaml", "ego_vehicle"},
                                                         {"prediction.yaml", "prediction"},
                                                         {"encoding.yaml", "encoding"},
+                                                        {"evaluation.yaml", "evaluation"},
                                                         {"conversion.yaml", "conversion"},
                                                         {"drawing.yaml", "drawing"},
                                                         {"requests.yaml", "requests"},
@@ -221,7 +246,8 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
 TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
   for (const char* file : {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml",
                            "collision_types.yaml", "prediction.yaml", "realization.yaml",
-                           "encoding.yaml", "conversion.yaml", "drawing.yaml", "requests.yaml"}) {
+                           "encoding.yaml", "conversion.yaml", "drawing.yaml", "requests.yaml",
+                           "evaluation.yaml"}) {
     expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
   }
 }
@@ -349,6 +375,12 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
   expectComplaint("requests.yaml", "stride: 2.0", "stride: 0.0", {"requests.stride", "0.0"});
   expectComplaint("requests.yaml", "[2.0,", "[-2.0,", {"requests.ttas", "-2.0"});
   expectComplaint("requests.yaml", "speed: 2.0", "speed: -1", {"requests.min_ego_speed", "-1"});
+  expectComplaint("evaluation.yaml", "resamples: 1000", "resamples: 0",
+                  {"evaluation.statistics.resamples", "= 0"});
+  expectComplaint("evaluation.yaml", "steps_per_interval: 5", "steps_per_interval: 0",
+                  {"evaluation.published.steps_per_interval", "= 0"});
+  expectComplaint("evaluation.yaml", "box_width: 2.0", "box_width: 0.0",
+                  {"evaluation.box_width", "0.0"});
   expectComplaint("encoding.yaml", "max_lanes: 128", "max_lanes: 0", {"encoding.max_lanes", "= 0"});
   expectComplaint("ego_vehicle.yaml", "length: 4.084", "length: 0.0",
                   {"ego_vehicle.length", "0.0"});
@@ -372,6 +404,10 @@ TEST_F(SpoiltConfig, ValuesBeyondEachOtherOrTheirRangeAreRefused) {
   expectComplaint("realization.yaml", "max_speed_factor: 1.6", "max_speed_factor: 0.9",
                   {"realization.max_speed_factor", "0.9"});
   expectComplaint("realization.yaml", "tail: 2.0", "tail: 0.05", {"realization.tail", "0.05"});
+  expectComplaint("evaluation.yaml", "confidence: 0.95", "confidence: 1.1",
+                  {"evaluation.statistics.confidence", "1.1"});
+  expectComplaint("evaluation.yaml", "min_overlap: 0.02", "min_overlap: 2",
+                  {"evaluation.published.min_overlap", "= 2"});
   expectComplaint("ego_vehicle.yaml", "center_offset: 1.385", "center_offset: 2.1",
                   {"ego_vehicle.center_offset", "2.1"});
 }

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace forge {
+
+/// True for a scene of the validation share of the split by scene: told from the scene's name alone
+/// (the FNV-1a hash of it, mixed), so that the share does not depend on which clips are there.
+bool isHeldOutScene(const std::string& scene, double share);
+
+/// Paths of the clips in DIRECTORY/trajectory/SPLIT, sorted. Throws CollideError for a folder that
+/// does not exist or has no clip, and for a file that is no clip by its name.
+std::vector<std::string> listCollideClips(const std::string& directory, const std::string& split);
+
+/// The split by scene: all clips of the published train and val, dealt anew so that no scene is in
+/// both. `split` is "train" or "val"; throws std::invalid_argument for another, and as above.
+std::vector<std::string> listCollideClipsByScene(const std::string& directory,
+                                                 const std::string& split, double held_out_share);
+
+}  // namespace forge

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "attack/attack.h"
+#include "attack/options.h"
+#include "formats/collide_clip.h"
+#include "formats/evaluation_options.h"
+#include "scene/scene.h"
+
+namespace forge {
+
+/// The clip as a request: its type, its attacker, its time from now to the last frame (at least
+/// `min_tta`, which frames a little less than half a second apart fall short of).
+CollisionRequest requestOf(const CollideClip& clip, Mode mode, double min_tta);
+
+// What attackers without a search drive, from now to `realization.tail` seconds after the last
+// frame, a point every `realization.step` seconds. `snapshot` and `recorded` are the clip's
+// (formats/collide_scene.h).
+
+/// The set's own attacker. Speed, acceleration and curvature are those of the quintic through the
+/// six frames around each instant, which are exact where the track is one quintic, as the set's
+/// are; headings are the recorded ones, interpolated. After the last frame straight on.
+AttackerTrajectory recordedAttacker(const CollideClip& clip, const BoxSize& box,
+                                    const RealizationOptions& realization);
+
+/// The attacker keeps its speed and heading of now.
+AttackerTrajectory constantVelocityAttacker(const CollideClip& clip, const BoxSize& box,
+                                            const RealizationOptions& realization);
+
+/// One quintic on each axis to where the set puts attackers of the type, as seen from the ego at
+/// the last frame, which in history mode keeps its velocity and in replay mode is as recorded. It
+/// comes from the side on which it is now (as seen from there), arrives with the speed it has now,
+/// and no limit of a vehicle is looked at.
+AttackerTrajectory nominalAttacker(const CollideClip& clip, const Snapshot& snapshot,
+                                   const Future& recorded, const CollisionRequest& request,
+                                   const NominalOptions& nominal, const AttackOptions& options);
+
+/// The attacker's pose in every frame of the clip: up to now as recorded, then of the trajectory.
+std::vector<Pose2> framesOf(const CollideClip& clip, const AttackerTrajectory& trajectory);
+
+/// As recorded in every frame.
+std::vector<Pose2> recordedFrames(const CollideClip& clip);
+
+}  // namespace forge

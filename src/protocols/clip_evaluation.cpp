@@ -1,0 +1,177 @@
+#include "protocols/clip_evaluation.h"
+
+#include <stdexcept>
+
+#include "attack/generator.h"
+#include "formats/collide_scene.h"
+#include "protocols/baselines.h"
+#include "protocols/published.h"
+#include "protocols/strict.h"
+
+namespace forge {
+namespace {
+
+const char* const kSearch = "search";
+
+/// What a method answers in one clip.
+struct Answer {
+  Status status;
+  AttackerTrajectory trajectory;  ///< these two with kOk only
+  std::vector<Pose2> frames;      ///< the attacker's pose in every frame of the clip
+};
+
+/// A clip made ready for all methods.
+class ClipCase {
+ public:
+  ClipCase(const CollideClip& clip, const LaneIndex& lanes, std::shared_ptr<const LaneMap> map,
+           const Config& config, Mode mode)
+      : clip_(clip),
+        lanes_(lanes),
+        config_(config),
+        angle_bands_(config.attack),
+        scene_(toScene(clip, config.evaluation.collide, std::move(map))),
+        snapshot_(snapshotAt(scene_, clip.now(), config.attack.prediction.history_frames)),
+        recorded_(recordedFuture(scene_, clip.now())),
+        request_(requestOf(clip, mode, config.attack.prediction.min_tta)) {
+    angle_bands_.collision_types = withOpenApproach(config.attack.collision_types);
+  }
+
+  Answer answer(const std::string& method, std::uint64_t seed) const {
+    const BoxSize& box = config_.evaluation.collide.box;
+    const RealizationOptions& realization = config_.attack.realization;
+    if (method == "recorded") {
+      return {{}, recordedAttacker(clip_, box, realization), recordedFrames(clip_)};
+    }
+    if (method == "constant_velocity") {
+      return driven(constantVelocityAttacker(clip_, box, realization));
+    }
+    if (method == "nominal") {
+      return driven(nominalAttacker(clip_, snapshot_, recorded_, request_,
+                                    config_.evaluation.nominal, config_.attack));
+    }
+    if (method == kSearch) return search(seed);
+    throw std::invalid_argument("unknown method \"" + method + "\"");
+  }
+
+  void judgeAsPublished(const Answer& answer, ResultRow& row) const {
+    const PublishedOutcome outcome =
+        publishedOutcome(clip_, answer.frames, config_.evaluation.published);
+    row.meets = {outcome.isHit(), outcome.similar};
+    if (outcome.event == PublishedOutcome::Event::kNone) return;
+    constexpr double kFrameInterval = 0.5;  // s, nominal
+    const double frame =
+        static_cast<double>(outcome.step) / config_.evaluation.published.steps_per_interval;
+    row.contact_after = kFrameInterval * (frame - kCollideNowFrame);
+    if (outcome.isHit()) {
+      row.relative_heading = outcome.relative_heading;
+    } else {
+      const bool is_ego = outcome.event == PublishedOutcome::Event::kEgoOther;
+      row.note = (is_ego ? "ego touches " : "attacker touches ") + outcome.other_id;
+    }
+  }
+
+  void judgeStrictly(const Answer& answer, ResultRow& row) const {
+    const StrictOutcome outcome =
+        strictOutcome(answer.trajectory, {snapshot_, recorded_, request_, lanes_}, config_.attack);
+    const CollisionReport& report = outcome.report;
+    row.meets = {outcome.meetsAngleBands(), outcome.meetsFullDefinitions(), report.contact,
+                 report.type_kept,          outcome.full_type_kept,         report.on_time,
+                 report.bounds_kept,        report.first_other_id.empty()};
+    if (report.contact) {
+      row.contact_after = report.contact_time - clip_.now();
+      row.relative_heading = report.relative_heading;
+    }
+    row.note = report.broken_bound;
+    if (!report.first_other_id.empty()) {
+      row.note += (row.note.empty() ? "" : "; ") + ("touches " + report.first_other_id);
+    }
+  }
+
+ private:
+  Answer driven(AttackerTrajectory trajectory) const {
+    std::vector<Pose2> frames = framesOf(clip_, trajectory);
+    return {{}, std::move(trajectory), std::move(frames)};
+  }
+
+  Answer search(std::uint64_t seed) const {
+    CollisionRequest request = request_;
+    request.seed = seed;
+    Realization found = generateCollision(request, snapshot_, lanes_, &recorded_,
+                                          KinematicPatternPredictor(angle_bands_), angle_bands_);
+    if (found.status.code != StatusCode::kOk) return {found.status, {}, {}};
+    return driven(std::move(found.trajectory));
+  }
+
+  const CollideClip& clip_;
+  const LaneIndex& lanes_;
+  const Config& config_;
+  AttackOptions angle_bands_;
+  Scene scene_;
+  Snapshot snapshot_;
+  Future recorded_;
+  CollisionRequest request_;
+};
+
+ResultRow judge(const ClipCase& clip_case, const CollideClip& clip, const EvaluationPlan& plan,
+                const std::string& method, std::uint64_t seed) {
+  const Answer answer = clip_case.answer(method, seed);
+  ResultRow row;
+  row.clip = clip.name;
+  row.scene = clip.scene;
+  row.type = clip.type;
+  row.tta = clip.nominalTta();
+  row.method = method;
+  row.seed = seed;
+  row.status = toString(answer.status.code);
+  row.meets.assign(measuresOf(plan.protocol).size(), false);
+  if (answer.status.code != StatusCode::kOk) {
+    row.note = answer.status.message;
+  } else if (plan.protocol == Protocol::kPublished) {
+    clip_case.judgeAsPublished(answer, row);
+  } else {
+    clip_case.judgeStrictly(answer, row);
+  }
+  return row;
+}
+
+/// Seeds matter to a search alone.
+int seedsOf(const std::string& method, const EvaluationPlan& plan) {
+  return method == kSearch ? plan.seeds : 1;
+}
+
+}  // namespace
+
+const std::vector<std::string>& evaluationMethods() {
+  static const std::vector<std::string> methods = {"recorded", "constant_velocity", "nominal",
+                                                   kSearch};
+  return methods;
+}
+
+std::vector<std::string> methodsOf(const EvaluationPlan& plan) {
+  std::vector<std::string> methods = {"recorded", "constant_velocity", "nominal"};
+  if (plan.method == kSearch) methods.push_back(kSearch);
+  return methods;
+}
+
+std::size_t rowsPerClip(const EvaluationPlan& plan) {
+  std::size_t rows = 0;
+  for (const std::string& method : methodsOf(plan)) {
+    rows += static_cast<std::size_t>(seedsOf(method, plan));
+  }
+  return rows;
+}
+
+std::vector<ResultRow> evaluateClip(const CollideClip& clip, const LaneIndex& lanes,
+                                    std::shared_ptr<const LaneMap> map, const Config& config,
+                                    const EvaluationPlan& plan) {
+  const ClipCase clip_case(clip, lanes, std::move(map), config, plan.mode);
+  std::vector<ResultRow> rows;
+  for (const std::string& method : methodsOf(plan)) {
+    for (int seed = 0; seed < seedsOf(method, plan); ++seed) {
+      rows.push_back(judge(clip_case, clip, plan, method, static_cast<std::uint64_t>(seed)));
+    }
+  }
+  return rows;
+}
+
+}  // namespace forge

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "formats/collide_clip.h"
+#include "formats/config.h"
+#include "map/lane_queries.h"
+#include "protocols/result_row.h"
+
+namespace forge {
+
+/// What is measured on every clip.
+struct EvaluationPlan {
+  Protocol protocol = Protocol::kStrict;
+  std::string method = "recorded";
+  Mode mode = Mode::kHistory;
+  int seeds = 1;  ///< a search is run with seeds 0 to seeds - 1
+};
+
+/// "recorded", "constant_velocity", "nominal" (protocols/baselines.h), which every plan measures
+/// beside its method, and "search" (attack/generator.h).
+const std::vector<std::string>& evaluationMethods();
+
+/// The plan's methods: those measured in every plan, then its own.
+std::vector<std::string> methodsOf(const EvaluationPlan& plan);
+
+/// Rows that evaluateClip() gives, the same for every clip.
+std::size_t rowsPerClip(const EvaluationPlan& plan);
+
+/// A row a method, the search a row a seed. The search and the strict protocol take the collision
+/// types' definitions with open approach bands (protocols/strict.h); what came is the clip's own
+/// recording. A method without an answer meets nothing. In the published protocol contact_after
+/// counts at the nominal 2 Hz. Throws std::invalid_argument for an unknown method.
+std::vector<ResultRow> evaluateClip(const CollideClip& clip, const LaneIndex& lanes,
+                                    std::shared_ptr<const LaneMap> map, const Config& config,
+                                    const EvaluationPlan& plan);
+
+}  // namespace forge

@@ -1,0 +1,86 @@
+#include "protocols/rate_table.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+namespace forge {
+namespace {
+
+/// The rows of one method as trials of a measure.
+std::vector<Trial> trialsOf(const std::vector<ResultRow>& rows, const std::string& method,
+                            std::size_t measure, const std::optional<std::size_t>& given) {
+  std::vector<Trial> trials;
+  for (const ResultRow& row : rows) {
+    if (row.method != method || (given && !row.meets[*given])) continue;
+    trials.push_back({row.scene, row.type, row.tta, row.meets[measure]});
+  }
+  return trials;
+}
+
+std::string cell(const Rate& rate) {
+  if (rate.trials == 0) return "-";
+  constexpr double kPercent = 100.0;
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.1f [%.0f, %.0f]", kPercent * rate.value, kPercent * rate.low,
+                kPercent * rate.high);
+  return text;
+}
+
+template <typename Cell>
+void writeRow(std::ostream& out, const std::string& title, const std::vector<Rate>& rates,
+              Cell cell_text) {
+  out << "| " << title << " |";
+  for (const Rate& rate : rates) out << ' ' << cell_text(rate) << " |";
+  out << '\n';
+}
+
+bool sameTrials(const std::vector<Rate>& a, const std::vector<Rate>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Rate& x, const Rate& y) { return x.trials == y.trials; });
+}
+
+}  // namespace
+
+std::vector<RateTable> tabulate(const std::vector<ResultRow>& rows, Protocol protocol,
+                                const std::vector<std::string>& methods,
+                                const StatisticsOptions& options) {
+  std::vector<RateTable> tables;
+  const std::vector<Measure>& measures = measuresOf(protocol);
+  for (std::size_t measure = 0; measure < measures.size(); ++measure) {
+    RateTable table{measures[measure], methods, {}, {}};
+    for (const std::string& method : methods) {
+      const auto groups = groupTrials(trialsOf(rows, method, measure, measures[measure].given));
+      table.groups.clear();
+      table.rates.emplace_back();
+      for (const TrialGroup& group : groups) {
+        table.groups.push_back(group.title);
+        table.rates.back().push_back(pooledRate(group.trials, options));
+      }
+    }
+    tables.push_back(std::move(table));
+  }
+  return tables;
+}
+
+std::string toMarkdown(const RateTable& table) {
+  std::ostringstream out;
+  out << table.measure.title << ", %\n\n| method |";
+  for (const std::string& group : table.groups) out << ' ' << group << " |";
+  out << "\n|---|";
+  for (std::size_t i = 0; i < table.groups.size(); ++i) out << "---|";
+  out << '\n';
+  const auto count = [](const Rate& rate) { return std::to_string(rate.trials); };
+  for (std::size_t i = 0; i < table.methods.size(); ++i) {
+    writeRow(out, table.methods[i], table.rates[i], cell);
+  }
+  const bool same = std::all_of(table.rates.begin(), table.rates.end(), [&](const auto& rates) {
+    return sameTrials(rates, table.rates.front());
+  });
+  for (std::size_t i = 0; i < (same ? 1 : table.methods.size()); ++i) {
+    writeRow(out, same ? "of" : "of, " + table.methods[i], table.rates[i], count);
+  }
+  return out.str();
+}
+
+}  // namespace forge

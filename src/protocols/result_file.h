@@ -1,0 +1,53 @@
+#pragma once
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "protocols/result_row.h"
+
+namespace forge {
+
+/// FOLDER/results.csv, a few rows a clip, in the order of the clips. While it grows it is called
+/// results.csv.part and can be gone on with; FOLDER/run.txt describes the run that it is of.
+class ResultFile {
+ public:
+  struct Run {
+    Protocol protocol = Protocol::kStrict;
+    std::vector<std::string> clips;  ///< names
+    std::size_t rows_per_clip = 1;
+    /// "key = value", everything that the rows depend on.
+    std::vector<std::string> description;
+  };
+
+  /// Looks at what is there and changes nothing. Throws std::runtime_error naming the file for
+  /// results of another run (with the first line of the description that differs), results without
+  /// a description, and rows that are not of the clips expected.
+  ResultFile(const std::string& folder, Run run);
+
+  /// Clips whose rows are there, always the first ones.
+  std::size_t clipsDone() const { return clips_done_; }
+  const std::vector<ResultRow>& rows() const { return rows_; }
+
+  /// Starts or goes on writing; rows of a clip that was cut off are dropped. One process only.
+  /// Throws std::runtime_error for a folder that cannot be written.
+  void open();
+  /// The next clip's rows, which reach the disk before this returns.
+  void add(const std::vector<ResultRow>& rows);
+  /// All clips are there: results.csv gets its name. Throws std::logic_error otherwise.
+  void finish();
+
+ private:
+  std::string path(const char* name) const { return folder_ + "/" + name; }
+  void compareDescription() const;
+  void readRows(const std::string& file);
+
+  std::string folder_;
+  Run run_;
+  std::vector<ResultRow> rows_;
+  std::size_t clips_done_ = 0;
+  bool is_finished_ = false;
+  std::ofstream part_;
+};
+
+}  // namespace forge

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "formats/evaluation_options.h"
+#include "scene/collision_request.h"
+
+namespace forge {
+
+/// One trial of something that succeeds or fails.
+struct Trial {
+  std::string scene;  ///< trials of one scene depend on each other
+  CollisionType type = CollisionType::kRearEnd;
+  double tta = 0.0;  ///< seconds
+  bool success = false;
+};
+
+/// Successes over trials, all clips weighing the same ("pooled").
+struct Rate {
+  int trials = 0;
+  double value = 0.0;  ///< these three valid with trials
+  double low = 0.0;    ///< ends of the interval
+  double high = 0.0;
+};
+
+/// With a bootstrap interval by scenes: as many scenes as there are, drawn with replacement, give
+/// one resampled rate; the interval holds the middle `confidence` of `resamples` of them, between
+/// order statistics interpolated linearly. Resamples without a trial cannot occur. Same trials and
+/// seed, same interval, in whatever order the trials come.
+Rate pooledRate(const std::vector<Trial>& trials, const StatisticsOptions& options);
+
+/// A set of trials that the tables have a column for.
+struct TrialGroup {
+  std::string title;
+  std::vector<Trial> trials;
+};
+
+/// By type ("LC", "OD", "RE", "JC", "LTAP"), by TTA ("0.5-1 s", "1.5-2.5 s", "3-4.5 s", "5-6.5 s")
+/// and "all", in this order. A TTA between two buckets falls into the nearer one, the earlier of
+/// equals; above 7 s it falls into none.
+std::vector<TrialGroup> groupTrials(const std::vector<Trial>& trials);
+
+}  // namespace forge

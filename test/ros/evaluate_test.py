@@ -1,0 +1,162 @@
+#!/usr/bin/python3
+"""evaluate: whole runs on clips made here, runs that are gone on with, and its published protocol against another."""
+import csv
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import road
+from road import DATAROOT, VERSION
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / 'protocols'))
+import collide_clips  # noqa: E402
+import published_reference  # noqa: E402
+
+PNG = b'\x89PNG'
+
+
+def evaluate(collide, out, *arguments):
+    return road.run('evaluate', '--collide', collide, '--dataroot', DATAROOT, '--split', 'val', '--out', out, *arguments)
+
+
+def rows_of(out):
+    with open(str(out / 'results.csv')) as file:
+        return list(csv.DictReader(file))
+
+
+class EvaluateTest(road.RoadTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.collide = cls.folder / 'collide'
+        val = cls.collide / 'trajectory' / 'val'
+        cls.clips = [collide_clips.write_embedded_clip(val, DATAROOT / VERSION, scene, first, last)
+                     for scene, first, last in (('scene-0005', 12, 23), ('scene-0010', 14, 23))]
+
+    def test_strict_run_on_two_embedded_clips(self):
+        out = self.path('out')
+        result = evaluate(self.collide, out, '--method', 'search', '--mode', 'replay', '--seeds', 2, '--jobs', 2)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = rows_of(out)
+        self.assertEqual([(row['clip'], row['method'], row['seed']) for row in rows],
+                         [(clip.stem, method, seed) for clip in sorted(self.clips)
+                          for method, seed in (('recorded', '0'), ('constant_velocity', '0'), ('nominal', '0'),
+                                               ('search', '0'), ('search', '1'))])
+        for row in rows:
+            if row['method'] == 'recorded':
+                self.assertEqual(row['angle_bands'] + row['full_definitions'], '11', row)
+                self.assertLessEqual(abs(float(row['contact_after']) - float(row['tta'])), 0.5, row)
+                self.assertLessEqual(abs(float(row['relative_heading'])), 10.0, row)
+        self.assertEqual((out / 'table.md').read_text(), result.stdout)
+        self.assertIn('| recorded |', result.stdout)
+        self.assertIn('All conditions, full definitions, %', result.stdout)
+        for name in ('angle_bands.png', 'full_definitions.png'):
+            self.assertEqual((out / name).read_bytes()[:4], PNG)
+        self.assertFalse((out / 'results.csv.part').exists())
+
+    def test_threads_do_not_change_a_byte(self):
+        for jobs in (1, 2):
+            result = evaluate(self.collide, self.path(str(jobs)), '--method', 'search', '--jobs', jobs)
+            self.assertEqual(result.returncode, 0, result.stderr)
+        for name in ('results.csv', 'table.md', 'angle_bands.png'):
+            self.assertEqual((self.path('1') / name).read_bytes(), (self.path('2') / name).read_bytes())
+
+    def test_interrupted_run_is_gone_on_with(self):
+        out = self.path('out')
+        evaluate(self.collide, out)
+        whole = (out / 'results.csv').read_text()
+        lines = whole.splitlines(keepends=True)
+        (out / 'results.csv').unlink()
+        # The first clip's rows, one of them changed so as to be known again, and half a row of the second's.
+        first = lines[:4]
+        first[1] = first[1].rstrip('\n') + 'as found\n'
+        (out / 'results.csv.part').write_text(''.join(first) + lines[4][:20])
+        result = evaluate(self.collide, out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((out / 'results.csv').read_text(), ''.join(first + lines[4:]))
+
+    def test_other_arguments_or_configuration_do_not_go_on(self):
+        out = self.path('out')
+        self.assertEqual(evaluate(self.collide, out).returncode, 0)
+        before = (out / 'results.csv').read_bytes()
+        result = evaluate(self.collide, out, '--protocol', 'published')
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('"protocol = strict" there, "protocol = published" now', result.stderr)
+        config = self.path('config')
+        shutil.copytree(str(road.PACKAGE_FOLDER / 'config'), str(config))
+        limits = config / 'vehicle_limits.yaml'
+        limits.write_text(limits.read_text().replace('max_speed: 25.0', 'max_speed: 26.0'))
+        result = evaluate(self.collide, out, '--config', config)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('config/vehicle_limits.yaml = ', result.stderr)
+        self.assertEqual((out / 'results.csv').read_bytes(), before)
+
+    def test_broken_clip_is_named_and_what_was_done_is_kept(self):
+        collide, out = self.path('collide'), self.path('out')
+        shutil.copytree(str(self.collide), str(collide))
+        broken = sorted(collide.rglob('*.csv'))[1]
+        broken.write_text(broken.read_text().replace('ego,', 'ego,x', 1))
+        result = evaluate(collide, out)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(broken.name, result.stderr)
+        self.assertIn('TIMESTAMP = "x', result.stderr)
+        self.assertEqual(len((out / 'results.csv.part').read_text().splitlines()), 1 + 3)
+
+    def test_limit_takes_the_first_clips(self):
+        out = self.path('out')
+        self.assertEqual(evaluate(self.collide, out, '--limit', 1).returncode, 0)
+        self.assertEqual({row['clip'] for row in rows_of(out)}, {min(self.clips).stem})
+
+    def test_split_by_scene_has_every_clip_once(self):
+        collide = self.path('collide')
+        for split in ('train', 'val'):
+            collide_clips.write_random_clips(collide / 'trajectory' / split, 40, 'embedded-right', split)
+        found = {}
+        for split in ('train', 'val'):
+            out = self.path(split)
+            result = road.run('evaluate', '--collide', collide, '--dataroot', DATAROOT, '--out', out, '--split', split,
+                              '--by-scene', '--protocol', 'published')
+            self.assertEqual(result.returncode, 0, result.stderr)
+            found[split] = rows_of(out)
+        self.assertEqual(sum(len(rows) for rows in found.values()), 3 * 80)
+        self.assertFalse({row['scene'] for row in found['train']} & {row['scene'] for row in found['val']})
+
+    def test_wrong_command_lines_and_folders(self):
+        out = self.path('out')
+        self.assertEqual(evaluate(self.collide, out, '--method', 'magic').returncode, 2)
+        self.assertEqual(evaluate(self.collide, out, '--seeds', 0).returncode, 2)
+        result = evaluate(self.folder, out)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('trajectory/val: no such folder', result.stderr)
+        self.assertFalse(out.exists())
+
+    def test_published_protocol_agrees_with_another_implementation(self):
+        collide, out = self.path('collide'), self.path('out')
+        clips = collide / 'trajectory' / 'val'
+        collide_clips.write_random_clips(clips, 400, 'embedded-right', 1)
+        result = evaluate(collide, out, '--protocol', 'published', '--jobs', 2)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        differing, events = published_reference.compare(clips, out / 'results.csv')
+        self.assertEqual(differing, 0)
+        for event in ('hit', 'attacker', 'ego', 'none'):
+            self.assertGreater(events.get(event, 0), 20, events)
+
+    def test_comparison_finds_a_changed_row(self):
+        collide, out = self.path('collide'), self.path('out')
+        clips = collide / 'trajectory' / 'val'
+        collide_clips.write_random_clips(clips, 5, 'embedded-right', 2)
+        self.assertEqual(evaluate(collide, out, '--protocol', 'published').returncode, 0)
+        results = out / 'results.csv'
+        lines = results.read_text().splitlines()
+        fields = lines[1].split(',')
+        fields[7] = '0' if fields[7] == '1' else '1'
+        results.write_text('\n'.join([lines[0], ','.join(fields)] + lines[2:]) + '\n')
+        compared = subprocess.run([sys.executable, published_reference.__file__, str(clips), str(results)],
+                                  stdout=subprocess.PIPE, universal_newlines=True, check=False)
+        self.assertEqual(compared.returncode, 1)
+        self.assertIn('1 of 10 rows differ', compared.stdout)
+
+
+if __name__ == '__main__':
+    road.main()
