@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <vector>
@@ -87,6 +88,46 @@ struct VerificationOptions {
   double off_road_interval = 0.0;
 };
 
+inline constexpr int kSpeedFeatures = 10;
+using FeatureWeights = std::array<double, kSpeedFeatures>;
+
+/// config/ego_futures.yaml, section speed
+struct SpeedProfileOptions {
+  int neighbors = 0;
+  double ridge = 0.0;
+  double residual_scale = 0.0;
+  FeatureWeights feature_weights = {};  ///< in the order of the keys of feature_weights
+};
+
+/// config/ego_futures.yaml, section paths
+struct EgoPathOptions {
+  double lane_max_distance = 0.0;
+  double lane_max_heading = 0.0;
+  int max_lanes = 0;
+  int max_paths_per_lane = 0;
+  double near_deviation_cost = 0.0;
+  double far_deviation_cost = 0.0;
+  double bend_braking_cost = 0.0;
+  double turn_cost = 0.0;
+  double free_path_cost = 0.0;
+  double comfortable_lateral_acceleration = 0.0;
+  double turn_rate_fading = 0.0;
+};
+
+/// config/ego_futures.yaml
+struct EgoFutureOptions {
+  double step = 0.0;
+  EgoPathOptions paths;
+  SpeedProfileOptions speed;
+  double lane_return_time = 0.0;
+  double lane_return_min_distance = 0.0;
+  double kept_offset = 0.0;
+  double offset_spread = 0.0;
+  double turn_rate_spread = 0.0;
+  double acceleration_fading = 0.0;
+  double acceleration_spread = 0.0;
+};
+
 /// Everything that the road from a snapshot to an attacker trajectory is tuned by.
 struct AttackOptions {
   VehicleLimits vehicle_limits;
@@ -96,6 +137,7 @@ struct AttackOptions {
   SearchOptions search;
   BicycleOptions bicycle;
   VerificationOptions verification;
+  EgoFutureOptions ego_futures;
 };
 
 /// For whom a list of requests asks: for any attacker, or for each possible one by its id.

@@ -12,7 +12,8 @@ namespace forge {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMaxHeading = 3.1416;  // rad; pi as the files round it
+constexpr double kMaxHeading = 3.1416;   // rad; pi as the files round it
+constexpr double kMaxLaneHeading = 1.5;  // rad; an ego that crosses a lane does not follow it
 
 std::string textOf(const YAML::Node& node) {
   return node.IsScalar() ? node.Scalar() : YAML::Dump(node);
@@ -277,6 +278,64 @@ VerificationOptions loadVerification(const std::string& directory) {
   return options;
 }
 
+SpeedProfileOptions readSpeedProfiles(Section section) {
+  SpeedProfileOptions options;
+  options.neighbors = section.count("neighbors", 1);
+  options.ridge = section.positive("ridge");
+  options.residual_scale = section.nonNegative("residual_scale");
+  Section weights = section.section("feature_weights");
+  const char* const features[kSpeedFeatures] = {
+      "speed",     "acceleration", "acceleration_before", "acceleration_long_before",
+      "turn_rate", "bend_braking", "bend_turn",           "bend_curvature",
+      "headway",   "closing"};
+  for (std::size_t i = 0; i < kSpeedFeatures; ++i) {
+    options.feature_weights[i] = weights.nonNegative(features[i]);
+  }
+  weights.finish();
+  section.finish();
+  return options;
+}
+
+EgoPathOptions readEgoPaths(Section section) {
+  EgoPathOptions options;
+  options.lane_max_distance = section.nonNegative("lane_max_distance");
+  options.lane_max_heading = section.within("lane_max_heading", 0.0, kMaxLaneHeading);
+  options.max_lanes = section.count("max_lanes", 0);
+  options.max_paths_per_lane = section.count("max_paths_per_lane", 1);
+  options.near_deviation_cost = section.nonNegative("near_deviation_cost");
+  options.far_deviation_cost = section.nonNegative("far_deviation_cost");
+  options.bend_braking_cost = section.nonNegative("bend_braking_cost");
+  options.turn_cost = section.nonNegative("turn_cost");
+  options.free_path_cost = section.nonNegative("free_path_cost");
+  options.comfortable_lateral_acceleration = section.positive("comfortable_lateral_acceleration");
+  options.turn_rate_fading = section.positive("turn_rate_fading");
+  section.finish();
+  return options;
+}
+
+EgoFutureOptions loadEgoFutures(const std::string& directory) {
+  Section file = openFile(directory, "ego_futures.yaml");
+  Section section = file.section("ego_futures");
+  EgoFutureOptions options;
+  options.step = section.positive("step");
+  options.paths = readEgoPaths(section.section("paths"));
+  options.speed = readSpeedProfiles(section.section("speed"));
+  Section lateral = section.section("lateral");
+  options.lane_return_time = lateral.positive("lane_return_time");
+  options.lane_return_min_distance = lateral.positive("lane_return_min_distance");
+  options.kept_offset = lateral.within("kept_offset", 0.0, 1.0);
+  options.offset_spread = lateral.nonNegative("offset_spread");
+  options.turn_rate_spread = lateral.nonNegative("turn_rate_spread");
+  lateral.finish();
+  Section no_profiles = section.section("no_profiles");
+  options.acceleration_fading = no_profiles.positive("acceleration_fading");
+  options.acceleration_spread = no_profiles.nonNegative("acceleration_spread");
+  no_profiles.finish();
+  section.finish();
+  file.finish();
+  return options;
+}
+
 EncodingOptions loadEncoding(const std::string& directory) {
   Section file = openFile(directory, "encoding.yaml");
   Section section = file.section("encoding");
@@ -438,6 +497,7 @@ Config loadConfig(const std::string& directory) {
   config.attack.bicycle = readBicycle(search.section("bicycle"));
   search.finish();
   config.attack.verification = loadVerification(directory);
+  config.attack.ego_futures = loadEgoFutures(directory);
   config.ego_vehicle = loadEgoVehicle(directory);
   config.encoding = loadEncoding(directory);
   config.conversion = loadConversion(directory);

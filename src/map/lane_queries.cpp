@@ -59,6 +59,13 @@ void appendStretch(const Polyline& line, double from, double to, std::vector<Vec
   }
 }
 
+// A path too short to have a heading goes straight on.
+void lengthenToMinimum(LanePath& path) {
+  if (path.length < kMinPathLength || path.points.size() < 2) {
+    path.points.push_back(path.end.position() + kMinPathLength * path.end.heading());
+  }
+}
+
 // The samples of a box: the middles of its cells, row by row along its length.
 class BoxSamples {
  public:
@@ -217,28 +224,44 @@ std::vector<std::size_t> LaneIndex::lanesWithin(const Vector2& center, double ra
 }
 
 Polyline LaneIndex::pathAhead(std::size_t lane, double arc_length, double distance) const {
-  const Polyline* line = &existingCenterline(lane);
-  double from = std::clamp(arc_length, 0.0, line->length());
-  std::vector<Vector2> path = {line->poseAt(from).position()};
-  double travelled = 0.0;
-  Pose2 end;
-  for (std::size_t i = 0; i < kMaxLanesAhead; ++i) {
-    const double to = std::min(line->length(), from + std::max(distance - travelled, 0.0));
-    appendStretch(*line, from, to, path);
-    travelled += to - from;
-    end = line->poseAt(to);
-    const std::optional<std::size_t> next = straightestSuccessor(lane);
-    if (travelled >= distance || !next) {
-      break;
+  return Polyline(pathsAhead(lane, arc_length, distance, 1).front().points);
+}
+
+std::vector<LanePath> LaneIndex::pathsAhead(std::size_t lane, double arc_length, double distance,
+                                            std::size_t max_paths) const {
+  const Polyline& line = existingCenterline(lane);
+  const double from = std::clamp(arc_length, 0.0, line.length());
+  std::vector<LanePath> paths(1);
+  paths.front().points = {line.poseAt(from).position()};
+  extend(paths.front(), lane, from, distance);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    while (paths[i].length < distance && paths[i].lanes.size() < kMaxLanesAhead) {
+      const std::size_t last = paths[i].lanes.back();
+      const std::optional<std::size_t> straightest = straightestSuccessor(last);
+      if (!straightest) {
+        break;
+      }
+      for (const std::size_t other : successors_[last]) {
+        if (other != *straightest && centerlines_[other] && paths.size() < max_paths) {
+          paths.push_back(paths[i]);
+          extend(paths.back(), other, 0.0, distance);
+        }
+      }
+      extend(paths[i], *straightest, 0.0, distance);
     }
-    lane = *next;
-    line = &*centerlines_[lane];
-    from = 0.0;
+    lengthenToMinimum(paths[i]);
   }
-  if (travelled < kMinPathLength || path.size() < 2) {
-    path.push_back(end.position() + kMinPathLength * end.heading());
-  }
-  return Polyline(path);
+  return paths;
+}
+
+// Drives on along a lane, from an arc length on it, until the path is `distance` long.
+void LaneIndex::extend(LanePath& path, std::size_t lane, double from, double distance) const {
+  const Polyline& line = *centerlines_[lane];
+  const double to = std::min(line.length(), from + std::max(distance - path.length, 0.0));
+  appendStretch(line, from, to, path.points);
+  path.lanes.push_back(lane);
+  path.length += to - from;
+  path.end = line.poseAt(to);
 }
 
 std::optional<std::size_t> LaneIndex::straightestSuccessor(std::size_t lane) const {

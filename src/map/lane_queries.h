@@ -19,6 +19,14 @@ struct LaneMatch {
   double heading_error = 0.0;     ///< the pose's yaw minus the centreline's, radians (-pi, pi]
 };
 
+/// A way ahead through the lanes.
+struct LanePath {
+  std::vector<std::size_t> lanes;  ///< indices into LaneMap::lanes, in driving order
+  std::vector<Vector2> points;     ///< of the centrelines, at least two and a metre in all
+  double length = 0.0;             ///< metres along the centrelines
+  Pose2 end;                       ///< on the last centreline
+};
+
 /// Answers questions of place about one map. Built once a map (milliseconds), then read-only: safe
 /// to share among threads. Lanes whose centreline has no two distinct points are never found.
 class LaneIndex {
@@ -55,6 +63,13 @@ class LaneIndex {
   /// Throws std::invalid_argument for a lane without a centreline.
   Polyline pathAhead(std::size_t lane, double arc_length, double distance) const;
 
+  /// The ways ahead from an arc length on a lane's centreline (clamped to it) with all successors
+  /// at each branch, as many as `max_paths` at most: first the one that pathAhead() takes, then
+  /// those that leave it, nearest first, then those that leave these. Throws std::invalid_argument
+  /// for a lane without a centreline.
+  std::vector<LanePath> pathsAhead(std::size_t lane, double arc_length, double distance,
+                                   std::size_t max_paths) const;
+
   /// The following lane that turns least: its heading's largest difference, anywhere along it, from
   /// the heading at the end of `lane` is smallest; the first in Lane::outgoing of equals. Empty at
   /// the end of the lanes. Throws std::invalid_argument for a lane without a centreline.
@@ -70,6 +85,7 @@ class LaneIndex {
 
  private:
   const Polyline& existingCenterline(std::size_t lane) const;
+  void extend(LanePath& path, std::size_t lane, double from, double distance) const;
 
   std::shared_ptr<const LaneMap> map_;
   DrivableRaster drivable_;

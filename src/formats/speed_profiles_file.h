@@ -1,0 +1,25 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "attack/speed_profiles.h"
+
+namespace forge {
+
+/// Names file, line and value.
+struct SpeedProfilesFileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads a CSV file of data/speed_profiles. The first line names the columns, as
+/// writeSpeedProfiles() writes them; each other line is a row of SpeedProfiles. Throws
+/// SpeedProfilesFileError for a file that is missing or malformed.
+SpeedProfiles readSpeedProfiles(const std::string& path);
+
+/// Writes rows aside and renames the file when it is complete; numbers to the third decimal. Throws
+/// SpeedProfilesFileError when it cannot be written.
+void writeSpeedProfiles(const std::vector<SpeedProfileRow>& rows, const std::string& path);
+
+}  // namespace forge
