@@ -183,7 +183,8 @@ Track drive(const Track& ego, const EgoNow& now, const DrivenDistance& distance,
   track.states.push_back(now.state);
   for (int i = 1; i <= steps; ++i) {
     const double time = i * step;
-    track.states.push_back({now.state.time + time, way.poseAfter(distance.at(time)), Vector2::Zero()});
+    track.states.push_back(
+        {now.state.time + time, way.poseAfter(distance.at(time)), Vector2::Zero()});
   }
   deriveVelocities(track);
   track.states.front().velocity = now.state.velocity;

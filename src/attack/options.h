@@ -31,6 +31,7 @@ struct PredictionOptions {
   double candidate_radius = 0.0;
   double step = 0.0;
   double tail = 0.0;
+  int ego_samples = 0;
   double lane_max_distance = 0.0;
   double lane_max_heading = 0.0;
   double standstill_speed = 0.0;

@@ -53,32 +53,48 @@ RankedPattern placedPattern(const Track& agent, const Placement& placement, cons
   return {pattern, speedMismatch(pattern, motion, request.tta)};
 }
 
+/// The track whose place at `time` is nearest to the mean of all.
+const Track& mostCentral(const std::vector<Track>& tracks, double time) {
+  const auto placeOf = [time](const Track& track) {
+    return stateAt(track, time).value_or(track.states.back()).pose.position();
+  };
+  Vector2 mean = Vector2::Zero();
+  for (const Track& track : tracks) mean += placeOf(track) / static_cast<double>(tracks.size());
+  return *std::min_element(tracks.begin(), tracks.end(), [&](const Track& a, const Track& b) {
+    return (placeOf(a) - mean).squaredNorm() < (placeOf(b) - mean).squaredNorm();
+  });
+}
+
 }  // namespace
 
-KinematicPatternPredictor::KinematicPatternPredictor(AttackOptions options)
-    : options_(std::move(options)) {}
+KinematicPatternPredictor::KinematicPatternPredictor(
+    AttackOptions options, std::shared_ptr<const EgoFutureSampler> ego_futures)
+    : options_(std::move(options)), ego_futures_(std::move(ego_futures)) {}
+
+Future KinematicPatternPredictor::predictedFuture(const Snapshot& snapshot, const LaneIndex& lanes,
+                                                  const CollisionRequest& request) const {
+  const double horizon = request.tta + options_.prediction.tail;
+  Future future = predictFuture(snapshot, lanes, horizon, options_.prediction);
+  future.ego_samples =
+      ego_futures_->sample(snapshot, lanes, horizon, options_.prediction.ego_samples, request.seed);
+  if (!future.ego_samples.empty()) {
+    future.ego = mostCentral(future.ego_samples, snapshot.now + request.tta);
+  }
+  return future;
+}
 
 PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
                                                      const LaneIndex& lanes,
                                                      const CollisionRequest& request,
                                                      const Future* recorded) const {
   PatternPrediction prediction;
-  prediction.future = recorded
-                          ? *recorded
-                          : predictFuture(snapshot, lanes, request.tta + options_.prediction.tail,
-                                          options_.prediction);
+  prediction.future = recorded ? *recorded : predictedFuture(snapshot, lanes, request);
   const auto ego = stateAt(prediction.future.ego, snapshot.now + request.tta);
   if (!ego) {
     prediction.status = {StatusCode::kBeyondRecording,
                          "the ego's recording ends before the impact, tta = " +
                              std::to_string(request.tta) + " s from now"};
     return prediction;
-  }
-  if (!recorded) {
-    for (int i = 0; i < 64; ++i) {
-      prediction.future.ego_samples.push_back(
-          scaledInTime(prediction.future.ego, snapshot.now, 0.6 + 0.8 * (i + 0.5) / 64));
-    }
   }
   std::vector<RankedPattern> ranked;
   for (const Track& agent : snapshot.agents) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "attack/attack.h"
+#include "attack/ego_futures.h"
 #include "attack/options.h"
 #include "map/lane_queries.h"
 #include "scene/scene.h"
@@ -28,17 +30,23 @@ class PatternPredictor {
                                     const Future* recorded) const = 0;
 };
 
-/// No learning: everybody moves as predictFuture() says (or as recorded), and each candidate
-/// attacker is placed at the ego's pose at impact with the type's nominal heading.
+/// No learning: the ego moves as the sampler says, all others as predictFuture() says (or everybody
+/// as recorded), and each candidate attacker is placed at the ego's pose at impact with the type's
+/// nominal heading.
 class KinematicPatternPredictor : public PatternPredictor {
  public:
-  explicit KinematicPatternPredictor(AttackOptions options);
+  KinematicPatternPredictor(AttackOptions options,
+                            std::shared_ptr<const EgoFutureSampler> ego_futures);
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request, const Future* recorded) const override;
 
  private:
+  Future predictedFuture(const Snapshot& snapshot, const LaneIndex& lanes,
+                         const CollisionRequest& request) const;
+
   AttackOptions options_;
+  std::shared_ptr<const EgoFutureSampler> ego_futures_;
 };
 
 }  // namespace forge

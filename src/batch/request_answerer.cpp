@@ -28,7 +28,7 @@ Status noFrame(double now, double nearest) {
 }  // namespace
 
 RequestAnswerer::RequestAnswerer(SceneSource& scenes, const Config& config)
-    : scenes_(scenes), config_(config), predictor_(config.attack) {}
+    : scenes_(scenes), config_(config), profiles_(loadSpeedProfiles(config)) {}
 
 Scenario RequestAnswerer::answer(const SceneRequest& asked) const {
   Scenario scenario{asked, config_.ego_vehicle, {}};
@@ -41,8 +41,11 @@ Scenario RequestAnswerer::answer(const SceneRequest& asked) const {
   const Snapshot snapshot =
       snapshotAt(indexed->scene, now, config_.attack.prediction.history_frames);
   const Future recorded = recordedFuture(indexed->scene, now);
+  const KinematicPatternPredictor predictor(
+      config_.attack,
+      std::make_shared<KinematicEgoFutures>(config_.attack.ego_futures, profiles_, asked.scene));
   scenario.answer = generateCollision(asked.request, snapshot, *indexed->lanes, &recorded,
-                                      predictor_, config_.attack);
+                                      predictor, config_.attack);
   return scenario;
 }
 

@@ -7,7 +7,7 @@
 namespace forge {
 
 /// Answers requests over recorded scenes. Thread-safe; the same request gives the same answer in
-/// every process.
+/// every process. The ego's futures are drawn without the recorded speeds of the scene itself.
 class RequestAnswerer {
  public:
   /// `scenes` and `config` must outlive it.
@@ -21,7 +21,7 @@ class RequestAnswerer {
  private:
   SceneSource& scenes_;
   const Config& config_;
-  KinematicPatternPredictor predictor_;
+  std::shared_ptr<const SpeedProfiles> profiles_;
 };
 
 }  // namespace forge

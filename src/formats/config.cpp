@@ -1,8 +1,11 @@
 #include "formats/config.h"
 
+#include "formats/speed_profiles_file.h"
+
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -88,6 +91,12 @@ class Section {
     const auto rules = typeRulesFromString(textOf(node));
     if (!rules) fail(pathOf(key), node, "is neither full nor angle");
     return *rules;
+  }
+
+  std::string text(const std::string& key) {
+    const YAML::Node node = take(key);
+    if (!node.IsScalar()) fail(pathOf(key), node, "is not a text");
+    return node.Scalar();
   }
 
   DrivingSide drivingSide(const std::string& key) {
@@ -209,6 +218,7 @@ PredictionOptions loadPrediction(const std::string& directory) {
   options.candidate_radius = section.positive("candidate_radius");
   options.step = section.positive("step");
   options.tail = section.positive("tail");
+  options.ego_samples = section.count("ego_samples", 2);
   options.lane_max_distance = section.nonNegative("lane_max_distance");
   options.lane_max_heading = section.within("lane_max_heading", 0.0, kMaxHeading);
   options.standstill_speed = section.nonNegative("standstill_speed");
@@ -313,9 +323,7 @@ EgoPathOptions readEgoPaths(Section section) {
   return options;
 }
 
-EgoFutureOptions loadEgoFutures(const std::string& directory) {
-  Section file = openFile(directory, "ego_futures.yaml");
-  Section section = file.section("ego_futures");
+EgoFutureOptions readEgoFutures(Section section) {
   EgoFutureOptions options;
   options.step = section.positive("step");
   options.paths = readEgoPaths(section.section("paths"));
@@ -332,7 +340,6 @@ EgoFutureOptions loadEgoFutures(const std::string& directory) {
   options.acceleration_spread = no_profiles.nonNegative("acceleration_spread");
   no_profiles.finish();
   section.finish();
-  file.finish();
   return options;
 }
 
@@ -497,7 +504,11 @@ Config loadConfig(const std::string& directory) {
   config.attack.bicycle = readBicycle(search.section("bicycle"));
   search.finish();
   config.attack.verification = loadVerification(directory);
-  config.attack.ego_futures = loadEgoFutures(directory);
+  Section ego_futures = openFile(directory, "ego_futures.yaml");
+  config.attack.ego_futures = readEgoFutures(ego_futures.section("ego_futures"));
+  const std::string profiles = ego_futures.text("speed_profiles");
+  if (!profiles.empty()) config.speed_profiles = std::filesystem::path(directory) / profiles;
+  ego_futures.finish();
   config.ego_vehicle = loadEgoVehicle(directory);
   config.encoding = loadEncoding(directory);
   config.conversion = loadConversion(directory);
@@ -506,6 +517,11 @@ Config loadConfig(const std::string& directory) {
   config.evaluation = loadEvaluation(directory);
   config.locations = loadLocations(directory);
   return config;
+}
+
+std::shared_ptr<const SpeedProfiles> loadSpeedProfiles(const Config& config) {
+  if (config.speed_profiles.empty()) return nullptr;
+  return std::make_shared<const SpeedProfiles>(readSpeedProfiles(config.speed_profiles));
 }
 
 DrivingSide drivingSide(const Config& config, const std::string& location) {

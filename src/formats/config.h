@@ -1,10 +1,12 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "attack/options.h"
+#include "attack/speed_profiles.h"
 #include "drawing/drawing_options.h"
 #include "formats/evaluation_options.h"
 #include "map/lane_map.h"
@@ -22,6 +24,8 @@ struct ConversionOptions {
 /// Everything that can be tuned, as read from the files of config/.
 struct Config {
   AttackOptions attack;
+  std::string
+      speed_profiles;  ///< path of the recorded profiles (speed_profiles_file.h); empty: none
   EgoVehicle ego_vehicle;
   EncodingOptions encoding;
   ConversionOptions conversion;
@@ -39,6 +43,10 @@ struct ConfigError : std::runtime_error {
 /// Reads the files of config/ in `directory`. Throws ConfigError for a missing, unknown or
 /// malformed key.
 Config loadConfig(const std::string& directory);
+
+/// The recorded profiles that the configuration names; null when it names none. Throws
+/// SpeedProfilesFileError.
+std::shared_ptr<const SpeedProfiles> loadSpeedProfiles(const Config& config);
 
 /// The side for a location; throws ConfigError when no prefix in config/locations.yaml fits.
 DrivingSide drivingSide(const Config& config, const std::string& location);

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "attack/motion_estimate.h"
-#include "attack/quintic_join.h"
+#include "attack/trajectory_family.h"
 
 namespace forge {
 namespace {
@@ -153,12 +153,12 @@ CollisionRequest requestOf(const CollideClip& clip, Mode mode, double min_tta) {
 }
 
 AttackerTrajectory recordedAttacker(const CollideClip& clip, const BoxSize& box,
-                                    const RealizationOptions& realization) {
+                                    const SearchOptions& search) {
   AttackerTrajectory trajectory{clip.attacker_id, AgentClass::kCar, box, {}};
   std::size_t frame = kCollideNowFrame;  // the one at or before each instant
   const std::size_t last_interval = clip.times.size() - 2;
   const std::size_t last_first = clip.times.size() - FrameQuintic::kFrames;
-  for (const double time : instants(clip, realization.step)) {
+  for (const double time : instants(clip, search.step)) {
     while (frame < last_interval && clip.times[frame + 1] <= time) ++frame;
     const double ratio = (time - clip.times[frame]) / (clip.times[frame + 1] - clip.times[frame]);
     const double yaw =
@@ -166,16 +166,16 @@ AttackerTrajectory recordedAttacker(const CollideClip& clip, const BoxSize& box,
     const FrameQuintic quintic(clip, std::min(frame - 2, last_first));
     trajectory.points.push_back(quintic.at(time, yaw));
   }
-  goStraightOn(trajectory, realization.tail, realization.step);
+  goStraightOn(trajectory, search.tail, search.step);
   return trajectory;
 }
 
 AttackerTrajectory constantVelocityAttacker(const CollideClip& clip, const BoxSize& box,
-                                            const RealizationOptions& realization) {
+                                            const SearchOptions& search) {
   const CollideState& now = attackerAt(clip, kCollideNowFrame);
   AttackerTrajectory trajectory{clip.attacker_id, AgentClass::kCar, box, {}};
   trajectory.points.push_back({clip.now(), now.pose, now.speed, 0.0, 0.0});
-  goStraightOn(trajectory, clip.tta() + realization.tail, realization.step);
+  goStraightOn(trajectory, clip.tta() + search.tail, search.step);
   return trajectory;
 }
 
@@ -184,15 +184,18 @@ AttackerTrajectory nominalAttacker(const CollideClip& clip, const Snapshot& snap
                                    const NominalOptions& nominal, const AttackOptions& options) {
   const Track& attacker = trackOf(snapshot.agents, clip.attacker_id);
   const Motion motion = estimateMotion(attacker, options.prediction.motion_frames);
-  CollisionPattern pattern;
-  pattern.type = clip.type;
-  pattern.attacker_id = clip.attacker_id;
-  pattern.time = snapshot.now + request.tta;
-  pattern.ego = {egoAtImpact(snapshot, recorded, request, options), snapshot.ego.size};
-  const bool from_left = relativeTo(pattern.ego.center, motion.pose).y > 0.0;
-  pattern.attacker_offset = nominalOffset(clip.type, from_left, nominal);
-  pattern.attacker_speed = motion.speed;
-  return joinByQuintic(attacker, motion, snapshot.now, pattern, options.realization);
+  const Pose2 ego = egoAtImpact(snapshot, recorded, request, options);
+  const bool from_left = relativeTo(ego, motion.pose).y > 0.0;
+  Arrival arrival;
+  arrival.time = request.tta;
+  arrival.pose = compose(ego, nominalOffset(clip.type, from_left, nominal));
+  arrival.speed = motion.speed;
+  arrival.start_acceleration = motion.acceleration;
+  const SearchOptions& search = options.search;
+  const int steps = static_cast<int>(std::lround((request.tta + search.tail) / search.step));
+  AttackerTrajectory trajectory{attacker.id, attacker.agent_class, attacker.size, {}};
+  QuinticFamily().drive({motion, snapshot.now, search.step, steps + 1}, arrival, trajectory.points);
+  return trajectory;
 }
 
 std::vector<Pose2> framesOf(const CollideClip& clip, const AttackerTrajectory& trajectory) {

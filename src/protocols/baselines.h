@@ -14,19 +14,19 @@ namespace forge {
 /// `min_tta`, which frames a little less than half a second apart fall short of).
 CollisionRequest requestOf(const CollideClip& clip, Mode mode, double min_tta);
 
-// What attackers without a search drive, from now to `realization.tail` seconds after the last
-// frame, a point every `realization.step` seconds. `snapshot` and `recorded` are the clip's
+// What attackers without a search drive, from now to `search.tail` seconds after the last
+// frame, a point every `search.step` seconds. `snapshot` and `recorded` are the clip's
 // (formats/collide_scene.h).
 
 /// The set's own attacker. Speed, acceleration and curvature are those of the quintic through the
 /// six frames around each instant, which are exact where the track is one quintic, as the set's
 /// are; headings are the recorded ones, interpolated. After the last frame straight on.
 AttackerTrajectory recordedAttacker(const CollideClip& clip, const BoxSize& box,
-                                    const RealizationOptions& realization);
+                                    const SearchOptions& search);
 
 /// The attacker keeps its speed and heading of now.
 AttackerTrajectory constantVelocityAttacker(const CollideClip& clip, const BoxSize& box,
-                                            const RealizationOptions& realization);
+                                            const SearchOptions& search);
 
 /// One quintic on each axis to where the set puts attackers of the type, as seen from the ego at
 /// the last frame, which in history mode keeps its velocity and in replay mode is as recorded. It

@@ -24,26 +24,28 @@ struct Answer {
 class ClipCase {
  public:
   ClipCase(const CollideClip& clip, const LaneIndex& lanes, std::shared_ptr<const LaneMap> map,
-           const Config& config, Mode mode)
+           std::shared_ptr<const EgoFutureSampler> ego_futures, const Config& config, Mode mode)
       : clip_(clip),
         lanes_(lanes),
         config_(config),
-        angle_bands_(config.attack),
+        angle_rules_(withAngleRules(config.attack)),
+        ego_futures_(std::move(ego_futures)),
         scene_(toScene(clip, config.evaluation.collide, std::move(map))),
         snapshot_(snapshotAt(scene_, clip.now(), config.attack.prediction.history_frames)),
         recorded_(recordedFuture(scene_, clip.now())),
         request_(requestOf(clip, mode, config.attack.prediction.min_tta)) {
-    angle_bands_.collision_types = withOpenApproach(config.attack.collision_types);
+    // What comes is measured, whatever the confidence.
+    angle_rules_.search.min_confidence = 0.0;
   }
 
   Answer answer(const std::string& method, std::uint64_t seed) const {
     const BoxSize& box = config_.evaluation.collide.box;
-    const RealizationOptions& realization = config_.attack.realization;
+    const SearchOptions& search_options = config_.attack.search;
     if (method == "recorded") {
-      return {{}, recordedAttacker(clip_, box, realization), recordedFrames(clip_)};
+      return {{}, recordedAttacker(clip_, box, search_options), recordedFrames(clip_)};
     }
     if (method == "constant_velocity") {
-      return driven(constantVelocityAttacker(clip_, box, realization));
+      return driven(constantVelocityAttacker(clip_, box, search_options));
     }
     if (method == "nominal") {
       return driven(nominalAttacker(clip_, snapshot_, recorded_, request_,
@@ -96,8 +98,9 @@ class ClipCase {
   Answer search(std::uint64_t seed) const {
     CollisionRequest request = request_;
     request.seed = seed;
-    Realization found = generateCollision(request, snapshot_, lanes_, &recorded_,
-                                          KinematicPatternPredictor(angle_bands_), angle_bands_);
+    const KinematicPatternPredictor predictor(angle_rules_, ego_futures_);
+    Realization found =
+        generateCollision(request, snapshot_, lanes_, &recorded_, predictor, angle_rules_);
     if (found.status.code != StatusCode::kOk) return {found.status, {}, {}};
     return driven(std::move(found.trajectory));
   }
@@ -105,7 +108,8 @@ class ClipCase {
   const CollideClip& clip_;
   const LaneIndex& lanes_;
   const Config& config_;
-  AttackOptions angle_bands_;
+  AttackOptions angle_rules_;
+  std::shared_ptr<const EgoFutureSampler> ego_futures_;
   Scene scene_;
   Snapshot snapshot_;
   Future recorded_;
@@ -162,9 +166,12 @@ std::size_t rowsPerClip(const EvaluationPlan& plan) {
 }
 
 std::vector<ResultRow> evaluateClip(const CollideClip& clip, const LaneIndex& lanes,
-                                    std::shared_ptr<const LaneMap> map, const Config& config,
-                                    const EvaluationPlan& plan) {
-  const ClipCase clip_case(clip, lanes, std::move(map), config, plan.mode);
+                                    std::shared_ptr<const LaneMap> map,
+                                    std::shared_ptr<const SpeedProfiles> profiles,
+                                    const Config& config, const EvaluationPlan& plan) {
+  const auto ego_futures = std::make_shared<KinematicEgoFutures>(config.attack.ego_futures,
+                                                                 std::move(profiles), clip.scene);
+  const ClipCase clip_case(clip, lanes, std::move(map), ego_futures, config, plan.mode);
   std::vector<ResultRow> rows;
   for (const std::string& method : methodsOf(plan)) {
     for (int seed = 0; seed < seedsOf(method, plan); ++seed) {

@@ -30,11 +30,13 @@ std::vector<std::string> methodsOf(const EvaluationPlan& plan);
 std::size_t rowsPerClip(const EvaluationPlan& plan);
 
 /// A row a method, the search a row a seed. The search and the strict protocol take the collision
-/// types' definitions with open approach bands (protocols/strict.h); what came is the clip's own
+/// types by the heading alone (withAngleRules()); the ego's futures are drawn without the recorded
+/// speeds of the clip's scene; what came is the clip's own
 /// recording. A method without an answer meets nothing. In the published protocol contact_after
 /// counts at the nominal 2 Hz. Throws std::invalid_argument for an unknown method.
 std::vector<ResultRow> evaluateClip(const CollideClip& clip, const LaneIndex& lanes,
-                                    std::shared_ptr<const LaneMap> map, const Config& config,
-                                    const EvaluationPlan& plan);
+                                    std::shared_ptr<const LaneMap> map,
+                                    std::shared_ptr<const SpeedProfiles> profiles,
+                                    const Config& config, const EvaluationPlan& plan);
 
 }  // namespace forge

@@ -1,24 +1,19 @@
 #include "protocols/strict.h"
 
-#include <cmath>
-
 namespace forge {
 
-TypeDefinitions withOpenApproach(TypeDefinitions definitions) {
-  for (auto& [type, definition] : definitions) {
-    definition.min_approach = 0.0;
-    definition.max_approach = M_PI;
-  }
-  return definitions;
+AttackOptions withAngleRules(AttackOptions options) {
+  options.type_rules = TypeRules::kAngle;
+  return options;
 }
 
 StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const VerificationInput& input,
                             const AttackOptions& options) {
-  AttackOptions angle_bands = options;
-  angle_bands.collision_types = withOpenApproach(options.collision_types);
+  AttackOptions full = options;
+  full.type_rules = TypeRules::kFull;
   StrictOutcome outcome;
-  outcome.report = verify(trajectory, input, angle_bands);
-  outcome.full_type_kept = verifyMotion(trajectory, input, options).type_kept;
+  outcome.report = verify(trajectory, input, withAngleRules(options));
+  outcome.full_type_kept = verifyMotion(trajectory, input, full).type_kept;
   return outcome;
 }
 

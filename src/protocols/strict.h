@@ -9,15 +9,15 @@ namespace forge {
 struct StrictOutcome {
   /// Every condition, the type by its band of |relative heading| at first contact alone.
   CollisionReport report;
-  bool full_type_kept = false;  ///< the type's approach band at now is kept as well
+  bool full_type_kept = false;  ///< the whole definition of the type is kept
 
   bool meetsAngleBands() const { return report.verified(); }
   bool meetsFullDefinitions() const { return report.verified() && full_type_kept; }
 };
 
-/// The type definitions with every approach band opened to [0, pi]. COLLIDE tells its types apart
-/// by the relative heading at contact, so its clips are searched and measured with these.
-TypeDefinitions withOpenApproach(TypeDefinitions definitions);
+/// The options with a type told by the heading at contact alone, as COLLIDE tells its types apart:
+/// its clips are searched and measured so.
+AttackOptions withAngleRules(AttackOptions options);
 
 /// The strict protocol: the attacker touches the ego after now; at a relative heading of the type;
 /// at most `time_tolerance` before or after the time asked for; within a real car's limits from now

@@ -15,8 +15,11 @@ namespace forge {
 class PatternPredictorNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
-    options_ = loadNodeConfig(getPrivateNodeHandle()).attack;
-    predictor_ = std::make_unique<KinematicPatternPredictor>(options_);
+    const Config config = loadNodeConfig(getPrivateNodeHandle());
+    options_ = config.attack;
+    predictor_ = std::make_unique<KinematicPatternPredictor>(
+        options_,
+        std::make_shared<KinematicEgoFutures>(options_.ego_futures, loadSpeedProfiles(config)));
     ros::NodeHandle& node = getNodeHandle();
     map_ = std::make_unique<LaneMapSubscriber>(node);
     service_ = std::make_unique<OwnThreadService>(node, names::kPredictPattern,

@@ -75,8 +75,11 @@ int inject(const Arguments& arguments) {
   const LaneIndex lanes(scene.map);
   const Snapshot snapshot = snapshotAt(scene, now, config.attack.prediction.history_frames);
   const Future recorded = recordedFuture(scene, now);
-  const Realization attack = generateCollision(
-      request, snapshot, lanes, &recorded, KinematicPatternPredictor(config.attack), config.attack);
+  const KinematicPatternPredictor predictor(
+      config.attack,
+      std::make_shared<KinematicEgoFutures>(config.attack.ego_futures, loadSpeedProfiles(config)));
+  const Realization attack =
+      generateCollision(request, snapshot, lanes, &recorded, predictor, config.attack);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);
   CollisionReport tested =
       verify(attack.trajectory, {snapshot, recorded, request, lanes}, config.attack);
