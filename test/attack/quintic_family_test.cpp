@@ -146,8 +146,8 @@ TEST(QuinticFamily, OnACurvedPathMeetsTheStartAndTheArrival) {
     expectPose(points.at(end).pose, arrival.pose, 1e-9);
     const Pose2 almost = points.at(end - 1).pose;
     const Pose2 back = compose(arrival.pose, {-kStep * speed, 0.0, 0.0});
-    EXPECT_NEAR((almost.position() - back.position()).norm(), 0.0, 0.15);
-    EXPECT_NEAR(angleBetween(almost.yaw, back.yaw), 0.0, 0.15);
+    EXPECT_NEAR((almost.position() - back.position()).norm(), 0.0, 0.05);
+    EXPECT_NEAR(angleBetween(almost.yaw, back.yaw), 0.0, 0.05);
   }
 }
 
