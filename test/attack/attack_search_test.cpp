@@ -271,5 +271,15 @@ TEST(SearchAttacks, MoreRoundsFindNoWorse) {
   }
 }
 
+TEST(SearchAttacks, PointsCoverTheToleranceWhateverTheTail) {
+  Case scene = rearEnd();
+  scene.options.search.tail = scene.options.search.step;
+  for (const FoundAttack& attack : scene.found()) {
+    EXPECT_GE(attack.points.back().time,
+              kNow + scene.request.tta + scene.options.verification.time_tolerance - 1e-6)
+        << "the scorer looks so far";
+  }
+}
+
 }  // namespace
 }  // namespace forge
