@@ -151,6 +151,21 @@ TEST(QuinticFamily, OnACurvedPathMeetsTheStartAndTheArrival) {
   }
 }
 
+TEST(QuinticFamily, FarBesideABendMeetsTheStartAndTheArrivalToo) {
+  const ReferencePath path = bend();
+  for (const double lateral : {-15.0, -8.0, 6.0, 12.0}) {
+    for (double s = 65.0; s < 66.0; s += 0.1) {
+      const Pose2 start = compose(path.at(s - 25.0).pose, {0.0, lateral, 0.0});
+      const Arrival arrival = arrivalAt(4.0001, compose(path.at(s).pose, {0.0, lateral, 0.0}), 5.0);
+      const auto points = driven(QuinticFamily(path), startAt(start, 5.0), arrival);
+      EXPECT_NEAR((points[0].pose.position() - start.position()).norm(), 0.0, 2e-3) << lateral;
+      // The last point on the path's axes is that at the arrival, but for a ten-thousandth.
+      EXPECT_NEAR((points[40].pose.position() - arrival.pose.position()).norm(), 0.0, 5e-3)
+          << lateral;
+    }
+  }
+}
+
 TEST(QuinticFamily, OnACurvedPathKeepsToTheLane) {
   const ReferencePath path = bend();
   const Pose2 start = path.at(10.0).pose;
