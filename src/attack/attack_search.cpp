@@ -407,8 +407,8 @@ class Search {
     found.attacker = candidate.contender->track;
     found.arrival = candidate.arrival;
     DriveStart start = candidate.contender->start;
-    start.points =
-        static_cast<int>(std::lround((input_.request.tta + search_.tail) / search_.step)) + 1;
+    const double end = input_.request.tta + search_.tail;
+    start.points = std::max(scorer_.steps(), static_cast<int>(std::lround(end / search_.step)) + 1);
     drive(candidate, start, found.points);
     found.score = candidate.score;
     found.off_road = candidate.off_road;

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kStandstill = 0.1;   // m/s; below it the direction of motion is not a heading
 constexpr double kMinProgress = 0.2;  // cosine between path and arrival: no turning back on a path
+constexpr int kProjections = 4;       // of a pose onto a path, each nearer than the one before
 constexpr double kMaxPathLean = 0.8;  // curvature times offset: near 1 the path's normals meet
 
 /// Two axes: x and y of the map, or along and across a path.
@@ -53,15 +54,21 @@ Vector2 velocityOn(const ReferencePath::Place& place, const Axes& state) {
 /// The path coordinates of a pose and its motion; false where the path has none.
 bool toPath(const ReferencePath& path, const Pose2& pose, double speed, double acceleration,
             Axes& state) {
-  const double arc_length = path.project(pose.position());
-  const ReferencePath::Place place = path.at(arc_length);
-  const Pose2 local = relativeTo(place.pose, pose);
-  const double lean = 1.0 - place.curvature * local.y;
+  double arc_length = path.project(pose.position());
+  ReferencePath::Place place;
+  Pose2 local;
+  double lean = 1.0;
+  // In a bend the closest of the path's places tells the arc length only roughly.
+  for (int i = 0; i < kProjections; ++i) {
+    place = path.at(arc_length);
+    local = relativeTo(place.pose, pose);
+    lean = 1.0 - place.curvature * local.y;
+    if (std::abs(place.curvature * local.y) > kMaxPathLean) return false;
+    arc_length += local.x / lean;
+  }
   const Vector2 heading = Pose2{0.0, 0.0, local.yaw}.heading();
-  if (heading.x() < kMinProgress || std::abs(place.curvature * local.y) > kMaxPathLean)
-    return false;
-  state.first = {arc_length + local.x, speed * heading.x() / lean,
-                 acceleration * heading.x() / lean};
+  if (heading.x() < kMinProgress) return false;
+  state.first = {arc_length, speed * heading.x() / lean, acceleration * heading.x() / lean};
   state.second = {local.y, speed * heading.y(), acceleration * heading.y()};
   return true;
 }

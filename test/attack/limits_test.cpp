@@ -25,7 +25,7 @@ AttackerTrajectory with(const TrajectoryPoint& values, std::size_t index = 5) {
 
 std::string broken(const AttackerTrajectory& trajectory, double start_yaw = 0.0,
                    double until = kEnd) {
-  const auto found = findBrokenLimit(trajectory, start_yaw, until, kLimits);
+  const auto found = findBrokenLimit(trajectory.points, start_yaw, until, kLimits);
   return found ? found->name : "";
 }
 
@@ -72,7 +72,7 @@ TEST(FindBrokenLimit, ChecksCurvatureFromItsLeastSpeedOn) {
 }
 
 TEST(FindBrokenLimit, GivesTheValueAndTheLimit) {
-  const auto found = findBrokenLimit(with(values(10.0, -9.5, 0.0)), 0.0, kEnd, kLimits);
+  const auto found = findBrokenLimit(with(values(10.0, -9.5, 0.0)).points, 0.0, kEnd, kLimits);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->value, 9.5);
   EXPECT_EQ(found->limit, 8.0);
@@ -83,9 +83,9 @@ TEST(FindBrokenLimit, ReturnsTheWorstByRatio) {
   AttackerTrajectory trajectory = with(values(26.0, 0.0, 0.0), 3);
   trajectory.points[7].acceleration = 7.5;
   trajectory.points[9].acceleration = -8.1;
-  const auto found = findBrokenLimit(trajectory, 0.0, kEnd, kLimits);
+  const auto found = findBrokenLimit(trajectory.points, 0.0, kEnd, kLimits);
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->name, "max_forward_acceleration");
+  EXPECT_STREQ(found->name, "max_forward_acceleration");
   EXPECT_EQ(found->value, 7.5);
 }
 
@@ -154,21 +154,21 @@ TEST(Describe, NamesValueAndLimit) {
 
 TEST(Effort, IsZeroForASteadyDriveAndOneAtTheLimitThroughout) {
   AttackerTrajectory trajectory = straightDrive({}, 10.0, 3.0);
-  EXPECT_EQ(effort(trajectory, kEnd, kLimits), 0.0);
+  EXPECT_EQ(effort(trajectory.points, kEnd, kLimits), 0.0);
   for (TrajectoryPoint& point : trajectory.points) point.acceleration = -8.0;
-  EXPECT_DOUBLE_EQ(effort(trajectory, kEnd, kLimits), 1.0);
+  EXPECT_DOUBLE_EQ(effort(trajectory.points, kEnd, kLimits), 1.0);
   for (TrajectoryPoint& point : trajectory.points) {
     point.acceleration = 0.0;
     point.curvature = 0.04;
   }
-  EXPECT_DOUBLE_EQ(effort(trajectory, kEnd, kLimits), 0.25);
+  EXPECT_DOUBLE_EQ(effort(trajectory.points, kEnd, kLimits), 0.25);
 }
 
 TEST(Effort, IsAMeanUpToTheEnd) {
   AttackerTrajectory trajectory = straightDrive({}, 10.0, 3.0);
   trajectory.points[0].acceleration = 8.0;
   trajectory.points[5].acceleration = 8.0;
-  EXPECT_DOUBLE_EQ(effort(trajectory, kNow + 0.25, kLimits), 0.25) << "one of four points";
+  EXPECT_DOUBLE_EQ(effort(trajectory.points, kNow + 0.25, kLimits), 0.25) << "one of four points";
   EXPECT_EQ(effort({}, kEnd, kLimits), 0.0);
 }
 

@@ -36,7 +36,7 @@ TEST(KinematicPatternPredictor, PutsTheEgoWhereItIsPredictedAtImpact) {
   const auto prediction =
       predict(CollisionType::kRearEnd, {pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)});
   ASSERT_EQ(prediction.status.code, StatusCode::kOk);
-  ASSERT_EQ(prediction.patterns.size(), 1u);
+  ASSERT_EQ(prediction.patterns.size(), 2u);
   const CollisionPattern& pattern = prediction.patterns[0];
   EXPECT_EQ(pattern.type, CollisionType::kRearEnd);
   EXPECT_EQ(pattern.attacker_id, "a");
@@ -47,14 +47,18 @@ TEST(KinematicPatternPredictor, PutsTheEgoWhereItIsPredictedAtImpact) {
   EXPECT_EQ(prediction.future.agents.size(), 1u);
 }
 
-TEST(KinematicPatternPredictor, PlacesARearEndAttackerBehindAndFaster) {
-  const auto pattern =
+TEST(KinematicPatternPredictor, PlacesARearEndAttackerBehindAndFasterFirst) {
+  const auto patterns =
       predict(CollisionType::kRearEnd, {pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)})
-          .patterns.at(0);
+          .patterns;
+  ASSERT_EQ(patterns.size(), 2u);
+  const CollisionPattern& pattern = patterns[0];
   EXPECT_NEAR(pattern.attacker_offset.x, -0.5 * (kEgoSize.length + kCarSize.length), 1e-6);
   EXPECT_NEAR(pattern.attacker_offset.y, 0.0, 1e-9);
   EXPECT_EQ(pattern.attacker_offset.yaw, 0.0);
   EXPECT_NEAR(pattern.attacker_speed, 14.0, 1e-6) << "closing at 4 m/s";
+  EXPECT_NEAR(patterns[1].attacker_offset.x, 0.5 * (kEgoSize.length + kCarSize.length), 1e-6)
+      << "the ego may run into it";
 }
 
 TEST(KinematicPatternPredictor, PlacesAnOppositeAttackerInFront) {
@@ -69,16 +73,18 @@ TEST(KinematicPatternPredictor, PlacesAnOppositeAttackerInFront) {
 TEST(KinematicPatternPredictor, PlacesSideAttackersOnBothSidesHeadingForTheEgo) {
   for (const CollisionType type : {CollisionType::kLaneChange, CollisionType::kJunctionCrossing}) {
     const auto prediction = predict(type, {pastTrack("a", kCarSize, {10.0, 30.0, -M_PI_2}, 1.0)});
-    ASSERT_EQ(prediction.patterns.size(), 2u);
     const double nominal = shippedOptions().collision_types.at(type).nominal_heading;
     int left = 0;
+    int right = 0;
     for (const CollisionPattern& pattern : prediction.patterns) {
+      if (std::abs(pattern.attacker_offset.y) < 0.5) continue;  // in front
       const bool is_left = pattern.attacker_offset.y > 0.0;
-      left += is_left ? 1 : 0;
+      (is_left ? left : right) += 1;
       EXPECT_NEAR(pattern.attacker_offset.yaw, is_left ? -nominal : nominal, 1e-12);
       EXPECT_NEAR(pattern.attacker_speed, 3.0, 1e-9) << "min_impact_speed";
     }
     EXPECT_EQ(left, 1);
+    EXPECT_EQ(right, 1);
   }
 }
 
@@ -88,10 +94,13 @@ TEST(KinematicPatternPredictor, TurnsOncomingTrafficAcrossThePathFromItsSide) {
   for (const DrivingSide side : {DrivingSide::kRight, DrivingSide::kLeft}) {
     map->driving_side = side;
     const auto prediction = predict(CollisionType::kLtap, agents, std::nullopt, nullptr, map);
-    ASSERT_EQ(prediction.patterns.size(), 1u);
+    ASSERT_EQ(prediction.patterns.size(), 2u);
     const double sign = side == DrivingSide::kRight ? 1.0 : -1.0;
-    EXPECT_GT(sign * prediction.patterns[0].attacker_offset.y, 0.0);
-    EXPECT_NEAR(prediction.patterns[0].attacker_offset.yaw, -sign * 1.5708, 1e-12);
+    for (const CollisionPattern& pattern : prediction.patterns) {
+      const bool in_front = pattern.attacker_offset.x > 2.0;
+      EXPECT_TRUE(in_front || sign * pattern.attacker_offset.y > 2.0);
+      EXPECT_NEAR(pattern.attacker_offset.yaw, -sign * 1.5708, 1e-12);
+    }
   }
 }
 
@@ -105,7 +114,7 @@ TEST(KinematicPatternPredictor, ConsidersCandidatesOnly) {
   const Track far = pastTrack("far", kCarSize, {-81.0, 0.0, 0.0}, 12.0);
   const Track truck = pastTrack("near", kCarSize, {-79.0, 0.0, 0.0}, 12.0);
   EXPECT_EQ(attackers(predict(CollisionType::kRearEnd, {pedestrian, gone, fresh, far, truck})),
-            (std::vector<std::string>{"near"}));
+            (std::vector<std::string>{"near", "near"}));
   const auto nobody = predict(CollisionType::kRearEnd, {pedestrian, gone, fresh, far});
   EXPECT_EQ(nobody.status.code, StatusCode::kNoCandidate);
   EXPECT_NE(nobody.status.message.find("candidate_radius"), std::string::npos);
@@ -115,8 +124,15 @@ TEST(KinematicPatternPredictor, ConsidersTheAttackerThatIsAskedForAlone) {
   const std::vector<Track> agents{pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0),
                                   pastTrack("b", kCarSize, {-25.0, 3.5, 0.0}, 12.0)};
   EXPECT_EQ(attackers(predict(CollisionType::kRearEnd, agents, "b")),
-            (std::vector<std::string>{"b"}));
-  EXPECT_EQ(predict(CollisionType::kRearEnd, agents).patterns.size(), 2u);
+            (std::vector<std::string>{"b", "b"}));
+  EXPECT_EQ(predict(CollisionType::kRearEnd, agents).patterns.size(), 4u);
+}
+
+TEST(KinematicPatternPredictor, ConsidersTheAttackerThatIsAskedForAnywhere) {
+  const std::vector<Track> agents{pastTrack("far", kCarSize, {-200.0, 0.0, 0.0}, 12.0)};
+  EXPECT_EQ(predict(CollisionType::kRearEnd, agents).status.code, StatusCode::kNoCandidate);
+  EXPECT_EQ(attackers(predict(CollisionType::kRearEnd, agents, "far")),
+            (std::vector<std::string>{"far", "far"}));
 }
 
 TEST(KinematicPatternPredictor, RanksAttackersWhoseSpeedFitsTheDistanceFirst) {
@@ -124,8 +140,10 @@ TEST(KinematicPatternPredictor, RanksAttackersWhoseSpeedFitsTheDistanceFirst) {
   const std::vector<Track> agents{pastTrack("far", kCarSize, {-60.0, 0.0, 0.0}, 12.0),
                                   pastTrack("fits", kCarSize, {-16.0, 3.5, 0.0}, 12.0),
                                   pastTrack("close", kCarSize, {-6.0, 0.0, 0.0}, 12.0)};
-  EXPECT_EQ(attackers(predict(CollisionType::kRearEnd, agents)),
-            (std::vector<std::string>{"fits", "close", "far"}));
+  std::vector<std::string> ranked = attackers(predict(CollisionType::kRearEnd, agents));
+  EXPECT_EQ(ranked.size(), 6u) << "two placements each";
+  EXPECT_EQ(ranked.front(), "fits");
+  EXPECT_EQ(ranked.back(), "far");
 }
 
 TEST(KinematicPatternPredictor, ConsidersAttackersThatApproachAsTheTypeWants) {
@@ -145,6 +163,36 @@ TEST(KinematicPatternPredictor, ConsidersAttackersThatApproachAsTheTypeWants) {
       }
     }
   }
+}
+
+TEST(KinematicPatternPredictor, ByTheAngleRulesConsidersAttackersFromAnywhere) {
+  AttackOptions options = shippedOptions();
+  options.type_rules = TypeRules::kAngle;
+  const auto map = emptyMap();
+  const Snapshot snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0),
+                                       {pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)}, map);
+  CollisionRequest request;
+  request.type = CollisionType::kLtap;
+  const auto prediction =
+      KinematicPatternPredictor(options).predict(snapshot, LaneIndex(map), request, nullptr);
+  EXPECT_EQ(prediction.status.code, StatusCode::kOk);
+}
+
+TEST(KinematicPatternPredictor, SamplesTheEgoInHistoryOnly) {
+  const std::vector<Track> agents{pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)};
+  const Future history = predict(CollisionType::kRearEnd, agents).future;
+  ASSERT_GT(history.ego_samples.size(), 1u);
+  for (const Track& sample : history.ego_samples) {
+    ASSERT_FALSE(sample.states.empty());
+    EXPECT_EQ(sample.id, kEgoId);
+    EXPECT_EQ(sample.size.length, kEgoSize.length);
+    EXPECT_NEAR(sample.states.front().time, kNow, 1e-9);
+    EXPECT_NEAR(sample.states.front().pose.position().norm(), 0.0, 1e-6);
+  }
+  Future recorded;
+  recorded.ego = futureTrack(kEgoId, kEgoSize, {}, 5.0);
+  EXPECT_TRUE(
+      predict(CollisionType::kRearEnd, agents, std::nullopt, &recorded).future.ego_samples.empty());
 }
 
 TEST(KinematicPatternPredictor, SaysWhichTypeNobodyApproachesFor) {

@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
+
+#include "attack/test_scenes.h"
 
 namespace forge {
 namespace {
@@ -30,28 +33,53 @@ OrientedBox moved(OrientedBox box, const Vector2& by) {
   return box;
 }
 
-TEST(SidesOf, AreThoseThatTheTypeHits) {
-  const std::vector<Side> both{Side::kLeft, Side::kRight};
+using Placements = std::vector<std::pair<Side, double>>;
+
+Placements placementsIn(CollisionType type, DrivingSide traffic) {
+  Placements placements;
+  for (const Placement& placement : placementsOf(type, traffic)) {
+    placements.emplace_back(placement.side, placement.sign);
+  }
+  return placements;
+}
+
+TEST(PlacementsOf, AreThoseOfTheTypeInAnyTraffic) {
   for (const DrivingSide traffic : {DrivingSide::kRight, DrivingSide::kLeft}) {
-    EXPECT_EQ(sidesOf(CollisionType::kRearEnd, traffic), (std::vector<Side>{Side::kRear}));
-    EXPECT_EQ(sidesOf(CollisionType::kOppositeDirection, traffic),
-              (std::vector<Side>{Side::kFront}));
-    EXPECT_EQ(sidesOf(CollisionType::kLaneChange, traffic), both);
-    EXPECT_EQ(sidesOf(CollisionType::kJunctionCrossing, traffic), both);
+    EXPECT_EQ(placementsIn(CollisionType::kRearEnd, traffic),
+              (Placements{{Side::kRear, 0.0}, {Side::kFront, 0.0}}));
+    EXPECT_EQ(placementsIn(CollisionType::kOppositeDirection, traffic),
+              (Placements{{Side::kFront, 0.0}}));
+    EXPECT_EQ(placementsIn(CollisionType::kLaneChange, traffic),
+              (Placements{{Side::kLeft, -1.0}, {Side::kRight, 1.0}}));
+    EXPECT_EQ(
+        placementsIn(CollisionType::kJunctionCrossing, traffic),
+        (Placements{
+            {Side::kLeft, -1.0}, {Side::kRight, 1.0}, {Side::kFront, -1.0}, {Side::kFront, 1.0}}));
   }
 }
 
-TEST(SidesOf, ATurnAcrossThePathComesFromTheSideOfOncomingTraffic) {
-  EXPECT_EQ(sidesOf(CollisionType::kLtap, DrivingSide::kRight), (std::vector<Side>{Side::kLeft}));
-  EXPECT_EQ(sidesOf(CollisionType::kLtap, DrivingSide::kLeft), (std::vector<Side>{Side::kRight}));
+TEST(PlacementsOf, ATurnAcrossThePathComesFromTheSideOfOncomingTraffic) {
+  EXPECT_EQ(placementsIn(CollisionType::kLtap, DrivingSide::kRight),
+            (Placements{{Side::kLeft, -1.0}, {Side::kFront, -1.0}}));
+  EXPECT_EQ(placementsIn(CollisionType::kLtap, DrivingSide::kLeft),
+            (Placements{{Side::kRight, 1.0}, {Side::kFront, 1.0}}));
 }
 
-TEST(SignedHeading, PointsTowardsTheEgo) {
-  EXPECT_DOUBLE_EQ(signedHeading(Side::kLeft, 0.3), -0.3);
-  EXPECT_DOUBLE_EQ(signedHeading(Side::kRight, 0.3), 0.3);
-  EXPECT_DOUBLE_EQ(signedHeading(Side::kRear, 0.0), 0.0);
-  EXPECT_DOUBLE_EQ(signedHeading(Side::kFront, 3.0), 3.0);
-  EXPECT_LE(signedHeading(Side::kFront, 3.1416), M_PI);
+TEST(PlacementsOf, KeepTheTypeAtTheNominalHeading) {
+  const TypeDefinitions types = shippedOptions().collision_types;
+  for (const CollisionType type : kCollisionTypes) {
+    for (const DrivingSide traffic : {DrivingSide::kRight, DrivingSide::kLeft}) {
+      for (const Placement& placement : placementsOf(type, traffic)) {
+        for (const double sign : {1.0, -1.0}) {
+          if (placement.sign == -sign) continue;
+          const double heading = wrapAngle(sign * types.at(type).nominal_heading);
+          const Pose2 offset = attackerOffset(kEgo, kAttacker, placement.side, heading, 0.0, 0.0);
+          EXPECT_TRUE(headingFits(offset.yaw, types.at(type))) << toString(type);
+          EXPECT_TRUE(contactFits(type, offset, kEgo, kAttacker, traffic)) << toString(type);
+        }
+      }
+    }
+  }
 }
 
 TEST(AttackerOffset, OfAlignedBoxesIsHalfTheSidesMinusTheDepth) {

@@ -2,15 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
+#include "attack/kinematic_prediction.h"
 #include "attack/limits.h"
 #include "attack/placement.h"
-#include "attack/quintic_join.h"
 #include "attack/test_scenes.h"
 
 namespace forge {
 namespace {
 
-/// A car behind the ego on a two-lane road, 4 s before it is to hit.
+/// A car behind the ego on a two-lane road, 4 s before it is to hit. The ego is known.
 struct Case {
   AttackOptions options = shippedOptions();
   std::shared_ptr<LaneMap> map = twoLaneRoad();
@@ -29,133 +31,174 @@ struct Case {
     pattern.attacker_offset = attackerOffset(kEgoSize, kCarSize, Side::kRear, 0.0, 0.0, 0.0);
     pattern.attacker_speed = 14.0;
   }
+  /// Makes the ego's future uncertain: one sample for each speed.
+  void sampleEgo(const std::vector<double>& speeds) {
+    for (const double speed : speeds) {
+      future.ego_samples.push_back(futureTrack(kEgoId, kEgoSize, {}, speed));
+    }
+  }
   Realization result() const {
     return realize({pattern}, {snapshot, future, request, LaneIndex(map)}, options);
   }
+  void expectRefusal(StatusCode code, const std::string& reason) const {
+    const Status status = result().status;
+    EXPECT_STREQ(toString(status.code), toString(code));
+    EXPECT_NE(status.message.find(reason), std::string::npos) << status.message;
+  }
 };
 
-TEST(Realize, ReturnsAVerifiedAttackWithItsPatternAndConfidence) {
-  const Realization result = Case().result();
-  ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
-  EXPECT_TRUE(result.report.verified());
-  EXPECT_EQ(result.trajectory.attacker_id, "attacker");
-  EXPECT_EQ(result.pattern.attacker_id, "attacker");
-  EXPECT_EQ(result.pattern.time, kNow + 4.0);
-  EXPECT_GT(result.report.confidence, 0.0);
-  const TrajectoryPoint& impact = result.trajectory.points.at(40);
-  const Pose2 target = compose(result.pattern.ego.center, result.pattern.attacker_offset);
-  EXPECT_NEAR((impact.pose.position() - target.position()).norm(), 0.0, 1e-6);
-  EXPECT_NEAR(impact.speed, result.pattern.attacker_speed, 1e-6);
-}
-
-TEST(Realize, WithOneSampleRealizesThePatternItselfAtTheDepth) {
-  Case attack;
-  attack.options.realization.samples = 1;
+TEST(Realize, ReturnsAVerifiedAttackThatHoldsWhenVerifiedAgain) {
+  const Case attack;
   const Realization result = attack.result();
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
-  EXPECT_NEAR(result.pattern.attacker_offset.x, attack.pattern.attacker_offset.x + 0.15, 1e-6);
-  EXPECT_EQ(result.pattern.attacker_offset.y, 0.0);
-  EXPECT_EQ(result.pattern.attacker_speed, 14.0);
+  EXPECT_EQ(result.status.message, "");
+  EXPECT_EQ(result.trajectory.attacker_id, "attacker");
+  EXPECT_EQ(result.trajectory.size.length, kCarSize.length);
+  const CollisionReport again = verify(
+      result.trajectory, {attack.snapshot, attack.future, attack.request, LaneIndex(attack.map)},
+      attack.options);
+  EXPECT_TRUE(again.verified());
+  EXPECT_EQ(again.contact_time, result.report.contact_time);
+  EXPECT_EQ(again.off_road_share, result.report.off_road_share);
 }
 
-TEST(Realize, VariesThePatternWithinTheSpreads) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Case attack;
-    attack.request.seed = seed;
-    const Realization result = attack.result();
-    ASSERT_EQ(result.status.code, StatusCode::kOk);
-    EXPECT_LE(std::abs(result.pattern.attacker_offset.yaw), 0.1309);
-    EXPECT_LE(std::abs(result.pattern.attacker_offset.y), 0.8 * 0.5 * kEgoSize.width);
-    EXPECT_GE(result.pattern.attacker_speed, 0.1 * 14.0);
-    EXPECT_LE(result.pattern.attacker_speed, 1.6 * 14.0);
+TEST(Realize, GivesThePatternThatTheAttackMakesAtItsContact) {
+  const Realization result = Case().result();
+  ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
+  EXPECT_EQ(result.pattern.type, CollisionType::kRearEnd);
+  EXPECT_EQ(result.pattern.attacker_id, "attacker");
+  EXPECT_EQ(result.pattern.time, result.report.contact_time);
+  EXPECT_EQ(result.pattern.ego.size.length, kEgoSize.length);
+  const Pose2 attacker = compose(result.pattern.ego.center, result.pattern.attacker_offset);
+  EXPECT_NEAR((attacker.position() - result.report.attacker_at_contact.position()).norm(), 0.0,
+              1e-9);
+  EXPECT_NEAR(result.pattern.ego.center.x, 10.0 * (result.pattern.time - kNow), 1e-6);
+  for (const TrajectoryPoint& point : result.trajectory.points) {
+    if (std::abs(point.time - result.pattern.time) > 0.1) continue;
+    EXPECT_NEAR(result.pattern.attacker_speed, point.speed, 1.0);
   }
 }
 
-TEST(Realize, KeepsTheSideThatThePatternHits) {
-  for (const Side side : {Side::kLeft, Side::kRight}) {
-    Case attack;
-    attack.request.type = attack.pattern.type = CollisionType::kLaneChange;
-    attack.pattern.attacker_offset =
-        attackerOffset(kEgoSize, kCarSize, side, signedHeading(side, 0.2618), 0.0, 0.0);
-    const double lateral = side == Side::kLeft ? 3.5 : -3.5;
-    attack.snapshot.agents[0] = pastTrack("attacker", kCarSize, {-8.0, lateral, 0.0}, 11.0);
-    const Realization result = attack.result();
-    ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
-    EXPECT_GT(result.pattern.attacker_offset.y * lateral, 0.0);
-    EXPECT_LT(result.report.relative_heading * lateral, 0.0) << "towards the ego";
+TEST(Realize, DrivesFromNowPastTheTimeAskedFor) {
+  const Case attack;
+  const Realization result = attack.result();
+  ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
+  const auto& points = result.trajectory.points;
+  EXPECT_EQ(points.front().time, kNow);
+  EXPECT_NEAR(points.front().pose.y, 0.5, 1e-9);
+  EXPECT_NEAR(points.back().time, kNow + 4.0 + attack.options.search.tail, 1e-6);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    EXPECT_NEAR(points[i].time - points[i - 1].time, attack.options.search.step, 1e-9);
   }
 }
 
-TEST(Realize, ComparingOneTakesTheLeastEffort) {
+TEST(Realize, IsCertainOfAnEgoThatIsKnown) {
+  const Realization result = Case().result();
+  ASSERT_EQ(result.status.code, StatusCode::kOk);
+  EXPECT_EQ(result.report.confidence, 1.0);
+}
+
+TEST(Realize, IsAsConfidentAsTheShareOfTheHeldOutSamplesThatAreHit) {
+  // The even samples are searched, the odd ones are held out.
   Case attack;
-  attack.options.realization.off_road_weight = 0.0;
-  attack.options.realization.compared = 1;
-  const auto effortOf = [&](const Realization& result) {
-    return effort(result.trajectory, result.pattern.time, attack.options.vehicle_limits);
-  };
+  attack.sampleEgo({10.0, 10.0, 10.0, 10.0, 10.0, 30.0, 10.0, 30.0});
+  const Realization half = attack.result();
+  ASSERT_EQ(half.status.code, StatusCode::kOk) << half.status.message;
+  EXPECT_EQ(half.report.confidence, 0.5);
+  attack.future.ego_samples.clear();
+  attack.sampleEgo({10.0, 10.0, 30.0, 10.0, 30.0, 10.0, 30.0, 10.0});
+  const Realization whole = attack.result();
+  ASSERT_EQ(whole.status.code, StatusCode::kOk) << whole.status.message;
+  EXPECT_EQ(whole.report.confidence, 1.0);
+}
+
+TEST(Realize, DeclinesAnAttackThatPromisesTooLittle) {
+  Case attack;
+  attack.sampleEgo({10.0, 10.0, 10.0, 30.0, 10.0, 30.0, 10.0, 30.0});
+  attack.options.search.min_confidence = 0.25;
+  EXPECT_EQ(attack.result().status.code, StatusCode::kOk);
+  attack.options.search.min_confidence = 0.26;
+  attack.expectRefusal(StatusCode::kLowConfidence, "min_confidence");
+  EXPECT_TRUE(attack.result().trajectory.points.empty());
+}
+
+TEST(Realize, ReportsTheFutureThatTheAttackWasVerifiedAgainst) {
+  Case attack;
+  attack.future.ego = futureTrack(kEgoId, kEgoSize, {}, 30.0);
+  attack.sampleEgo({8.0, 8.0, 8.0, 8.0});
+  const Realization result = attack.result();
+  ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
+  EXPECT_NEAR(result.report.ego_at_contact.x, 8.0 * (result.report.contact_time - kNow), 1e-6);
+}
+
+TEST(Realize, SameSeedSameAnswerAndOtherSeedsOthers) {
+  Case attack;
   const Realization first = attack.result();
-  ASSERT_EQ(first.status.code, StatusCode::kOk);
-  attack.options.realization.compared = 96;
-  EXPECT_EQ(effortOf(attack.result()), effortOf(first)) << "no better one exists";
-  attack.options.realization.samples = 1;
-  EXPECT_LE(effortOf(first), effortOf(attack.result()));
+  const Realization second = attack.result();
+  EXPECT_EQ(first.report.contact_time, second.report.contact_time);
+  EXPECT_EQ(first.trajectory.points.at(20).pose.x, second.trajectory.points.at(20).pose.x);
+  bool differs = false;
+  for (std::uint64_t seed = 1; seed < 5; ++seed) {
+    attack.request.seed = seed;
+    const Realization other = attack.result();
+    ASSERT_EQ(other.status.code, StatusCode::kOk) << seed;
+    differs = differs || other.report.contact_time != first.report.contact_time;
+  }
+  EXPECT_TRUE(differs);
 }
 
-TEST(Realize, PrefersAttacksOnTheRoadAmongThoseCompared) {
+TEST(Realize, TakesAnotherAttackerWhereTheFirstIsHopeless) {
   Case attack;
-  attack.map->drivable_area = {rectangle(-200.0, -0.9, 200.0, 5.25)};
-  attack.options.realization.compared = 96;
-  attack.options.realization.off_road_weight = 0.0;
-  const Realization careless = attack.result();
-  attack.options.realization.off_road_weight = 100.0;
-  const Realization careful = attack.result();
-  ASSERT_EQ(careful.status.code, StatusCode::kOk);
-  EXPECT_LT(careful.report.off_road_share, careless.report.off_road_share);
-}
-
-TEST(Realize, TakesTheBestOfSeveralPatterns) {
-  Case attack;
+  attack.snapshot.agents.push_back(pastTrack("far", kCarSize, {-190.0, 0.0, 0.0}, 5.0));
   CollisionPattern hopeless = attack.pattern;
-  hopeless.ego.center.x = 200.0;
-  const VerificationInput input{attack.snapshot, attack.future, attack.request,
-                                LaneIndex(attack.map)};
-  const Realization result = realize({hopeless, attack.pattern}, input, attack.options);
-  EXPECT_EQ(result.status.code, StatusCode::kOk);
-  EXPECT_EQ(result.pattern.ego.center.x, 40.0);
+  hopeless.attacker_id = "far";
+  const LaneIndex lanes(attack.map);
+  const Realization result =
+      realize({hopeless, attack.pattern}, {attack.snapshot, attack.future, attack.request, lanes},
+              attack.options);
+  ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
+  EXPECT_EQ(result.trajectory.attacker_id, "attacker");
 }
 
-TEST(Realize, RefusesWhatCannotBeDrivenAndCountsWhy) {
-  const Realization result = Case(75.0).result();
-  EXPECT_EQ(result.status.code, StatusCode::kNoAttackWithinBounds);
-  EXPECT_NE(result.status.message.find("1 patterns"), std::string::npos) << result.status.message;
-  EXPECT_NE(result.status.message.find("broke max_"), std::string::npos) << result.status.message;
+TEST(Realize, RefusesWhatCannotBeDriven) {
+  Case attack(190.0);
+  attack.expectRefusal(StatusCode::kNoAttackWithinBounds, "1 patterns");
+  attack.expectRefusal(StatusCode::kNoAttackWithinBounds, "none");
 }
 
-TEST(Realize, RefusesWhatDoesNotVerifyAndCountsWhy) {
-  const auto expect_refusal = [](const Case& attack, const std::string& reason) {
-    const Realization result = attack.result();
-    EXPECT_EQ(result.status.code, StatusCode::kNoAttackWithinBounds);
-    EXPECT_NE(result.status.message.find(reason), std::string::npos) << result.status.message;
-  };
-  Case missing;
-  missing.future.ego = futureTrack(kEgoId, kEgoSize, {0.0, 50.0, 0.0}, 10.0);
-  expect_refusal(missing, "missed the ego");
-  Case blocked;
-  blocked.future.agents = {futureTrack("wall", {20.0, 20.0}, {15.0, 0.0, 0.0}, 0.0)};
-  expect_refusal(blocked, "touched someone else first");
-  Case late;
-  late.request.tta = 6.0;
-  expect_refusal(late, "made contact at the wrong time");
-  Case wrong;
-  wrong.request.type = CollisionType::kLtap;
-  expect_refusal(wrong, "made contact at the wrong relative heading");
+TEST(Realize, RefusesWhenSomebodyIsInTheWay) {
+  Case attack;
+  attack.future.agents = {futureTrack("wall", {4.0, 80.0}, {-5.0, 0.0, 0.0}, 0.0)};
+  attack.expectRefusal(StatusCode::kNoAttackWithinBounds, "1 patterns");
+}
+
+TEST(Realize, CountsWhyTheBestAttacksDoNotVerify) {
+  // The wall is there between two steps of the search only, where verification alone looks.
+  Case attack;
+  const Pose2 somewhere{20.0, 0.0, 0.0};
+  attack.future.agents = {
+      {"wall",
+       AgentClass::kStaticObject,
+       {100.0, 20.0},
+       {{kNow + 2.02, somewhere, Vector2::Zero()}, {kNow + 2.08, somewhere, Vector2::Zero()}}}};
+  attack.expectRefusal(StatusCode::kNoAttackWithinBounds, "touched someone else first");
+  EXPECT_EQ(attack.result().status.message.find("none"), std::string::npos);
 }
 
 TEST(Realize, RefusesNoPatterns) {
   const Case attack;
-  const VerificationInput input{attack.snapshot, attack.future, attack.request,
-                                LaneIndex(attack.map)};
+  const LaneIndex lanes(attack.map);
+  const VerificationInput input{attack.snapshot, attack.future, attack.request, lanes};
   EXPECT_EQ(realize({}, input, attack.options).status.code, StatusCode::kNoAttackWithinBounds);
+}
+
+TEST(Realize, RefusesPatternsThatMakeNoSense) {
+  Case stranger;
+  stranger.pattern.attacker_id = "nobody";
+  EXPECT_THROW(stranger.result(), std::invalid_argument);
+  Case past;
+  past.pattern.time = kNow;
+  EXPECT_THROW(past.result(), std::invalid_argument);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "attack/attack.h"
 #include "attack/options.h"
+#include "formats/config.h"
 #include "map/lane_queries.h"
 #include "scene/scene.h"
 
@@ -17,19 +18,9 @@ inline constexpr double kNow = 100.0;  // s
 inline constexpr BoxSize kEgoSize{4.084, 1.730};
 inline constexpr BoxSize kCarSize{4.6, 1.9};
 
-/// The values of config/.
+/// What config/ says.
 inline AttackOptions shippedOptions() {
-  AttackOptions options;
-  options.vehicle_limits = {5.0, 8.0, 8.0, 0.2, 25.0, 2.0, 0.1745, 0.3};
-  options.collision_types = {
-      {CollisionType::kLaneChange, {0.1745, 0.5236, 0.2618, 0.0, 3.1416}},
-      {CollisionType::kOppositeDirection, {2.9671, 3.1416, 3.1416, 0.0, 3.1416}},
-      {CollisionType::kRearEnd, {0.0, 0.1745, 0.0, 0.0, 3.1416}},
-      {CollisionType::kJunctionCrossing, {1.3963, 1.7453, 1.5708, 0.7854, 2.3562}},
-      {CollisionType::kLtap, {1.3963, 1.7453, 1.5708, 2.3562, 3.1416}}};
-  options.prediction = {8, 2, 4, 0.5, 9.0, 80.0, 0.1, 2.0, 2.0, 0.7854, 0.5, 15.0, 4.0, 3.0};
-  options.realization = {0.1, 2.0, 0.15, 96, 0.1309, 0.8, 0.1, 1.6, 20, 2.0};
-  options.verification = {0.5, 0.001, 0.5, {0.8, 0.9, 1.0, 1.1, 1.2}};
+  static const AttackOptions options = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").attack;
   return options;
 }
 

@@ -32,10 +32,6 @@ struct Case {
   CollisionReport report() const {
     return verify(trajectory, {snapshot, future, request, LaneIndex(map)}, options);
   }
-  double confidenceOf(Mode mode) {
-    request.mode = mode;
-    return confidence(trajectory, {snapshot, future, request, LaneIndex(map)}, options);
-  }
   void addStanding(const std::string& id, const Pose2& pose) {
     future.agents.push_back(futureTrack(id, kCarSize, pose, 0.0));
   }
@@ -163,10 +159,7 @@ TEST(Verify, TypeIsKeptWithinTheBandOnBothSides) {
         Case inside = meeting(0.4, sign * (edge + inwards));
         Case outside = meeting(0.4, sign * (edge - inwards));
         inside.request.type = outside.request.type = type;
-        for (Case* attack : {&inside, &outside}) {
-          attack->options.collision_types[type].min_approach = 0.0;
-          attack->options.collision_types[type].max_approach = M_PI;
-        }
+        for (Case* attack : {&inside, &outside}) attack->options.type_rules = TypeRules::kAngle;
         EXPECT_TRUE(inside.report().type_kept) << toString(type) << " " << edge;
         EXPECT_FALSE(outside.report().type_kept) << toString(type) << " " << edge;
         EXPECT_FALSE(outside.report().verified());
@@ -196,8 +189,68 @@ TEST(Verify, TypeIsKeptWhenTheAttackerComesFromWhereTheTypeWants) {
     attack.request.type = CollisionType::kLtap;
     EXPECT_FALSE(attack.report().type_kept) << "from the side";
     attack.trajectory.points.front().pose.yaw = wrapAngle(3.0 + sign * 3.0);
+    attack.map->driving_side = sign < 0.0 ? DrivingSide::kRight : DrivingSide::kLeft;
     EXPECT_TRUE(attack.report().type_kept) << "headed the opposite way now";
   }
+}
+
+TEST(Verify, ByTheAngleRulesTheHeadingAtContactAloneMakesTheType) {
+  Case crossing = meeting(0.0, M_PI_2);
+  crossing.request.type = CollisionType::kLtap;
+  EXPECT_FALSE(crossing.report().type_kept) << "it comes from the side";
+  crossing.options.type_rules = TypeRules::kAngle;
+  EXPECT_TRUE(crossing.report().type_kept);
+  crossing.request.type = CollisionType::kLaneChange;
+  EXPECT_FALSE(crossing.report().type_kept);
+}
+
+TEST(Verify, ARearEndIsKeptWhenFrontMeetsRearAndNotBesideIt) {
+  // Closing in on the ego from behind, and drifting into its flank at the same heading.
+  EXPECT_TRUE(rearEnd().report().type_kept);
+  Case beside({}, 10.0, {0.0, 4.0, 0.0}, 10.0);
+  for (TrajectoryPoint& point : beside.trajectory.points) {
+    point.pose.y -= 0.6 * (point.time - kNow);
+  }
+  EXPECT_TRUE(beside.report().contact);
+  EXPECT_NEAR(beside.report().relative_heading, 0.0, 1e-9);
+  EXPECT_FALSE(beside.report().type_kept);
+  beside.options.type_rules = TypeRules::kAngle;
+  EXPECT_TRUE(beside.report().type_kept);
+}
+
+TEST(Verify, ALaneChangeIsKeptWhenTheAttackerTurnsTowardsTheEgoBesideIt) {
+  for (const double sign : {1.0, -1.0}) {
+    Case towards = meeting(0.5, sign * 0.3);
+    towards.request.type = CollisionType::kLaneChange;
+    EXPECT_TRUE(towards.report().type_kept);
+    // From straight behind the ego, turned as much.
+    Case behind({}, 10.0, {-20.0, 0.0, sign * 0.3}, 15.0);
+    behind.request.type = CollisionType::kLaneChange;
+    for (TrajectoryPoint& point : behind.trajectory.points) point.pose.y = 0.0;
+    EXPECT_TRUE(behind.report().contact);
+    EXPECT_NEAR(behind.report().relative_heading, sign * 0.3, 1e-9);
+    EXPECT_FALSE(behind.report().type_kept);
+  }
+}
+
+TEST(Verify, ALeftTurnAcrossPathIsKeptWhenItTurnedAsTrafficDoes) {
+  for (const double sign : {1.0, -1.0}) {
+    Case attack = meeting(0.0, sign * M_PI_2);
+    attack.request.type = CollisionType::kLtap;
+    attack.trajectory.points.front().pose.yaw = M_PI;
+    for (const DrivingSide side : {DrivingSide::kRight, DrivingSide::kLeft}) {
+      attack.map->driving_side = side;
+      EXPECT_EQ(attack.report().type_kept, (side == DrivingSide::kRight) == (sign < 0.0)) << sign;
+    }
+  }
+}
+
+TEST(Verify, ApproachIsJudgedByTheEgosHeadingNow) {
+  Case attack = meeting(0.0, M_PI_2);
+  attack.request.type = CollisionType::kJunctionCrossing;
+  EXPECT_TRUE(attack.report().type_kept);
+  attack.future.ego.states.front().pose.yaw = M_PI_2;
+  EXPECT_FALSE(attack.report().type_kept) << "then both headed the same way";
 }
 
 TEST(Verify, IsOnTimeWithinTheToleranceBothWays) {
@@ -345,35 +398,6 @@ TEST(Verify, OffRoadShareIsTheMeanFromNowToTheContact) {
   EXPECT_EQ(attack.report().off_road_share, 0.0);
   attack.map->drivable_area.clear();
   EXPECT_EQ(attack.report().off_road_share, 0.0) << "unknown ground is no fault";
-}
-
-TEST(Confidence, InReplayIsOneForAVerifiedAttackAndElseZero) {
-  Case attack = rearEnd();
-  EXPECT_EQ(attack.confidenceOf(Mode::kReplay), 1.0);
-  attack.request.tta = 5.0;
-  EXPECT_EQ(attack.confidenceOf(Mode::kReplay), 0.0);
-}
-
-TEST(Confidence, InHistoryIsTheShareOfEgoSpeedsThatAreHit) {
-  // Contact at 20 / (15 - 10 f) s: 2.86, 3.33, 4, 5 and 6.67 s for the factors f.
-  Case attack = rearEnd();
-  EXPECT_DOUBLE_EQ(attack.confidenceOf(Mode::kHistory), 0.2);
-  attack.options.verification.time_tolerance = 0.8;
-  EXPECT_DOUBLE_EQ(attack.confidenceOf(Mode::kHistory), 0.4);
-  attack.options.verification.time_tolerance = 1.1;
-  EXPECT_DOUBLE_EQ(attack.confidenceOf(Mode::kHistory), 0.6);
-  attack.options.verification.time_tolerance = 2.7;
-  EXPECT_DOUBLE_EQ(attack.confidenceOf(Mode::kHistory), 1.0);
-  attack.request.type = CollisionType::kLtap;
-  EXPECT_DOUBLE_EQ(attack.confidenceOf(Mode::kHistory), 0.0);
-}
-
-TEST(Confidence, CountsTouchingOthers) {
-  Case attack = rearEnd();
-  attack.options.verification.time_tolerance = 2.7;
-  // In the way from 60.5 m on: reached by the attacker at 3.7 s, before the slower three egos only.
-  attack.addStanding("other", {60.5, 1.0, 0.0});
-  EXPECT_DOUBLE_EQ(attack.confidenceOf(Mode::kHistory), 0.4);
 }
 
 }  // namespace

@@ -39,10 +39,10 @@ TEST(CollisionRequest, ModeNamesAreReadBack) {
 
 TEST(CollisionRequest, StatusNamesAreDistinct) {
   std::set<std::string> names;
-  for (int code = 0; code <= 12; ++code) names.insert(toString(static_cast<StatusCode>(code)));
-  EXPECT_EQ(names.size(), 13u);
+  for (int code = 0; code <= 13; ++code) names.insert(toString(static_cast<StatusCode>(code)));
+  EXPECT_EQ(names.size(), 14u);
   EXPECT_EQ(names.count("UNKNOWN"), 0u);
-  EXPECT_STREQ(toString(static_cast<StatusCode>(13)), "UNKNOWN");
+  EXPECT_STREQ(toString(static_cast<StatusCode>(14)), "UNKNOWN");
   EXPECT_STREQ(toString(StatusCode::kTtaOutOfRange), "TTA_OUT_OF_RANGE");
 }
 

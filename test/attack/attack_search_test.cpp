@@ -1,0 +1,285 @@
+#include "attack/attack_search.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "attack/limits.h"
+#include "attack/test_scenes.h"
+
+namespace forge {
+namespace {
+
+/// A scene to search in. The ego drives at one of a few speeds.
+struct Case {
+  AttackOptions options = shippedOptions();
+  std::shared_ptr<LaneMap> map = twoLaneRoad();
+  Snapshot snapshot;
+  Future future;
+  std::vector<Track> egos;
+  CollisionRequest request;
+
+  Case(CollisionType type, double ego_speed, const Pose2& ego = {}) {
+    request.type = type;
+    snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, ego, ego_speed), {}, map);
+    for (const double factor : {0.97, 0.99, 1.0, 1.01, 1.03}) {
+      egos.push_back(futureTrack(kEgoId, kEgoSize, ego, factor * ego_speed));
+    }
+  }
+  void add(const std::string& id, const Pose2& pose, double speed) {
+    snapshot.agents.push_back(pastTrack(id, kCarSize, pose, speed));
+    future.agents.push_back(futureTrack(id, kCarSize, pose, speed));
+  }
+  std::vector<CollisionPattern> patterns() const {
+    std::vector<CollisionPattern> patterns;
+    for (const Track& agent : snapshot.agents) {
+      patterns.emplace_back();
+      patterns.back().attacker_id = agent.id;
+    }
+    return patterns;
+  }
+  std::vector<FoundAttack> found(const std::vector<CollisionPattern>& patterns) const {
+    std::vector<const Track*> pointers;
+    for (const Track& ego : egos) pointers.push_back(&ego);
+    return searchAttacks({snapshot, future, pointers, patterns, request, LaneIndex(map)}, options);
+  }
+  std::vector<FoundAttack> found() const { return found(patterns()); }
+};
+
+Case rearEnd() {
+  Case scene(CollisionType::kRearEnd, 10.0);
+  scene.add("behind", {-20.0, 0.3, 0.0}, 12.0);
+  return scene;
+}
+
+Case oncoming() {
+  Case scene(CollisionType::kOppositeDirection, 10.0);
+  scene.add("oncoming", {80.0, 3.5, M_PI}, 10.0);
+  return scene;
+}
+
+Case crossing() {
+  Case scene(CollisionType::kJunctionCrossing, 10.0, {-40.0, -1.75, 0.0});
+  scene.map = fourWayJunction();
+  scene.add("crossing", {1.75, -35.0, M_PI_2}, 8.0);
+  return scene;
+}
+
+Case laneChange() {
+  Case scene(CollisionType::kLaneChange, 10.0);
+  scene.add("beside", {-6.0, 3.5, 0.0}, 11.0);
+  return scene;
+}
+
+Case leftTurn() {
+  Case scene(CollisionType::kLtap, 8.0, {-32.0, -1.75, 0.0});
+  scene.map = fourWayJunction();
+  scene.add("turning", {32.0, 1.75, M_PI}, 8.0);
+  return scene;
+}
+
+std::vector<Case> allCases() {
+  return {rearEnd(), oncoming(), crossing(), laneChange(), leftTurn()};
+}
+
+std::string bytesOf(const std::vector<FoundAttack>& attacks) {
+  std::string bytes;
+  for (const FoundAttack& attack : attacks) {
+    bytes += attack.attacker->id;
+    for (const TrajectoryPoint& point : attack.points) {
+      const std::array<double, 7> numbers = {point.time,     point.pose.x, point.pose.y,
+                                             point.pose.yaw, point.speed,  point.acceleration,
+                                             point.curvature};
+      bytes.append(reinterpret_cast<const char*>(numbers.data()), sizeof(numbers));
+    }
+    bytes.append(reinterpret_cast<const char*>(&attack.objective), sizeof(double));
+  }
+  return bytes;
+}
+
+TEST(SearchAttacks, FindsAnAttackOfEveryTypeWhereOneLiesAtHand) {
+  for (const Case& scene : allCases()) {
+    const auto attacks = scene.found();
+    ASSERT_FALSE(attacks.empty()) << toString(scene.request.type);
+    EXPECT_GE(attacks[0].score.share, 0.8) << toString(scene.request.type);
+    EXPECT_EQ(attacks[0].attacker, &scene.snapshot.agents[0]);
+  }
+}
+
+TEST(SearchAttacks, SameSeedSameBytesAndOtherSeedsOthers) {
+  for (Case scene : allCases()) {
+    const std::string bytes = bytesOf(scene.found());
+    EXPECT_EQ(bytesOf(scene.found()), bytes);
+    scene.request.seed = 1;
+    EXPECT_NE(bytesOf(scene.found()), bytes) << toString(scene.request.type);
+  }
+}
+
+TEST(SearchAttacks, AllStartAtTheAttackerAndKeepTheLimits) {
+  for (Case scene : allCases()) {
+    for (scene.request.seed = 0; scene.request.seed < 5; ++scene.request.seed) {
+      const double until = kNow + scene.request.tta + scene.options.verification.time_tolerance;
+      for (const FoundAttack& attack : scene.found()) {
+        const Pose2 now = attack.attacker->states.back().pose;
+        const auto broken =
+            findBrokenLimit(attack.points, now.yaw, until, scene.options.vehicle_limits);
+        EXPECT_FALSE(broken) << toString(scene.request.type) << ": " << describe(*broken);
+        EXPECT_EQ(attack.points.front().time, kNow);
+        EXPECT_NEAR((attack.points.front().pose.position() - now.position()).norm(), 0.0, 1e-6);
+        EXPECT_NEAR(attack.points.back().time, kNow + scene.request.tta + scene.options.search.tail,
+                    1e-6);
+      }
+    }
+  }
+}
+
+TEST(SearchAttacks, ComeBestFirstWithTheScoresOfTheirMotions) {
+  for (const Case& scene : allCases()) {
+    std::vector<const Track*> egos;
+    for (const Track& ego : scene.egos) egos.push_back(&ego);
+    const FutureScorer scorer(egos, scene.future.agents, scene.request, kNow,
+                              scene.map->driving_side, scene.options);
+    const auto attacks = scene.found();
+    EXPECT_LE(attacks.size(), static_cast<std::size_t>(scene.options.search.kept));
+    for (std::size_t i = 0; i < attacks.size(); ++i) {
+      const FutureScore score = scorer.score(*attacks[i].attacker, attacks[i].points);
+      EXPECT_EQ(attacks[i].score.share, score.share);
+      EXPECT_NEAR(attacks[i].score.closeness, score.closeness, 1e-9);
+      EXPECT_GT(attacks[i].score.share, 0.0);
+      if (i > 0) {
+        EXPECT_LE(attacks[i].objective, attacks[i - 1].objective);
+      }
+    }
+  }
+}
+
+/// The ego ahead in a bend of 25 m radius to the left, on a road 5 m wide; the attacker behind.
+Case bendAhead() {
+  constexpr double kRadius = 25.0;
+  const auto on_bend = [](double s, double lateral) {
+    const double angle = s / kRadius;
+    const double radius = kRadius - lateral;
+    return Pose2{radius * std::sin(angle), kRadius - radius * std::cos(angle), angle};
+  };
+  Case scene(CollisionType::kRearEnd, 0.0, on_bend(38.0, 0.0));
+  scene.map = emptyMap();
+  Lane lane;
+  lane.id = "bend";
+  for (int x = -50; x < 0; ++x) lane.centerline.push_back({static_cast<double>(x), 0.0, 0.0});
+  for (int s = 0; s < 75; ++s) lane.centerline.push_back(on_bend(s, 0.0));
+  scene.map->lanes = {lane};
+  scene.map->drivable_area = {rectangle(-50.0, -2.5, 0.5, 2.5)};
+  std::vector<Vector2> outer;
+  std::vector<Vector2> ring;
+  for (int s = 0; s < 75; ++s) {
+    ring.push_back(on_bend(s, -2.5).position());
+    outer.push_back(on_bend(s, 2.5).position());
+  }
+  ring.insert(ring.end(), outer.rbegin(), outer.rend());
+  scene.map->drivable_area.push_back({ring, {}});
+  scene.add("behind", {-8.0, 0.0, 0.0}, 10.0);
+  return scene;
+}
+
+TEST(SearchAttacks, PreferAFollowerOfTheLaneToOneOffTheRoad) {
+  double careful = 0.0;
+  double careless = 0.0;
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    Case scene = bendAhead();
+    scene.request.seed = seed;
+    const auto attacks = scene.found();
+    ASSERT_FALSE(attacks.empty());
+    EXPECT_EQ(attacks[0].score.share, 1.0);
+    EXPECT_LE(attacks[0].off_road, scene.options.search.good_off_road);
+    careful += attacks[0].off_road;
+    scene.options.search.off_road_weight = 0.0;
+    scene.options.search.good_off_road = 1.0;
+    scene.options.search.lane_paths = 0;
+    careless += scene.found().at(0).off_road;
+  }
+  EXPECT_LT(careful, 0.5 * careless);
+}
+
+TEST(SearchAttacks, TellTheShareOfTheBoxThatIsOffTheRoad) {
+  Case scene = rearEnd();
+  scene.map->drivable_area = {rectangle(-200.0, -50.0, 200.0, 50.0)};
+  ASSERT_FALSE(scene.found().empty());
+  for (const FoundAttack& attack : scene.found()) EXPECT_EQ(attack.off_road, 0.0);
+  scene.map->drivable_area = {rectangle(-200.0, -100.0, 200.0, -50.0)};
+  for (const FoundAttack& attack : scene.found()) EXPECT_EQ(attack.off_road, 1.0);
+  scene.map->drivable_area.clear();
+  for (const FoundAttack& attack : scene.found()) EXPECT_EQ(attack.off_road, 0.0) << "unknown";
+}
+
+TEST(SearchAttacks, FindNothingOutOfReach) {
+  Case far(CollisionType::kRearEnd, 10.0);
+  far.add("behind", {-150.0, 0.0, 0.0}, 10.0);
+  EXPECT_TRUE(far.found().empty());
+  Case soon = crossing();
+  soon.request.tta = 0.5;
+  EXPECT_TRUE(soon.found().empty());
+}
+
+TEST(SearchAttacks, FindNothingBehindAWall) {
+  Case scene = rearEnd();
+  scene.future.agents.push_back(futureTrack("wall", {4.0, 100.0}, {-10.0, 0.0, 0.0}, 0.0));
+  EXPECT_TRUE(scene.found().empty());
+}
+
+TEST(SearchAttacks, FindNothingWithoutPatterns) { EXPECT_TRUE(rearEnd().found({}).empty()); }
+
+TEST(SearchAttacks, TryTheFirstAttackersOfThePatternsAlone) {
+  Case scene = rearEnd();
+  scene.add("far", {-150.0, 0.0, 0.0}, 10.0);
+  std::vector<CollisionPattern> patterns = scene.patterns();
+  std::swap(patterns[0], patterns[1]);
+  EXPECT_FALSE(scene.found(patterns).empty());
+  scene.options.search.max_attackers = 1;
+  EXPECT_TRUE(scene.found(patterns).empty());
+  EXPECT_FALSE(scene.found({patterns[1], patterns[1], patterns[0]}).empty());
+}
+
+TEST(SearchAttacks, TheBicycleFindsWhatNoQuinticCan) {
+  // From rest, heading away from where it has to go.
+  Case scene(CollisionType::kJunctionCrossing, 6.0, {-24.0, 0.0, 0.0});
+  scene.map = emptyMap();
+  scene.add("waiting", {-7.0, -11.0, 0.6}, 0.0);
+  const auto share = [](const std::vector<FoundAttack>& attacks) {
+    return attacks.empty() ? 0.0 : attacks[0].score.share;
+  };
+  const double with_bicycle = share(scene.found());
+  scene.options.search.bicycle_targets = 0;
+  scene.options.search.bicycle_rounds = 0;
+  EXPECT_GT(with_bicycle, share(scene.found()));
+}
+
+TEST(SearchAttacks, MoreRoundsFindNoWorse) {
+  Case scene = leftTurn();
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    scene.request.seed = seed;
+    scene.options.search.rounds = 0;
+    scene.options.search.bicycle_targets = 0;
+    scene.options.search.bicycle_rounds = 0;
+    const auto drawn = scene.found();
+    scene.options.search.rounds = 4;
+    const auto perturbed = scene.found();
+    if (drawn.empty()) continue;
+    ASSERT_FALSE(perturbed.empty());
+    EXPECT_GE(perturbed[0].objective, drawn[0].objective);
+  }
+}
+
+TEST(SearchAttacks, PointsCoverTheToleranceWhateverTheTail) {
+  Case scene = rearEnd();
+  scene.options.search.tail = scene.options.search.step;
+  for (const FoundAttack& attack : scene.found()) {
+    EXPECT_GE(attack.points.back().time,
+              kNow + scene.request.tta + scene.options.verification.time_tolerance - 1e-6)
+        << "the scorer looks so far";
+  }
+}
+
+}  // namespace
+}  // namespace forge
