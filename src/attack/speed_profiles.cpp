@@ -125,15 +125,16 @@ SpeedForecast SpeedProfiles::forecast(const DrivingSituation& situation, int int
   const auto count = static_cast<Eigen::Index>(neighbors.size());
   const double reach = std::max(neighbors.back().first, std::numeric_limits<double>::min());
   Eigen::MatrixXd design(count, kSpeedFeatures + 1);
-  Eigen::MatrixXd speeds(count, extent.intervals);
+  Eigen::MatrixXd gains(count, extent.intervals);  // of speed since the profile's start
   SpeedForecast forecast;
   forecast.weights.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& [distance, row] = neighbors[static_cast<std::size_t>(i)];
     forecast.weights[i] = std::max(1.0 - distance / reach, 1e-6);
     design.row(i) << 1.0, (features_.row(row) - features.transpose()).matrix();
+    const auto start = static_cast<std::size_t>(row);
     for (int j = 0; j < extent.intervals; ++j) {
-      speeds(i, j) = rows_[static_cast<std::size_t>(row) + static_cast<std::size_t>(j) + 1].speed;
+      gains(i, j) = rows_[start + static_cast<std::size_t>(j) + 1].speed - rows_[start].speed;
     }
   }
   forecast.weights /= forecast.weights.sum();
@@ -141,9 +142,10 @@ SpeedForecast SpeedProfiles::forecast(const DrivingSituation& situation, int int
   const Eigen::MatrixXd weighted = forecast.weights.asDiagonal() * design;
   Eigen::MatrixXd normal = weighted.transpose() * design;
   normal.diagonal().tail(kSpeedFeatures).array() += options.ridge / static_cast<double>(count);
-  const Eigen::MatrixXd coefficients = normal.ldlt().solve(weighted.transpose() * speeds);
-  const Eigen::MatrixXd residuals = options.residual_scale * (speeds - design * coefficients);
-  forecast.speeds = (residuals.rowwise() + coefficients.row(0)).cwiseMax(0.0);
+  const Eigen::MatrixXd coefficients = normal.ldlt().solve(weighted.transpose() * gains);
+  const Eigen::MatrixXd residuals = options.residual_scale * (gains - design * coefficients);
+  const Eigen::RowVectorXd expected = coefficients.row(0).array() + situation.past_speeds[0];
+  forecast.speeds = (residuals.rowwise() + expected).cwiseMax(0.0);
   return forecast;
 }
 

@@ -1,12 +1,11 @@
 #include <boost/timer/progress_display.hpp>
 #include <iostream>
-#include <map>
 
 #include "attack/speed_profile_collection.h"
 #include "formats/config.h"
-#include "formats/nuscenes_map.h"
 #include "formats/nuscenes_tables.h"
 #include "formats/speed_profiles_file.h"
+#include "tools/lane_indices.h"
 #include "tools/tool_support.h"
 
 namespace {
@@ -23,21 +22,14 @@ struct Arguments {
 int collect(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const NuScenesRoot root(arguments.dataroot, arguments.version);
-  std::map<std::string, LaneIndex> lanes;
+  LaneIndices lanes(arguments.dataroot, config);
   std::vector<SpeedProfileRow> rows;
   boost::timer::progress_display progress(root.sceneNames().size(), std::cerr);
   for (const std::string& name : root.sceneNames()) {
     const NuScenesRecording recording = root.readScene(name);
-    auto index = lanes.find(recording.location);
-    if (index == lanes.end()) {
-      const auto map = std::make_shared<const LaneMap>(readNuScenesMap(
-          arguments.dataroot, recording.location, drivingSide(config, recording.location),
-          {config.conversion.centerline_resolution}));
-      index = lanes.emplace(recording.location, LaneIndex(map)).first;
-    }
+    const LaneIndex& index = lanes.at(recording.location);
     const Scene scene = toScene(recording, config.ego_vehicle, nullptr);
-    const auto collected =
-        collectSpeedProfiles(scene, index->second, config.attack.ego_futures.paths);
+    const auto collected = collectSpeedProfiles(scene, index, config.attack.ego_futures.paths);
     rows.insert(rows.end(), collected.begin(), collected.end());
     ++progress;
   }

@@ -11,9 +11,9 @@
 #include "attack/ego_paths.h"
 #include "attack/kinematic_prediction.h"
 #include "formats/config.h"
-#include "formats/nuscenes_map.h"
 #include "formats/nuscenes_tables.h"
 #include "formats/speed_profiles_file.h"
+#include "tools/lane_indices.h"
 #include "tools/tool_support.h"
 
 namespace {
@@ -193,7 +193,7 @@ int measure(const Arguments& arguments) {
       arguments.profiles.empty()
           ? nullptr
           : std::make_shared<const SpeedProfiles>(readSpeedProfiles(arguments.profiles));
-  std::map<std::string, LaneIndex> lanes;
+  LaneIndices lanes(arguments.dataroot, config);
   std::ofstream csv;
   if (!arguments.out.empty()) csv.open(arguments.out + ".part");
   csv << "scene,now,horizon,constant_velocity,lane_following,mean,along,across,medoid,best,pit\n";
@@ -201,20 +201,13 @@ int measure(const Arguments& arguments) {
   boost::timer::progress_display progress(root.sceneNames().size(), std::cerr);
   for (const std::string& name : root.sceneNames()) {
     const NuScenesRecording recording = root.readScene(name);
-    auto index = lanes.find(recording.location);
-    if (index == lanes.end()) {
-      const auto map = std::make_shared<const LaneMap>(readNuScenesMap(
-          arguments.dataroot, recording.location, drivingSide(config, recording.location),
-          {config.conversion.centerline_resolution}));
-      index = lanes.emplace(recording.location, LaneIndex(map)).first;
-    }
+    const LaneIndex& index = lanes.at(recording.location);
     const Scene scene = toScene(recording, config.ego_vehicle, nullptr);
     const KinematicEgoFutures sampler(config.attack.ego_futures, profiles, name);
     const double last = scene.frame_times.back() - kHorizons[0] + 1e-6;
     for (double at = scene.frame_times.front() + arguments.stride; at <= last;
          at += arguments.stride) {
-      measureAt(*lastFrameTime(scene, at), scene, index->second, sampler, config, arguments, csv,
-                results);
+      measureAt(*lastFrameTime(scene, at), scene, index, sampler, config, arguments, csv, results);
     }
     ++progress;
   }

@@ -192,6 +192,34 @@ TEST(Config, ShippedEvaluationHasTheDocumentedValues) {
   EXPECT_EQ(options.statistics.seed, 1u);
 }
 
+TEST(Config, ShippedEgoFuturesHaveTheDocumentedValues) {
+  const EgoFutureOptions options = loadConfig(kShipped).attack.ego_futures;
+  EXPECT_EQ(options.step, 0.1);
+  EXPECT_EQ(options.paths.lane_max_distance, 4.5);
+  EXPECT_EQ(options.paths.lane_max_heading, 1.0);
+  EXPECT_EQ(options.paths.max_lanes, 8);
+  EXPECT_EQ(options.paths.max_paths_per_lane, 12);
+  EXPECT_EQ(options.paths.near_deviation_cost, 1.1);
+  EXPECT_EQ(options.paths.far_deviation_cost, 1.05);
+  EXPECT_EQ(options.paths.bend_braking_cost, 3.3);
+  EXPECT_EQ(options.paths.turn_cost, 0.53);
+  EXPECT_EQ(options.paths.free_path_cost, 5.0);
+  EXPECT_EQ(options.paths.comfortable_lateral_acceleration, 2.5);
+  EXPECT_EQ(options.paths.turn_rate_fading, 2.3);
+  EXPECT_EQ(options.speed.neighbors, 300);
+  EXPECT_EQ(options.speed.ridge, 10.0);
+  EXPECT_EQ(options.speed.residual_scale, 1.08);
+  EXPECT_EQ(options.speed.feature_weights,
+            (FeatureWeights{1.0, 1.0, 1.0, 0.5, 5.0, 0.7, 2.27, 2.6, 0.0, 22.8}));
+  EXPECT_EQ(options.lane_return_time, 1.1);
+  EXPECT_EQ(options.lane_return_min_distance, 5.0);
+  EXPECT_EQ(options.kept_offset, 0.3);
+  EXPECT_EQ(options.offset_spread, 0.28);
+  EXPECT_EQ(options.turn_rate_spread, 0.04);
+  EXPECT_EQ(options.acceleration_fading, 1.0);
+  EXPECT_EQ(options.acceleration_spread, 1.2);
+}
+
 TEST(Config, ShippedCollisionTypesHaveTheDocumentedBands) {
   const TypeDefinitions types = loadConfig(kShipped).attack.collision_types;
   ASSERT_EQ(types.size(), 5u);
@@ -261,6 +289,7 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
                                                         {"prediction.yaml", "prediction"},
                                                         {"encoding.yaml", "encoding"},
                                                         {"evaluation.yaml", "evaluation"},
+                                                        {"ego_futures.yaml", "ego_futures"},
                                                         {"conversion.yaml", "conversion"},
                                                         {"drawing.yaml", "drawing"},
                                                         {"requests.yaml", "requests"},
@@ -273,6 +302,13 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
   expectComplaint("collision_types.yaml", "{min_heading: 0.1745",
                   "{stray: 7.5, min_heading: 0.1745",
                   {"collision_types.lane_change.stray", "7.5", "unknown"});
+  for (const std::string section : {"paths", "speed", "lateral", "no_profiles"}) {
+    expectComplaint("ego_futures.yaml", "\n  " + section + ":",
+                    "\n  " + section + ":\n    stray: 7.5",
+                    {"ego_futures." + section + ".stray", "7.5", "unknown"});
+  }
+  expectComplaint("ego_futures.yaml", "\n      speed:", "\n      stray: 7.5\n      speed:",
+                  {"ego_futures.speed.feature_weights.stray", "7.5", "unknown"});
   expectComplaint("collision_types.yaml",
                   "  ltap:", "  u_turn: {}\n  ltap:", {"collision_types.u_turn", "unknown"});
 }
@@ -294,6 +330,10 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("encoding.yaml", "max_lanes:", "#", {"encoding.max_lanes", "missing"});
   expectComplaint("search.yaml", "  draws:", "#", {"search.draws", "missing"});
   expectComplaint("search.yaml", "  max_miss:", "#", {"bicycle.max_miss", "missing"});
+  expectComplaint("ego_futures.yaml", "neighbors:", "#",
+                  {"ego_futures.speed.neighbors", "missing"});
+  expectComplaint("ego_futures.yaml", "bend_turn:", "#",
+                  {"ego_futures.speed.feature_weights.bend_turn", "missing"});
   expectComplaint("conversion.yaml", "map_radius:", "#", {"conversion.map_radius", "missing"});
   expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
   expectComplaint("requests.yaml", "stride:", "#", {"requests.stride", "missing"});
@@ -344,6 +384,10 @@ TEST_F(SpoiltConfig, WrongTypesAreRefused) {
     expectComplaint("collision_types.yaml", "rules: full", std::string("rules: ") + rules,
                     {"collision_types.rules", rules, "neither full nor angle"});
   }
+  expectComplaint("ego_futures.yaml", "kept_offset: 0.3", "kept_offset: 1.3",
+                  {"ego_futures.lateral.kept_offset", "1.3", "0 to 1"});
+  expectComplaint("ego_futures.yaml", "closing: 22.8", "closing: -1.0",
+                  {"ego_futures.speed.feature_weights.closing", "-1.0"});
   expectComplaint("locations.yaml", "boston: right", "boston: middle",
                   {"locations.boston", "middle", "right"});
   write("collision_types.yaml", "collision_types: {rules: full, lane_change: 0.2}");

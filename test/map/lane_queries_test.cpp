@@ -279,6 +279,51 @@ TEST(PathAhead, GoesRoundARingAndEndsOnATinyOne) {
   EXPECT_GE(index.pathAhead(2, 0.0, std::numeric_limits<double>::infinity()).length(), 1.0);
 }
 
+/// in -> (left, on -> (far_left, far_on)).
+LaneMap twoForks() {
+  LaneMap map;
+  map.lanes = {makeLane("in", {{0, 0}, {20, 0}}, {"left", "on"}),
+               makeLane("left", {{20, 0}, {30, 5}, {30, 40}}),
+               makeLane("on", {{20, 0}, {40, 0}}, {"far_left", "far_on"}),
+               makeLane("far_left", {{40, 0}, {50, 5}, {50, 40}}),
+               makeLane("far_on", {{40, 0}, {90, 0}})};
+  return map;
+}
+
+std::vector<std::vector<std::size_t>> lanesOf(const std::vector<LanePath>& paths) {
+  std::vector<std::vector<std::size_t>> lanes;
+  for (const LanePath& path : paths) lanes.push_back(path.lanes);
+  return lanes;
+}
+
+TEST(PathsAhead, TakesEveryBranchNearestFirst) {
+  const LaneIndex index = makeIndex(twoForks());
+  const auto paths = index.pathsAhead(0, 5.0, 60.0, 10);
+  EXPECT_EQ(lanesOf(paths), (std::vector<std::vector<std::size_t>>{{0, 2, 4}, {0, 1}, {0, 2, 3}}));
+  EXPECT_NEAR(paths[0].length, 60.0, 1e-9);
+  EXPECT_NEAR((paths[0].end.position() - Vector2(65, 0)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((paths[0].points.front() - Vector2(5, 0)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((paths[2].points.back() - paths[2].end.position()).norm(), 0.0, 1e-9);
+  EXPECT_LT(paths[1].length, 61.0);
+}
+
+TEST(PathsAhead, BranchesBeyondTheDistanceAreNotTaken) {
+  EXPECT_EQ(makeIndex(twoForks()).pathsAhead(0, 5.0, 30.0, 10).size(), 2u);
+  EXPECT_EQ(makeIndex(twoForks()).pathsAhead(0, 5.0, 10.0, 10).size(), 1u);
+}
+
+TEST(PathsAhead, KeepsToTheLargestNumber) {
+  const LaneIndex index = makeIndex(twoForks());
+  EXPECT_EQ(lanesOf(index.pathsAhead(0, 5.0, 60.0, 2)),
+            (std::vector<std::vector<std::size_t>>{{0, 2, 4}, {0, 1}}));
+  EXPECT_EQ(lanesOf(index.pathsAhead(0, 5.0, 60.0, 1)),
+            (std::vector<std::vector<std::size_t>>{{0, 2, 4}}));
+}
+
+TEST(PathsAhead, RefusesALaneWithoutACentreline) {
+  EXPECT_THROW(makeIndex(fork()).pathsAhead(4, 0.0, 10.0, 3), std::invalid_argument);
+}
+
 TEST(OffRoadShare, IsUnknownWithoutDrivableArea) {
   EXPECT_FALSE(makeIndex(fork()).offRoadShare({{0, 0, 0}, {4, 2}}).has_value());
 }
