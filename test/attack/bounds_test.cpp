@@ -63,7 +63,7 @@ class RandomRequest {
   Realization answer() const {
     const AttackOptions options = shippedOptions();
     return generateCollision(request_, snapshot_, LaneIndex(map_), &recorded_,
-                             KinematicPatternPredictor(options), options);
+                             kinematicPredictor(options), options);
   }
   const AgentState& now(const std::string& attacker) const {
     return std::find_if(snapshot_.agents.begin(), snapshot_.agents.end(),

@@ -27,15 +27,14 @@ struct Case {
 
   Realization result() const {
     return generateCollision(request, snapshot, LaneIndex(map), recorded ? &*recorded : nullptr,
-                             KinematicPatternPredictor(options), options);
+                             kinematicPredictor(options), options);
   }
   /// The future that an answer was verified against: the recorded one, or that one of the predicted
   /// in which the ego is where the answer's pattern has it.
   Future futureOf(const Realization& answer) const {
     if (request.mode == Mode::kReplay) return *recorded;
-    Future future = KinematicPatternPredictor(options)
-                        .predict(snapshot, LaneIndex(map), request, nullptr)
-                        .future;
+    Future future =
+        kinematicPredictor(options).predict(snapshot, LaneIndex(map), request, nullptr).future;
     for (const Track& sample : future.ego_samples) {
       const auto state = stateAt(sample, answer.pattern.time);
       if (!state) continue;

@@ -22,8 +22,7 @@ PatternPrediction predict(CollisionType type, std::vector<Track> agents,
   request.type = type;
   request.tta = kTta;
   request.attacker = attacker;
-  return KinematicPatternPredictor(shippedOptions())
-      .predict(snapshot, LaneIndex(map), request, recorded);
+  return kinematicPredictor(shippedOptions()).predict(snapshot, LaneIndex(map), request, recorded);
 }
 
 std::vector<std::string> attackers(const PatternPrediction& prediction) {
@@ -174,7 +173,7 @@ TEST(KinematicPatternPredictor, ByTheAngleRulesConsidersAttackersFromAnywhere) {
   CollisionRequest request;
   request.type = CollisionType::kLtap;
   const auto prediction =
-      KinematicPatternPredictor(options).predict(snapshot, LaneIndex(map), request, nullptr);
+      kinematicPredictor(options).predict(snapshot, LaneIndex(map), request, nullptr);
   EXPECT_EQ(prediction.status.code, StatusCode::kOk);
 }
 

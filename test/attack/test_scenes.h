@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "attack/attack.h"
+#include "attack/ego_futures.h"
 #include "attack/options.h"
+#include "attack/pattern_predictor.h"
 #include "formats/config.h"
 #include "map/lane_queries.h"
 #include "scene/scene.h"
@@ -24,20 +26,11 @@ inline AttackOptions shippedOptions() {
   return options;
 }
 
-/// The values of config/ego_futures.yaml.
-inline EgoFutureOptions shippedEgoFutureOptions() {
-  EgoFutureOptions options;
-  options.step = 0.1;
-  options.paths = {4.5, 1.0, 8, 12, 1.1, 1.05, 3.3, 0.53, 5.0, 2.5, 2.3};
-  options.speed = {300, 10.0, 1.08, {1.0, 1.0, 1.0, 0.5, 5.0, 0.7, 2.27, 2.6, 0.0, 22.8}};
-  options.lane_return_time = 1.1;
-  options.lane_return_min_distance = 5.0;
-  options.kept_offset = 0.3;
-  options.offset_spread = 0.28;
-  options.turn_rate_spread = 0.04;
-  options.acceleration_fading = 1.0;
-  options.acceleration_spread = 1.2;
-  return options;
+inline EgoFutureOptions shippedEgoFutureOptions() { return shippedOptions().ego_futures; }
+
+/// Without recorded speeds.
+inline KinematicPatternPredictor kinematicPredictor(const AttackOptions& options) {
+  return {options, std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr)};
 }
 
 /// Straight on from `pose` at time `at`, one state each `interval` from `first` to `last`.

@@ -32,8 +32,10 @@ TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
     const Snapshot snapshot = snapshotAt(indexed->scene, request.now, 8);
     const Future recorded = recordedFuture(indexed->scene, request.now);
     Scenario expected{request, config_.ego_vehicle, {}};
+    const KinematicPatternPredictor predictor(
+        config_.attack, std::make_shared<KinematicEgoFutures>(config_.attack.ego_futures, nullptr));
     expected.answer = generateCollision(request.request, snapshot, *indexed->lanes, &recorded,
-                                        KinematicPatternPredictor(config_.attack), config_.attack);
+                                        predictor, config_.attack);
     EXPECT_EQ(scenarioLine(answerer_.answer(request)), scenarioLine(expected));
   }
 }

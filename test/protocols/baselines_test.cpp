@@ -18,9 +18,9 @@ const NominalOptions kNominal{4.0, 3.0, 2.0, 1.0, 0.35};
 constexpr int kLastFrame = 13;  // 3 s from now
 constexpr double kRounding = 1e-6;
 
-const RealizationOptions& realization() {
+const SearchOptions& search() {
   static const AttackOptions options = shippedOptions();
-  return options.realization;
+  return options.search;
 }
 
 /// A clip whose attacker drives one quintic on each axis from frame 0 to the last.
@@ -84,7 +84,7 @@ TEST(Baselines, RequestIsTheClips) {
 
 TEST(Baselines, RecordedAttackerHasTheMotionOfItsQuintic) {
   const CollideClip clip = quinticClip();
-  const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, realization());
+  const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, search());
   const double duration = 0.5 * kLastFrame;
   const Quintic x({1000.0, 8.0, 0.0}, {1050.0, 4.0, 0.0}, duration);
   const Quintic y({500.0, 0.0, 0.0}, {512.0, 5.0, 0.0}, duration);
@@ -115,7 +115,7 @@ TEST(Baselines, RecordedMotionDependsOnTheSixFramesAroundAlone) {
   for (const std::size_t frame : {std::size_t{4}, std::size_t{13}}) {
     clip.tracks[0].frames[frame]->pose.y = 1.0;
   }
-  const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, realization());
+  const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, search());
   for (std::size_t i = 0; i < 15; ++i) {  // up to frame 10, whose interval is the first to feel 13
     EXPECT_NEAR(trajectory.points[i].curvature, 0.0, 1e-6) << i;
   }
@@ -125,7 +125,7 @@ TEST(Baselines, RecordedMotionDependsOnTheSixFramesAroundAlone) {
 TEST(Baselines, RecordedHeadingsAreInterpolatedBetweenFrames) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {}, 5.0);
   clip.tracks[0].frames[9]->pose.yaw = 0.4;
-  const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, realization());
+  const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, search());
   EXPECT_NEAR(trajectory.points[5].pose.yaw, 0.0, kRounding);   // frame 8
   EXPECT_NEAR(trajectory.points[7].pose.yaw, 0.16, kRounding);  // 2/5 on the way to frame 9
   EXPECT_NEAR(trajectory.points[10].pose.yaw, 0.4, kRounding);
@@ -133,14 +133,14 @@ TEST(Baselines, RecordedHeadingsAreInterpolatedBetweenFrames) {
 
 TEST(Baselines, RecordedAttackerThatDrivesBackwardsHasANegativeSpeed) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {}, -3.0);
-  for (const TrajectoryPoint& point : recordedAttacker(clip, kBox, realization()).points) {
+  for (const TrajectoryPoint& point : recordedAttacker(clip, kBox, search()).points) {
     EXPECT_NEAR(point.speed, -3.0, 1e-4);
   }
 }
 
 TEST(Baselines, RecordedAttackerGoesStraightOnAfterTheLastFrame) {
   const CollideClip clip = quinticClip();
-  const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, realization());
+  const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, search());
   const TrajectoryPoint& last = trajectory.points[30];
   const TrajectoryPoint& end = trajectory.points.back();
   EXPECT_NEAR(end.time, clip.times.back() + 2.0, kRounding);
@@ -152,7 +152,7 @@ TEST(Baselines, RecordedAttackerGoesStraightOnAfterTheLastFrame) {
 TEST(Baselines, ConstantVelocityKeepsTheSpeedAndHeadingOfNow) {
   const CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {3.0, 4.0, M_PI_2}, 6.0);
-  const AttackerTrajectory trajectory = constantVelocityAttacker(clip, kBox, realization());
+  const AttackerTrajectory trajectory = constantVelocityAttacker(clip, kBox, search());
   EXPECT_EQ(trajectory.points.front().time, clip.now());
   EXPECT_NEAR(trajectory.points.back().time, clip.times.back() + 2.0, kRounding);
   expectPose(trajectory.points.back().pose, 3.0, 4.0 + 6.0 * 5.0, M_PI_2);
@@ -190,7 +190,7 @@ TEST(Baselines, NominalAimsAtTheEgoAsKnownInItsMode) {
 TEST(Baselines, FramesAreRecordedUpToNowThenTheTrajectorys) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {}, 5.0);
   clip.tracks[0].frames[3]->pose.y = 9.0;
-  AttackerTrajectory trajectory = constantVelocityAttacker(clip, kBox, realization());
+  AttackerTrajectory trajectory = constantVelocityAttacker(clip, kBox, search());
   for (TrajectoryPoint& point : trajectory.points) point.pose.y = 2.0 * (point.time - clip.now());
   const std::vector<Pose2> frames = framesOf(clip, trajectory);
   ASSERT_EQ(frames.size(), static_cast<std::size_t>(kLastFrame + 1));

@@ -115,15 +115,11 @@ TEST(Strict, NoAttackMeetsNothing) {
   EXPECT_FALSE(outcome.meetsFullDefinitions());
 }
 
-TEST(Strict, OpenApproachLeavesTheBandsAtContact) {
-  const TypeDefinitions shipped = shippedOptions().collision_types;
-  for (const auto& [type, open] : withOpenApproach(shipped)) {
-    EXPECT_EQ(open.min_approach, 0.0);
-    EXPECT_EQ(open.max_approach, M_PI);
-    EXPECT_EQ(open.min_heading, shipped.at(type).min_heading);
-    EXPECT_EQ(open.max_heading, shipped.at(type).max_heading);
-    EXPECT_EQ(open.nominal_heading, shipped.at(type).nominal_heading);
-  }
+TEST(Strict, AngleRulesChangeTheRulesAlone) {
+  const AttackOptions angle = withAngleRules(shippedOptions());
+  EXPECT_EQ(angle.type_rules, TypeRules::kAngle);
+  EXPECT_EQ(angle.search.kept, shippedOptions().search.kept);
+  EXPECT_EQ(shippedOptions().type_rules, TypeRules::kFull);
 }
 
 }  // namespace
