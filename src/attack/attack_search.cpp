@@ -350,14 +350,8 @@ class Search {
   }
 
   void moveKnots(SteeringKnots& knots, double scale) {
-    for (double& knot : knots.acceleration) {
-      knot = std::clamp(knot + random_.bell(1.2 * scale), -limits_.max_braking,
-                        limits_.max_forward_acceleration);
-    }
-    for (double& knot : knots.curvature) {
-      knot = std::clamp(knot + random_.bell(0.02 * scale), -limits_.max_curvature,
-                        limits_.max_curvature);
-    }
+    for (double& knot : knots.acceleration) knot += random_.bell(1.2 * scale);
+    for (double& knot : knots.curvature) knot += random_.bell(0.02 * scale);
   }
 
   /// Steers the bicycle to arrivals of every attacker in turn, and anyhow.

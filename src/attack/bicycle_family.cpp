@@ -28,14 +28,16 @@ class Rollout {
     TrajectoryPoint state{start_.now, start_.motion.pose, std::max(start_.motion.speed, 0.0), 0.0,
                           0.0};
     if (points) points->resize(static_cast<std::size_t>(start_.points));
-    double t = 0.0;
-    for (int i = 0; points ? i < start_.points : t < arrival_time_; ++i) {
+    const int steps =
+        points ? start_.points : static_cast<int>(std::ceil(arrival_time_ / start_.step));
+    for (int i = 0; i < steps; ++i) {
+      const double t = i * start_.step;
       control(knots, t, state);
+      state.time = start_.now + t;
       if (points) (*points)[static_cast<std::size_t>(i)] = state;
       // The end lies between two steps.
       const double step = points ? start_.step : std::min(start_.step, arrival_time_ - t);
       advance(step, state);
-      t += start_.step;
     }
     return state;
   }
@@ -66,7 +68,6 @@ class Rollout {
     state.pose = {state.pose.x + distance * heading.x(), state.pose.y + distance * heading.y(),
                   state.pose.yaw + turn};
     state.speed = std::max(0.0, state.speed + state.acceleration * step);
-    state.time += step;
   }
 
   const DriveStart& start_;
@@ -210,10 +211,8 @@ std::optional<SteeringKnots> BicycleFamily::solve(const DriveStart& start,
   SteeringKnots steering;
   for (int i = 0; i < kKnots; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    steering.acceleration[at] =
-        std::clamp((*knots)[i], -limits_.max_braking, limits_.max_forward_acceleration);
-    steering.curvature[at] =
-        std::clamp((*knots)[kKnots + i], -limits_.max_curvature, limits_.max_curvature);
+    steering.acceleration[at] = (*knots)[i];
+    steering.curvature[at] = (*knots)[kKnots + i];
   }
   return steering;
 }

@@ -6,11 +6,20 @@
 namespace forge {
 namespace {
 
-constexpr double kSpacing = 1.0;  // metres between places
-constexpr int kSmoothing = 2;     // places to either side that a place is the mean of
+constexpr int kSmoothing = 2;  // points to either side that a point is the mean of
 constexpr int kSmoothingRounds = 2;
 constexpr double kJointGap = 0.2;      // metres, closer points of two lanes are one
+constexpr double kMinLength = 1.0;     // metres, shorter ways are none
 constexpr std::size_t kMaxDepth = 12;  // lanes one after the other
+
+/// Points of the line from end to end, evenly spread, about a metre apart.
+std::vector<Vector2> spread(const Polyline& line) {
+  const int count = std::max(1, static_cast<int>(std::lround(line.length())));
+  std::vector<Vector2> points;
+  for (int i = 0; i <= count; ++i)
+    points.push_back(line.poseAt(line.length() * i / count).position());
+  return points;
+}
 
 void smooth(std::vector<Vector2>& points) {
   const std::vector<Vector2> rough = points;
@@ -68,46 +77,47 @@ class Walk {
 }  // namespace
 
 ReferencePath::ReferencePath(const Polyline& line) {
-  const int count = std::max(2, static_cast<int>(std::floor(line.length() / kSpacing)) + 1);
-  std::vector<Vector2> points;
-  for (int i = 0; i < count; ++i) points.push_back(line.poseAt(i * kSpacing).position());
+  std::vector<Vector2> points = spread(line);
   for (int round = 0; round < kSmoothingRounds; ++round) smooth(points);
-  places_.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vector2 step = points[std::min(i + 1, points.size() - 1)] - points[i > 0 ? i - 1 : 0];
-    places_[i].pose = {points[i].x(), points[i].y(), std::atan2(step.y(), step.x())};
-  }
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    places_[i].curvature =
-        angleBetween(places_[i - 1].pose.yaw, places_[i + 1].pose.yaw) / (2.0 * kSpacing);
-  }
+  const Polyline smoothed(points);
+  points = spread(smoothed);
+  spacing_ = smoothed.length() / static_cast<double>(points.size() - 1);
+  // With an end repeated by its mirror image, the spline passes it straight.
+  points.insert(points.begin(), 2.0 * points[0] - points[1]);
+  points.push_back(2.0 * points.back() - points[points.size() - 2]);
+  controls_ = std::move(points);
 }
 
 ReferencePath::Place ReferencePath::at(double arc_length) const {
-  if (arc_length <= 0.0 || arc_length >= length()) {
-    const Place& end = arc_length <= 0.0 ? places_.front() : places_.back();
-    const double beyond = arc_length <= 0.0 ? arc_length : arc_length - length();
-    return {compose(end.pose, {beyond, 0.0, 0.0}), 0.0};
-  }
-  const auto i = static_cast<std::size_t>(arc_length / kSpacing);
-  const double ratio = arc_length / kSpacing - static_cast<double>(i);
-  const Place& a = places_[i];
-  const Place& b = places_[i + 1];
-  return {interpolate(a.pose, b.pose, ratio), a.curvature + ratio * (b.curvature - a.curvature)};
+  const double on_path = std::clamp(arc_length, 0.0, length());
+  const double place = on_path / spacing_;
+  const std::size_t i = std::min(static_cast<std::size_t>(place), controls_.size() - 4);
+  const double u = place - static_cast<double>(i);
+  const double v = 1.0 - u;
+  const Vector2& a = controls_[i];
+  const Vector2& b = controls_[i + 1];
+  const Vector2& c = controls_[i + 2];
+  const Vector2& d = controls_[i + 3];
+  const Vector2 position = (v * v * v * a + (3.0 * u * u * u - 6.0 * u * u + 4.0) * b +
+                            (3.0 * v * v * v - 6.0 * v * v + 4.0) * c + u * u * u * d) /
+                           6.0;
+  const Vector2 velocity =
+      0.5 * (v * v * (b - a) + (1.0 + 2.0 * u * v) * (c - b) + u * u * (d - c));
+  const Vector2 bend = v * (a - 2.0 * b + c) + u * (b - 2.0 * c + d);
+  const Pose2 pose{position.x(), position.y(), std::atan2(velocity.y(), velocity.x())};
+  if (arc_length != on_path) return {compose(pose, {arc_length - on_path, 0.0, 0.0}), 0.0};
+  const double cross = velocity.x() * bend.y() - velocity.y() * bend.x();
+  return {pose, cross / std::pow(velocity.norm(), 3)};
 }
 
 double ReferencePath::project(const Vector2& point) const {
-  std::size_t best = 0;
-  double best_distance = (places_[0].pose.position() - point).squaredNorm();
-  for (std::size_t i = 1; i < places_.size(); ++i) {
-    const double distance = (places_[i].pose.position() - point).squaredNorm();
-    if (distance < best_distance) {
-      best = i;
-      best_distance = distance;
-    }
-  }
-  const Pose2& place = places_[best].pose;
-  return static_cast<double>(best) * kSpacing + place.heading().dot(point - place.position());
+  const auto closest = std::min_element(
+      controls_.begin() + 1, controls_.end() - 1, [&](const Vector2& a, const Vector2& b) {
+        return (a - point).squaredNorm() < (b - point).squaredNorm();
+      });
+  const double arc_length = spacing_ * static_cast<double>(closest - controls_.begin() - 1);
+  const Pose2 place = at(arc_length).pose;
+  return arc_length + place.heading().dot(point - place.position());
 }
 
 std::vector<ReferencePath> pathsAhead(const LaneIndex& lanes, const Pose2& pose, double distance,
@@ -119,7 +129,7 @@ std::vector<ReferencePath> pathsAhead(const LaneIndex& lanes, const Pose2& pose,
   }
   std::vector<ReferencePath> paths;
   for (const std::vector<Vector2>& points : walk.found) {
-    if (points.size() < 2 || (points.back() - points.front()).norm() < kSpacing) continue;
+    if (points.size() < 2 || (points.back() - points.front()).norm() < kMinLength) continue;
     paths.emplace_back(Polyline(points));
   }
   return paths;

@@ -6,7 +6,8 @@
 
 namespace forge {
 
-/// A smooth way along lanes, sampled every metre, with what driving along it needs.
+/// A smooth way along lanes, with what driving along it needs: a uniform cubic B-spline of points
+/// about a metre apart, so that position, heading and curvature are continuous.
 class ReferencePath {
  public:
   /// A place on the path.
@@ -19,14 +20,15 @@ class ReferencePath {
   /// that nobody drives.
   explicit ReferencePath(const Polyline& line);
 
-  double length() const { return static_cast<double>(places_.size() - 1); }
+  double length() const { return spacing_ * static_cast<double>(controls_.size() - 3); }
   /// Beyond either end the path goes straight on.
   Place at(double arc_length) const;
   /// Arc length of the closest place.
   double project(const Vector2& point) const;
 
  private:
-  std::vector<Place> places_;  // one a metre
+  double spacing_;                 // metres between controls
+  std::vector<Vector2> controls_;  // of the spline, and one beyond either end
 };
 
 /// The ways ahead of a pose: from each lane that it may be driving on (see LaneIndex::lanesNear),

@@ -87,7 +87,7 @@ const char* toString(StatusCode code) {
 
 std::optional<StatusCode> statusCodeFromString(const std::string& name) {
   for (auto number = static_cast<int>(StatusCode::kOk);
-       number <= static_cast<int>(StatusCode::kNodeUnavailable); ++number) {
+       number <= static_cast<int>(StatusCode::kLowConfidence); ++number) {
     const auto code = static_cast<StatusCode>(number);
     if (name == toString(code)) return code;
   }

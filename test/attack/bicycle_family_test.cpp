@@ -125,6 +125,45 @@ TEST(BicycleFamily, GoesStraightOnAtItsSpeedAfterTheArrival) {
   }
 }
 
+TEST(BicycleFamily, TurnsAroundToAHeadingThatNoArcLeadsTo) {
+  for (const double side : {1.0, -1.0}) {
+    Case motion({}, 6.0, 6.0, {4.0, side * 12.0, side * M_PI}, 5.0);
+    motion.expectReached(0.4);
+  }
+}
+
+TEST(BicycleFamily, DrivesWhatItsKnotsSteer) {
+  Case motion({}, 6.0, 3.0, {15.0, 4.0, 0.5}, 6.0);
+  ASSERT_TRUE(motion.drive());
+  const BicycleFamily family(motion.options.vehicle_limits, motion.options.bicycle);
+  const auto knots = family.solve(motion.start, motion.arrival);
+  ASSERT_TRUE(knots);
+  std::vector<TrajectoryPoint> rolled;
+  family.roll(motion.start, *knots, 3.0, rolled);
+  ASSERT_EQ(rolled.size(), motion.points.size());
+  for (std::size_t i = 0; i < rolled.size(); ++i) {
+    EXPECT_EQ(rolled[i].pose.x, motion.points[i].pose.x);
+    EXPECT_EQ(rolled[i].pose.yaw, motion.points[i].pose.yaw);
+  }
+}
+
+TEST(BicycleFamily, KnotsAreLinearInBetweenAndHeldToTheLimits) {
+  Case motion({}, 8.0, 4.0, {}, 0.0);
+  SteeringKnots knots;
+  knots.acceleration = {0.0, 2.0, 2.0, 100.0, -100.0};
+  knots.curvature = {0.0, 0.02, -0.02, 9.0, 0.0};
+  BicycleFamily(motion.options.vehicle_limits, motion.options.bicycle)
+      .roll(motion.start, knots, 4.0, motion.points);
+  EXPECT_NEAR(motion.points[5].acceleration, 1.0, 1e-9);
+  EXPECT_NEAR(motion.points[5].curvature, 0.01, 1e-9);
+  EXPECT_NEAR(motion.points[15].acceleration, 2.0, 1e-9);
+  EXPECT_NEAR(motion.points[15].curvature, 0.0, 1e-9);
+  EXPECT_NEAR(motion.points[30].acceleration, 5.0, 1e-9);
+  EXPECT_NEAR(motion.points[39].acceleration, -8.0, 1e-9);
+  EXPECT_EQ(motion.points[40].acceleration, 0.0);
+  motion.expectWithinLimits();
+}
+
 TEST(BicycleFamily, NeverBreaksTheLimitsAndAlwaysArrivesOnRandomArrivals) {
   std::mt19937 random(11);
   const auto between = [&](double low, double high) {

@@ -42,12 +42,11 @@ struct Case {
   }
 };
 
-/// Egos at 10 m/s, ahead by what is closed, margins included, at these times.
+/// Egos at 10 m/s, ahead by what is closed at these times.
 Case rearEnds(const std::vector<double>& times) {
   Case scene;
   for (const double time : times) {
-    const double margins = 2.0 * scene.options.search.overlap_margin;
-    scene.addEgo({kAlong - margins + 5.0 * time, 0.0, 0.0}, 10.0);
+    scene.addEgo({kAlong + 5.0 * time, 0.0, 0.0}, 10.0);
   }
   return scene;
 }
@@ -68,12 +67,13 @@ TEST(FutureScorer, ShareIsThatOfTheFuturesThatAreHit) {
 }
 
 TEST(FutureScorer, ContactTooEarlyOrTooLateIsNoHit) {
-  // On time within 0.5 s, less a margin of 0.1 s; seen at the next step of 0.1 s.
-  EXPECT_EQ(rearEnds({3.45, 3.55, 4.35, 4.45}).hits(), (std::vector<std::size_t>{1, 2}));
-  Case scene = rearEnds({3.45, 3.55, 4.35, 4.45});
-  scene.options.search.time_margin = 0.0;
+  // On time within 0.5 s, less a margin.
+  Case scene = rearEnds({3.57, 3.63, 4.37, 4.43});
+  scene.options.search.time_margin = 0.1;
+  EXPECT_EQ(scene.hits(), (std::vector<std::size_t>{1, 2}));
+  scene.options.search.time_margin = 0.05;
   EXPECT_EQ(scene.hits(), (std::vector<std::size_t>{0, 1, 2, 3}));
-  scene.options.search.time_margin = 0.25;
+  scene.options.search.time_margin = 0.15;
   EXPECT_TRUE(scene.hits().empty());
 }
 
@@ -84,7 +84,7 @@ TEST(FutureScorer, TouchingAtNowIsNoHit) {
   scene.addEgo({kAlong - 0.3, 0.0, 0.0}, 10.0);
   EXPECT_EQ(scene.score().share, 0.0);
   scene.egos.clear();
-  scene.addEgo({kAlong, 0.0, 0.0}, 10.0);
+  scene.addEgo({kAlong + 0.05, 0.0, 0.0}, 10.0);
   EXPECT_EQ(scene.score().share, 1.0);
 }
 
@@ -166,10 +166,11 @@ TEST(FutureScorer, OthersCountOnlyInTheFuturesThatMeetThemFirst) {
 TEST(FutureScorer, NobodyIsToBeBrushed) {
   for (const double side : {1.0, -1.0}) {
     Case scene = rearEnds({4.0});
-    scene.addStanding({30.0, side * (kCarSize.width + 0.09), 0.0});
+    const double margin = scene.options.search.overlap_margin;
+    scene.addStanding({30.0, side * (kCarSize.width + margin - 0.01), 0.0});
     EXPECT_EQ(scene.score().share, 0.0);
     scene.agents.clear();
-    scene.addStanding({30.0, side * (kCarSize.width + 0.11), 0.0});
+    scene.addStanding({30.0, side * (kCarSize.width + margin + 0.01), 0.0});
     EXPECT_EQ(scene.score().share, 1.0);
   }
 }
@@ -352,14 +353,15 @@ class Meeting {
 };
 
 TEST(FutureScorer, AgreesWithVerificationAwayFromTheMargins) {
+  const double margin = shippedOptions().search.overlap_margin;
   int hits = 0;
   int misses = 0;
   for (unsigned seed = 0; seed < 3000; ++seed) {
     const Meeting meeting(seed);
     const auto agree = [&](double slack, bool verified) {
       return meeting.isVerified(slack, 0.0) == verified &&
-             meeting.isVerified(slack, 0.1) == verified &&
-             meeting.isVerified(slack, 0.2) == verified;
+             meeting.isVerified(slack, margin) == verified &&
+             meeting.isVerified(slack, 2.0 * margin) == verified;
     };
     if (agree(1.0, true)) {
       ++hits;

@@ -40,22 +40,27 @@ TEST(KinematicPatternPredictor, PutsTheEgoWhereItIsPredictedAtImpact) {
   EXPECT_EQ(pattern.type, CollisionType::kRearEnd);
   EXPECT_EQ(pattern.attacker_id, "a");
   EXPECT_EQ(pattern.time, kNow + kTta);
-  EXPECT_NEAR(pattern.ego.center.x, 40.0, 1e-6);
+  const auto ego = stateAt(prediction.future.ego, kNow + kTta);
+  ASSERT_TRUE(ego);
+  EXPECT_NEAR(pattern.ego.center.x, ego->pose.x, 1e-9);
+  EXPECT_NEAR(pattern.ego.center.x, 40.0, 3.0) << "four seconds at 10 m/s";
   EXPECT_EQ(pattern.ego.size.length, kEgoSize.length);
   EXPECT_GE(prediction.future.ego.states.back().time, kNow + kTta + 2.0 - 1e-9);
   EXPECT_EQ(prediction.future.agents.size(), 1u);
 }
 
 TEST(KinematicPatternPredictor, PlacesARearEndAttackerBehindAndFasterFirst) {
-  const auto patterns =
-      predict(CollisionType::kRearEnd, {pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)})
-          .patterns;
+  const auto prediction =
+      predict(CollisionType::kRearEnd, {pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)});
+  const auto& patterns = prediction.patterns;
   ASSERT_EQ(patterns.size(), 2u);
   const CollisionPattern& pattern = patterns[0];
   EXPECT_NEAR(pattern.attacker_offset.x, -0.5 * (kEgoSize.length + kCarSize.length), 1e-6);
   EXPECT_NEAR(pattern.attacker_offset.y, 0.0, 1e-9);
   EXPECT_EQ(pattern.attacker_offset.yaw, 0.0);
-  EXPECT_NEAR(pattern.attacker_speed, 14.0, 1e-6) << "closing at 4 m/s";
+  const auto ego = stateAt(prediction.future.ego, kNow + kTta);
+  ASSERT_TRUE(ego);
+  EXPECT_NEAR(pattern.attacker_speed, ego->velocity.norm() + 4.0, 1e-6) << "closing at 4 m/s";
   EXPECT_NEAR(patterns[1].attacker_offset.x, 0.5 * (kEgoSize.length + kCarSize.length), 1e-6)
       << "the ego may run into it";
 }
@@ -175,6 +180,20 @@ TEST(KinematicPatternPredictor, ByTheAngleRulesConsidersAttackersFromAnywhere) {
   const auto prediction =
       kinematicPredictor(options).predict(snapshot, LaneIndex(map), request, nullptr);
   EXPECT_EQ(prediction.status.code, StatusCode::kOk);
+}
+
+TEST(KinematicPatternPredictor, TheLikeliestFutureOfTheEgoIsTheMostCentralSample) {
+  const Future future =
+      predict(CollisionType::kRearEnd, {pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)}).future;
+  const auto place = [](const Track& track) {
+    return stateAt(track, kNow + kTta)->pose.position();
+  };
+  Vector2 mean = Vector2::Zero();
+  for (const Track& sample : future.ego_samples) mean += place(sample);
+  mean /= static_cast<double>(future.ego_samples.size());
+  for (const Track& sample : future.ego_samples) {
+    EXPECT_LE((place(future.ego) - mean).norm(), (place(sample) - mean).norm() + 1e-9);
+  }
 }
 
 TEST(KinematicPatternPredictor, SamplesTheEgoInHistoryOnly) {

@@ -97,7 +97,8 @@ TEST(Config, ShippedPredictionAndEncodingHaveTheDocumentedValues) {
   EXPECT_EQ(prediction.max_tta, 9.0);
   EXPECT_EQ(prediction.candidate_radius, 80.0);
   EXPECT_EQ(prediction.step, 0.1);
-  EXPECT_EQ(prediction.tail, 3.0);
+  EXPECT_EQ(prediction.tail, 2.0);
+  EXPECT_EQ(prediction.ego_samples, 128);
   EXPECT_EQ(prediction.lane_max_distance, 2.0);
   EXPECT_EQ(prediction.lane_max_heading, 0.7854);
   EXPECT_EQ(prediction.standstill_speed, 0.5);
@@ -414,7 +415,7 @@ TEST_F(SpoiltConfig, ColorsAreThreeSharesOfOne) {
 TEST_F(SpoiltConfig, NumbersThatAreNotFiniteAreRefused) {
   expectComplaint("vehicle_limits.yaml", "max_braking: 8.0", "max_braking: .inf",
                   {"vehicle_limits.max_braking", ".inf", "not finite"});
-  expectComplaint("prediction.yaml", "tail: 3.0", "tail: .nan",
+  expectComplaint("prediction.yaml", "tail: 2.0", "tail: .nan",
                   {"prediction.tail", ".nan", "not finite"});
   expectComplaint("ego_vehicle.yaml", "center_offset: 1.385", "center_offset: -.inf",
                   {"ego_vehicle.center_offset", "-.inf", "not finite"});

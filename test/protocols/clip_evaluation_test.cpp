@@ -140,9 +140,9 @@ TEST(ClipEvaluation, SearchWithoutAnAnswerMeetsNothing) {
     const CollideClip clip =
         straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-500.0, 0.0, 0.0}, 10.0);
     const ResultRow row = evaluation.row(clip, "search");
-    EXPECT_EQ(row.status, "NO_CANDIDATE");
+    EXPECT_EQ(row.status, "NO_ATTACK_WITHIN_BOUNDS");
     EXPECT_EQ(row.meets, std::vector<bool>(measuresOf(protocol).size(), false));
-    EXPECT_NE(row.note.find("candidate_radius"), std::string::npos);
+    EXPECT_NE(row.note.find("limits"), std::string::npos);
   }
 }
 

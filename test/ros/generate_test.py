@@ -305,9 +305,9 @@ class GenerateTest(road.RoadTest):
         self.assert_refused([self.part, 'requests = '], requests=other)
         config = self.path('config')
         shutil.copytree(str(PACKAGE_FOLDER / 'config'), str(config))
-        path = config / 'realization.yaml'
-        path.write_text(path.read_text().replace('samples: 96', 'samples: 95'))
-        self.assert_refused([self.part, 'config/realization.yaml'], '--config', config)
+        path = config / 'search.yaml'
+        path.write_text(path.read_text().replace('draws: 8', 'draws: 9'))
+        self.assert_refused([self.part, 'config/search.yaml'], '--config', config)
         self.assertEqual(self.part.read_bytes(), begun)
         self.assert_goes_on(4)
 

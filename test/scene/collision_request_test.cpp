@@ -47,7 +47,7 @@ TEST(CollisionRequest, StatusNamesAreDistinct) {
 }
 
 TEST(CollisionRequest, StatusNamesAreReadBack) {
-  for (int code = 0; code <= 12; ++code) {
+  for (int code = 0; code <= 13; ++code) {
     const auto status = static_cast<StatusCode>(code);
     EXPECT_EQ(statusCodeFromString(toString(status)), status);
   }
