@@ -383,7 +383,8 @@ class Search {
   Candidate driftedFrom(const Contender& contender) {
     Candidate candidate;
     candidate.contender = &contender;
-    candidate.arrival.time = input_.request.tta;
+    candidate.arrival.time =
+        input_.request.tta + options_.verification.time_tolerance - search_.time_margin;
     const double from = random_.uniform(-limits_.max_braking, limits_.max_forward_acceleration);
     const double to = random_.uniform(-limits_.max_braking, limits_.max_forward_acceleration);
     const double bend = random_.bell(0.5 * limits_.max_curvature);

@@ -19,6 +19,7 @@ constexpr double kCloseTime = 0.5;      // s; the same for the time
 /// What happened in one future.
 struct FutureScorer::Outcome {
   double contact = -1.0;  // first contact, in steps; below 0: none
+  bool deep = false;      // the boxes came to overlap by more than a touch
   float gap = 1e9F;       // m, smallest while contact would be on time
   Pose2 offset;           // the attacker seen from the ego, at contact
   bool hit = false;       // all conditions hold
@@ -120,17 +121,13 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
                             std::vector<Outcome>& outcomes) const {
   outcomes.assign(count_, {});
   const double reach = circumradius(ego_size_) + circumradius(attacker.size);
-  const auto half = [this](const BoxSize& size, double BoxSize::*side) {
-    return static_cast<float>(std::max(0.0, 0.5 * size.*side - overlap_margin_));
-  };
-  const float ego_length = half(ego_size_, &BoxSize::length);
-  const float ego_width = half(ego_size_, &BoxSize::width);
-  const float length = half(attacker.size, &BoxSize::length);
-  const float width = half(attacker.size, &BoxSize::width);
+  const auto ego_length = static_cast<float>(0.5 * ego_size_.length);
+  const auto ego_width = static_cast<float>(0.5 * ego_size_.width);
+  const auto length = static_cast<float>(0.5 * attacker.size.length);
+  const auto width = static_cast<float>(0.5 * attacker.size.width);
   std::vector<float> gaps(padded_);
   std::vector<float> gaps_before(padded_, kFar);
-  // Between whole boxes the gap is smaller by what both were shrunk by.
-  const auto touching = static_cast<float>(2.0 * overlap_margin_);
+  const auto deep = static_cast<float>(-2.0 * overlap_margin_);
   std::size_t open = count_;
   for (int step = 0; step < steps_ && open > 0; ++step) {
     const Pose2& pose = points[static_cast<std::size_t>(step)].pose;
@@ -167,13 +164,17 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
     }
     for (std::size_t i = 0; i < count_; ++i) {
       Outcome& outcome = outcomes[i];
-      if (outcome.contact >= 0.0) continue;
+      if (outcome.deep) continue;
       if (in_time) outcome.gap = std::min(outcome.gap, gaps[i]);
       if (gaps[i] > 0.0F) continue;
-      // The whole boxes met some time before, since the step before at the earliest.
+      if (gaps[i] <= deep) {
+        outcome.deep = true;
+        --open;
+      }
+      if (outcome.contact >= 0.0) continue;
+      // They met between the step before and this one.
       const float before = gaps_before[i];
-      const double ratio =
-          step == 0 || before <= touching ? 0.0 : (before - touching) / (before - gaps[i]);
+      const double ratio = step == 0 ? 0.0 : before / (before - gaps[i]);
       const std::size_t back = step == 0 ? 0 : padded_;
       const Pose2 ego_before{ex[i - back], ey[i - back], std::atan2(es[i - back], ec[i - back])};
       const Pose2 ego{ex[i], ey[i], std::atan2(es[i], ec[i])};
@@ -183,15 +184,14 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
       outcome.contact = std::max(0.0, step - 1.0 + ratio);
       outcome.offset = relativeTo(interpolate(ego_before, ego, ratio),
                                   interpolate(attacker_before, {px, py, pose.yaw}, ratio));
-      --open;
     }
     std::swap(gaps, gaps_before);
   }
   const int other = firstOther(attacker, points);
   for (Outcome& outcome : outcomes) {
-    outcome.hit = outcome.contact >= first_in_time_ && outcome.contact <= last_in_time_ &&
-                  outcome.contact > 0.0 && outcome.contact < other &&
-                  headingFits(outcome.offset.yaw, band_) &&
+    outcome.hit = outcome.deep && outcome.contact >= first_in_time_ &&
+                  outcome.contact <= last_in_time_ && outcome.contact > 0.0 &&
+                  outcome.contact < other && headingFits(outcome.offset.yaw, band_) &&
                   (rules_ == TypeRules::kAngle ||
                    contactFits(type_, outcome.offset, ego_size_, attacker.size, driving_side_));
   }
