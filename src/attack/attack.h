@@ -43,7 +43,9 @@ struct CollisionReport {
   double relative_heading = 0;  ///< attacker's yaw minus ego's at first contact, radians (-pi, pi]
   Pose2 ego_at_contact;
   Pose2 attacker_at_contact;
-  double impact_speed = 0.0;    ///< m/s, norm of the relative velocity at contact
+  Side ego_side = Side::kRear;        ///< of the ego's box, where the attacker's touches it
+  Side attacker_side = Side::kFront;  ///< of the attacker's box, where the ego's touches it
+  double impact_speed = 0.0;          ///< m/s, norm of the relative velocity at contact
   bool type_kept = false;       ///< relative heading within the type's bands, at contact and now
   bool on_time = false;         ///< |contact time - requested time| within tolerance
   bool bounds_kept = false;     ///< every vehicle limit kept from now to contact

@@ -82,7 +82,7 @@ struct SearchOptions {
   double min_confidence = 0.0;
 };
 
-/// config/realization.yaml, section verification
+/// config/verification.yaml
 struct VerificationOptions {
   double time_tolerance = 0.0;
   double overlap_tolerance = 0.0;

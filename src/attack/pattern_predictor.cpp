@@ -110,11 +110,11 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
                    [](const auto& a, const auto& b) { return a.cost < b.cost; });
   for (RankedPattern& entry : ranked) prediction.patterns.push_back(std::move(entry.pattern));
   if (prediction.patterns.empty()) {
-    prediction.status = {
-        StatusCode::kNoCandidate,
-        std::string("no vehicle within candidate_radius, seen now and in the frame "
-                    "before, comes from where ") +
-            toString(request.type) + " wants it"};
+    prediction.status = {StatusCode::kNoCandidate,
+                         "no vehicle within candidate_radius = " +
+                             std::to_string(options_.prediction.candidate_radius) +
+                             " m, seen now and in the frame before, comes from where " +
+                             toString(request.type) + " wants it"};
   }
   return prediction;
 }

@@ -8,10 +8,8 @@
 
 namespace forge {
 
-/// From where the attacker's box is pushed against the ego's, in the ego box's frame.
-enum class Side { kFront, kRear, kLeft, kRight };
-
-/// A side and which way the attacker heads there.
+/// The side of the ego's box that the attacker's is pushed against, and which way the attacker
+/// heads there.
 struct Placement {
   Side side = Side::kLeft;
   double sign = 0.0;  ///< of the attacker's heading relative to the ego's; 0: either

@@ -99,6 +99,10 @@ void describeContact(const AttackerTrajectory& trajectory, const VerificationInp
   report.ego_at_contact = ego->pose;
   report.attacker_at_contact = poseAt(trajectory, report.contact_time);
   report.relative_heading = angleBetween(ego->pose.yaw, report.attacker_at_contact.yaw);
+  const OrientedBox ego_box{ego->pose, input.future.ego.size};
+  const OrientedBox attacker_box{report.attacker_at_contact, trajectory.size};
+  report.ego_side = touchedSide(ego_box, attacker_box);
+  report.attacker_side = touchedSide(attacker_box, ego_box);
   report.impact_speed = (velocityAt(trajectory, report.contact_time) - ego->velocity).norm();
   report.type_kept = headingFits(report.relative_heading, type);
   if (options.type_rules == TypeRules::kFull) {

@@ -47,6 +47,10 @@ std::vector<ReportRow> reportRows(const ScenarioView& view, const DrawingOptions
                     heading + (report.type_kept ? ", fits the type" : ", not of the type"),
                     verdict(report.type_kept)});
     rows.push_back(
+        {"Sides",
+         std::string(toString(report.attacker_side)) + " to ego's " + toString(report.ego_side),
+         options.text_color});
+    rows.push_back(
         {"Impact speed", decimalText(report.impact_speed, 1) + " m/s", options.text_color});
   } else {
     rows.push_back({"Contact", "none", options.failed_color});

@@ -455,6 +455,19 @@ NominalOptions readNominal(Section section) {
   return options;
 }
 
+PublishedSearchOptions readPublishedSearch(Section section) {
+  PublishedSearchOptions options;
+  options.heading_tolerance = section.within("heading_tolerance", 0.0, kMaxHeading);
+  options.time_tolerance = section.positive("time_tolerance");
+  options.overlap_margin = section.nonNegative("overlap_margin");
+  options.max_lead = section.nonNegative("max_lead");
+  options.max_speed = section.positive("max_speed");
+  options.kept = section.count("kept", 1);
+  options.futures = section.count("futures", 1);
+  section.finish();
+  return options;
+}
+
 StatisticsOptions readStatistics(Section section) {
   StatisticsOptions options;
   options.resamples = section.count("resamples", 1);
@@ -472,6 +485,7 @@ EvaluationOptions loadEvaluation(const std::string& directory) {
   options.collide = readCollide(section.section("collide"));
   options.published = readPublished(section.section("published"));
   options.nominal = readNominal(section.section("nominal"));
+  options.published_search = readPublishedSearch(section.section("published_search"));
   options.statistics = readStatistics(section.section("statistics"));
   options.collide.box = box;
   options.published.box = box;

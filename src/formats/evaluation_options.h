@@ -30,6 +30,16 @@ struct NominalOptions {
   double lane_change_heading = 0.0;
 };
 
+struct PublishedSearchOptions {
+  double heading_tolerance = 0.0;
+  double time_tolerance = 0.0;
+  double overlap_margin = 0.0;
+  double max_lead = 0.0;
+  double max_speed = 0.0;
+  int kept = 0;
+  int futures = 0;
+};
+
 struct StatisticsOptions {
   int resamples = 0;
   double confidence = 0.0;
@@ -40,6 +50,7 @@ struct EvaluationOptions {
   CollideOptions collide;
   PublishedOptions published;
   NominalOptions nominal;
+  PublishedSearchOptions published_search;
   StatisticsOptions statistics;
 };
 

@@ -90,6 +90,8 @@ void writeReport(JsonLineWriter& writer, const CollisionReport& report, double n
   writer.number("relative_heading", report.relative_heading);
   writePose(writer, "ego_at_contact", report.ego_at_contact);
   writePose(writer, "attacker_at_contact", report.attacker_at_contact);
+  writer.text("ego_side", toString(report.ego_side));
+  writer.text("attacker_side", toString(report.attacker_side));
   writer.number("impact_speed", report.impact_speed);
   writer.flag("type_kept", report.type_kept);
   writer.flag("on_time", report.on_time);
@@ -174,6 +176,13 @@ CollisionPattern readPattern(JsonObject object, double now) {
   return pattern;
 }
 
+Side readSide(JsonObject& object, const char* key) {
+  const std::string name = object.text(key);
+  const auto side = sideFromString(name);
+  if (!side) object.fail(key, "\"" + name + "\" is no side of a box");
+  return *side;
+}
+
 CollisionReport readReport(JsonObject object, double now) {
   CollisionReport report;
   const bool is_verified = object.flag("verified");
@@ -182,6 +191,8 @@ CollisionReport readReport(JsonObject object, double now) {
   report.relative_heading = object.number("relative_heading");
   report.ego_at_contact = readPose(object.object("ego_at_contact"));
   report.attacker_at_contact = readPose(object.object("attacker_at_contact"));
+  report.ego_side = readSide(object, "ego_side");
+  report.attacker_side = readSide(object, "attacker_side");
   report.impact_speed = object.number("impact_speed");
   report.type_kept = object.flag("type_kept");
   report.on_time = object.flag("on_time");

@@ -138,6 +138,47 @@ double intersectionOverUnion(const OrientedBox& a, const OrientedBox& b) {
   return joint > 0.0 ? std::min(shared / joint, 1.0) : 0.0;
 }
 
+const char* toString(Side side) {
+  switch (side) {
+    case Side::kFront:
+      return "front";
+    case Side::kRear:
+      return "rear";
+    case Side::kLeft:
+      return "left";
+    case Side::kRight:
+      return "right";
+  }
+  return "unknown";
+}
+
+std::optional<Side> sideFromString(const std::string& name) {
+  for (const Side side : {Side::kFront, Side::kRear, Side::kLeft, Side::kRight}) {
+    if (name == toString(side)) return side;
+  }
+  return std::nullopt;
+}
+
+Side touchedSide(const OrientedBox& box, const OrientedBox& other) {
+  double low_x = 1e9, high_x = -1e9, low_y = 1e9, high_y = -1e9;
+  for (const Vector2& corner : corners(other)) {
+    const Pose2 local = relativeTo(box.center, {corner.x(), corner.y(), 0.0});
+    low_x = std::min(low_x, local.x);
+    high_x = std::max(high_x, local.x);
+    low_y = std::min(low_y, local.y);
+    high_y = std::max(high_y, local.y);
+  }
+  const double length = 0.5 * box.size.length;
+  const double width = 0.5 * box.size.width;
+  const std::array<std::pair<double, Side>, 4> gaps = {{{low_x - length, Side::kFront},
+                                                        {-high_x - length, Side::kRear},
+                                                        {low_y - width, Side::kLeft},
+                                                        {-high_y - width, Side::kRight}}};
+  return std::max_element(gaps.begin(), gaps.end(),
+                          [](const auto& a, const auto& b) { return a.first < b.first; })
+      ->second;
+}
+
 double circumradius(const BoxSize& size) { return 0.5 * std::hypot(size.length, size.width); }
 
 }  // namespace forge

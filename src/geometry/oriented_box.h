@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 
 #include "geometry/pose2.h"
 
@@ -45,6 +47,15 @@ double intersectionArea(const OrientedBox& a, const OrientedBox& b);
 
 /// Shared area over joint area, in [0, 1].
 double intersectionOverUnion(const OrientedBox& a, const OrientedBox& b);
+
+/// A side of a box, seen from its middle along its length.
+enum class Side { kFront, kRear, kLeft, kRight };
+const char* toString(Side side);
+std::optional<Side> sideFromString(const std::string& name);
+
+/// The side of `box` at which a box that touches it stands: of the lines along the sides, that with
+/// most of `other` beyond it.
+Side touchedSide(const OrientedBox& box, const OrientedBox& other);
 
 /// Radius of the circle around the centre that holds the box, metres.
 double circumradius(const BoxSize& size);

@@ -6,12 +6,16 @@
 #include "formats/collide_scene.h"
 #include "protocols/baselines.h"
 #include "protocols/published.h"
+#include "protocols/published_search.h"
 #include "protocols/strict.h"
 
 namespace forge {
 namespace {
 
 const char* const kSearch = "search";
+const char* const kPublishedSearch = "published_search";
+
+bool isSearch(const std::string& method) { return method == kSearch || method == kPublishedSearch; }
 
 /// What a method answers in one clip.
 struct Answer {
@@ -52,6 +56,7 @@ class ClipCase {
                                     config_.evaluation.nominal, config_.attack));
     }
     if (method == kSearch) return search(seed);
+    if (method == kPublishedSearch) return publishedSearch(seed);
     throw std::invalid_argument("unknown method \"" + method + "\"");
   }
 
@@ -105,6 +110,13 @@ class ClipCase {
     return driven(std::move(found.trajectory));
   }
 
+  Answer publishedSearch(std::uint64_t seed) const {
+    CollisionRequest request = request_;
+    request.seed = seed;
+    return driven(publishedSearchAttacker(clip_, snapshot_, recorded_, request, lanes_,
+                                          ego_futures_, config_.attack, config_.evaluation));
+  }
+
   const CollideClip& clip_;
   const LaneIndex& lanes_;
   const Config& config_;
@@ -140,20 +152,20 @@ ResultRow judge(const ClipCase& clip_case, const CollideClip& clip, const Evalua
 
 /// Seeds matter to a search alone.
 int seedsOf(const std::string& method, const EvaluationPlan& plan) {
-  return method == kSearch ? plan.seeds : 1;
+  return isSearch(method) ? plan.seeds : 1;
 }
 
 }  // namespace
 
 const std::vector<std::string>& evaluationMethods() {
   static const std::vector<std::string> methods = {"recorded", "constant_velocity", "nominal",
-                                                   kSearch};
+                                                   kSearch, kPublishedSearch};
   return methods;
 }
 
 std::vector<std::string> methodsOf(const EvaluationPlan& plan) {
   std::vector<std::string> methods = {"recorded", "constant_velocity", "nominal"};
-  if (plan.method == kSearch) methods.push_back(kSearch);
+  if (isSearch(plan.method)) methods.push_back(plan.method);
   return methods;
 }
 

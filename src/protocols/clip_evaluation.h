@@ -20,7 +20,8 @@ struct EvaluationPlan {
 };
 
 /// "recorded", "constant_velocity", "nominal" (protocols/baselines.h), which every plan measures
-/// beside its method, and "search" (attack/generator.h).
+/// beside its method, "search" (attack/generator.h) and "published_search"
+/// (protocols/published_search.h).
 const std::vector<std::string>& evaluationMethods();
 
 /// The plan's methods: those measured in every plan, then its own.

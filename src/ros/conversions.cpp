@@ -317,6 +317,8 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
     message.relative_heading = report.relative_heading;
     message.ego_at_contact = toPose2dMessage(report.ego_at_contact);
     message.attacker_at_contact = toPose2dMessage(report.attacker_at_contact);
+    message.ego_side = toString(report.ego_side);
+    message.attacker_side = toString(report.attacker_side);
     message.impact_speed = report.impact_speed;
   }
   message.type_kept = report.type_kept;

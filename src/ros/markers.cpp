@@ -147,6 +147,7 @@ std::string reportText(const collision_forge::CollisionPattern& pattern,
   if (!report.contact) return text + ": no contact";
   text += format("\ncontact in %.2f s", (report.contact_time - report.header.stamp).toSec());
   text += format("\nheading %+.0f deg", report.relative_heading * 180 / M_PI);
+  text += "\n" + report.attacker_side + " to ego's " + report.ego_side;
   text += format("\nimpact %.1f m/s", report.impact_speed);
   return report.verified ? text : text + "\nNOT VERIFIED";
 }

@@ -44,12 +44,14 @@ QString successText(const GenerateCollision::Response& response) {
              "<b>%1</b> by %2<table>"
              "<tr><td>Contact in</td><td align=right>%3 s</td></tr>"
              "<tr><td>Relative heading</td><td align=right>%4 deg</td></tr>"
-             "<tr><td>Impact speed</td><td align=right>%5 m/s</td></tr>"
-             "<tr><td>Confidence</td><td align=right>%6</td></tr></table>")
+             "<tr><td>Sides</td><td align=right>%5 to ego's %6</td></tr>"
+             "<tr><td>Impact speed</td><td align=right>%7 m/s</td></tr>"
+             "<tr><td>Confidence</td><td align=right>%8</td></tr></table>")
       .arg(QString::fromStdString(response.pattern.collision_type),
            QString::fromStdString(report.attacker_id).toHtmlEscaped())
       .arg(contact_time, 0, 'f', 2)
       .arg(report.relative_heading * 180 / M_PI, 0, 'f', 0)
+      .arg(QString::fromStdString(report.attacker_side), QString::fromStdString(report.ego_side))
       .arg(report.impact_speed, 0, 'f', 1)
       .arg(report.confidence, 0, 'f', 2);
 }

@@ -45,8 +45,9 @@ void printReport(const char* subject, const CollisionReport& report, double now)
   }
   std::cout << (report.verified() ? "crash as asked" : "contact, not as asked") << ", "
             << report.contact_time - now << " s from now, relative heading "
-            << report.relative_heading * kDegrees << " degrees, impact speed "
-            << report.impact_speed << " m/s, "
+            << report.relative_heading * kDegrees << " degrees, attacker's "
+            << toString(report.attacker_side) << " to ego's " << toString(report.ego_side)
+            << ", impact speed " << report.impact_speed << " m/s, "
             << (report.bounds_kept ? "bounds kept" : report.broken_bound)
             << (report.first_other_id.empty() ? ""
                                               : ", touches " + report.first_other_id + " first")

@@ -54,6 +54,8 @@ TEST(Verify, FindsARearEndContactWhenTheGapIsClosed) {
   EXPECT_NEAR(report.ego_at_contact.x, 60.0 + kAlong, 10.0 * kFine);
   EXPECT_NEAR(report.attacker_at_contact.x, 60.0, 15.0 * kFine);
   EXPECT_NEAR(report.impact_speed, 5.0, 1e-9);
+  EXPECT_EQ(report.ego_side, Side::kRear);
+  EXPECT_EQ(report.attacker_side, Side::kFront);
   EXPECT_NEAR(report.relative_heading, 0.0, 1e-12);
   EXPECT_EQ(report.confidence, 0.0);
 }
@@ -66,6 +68,8 @@ TEST(Verify, FindsAHeadOnContactWhenTheGapIsClosed) {
   EXPECT_TRUE(report.verified());
   EXPECT_NEAR(report.contact_time, kNow + attack.request.tta, kFine);
   EXPECT_NEAR(report.impact_speed, 22.0, 1e-9);
+  EXPECT_EQ(report.ego_side, Side::kFront);
+  EXPECT_EQ(report.attacker_side, Side::kFront);
   EXPECT_NEAR(std::abs(report.relative_heading), M_PI, 1e-9);
 }
 

@@ -47,7 +47,8 @@ const char* const kAttackLine =
     R"("pattern":{"t":4,"ego":{"x":40,"y":1,"yaw":0.5},"attacker_offset":{"x":-4.3,"y":0.25,"yaw":0.125},)"
     R"("attacker_speed":12.5},"confidence":0.6,"report":{"verified":true,"contact":true,"contact_t":3.875,)"
     R"("relative_heading":0.0625,"ego_at_contact":{"x":39,"y":1,"yaw":0.5},)"
-    R"("attacker_at_contact":{"x":34.5,"y":1.25,"yaw":0.5625},"impact_speed":4.5,"type_kept":true,)"
+    R"("attacker_at_contact":{"x":34.5,"y":1.25,"yaw":0.5625},"ego_side":"rear","attacker_side":"front",)"
+    R"("impact_speed":4.5,"type_kept":true,)"
     R"("on_time":true,"bounds_kept":true,"broken_bound":null,"first_other":null,"off_road_share":0.75},)"
     R"("ego":{"length":4.084,"width":1.73,"center_offset":1.385}})";
 

@@ -118,5 +118,26 @@ TEST(OrientedBox, ZeroSizeBoxesArePoints) {
   EXPECT_NEAR(distance(point, {{5.0, 0.0, 0.0}, {0.0, 0.0}}), 4.0, 1e-12);
 }
 
+TEST(TouchedSide, IsWhereTheOtherBoxStands) {
+  const BoxSize size{4.0, 2.0};
+  const std::pair<Pose2, Side> places[] = {
+      {{4.0, 0.8, 0.0}, Side::kFront},     {{-4.0, -0.8, 0.0}, Side::kRear},
+      {{1.5, 2.0, 0.0}, Side::kLeft},      {{-1.5, -2.0, 0.0}, Side::kRight},
+      {{2.9, -1.0, M_PI_2}, Side::kFront}, {{1.0, 2.95, -M_PI_2}, Side::kLeft}};
+  for (const Pose2& center : {Pose2{}, Pose2{3.0, -7.0, 2.5}}) {
+    for (const auto& [place, side] : places) {
+      EXPECT_EQ(touchedSide({center, size}, {compose(center, place), size}), side)
+          << place.x << " " << place.y;
+    }
+  }
+}
+
+TEST(TouchedSide, NamesAreReadBack) {
+  for (const Side side : {Side::kFront, Side::kRear, Side::kLeft, Side::kRight}) {
+    EXPECT_EQ(sideFromString(toString(side)), side);
+  }
+  EXPECT_FALSE(sideFromString("top"));
+}
+
 }  // namespace
 }  // namespace forge

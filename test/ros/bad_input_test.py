@@ -196,8 +196,8 @@ class BadInputTest(live.LiveTest):
 
     def test_attacker_out_of_reach(self):
         self.show(drive(6, lambda seconds: [agent('behind', -200.0 + 11.0 * seconds)]))
-        self.assertIn('80', self.ask_for_code('NO_CANDIDATE', attacker='behind').message)
-        self.ask_for_code('NO_CANDIDATE')
+        self.assertIn('80', self.ask_for_code('NO_CANDIDATE').message)
+        self.ask_for_code('NO_ATTACK_WITHIN_BOUNDS', attacker='behind')
 
     def test_nobody_there(self):
         scene = self.show(drive(6, lambda seconds: []))

@@ -120,6 +120,8 @@ Attack attack() {
   attack.report.contact_time = ros::Time(13.0);
   attack.report.relative_heading = M_PI / 2;
   attack.report.attacker_at_contact = pose2d(3.2, 0.0, M_PI / 2);
+  attack.report.ego_side = "left";
+  attack.report.attacker_side = "front";
   attack.report.impact_speed = 12.34;
   return attack;
 }
@@ -295,7 +297,7 @@ TEST(AttackMarkers, PutTheContactWhereTheBoxesTouch) {
 TEST(AttackMarkers, SayWhatTheReportSays) {
   const auto text = inNamespace(attack().markers(), "report");
   ASSERT_EQ(text.size(), 1U);
-  EXPECT_EQ(text[0].text, "junction_crossing\ncontact in 3.00 s\nheading +90 deg\nimpact 12.3 m/s");
+  EXPECT_EQ(text[0].text, "junction_crossing\ncontact in 3.00 s\nheading +90 deg\nfront to ego's left\nimpact 12.3 m/s");
 }
 
 TEST(AttackMarkers, WarnOfAnAttackThatIsNotVerified) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "attack/attack.h"
+#include "attack/ego_futures.h"
+#include "attack/options.h"
+#include "formats/collide_clip.h"
+#include "formats/evaluation_options.h"
+#include "map/lane_queries.h"
+#include "scene/scene.h"
+
+namespace forge {
+
+/// Options for a search of what the published protocol counts: a contact at about the angle that
+/// the set gives attackers of the type, around the time asked for, by any motion, on the road or
+/// off it. No vehicle limit is kept and no answer declined.
+AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOptions& evaluation);
+
+/// The clip's attacker on that attack of searchAttacks(), or on nominalAttacker(), that the
+/// published protocol would count in most of the ego's futures: hits, and similar ones half as much
+/// again. `request.mode` decides whether `recorded` is looked at; the angle in the file's name
+/// never is.
+AttackerTrajectory publishedSearchAttacker(const CollideClip& clip, const Snapshot& snapshot,
+                                           const Future& recorded, const CollisionRequest& request,
+                                           const LaneIndex& lanes,
+                                           std::shared_ptr<const EgoFutureSampler> ego_futures,
+                                           const AttackOptions& options,
+                                           const EvaluationOptions& evaluation);
+
+}  // namespace forge
