@@ -12,6 +12,7 @@
 
 #include "batch/dispatch.h"
 #include "batch/request_answerer.h"
+#include "formats/collide_export.h"
 #include "formats/request_file.h"
 #include "formats/resumable_file.h"
 #include "tools/tool_support.h"
@@ -20,6 +21,10 @@ namespace {
 
 using namespace forge;
 
+namespace fs = std::filesystem;
+
+enum class Format { kJsonl, kCsvCollide };
+
 struct Arguments {
   std::string dataroot;
   std::string version;
@@ -27,13 +32,19 @@ struct Arguments {
   std::string out;
   std::string config;
   Mode mode = Mode::kHistory;
+  Format format = Format::kJsonl;
   int jobs = defaultJobs();
+
+  /// The file of scenarios.
+  std::string scenarios() const {
+    return format == Format::kJsonl ? out : (fs::path(out) / "scenarios.jsonl").string();
+  }
 };
 
 // What an interrupted run says; made beforehand, because a signal handler may not allocate.
 std::string interruption_message;
 
-/// Says what to do and lets the signal end the process: every line taken is in the file already.
+/// Says what to do and lets the signal end the process: all that was taken is on the disk already.
 void onInterruption(int signal) {
   [[maybe_unused]] const ssize_t count =
       ::write(STDERR_FILENO, interruption_message.data(), interruption_message.size());
@@ -41,9 +52,12 @@ void onInterruption(int signal) {
 }
 
 /// A limit on file sizes becomes an error of write(); SIGINT, SIGTERM and SIGHUP get the message.
-void prepareForInterruption(const std::string& out) {
-  interruption_message = "\ngenerate: interrupted; what was answered is in " + out +
-                         ".part: run the same command again to go on\n";
+void prepareForInterruption(const Arguments& arguments) {
+  const std::string kept = arguments.format == Format::kJsonl
+                               ? "answered is in " + arguments.out + ".part"
+                               : "answered and written is in " + arguments.out;
+  interruption_message =
+      "\ngenerate: interrupted; what was " + kept + ": run the same command again to go on\n";
   ::signal(SIGXFSZ, SIG_IGN);
   struct sigaction action = {};
   action.sa_handler = onInterruption;
@@ -51,7 +65,7 @@ void prepareForInterruption(const std::string& out) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(signal, &action, nullptr);
 }
 
-std::string contentOf(const std::filesystem::path& path) {
+std::string contentOf(const fs::path& path) {
   std::ostringstream content;
   content << std::ifstream(path).rdbuf();
   return content.str();
@@ -72,12 +86,11 @@ bool isIndifferent(const std::string& file) {
 /// What the answers depend on, for the resumption of the run.
 ResumableFile::Options runOptions(const Arguments& arguments,
                                   const std::vector<SceneRequest>& requests) {
-  ResumableFile::Options options = {
-      {"dataroot", std::filesystem::canonical(arguments.dataroot).string()},
-      {"version", arguments.version},
-      {"mode", toString(arguments.mode)},
-      {"requests", fingerprintOf(requests)}};
-  for (const auto& entry : std::filesystem::directory_iterator(arguments.config)) {
+  ResumableFile::Options options = {{"dataroot", fs::canonical(arguments.dataroot).string()},
+                                    {"version", arguments.version},
+                                    {"mode", toString(arguments.mode)},
+                                    {"requests", fingerprintOf(requests)}};
+  for (const auto& entry : fs::directory_iterator(arguments.config)) {
     const std::string file = entry.path().filename().string();
     if (entry.path().extension() != ".yaml" || isIndifferent(file)) continue;
     options["config/" + file] = "fingerprint " + fingerprint(contentOf(entry.path()));
@@ -126,7 +139,7 @@ std::size_t resume(ResumableFile& file, const std::vector<SceneRequest>& request
 class Output {
  public:
   Output(const Arguments& arguments, const RequestList& list)
-      : file_(arguments.out, runOptions(arguments, list.requests)) {
+      : file_(arguments.scenarios(), runOptions(arguments, list.requests)) {
     count_ = list.requests.size();
     first_ = file_.isComplete() ? count_ : resume(file_, list.requests);
     if (first_ > 0) {
@@ -154,14 +167,45 @@ class Output {
   std::unique_ptr<boost::timer::progress_display> bar_;
 };
 
+/// Makes the folder of the clips' format. Clips are written when all scenarios are: without these
+/// they are of something else, and would be taken for clips of this run.
+void prepareFolder(const Arguments& arguments) {
+  const std::string clips = CollideExporter::folderIn(arguments.out);
+  if (!fs::exists(arguments.scenarios()) && fs::exists(clips) && !fs::is_empty(clips)) {
+    throw std::runtime_error(clips + ": holds clips already, but there is no " +
+                             arguments.scenarios() +
+                             " that they are of; remove them, or write elsewhere");
+  }
+  fs::create_directories(arguments.out);
+}
+
+/// The clips of all scenarios that have none yet.
+void exportClips(const Arguments& arguments, std::size_t count, SceneSource& scenes) {
+  const std::string path = arguments.scenarios();
+  CollideExporter exporter(arguments.out);
+  boost::timer::progress_display bar(count, std::cerr);
+  std::ifstream file(path);
+  int index = 0;
+  for (std::string line; std::getline(file, line); ++index) {
+    const Scenario scenario = readScenarioLine(path + ": line " + std::to_string(index + 1), line);
+    if (scenario.answer.status.code == StatusCode::kOk) {
+      exporter.add(scenario, scenes.at(scenario.asked.scene)->scene, index);
+    }
+    ++bar;
+  }
+  if (!exporter.complaint().empty()) std::cerr << exporter.complaint() << "\n";
+  std::cout << exporter.clips() << " clips in " << CollideExporter::folderIn(arguments.out) << "\n";
+}
+
 int generate(const Arguments& arguments) {
   const bool is_master = isMaster();
   const Config config = loadConfig(arguments.config);
   const RequestList list = readList(arguments);
   std::unique_ptr<Output> output;
   if (is_master) {
+    if (arguments.format == Format::kCsvCollide) prepareFolder(arguments);
     output = std::make_unique<Output>(arguments, list);
-    prepareForInterruption(arguments.out);
+    prepareForInterruption(arguments);
   }
   SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
@@ -180,7 +224,10 @@ int generate(const Arguments& arguments) {
            {arguments.jobs, is_master ? output->first() : 0});
   if (is_master) {
     output->complete();
-    std::cout << list.requests.size() << " requests answered in " << arguments.out << "\n";
+    std::cout << list.requests.size() << " requests answered in " << arguments.scenarios() << "\n";
+    if (arguments.format == Format::kCsvCollide) {
+      exportClips(arguments, list.requests.size(), scenes);
+    }
   }
   return kExitOk;
 }
@@ -195,7 +242,15 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini")->required();
   app.add_option("--requests", arguments.requests, "list of make_requests")->required();
-  app.add_option("--out", arguments.out, "scenarios to write, a JSON line a request")->required();
+  app.add_option("--out", arguments.out,
+                 "scenarios to write, a JSON line a request; with csv-collide a folder")
+      ->required();
+  app.add_option("--format", arguments.format,
+                 "jsonl, or csv-collide: scenarios.jsonl and a clip of COLLIDE's layout an attack, "
+                 "in trajectory/val")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{
+          {"jsonl", Format::kJsonl}, {"csv-collide", Format::kCsvCollide}}))
+      ->default_str("jsonl");
   app.add_option("--mode", arguments.mode, "history or replay")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, Mode>{{"history", Mode::kHistory}, {"replay", Mode::kReplay}}))

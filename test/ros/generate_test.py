@@ -1,7 +1,10 @@
 #!/usr/bin/python3
 """make_requests and generate: what is in their files, how a run goes on after any end, threads and ranks alike."""
+import csv
 import json
+import math
 import os
+import re
 import resource
 import shutil
 import signal
@@ -361,6 +364,174 @@ class GenerateTest(road.RoadTest):
     def test_wrong_commands(self):
         for arguments in (['--mode', 'live'], ['--jobs', '0'], ['--nonsense']):
             self.assertEqual(run(generate_command(self.requests, self.out, *arguments)).returncode, 2, arguments)
+
+
+class CollideFormatTest(road.RoadTest):
+    """generate --format csv-collide: a folder with the scenarios and a clip an attack."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.requests = cls.folder / 'requests.jsonl'
+        result = make_requests(cls.requests, '--scene', 'scene-0001', 'scene-0007', '--stride', 3, '--tta', 2, 4)
+        assert result.returncode == 0, result.stderr
+        cls.expected = cls.folder / 'expected'
+        cls.result = run(cls.command(cls.expected, '--jobs', 1))
+        assert cls.result.returncode == 0, cls.result.stderr
+        cls.scenarios = [json.loads(line) for line in lines_of(cls.expected / 'scenarios.jsonl')]
+        cls.clips = sorted(path.name for path in cls.clips_of(cls.expected).iterdir())
+
+    @classmethod
+    def command(cls, out, *arguments):
+        return generate_command(cls.requests, out, '--format', 'csv-collide', '--mode', 'replay', *arguments)
+
+    @staticmethod
+    def clips_of(out):
+        return out / 'trajectory' / 'val'
+
+    def setUp(self):
+        self.out = self.path('out')
+
+    def copy(self):
+        shutil.copytree(str(self.expected), str(self.out))
+
+    def first_clip(self):
+        """The first that is written."""
+        return min(self.clips, key=lambda clip: int(clip.split('_')[7].split('-')[1]))
+
+    def assert_like_expected(self, out):
+        files = {path.relative_to(out): path.read_bytes() for path in out.rglob('*') if path.is_file()}
+        expected = {path.relative_to(self.expected): path.read_bytes()
+                    for path in self.expected.rglob('*') if path.is_file()}
+        self.assertEqual(sorted(files), sorted(expected))
+        self.assertEqual(files, expected)
+
+    def assert_completed(self, out, *arguments):
+        result = run(self.command(out, *arguments))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assert_like_expected(out)
+
+    def test_scenarios_are_those_of_the_other_format(self):
+        result = run(generate_command(self.requests, self.out, '--mode', 'replay', '--format', 'jsonl'))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.out.read_bytes(), (self.expected / 'scenarios.jsonl').read_bytes())
+
+    def test_every_attack_has_a_clip_or_is_counted(self):
+        attacks = sum(scenario['status']['code'] == 'OK' for scenario in self.scenarios)
+        without, of, reasons = re.search(r'^(\d+) of (\d+) attacks have no clip of .*: (.*)$', self.result.stderr,
+                                         re.MULTILINE).groups()
+        self.assertEqual(int(of), attacks)
+        self.assertGreater(len(self.clips), 0)
+        self.assertEqual(len(self.clips), attacks - int(without))
+        self.assertIn('{} clips in {}'.format(len(self.clips), self.clips_of(self.expected)), self.result.stdout)
+        self.assertEqual(sum(int(reason.split()[0]) for reason in reasons.split(', ')), int(without))
+
+    def test_names_say_what_the_scenarios_do(self):
+        scenes = {row['name']: row for row in json.loads((DATAROOT / VERSION / 'scene.json').read_text())}
+        logs = {row['token']: row for row in json.loads((DATAROOT / VERSION / 'log.json').read_text())}
+        short = {'lane_change': 'LC', 'opposite_direction': 'HO', 'rear_end': 'RE', 'junction_crossing': 'JC',
+                 'ltap': 'LTAP'}
+        placements = {'LC': {'0', '1'}, 'HO': {'5'}, 'RE': {'4'}, 'JC': {'2', '3'}, 'LTAP': {'2', '3'}}
+        for clip in self.clips:
+            data, hcis, batch, trainval, city, kind, scene, counts, angle, attacker = clip[:-len('.csv')].split('_')
+            self.assertEqual((data, hcis, batch, trainval), ('data', 'hcis', 'collision-forge', 'trainval'))
+            placement, index, normalized, frame = counts.split('-')
+            scenario = self.scenarios[int(index)]
+            self.assertEqual(scene, scenario['scene'])
+            self.assertEqual(city, logs[scenes[scene]['log_token']]['location'])
+            self.assertEqual(kind, short[scenario['request']['type']])
+            self.assertIn(placement, placements[kind])
+            self.assertEqual(int(frame), 7 + 2 * scenario['request']['tta'])
+            self.assertAlmostEqual(float(normalized), (int(frame) - 8) / 12)
+            self.assertAlmostEqual(float(angle), abs(math.degrees(scenario['report']['relative_heading'])), delta=0.0051)
+            self.assertEqual(attacker, scenario['attacker']['id'])
+
+    def test_attackers_start_where_they_were_recorded(self):
+        for clip in self.clips:
+            scenario = self.scenarios[int(clip.split('_')[7].split('-')[1])]
+            with (self.clips_of(self.expected) / clip).open() as file:
+                rows = [row for row in csv.DictReader(file) if row['TRACK_ID'] == scenario['attacker']['id']]
+            start = scenario['attacker']['trajectory'][0]
+            self.assertEqual(int(rows[7]['TIMESTAMP']), round(scenario['now'] * 1e6))
+            self.assertAlmostEqual(float(rows[7]['X']), start['x'], places=6)
+            self.assertAlmostEqual(float(rows[7]['Y']), start['y'], places=6)
+
+    def test_same_bytes_whatever_the_number_of_jobs_and_ranks(self):
+        self.assert_completed(self.out, '--jobs', 2)
+        out = self.path('ranks')
+        result = run(['mpirun', '--oversubscribe', '-np', '2'] + self.command(out), env=ranks_environment())
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout.count('clips in'), 1, 'rank 0 alone writes')
+        self.assert_like_expected(out)
+
+    def test_clips_can_be_evaluated(self):
+        result = road.run('evaluate', '--collide', self.expected, '--dataroot', DATAROOT, '--split', 'val',
+                          '--protocol', 'published', '--mode', 'replay', '--out', self.out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('{} clips'.format(len(self.clips)), result.stdout)
+        with (self.out / 'results.csv').open() as file:
+            rows = [row for row in csv.DictReader(file) if row['method'] == 'recorded']
+        self.assertEqual(len(rows), len(self.clips))
+        self.assertGreater(sum(row['collision'] == '1' for row in rows), len(rows) / 2)
+
+    def test_missing_clips_are_written_again_and_others_left_alone(self):
+        self.copy()
+        clips = [self.clips_of(self.out) / clip for clip in self.clips]
+        for clip in clips:
+            os.utime(str(clip), (0, 0))
+        clips[0].unlink()
+        clips[1].rename(str(clips[1]) + '.part')
+        self.assert_completed(self.out)
+        self.assertEqual([clip.stat().st_mtime == 0 for clip in clips], [False] * 2 + [True] * (len(clips) - 2))
+
+    def test_a_full_disk_is_told_and_the_run_goes_on(self):
+        self.copy()
+        shutil.rmtree(str(self.out / 'trajectory'))
+
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+
+        result = run(self.command(self.out), preexec_fn=limit)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn('{}: cannot be written'.format(self.clips_of(self.out) / self.first_clip()), result.stderr)
+        self.assertEqual(list(self.clips_of(self.out).glob('*.csv')), [])
+        self.assert_completed(self.out)
+
+    def test_an_interrupted_run_says_so_and_goes_on(self):
+        process = subprocess.Popen(self.command(self.out, '--jobs', 1), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   stdin=subprocess.DEVNULL, universal_newlines=True)
+        self.addCleanup(lambda: (process.kill(), process.communicate()))
+        deadline = time.monotonic() + WAIT
+        while complete_lines(self.out / 'scenarios.jsonl.part') < 3:
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.005)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=WAIT)
+        self.assertEqual(process.returncode, -signal.SIGINT)
+        self.assertIn('interrupted; what was answered and written is in {}:'.format(self.out), errors)
+        self.assertFalse(self.clips_of(self.out).exists())
+        self.assert_completed(self.out)
+
+    def test_clips_of_something_else_are_not_taken_for_this_runs(self):
+        self.copy()
+        (self.out / 'scenarios.jsonl').unlink()
+        result = run(self.command(self.out))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('{}: holds clips already'.format(self.clips_of(self.out)), result.stderr)
+        self.assertFalse((self.out / 'scenarios.jsonl.part').exists())
+
+    def test_a_file_is_no_folder(self):
+        self.out.write_text('mine')
+        result = run(self.command(self.out))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(str(self.out), result.stderr)
+        self.assertEqual(self.out.read_text(), 'mine')
+
+    def test_unknown_formats_are_refused(self):
+        result = run(generate_command(self.requests, self.out, '--format', 'csv'))
+        self.assertEqual(result.returncode, 2)
+        self.assertIn('csv-collide', result.stderr)
+        self.assertFalse(self.out.exists())
 
 
 if __name__ == '__main__':
