@@ -1,6 +1,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <unsupported/Eigen/AutoDiff>
 
 #include "attack/trajectory_family.h"
 
@@ -8,71 +9,107 @@ namespace forge {
 namespace {
 
 constexpr int kKnots = SteeringKnots::kCount;  // of acceleration, and as many of curvature
-using Knots = Eigen::Matrix<double, 2 * kKnots, 1>;
+constexpr int kUnknowns = 2 * kKnots;
+using Knots = Eigen::Matrix<double, kUnknowns, 1>;
+/// A number with its derivatives by all knots.
+using Sensitive = Eigen::AutoDiffScalar<Knots>;
 
-/// Value of five knots, evenly spread over [0, 1].
-double between(const Knots& knots, int first, double ratio) {
-  const double place = std::clamp(ratio, 0.0, 1.0) * (kKnots - 1);
-  const int i = std::min(static_cast<int>(place), kKnots - 2);
-  return knots[first + i] + (place - i) * (knots[first + i + 1] - knots[first + i]);
+/// The bicycle's state, with derivatives or without.
+template <typename Scalar>
+struct State {
+  Scalar x, y, yaw, speed, acceleration, curvature;
+};
+
+template <typename Scalar>
+Scalar bounded(const Scalar& value, const Scalar& low, const Scalar& high) {
+  return value < low ? low : value > high ? high : value;
 }
 
 /// The bicycle's motion for some knots, held to the limits.
+template <typename Scalar>
 class Rollout {
  public:
-  Rollout(const DriveStart& start, double arrival_time, const VehicleLimits& limits)
-      : start_(start), arrival_time_(arrival_time), limits_(limits) {}
+  using Steering = Eigen::Matrix<Scalar, kUnknowns, 1>;
 
-  /// State at the arrival; `points` (may be null) gets all.
-  TrajectoryPoint drive(const Knots& knots, std::vector<TrajectoryPoint>* points) const {
-    TrajectoryPoint state{start_.now, start_.motion.pose, std::max(start_.motion.speed, 0.0), 0.0,
-                          0.0};
-    if (points) points->resize(static_cast<std::size_t>(start_.points));
-    const int steps =
-        points ? start_.points : static_cast<int>(std::ceil(arrival_time_ / start_.step));
+  Rollout(const DriveStart& start, double duration, const VehicleLimits& limits,
+          const Steering& knots)
+      : duration_(duration), step_(start.step), limits_(limits), knots_(knots) {
+    const Motion& motion = start.motion;
+    state_ = {Scalar(motion.pose.x),
+              Scalar(motion.pose.y),
+              Scalar(motion.pose.yaw),
+              Scalar(std::max(motion.speed, 0.0)),
+              Scalar(0.0),
+              Scalar(0.0)};
+  }
+
+  /// The state after `i` steps, with what it is steered by from then on. In the order of `i`.
+  const State<Scalar>& steered(int i) {
+    control(i * step_);
+    return state_;
+  }
+
+  void advance(double step) {
+    const Scalar distance = (state_.speed + 0.5 * step * state_.acceleration) * step;
+    const Scalar turn = state_.curvature * distance;
+    const Scalar yaw = state_.yaw + 0.5 * turn;
+    using std::cos;
+    using std::sin;
+    state_.x += distance * cos(yaw);
+    state_.y += distance * sin(yaw);
+    state_.yaw += turn;
+    state_.speed = bounded<Scalar>(state_.speed + state_.acceleration * step, Scalar(0.0),
+                                   Scalar(limits_.max_speed));
+  }
+
+  /// The state when the steering ends.
+  State<Scalar> end() {
+    const int steps = static_cast<int>(std::ceil(duration_ / step_));
     for (int i = 0; i < steps; ++i) {
-      const double t = i * start_.step;
-      control(knots, t, state);
-      state.time = start_.now + t;
-      if (points) (*points)[static_cast<std::size_t>(i)] = state;
+      steered(i);
       // The end lies between two steps.
-      const double step = points ? start_.step : std::min(start_.step, arrival_time_ - t);
-      advance(step, state);
+      advance(std::min(step_, duration_ - i * step_));
     }
-    return state;
+    return state_;
   }
 
  private:
-  void control(const Knots& knots, double t, TrajectoryPoint& state) const {
-    const bool driving = t < arrival_time_;
-    const double ratio = t / arrival_time_;
-    double acceleration = driving ? between(knots, 0, ratio) : 0.0;
-    acceleration = std::clamp(acceleration, -limits_.max_braking, limits_.max_forward_acceleration);
-    acceleration = std::clamp(acceleration, -state.speed / start_.step,
-                              (limits_.max_speed - state.speed) / start_.step);
-    state.acceleration = acceleration;
-    const double across =
-        std::sqrt(std::max(0.0, limits_.max_total_acceleration * limits_.max_total_acceleration -
-                                    acceleration * acceleration));
+  /// Value of the knots from `first` on, evenly spread over the steering.
+  Scalar between(int first, double ratio) const {
+    const double place = std::clamp(ratio, 0.0, 1.0) * (kKnots - 1);
+    const int i = std::min(static_cast<int>(place), kKnots - 2);
+    return knots_[first + i] + (place - i) * (knots_[first + i + 1] - knots_[first + i]);
+  }
+
+  void control(double t) {
+    if (t >= duration_) {
+      state_.acceleration = state_.curvature = Scalar(0.0);
+      return;
+    }
+    const double ratio = t / duration_;
+    const auto acceleration = bounded<Scalar>(between(0, ratio), Scalar(-limits_.max_braking),
+                                              Scalar(limits_.max_forward_acceleration));
+    state_.acceleration = bounded<Scalar>(acceleration, -state_.speed / step_,
+                                          (limits_.max_speed - state_.speed) / step_);
+    using std::sqrt;
+    const double total = limits_.max_total_acceleration * limits_.max_total_acceleration;
+    const Scalar spare = total - state_.acceleration * state_.acceleration;
+    const Scalar across = spare > Scalar(kTiny) ? Scalar(sqrt(spare)) : Scalar(0.0);
     // The friction circle has to hold at the end of the step, too.
-    const double speed = std::max(state.speed, state.speed + acceleration * start_.step);
-    const double bound = std::min(limits_.max_curvature, across / std::max(speed * speed, 1e-3));
-    state.curvature = driving ? std::clamp(between(knots, kKnots, ratio), -bound, bound) : 0.0;
+    const Scalar faster = state_.speed + state_.acceleration * step_;
+    const Scalar speed = faster > state_.speed ? faster : state_.speed;
+    Scalar bound(limits_.max_curvature);
+    if (across < bound * speed * speed) bound = across / (speed * speed);
+    state_.curvature = bounded<Scalar>(between(kKnots, ratio), -bound, bound);
   }
 
-  static void advance(double step, TrajectoryPoint& state) {
-    const double distance = std::max(0.0, (state.speed + 0.5 * state.acceleration * step) * step);
-    const double turn = state.curvature * distance;
-    const Pose2 middle{0.0, 0.0, state.pose.yaw + 0.5 * turn};
-    const Vector2 heading = middle.heading();
-    state.pose = {state.pose.x + distance * heading.x(), state.pose.y + distance * heading.y(),
-                  state.pose.yaw + turn};
-    state.speed = std::max(0.0, state.speed + state.acceleration * step);
-  }
+  static constexpr double kTiny = 1e-9;  // square roots of less have no derivative
 
-  const DriveStart& start_;
-  double arrival_time_;
+  double duration_;
+  double step_;
   const VehicleLimits& limits_;
+  Steering knots_;
+  State<Scalar> state_;
 };
 
 /// Knots of a constant acceleration that covers the straight distance, bent to the arc there.
@@ -103,11 +140,11 @@ Knots aroundATurn(const DriveStart& start, const Arrival& arrival, const Vehicle
 }
 
 /// Least squares for one arrival.
-class Steering {
+class Problem {
  public:
-  Steering(const DriveStart& start, const Arrival& arrival, const VehicleLimits& limits,
-           const BicycleOptions& options)
-      : rollout_(start, arrival.time, limits), arrival_(arrival), options_(options) {}
+  Problem(const DriveStart& start, const Arrival& arrival, const VehicleLimits& limits,
+          const BicycleOptions& options)
+      : start_(start), arrival_(arrival), limits_(limits), options_(options) {}
 
   /// From a first guess; empty when the arrival stays too far away.
   std::optional<Knots> solve(Knots knots) const {
@@ -125,32 +162,42 @@ class Steering {
   }
 
  private:
-  static constexpr int kUnknowns = 2 * kKnots;
-  using Residuals = Eigen::Matrix<double, 4 + kUnknowns, 1>;
+  static constexpr int kReached = 4;  // residuals of where the steering ends; then one a knot
+  using Residuals = Eigen::Matrix<double, kReached + kUnknowns, 1>;
+  using Jacobian = Eigen::Matrix<double, kReached + kUnknowns, kUnknowns>;
   static constexpr double kFirstDamping = 1e-2;
   static constexpr int kDampings = 3;  // tried a step
 
   Residuals residualsAt(const Knots& knots) const {
-    const TrajectoryPoint end = rollout_.drive(knots, nullptr);
+    const auto end = Rollout<double>(start_, arrival_.time, limits_, knots).end();
     Residuals residuals;
-    residuals[0] = (end.pose.x - arrival_.pose.x) / options_.position_scale;
-    residuals[1] = (end.pose.y - arrival_.pose.y) / options_.position_scale;
-    residuals[2] = angleBetween(arrival_.pose.yaw, end.pose.yaw) / options_.heading_scale;
+    residuals[0] = (end.x - arrival_.pose.x) / options_.position_scale;
+    residuals[1] = (end.y - arrival_.pose.y) / options_.position_scale;
+    residuals[2] = angleBetween(arrival_.pose.yaw, end.yaw) / options_.heading_scale;
     residuals[3] = (end.speed - arrival_.speed) / options_.speed_scale;
-    residuals.segment<kKnots>(4) = knots.head<kKnots>() / options_.acceleration_scale;
+    residuals.segment<kKnots>(kReached) = knots.head<kKnots>() / options_.acceleration_scale;
     residuals.tail<kKnots>() = knots.tail<kKnots>() / options_.curvature_scale;
     return residuals;
   }
 
+  Jacobian jacobianAt(const Knots& knots) const {
+    Eigen::Matrix<Sensitive, kUnknowns, 1> sensitive;
+    for (int i = 0; i < kUnknowns; ++i) sensitive[i] = Sensitive(knots[i], kUnknowns, i);
+    const auto end = Rollout<Sensitive>(start_, arrival_.time, limits_, sensitive).end();
+    Jacobian jacobian = Jacobian::Zero();
+    jacobian.row(0) = end.x.derivatives() / options_.position_scale;
+    jacobian.row(1) = end.y.derivatives() / options_.position_scale;
+    jacobian.row(2) = end.yaw.derivatives() / options_.heading_scale;
+    jacobian.row(3) = end.speed.derivatives() / options_.speed_scale;
+    auto own = jacobian.bottomRows<kUnknowns>().diagonal();
+    own.head<kKnots>().setConstant(1.0 / options_.acceleration_scale);
+    own.tail<kKnots>().setConstant(1.0 / options_.curvature_scale);
+    return jacobian;
+  }
+
   /// One damped step; false when none of the dampings gains anything.
   bool step(Knots& knots, Residuals& residuals, double& cost, double& damping) const {
-    Eigen::Matrix<double, 4 + kUnknowns, kUnknowns> jacobian;
-    for (int i = 0; i < kUnknowns; ++i) {
-      const double delta = i < kKnots ? 1e-2 : 1e-4;
-      Knots moved = knots;
-      moved[i] += delta;
-      jacobian.col(i) = (residualsAt(moved) - residuals) / delta;
-    }
+    const Jacobian jacobian = jacobianAt(knots);
     const Eigen::Matrix<double, kUnknowns, kUnknowns> normal = jacobian.transpose() * jacobian;
     const Knots gradient = jacobian.transpose() * residuals;
     for (int attempt = 0; attempt < kDampings; ++attempt) {
@@ -171,8 +218,9 @@ class Steering {
     return false;
   }
 
-  Rollout rollout_;
+  const DriveStart& start_;
   const Arrival& arrival_;
+  const VehicleLimits& limits_;
   const BicycleOptions& options_;
 };
 
@@ -192,12 +240,22 @@ void BicycleFamily::roll(const DriveStart& start, const SteeringKnots& steering,
       Eigen::Map<const Eigen::Matrix<double, kKnots, 1>>(steering.acceleration.data());
   knots.tail<kKnots>() =
       Eigen::Map<const Eigen::Matrix<double, kKnots, 1>>(steering.curvature.data());
-  Rollout(start, duration, limits_).drive(knots, &points);
+  Rollout<double> rollout(start, duration, limits_, knots);
+  points.resize(static_cast<std::size_t>(start.points));
+  for (int i = 0; i < start.points; ++i) {
+    const State<double>& state = rollout.steered(i);
+    points[static_cast<std::size_t>(i)] = {start.now + i * start.step,
+                                           {state.x, state.y, state.yaw},
+                                           state.speed,
+                                           state.acceleration,
+                                           state.curvature};
+    rollout.advance(start.step);
+  }
 }
 
 std::optional<SteeringKnots> BicycleFamily::solve(const DriveStart& start,
                                                   const Arrival& arrival) const {
-  const Steering problem(start, arrival, limits_, options_);
+  const Problem problem(start, arrival, limits_, options_);
   const Pose2 local = relativeTo(start.motion.pose, arrival.pose);
   std::optional<Knots> knots = problem.solve(alongAnArc(start, arrival, limits_));
   // Least squares finds no way around: where the arc leads nowhere, a tight turn to the side where

@@ -14,7 +14,7 @@ namespace forge {
 namespace {
 
 constexpr double kNone = 1e6;     // a limit that nothing reaches
-constexpr double kSimilar = 0.5;  // worth of a hit's similarity, beside the hit
+constexpr double kSimilar = 0.3;  // worth of a hit's similarity, beside the hit
 
 /// The clip with everybody but the attacker moving as in `future` from now on; who is not there
 /// then is missing.

@@ -18,8 +18,8 @@ namespace forge {
 AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOptions& evaluation);
 
 /// The clip's attacker on that attack of searchAttacks(), or on nominalAttacker(), that the
-/// published protocol would count in most of the ego's futures: hits, and similar ones half as much
-/// again. `request.mode` decides whether `recorded` is looked at; the angle in the file's name
+/// published protocol would count in most of the ego's futures: hits, and similar ones a third
+/// more. `request.mode` decides whether `recorded` is looked at; the angle in the file's name
 /// never is.
 AttackerTrajectory publishedSearchAttacker(const CollideClip& clip, const Snapshot& snapshot,
                                            const Future& recorded, const CollisionRequest& request,

@@ -189,11 +189,11 @@ TEST(Config, ShippedEvaluationHasTheDocumentedValues) {
   EXPECT_EQ(options.nominal.lane_change_side, 1.0);
   EXPECT_NEAR(options.nominal.lane_change_heading, 20.0 * M_PI / 180.0, 1e-4);
   EXPECT_EQ(options.published_search.heading_tolerance, 0.12);
-  EXPECT_EQ(options.published_search.time_tolerance, 1.0);
+  EXPECT_EQ(options.published_search.time_tolerance, 5.0);
   EXPECT_EQ(options.published_search.overlap_margin, 0.15);
   EXPECT_EQ(options.published_search.max_lead, 1.0);
   EXPECT_EQ(options.published_search.max_speed, 40.0);
-  EXPECT_EQ(options.published_search.kept, 30);
+  EXPECT_EQ(options.published_search.kept, 80);
   EXPECT_EQ(options.published_search.futures, 32);
   EXPECT_EQ(options.statistics.resamples, 1000);
   EXPECT_EQ(options.statistics.confidence, 0.95);
