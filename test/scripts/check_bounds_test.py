@@ -78,7 +78,7 @@ class CheckBounds(unittest.TestCase):
         for name, points in (('max_total_acceleration', spoilt('x', 10, 0.1)), ('max_braking', spoilt('y', 10, 1.0)),
                              ('max_forward_acceleration', spoilt('t', 10, 0.01)), ('max_speed', spoilt('x', 10, 2.0)),
                              ('no_reversing', spoilt('x', 10, -1.2)), ('slip', spoilt('yaw', 10, 0.05)),
-                             ('max_curvature', spoilt('yaw', 10, 0.25)), ('v', spoilt('v', 10, 0.35)),
+                             ('max_curvature', spoilt('yaw', 10, 0.25)), ('v', spoilt('v', 10, 0.4)),
                              ('a', spoilt('a', 10, 0.15)), ('kappa', spoilt('kappa', 10, 0.003)),
                              ('written max_speed', spoilt('v', 10, 14.5)), ('written no_reversing', spoilt('v', 10, -12.0)),
                              ('written max_forward_acceleration', spoilt('a', 10, 4.1)),
