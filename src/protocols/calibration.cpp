@@ -27,11 +27,11 @@ double Calibration::largestDifference() const {
   return largest;
 }
 
-Calibration calibrate(const std::string& title, std::vector<Promise> promises,
+Calibration calibrate(const std::string& column, std::vector<Promise> promises,
                       const StatisticsOptions& options) {
   std::stable_sort(promises.begin(), promises.end(),
                    [](const Promise& a, const Promise& b) { return a.confidence < b.confidence; });
-  Calibration calibration{title, {}};
+  Calibration calibration{column, {}};
   for (std::size_t decile = 0; decile < kDeciles; ++decile) {
     const std::size_t begin = decile * promises.size() / kDeciles;
     const std::size_t end = (decile + 1) * promises.size() / kDeciles;
@@ -49,7 +49,8 @@ Calibration calibrate(const std::string& title, std::vector<Promise> promises,
 }
 
 std::string toMarkdown(const Calibration& calibration) {
-  std::string text = calibration.title + ", %\n\n| decile | attacks | promised | kept | " +
+  std::string text = "Calibration, " + calibration.column +
+                     ", %\n\n| decile | attacks | promised | kept | " +
                      "difference |\n|---|---|---|---|---|\n";
   int number = 0;
   for (const CalibrationGroup& decile : calibration.deciles) {

@@ -23,7 +23,7 @@ struct CalibrationGroup {
 };
 
 struct Calibration {
-  std::string title;
+  std::string column;                     ///< of the protocol, by which promises are kept
   std::vector<CalibrationGroup> deciles;  ///< least promised first
 
   /// Greatest |difference| of a decile; 0 without one.
@@ -32,7 +32,7 @@ struct Calibration {
 
 /// The promises, sorted by what they promise (equal ones in the order given), in ten groups as
 /// equal in number as can be; fewer than ten promises leave out the empty groups.
-Calibration calibrate(const std::string& title, std::vector<Promise> promises,
+Calibration calibrate(const std::string& column, std::vector<Promise> promises,
                       const StatisticsOptions& options);
 
 /// As Markdown: title, a row a decile in percent, and the largest difference.

@@ -11,6 +11,7 @@ namespace {
 
 /// A column of the strict protocol.
 struct Column {
+  const char* title;
   const char* suffix;      ///< of the methods that are for it
   std::size_t headline;    ///< index of the measure of all conditions
   std::size_t type;        ///< index of the measure of the type
@@ -26,10 +27,10 @@ std::size_t measureAt(const std::string& name) {
 
 const std::array<Column, 2>& columns() {
   static const std::array<Column, 2> found = {
-      {{"_angle_bands", measureAt("angle_bands"), measureAt("type_angle_bands"),
+      {{"angle bands", "_angle_bands", measureAt("angle_bands"), measureAt("type_angle_bands"),
         "angle_bands_given_replay"},
-       {"_full_definitions", measureAt("full_definitions"), measureAt("type_full"),
-        "full_definitions_given_replay"}}};
+       {"full definitions", "_full_definitions", measureAt("full_definitions"),
+        measureAt("type_full"), "full_definitions_given_replay"}}};
   return found;
 }
 
@@ -89,6 +90,17 @@ bool isHistorySearch(const EvaluationPlan& plan) {
   return plan.method == "search" && plan.mode == Mode::kHistory;
 }
 
+RateTable givenReplayTable(const std::vector<ResultRow>& rows, const Column& column,
+                           const EvaluationPlan& plan, const StatisticsOptions& options) {
+  const std::string& title = measuresOf(Protocol::kStrict)[column.headline].title;
+  const Measure measure{column.given_name, title + ", of what replay meets", std::nullopt, true};
+  RateTable table =
+      tableOf(rowsThatReplayMeets(rows, column), column.headline, measure, plan, options);
+  table.methods.pop_back();  // replay itself, which meets all of them
+  table.rates.pop_back();
+  return table;
+}
+
 RateTable offRoadTable(const std::vector<ResultRow>& rows, const std::string& method,
                        const StatisticsOptions& options) {
   MethodTrials trials = {{"attack", {}}, {"own motion", {}}, {"difference", {}}};
@@ -116,11 +128,7 @@ std::vector<RateTable> requestTables(const std::vector<ResultRow>& rows, const E
   }
   if (isHistorySearch(plan)) {
     for (const Column& column : columns()) {
-      const Measure measure{column.given_name,
-                            measures[column.headline].title + ", of the requests that replay meets",
-                            std::nullopt, true};
-      tables.push_back(
-          tableOf(rowsThatReplayMeets(rows, column), column.headline, measure, plan, options));
+      tables.push_back(givenReplayTable(rows, column, plan, options));
     }
   }
   for (const std::string& method : requestRowMethods(plan)) {
@@ -141,8 +149,7 @@ std::vector<Calibration> requestCalibrations(const std::vector<ResultRow>& rows,
       const double kept = row.meets[column.headline] ? 1.0 : 0.0;
       promises.push_back({*row.confidence, {row.scene, row.type, row.tta, kept}});
     }
-    calibrations.push_back(calibrate(
-        "Calibration: " + measuresOf(Protocol::kStrict)[column.headline].title, promises, options));
+    calibrations.push_back(calibrate(column.title, promises, options));
   }
   return calibrations;
 }

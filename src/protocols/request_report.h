@@ -14,9 +14,9 @@ namespace forge {
 /// The tables: for each measure of the strict protocol the methods that count in it (for a measure
 /// by angle bands or by full definitions the searches with these rules, called "search" and
 /// "replay"); with a history search the headlines among the requests that replay meets with any
-/// seed; and for each method the share off the drivable area of its attacks that touch the ego
-/// while the attacker itself is recorded without a gap, of the same attackers' own motion, and the
-/// difference.
+/// seed, replay left out; and for each method the share off the drivable area of its attacks that
+/// touch the ego while the attacker itself is recorded without a gap, of the same attackers' own
+/// motion, and the difference.
 std::vector<RateTable> requestTables(const std::vector<ResultRow>& rows, const EvaluationPlan& plan,
                                      const StatisticsOptions& options);
 

@@ -98,9 +98,9 @@ class SearchTimes {
 ReliabilityPlot plotOf(const std::vector<Calibration>& calibrations, const std::string& title,
                        const DrawingOptions& drawing) {
   const std::vector<Color> colors = {drawing.ego_color, drawing.pattern_attacker_color};
-  ReliabilityPlot plot{"Calibration: " + title, {}};
+  ReliabilityPlot plot{title, {}};
   for (const Calibration& calibration : calibrations) {
-    ReliabilitySeries series{calibration.title, colors[plot.series.size() % colors.size()], {}};
+    ReliabilitySeries series{calibration.column, colors[plot.series.size() % colors.size()], {}};
     for (const CalibrationGroup& decile : calibration.deciles) {
       series.points.push_back(
           {decile.promised, {decile.kept.value, decile.kept.low, decile.kept.high}});
@@ -117,16 +117,19 @@ void report(const EvaluationArguments& arguments, const Config& config,
                             toString(arguments.plan.mode) + " mode, " +
                             std::to_string(wanted.requests.size()) + " requests of " +
                             std::to_string(wanted.scenes.size()) + " scenes";
+  const std::string short_title =
+      arguments.version + ", " + std::to_string(wanted.requests.size()) + " requests";
   std::string text = reportTitle(title, statistics);
   for (const RateTable& table : requestTables(rows, arguments.plan, statistics)) {
     text += "\n" + toMarkdown(table);
-    if (table.measure.is_headline) drawTable(table, title, arguments.out, config.drawing);
+    if (table.measure.is_headline) drawTable(table, short_title, arguments.out, config.drawing);
   }
   const auto calibrations = requestCalibrations(rows, arguments.plan, statistics);
   for (const Calibration& calibration : calibrations) text += "\n" + toMarkdown(calibration);
   if (!calibrations.empty()) {
     drawReliabilityPlot(arguments.out + "/calibration.png",
-                        plotOf(calibrations, title, config.drawing), config.drawing);
+                        plotOf(calibrations, "Confidence: " + short_title, config.drawing),
+                        config.drawing);
   }
   writeText(arguments.out + "/table.md", text);
   std::cout << text << std::endl;

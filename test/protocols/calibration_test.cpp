@@ -23,7 +23,7 @@ std::vector<Promise> ladder(int count, int kept) {
 TEST(Calibration, DecilesAreOfEqualNumberAndSorted) {
   std::vector<Promise> promises = ladder(200, 70);
   std::reverse(promises.begin(), promises.end());
-  const Calibration calibration = calibrate("Title", promises, kOptions);
+  const Calibration calibration = calibrate("angle bands", promises, kOptions);
   ASSERT_EQ(calibration.deciles.size(), 10u);
   for (int decile = 0; decile < 10; ++decile) {
     const CalibrationGroup& group = calibration.deciles[static_cast<std::size_t>(decile)];
@@ -58,10 +58,10 @@ TEST(Calibration, FewPromisesLeaveOutEmptyGroups) {
 }
 
 TEST(Calibration, MarkdownHasPercentAndTheLargestDifference) {
-  const Calibration calibration{"Title",
+  const Calibration calibration{"angle bands",
                                 {{0.25, {40, 0.2, 0.1, 0.304}}, {0.75, {40, 0.875, 0.8, 0.9}}}};
   EXPECT_EQ(toMarkdown(calibration),
-            "Title, %\n\n| decile | attacks | promised | kept | difference |\n"
+            "Calibration, angle bands, %\n\n| decile | attacks | promised | kept | difference |\n"
             "|---|---|---|---|---|\n"
             "| 1 | 40 | 25.0 | 20.0 [10, 30] | -5.0 |\n"
             "| 2 | 40 | 75.0 | 87.5 [80, 90] | +12.5 |\n"

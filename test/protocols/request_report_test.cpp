@@ -83,7 +83,8 @@ TEST(RequestReport, RatesOfWhatReplayMeetsAreOfTheseRequestsAlone) {
   EXPECT_EQ(angle.rates[0].back().trials, 2);
   const RateTable& full = tableNamed(tables, "full_definitions_given_replay");
   EXPECT_EQ(full.rates[0].back().trials, 1);
-  EXPECT_THAT(ratesOf(full), ElementsAre(1.0, 1.0, 1.0, 1.0));
+  EXPECT_THAT(ratesOf(full), ElementsAre(1.0, 1.0, 1.0));
+  EXPECT_THAT(full.methods, ElementsAre("constant_velocity", "nominal", "search"));
   EXPECT_TRUE(full.measure.is_headline);
 }
 
@@ -95,7 +96,6 @@ TEST(RequestReport, AnySeedOfReplayMakesARequestOneThatReplayMeets) {
   const auto tables = requestTables(rows, searchPlan(), kOptions);
   const RateTable& full = tableNamed(tables, "full_definitions_given_replay");
   EXPECT_EQ(full.rates[0].back().trials, 2);
-  EXPECT_EQ(full.rates[3].back().trials, 3);
 }
 
 TEST(RequestReport, ReplayPlansHaveNeitherCeilingNorCalibration) {

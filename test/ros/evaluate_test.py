@@ -218,8 +218,8 @@ class EvaluateRequestsTest(road.RoadTest):
             if row['method'].startswith('replay') and row['status'] == 'OK':
                 self.assertEqual(row['angle_bands' if 'angle' in row['method'] else 'full_definitions'], '1', row)
         table = (self.expected / 'table.md').read_text()
-        for title in ('All conditions, angle bands, %', 'All conditions, full definitions, of the requests that replay meets',
-                      'mean share of the box: search_full_definitions, %', 'Calibration: All conditions, angle bands, %',
+        for title in ('All conditions, angle bands, %', 'All conditions, full definitions, of what replay meets',
+                      'mean share of the box: search_full_definitions, %', 'Calibration, angle bands, %',
                       'Largest difference: '):
             self.assertIn(title, table)
         for name in ('angle_bands', 'full_definitions', 'angle_bands_given_replay', 'full_definitions_given_replay',
