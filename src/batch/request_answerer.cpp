@@ -27,25 +27,30 @@ Status noFrame(double now, double nearest) {
 
 }  // namespace
 
+RecordedMoment momentAt(const Scene& scene, double now, int history_frames) {
+  const double frame = nearestFrame(scene, now);
+  if (std::abs(frame - now) > kTimeEpsilon) return {noFrame(now, frame), {}, {}};
+  return {{}, snapshotAt(scene, frame, history_frames), recordedFuture(scene, frame)};
+}
+
 RequestAnswerer::RequestAnswerer(SceneSource& scenes, const Config& config)
     : scenes_(scenes), config_(config), profiles_(loadSpeedProfiles(config)) {}
 
 Scenario RequestAnswerer::answer(const SceneRequest& asked) const {
+  return answer(asked, *scenes_.at(asked.scene));
+}
+
+Scenario RequestAnswerer::answer(const SceneRequest& asked, const IndexedScene& indexed) const {
   Scenario scenario{asked, config_.ego_vehicle, {}};
-  const auto indexed = scenes_.at(asked.scene);
-  const double now = nearestFrame(indexed->scene, asked.now);
-  if (std::abs(now - asked.now) > kTimeEpsilon) {
-    scenario.answer.status = noFrame(asked.now, now);
-    return scenario;
-  }
-  const Snapshot snapshot =
-      snapshotAt(indexed->scene, now, config_.attack.prediction.history_frames);
-  const Future recorded = recordedFuture(indexed->scene, now);
+  const RecordedMoment moment =
+      momentAt(indexed.scene, asked.now, config_.attack.prediction.history_frames);
+  scenario.answer.status = moment.status;
+  if (moment.status.code != StatusCode::kOk) return scenario;
   const KinematicPatternPredictor predictor(
       config_.attack,
       std::make_shared<KinematicEgoFutures>(config_.attack.ego_futures, profiles_, asked.scene));
-  scenario.answer = generateCollision(asked.request, snapshot, *indexed->lanes, &recorded,
-                                      predictor, config_.attack);
+  scenario.answer = generateCollision(asked.request, moment.snapshot, *indexed.lanes,
+                                      &moment.recorded, predictor, config_.attack);
   return scenario;
 }
 

@@ -6,6 +6,17 @@
 
 namespace forge {
 
+/// A frame of a recording: what is known at it, and what came.
+struct RecordedMoment {
+  Status status;      ///< kNoScene for a time that is no frame of the scene, to a microsecond, with
+                      ///< the nearest frame in the message
+  Snapshot snapshot;  ///< these two with kOk only
+  Future recorded;
+};
+
+/// `history_frames` as of snapshotAt().
+RecordedMoment momentAt(const Scene& scene, double now, int history_frames);
+
 /// Answers requests over recorded scenes. Thread-safe; the same request gives the same answer in
 /// every process. The ego's futures are drawn without the recorded speeds of the scene itself.
 class RequestAnswerer {
@@ -13,10 +24,11 @@ class RequestAnswerer {
   /// `scenes` and `config` must outlive it.
   RequestAnswerer(SceneSource& scenes, const Config& config);
 
-  /// generateCollision() at the frame of the request. A time that is no frame of the scene, to a
-  /// microsecond, is answered with kNoScene and the nearest frame in the message. Throws as
-  /// SceneSource::at() does.
+  /// generateCollision() at the frame of the request; the status of momentAt() where there is none.
+  /// Throws as SceneSource::at() does.
   Scenario answer(const SceneRequest& asked) const;
+  /// The same over the scene that the request names.
+  Scenario answer(const SceneRequest& asked, const IndexedScene& indexed) const;
 
  private:
   SceneSource& scenes_;

@@ -21,8 +21,9 @@ class ChartPainter {
   }
 
   void paint() {
-    canvas_.text({font_, 1.8 * font_}, chart_.title,
-                 {options_.text_color, 1.2 * font_, true, TextAlign::kLeft});
+    const TextStyle style{options_.text_color, 1.2 * font_, true, TextAlign::kLeft};
+    canvas_.text({font_, 1.8 * font_},
+                 canvas_.fitted(chart_.title, 4.0 * font_ + area_.width, style), style);
     paintLegend();
     paintAxis();
     for (std::size_t group = 0; group < chart_.groups.size(); ++group) paintGroup(group);

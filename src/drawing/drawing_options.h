@@ -17,6 +17,7 @@ struct DrawingOptions {
 
   int chart_width = 0;
   int chart_height = 0;
+  int plot_size = 0;
 
   int gif_width = 0;
   int gif_height = 0;

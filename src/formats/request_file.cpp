@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "formats/resumable_file.h"
+
 namespace forge {
 
 std::string requestLine(const SceneRequest& request) {
@@ -56,6 +58,14 @@ std::vector<SceneRequest> readRequests(const std::string& path,
   if (file.bad()) throw JsonLineError(path + ": cannot be read: " + std::strerror(errno));
   if (requests.empty()) throw JsonLineError(path + ": holds no request");
   return requests;
+}
+
+std::string fingerprintOf(const std::vector<SceneRequest>& requests) {
+  std::string hash;
+  for (const SceneRequest& request : requests) {
+    hash = fingerprint(requestLine(request) + "\n", hash);
+  }
+  return std::to_string(requests.size()) + " of fingerprint " + hash;
 }
 
 void writeRequests(const std::string& path, const std::vector<SceneRequest>& requests) {

@@ -25,6 +25,9 @@ SceneRequest readRequestLine(const std::string& where, const std::string& line);
 std::vector<SceneRequest> readRequests(const std::string& path,
                                        const std::set<std::string>& scenes);
 
+/// The number of the requests and a fingerprint of their lines, to tell lists apart.
+std::string fingerprintOf(const std::vector<SceneRequest>& requests);
+
 /// Writes a list aside (PATH.part) and moves it to its place. Throws std::runtime_error naming the
 /// file when it cannot be written.
 void writeRequests(const std::string& path, const std::vector<SceneRequest>& requests);

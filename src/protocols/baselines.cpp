@@ -179,16 +179,27 @@ AttackerTrajectory constantVelocityAttacker(const CollideClip& clip, const BoxSi
   return trajectory;
 }
 
-AttackerTrajectory nominalAttacker(const CollideClip& clip, const Snapshot& snapshot,
+AttackerTrajectory constantVelocityAttacker(const std::string& attacker_id,
+                                            const Snapshot& snapshot, double tta,
+                                            const AttackOptions& options) {
+  const Track& attacker = trackOf(snapshot.agents, attacker_id);
+  const Motion motion = estimateMotion(attacker, options.prediction.motion_frames);
+  AttackerTrajectory trajectory{attacker.id, attacker.agent_class, attacker.size, {}};
+  trajectory.points.push_back({snapshot.now, motion.pose, motion.speed, 0.0, 0.0});
+  goStraightOn(trajectory, tta + options.search.tail, options.search.step);
+  return trajectory;
+}
+
+AttackerTrajectory nominalAttacker(const std::string& attacker_id, const Snapshot& snapshot,
                                    const Future& recorded, const CollisionRequest& request,
                                    const NominalOptions& nominal, const AttackOptions& options) {
-  const Track& attacker = trackOf(snapshot.agents, clip.attacker_id);
+  const Track& attacker = trackOf(snapshot.agents, attacker_id);
   const Motion motion = estimateMotion(attacker, options.prediction.motion_frames);
   const Pose2 ego = egoAtImpact(snapshot, recorded, request, options);
   const bool from_left = relativeTo(ego, motion.pose).y > 0.0;
   Arrival arrival;
   arrival.time = request.tta;
-  arrival.pose = compose(ego, nominalOffset(clip.type, from_left, nominal));
+  arrival.pose = compose(ego, nominalOffset(request.type, from_left, nominal));
   arrival.speed = motion.speed;
   arrival.start_acceleration = motion.acceleration;
   const SearchOptions& search = options.search;

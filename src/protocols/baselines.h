@@ -14,9 +14,9 @@ namespace forge {
 /// `min_tta`, which frames a little less than half a second apart fall short of).
 CollisionRequest requestOf(const CollideClip& clip, Mode mode, double min_tta);
 
-// What attackers without a search drive, from now to `search.tail` seconds after the last
-// frame, a point every `search.step` seconds. `snapshot` and `recorded` are the clip's
-// (formats/collide_scene.h).
+// What attackers without a search drive, from now to `search.tail` seconds after the last frame of
+// the clip or the time asked for, a point every `search.step` seconds. A clip's `snapshot` and
+// `recorded` are those of formats/collide_scene.h.
 
 /// The set's own attacker. Speed, acceleration and curvature are those of the quintic through the
 /// six frames around each instant, which are exact where the track is one quintic, as the set's
@@ -28,11 +28,17 @@ AttackerTrajectory recordedAttacker(const CollideClip& clip, const BoxSize& box,
 AttackerTrajectory constantVelocityAttacker(const CollideClip& clip, const BoxSize& box,
                                             const SearchOptions& search);
 
+/// The same of an agent of any snapshot, whose motion now is that of estimateMotion().
+AttackerTrajectory constantVelocityAttacker(const std::string& attacker_id,
+                                            const Snapshot& snapshot, double tta,
+                                            const AttackOptions& options);
+
 /// One quintic on each axis to where the set puts attackers of the type, as seen from the ego at
-/// the last frame, which in history mode keeps its velocity and in replay mode is as recorded. It
-/// comes from the side on which it is now (as seen from there), arrives with the speed it has now,
-/// and no limit of a vehicle is looked at.
-AttackerTrajectory nominalAttacker(const CollideClip& clip, const Snapshot& snapshot,
+/// the time asked for, which in history mode keeps its velocity and in replay mode is as recorded.
+/// It comes from the side on which it is now (as seen from there), arrives with the speed it has
+/// now, and no limit of a vehicle is looked at. Throws std::invalid_argument for an agent that is
+/// not in the snapshot, and in replay mode for a recording that ends before.
+AttackerTrajectory nominalAttacker(const std::string& attacker_id, const Snapshot& snapshot,
                                    const Future& recorded, const CollisionRequest& request,
                                    const NominalOptions& nominal, const AttackOptions& options);
 

@@ -22,6 +22,7 @@ struct Answer {
   Status status;
   AttackerTrajectory trajectory;  ///< these two with kOk only
   std::vector<Pose2> frames;      ///< the attacker's pose in every frame of the clip
+  std::optional<double> confidence;
 };
 
 /// A clip made ready for all methods.
@@ -46,13 +47,13 @@ class ClipCase {
     const BoxSize& box = config_.evaluation.collide.box;
     const SearchOptions& search_options = config_.attack.search;
     if (method == "recorded") {
-      return {{}, recordedAttacker(clip_, box, search_options), recordedFrames(clip_)};
+      return {{}, recordedAttacker(clip_, box, search_options), recordedFrames(clip_), {}};
     }
     if (method == "constant_velocity") {
       return driven(constantVelocityAttacker(clip_, box, search_options));
     }
     if (method == "nominal") {
-      return driven(nominalAttacker(clip_, snapshot_, recorded_, request_,
+      return driven(nominalAttacker(clip_.attacker_id, snapshot_, recorded_, request_,
                                     config_.evaluation.nominal, config_.attack));
     }
     if (method == kSearch) return search(seed);
@@ -78,26 +79,16 @@ class ClipCase {
   }
 
   void judgeStrictly(const Answer& answer, ResultRow& row) const {
-    const StrictOutcome outcome =
-        strictOutcome(answer.trajectory, {snapshot_, recorded_, request_, lanes_}, config_.attack);
-    const CollisionReport& report = outcome.report;
-    row.meets = {outcome.meetsAngleBands(), outcome.meetsFullDefinitions(), report.contact,
-                 report.type_kept,          outcome.full_type_kept,         report.on_time,
-                 report.bounds_kept,        report.first_other_id.empty()};
-    if (report.contact) {
-      row.contact_after = report.contact_time - clip_.now();
-      row.relative_heading = report.relative_heading;
-    }
-    row.note = report.broken_bound;
-    if (!report.first_other_id.empty()) {
-      row.note += (row.note.empty() ? "" : "; ") + ("touches " + report.first_other_id);
-    }
+    describeOutcome(
+        strictOutcome(answer.trajectory, {snapshot_, recorded_, request_, lanes_}, config_.attack),
+        clip_.now(), row);
+    row.confidence = answer.confidence;
   }
 
  private:
   Answer driven(AttackerTrajectory trajectory) const {
     std::vector<Pose2> frames = framesOf(clip_, trajectory);
-    return {{}, std::move(trajectory), std::move(frames)};
+    return {{}, std::move(trajectory), std::move(frames), {}};
   }
 
   Answer search(std::uint64_t seed) const {
@@ -106,8 +97,10 @@ class ClipCase {
     const KinematicPatternPredictor predictor(angle_rules_, ego_futures_);
     Realization found =
         generateCollision(request, snapshot_, lanes_, &recorded_, predictor, angle_rules_);
-    if (found.status.code != StatusCode::kOk) return {found.status, {}, {}};
-    return driven(std::move(found.trajectory));
+    if (found.status.code != StatusCode::kOk) return {found.status, {}, {}, {}};
+    Answer answer = driven(std::move(found.trajectory));
+    answer.confidence = found.report.confidence;
+    return answer;
   }
 
   Answer publishedSearch(std::uint64_t seed) const {
@@ -132,7 +125,7 @@ ResultRow judge(const ClipCase& clip_case, const CollideClip& clip, const Evalua
                 const std::string& method, std::uint64_t seed) {
   const Answer answer = clip_case.answer(method, seed);
   ResultRow row;
-  row.clip = clip.name;
+  row.name = clip.name;
   row.scene = clip.scene;
   row.type = clip.type;
   row.tta = clip.nominalTta();

@@ -7,17 +7,6 @@
 namespace forge {
 namespace {
 
-/// The rows of one method as trials of a measure.
-std::vector<Trial> trialsOf(const std::vector<ResultRow>& rows, const std::string& method,
-                            std::size_t measure, const std::optional<std::size_t>& given) {
-  std::vector<Trial> trials;
-  for (const ResultRow& row : rows) {
-    if (row.method != method || (given && !row.meets[*given])) continue;
-    trials.push_back({row.scene, row.type, row.tta, row.meets[measure]});
-  }
-  return trials;
-}
-
 std::string cell(const Rate& rate) {
   if (rate.trials == 0) return "-";
   constexpr double kPercent = 100.0;
@@ -42,23 +31,42 @@ bool sameTrials(const std::vector<Rate>& a, const std::vector<Rate>& b) {
 
 }  // namespace
 
+std::vector<Trial> trialsOf(const std::vector<ResultRow>& rows, const std::string& method,
+                            std::size_t measure, const std::optional<std::size_t>& given) {
+  std::vector<Trial> trials;
+  for (const ResultRow& row : rows) {
+    if (row.method != method || (given && !row.meets[*given])) continue;
+    trials.push_back({row.scene, row.type, row.tta, row.meets[measure] ? 1.0 : 0.0});
+  }
+  return trials;
+}
+
+RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials,
+                         const StatisticsOptions& options) {
+  RateTable table{measure, {}, {}, {}};
+  for (const auto& [method, of_method] : trials) {
+    table.methods.push_back(method);
+    table.groups.clear();
+    table.rates.emplace_back();
+    for (const TrialGroup& group : groupTrials(of_method)) {
+      table.groups.push_back(group.title);
+      table.rates.back().push_back(pooledRate(group.trials, options));
+    }
+  }
+  return table;
+}
+
 std::vector<RateTable> tabulate(const std::vector<ResultRow>& rows, Protocol protocol,
                                 const std::vector<std::string>& methods,
                                 const StatisticsOptions& options) {
   std::vector<RateTable> tables;
   const std::vector<Measure>& measures = measuresOf(protocol);
   for (std::size_t measure = 0; measure < measures.size(); ++measure) {
-    RateTable table{measures[measure], methods, {}, {}};
+    MethodTrials trials;
     for (const std::string& method : methods) {
-      const auto groups = groupTrials(trialsOf(rows, method, measure, measures[measure].given));
-      table.groups.clear();
-      table.rates.emplace_back();
-      for (const TrialGroup& group : groups) {
-        table.groups.push_back(group.title);
-        table.rates.back().push_back(pooledRate(group.trials, options));
-      }
+      trials.emplace_back(method, trialsOf(rows, method, measure, measures[measure].given));
     }
-    tables.push_back(std::move(table));
+    tables.push_back(tabulateTrials(measures[measure], trials, options));
   }
   return tables;
 }

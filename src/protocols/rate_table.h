@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "formats/evaluation_options.h"
@@ -16,6 +18,17 @@ struct RateTable {
   std::vector<std::string> groups;
   std::vector<std::vector<Rate>> rates;  ///< by method, then by group
 };
+
+/// The trials of a table: for each method, in this order, those of its row.
+using MethodTrials = std::vector<std::pair<std::string, std::vector<Trial>>>;
+
+/// The table of these trials.
+RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials,
+                         const StatisticsOptions& options);
+
+/// The rows of one method as trials of the measure at an index; all, or those that meet `given`.
+std::vector<Trial> trialsOf(const std::vector<ResultRow>& rows, const std::string& method,
+                            std::size_t measure, const std::optional<std::size_t>& given = {});
 
 /// One table a measure of the protocol. Methods in the order given; rows of others are left out.
 std::vector<RateTable> tabulate(const std::vector<ResultRow>& rows, Protocol protocol,

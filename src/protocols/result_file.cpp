@@ -61,19 +61,19 @@ void ResultFile::readRows(const std::string& file) {
   if (lines.front() != csvHeader(run_.protocol)) {
     throw std::runtime_error(file + ": line 1: \"" + lines.front() + "\" is another header");
   }
-  const std::size_t rows = (lines.size() - 1) / run_.rows_per_clip * run_.rows_per_clip;
+  const std::size_t rows = (lines.size() - 1) / run_.rows_per_item * run_.rows_per_item;
   for (std::size_t i = 0; i < rows; ++i) {
     const auto row = rowFromCsv(lines[i + 1], run_.protocol);
-    const std::size_t clip = i / run_.rows_per_clip;
-    if (!row || clip >= run_.clips.size() || row->clip != run_.clips[clip]) {
+    const std::size_t item = i / run_.rows_per_item;
+    if (!row || item >= run_.items.size() || row->name != run_.items[item]) {
       throw std::runtime_error(file + ": line " + std::to_string(i + 2) + ": \"" + lines[i + 1] +
                                "\" is not the row expected there");
     }
     rows_.push_back(*row);
   }
-  clips_done_ = rows / run_.rows_per_clip;
-  if (is_finished_ && clips_done_ < run_.clips.size()) {
-    throw std::runtime_error(file + ": ends before the clip " + run_.clips[clips_done_]);
+  items_done_ = rows / run_.rows_per_item;
+  if (is_finished_ && items_done_ < run_.items.size()) {
+    throw std::runtime_error(file + ": ends before " + run_.items[items_done_]);
   }
 }
 
@@ -92,14 +92,14 @@ void ResultFile::add(const std::vector<ResultRow>& rows) {
   part_.flush();
   if (!part_) throw std::runtime_error(path(kPart) + ": cannot be written");
   rows_.insert(rows_.end(), rows.begin(), rows.end());
-  ++clips_done_;
+  ++items_done_;
 }
 
 void ResultFile::finish() {
   if (is_finished_) return;
-  if (clips_done_ != run_.clips.size()) {
-    throw std::logic_error(std::to_string(clips_done_) + " of " +
-                           std::to_string(run_.clips.size()) + " clips are done");
+  if (items_done_ != run_.items.size()) {
+    throw std::logic_error(std::to_string(items_done_) + " of " +
+                           std::to_string(run_.items.size()) + " are done");
   }
   part_.close();
   fs::rename(path(kPart), path(kFinished));

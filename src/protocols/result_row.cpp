@@ -10,7 +10,7 @@ namespace forge {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;  // rad
-constexpr std::size_t kFixedColumns = 10;
+constexpr std::size_t kFixedColumns = 13;
 
 std::string decimals(const char* format, const std::optional<double>& value) {
   if (!value) return "";
@@ -79,20 +79,23 @@ const std::vector<Measure>& measuresOf(Protocol protocol) {
 }
 
 std::string csvHeader(Protocol protocol) {
-  std::string text = "clip,scene,type,tta,method,seed,status";
+  std::string text = "name,scene,type,tta,method,seed,status";
   for (const Measure& measure : measuresOf(protocol)) text += "," + measure.name;
-  return text + ",contact_after,relative_heading,note";
+  return text + ",contact_after,relative_heading,confidence,off_road_share,own_off_road_share,note";
 }
 
 std::string toCsv(const ResultRow& row) {
   std::ostringstream text;
-  text << row.clip << ',' << row.scene << ',' << toString(row.type) << ',' << row.tta << ','
+  text << row.name << ',' << row.scene << ',' << toString(row.type) << ',' << row.tta << ','
        << row.method << ',' << row.seed << ',' << plain(row.status);
   for (const bool met : row.meets) text << ',' << met;
   std::optional<double> degrees = row.relative_heading;
   if (degrees) *degrees /= kDegree;
-  text << ',' << decimals("%.3f", row.contact_after) << ',' << decimals("%.2f", degrees) << ','
-       << plain(row.note);
+  text << ',' << decimals("%.3f", row.contact_after) << ',' << decimals("%.2f", degrees);
+  for (const auto& share : {row.confidence, row.off_road_share, row.own_off_road_share}) {
+    text << ',' << decimals("%.4f", share);
+  }
+  text << ',' << plain(row.note);
   return text.str();
 }
 
@@ -100,7 +103,12 @@ std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol) 
   const std::vector<std::string> parts = split(line);
   const std::size_t measures = measuresOf(protocol).size();
   if (parts.size() != kFixedColumns + measures) return std::nullopt;
-  ResultRow row{parts[0], parts[1], {}, 0.0, parts[4], 0, parts[6], {}, {}, {}, parts.back()};
+  ResultRow row;
+  row.name = parts[0];
+  row.scene = parts[1];
+  row.method = parts[4];
+  row.status = parts[6];
+  row.note = parts.back();
   const auto type = collisionTypeFromString(parts[2]);
   if (!type || !parse(parts[3], row.tta) || !parse(parts[5], row.seed)) return std::nullopt;
   row.type = *type;
@@ -109,8 +117,11 @@ std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol) 
     if (met != "0" && met != "1") return std::nullopt;
     row.meets.push_back(met == "1");
   }
-  if (!parse(parts[7 + measures], row.contact_after)) return std::nullopt;
-  if (!parse(parts[8 + measures], row.relative_heading)) return std::nullopt;
+  const std::string* part = &parts[7 + measures];
+  for (auto* number : {&row.contact_after, &row.relative_heading, &row.confidence,
+                       &row.off_road_share, &row.own_off_road_share}) {
+    if (!parse(*part++, *number)) return std::nullopt;
+  }
   if (row.relative_heading) *row.relative_heading *= kDegree;
   return row;
 }

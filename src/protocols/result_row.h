@@ -26,22 +26,28 @@ struct Measure {
 /// then each condition.
 const std::vector<Measure>& measuresOf(Protocol protocol);
 
-/// How one method did in one clip: a row of results.csv.
+/// How one method did in one clip or request: a row of results.csv.
 struct ResultRow {
-  std::string clip;
+  std::string name;  ///< of the clip; of a request its line in the list
   std::string scene;
   CollisionType type = CollisionType::kRearEnd;
-  double tta = 0.0;  ///< s, nominal
+  double tta = 0.0;  ///< s, nominal in a clip
   std::string method;
   std::uint64_t seed = 0;
   std::string status;                      ///< "OK", or why the method has no answer
   std::vector<bool> meets;                 ///< one a measure
   std::optional<double> contact_after;     ///< s from now to contact, negative before
   std::optional<double> relative_heading;  ///< rad at contact
-  std::string note;                        ///< a broken limit, whom else the attacker touches
+  std::optional<double> confidence;        ///< promised by the search, [0, 1]
+  /// Mean share of the attacker's box off the drivable area from now to contact, [0, 1], and that
+  /// of its own recorded motion over the same span.
+  std::optional<double> off_road_share;
+  std::optional<double> own_off_road_share;
+  std::string note;  ///< a broken limit, whom else the attacker touches
 };
 
-/// Both without the line's end. Times have three decimals, headings are degrees with two.
+/// Both without the line's end. Times have three decimals, shares four, headings are degrees with
+/// two.
 std::string csvHeader(Protocol protocol);
 std::string toCsv(const ResultRow& row);
 

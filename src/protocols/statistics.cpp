@@ -8,8 +8,8 @@
 namespace forge {
 namespace {
 
-struct Counts {
-  int successes = 0;
+struct Sum {
+  double values = 0.0;
   int trials = 0;
 };
 
@@ -39,29 +39,19 @@ struct TtaBucket {
 constexpr TtaBucket kTtaBuckets[] = {
     {"0.5-1 s", 1.25}, {"1.5-2.5 s", 2.75}, {"3-4.5 s", 4.75}, {"5-6.5 s", 7.0}};
 
-/// Linear between the sorted values.
-double quantile(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - std::floor(place)) * (sorted[above] - sorted[below]);
-}
-
-std::vector<Counts> countByScene(const std::vector<Trial>& trials) {
-  std::map<std::string, Counts> by_scene;
+std::vector<Sum> sumByScene(const std::vector<Trial>& trials) {
+  std::map<std::string, Sum> by_scene;
   for (const Trial& trial : trials) {
-    Counts& counts = by_scene[trial.scene];
-    counts.successes += trial.success;
-    ++counts.trials;
+    Sum& sum = by_scene[trial.scene];
+    sum.values += trial.value;
+    ++sum.trials;
   }
-  std::vector<Counts> counts;
-  for (const auto& entry : by_scene) counts.push_back(entry.second);
-  return counts;
+  std::vector<Sum> sums;
+  for (const auto& entry : by_scene) sums.push_back(entry.second);
+  return sums;
 }
 
-double rateOf(const Counts& counts) {
-  return static_cast<double>(counts.successes) / counts.trials;
-}
+double meanOf(const Sum& sum) { return sum.values / sum.trials; }
 
 template <typename Predicate>
 std::vector<Trial> those(const std::vector<Trial>& trials, Predicate predicate) {
@@ -72,29 +62,36 @@ std::vector<Trial> those(const std::vector<Trial>& trials, Predicate predicate) 
 
 }  // namespace
 
+double quantile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - std::floor(place)) * (sorted[above] - sorted[below]);
+}
+
 Rate pooledRate(const std::vector<Trial>& trials, const StatisticsOptions& options) {
   if (trials.empty()) return {};
-  const std::vector<Counts> scenes = countByScene(trials);
+  const std::vector<Sum> scenes = sumByScene(trials);
   std::mt19937_64 generator(options.seed);
   std::vector<double> rates;
   for (int resample = 0; resample < options.resamples; ++resample) {
-    Counts sum;
+    Sum sum;
     for (std::size_t draw = 0; draw < scenes.size(); ++draw) {
       // The standard's distributions differ between libraries; the generator does not.
-      const Counts& scene = scenes[generator() % scenes.size()];
-      sum.successes += scene.successes;
+      const Sum& scene = scenes[generator() % scenes.size()];
+      sum.values += scene.values;
       sum.trials += scene.trials;
     }
-    rates.push_back(rateOf(sum));
+    rates.push_back(meanOf(sum));
   }
   std::sort(rates.begin(), rates.end());
-  Counts all;
-  for (const Counts& scene : scenes) {
-    all.successes += scene.successes;
+  Sum all;
+  for (const Sum& scene : scenes) {
+    all.values += scene.values;
     all.trials += scene.trials;
   }
   const double outside = 0.5 * (1.0 - options.confidence);
-  return {all.trials, rateOf(all), quantile(rates, outside), quantile(rates, 1.0 - outside)};
+  return {all.trials, meanOf(all), quantile(rates, outside), quantile(rates, 1.0 - outside)};
 }
 
 std::vector<TrialGroup> groupTrials(const std::vector<Trial>& trials) {

@@ -8,15 +8,15 @@
 
 namespace forge {
 
-/// One trial of something that succeeds or fails.
+/// One trial of something that succeeds or fails, or has another value.
 struct Trial {
   std::string scene;  ///< trials of one scene depend on each other
   CollisionType type = CollisionType::kRearEnd;
-  double tta = 0.0;  ///< seconds
-  bool success = false;
+  double tta = 0.0;    ///< seconds
+  double value = 0.0;  ///< 1 for a success, 0 for a failure
 };
 
-/// Successes over trials, all clips weighing the same ("pooled").
+/// Successes over trials, all trials weighing the same ("pooled"); the mean of other values.
 struct Rate {
   int trials = 0;
   double value = 0.0;  ///< these three valid with trials
@@ -27,8 +27,12 @@ struct Rate {
 /// With a bootstrap interval by scenes: as many scenes as there are, drawn with replacement, give
 /// one resampled rate; the interval holds the middle `confidence` of `resamples` of them, between
 /// order statistics interpolated linearly. Resamples without a trial cannot occur. Same trials and
-/// seed, same interval, in whatever order the trials come.
+/// seed, same interval, in whatever order the trials come (values other than 0 and 1 to
+/// rounding).
 Rate pooledRate(const std::vector<Trial>& trials, const StatisticsOptions& options);
+
+/// The value below which a share of at least one sorted value lies, linear between them.
+double quantile(const std::vector<double>& sorted, double share);
 
 /// A set of trials that the tables have a column for.
 struct TrialGroup {

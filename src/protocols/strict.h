@@ -1,6 +1,7 @@
 #pragma once
 
 #include "attack/verification.h"
+#include "protocols/result_row.h"
 
 namespace forge {
 
@@ -25,5 +26,9 @@ AttackOptions withAngleRules(AttackOptions options);
 /// Headings are interpolated and contact is continuous, as in verify(), which decides all of it.
 StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const VerificationInput& input,
                             const AttackOptions& options);
+
+/// Fills in what the outcome says: which measures are met, when and how the boxes touch, the share
+/// off the road, and as a note the broken limit and whom the attacker touches before.
+void describeOutcome(const StrictOutcome& outcome, double now, ResultRow& row);
 
 }  // namespace forge

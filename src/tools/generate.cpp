@@ -71,13 +71,6 @@ std::string contentOf(const fs::path& path) {
   return content.str();
 }
 
-std::string fingerprintOf(const std::vector<SceneRequest>& requests) {
-  std::string hash;
-  for (const SceneRequest& request : requests)
-    hash = fingerprint(requestLine(request) + "\n", hash);
-  return std::to_string(requests.size()) + " of fingerprint " + hash;
-}
-
 /// Files of the configuration that no answer depends on.
 bool isIndifferent(const std::string& file) {
   return file == "drawing.yaml" || file == "encoding.yaml" || file == "requests.yaml";

@@ -40,6 +40,22 @@ TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
   }
 }
 
+TEST_F(RequestAnswererTest, AGivenSceneIsTheNamedOne) {
+  const SceneRequest request = asked(CollisionType::kLaneChange);
+  EXPECT_EQ(scenarioLine(answerer_.answer(request, *scenes_.at("scene-0001"))),
+            scenarioLine(answerer_.answer(request)));
+}
+
+TEST_F(RequestAnswererTest, AMomentIsWhatIsKnownAtItAndWhatCame) {
+  const Scene& scene = scenes_.at("scene-0001")->scene;
+  const RecordedMoment moment = momentAt(scene, scene.frame_times.at(8) + 5e-7, 4);
+  EXPECT_EQ(moment.status.code, StatusCode::kOk);
+  EXPECT_EQ(moment.snapshot.now, scene.frame_times.at(8));
+  EXPECT_EQ(moment.snapshot.ego.states.size(), 4u);
+  EXPECT_EQ(moment.recorded.ego.states.back().time, scene.ego.states.back().time);
+  EXPECT_EQ(momentAt(scene, scene.frame_times.at(8) + 0.1, 4).status.code, StatusCode::kNoScene);
+}
+
 TEST_F(RequestAnswererTest, ReplayKnowsTheRecording) {
   SceneRequest request = asked(CollisionType::kLaneChange);
   request.request.mode = Mode::kReplay;

@@ -252,6 +252,7 @@ TEST(Config, ShippedConversionAndDrawingHaveTheDocumentedValues) {
   EXPECT_EQ(config.drawing.png_width, 900);
   EXPECT_EQ(config.drawing.chart_width, 1200);
   EXPECT_EQ(config.drawing.chart_height, 420);
+  EXPECT_EQ(config.drawing.plot_size, 560);
   EXPECT_EQ(config.drawing.gif_font_size, 10.5);
   EXPECT_EQ(config.drawing.ghost_opacity, 0.22);
   EXPECT_EQ(config.drawing.attacker_color.red, 0.84);

@@ -51,6 +51,16 @@ TEST(RequestFile, ALineHasTheDocumentedForm) {
   EXPECT_THAT(requestLine(any), HasSubstr(R"("attacker":null)"));
 }
 
+TEST(RequestFile, FingerprintsTellListsApart) {
+  SceneRequest other = request();
+  other.request.seed = 0;
+  const std::string both = fingerprintOf({request(), other});
+  EXPECT_EQ(both.substr(0, 2), "2 ");
+  EXPECT_EQ(fingerprintOf({request(), other}), both);
+  EXPECT_NE(fingerprintOf({other, request()}), both);
+  EXPECT_NE(fingerprintOf({request(), request()}), both);
+}
+
 TEST(RequestFile, ALineIsReadAsItWasWritten) {
   const SceneRequest read = readRequestLine("", kLine);
   EXPECT_EQ(read.scene, "scene-0001");

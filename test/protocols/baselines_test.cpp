@@ -46,7 +46,7 @@ struct Nominal {
 
   AttackerTrajectory trajectory() const {
     const Scene scene = toScene(clip, kCollide, nullptr);
-    return nominalAttacker(clip, snapshotAt(scene, clip.now(), 8),
+    return nominalAttacker(clip.attacker_id, snapshotAt(scene, clip.now(), 8),
                            recordedFuture(scene, clip.now()), requestOf(clip, mode, 0.5), kNominal,
                            options);
   }
@@ -157,6 +157,23 @@ TEST(Baselines, ConstantVelocityKeepsTheSpeedAndHeadingOfNow) {
   EXPECT_NEAR(trajectory.points.back().time, clip.times.back() + 2.0, kRounding);
   expectPose(trajectory.points.back().pose, 3.0, 4.0 + 6.0 * 5.0, M_PI_2);
   EXPECT_EQ(trajectory.points.back().speed, 6.0);
+}
+
+TEST(Baselines, ConstantVelocityOfAnAgentIsThatOfItsHistory) {
+  const Snapshot snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 5.0),
+                                       {pastTrack("other", kCarSize, {}, 1.0),
+                                        pastTrack("attacker", kCarSize, {3.0, 4.0, M_PI_2}, 6.0)},
+                                       emptyMap());
+  const AttackerTrajectory trajectory =
+      constantVelocityAttacker("attacker", snapshot, 3.0, shippedOptions());
+  EXPECT_EQ(trajectory.attacker_id, "attacker");
+  EXPECT_EQ(trajectory.size.length, kCarSize.length);
+  EXPECT_EQ(trajectory.points.front().time, kNow);
+  EXPECT_NEAR(trajectory.points.back().time, kNow + 5.0, kRounding);
+  expectPose(trajectory.points.back().pose, 3.0, 4.0 + 6.0 * 5.0, M_PI_2);
+  EXPECT_NEAR(trajectory.points.back().speed, 6.0, 1e-9);
+  EXPECT_THROW(constantVelocityAttacker("nobody", snapshot, 3.0, shippedOptions()),
+               std::invalid_argument);
 }
 
 TEST(Baselines, NominalPlacesAreThoseOfTheSet) {

@@ -67,7 +67,7 @@ TEST(ClipEvaluation, EveryPlanHasTheBaselinesAndItsSeeds) {
 TEST(ClipEvaluation, RowsSayWhichClipTheyAreOf) {
   const CollideClip clip = rearEnd();
   for (const ResultRow& row : Evaluation().rows(clip)) {
-    EXPECT_EQ(row.clip, clip.name);
+    EXPECT_EQ(row.name, clip.name);
     EXPECT_EQ(row.scene, "scene-0001");
     EXPECT_EQ(row.type, CollisionType::kRearEnd);
     EXPECT_EQ(row.tta, 2.0);
@@ -129,6 +129,7 @@ TEST(ClipEvaluation, SearchFindsAnAttack) {
       straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
   const ResultRow row = evaluation.row(clip, "search");
   EXPECT_EQ(row.status, "OK");
+  EXPECT_EQ(row.confidence, 1.0);
   EXPECT_TRUE(meets(row, Protocol::kStrict, "full_definitions"));
 }
 

@@ -162,13 +162,13 @@ def compare(clips, results):
     differing, events = 0, {}
     counts = {method: [0, 0, 0, 0, 0] for method in METHODS}
     for row in rows:
-        outcome, is_similar, text = difference(read_clip(Path(clips, row['clip'] + '.csv')), row)
+        outcome, is_similar, text = difference(read_clip(Path(clips, row['name'] + '.csv')), row)
         events[outcome.event] = events.get(outcome.event, 0) + 1
         here = (1, outcome.event == 'hit', is_similar, int(row['collision']), int(row['similar']))
         counts[row['method']] = [sum(pair) for pair in zip(counts[row['method']], here)]
         if text:
             differing += 1
-            print('{} {}: {}; there {}'.format(row['clip'], row['method'], text, dict(row)))
+            print('{} {}: {}; there {}'.format(row['name'], row['method'], text, dict(row)))
     for method, (number, hits, similar, hits_there, similar_there) in counts.items():
         print('{}: {} clips, collision rate {:.4f} here and {:.4f} there, similarity {:.4f} and {:.4f}'.format(
             method, number, hits / max(number, 1), hits_there / max(number, 1), similar / max(hits, 1),

@@ -22,7 +22,7 @@ ResultFile::Run sampleRun() {
 
 std::vector<ResultRow> rowsOf(const std::string& clip) {
   ResultRow row;
-  row.clip = clip;
+  row.name = clip;
   row.scene = "scene-0001";
   row.method = "recorded";
   row.status = "OK";
@@ -48,7 +48,7 @@ class ResultFileTest : public testing::Test {
   void writeClips(std::size_t count) const {
     ResultFile file(out(), sampleRun());
     file.open();
-    for (std::size_t i = file.clipsDone(); i < count; ++i) file.add(rowsOf(kClips[i]));
+    for (std::size_t i = file.itemsDone(); i < count; ++i) file.add(rowsOf(kClips[i]));
     if (count == kClips.size()) file.finish();
   }
 
@@ -79,7 +79,7 @@ TEST_F(ResultFileTest, FinishedFileHasAllRowsInOrder) {
 TEST_F(ResultFileTest, UnfinishedFileIsGoneOnWith) {
   writeClips(2);
   EXPECT_FALSE(fs::exists(whole()));
-  EXPECT_EQ(ResultFile(out(), sampleRun()).clipsDone(), 2u);
+  EXPECT_EQ(ResultFile(out(), sampleRun()).itemsDone(), 2u);
   EXPECT_EQ(ResultFile(out(), sampleRun()).rows().size(), 4u);
   writeClips(3);
   const std::string resumed = textOf(whole());
@@ -95,8 +95,8 @@ TEST_F(ResultFileTest, ClipThatWasCutOffAnywhereIsDoneAgain) {
   for (std::size_t length = 0; length < text.size(); ++length) {
     std::ofstream(part()) << text.substr(0, length);
     const ResultFile file(out(), sampleRun());
-    ASSERT_LT(file.clipsDone(), 3u) << length;
-    ASSERT_EQ(file.rows().size(), 2 * file.clipsDone());
+    ASSERT_LT(file.itemsDone(), 3u) << length;
+    ASSERT_EQ(file.rows().size(), 2 * file.itemsDone());
     writeClips(3);
     ASSERT_EQ(textOf(whole()), text) << length;
     fs::remove(whole());
@@ -107,7 +107,7 @@ TEST_F(ResultFileTest, FinishedFileIsReadAndLeftAlone) {
   writeClips(3);
   const auto written = fs::last_write_time(whole());
   ResultFile file(out(), sampleRun());
-  EXPECT_EQ(file.clipsDone(), 3u);
+  EXPECT_EQ(file.itemsDone(), 3u);
   file.open();
   file.finish();
   EXPECT_EQ(file.rows().size(), 6u);
@@ -131,9 +131,9 @@ TEST_F(ResultFileTest, AnotherRunsResultsAreNotTouched) {
 TEST_F(ResultFileTest, RowsOfOtherClipsAreRefusedByLine) {
   writeClips(2);
   ResultFile::Run other = sampleRun();
-  other.clips = {"one", "four", "three"};
+  other.items = {"one", "four", "three"};
   EXPECT_THAT(complaint(other), HasSubstr("line 4: \"two,"));
-  other.clips = {"one"};
+  other.items = {"one"};
   EXPECT_THAT(complaint(other), HasSubstr("line 4"));
   other = sampleRun();
   other.protocol = Protocol::kStrict;
@@ -143,7 +143,7 @@ TEST_F(ResultFileTest, RowsOfOtherClipsAreRefusedByLine) {
 TEST_F(ResultFileTest, ShortenedFinishedFileIsAnError) {
   writeClips(3);
   std::ofstream(whole()) << csvHeader(Protocol::kPublished) << "\n";
-  EXPECT_THAT(complaint(sampleRun()), HasSubstr("ends before the clip one"));
+  EXPECT_THAT(complaint(sampleRun()), HasSubstr("ends before one"));
 }
 
 TEST_F(ResultFileTest, FinishingTooEarlyIsAMistake) {

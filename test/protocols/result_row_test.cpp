@@ -9,7 +9,7 @@ namespace {
 
 ResultRow sampleRow() {
   ResultRow row;
-  row.clip = "data_hcis_v4.5_x";
+  row.name = "data_hcis_v4.5_x";
   row.scene = "scene-0001";
   row.type = CollisionType::kLtap;
   row.tta = 2.5;
@@ -19,23 +19,26 @@ ResultRow sampleRow() {
   row.meets = {true, false};
   row.contact_after = -0.1;
   row.relative_heading = M_PI / 4.0;
+  row.confidence = 0.75;
+  row.off_road_share = 0.123456;
+  row.own_off_road_share = 0.0;
   row.note = "max_speed 26.000 > 25.000";
   return row;
 }
 
 TEST(ResultRow, LineHoldsWhatTheHeaderSays) {
   EXPECT_EQ(csvHeader(Protocol::kPublished),
-            "clip,scene,type,tta,method,seed,status,collision,similar,contact_after,"
-            "relative_heading,note");
+            "name,scene,type,tta,method,seed,status,collision,similar,contact_after,"
+            "relative_heading,confidence,off_road_share,own_off_road_share,note");
   EXPECT_EQ(toCsv(sampleRow()),
-            "data_hcis_v4.5_x,scene-0001,ltap,2.5,search,3,OK,1,0,-0.100,45.00,"
-            "max_speed 26.000 > 25.000");
+            "data_hcis_v4.5_x,scene-0001,ltap,2.5,search,3,OK,1,0,-0.100,45.00,0.7500,"
+            "0.1235,0.0000,max_speed 26.000 > 25.000");
 }
 
 TEST(ResultRow, ReadsBackAsItself) {
   const auto row = rowFromCsv(toCsv(sampleRow()), Protocol::kPublished);
   ASSERT_TRUE(row);
-  EXPECT_EQ(row->clip, "data_hcis_v4.5_x");
+  EXPECT_EQ(row->name, "data_hcis_v4.5_x");
   EXPECT_EQ(row->scene, "scene-0001");
   EXPECT_EQ(row->type, CollisionType::kLtap);
   EXPECT_EQ(row->tta, 2.5);
@@ -45,6 +48,9 @@ TEST(ResultRow, ReadsBackAsItself) {
   EXPECT_EQ(row->meets, (std::vector<bool>{true, false}));
   EXPECT_EQ(row->contact_after, -0.1);
   EXPECT_NEAR(*row->relative_heading, M_PI / 4.0, 1e-9);
+  EXPECT_EQ(row->confidence, 0.75);
+  EXPECT_EQ(row->off_road_share, 0.1235);
+  EXPECT_EQ(row->own_off_road_share, 0.0);
   EXPECT_EQ(row->note, "max_speed 26.000 > 25.000");
 }
 
@@ -62,11 +68,17 @@ TEST(ResultRow, NoContactLeavesItsColumnsEmpty) {
   ResultRow row = sampleRow();
   row.contact_after.reset();
   row.relative_heading.reset();
+  row.confidence.reset();
+  row.off_road_share.reset();
+  row.own_off_road_share.reset();
   row.note.clear();
   const auto copy = rowFromCsv(toCsv(row), Protocol::kPublished);
   ASSERT_TRUE(copy);
   EXPECT_FALSE(copy->contact_after);
   EXPECT_FALSE(copy->relative_heading);
+  EXPECT_FALSE(copy->confidence);
+  EXPECT_FALSE(copy->off_road_share);
+  EXPECT_FALSE(copy->own_off_road_share);
 }
 
 TEST(ResultRow, CommasOfATextDoNotBreakTheRow) {

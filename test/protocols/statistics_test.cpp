@@ -13,7 +13,7 @@ const StatisticsOptions kOptions{4000, 0.95, 7};
 
 Trial trial(const std::string& scene, bool success, double tta = 1.0,
             CollisionType type = CollisionType::kRearEnd) {
-  return {scene, type, tta, success};
+  return {scene, type, tta, success ? 1.0 : 0.0};
 }
 
 /// `scenes` scenes with `each` trials, of which those of every scene succeed or fail together.
@@ -31,6 +31,24 @@ TEST(Statistics, RateIsPooledOverTrialsNotOverScenes) {
       {trial("a", true), trial("a", true), trial("a", true), trial("b", false)}, kOptions);
   EXPECT_EQ(rate.trials, 4);
   EXPECT_EQ(rate.value, 0.75);
+}
+
+TEST(Statistics, RateOfOtherValuesIsTheirMeanWithItsInterval) {
+  std::vector<Trial> trials;
+  for (const double value : {-0.5, 0.25, 1.0}) {
+    trials.push_back({"scene " + std::to_string(value), CollisionType::kRearEnd, 1.0, value});
+  }
+  const Rate rate = pooledRate(trials, kOptions);
+  EXPECT_DOUBLE_EQ(rate.value, 0.25);
+  EXPECT_EQ(rate.low, -0.5);
+  EXPECT_EQ(rate.high, 1.0);
+}
+
+TEST(Statistics, QuantilesAreLinearBetweenSortedValues) {
+  EXPECT_EQ(quantile({3.0}, 0.95), 3.0);
+  EXPECT_EQ(quantile({1.0, 2.0, 4.0}, 0.5), 2.0);
+  EXPECT_EQ(quantile({1.0, 2.0, 4.0}, 0.75), 3.0);
+  EXPECT_EQ(quantile({1.0, 2.0, 4.0}, 1.0), 4.0);
 }
 
 TEST(Statistics, NoTrialsGiveNoRate) { EXPECT_EQ(pooledRate({}, kOptions).trials, 0); }

@@ -1,6 +1,8 @@
 #!/usr/bin/python3
-"""evaluate: whole runs on clips made here, runs that are gone on with, and its published protocol against another."""
+"""evaluate: runs on clips made here and on requests over embedded logs, how they go on, and the published protocol twice."""
 import csv
+import json
+import os
 import shutil
 import subprocess
 import sys
@@ -18,6 +20,14 @@ PNG = b'\x89PNG'
 
 def evaluate(collide, out, *arguments):
     return road.run('evaluate', '--collide', collide, '--dataroot', DATAROOT, '--split', 'val', '--out', out, *arguments)
+
+
+def run_ranks(ranks, *arguments):
+    """evaluate over ranks; Open MPI refuses to run for root unless it is told twice."""
+    command = ['mpirun', '--oversubscribe', '-np', ranks, road.tool('evaluate'), *arguments]
+    return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          stdin=subprocess.DEVNULL, universal_newlines=True, timeout=road.TOOL_TIMEOUT, check=False,
+                          env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'))
 
 
 def rows_of(out):
@@ -39,7 +49,7 @@ class EvaluateTest(road.RoadTest):
         result = evaluate(self.collide, out, '--method', 'search', '--mode', 'replay', '--seeds', 2, '--jobs', 2)
         self.assertEqual(result.returncode, 0, result.stderr)
         rows = rows_of(out)
-        self.assertEqual([(row['clip'], row['method'], row['seed']) for row in rows],
+        self.assertEqual([(row['name'], row['method'], row['seed']) for row in rows],
                          [(clip.stem, method, seed) for clip in sorted(self.clips)
                           for method, seed in (('recorded', '0'), ('constant_velocity', '0'), ('nominal', '0'),
                                                ('search', '0'), ('search', '1'))])
@@ -61,6 +71,16 @@ class EvaluateTest(road.RoadTest):
             self.assertEqual(result.returncode, 0, result.stderr)
         for name in ('results.csv', 'table.md', 'angle_bands.png'):
             self.assertEqual((self.path('1') / name).read_bytes(), (self.path('2') / name).read_bytes())
+
+    def test_ranks_do_not_change_a_byte(self):
+        self.assertEqual(evaluate(self.collide, self.path('alone'), '--method', 'search').returncode, 0)
+        for ranks in (1, 2):
+            result = run_ranks(ranks, '--collide', self.collide, '--dataroot', DATAROOT, '--method', 'search', '--out',
+                               self.path(str(ranks)))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(result.stdout, (self.path('alone') / 'table.md').read_text(), 'rank 0 alone reports')
+            for name in ('results.csv', 'table.md', 'run.txt', 'angle_bands.png'):
+                self.assertEqual((self.path(str(ranks)) / name).read_bytes(), (self.path('alone') / name).read_bytes())
 
     def test_interrupted_run_is_gone_on_with(self):
         out = self.path('out')
@@ -106,7 +126,7 @@ class EvaluateTest(road.RoadTest):
     def test_limit_takes_the_first_clips(self):
         out = self.path('out')
         self.assertEqual(evaluate(self.collide, out, '--limit', 1).returncode, 0)
-        self.assertEqual({row['clip'] for row in rows_of(out)}, {min(self.clips).stem})
+        self.assertEqual({row['name'] for row in rows_of(out)}, {min(self.clips).stem})
 
     def test_split_by_scene_has_every_clip_once(self):
         collide = self.path('collide')
@@ -156,6 +176,126 @@ class EvaluateTest(road.RoadTest):
                                   stdout=subprocess.PIPE, universal_newlines=True, check=False)
         self.assertEqual(compared.returncode, 1)
         self.assertIn('1 of 10 rows differ', compared.stdout)
+
+
+class EvaluateRequestsTest(road.RoadTest):
+    """Requests over the embedded logs."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.requests = cls.folder / 'requests.jsonl'
+        result = road.run('make_requests', '--dataroot', DATAROOT, '--version', VERSION, '--out', cls.requests, '--scene',
+                          'scene-0001', 'scene-0007', '--stride', 8, '--tta', 2, 4)
+        assert result.returncode == 0, result.stderr
+        cls.listed = [json.loads(line) for line in cls.requests.read_text().splitlines()]
+        cls.expected = cls.folder / 'expected'
+        cls.result = cls.run_on('--out', cls.expected)
+        assert cls.result.returncode == 0, cls.result.stderr
+
+    @classmethod
+    def command(cls, *arguments):
+        return ['--dataroot', DATAROOT, '--version', VERSION, '--requests', cls.requests, *arguments]
+
+    @classmethod
+    def run_on(cls, *arguments):
+        return road.run('evaluate', *cls.command(*arguments))
+
+    def assert_as_expected(self, out):
+        names = sorted(path.name for path in self.expected.iterdir())
+        self.assertEqual(sorted(path.name for path in out.iterdir()), names)
+        for name in names:
+            self.assertEqual((out / name).read_bytes(), (self.expected / name).read_bytes(), name)
+
+    def test_every_request_has_its_rows_tables_and_plots(self):
+        methods = ['constant_velocity', 'nominal', 'search_angle_bands', 'search_full_definitions',
+                   'replay_angle_bands', 'replay_full_definitions']
+        rows = rows_of(self.expected)
+        self.assertEqual([(row['name'], row['scene'], row['type'], float(row['tta']), row['method']) for row in rows],
+                         [(str(line), request['scene'], request['type'], request['tta'], method)
+                          for line, request in enumerate(self.listed, 1) for method in methods])
+        for row in rows:
+            if row['method'].startswith('replay') and row['status'] == 'OK':
+                self.assertEqual(row['angle_bands' if 'angle' in row['method'] else 'full_definitions'], '1', row)
+        table = (self.expected / 'table.md').read_text()
+        for title in ('All conditions, angle bands, %', 'All conditions, full definitions, of what replay meets',
+                      'mean share of the box: search_full_definitions, %', 'Calibration, angle bands, %',
+                      'Largest difference: '):
+            self.assertIn(title, table)
+        for name in ('angle_bands', 'full_definitions', 'angle_bands_given_replay', 'full_definitions_given_replay',
+                     'calibration'):
+            self.assertEqual((self.expected / (name + '.png')).read_bytes()[:4], PNG)
+
+    def test_milliseconds_are_printed_and_in_no_file(self):
+        table = (self.expected / 'table.md').read_text()
+        self.assertEqual(self.result.stdout[:len(table)], table)
+        times = self.result.stdout[len(table):].strip().splitlines()
+        self.assertEqual(len(times), 4)
+        for line in times:
+            self.assertRegex(line, r'^(search|replay)_\w+: [0-9.]+ ms a request on one core in the mean, median [0-9.]+ ms, '
+                                   r'95 % quantile [0-9.]+ ms \({} searches of this run\)$'.format(len(self.listed)))
+        self.assertNotIn(' ms', table)
+
+    def test_threads_and_ranks_do_not_change_a_byte(self):
+        self.assertEqual(self.run_on('--out', self.path('threads'), '--jobs', 2).returncode, 0)
+        self.assert_as_expected(self.path('threads'))
+        for ranks in (1, 2):
+            out = self.path(str(ranks))
+            result = run_ranks(ranks, *self.command('--out', out))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(result.stdout.count('strict protocol'), 1, 'rank 0 alone reports')
+            self.assertIn('{} searches of this run'.format(len(self.listed)), result.stdout)
+            self.assert_as_expected(out)
+
+    def test_interrupted_run_is_gone_on_with(self):
+        out = self.path('out')
+        shutil.copytree(str(self.expected), str(out))
+        lines = (out / 'results.csv').read_text().splitlines(keepends=True)
+        (out / 'results.csv').unlink()
+        (out / 'results.csv.part').write_text(''.join(lines[:1 + 6 * 10 + 2]))
+        result = self.run_on('--out', out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('({} searches of this run)'.format(len(self.listed) - 10), result.stdout)
+        self.assert_as_expected(out)
+        for arguments, named in ((['--mode', 'replay'], 'mode = history'), (['--seeds', 2], 'seeds = 1'),
+                                 (['--scene', 'scene-0007'], 'requests = ')):
+            result = self.run_on('--out', out, *arguments)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn(named, result.stderr)
+        self.assert_as_expected(out)
+
+    def test_scenes_and_seeds_are_those_asked_for(self):
+        out = self.path('out')
+        result = self.run_on('--out', out, '--scene', 'scene-0007', '--mode', 'replay', '--seeds', 2)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = rows_of(out)
+        lines = [str(line) for line, request in enumerate(self.listed, 1) if request['scene'] == 'scene-0007']
+        self.assertEqual([(row['name'], row['seed']) for row in rows],
+                         [(line, seed) for line in lines for seed in ('0', '0', '0', '1', '0', '1')])
+        self.assertFalse((out / 'calibration.png').exists())
+
+    def test_wrong_command_lines(self):
+        out = self.path('out')
+        collide = ['--dataroot', DATAROOT, '--collide', self.folder]
+        for arguments, named in ((self.command('--collide', self.folder), 'Exactly 1'),
+                                 (['--dataroot', DATAROOT], 'Exactly 1'),
+                                 (['--dataroot', DATAROOT, '--requests', self.requests], '--requests requires --version'),
+                                 (self.command('--split', 'val'), '--split requires --collide'),
+                                 (self.command('--by-scene'), '--by-scene requires --collide'),
+                                 (self.command('--limit', 3), '--limit requires --collide'),
+                                 (self.command('--method', 'recorded'), 'recorded is of clips alone'),
+                                 (self.command('--protocol', 'published'), 'published is of clips alone'),
+                                 (collide + ['--scene', 'scene-0001'], '--scene requires --requests'),
+                                 (collide + ['--version', VERSION], '--version requires --requests')):
+            result = road.run('evaluate', '--out', out, *arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertIn(named, result.stderr)
+        for arguments, named in ((self.command('--scene', 'scene-0099'), 'no scene "scene-0099"'),
+                                 (self.command('--scene', 'scene-0002'), 'no request is of the scenes asked for')):
+            result = road.run('evaluate', '--out', out, *arguments)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn(named, result.stderr)
+        self.assertFalse(out.exists())
 
 
 if __name__ == '__main__':

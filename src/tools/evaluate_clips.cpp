@@ -1,0 +1,124 @@
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <sstream>
+
+#include "batch/dispatch.h"
+#include "formats/collide_clip.h"
+#include "formats/collide_set.h"
+#include "formats/config.h"
+#include "formats/nuscenes_map.h"
+#include "protocols/config_digest.h"
+#include "tools/evaluation.h"
+#include "tools/tool_support.h"
+
+namespace forge {
+namespace {
+
+struct CityMap {
+  std::shared_ptr<const LaneMap> map;
+  std::unique_ptr<const LaneIndex> lanes;
+};
+
+/// The maps of the clips' cities, each read once. Thread-safe.
+class CityMaps {
+ public:
+  CityMaps(const std::string& dataroot, const Config& config)
+      : dataroot_(dataroot), config_(config) {}
+
+  const CityMap& at(const std::string& city) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    CityMap& entry = maps_[city];
+    if (!entry.lanes) {
+      entry.map = std::make_shared<const LaneMap>(readNuScenesMap(
+          dataroot_, city, drivingSide(config_, city), {config_.conversion.centerline_resolution}));
+      entry.lanes = std::make_unique<const LaneIndex>(entry.map);
+    }
+    return entry;
+  }
+
+ private:
+  const std::string& dataroot_;
+  const Config& config_;
+  std::mutex mutex_;
+  std::map<std::string, CityMap> maps_;
+};
+
+std::vector<std::string> listClips(const EvaluationArguments& arguments, const Config& config) {
+  std::vector<std::string> paths =
+      arguments.by_scene ? listCollideClipsByScene(arguments.collide, arguments.split,
+                                                   config.evaluation.collide.held_out_share)
+                         : listCollideClips(arguments.collide, arguments.split);
+  if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
+  return paths;
+}
+
+std::vector<std::string> describe(const EvaluationArguments& arguments) {
+  std::vector<std::string> lines = digestConfig(arguments.config);
+  const auto add = [&lines](const char* key, const auto& value) {
+    std::ostringstream line;
+    line << key << " = " << value;
+    lines.push_back(line.str());
+  };
+  add("collide", arguments.collide);
+  add("dataroot", arguments.dataroot);
+  add("split", arguments.split);
+  add("by-scene", arguments.by_scene ? "yes" : "no");
+  add("protocol", toString(arguments.plan.protocol));
+  add("method", arguments.plan.method);
+  add("mode", toString(arguments.plan.mode));
+  add("seeds", arguments.plan.seeds);
+  add("limit", arguments.limit);
+  return lines;
+}
+
+ResultFile::Run describeRun(const EvaluationArguments& arguments,
+                            const std::vector<std::string>& paths) {
+  ResultFile::Run run{
+      arguments.plan.protocol, {}, rowsPerClip(arguments.plan), describe(arguments)};
+  for (const std::string& path : paths) {
+    run.items.push_back(std::filesystem::path(path).stem().string());
+  }
+  return run;
+}
+
+/// What is measured, on one line.
+std::string headline(const EvaluationArguments& arguments, std::size_t clips) {
+  return "COLLIDE " + arguments.split + (arguments.by_scene ? " by scene" : "") + ", " +
+         toString(arguments.plan.protocol) + " protocol, " + toString(arguments.plan.mode) +
+         " mode, " + std::to_string(clips) + " clips";
+}
+
+}  // namespace
+
+int evaluateClips(const EvaluationArguments& arguments) {
+  const bool is_master = isMaster();
+  const Config config = loadConfig(arguments.config);
+  const std::vector<std::string> paths = listClips(arguments, config);
+  CityMaps maps(arguments.dataroot, config);
+  const auto profiles = loadSpeedProfiles(config);
+  const auto work = [&](std::size_t index) {
+    const CollideClip clip = readCollideClip(paths[index]);
+    const CityMap& city = maps.at(clip.city);
+    return rowBytes(evaluateClip(clip, *city.lanes, city.map, profiles, config, arguments.plan));
+  };
+  const std::vector<ResultRow> rows =
+      runEvaluation(arguments.out, describeRun(arguments, paths), arguments.jobs, work);
+  if (!is_master) return kExitOk;
+  const StatisticsOptions& statistics = config.evaluation.statistics;
+  const std::string title = headline(arguments, paths.size());
+  std::string text = reportTitle(title, statistics);
+  for (const RateTable& table :
+       tabulate(rows, arguments.plan.protocol, methodsOf(arguments.plan), statistics)) {
+    text += "\n" + toMarkdown(table);
+    if (table.measure.is_headline) drawTable(table, title, arguments.out, config.drawing);
+  }
+  writeText(arguments.out + "/table.md", text);
+  std::cout << text;
+  return kExitOk;
+}
+
+}  // namespace forge
