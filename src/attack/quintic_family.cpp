@@ -31,15 +31,30 @@ void setPose(double time, const Vector2& position, const Vector2& velocity, doub
   point.pose = {position.x(), position.y(), yaw};
 }
 
-/// Acceleration and curvature from the neighbours' speeds and yaws.
+/// The turn over the way between two points, 1/m.
+double curvatureBetween(double step, const TrajectoryPoint& a, const TrajectoryPoint& b) {
+  const double way = (b.pose.position() - a.pose.position()).norm();
+  return angleBetween(a.pose.yaw, b.pose.yaw) / std::max(way, kStandstill * step);
+}
+
+/// Acceleration from the neighbours' positions, curvature from the sharper of the turns to them: a
+/// reader of the points alone finds no more.
 void deriveFromNeighbours(double step, std::vector<TrajectoryPoint>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  const std::size_t last = points.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    TrajectoryPoint& point = points[i];
     const TrajectoryPoint& before = points[i > 0 ? i - 1 : 0];
-    const TrajectoryPoint& after = points[std::min(i + 1, points.size() - 1)];
-    const double elapsed = step * (i > 0 && i + 1 < points.size() ? 2.0 : 1.0);
-    points[i].acceleration = (after.speed - before.speed) / elapsed;
-    const double distance = std::max(points[i].speed, kStandstill) * elapsed;
-    points[i].curvature = angleBetween(before.pose.yaw, after.pose.yaw) / distance;
+    const TrajectoryPoint& after = points[std::min(i + 1, last)];
+    if (i == 0 || i == last) {
+      point.acceleration = (after.speed - before.speed) / step;
+    } else {
+      const Vector2 change =
+          after.pose.position() - 2.0 * point.pose.position() + before.pose.position();
+      point.acceleration = change.dot(point.pose.heading()) / (step * step);
+    }
+    const double into = i > 0 ? curvatureBetween(step, before, point) : 0.0;
+    const double out = i < last ? curvatureBetween(step, point, after) : 0.0;
+    point.curvature = std::abs(into) > std::abs(out) ? into : out;
   }
 }
 
@@ -47,8 +62,8 @@ void deriveFromNeighbours(double step, std::vector<TrajectoryPoint>& points) {
 Vector2 velocityOn(const ReferencePath::Place& place, const Axes& state) {
   const Vector2 heading = place.pose.heading();
   const Vector2 left(-heading.y(), heading.x());
-  return state.first.velocity * (1.0 - place.curvature * state.second.position) * heading +
-         state.second.velocity * left;
+  const double along = place.stretch * (1.0 - place.curvature * state.second.position);
+  return state.first.velocity * along * heading + state.second.velocity * left;
 }
 
 /// The path coordinates of a pose and its motion; false where the path has none.
@@ -62,8 +77,8 @@ bool toPath(const ReferencePath& path, const Pose2& pose, double speed, double a
   for (int i = 0; i < kProjections; ++i) {
     place = path.at(arc_length);
     local = relativeTo(place.pose, pose);
-    lean = 1.0 - place.curvature * local.y;
     if (std::abs(place.curvature * local.y) > kMaxPathLean) return false;
+    lean = place.stretch * (1.0 - place.curvature * local.y);
     arc_length += local.x / lean;
   }
   const Vector2 heading = Pose2{0.0, 0.0, local.yaw}.heading();

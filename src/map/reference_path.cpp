@@ -105,9 +105,10 @@ ReferencePath::Place ReferencePath::at(double arc_length) const {
       0.5 * (v * v * (b - a) + (1.0 + 2.0 * u * v) * (c - b) + u * u * (d - c));
   const Vector2 bend = v * (a - 2.0 * b + c) + u * (b - 2.0 * c + d);
   const Pose2 pose{position.x(), position.y(), std::atan2(velocity.y(), velocity.x())};
-  if (arc_length != on_path) return {compose(pose, {arc_length - on_path, 0.0, 0.0}), 0.0};
+  if (arc_length != on_path) return {compose(pose, {arc_length - on_path, 0.0, 0.0}), 0.0, 1.0};
   const double cross = velocity.x() * bend.y() - velocity.y() * bend.x();
-  return {pose, cross / std::pow(velocity.norm(), 3)};
+  const double speed = velocity.norm();
+  return {pose, cross / (speed * speed * speed), speed / spacing_};
 }
 
 double ReferencePath::project(const Vector2& point) const {

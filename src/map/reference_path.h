@@ -14,6 +14,7 @@ class ReferencePath {
   struct Place {
     Pose2 pose;
     double curvature = 0.0;  ///< 1/m, positive to the left
+    double stretch = 1.0;    ///< metres of way a metre of arc length, below 1 in sharp bends
   };
 
   /// A centreline (or several, joined), smoothed over a few metres: recorded centrelines have kinks

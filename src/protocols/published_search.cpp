@@ -109,7 +109,7 @@ AttackerTrajectory publishedSearchAttacker(const CollideClip& clip, const Snapsh
   const std::vector<CollideClip> clips =
       likelyClips(clip, future, objective, evaluation.published_search.futures);
   AttackerTrajectory best =
-      nominalAttacker(clip, snapshot, recorded, request, evaluation.nominal, options);
+      nominalAttacker(clip.attacker_id, snapshot, recorded, request, evaluation.nominal, options);
   double best_worth = worth(clips, best, evaluation.published);
   for (const FoundAttack& attack :
        searchAttacks({snapshot, future, egos, prediction.patterns, request, lanes}, objective)) {

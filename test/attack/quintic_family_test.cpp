@@ -198,7 +198,8 @@ TEST(QuinticFamily, OnAPathLeavesTheLaneNoMoreThanTheArrivalDoes) {
   }
 }
 
-/// What a point says of speed, acceleration and curvature against its neighbours' positions.
+/// What a point says of speed, acceleration and curvature against its neighbours' positions; the
+/// curvature is the sharper of those just before and after.
 void expectDerived(const std::vector<TrajectoryPoint>& points, std::size_t i, double speed_slack,
                    double acceleration_slack, double curvature_slack) {
   const Vector2 a = points[i - 1].pose.position();
@@ -223,7 +224,7 @@ TEST(QuinticFamily, DerivedSpeedAccelerationAndCurvatureAgreeWithThePositions) {
     const auto points = driven({}, drive.start, drive.arrival);
     for (std::size_t i = 2; i + 2 < indexAt(drive.arrival.time); ++i) {
       if (points[i].speed < 2.0) continue;
-      expectDerived(points, i, 0.05, 0.2, 0.01);
+      expectDerived(points, i, 0.05, 0.2, 0.02);
     }
   }
 }
