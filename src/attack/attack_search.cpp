@@ -297,12 +297,13 @@ class Search {
     int off = 0;
     int asked = 0;
     for (std::size_t i = 0; i < points_.size(); i += static_cast<std::size_t>(stride)) {
-      const Pose2& pose = points_[i].pose;
+      const Vector2 middle = points_[i].pose.position();
+      const Vector2 ahead = points_[i].pose.heading();
+      const Vector2 along = 0.4 * attacker.size.length * ahead;
+      const Vector2 across = 0.4 * attacker.size.width * Vector2(-ahead.y(), ahead.x());
       for (int x = -1; x <= 1; ++x) {
         for (int y = -1; y <= 1; ++y) {
-          const Pose2 place =
-              compose(pose, {x * 0.4 * attacker.size.length, y * 0.4 * attacker.size.width, 0.0});
-          off += !drivable.isDrivable(place.position());
+          off += !drivable.isDrivable(middle + x * along + y * across);
           ++asked;
         }
       }

@@ -9,7 +9,8 @@ namespace {
 constexpr double kBackwardSlack = 1e-3;  // m between two points, for rounding at standstill
 
 double totalAcceleration(const TrajectoryPoint& point) {
-  return std::hypot(point.acceleration, point.speed * point.speed * point.curvature);
+  const double across = point.speed * point.speed * point.curvature;
+  return std::sqrt(point.acceleration * point.acceleration + across * across);
 }
 
 bool isFinite(const TrajectoryPoint& point) {

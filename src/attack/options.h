@@ -79,6 +79,7 @@ struct SearchOptions {
   double off_road_weight = 0.0;
   double effort_weight = 0.0;
   double closeness_weight = 0.0;
+  std::vector<double> confidence_curve;  ///< at shares evenly spread over [0, 1]
   double min_confidence = 0.0;
 };
 

@@ -101,6 +101,12 @@ bool verifyInFutures(const FoundAttack& attack, const std::vector<const Track*>&
 
 }  // namespace
 
+double confidenceOf(double share, const std::vector<double>& curve) {
+  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(curve.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(place), curve.size() - 2);
+  return curve[i] + (place - static_cast<double>(i)) * (curve[i + 1] - curve[i]);
+}
+
 Realization realize(const std::vector<CollisionPattern>& patterns, const VerificationInput& input,
                     const AttackOptions& options) {
   checkPatterns(patterns, input.snapshot);
@@ -118,9 +124,11 @@ Realization realize(const std::vector<CollisionPattern>& patterns, const Verific
   for (const FoundAttack& attack : attacks) {
     const auto hits = searched_scorer.hits(*attack.attacker, attack.points);
     if (!verifyInFutures(attack, searched, hits, input, options, rejections, found)) continue;
-    found.report.confidence = input.future.ego_samples.empty()
-                                  ? 1.0
-                                  : scorerOf(held_out).score(*attack.attacker, attack.points).share;
+    found.report.confidence =
+        input.future.ego_samples.empty()
+            ? 1.0
+            : confidenceOf(scorerOf(held_out).score(*attack.attacker, attack.points).share,
+                           options.search.confidence_curve);
     if (found.report.confidence < options.search.min_confidence) {
       Realization declined;
       declined.status = {

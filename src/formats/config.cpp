@@ -72,6 +72,22 @@ class Section {
     return values;
   }
 
+  /// Two or more numbers from 0 to 1, none below the one before.
+  std::vector<double> risingShares(const std::string& key) {
+    const YAML::Node node = take(key);
+    if (!node.IsSequence() || node.size() < 2) fail(pathOf(key), node, "is not a list of numbers");
+    std::vector<double> values;
+    for (const YAML::Node& entry : node) {
+      const double value = toNumber(key, entry);
+      if (!(value >= 0.0 && value <= 1.0)) fail(pathOf(key), entry, rangeText(0.0, 1.0));
+      if (!values.empty() && value < values.back()) {
+        fail(pathOf(key), entry, "is below the one before");
+      }
+      values.push_back(value);
+    }
+    return values;
+  }
+
   /// [red, green, blue], each 0 to 1.
   Color color(const std::string& key) {
     const YAML::Node node = take(key);
@@ -271,6 +287,7 @@ SearchOptions readSearch(Section section) {
   options.off_road_weight = section.nonNegative("off_road_weight");
   options.effort_weight = section.nonNegative("effort_weight");
   options.closeness_weight = section.within("closeness_weight", 0.0, 1.0);
+  options.confidence_curve = section.risingShares("confidence_curve");
   options.min_confidence = section.within("min_confidence", 0.0, 1.0);
   section.finish();
   return options;

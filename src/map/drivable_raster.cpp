@@ -44,7 +44,12 @@ DrivableRaster::DrivableRaster(const LaneMap& map) : map_(map) {
   const Vector2 tiles = (all.sizes() / (kCell * kCells)).array().floor() + 1.0;
   columns_ = static_cast<int>(tiles.x());
   rows_ = static_cast<int>(tiles.y());
-  tiles_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  tiles_ = std::vector<std::atomic<const Tile*>>(static_cast<std::size_t>(columns_) *
+                                                 static_cast<std::size_t>(rows_));
+}
+
+DrivableRaster::~DrivableRaster() {
+  for (const auto& tile : tiles_) delete tile.load();
 }
 
 bool DrivableRaster::isDrivable(const Vector2& point) const {
@@ -52,21 +57,28 @@ bool DrivableRaster::isDrivable(const Vector2& point) const {
   if (!(cell.x() >= 0.0 && cell.y() >= 0.0)) return false;
   const Vector2 tile = (cell / kCells).array().floor();
   if (tile.x() >= columns_ || tile.y() >= rows_) return false;
-  auto& slot = tiles_[static_cast<std::size_t>(tile.y()) * static_cast<std::size_t>(columns_) +
-                      static_cast<std::size_t>(tile.x())];
-  std::shared_ptr<const Tile> filled = std::atomic_load(&slot);
-  if (!filled) {
-    filled = fill(origin_ + tile * (kCell * kCells));
-    std::atomic_store(&slot, filled);
-  }
+  const std::size_t index =
+      static_cast<std::size_t>(tile.y()) * static_cast<std::size_t>(columns_) +
+      static_cast<std::size_t>(tile.x());
   const Vector2 inside = (cell - tile * kCells).array().floor();
-  return (*filled)[static_cast<std::size_t>(inside.y()) * kCells +
-                   static_cast<std::size_t>(inside.x())];
+  return tileAt(index,
+                origin_ + tile * (kCell * kCells))[static_cast<std::size_t>(inside.y()) * kCells +
+                                                   static_cast<std::size_t>(inside.x())];
 }
 
-std::shared_ptr<const DrivableRaster::Tile> DrivableRaster::fill(const Vector2& corner) const {
+const DrivableRaster::Tile& DrivableRaster::tileAt(std::size_t index, const Vector2& corner) const {
+  std::atomic<const Tile*>& slot = tiles_[index];
+  const Tile* tile = slot.load();
+  if (tile) return *tile;
+  std::unique_ptr<const Tile> filled = fill(corner);
+  // Where another thread was faster, its tile is the one.
+  if (slot.compare_exchange_strong(tile, filled.get())) tile = filled.release();
+  return *tile;
+}
+
+std::unique_ptr<const DrivableRaster::Tile> DrivableRaster::fill(const Vector2& corner) const {
   const Eigen::AlignedBox2d area(corner, corner + Vector2::Constant(kCell * kCells));
-  auto tile = std::make_shared<Tile>();
+  auto tile = std::make_unique<Tile>();
   for (std::size_t i = 0; i < bounds_.size(); ++i) {
     if (!bounds_[i].intersects(area)) continue;
     std::array<std::vector<double>, kCells> crossings;

@@ -201,5 +201,14 @@ TEST(Realize, RefusesPatternsThatMakeNoSense) {
   EXPECT_THROW(past.result(), std::invalid_argument);
 }
 
+TEST(ConfidenceOf, IsLinearBetweenThePointsOfTheCurve) {
+  const std::vector<double> curve = {0.0, 0.2, 0.9};
+  EXPECT_EQ(confidenceOf(0.0, curve), 0.0);
+  EXPECT_NEAR(confidenceOf(0.25, curve), 0.1, 1e-12);
+  EXPECT_NEAR(confidenceOf(0.5, curve), 0.2, 1e-12);
+  EXPECT_NEAR(confidenceOf(0.75, curve), 0.55, 1e-12);
+  EXPECT_EQ(confidenceOf(1.0, curve), 0.9);
+}
+
 }  // namespace
 }  // namespace forge

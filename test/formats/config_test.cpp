@@ -420,6 +420,15 @@ TEST_F(SpoiltConfig, ColorsAreThreeSharesOfOne) {
                   {"drawing.png_width", "= 10", "within 64"});
 }
 
+TEST_F(SpoiltConfig, TheConfidenceCurveIsSharesThatRise) {
+  expectComplaint("search.yaml", "confidence_curve: [0.0", "confidence_curve: [0.5",
+                  {"search.confidence_curve", "is below the one before"});
+  expectComplaint("search.yaml", "confidence_curve: [0.0", "confidence_curve: [-0.1",
+                  {"search.confidence_curve", "-0.1"});
+  expectComplaint("search.yaml", "confidence_curve: [0.0", "confidence_curve: 0.0 #",
+                  {"search.confidence_curve", "is not a list of numbers"});
+}
+
 TEST_F(SpoiltConfig, NumbersThatAreNotFiniteAreRefused) {
   expectComplaint("vehicle_limits.yaml", "max_braking: 8.0", "max_braking: .inf",
                   {"vehicle_limits.max_braking", ".inf", "not finite"});
