@@ -28,7 +28,7 @@ Status noFrame(double now, double nearest) {
 }  // namespace
 
 RequestAnswerer::RequestAnswerer(SceneSource& scenes, const Config& config)
-    : scenes_(scenes), config_(config), profiles_(loadSpeedProfiles(config)) {}
+    : scenes_(scenes), config_(config), speeds_(loadSpeedForecaster(config)) {}
 
 Scenario RequestAnswerer::answer(const SceneRequest& asked) const {
   Scenario scenario{asked, config_.ego_vehicle, {}};
@@ -43,7 +43,7 @@ Scenario RequestAnswerer::answer(const SceneRequest& asked) const {
   const Future recorded = recordedFuture(indexed->scene, now);
   const KinematicPatternPredictor predictor(
       config_.attack,
-      std::make_shared<KinematicEgoFutures>(config_.attack.ego_futures, profiles_, asked.scene));
+      std::make_shared<KinematicEgoFutures>(config_.attack.ego_futures, speeds_, asked.scene));
   scenario.answer = generateCollision(asked.request, snapshot, *indexed->lanes, &recorded,
                                       predictor, config_.attack);
   return scenario;

@@ -125,13 +125,13 @@ std::vector<ResultRow> fromBytes(const std::string& bytes, Protocol protocol) {
 void evaluateClips(const Arguments& arguments, const Config& config,
                    const std::vector<std::string>& paths, ResultFile& file) {
   CityMaps maps(arguments, config);
-  const auto profiles = loadSpeedProfiles(config);
+  const auto speeds = loadSpeedForecaster(config);
   const std::size_t done = file.clipsDone();
   const auto work = [&](std::size_t index) -> std::string {
     if (index < done) return {};
     const CollideClip clip = readCollideClip(paths[index]);
     const CityMap& city = maps.at(clip.city);
-    return toBytes(evaluateClip(clip, *city.lanes, city.map, profiles, config, arguments.plan));
+    return toBytes(evaluateClip(clip, *city.lanes, city.map, speeds, config, arguments.plan));
   };
   std::unique_ptr<boost::timer::progress_display> progress;
   if (isMaster()) {
