@@ -19,7 +19,7 @@ constexpr Eigen::Index kMinStanding = 8;   // profiles that begin at a standstil
 constexpr double kMinSpread = 1e-3;        // m/s, of drivers who are all alike
 constexpr double kConstantRidge = 1e-6;    // of the constant, which is not drawn to zero
 
-/// A fold from 0 to folds - 1 for each item, at random, of even sizes.
+/// A fold from 0 to folds - 1 for each item, at random, of even scales.
 std::vector<int> deal(std::size_t count, int folds, std::uint64_t seed) {
   std::vector<int> fold(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -30,39 +30,18 @@ std::vector<int> deal(std::size_t count, int folds, std::uint64_t seed) {
   return fold;
 }
 
-/// The rows that a model is fitted to, those that last longest first.
+/// Rows that something is fitted to, those that last longest first.
 class Sample {
  public:
-  Sample(const SpeedSituations& recorded, const std::vector<std::string>& left_out_scenes,
-         const SpeedModelFitOptions& options)
-      : recorded_(recorded) {
-    std::vector<bool> left_out(recorded.scenes().size(), false);
-    for (const std::string& name : left_out_scenes) {
-      const int scene = recorded.sceneNumber(name);
-      if (scene >= 0) left_out[static_cast<std::size_t>(scene)] = true;
-    }
-    for (Eigen::Index row = 0; row < recorded.size(); ++row) {
-      if (recorded.lasts(row) == 0 || left_out[static_cast<std::size_t>(recorded.sceneOf(row))]) {
-        continue;
-      }
-      rows_.push_back(row);
-    }
+  Sample(const SpeedSituations& recorded, std::vector<Eigen::Index> rows)
+      : recorded_(recorded), rows_(std::move(rows)) {
     std::stable_sort(rows_.begin(), rows_.end(), [&](Eigen::Index a, Eigen::Index b) {
       return recorded.lasts(a) > recorded.lasts(b);
     });
-    intervals_ = options.intervals;
-    while (intervals_ > 0 && lasting(intervals_ - 1) < kMinProfiles) --intervals_;
-    if (intervals_ == 0) {
-      throw std::invalid_argument(std::to_string(rows_.size()) +
-                                  " speed profiles are too few to fit a model; it takes " +
-                                  std::to_string(kMinProfiles));
-    }
   }
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(rows_.size()); }
-  int intervals() const { return intervals_; }
   Eigen::Index row(Eigen::Index i) const { return rows_[static_cast<std::size_t>(i)]; }
-  double speed(Eigen::Index i) const { return recorded_.speed(row(i)); }
   int sceneOf(Eigen::Index i) const { return recorded_.sceneOf(row(i)); }
 
   /// How many of the rows, the first ones, have the interval recorded.
@@ -79,13 +58,13 @@ class Sample {
     return gains;
   }
 
-  /// Over all intervals, of a row that lasts so long.
-  Eigen::RowVectorXd gainsOf(Eigen::Index i) const {
-    Eigen::RowVectorXd gains(intervals_);
-    for (int interval = 0; interval < intervals_; ++interval) {
-      gains[interval] = recorded_.gain(row(i), interval);
+  /// Of the rows that have all of the first `intervals` recorded, a row a row.
+  Eigen::MatrixXd wholeGains(int intervals) const {
+    Eigen::MatrixXd whole(lasting(intervals - 1), intervals);
+    for (int interval = 0; interval < intervals; ++interval) {
+      whole.col(interval) = gains(interval).head(whole.rows());
     }
-    return gains;
+    return whole;
   }
 
   Eigen::ArrayXXd features() const {
@@ -97,8 +76,38 @@ class Sample {
  private:
   const SpeedSituations& recorded_;
   std::vector<Eigen::Index> rows_;
-  int intervals_ = 0;
 };
+
+struct Samples {
+  Sample driving;
+  Sample standing;
+  int intervals = 0;  ///< that enough rows of drivers last
+};
+
+/// Throws std::invalid_argument when there are too few.
+Samples samplesOf(const SpeedSituations& recorded, const std::vector<std::string>& left_out_scenes,
+                  const SpeedModelFitOptions& options) {
+  std::vector<bool> left_out(recorded.scenes().size(), false);
+  for (const std::string& name : left_out_scenes) {
+    const int scene = recorded.sceneNumber(name);
+    if (scene >= 0) left_out[static_cast<std::size_t>(scene)] = true;
+  }
+  std::vector<Eigen::Index> driving;
+  std::vector<Eigen::Index> standing;
+  for (Eigen::Index row = 0; row < recorded.size(); ++row) {
+    const auto scene = static_cast<std::size_t>(recorded.sceneOf(row));
+    if (recorded.lasts(row) == 0 || left_out[scene]) continue;
+    (recorded.speed(row) < options.standing_speed ? standing : driving).push_back(row);
+  }
+  Samples samples{Sample(recorded, std::move(driving)), Sample(recorded, std::move(standing)),
+                  options.intervals};
+  int& intervals = samples.intervals;
+  while (intervals > 0 && samples.driving.lasting(intervals - 1) < kMinProfiles) --intervals;
+  if (intervals > 0) return samples;
+  throw std::invalid_argument(std::to_string(samples.driving.size()) +
+                              " speed profiles of drivers are too few to fit a model; it takes " +
+                              std::to_string(kMinProfiles));
+}
 
 /// Sums over rows that ridge regressions on the basis are solved from, for each fold apart.
 class NormalEquations {
@@ -204,26 +213,27 @@ void placeCenters(const Sample& sample, const SpeedModelFitOptions& options, std
 
 /// Fits gains and log_spreads. Returns the residuals, in spreads; a row a row of the sample, zero
 /// where a profile has ended.
-Eigen::MatrixXd fitRegressions(const Sample& sample, const SpeedModelFitOptions& options,
-                               std::uint64_t seed, SpeedModelWeights& weights) {
+Eigen::MatrixXd fitRegressions(const Sample& sample, int intervals,
+                               const SpeedModelFitOptions& options, std::uint64_t seed,
+                               SpeedModelWeights& weights) {
   const Eigen::MatrixXd basis = basisOf(sample.features(), weights);
   const auto [fold_of, folds] = foldsByScene(sample, options.folds, seed);
   NormalEquations equations(basis, fold_of, folds, options.linear_ridge);
-  weights.gains.resize(basis.cols(), sample.intervals());
-  weights.log_spreads.resize(basis.cols(), sample.intervals());
-  Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(sample.size(), sample.intervals());
-  for (int interval = sample.intervals() - 1; interval >= 0; --interval) {
+  weights.gains.resize(basis.cols(), intervals);
+  weights.log_spreads.resize(basis.cols(), intervals);
+  Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(sample.size(), intervals);
+  for (int interval = intervals - 1; interval >= 0; --interval) {
     const Eigen::Index count = sample.lasting(interval);
     equations.extend(count);
     const Eigen::VectorXd gains = sample.gains(interval);
     weights.gains.col(interval) = equations.solve(gains, options.gain_ridge);
-    const Eigen::VectorXd differences = equations.heldOutResiduals(gains, options.gain_ridge);
-    const double floor = options.spread_floor * differences.cwiseAbs().mean() + kMinSpread;
-    const Eigen::VectorXd log_spreads = (differences.array().abs() + floor).log();
+    const Eigen::VectorXd missed = equations.heldOutResiduals(gains, options.gain_ridge);
+    const double floor = options.spread_floor * missed.cwiseAbs().mean() + kMinSpread;
+    const Eigen::VectorXd log_spreads = (missed.array().abs() + floor).log();
     weights.log_spreads.col(interval) = equations.solve(log_spreads, options.spread_ridge);
     const Eigen::VectorXd spreads =
-        (basis.topRows(count) * weights.log_spreads.col(interval)).array().exp();
-    residuals.col(interval).head(count) = differences.cwiseQuotient(spreads);
+        (log_spreads - equations.heldOutResiduals(log_spreads, options.spread_ridge)).array().exp();
+    residuals.col(interval).head(count) = missed.cwiseQuotient(spreads);
   }
   return residuals;
 }
@@ -252,25 +262,31 @@ Eigen::MatrixXd accumulated(Eigen::MatrixXd values) {
   return values;
 }
 
-/// Typical residuals, as far from zero as those that they stand for are.
+/// What was accumulated().
+Eigen::MatrixXd differences(Eigen::MatrixXd sums) {
+  for (Eigen::Index i = sums.cols() - 1; i > 0; --i) sums.col(i) -= sums.col(i - 1);
+  return sums;
+}
+
+/// Typical residuals, whose distances differ as much as those that they stand for.
 WeightedProfiles typicalResiduals(const Sample& sample, const Eigen::MatrixXd& residuals,
                                   const SpeedModelFitOptions& options, std::uint64_t seed) {
-  const int intervals = sample.intervals();
-  const Eigen::MatrixXd whole = residuals.topRows(sample.lasting(intervals - 1));
-  Eigen::MatrixXd driven = accumulated(whole);
-  for (Eigen::Index i = 0; i < driven.cols(); ++i) {
-    driven.col(i) /= std::max(driven.col(i).norm(), kMinSpread);
-  }
-  const Clusters clusters = clusterPoints(driven, options.profiles, options.cluster_rounds, seed);
-  WeightedProfiles profiles{meansOf(whole, clusters), sharesOf(clusters)};
+  const auto intervals = static_cast<int>(residuals.cols());
+  const Eigen::MatrixXd driven = accumulated(residuals);
+  const Eigen::Index whole = sample.lasting(intervals - 1);
+  const Eigen::RowVectorXd scales =
+      driven.topRows(whole).colwise().norm().cwiseMax(kMinSpread).cwiseInverse();
+  const Clusters clusters = clusterPoints(driven.topRows(whole) * scales.asDiagonal(),
+                                          options.profiles, options.cluster_rounds, seed);
+  const Eigen::VectorXd weights = sharesOf(clusters);
+  Eigen::MatrixXd typical = meansOf(driven.topRows(whole), clusters);
   for (int interval = 0; interval < intervals; ++interval) {
     const Eigen::Index count = sample.lasting(interval);
-    const double wanted =
-        residuals.col(interval).head(count).squaredNorm() / static_cast<double>(count);
-    const double is = profiles.weights.dot(profiles.profiles.col(interval).cwiseAbs2());
-    if (is > 0.0) profiles.profiles.col(interval) *= std::sqrt(wanted / is);
+    const double wanted = driven.col(interval).head(count).cwiseAbs().mean();
+    const double is = weights.dot(typical.col(interval).cwiseAbs());
+    if (is > 0.0) typical.col(interval) *= wanted / is;
   }
-  return profiles;
+  return {differences(std::move(typical)), weights};
 }
 
 /// Regresses on the features which of the typical profiles a standing driver takes. `linear`: 1 and
@@ -288,28 +304,17 @@ Eigen::MatrixXd fitShares(const Eigen::MatrixXd& linear, const Clusters& cluster
 }
 
 /// Fits what follows a standstill; nothing when too little is recorded.
-void fitStanding(const Sample& sample, const SpeedModelFitOptions& options, std::uint64_t seed,
-                 SpeedModelWeights& weights) {
-  const Eigen::MatrixXd basis = basisOf(sample.features(), weights);
-  std::vector<Eigen::Index> standing;
-  for (Eigen::Index i = 0; i < sample.lasting(sample.intervals() - 1); ++i) {
-    if (sample.speed(i) < options.standing_speed) standing.push_back(i);
-  }
-  const auto count = static_cast<Eigen::Index>(standing.size());
+void fitStanding(const Sample& sample, int intervals, const SpeedModelFitOptions& options,
+                 std::uint64_t seed, SpeedModelWeights& weights) {
   weights.standing_speed = options.standing_speed;
   weights.standing_shares.resize(1 + kSpeedFeatures, 0);
-  if (count < kMinStanding) return;
-  Eigen::MatrixXd gains(count, sample.intervals());
-  Eigen::MatrixXd linear(count, 1 + kSpeedFeatures);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Index at = standing[static_cast<std::size_t>(i)];
-    gains.row(i) = sample.gainsOf(at);
-    linear.row(i) = basis.row(at).head(linear.cols());
-  }
+  const Eigen::MatrixXd gains = sample.wholeGains(intervals);
+  if (gains.rows() < kMinStanding) return;
   const Clusters clusters =
       clusterPoints(accumulated(gains), options.standing_profiles, options.cluster_rounds, seed);
   weights.standing = meansOf(gains, clusters);
-  weights.standing_shares = fitShares(linear, clusters, options);
+  const Eigen::MatrixXd basis = basisOf(sample.features().topRows(gains.rows()), weights);
+  weights.standing_shares = fitShares(basis.leftCols(1 + kSpeedFeatures), clusters, options);
 }
 
 }  // namespace
@@ -317,13 +322,14 @@ void fitStanding(const Sample& sample, const SpeedModelFitOptions& options, std:
 SpeedModelWeights fitSpeedModel(const SpeedSituations& recorded,
                                 const std::vector<std::string>& left_out_scenes,
                                 const SpeedModelFitOptions& options, std::uint64_t seed) {
-  const Sample sample(recorded, left_out_scenes, options);
+  const Samples samples = samplesOf(recorded, left_out_scenes, options);
   SpeedModelWeights weights;
   weights.left_out_scenes = left_out_scenes;
-  placeCenters(sample, options, seed, weights);
-  const Eigen::MatrixXd residuals = fitRegressions(sample, options, seed, weights);
-  weights.residuals = typicalResiduals(sample, residuals, options, seed);
-  fitStanding(sample, options, seed, weights);
+  placeCenters(samples.driving, options, seed, weights);
+  const Eigen::MatrixXd residuals =
+      fitRegressions(samples.driving, samples.intervals, options, seed, weights);
+  weights.residuals = typicalResiduals(samples.driving, residuals, options, seed);
+  fitStanding(samples.standing, samples.intervals, options, seed, weights);
   return weights;
 }
 

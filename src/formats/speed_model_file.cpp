@@ -52,16 +52,22 @@ Eigen::MatrixXd readMatrix(JsonObject& parent, const char* key) {
                                     static_cast<Eigen::Index>(columns));
 }
 
-void writeProfiles(JsonLineWriter& writer, const char* key, const WeightedProfiles& profiles) {
-  writer.beginObject(key);
-  writeMatrix(writer, "weights", profiles.weights);
-  writeMatrix(writer, "profiles", profiles.profiles);
-  writer.endObject();
+void writeVector(JsonLineWriter& writer, const char* key, const Eigen::VectorXd& vector) {
+  std::vector<double> values;
+  for (const double value : vector) values.push_back(rounded(value));
+  writer.numbers(key, values);
 }
 
 Eigen::VectorXd readVector(JsonObject& parent, const char* key) {
-  const Eigen::MatrixXd matrix = readMatrix(parent, key);
-  return Eigen::Map<const Eigen::VectorXd>(matrix.data(), matrix.size());
+  const std::vector<double> values = parent.numbers(key);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+void writeProfiles(JsonLineWriter& writer, const char* key, const WeightedProfiles& profiles) {
+  writer.beginObject(key);
+  writeVector(writer, "weights", profiles.weights);
+  writeMatrix(writer, "profiles", profiles.profiles);
+  writer.endObject();
 }
 
 WeightedProfiles readProfiles(JsonObject& parent, const char* key) {
@@ -78,9 +84,9 @@ std::string lineOf(const SpeedModelWeights& weights) {
   writer.beginObject();
   writer.text("format", kFormat);
   writer.texts("left_out_scenes", weights.left_out_scenes);
-  writeMatrix(writer, "feature_weights", weights.feature_weights);
-  writeMatrix(writer, "lowest", weights.lowest);
-  writeMatrix(writer, "highest", weights.highest);
+  writeVector(writer, "feature_weights", weights.feature_weights);
+  writeVector(writer, "lowest", weights.lowest);
+  writeVector(writer, "highest", weights.highest);
   writeMatrix(writer, "centers", weights.centers);
   writeMatrix(writer, "gains", weights.gains);
   writeMatrix(writer, "log_spreads", weights.log_spreads);

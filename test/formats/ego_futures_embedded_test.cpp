@@ -50,7 +50,7 @@ double drivenUntil(const Track& track, double time) {
 }
 
 TEST_F(EmbeddedEgoFutures, ProfilesAreThoseOfTheData) {
-  const SpeedProfiles shipped = readSpeedProfiles(kProfiles);
+  const SpeedSituations shipped = readSpeedSituations(kProfiles);
   std::vector<SpeedProfileRow> rows;
   for (const std::string& name : root_.sceneNames()) {
     const Scene scene = read(name);
@@ -71,7 +71,8 @@ TEST_F(EmbeddedEgoFutures, ProfilesAreThoseOfTheData) {
 // The distance driven within the central 80 % of 64 samples, the scene on test left out. Ten scenes
 // of simulated drivers are few, hence the width of the band.
 TEST_F(EmbeddedEgoFutures, TheCentralIntervalCoversTheRecording) {
-  const auto profiles = std::make_shared<const SpeedProfiles>(readSpeedProfiles(kProfiles));
+  const auto profiles = std::make_shared<const SpeedProfiles>(
+      readSpeedProfiles(kProfiles, config_.attack.ego_futures.speed));
   std::map<double, std::pair<int, int>> covered;  // by horizon: covered, of
   for (const std::string& name : root_.sceneNames()) {
     const Scene scene = read(name);
