@@ -201,11 +201,9 @@ void checkArguments(double horizon, int count) {
 }  // namespace
 
 KinematicEgoFutures::KinematicEgoFutures(const EgoFutureOptions& options,
-                                         std::shared_ptr<const SpeedProfiles> profiles,
+                                         std::shared_ptr<const SpeedForecaster> speeds,
                                          std::string left_out_scene)
-    : options_(options),
-      profiles_(std::move(profiles)),
-      left_out_scene_(std::move(left_out_scene)) {}
+    : options_(options), speeds_(std::move(speeds)), left_out_scene_(std::move(left_out_scene)) {}
 
 std::vector<Track> KinematicEgoFutures::sample(const Snapshot& snapshot, const LaneIndex& lanes,
                                                double horizon, int count,
@@ -244,9 +242,7 @@ SpeedForecast KinematicEgoFutures::forecastFor(const DrivingSituation& situation
                                                double horizon) const {
   const int intervals = static_cast<int>(std::ceil(horizon / kProfileStep - 1e-9));
   SpeedForecast forecast;
-  if (profiles_) {
-    forecast = profiles_->forecast(situation, intervals, options_.speed, left_out_scene_);
-  }
+  if (speeds_) forecast = speeds_->forecast(situation, intervals, left_out_scene_);
   if (forecast.speeds.cols() == 0) {
     forecast = fadingAccelerations(situation.past_speeds, intervals, options_);
   }

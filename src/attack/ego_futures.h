@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "attack/options.h"
-#include "attack/speed_profiles.h"
+#include "attack/speed_forecaster.h"
 #include "map/lane_queries.h"
 #include "scene/scene.h"
 
@@ -26,16 +26,16 @@ class EgoFutureSampler {
                                     double horizon, int count, std::uint64_t seed) const = 0;
 };
 
-/// Lanes and speed profiles: each sample takes a way (egoPaths()) and drives it at the speeds that
-/// a recorded driver chose in a similar situation (SpeedProfiles), fitted to the ego's. Its offset
-/// from the way returns to near zero. Samples are spread evenly over ways, speeds and offsets, not
-/// drawn independently. A reversing ego stops.
+/// Lanes and speeds: each sample takes a way (egoPaths()) and drives it at speeds that drivers
+/// choose in the ego's situation (SpeedForecaster). Its offset from the way returns to near zero.
+/// Samples are spread evenly over ways, speeds and offsets, not drawn independently. A reversing
+/// ego stops.
 class KinematicEgoFutures : public EgoFutureSampler {
  public:
-  /// Null or too few profiles: the present acceleration, with a spread, fades instead. Profiles of
-  /// `left_out_scene` are not used.
+  /// Null, or a forecast without columns: the present acceleration, with a spread, fades instead.
+  /// What was recorded in `left_out_scene` is not used.
   KinematicEgoFutures(const EgoFutureOptions& options,
-                      std::shared_ptr<const SpeedProfiles> profiles,
+                      std::shared_ptr<const SpeedForecaster> speeds,
                       std::string left_out_scene = "");
 
   std::vector<Track> sample(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
@@ -45,7 +45,7 @@ class KinematicEgoFutures : public EgoFutureSampler {
   SpeedForecast forecastFor(const DrivingSituation& situation, double horizon) const;
 
   EgoFutureOptions options_;
-  std::shared_ptr<const SpeedProfiles> profiles_;
+  std::shared_ptr<const SpeedForecaster> speeds_;
   std::string left_out_scene_;
 };
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "attack/options.h"
-#include "attack/speed_profiles.h"
+#include "attack/speed_forecaster.h"
 #include "map/lane_queries.h"
 #include "scene/scene.h"
 

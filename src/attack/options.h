@@ -101,6 +101,23 @@ struct SpeedProfileOptions {
   FeatureWeights feature_weights = {};  ///< in the order of the keys of feature_weights
 };
 
+/// config/speed_model_fit.yaml
+struct SpeedModelFitOptions {
+  int intervals = 0;
+  int centers = 0;
+  int cluster_rounds = 0;
+  int folds = 0;
+  double gain_ridge = 0.0;
+  double spread_ridge = 0.0;
+  double linear_ridge = 0.0;
+  double spread_floor = 0.0;
+  int profiles = 0;
+  double standing_speed = 0.0;
+  int standing_profiles = 0;
+  double standing_ridge = 0.0;
+  FeatureWeights feature_weights = {};  ///< in the order of the keys of feature_weights
+};
+
 /// config/ego_futures.yaml, section paths
 struct EgoPathOptions {
   double lane_max_distance = 0.0;

@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "attack/options.h"
-#include "attack/speed_profiles.h"
+#include "attack/speed_situations.h"
 #include "map/lane_queries.h"
 #include "scene/scene.h"
 
 namespace forge {
 
-/// What SpeedProfiles are made of: a row for each annotation frame of a recording but the first.
+/// What SpeedSituations are made of: a row for each annotation frame of a recording but the first.
 /// The way ahead is that of the path that the ego went on to follow. Where frames are not about
 /// kProfileStep apart, a frame number is left out, so that no profile goes on across.
 std::vector<SpeedProfileRow> collectSpeedProfiles(const Scene& scene, const LaneIndex& lanes,

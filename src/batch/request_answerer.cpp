@@ -34,7 +34,7 @@ RecordedMoment momentAt(const Scene& scene, double now, int history_frames) {
 }
 
 RequestAnswerer::RequestAnswerer(SceneSource& scenes, const Config& config)
-    : scenes_(scenes), config_(config), profiles_(loadSpeedProfiles(config)) {}
+    : scenes_(scenes), config_(config), speeds_(loadSpeedForecaster(config)) {}
 
 Scenario RequestAnswerer::answer(const SceneRequest& asked) const {
   return answer(asked, *scenes_.at(asked.scene));
@@ -48,7 +48,7 @@ Scenario RequestAnswerer::answer(const SceneRequest& asked, const IndexedScene& 
   if (moment.status.code != StatusCode::kOk) return scenario;
   const KinematicPatternPredictor predictor(
       config_.attack,
-      std::make_shared<KinematicEgoFutures>(config_.attack.ego_futures, profiles_, asked.scene));
+      std::make_shared<KinematicEgoFutures>(config_.attack.ego_futures, speeds_, asked.scene));
   scenario.answer = generateCollision(asked.request, moment.snapshot, *indexed.lanes,
                                       &moment.recorded, predictor, config_.attack);
   return scenario;

@@ -33,7 +33,7 @@ class RequestAnswerer {
  private:
   SceneSource& scenes_;
   const Config& config_;
-  std::shared_ptr<const SpeedProfiles> profiles_;
+  std::shared_ptr<const SpeedForecaster> speeds_;
 };
 
 }  // namespace forge

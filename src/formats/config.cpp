@@ -1,5 +1,6 @@
 #include "formats/config.h"
 
+#include "formats/speed_model_file.h"
 #include "formats/speed_profiles_file.h"
 
 #include <yaml-cpp/yaml.h>
@@ -305,20 +306,47 @@ VerificationOptions loadVerification(const std::string& directory) {
   return options;
 }
 
+FeatureWeights readFeatureWeights(Section section) {
+  const char* const features[kSpeedFeatures] = {
+      "speed",     "acceleration", "acceleration_before", "acceleration_long_before",
+      "turn_rate", "bend_braking", "bend_turn",           "bend_curvature",
+      "headway",   "closing"};
+  FeatureWeights weights = {};
+  for (std::size_t i = 0; i < kSpeedFeatures; ++i) {
+    weights[i] = section.nonNegative(features[i]);
+  }
+  section.finish();
+  return weights;
+}
+
+SpeedModelFitOptions loadSpeedModelFit(const std::string& directory) {
+  Section file = openFile(directory, "speed_model_fit.yaml");
+  Section section = file.section("speed_model_fit");
+  SpeedModelFitOptions options;
+  options.intervals = section.count("intervals", 1);
+  options.centers = section.count("centers", 1);
+  options.cluster_rounds = section.count("cluster_rounds", 1);
+  options.folds = section.count("folds", 2);
+  options.gain_ridge = section.positive("gain_ridge");
+  options.spread_ridge = section.positive("spread_ridge");
+  options.linear_ridge = section.positive("linear_ridge");
+  options.spread_floor = section.positive("spread_floor");
+  options.profiles = section.count("profiles", 1);
+  options.standing_speed = section.nonNegative("standing_speed");
+  options.standing_profiles = section.count("standing_profiles", 1);
+  options.standing_ridge = section.positive("standing_ridge");
+  options.feature_weights = readFeatureWeights(section.section("feature_weights"));
+  section.finish();
+  file.finish();
+  return options;
+}
+
 SpeedProfileOptions readSpeedProfiles(Section section) {
   SpeedProfileOptions options;
   options.neighbors = section.count("neighbors", 1);
   options.ridge = section.positive("ridge");
   options.residual_scale = section.nonNegative("residual_scale");
-  Section weights = section.section("feature_weights");
-  const char* const features[kSpeedFeatures] = {
-      "speed",     "acceleration", "acceleration_before", "acceleration_long_before",
-      "turn_rate", "bend_braking", "bend_turn",           "bend_curvature",
-      "headway",   "closing"};
-  for (std::size_t i = 0; i < kSpeedFeatures; ++i) {
-    options.feature_weights[i] = weights.nonNegative(features[i]);
-  }
-  weights.finish();
+  options.feature_weights = readFeatureWeights(section.section("feature_weights"));
   section.finish();
   return options;
 }
@@ -540,7 +568,10 @@ Config loadConfig(const std::string& directory) {
   config.attack.ego_futures = readEgoFutures(ego_futures.section("ego_futures"));
   const std::string profiles = ego_futures.text("speed_profiles");
   if (!profiles.empty()) config.speed_profiles = std::filesystem::path(directory) / profiles;
+  const std::string model = ego_futures.text("speed_model");
+  if (!model.empty()) config.speed_model = std::filesystem::path(directory) / model;
   ego_futures.finish();
+  config.speed_model_fit = loadSpeedModelFit(directory);
   config.ego_vehicle = loadEgoVehicle(directory);
   config.encoding = loadEncoding(directory);
   config.conversion = loadConversion(directory);
@@ -551,9 +582,13 @@ Config loadConfig(const std::string& directory) {
   return config;
 }
 
-std::shared_ptr<const SpeedProfiles> loadSpeedProfiles(const Config& config) {
-  if (config.speed_profiles.empty()) return nullptr;
-  return std::make_shared<const SpeedProfiles>(readSpeedProfiles(config.speed_profiles));
+std::shared_ptr<const SpeedForecaster> loadSpeedForecaster(const Config& config) {
+  if (!config.speed_profiles.empty()) {
+    return std::make_shared<const SpeedProfiles>(
+        readSpeedProfiles(config.speed_profiles, config.attack.ego_futures.speed));
+  }
+  if (config.speed_model.empty()) return nullptr;
+  return std::make_shared<const SpeedModel>(readSpeedModel(config.speed_model));
 }
 
 DrivingSide drivingSide(const Config& config, const std::string& location) {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "attack/options.h"
-#include "attack/speed_profiles.h"
+#include "attack/speed_forecaster.h"
 #include "drawing/drawing_options.h"
 #include "formats/evaluation_options.h"
 #include "map/lane_map.h"
@@ -24,8 +24,9 @@ struct ConversionOptions {
 /// Everything that can be tuned, as read from the files of config/.
 struct Config {
   AttackOptions attack;
-  std::string
-      speed_profiles;  ///< path of the recorded profiles (speed_profiles_file.h); empty: none
+  std::string speed_profiles;  ///< path of recorded profiles (speed_profiles_file.h); empty: none
+  std::string speed_model;     ///< path of a fitted model (speed_model_file.h); empty: none
+  SpeedModelFitOptions speed_model_fit;
   EgoVehicle ego_vehicle;
   EncodingOptions encoding;
   ConversionOptions conversion;
@@ -44,9 +45,9 @@ struct ConfigError : std::runtime_error {
 /// malformed key.
 Config loadConfig(const std::string& directory);
 
-/// The recorded profiles that the configuration names; null when it names none. Throws
-/// SpeedProfilesFileError.
-std::shared_ptr<const SpeedProfiles> loadSpeedProfiles(const Config& config);
+/// The recorded profiles that the configuration names, else the model that it names; null when it
+/// names neither. Throws SpeedProfilesFileError and SpeedModelFileError.
+std::shared_ptr<const SpeedForecaster> loadSpeedForecaster(const Config& config);
 
 /// The side for a location; throws ConfigError when no prefix in config/locations.yaml fits.
 DrivingSide drivingSide(const Config& config, const std::string& location);

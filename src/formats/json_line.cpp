@@ -81,6 +81,29 @@ bool JsonObject::flag(const char* key) {
   return value.GetBool();
 }
 
+std::vector<double> JsonObject::numbers(const char* key) {
+  const Value& value = take(key);
+  if (!value.IsArray()) fail(key, "is not an array");
+  std::vector<double> numbers;
+  numbers.reserve(value.Size());
+  for (const Value& element : value.GetArray()) {
+    if (!element.IsNumber()) fail(key, "holds " + excerpt(element) + ", which is not a number");
+    numbers.push_back(element.GetDouble());
+  }
+  return numbers;
+}
+
+std::vector<std::string> JsonObject::texts(const char* key) {
+  const Value& value = take(key);
+  if (!value.IsArray()) fail(key, "is not an array");
+  std::vector<std::string> texts;
+  for (const Value& element : value.GetArray()) {
+    if (!element.IsString()) fail(key, "holds " + excerpt(element) + ", which is not a string");
+    texts.push_back(stringOf(element));
+  }
+  return texts;
+}
+
 JsonObject JsonObject::object(const char* key) { return {where_, pathOf(key), take(key)}; }
 
 std::optional<JsonObject> JsonObject::objectOrNull(const char* key) {
@@ -146,17 +169,37 @@ void JsonLineWriter::endArray() { writer_.EndArray(); }
 
 void JsonLineWriter::text(const char* key, const std::string& value) {
   writer_.Key(key);
-  writer_.String(value.data(), static_cast<rapidjson::SizeType>(value.size()));
+  write(value);
+}
+
+void JsonLineWriter::texts(const char* key, const std::vector<std::string>& values) {
+  beginArray(key);
+  for (const std::string& value : values) write(value);
+  endArray();
 }
 
 void JsonLineWriter::number(const char* key, double value) {
+  writer_.Key(key);
+  write(key, value);
+}
+
+void JsonLineWriter::numbers(const char* key, const std::vector<double>& values) {
+  beginArray(key);
+  for (const double value : values) write(key, value);
+  endArray();
+}
+
+void JsonLineWriter::write(const std::string& value) {
+  writer_.String(value.data(), static_cast<rapidjson::SizeType>(value.size()));
+}
+
+void JsonLineWriter::write(const char* key, double value) {
   if (!std::isfinite(value)) {
     throw std::invalid_argument("field " + std::string(key) + " = " + std::to_string(value) +
                                 " is not finite");
   }
   char digits[32];
   const std::to_chars_result end = std::to_chars(digits, digits + sizeof(digits), value);
-  writer_.Key(key);
   writer_.RawValue(digits, static_cast<std::size_t>(end.ptr - digits), rapidjson::kNumberType);
 }
 

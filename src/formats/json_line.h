@@ -32,6 +32,8 @@ class JsonObject {
   std::optional<double> numberOrNull(const char* key);
   std::uint64_t count(const char* key);
   bool flag(const char* key);
+  std::vector<double> numbers(const char* key);
+  std::vector<std::string> texts(const char* key);
   JsonObject object(const char* key);
   std::optional<JsonObject> objectOrNull(const char* key);
   std::vector<JsonObject> objects(const char* key);
@@ -75,6 +77,9 @@ class JsonLineWriter {
   void text(const char* key, const std::string& value);
   /// Throws std::invalid_argument naming the key for a number that is not finite: JSON has none.
   void number(const char* key, double value);
+  /// An array; throws as number().
+  void numbers(const char* key, const std::vector<double>& values);
+  void texts(const char* key, const std::vector<std::string>& values);
   void count(const char* key, std::uint64_t value);
   void flag(const char* key, bool value);
   void null(const char* key);
@@ -83,6 +88,9 @@ class JsonLineWriter {
   std::string line() const { return buffer_.GetString(); }
 
  private:
+  void write(const std::string& value);
+  void write(const char* key, double value);
+
   rapidjson::StringBuffer buffer_;
   rapidjson::Writer<rapidjson::StringBuffer> writer_{buffer_};
 };

@@ -75,7 +75,7 @@ double rounded(double value) { return std::round(value * kRounding) / kRounding 
 
 }  // namespace
 
-SpeedProfiles readSpeedProfiles(const std::string& path) {
+SpeedSituations readSpeedSituations(const std::string& path) {
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line)) throw SpeedProfilesFileError(path + ": cannot be read");
@@ -88,10 +88,14 @@ SpeedProfiles readSpeedProfiles(const std::string& path) {
   }
   if (file.bad()) throw SpeedProfilesFileError(path + ": cannot be read");
   try {
-    return SpeedProfiles(std::move(rows));
+    return SpeedSituations(std::move(rows));
   } catch (const std::invalid_argument& error) {
     throw SpeedProfilesFileError(path + ": " + error.what());
   }
+}
+
+SpeedProfiles readSpeedProfiles(const std::string& path, const SpeedProfileOptions& options) {
+  return SpeedProfiles(readSpeedSituations(path), options);
 }
 
 void writeSpeedProfiles(const std::vector<SpeedProfileRow>& rows, const std::string& path) {

@@ -14,9 +14,12 @@ struct SpeedProfilesFileError : std::runtime_error {
 };
 
 /// Reads a CSV file of data/speed_profiles. The first line names the columns, as
-/// writeSpeedProfiles() writes them; each other line is a row of SpeedProfiles. Throws
+/// writeSpeedProfiles() writes them; each other line is a row of SpeedSituations. Throws
 /// SpeedProfilesFileError for a file that is missing or malformed.
-SpeedProfiles readSpeedProfiles(const std::string& path);
+SpeedSituations readSpeedSituations(const std::string& path);
+
+/// The same, to forecast by.
+SpeedProfiles readSpeedProfiles(const std::string& path, const SpeedProfileOptions& options);
 
 /// Writes rows aside and renames the file when it is complete; numbers to the third decimal. Throws
 /// SpeedProfilesFileError when it cannot be written.

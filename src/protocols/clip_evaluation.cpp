@@ -172,10 +172,10 @@ std::size_t rowsPerClip(const EvaluationPlan& plan) {
 
 std::vector<ResultRow> evaluateClip(const CollideClip& clip, const LaneIndex& lanes,
                                     std::shared_ptr<const LaneMap> map,
-                                    std::shared_ptr<const SpeedProfiles> profiles,
+                                    std::shared_ptr<const SpeedForecaster> speeds,
                                     const Config& config, const EvaluationPlan& plan) {
   const auto ego_futures = std::make_shared<KinematicEgoFutures>(config.attack.ego_futures,
-                                                                 std::move(profiles), clip.scene);
+                                                                 std::move(speeds), clip.scene);
   const ClipCase clip_case(clip, lanes, std::move(map), ego_futures, config, plan.mode);
   std::vector<ResultRow> rows;
   for (const std::string& method : methodsOf(plan)) {

@@ -37,7 +37,7 @@ std::size_t rowsPerClip(const EvaluationPlan& plan);
 /// counts at the nominal 2 Hz. Throws std::invalid_argument for an unknown method.
 std::vector<ResultRow> evaluateClip(const CollideClip& clip, const LaneIndex& lanes,
                                     std::shared_ptr<const LaneMap> map,
-                                    std::shared_ptr<const SpeedProfiles> profiles,
+                                    std::shared_ptr<const SpeedForecaster> speeds,
                                     const Config& config, const EvaluationPlan& plan);
 
 }  // namespace forge

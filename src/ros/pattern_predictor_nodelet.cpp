@@ -19,7 +19,7 @@ class PatternPredictorNodelet : public nodelet::Nodelet {
     options_ = config.attack;
     predictor_ = std::make_unique<KinematicPatternPredictor>(
         options_,
-        std::make_shared<KinematicEgoFutures>(options_.ego_futures, loadSpeedProfiles(config)));
+        std::make_shared<KinematicEgoFutures>(options_.ego_futures, loadSpeedForecaster(config)));
     ros::NodeHandle& node = getNodeHandle();
     map_ = std::make_unique<LaneMapSubscriber>(node);
     service_ = std::make_unique<OwnThreadService>(node, names::kPredictPattern,

@@ -99,11 +99,11 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const std::vector<std::string> paths = listClips(arguments, config);
   CityMaps maps(arguments.dataroot, config);
-  const auto profiles = loadSpeedProfiles(config);
+  const auto speeds = loadSpeedForecaster(config);
   const auto work = [&](std::size_t index) {
     const CollideClip clip = readCollideClip(paths[index]);
     const CityMap& city = maps.at(clip.city);
-    return rowBytes(evaluateClip(clip, *city.lanes, city.map, profiles, config, arguments.plan));
+    return rowBytes(evaluateClip(clip, *city.lanes, city.map, speeds, config, arguments.plan));
   };
   const std::vector<ResultRow> rows =
       runEvaluation(arguments.out, describeRun(arguments, paths), arguments.jobs, work);

@@ -77,8 +77,8 @@ int inject(const Arguments& arguments) {
   const Snapshot snapshot = snapshotAt(scene, now, config.attack.prediction.history_frames);
   const Future recorded = recordedFuture(scene, now);
   const KinematicPatternPredictor predictor(
-      config.attack,
-      std::make_shared<KinematicEgoFutures>(config.attack.ego_futures, loadSpeedProfiles(config)));
+      config.attack, std::make_shared<KinematicEgoFutures>(config.attack.ego_futures,
+                                                           loadSpeedForecaster(config)));
   const Realization attack =
       generateCollision(request, snapshot, lanes, &recorded, predictor, config.attack);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);

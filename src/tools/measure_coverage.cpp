@@ -32,14 +32,14 @@ using Tallies = std::map<std::pair<Mode, CollisionType>, Tally>;
 
 void answerAll(const Scene& scene, double seconds, const LaneIndex& lanes,
                const Arguments& arguments, const Config& config,
-               const std::shared_ptr<const SpeedProfiles>& profiles, std::ostream& csv,
+               const std::shared_ptr<const SpeedForecaster>& speeds, std::ostream& csv,
                Tallies& tallies) {
   const auto now = lastFrameTime(scene, scene.frame_times.front() + seconds);
   const Snapshot snapshot = snapshotAt(scene, *now, config.attack.prediction.history_frames);
   const Future recorded = recordedFuture(scene, *now);
   const KinematicPatternPredictor predictor(
       config.attack,
-      std::make_shared<KinematicEgoFutures>(config.attack.ego_futures, profiles, scene.name));
+      std::make_shared<KinematicEgoFutures>(config.attack.ego_futures, speeds, scene.name));
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) {
     for (const CollisionType type : kCollisionTypes) {
       for (const double tta : arguments.ttas) {
@@ -89,7 +89,7 @@ void printTable(const Tallies& tallies) {
 
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  const auto profiles = loadSpeedProfiles(config);
+  const auto speeds = loadSpeedForecaster(config);
   const NuScenesRoot root(arguments.dataroot, arguments.version);
   std::map<std::string, std::shared_ptr<const LaneMap>> maps;
   std::ofstream csv(arguments.out + ".part");
@@ -107,7 +107,7 @@ int measure(const Arguments& arguments) {
     const Scene scene = toScene(recording, config.ego_vehicle, map);
     const LaneIndex lanes(map);
     for (const double now : arguments.nows) {
-      answerAll(scene, now, lanes, arguments, config, profiles, csv, tallies);
+      answerAll(scene, now, lanes, arguments, config, speeds, csv, tallies);
     }
     ++progress;
   }

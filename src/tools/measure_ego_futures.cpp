@@ -12,6 +12,7 @@
 #include "attack/kinematic_prediction.h"
 #include "formats/config.h"
 #include "formats/nuscenes_tables.h"
+#include "formats/speed_model_file.h"
 #include "formats/speed_profiles_file.h"
 #include "tools/lane_indices.h"
 #include "tools/tool_support.h"
@@ -28,6 +29,7 @@ struct Arguments {
   std::string dataroot;
   std::string version;
   std::string profiles;
+  std::string speed_model;
   std::string out;
   std::string config;
   double stride = 2.0;     // s
@@ -186,13 +188,20 @@ void printTimes(std::vector<double> milliseconds) {
               quantile(0.95), milliseconds.back());
 }
 
+std::shared_ptr<const SpeedForecaster> readSpeeds(const Arguments& arguments,
+                                                  const Config& config) {
+  if (!arguments.profiles.empty()) {
+    return std::make_shared<const SpeedProfiles>(
+        readSpeedProfiles(arguments.profiles, config.attack.ego_futures.speed));
+  }
+  if (arguments.speed_model.empty()) return nullptr;
+  return std::make_shared<const SpeedModel>(readSpeedModel(arguments.speed_model));
+}
+
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const NuScenesRoot root(arguments.dataroot, arguments.version);
-  const auto profiles =
-      arguments.profiles.empty()
-          ? nullptr
-          : std::make_shared<const SpeedProfiles>(readSpeedProfiles(arguments.profiles));
+  const auto speeds = readSpeeds(arguments, config);
   LaneIndices lanes(arguments.dataroot, config);
   std::ofstream csv;
   if (!arguments.out.empty()) csv.open(arguments.out + ".part");
@@ -203,7 +212,7 @@ int measure(const Arguments& arguments) {
     const NuScenesRecording recording = root.readScene(name);
     const LaneIndex& index = lanes.at(recording.location);
     const Scene scene = toScene(recording, config.ego_vehicle, nullptr);
-    const KinematicEgoFutures sampler(config.attack.ego_futures, profiles, name);
+    const KinematicEgoFutures sampler(config.attack.ego_futures, speeds, name);
     const double last = scene.frame_times.back() - kHorizons[0] + 1e-6;
     for (double at = scene.frame_times.front() + arguments.stride; at <= last;
          at += arguments.stride) {
@@ -230,7 +239,10 @@ int main(int argc, char** argv) {
                "measure_ego_futures");
   app.add_option("--dataroot", arguments.dataroot, "nuScenes root")->required();
   app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini")->required();
-  app.add_option("--profiles", arguments.profiles, "CSV of speed profiles; none by default");
+  CLI::Option* profiles =
+      app.add_option("--profiles", arguments.profiles, "CSV of speed profiles; none by default");
+  app.add_option("--speed-model", arguments.speed_model, "file of fit_speed_model; none by default")
+      ->excludes(profiles);
   app.add_option("--out", arguments.out, "CSV to write, a row a case and horizon");
   app.add_option("--stride", arguments.stride, "seconds between the times sampled from")
       ->check(CLI::PositiveNumber)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "attack/speed_profiles.h"
 #include "attack/test_scenes.h"
 
 namespace forge {
@@ -15,8 +16,13 @@ constexpr double kHorizon = 8.0;  // s
 constexpr int kCount = 64;
 const EgoFutureOptions kOptions = shippedEgoFutureOptions();
 
+std::shared_ptr<const SpeedForecaster> profilesOf(
+    const std::vector<SpeedProfileRow>& rows, const SpeedProfileOptions& options = kOptions.speed) {
+  return std::make_shared<SpeedProfiles>(SpeedSituations(rows), options);
+}
+
 /// 40 drivers at 8 to 12 m/s, each of whom gains or loses speed evenly.
-std::shared_ptr<const SpeedProfiles> evenDrivers() {
+std::shared_ptr<const SpeedForecaster> evenDrivers() {
   std::vector<SpeedProfileRow> rows;
   for (int i = 0; i < 40; ++i) {
     for (int frame = 0; frame < 40; ++frame) {
@@ -24,7 +30,7 @@ std::shared_ptr<const SpeedProfiles> evenDrivers() {
       rows.push_back({"scene-" + std::to_string(i), frame, 8.0 + i % 5 + frame * gain, {}});
     }
   }
-  return std::make_shared<SpeedProfiles>(rows);
+  return profilesOf(rows);
 }
 
 /// Eastbound to x = 0, then two ways apart by 45 degrees to either side.
@@ -36,9 +42,9 @@ std::shared_ptr<LaneMap> evenFork() {
 }
 
 std::vector<Track> sampleOn(const std::shared_ptr<LaneMap>& map, const Pose2& pose, double speed,
-                            std::shared_ptr<const SpeedProfiles> profiles, int count = kCount,
+                            std::shared_ptr<const SpeedForecaster> speeds, int count = kCount,
                             std::uint64_t seed = 1) {
-  const KinematicEgoFutures sampler(kOptions, std::move(profiles));
+  const KinematicEgoFutures sampler(kOptions, std::move(speeds));
   const Snapshot snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, pose, speed), {}, map);
   return sampler.sample(snapshot, LaneIndex(map), kHorizon, count, seed);
 }
@@ -181,12 +187,12 @@ TEST(EgoFutures, ProfilesOfTheLeftOutSceneAreNotUsed) {
                       {}});
     }
   }
-  const auto profiles = std::make_shared<SpeedProfiles>(rows);
   const Snapshot snapshot =
       snapshotOf(pastTrack(kEgoId, kEgoSize, {-100, 0, 0}, 10.0), {}, twoLaneRoad());
   const LaneIndex lanes(twoLaneRoad());
   EgoFutureOptions options = kOptions;
   options.speed.ridge = 1.0;
+  const auto profiles = profilesOf(rows, options.speed);
   const auto shortest = [&](const std::string& left_out) {
     return lastX(KinematicEgoFutures(options, profiles, left_out)
                      .sample(snapshot, lanes, kHorizon, 400, 1))
@@ -197,9 +203,9 @@ TEST(EgoFutures, ProfilesOfTheLeftOutSceneAreNotUsed) {
 }
 
 TEST(EgoFutures, AStandingEgoStandsOrSetsOff) {
-  for (const auto& profiles : {evenDrivers(), std::shared_ptr<const SpeedProfiles>()}) {
+  for (const auto& speeds : {evenDrivers(), std::shared_ptr<const SpeedForecaster>()}) {
     const Pose2 pose{-20, 0.2, 0};
-    const auto tracks = sampleOn(evenFork(), pose, 0.0, profiles);
+    const auto tracks = sampleOn(evenFork(), pose, 0.0, speeds);
     ASSERT_EQ(tracks.size(), static_cast<std::size_t>(kCount));
     expectSane(tracks, pose);
     EXPECT_GE(lastX(tracks).front(), -20.0 - 1e-6);
@@ -219,8 +225,7 @@ TEST(EgoFutures, ProfilesThatEndEarlyGoOnAtTheirLastSpeed) {
       rows.push_back({"scene-" + std::to_string(i), frame, 10.0, {}});
     }
   }
-  const auto x =
-      lastX(sampleOn(twoLaneRoad(), {-100, 0, 0}, 10.0, std::make_shared<SpeedProfiles>(rows)));
+  const auto x = lastX(sampleOn(twoLaneRoad(), {-100, 0, 0}, 10.0, profilesOf(rows)));
   EXPECT_NEAR(x[kCount / 2], -20.0, 0.2);
 }
 

@@ -207,7 +207,7 @@ TEST(ConfidenceOf, IsLinearBetweenThePointsOfTheCurve) {
   EXPECT_NEAR(confidenceOf(0.25, curve), 0.1, 1e-12);
   EXPECT_NEAR(confidenceOf(0.5, curve), 0.2, 1e-12);
   EXPECT_NEAR(confidenceOf(0.75, curve), 0.55, 1e-12);
-  EXPECT_EQ(confidenceOf(1.0, curve), 0.9);
+  EXPECT_NEAR(confidenceOf(1.0, curve), 0.9, 1e-12);
 }
 
 }  // namespace

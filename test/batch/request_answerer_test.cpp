@@ -33,7 +33,9 @@ TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
     const Future recorded = recordedFuture(indexed->scene, request.now);
     Scenario expected{request, config_.ego_vehicle, {}};
     const KinematicPatternPredictor predictor(
-        config_.attack, std::make_shared<KinematicEgoFutures>(config_.attack.ego_futures, nullptr));
+        config_.attack,
+        std::make_shared<KinematicEgoFutures>(config_.attack.ego_futures,
+                                              loadSpeedForecaster(config_), request.scene));
     expected.answer = generateCollision(request.request, snapshot, *indexed->lanes, &recorded,
                                         predictor, config_.attack);
     EXPECT_EQ(scenarioLine(answerer_.answer(request)), scenarioLine(expected));

@@ -200,6 +200,24 @@ TEST(Config, ShippedEvaluationHasTheDocumentedValues) {
   EXPECT_EQ(options.statistics.seed, 1u);
 }
 
+TEST(Config, ShippedSpeedModelFitHasTheDocumentedValues) {
+  const SpeedModelFitOptions options = loadConfig(kShipped).speed_model_fit;
+  EXPECT_EQ(options.intervals, 18);
+  EXPECT_EQ(options.centers, 400);
+  EXPECT_EQ(options.cluster_rounds, 20);
+  EXPECT_EQ(options.folds, 5);
+  EXPECT_EQ(options.gain_ridge, 0.1);
+  EXPECT_EQ(options.spread_ridge, 30.0);
+  EXPECT_EQ(options.linear_ridge, 10.0);
+  EXPECT_EQ(options.spread_floor, 0.2);
+  EXPECT_EQ(options.profiles, 128);
+  EXPECT_EQ(options.standing_speed, 0.1);
+  EXPECT_EQ(options.standing_profiles, 32);
+  EXPECT_EQ(options.standing_ridge, 3.0);
+  EXPECT_EQ(options.feature_weights,
+            (FeatureWeights{0.25, 1.0, 0.75, 0.25, 2.5, 0.35, 1.14, 1.3, 0.25, 4.0}));
+}
+
 TEST(Config, ShippedEgoFuturesHaveTheDocumentedValues) {
   const EgoFutureOptions options = loadConfig(kShipped).attack.ego_futures;
   EXPECT_EQ(options.step, 0.1);
@@ -299,6 +317,7 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
                                                         {"encoding.yaml", "encoding"},
                                                         {"evaluation.yaml", "evaluation"},
                                                         {"ego_futures.yaml", "ego_futures"},
+                                                        {"speed_model_fit.yaml", "speed_model_fit"},
                                                         {"conversion.yaml", "conversion"},
                                                         {"drawing.yaml", "drawing"},
                                                         {"requests.yaml", "requests"},
@@ -326,7 +345,8 @@ TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
   for (const char* file :
        {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml", "collision_types.yaml",
         "prediction.yaml", "search.yaml", "verification.yaml", "encoding.yaml", "conversion.yaml",
-        "drawing.yaml", "requests.yaml", "evaluation.yaml", "ego_futures.yaml"}) {
+        "drawing.yaml", "requests.yaml", "evaluation.yaml", "ego_futures.yaml",
+        "speed_model_fit.yaml"}) {
     expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
   }
 }
@@ -343,6 +363,7 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
                   {"ego_futures.speed.neighbors", "missing"});
   expectComplaint("ego_futures.yaml", "bend_turn:", "#",
                   {"ego_futures.speed.feature_weights.bend_turn", "missing"});
+  expectComplaint("speed_model_fit.yaml", "centers:", "#", {"speed_model_fit.centers", "missing"});
   expectComplaint("conversion.yaml", "map_radius:", "#", {"conversion.map_radius", "missing"});
   expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
   expectComplaint("requests.yaml", "stride:", "#", {"requests.stride", "missing"});
@@ -397,6 +418,10 @@ TEST_F(SpoiltConfig, WrongTypesAreRefused) {
                   {"ego_futures.lateral.kept_offset", "1.3", "0 to 1"});
   expectComplaint("ego_futures.yaml", "closing: 22.8", "closing: -1.0",
                   {"ego_futures.speed.feature_weights.closing", "-1.0"});
+  expectComplaint("speed_model_fit.yaml", "folds: 5", "folds: 1",
+                  {"speed_model_fit.folds", "1", "2 "});
+  expectComplaint("speed_model_fit.yaml", "gain_ridge: 0.1", "gain_ridge: 0",
+                  {"speed_model_fit.gain_ridge", "0", "not positive"});
   expectComplaint("locations.yaml", "boston: right", "boston: middle",
                   {"locations.boston", "middle", "right"});
   write("collision_types.yaml", "collision_types: {rules: full, lane_change: 0.2}");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "attack/ego_futures.h"
@@ -11,10 +12,13 @@
 #include "formats/config.h"
 #include "formats/nuscenes_map.h"
 #include "formats/nuscenes_tables.h"
+#include "formats/speed_model_file.h"
 #include "formats/speed_profiles_file.h"
 
 namespace forge {
 namespace {
+
+namespace fs = std::filesystem;
 
 const std::string kSource = COLLISION_FORGE_SOURCE_DIR;
 const std::string kDataroot = kSource + "/data/embedded";
@@ -50,7 +54,7 @@ double drivenUntil(const Track& track, double time) {
 }
 
 TEST_F(EmbeddedEgoFutures, ProfilesAreThoseOfTheData) {
-  const SpeedProfiles shipped = readSpeedProfiles(kProfiles);
+  const SpeedSituations shipped = readSpeedSituations(kProfiles);
   std::vector<SpeedProfileRow> rows;
   for (const std::string& name : root_.sceneNames()) {
     const Scene scene = read(name);
@@ -68,10 +72,47 @@ TEST_F(EmbeddedEgoFutures, ProfilesAreThoseOfTheData) {
   }
 }
 
+DrivingSituation steady(double speed) {
+  DrivingSituation situation;
+  situation.past_speeds.fill(speed);
+  situation.ahead.bend_braking = -3.0;
+  return situation;
+}
+
+TEST_F(EmbeddedEgoFutures, ShippedModelKnowsDrivers) {
+  const SpeedModel model = readSpeedModel(config_.speed_model);
+  EXPECT_LT(fs::file_size(config_.speed_model), 1'500'000u);
+  ASSERT_EQ(model.folds().size(), 5u);
+  for (const SpeedModelWeights& fold : model.folds()) {
+    const std::string left_out = fold.left_out_scenes.front();
+    for (const double speed : {5.0, 10.0}) {
+      const SpeedForecast forecast = model.forecast(steady(speed), 18, left_out);
+      ASSERT_EQ(forecast.speeds.cols(), 18);
+      const Eigen::RowVectorXd mean = forecast.weights.transpose() * forecast.speeds;
+      EXPECT_NEAR(mean[3], speed, 1.0);
+      EXPECT_NEAR(mean[11], speed, 2.5);
+    }
+    const SpeedForecast standing = model.forecast(steady(0.0), 8, left_out);
+    const auto stays = (standing.speeds.rowwise().sum().array() < 1.0);
+    EXPECT_GT(stays.select(standing.weights, 0.0).sum(), 0.5);
+    EXPECT_LT(stays.select(standing.weights, 0.0).sum(), 0.99);
+  }
+}
+
+TEST_F(EmbeddedEgoFutures, OwnProfilesComeBeforeTheModel) {
+  EXPECT_NE(dynamic_cast<const SpeedModel*>(loadSpeedForecaster(config_).get()), nullptr);
+  config_.speed_profiles = kProfiles;
+  EXPECT_NE(dynamic_cast<const SpeedProfiles*>(loadSpeedForecaster(config_).get()), nullptr);
+  config_.speed_profiles.clear();
+  config_.speed_model.clear();
+  EXPECT_EQ(loadSpeedForecaster(config_), nullptr);
+}
+
 // The distance driven within the central 80 % of 64 samples, the scene on test left out. Ten scenes
 // of simulated drivers are few, hence the width of the band.
 TEST_F(EmbeddedEgoFutures, TheCentralIntervalCoversTheRecording) {
-  const auto profiles = std::make_shared<const SpeedProfiles>(readSpeedProfiles(kProfiles));
+  const auto profiles = std::make_shared<const SpeedProfiles>(
+      readSpeedProfiles(kProfiles, config_.attack.ego_futures.speed));
   std::map<double, std::pair<int, int>> covered;  // by horizon: covered, of
   for (const std::string& name : root_.sceneNames()) {
     const Scene scene = read(name);

@@ -30,12 +30,14 @@ const auto kNothing = [](JsonObject&) {};
 
 TEST(JsonLine, ReadsEveryKind) {
   const JsonLine line("", R"({"t":"a\"b","n":-1.5e3,"c":18446744073709551615,"f":true,
-                              "o":{"x":1},"l":[{"y":2},{"y":3}],"z":null})");
+                              "o":{"x":1},"v":[1,-2.5],"w":["a",""],"l":[{"y":2},{"y":3}],"z":null})");
   JsonObject object = line.root();
   EXPECT_EQ(object.text("t"), "a\"b");
   EXPECT_EQ(object.number("n"), -1500.0);
   EXPECT_EQ(object.count("c"), std::numeric_limits<std::uint64_t>::max());
   EXPECT_TRUE(object.flag("f"));
+  EXPECT_EQ(object.numbers("v"), (std::vector<double>{1.0, -2.5}));
+  EXPECT_EQ(object.texts("w"), (std::vector<std::string>{"a", ""}));
   JsonObject inner = object.object("o");
   EXPECT_EQ(inner.number("x"), 1.0);
   inner.finish();
@@ -60,6 +62,13 @@ TEST(JsonLine, WrongKindsNameWhereFieldAndValue) {
   EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.object("a"); }), at);
   EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.objectOrNull("a"); }), at);
   EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.objects("a"); }), at);
+  EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.numbers("a"); }), at);
+  EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.texts("a"); }), at);
+  const std::string mixed = R"({"a":[1,"x"]})";
+  EXPECT_THAT(complaintOf(mixed, [](JsonObject& object) { object.numbers("a"); }),
+              HasSubstr("field a = [...] holds \"x\", which is not a number"));
+  EXPECT_THAT(complaintOf(mixed, [](JsonObject& object) { object.texts("a"); }),
+              HasSubstr("field a = [...] holds 1, which is not a string"));
   const auto text_at = HasSubstr("field a = \"7\" is n");
   const std::string quoted = R"({"a":"7"})";
   EXPECT_THAT(complaintOf(quoted, [](JsonObject& object) { object.number("a"); }), text_at);
@@ -118,12 +127,16 @@ TEST(JsonLineWriter, WritesWithoutSpaces) {
   writer.count("c", 7);
   writer.flag("f", false);
   writer.null("z");
+  writer.numbers("v", {1.0, -2.5});
+  writer.texts("w", {"a", "\""});
   writer.beginArray("l");
   writer.beginObject();
   writer.endObject();
   writer.endArray();
   writer.endObject();
-  EXPECT_EQ(writer.line(), R"({"t":"a\"\n","n":0.1,"c":7,"f":false,"z":null,"l":[{}]})");
+  EXPECT_EQ(
+      writer.line(),
+      R"({"t":"a\"\n","n":0.1,"c":7,"f":false,"z":null,"v":[1,-2.5],"w":["a","\""],"l":[{}]})");
 }
 
 std::string written(double value) {
@@ -160,6 +173,7 @@ TEST(JsonLineWriter, NumbersThatAreNoneAreRefused) {
   writer.beginObject();
   for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW(writer.number("n", value), std::invalid_argument);
+    EXPECT_THROW(writer.numbers("n", {1.0, value}), std::invalid_argument);
   }
 }
 

@@ -33,7 +33,7 @@ class SpeedProfilesFile : public testing::Test {
   /// What reading says; empty when it succeeds.
   std::string complaint() const {
     try {
-      readSpeedProfiles(path_);
+      readSpeedSituations(path_);
     } catch (const SpeedProfilesFileError& error) {
       return error.what();
     }
@@ -63,7 +63,7 @@ TEST_F(SpeedProfilesFile, WhatIsWrittenIsReadToTheThirdDecimal) {
                            "scene-1,1,8.123,0.012,-1.5,0.25,0.013,1.75,-0.5\n"
                            "scene-1,2,0,0,0,0,0,0,0\n"
                            "scene-2,1,3,1,2,3,4,5,6\n");
-  const auto read = readSpeedProfiles(path_).rows();
+  const auto read = readSpeedSituations(path_).rows();
   ASSERT_EQ(read.size(), 3u);
   EXPECT_EQ(read[0].scene, "scene-1");
   EXPECT_EQ(read[1].frame, 2);

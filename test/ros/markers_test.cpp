@@ -297,7 +297,9 @@ TEST(AttackMarkers, PutTheContactWhereTheBoxesTouch) {
 TEST(AttackMarkers, SayWhatTheReportSays) {
   const auto text = inNamespace(attack().markers(), "report");
   ASSERT_EQ(text.size(), 1U);
-  EXPECT_EQ(text[0].text, "junction_crossing\ncontact in 3.00 s\nheading +90 deg\nfront to ego's left\nimpact 12.3 m/s");
+  EXPECT_EQ(text[0].text,
+            "junction_crossing\ncontact in 3.00 s\nheading +90 deg\nfront to ego's left\nimpact "
+            "12.3 m/s");
 }
 
 TEST(AttackMarkers, WarnOfAnAttackThatIsNotVerified) {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "attack/speed_model.h"
+
+namespace forge {
+
+/// Names file, line, field and value.
+struct SpeedModelFileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads a file of data/weights, whose README describes it. Throws SpeedModelFileError for a file
+/// that is missing or malformed.
+SpeedModel readSpeedModel(const std::string& path);
+
+/// Writes the same, numbers rounded to five digits, aside first and renamed when complete. Throws
+/// SpeedModelFileError when it cannot be written.
+void writeSpeedModel(const SpeedModel& model, const std::string& path);
+
+}  // namespace forge
