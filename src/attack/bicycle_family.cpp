@@ -144,9 +144,7 @@ class Problem {
  public:
   Problem(const DriveStart& start, const Arrival& arrival, const VehicleLimits& limits,
           const BicycleOptions& options)
-      : start_(start), arrival_(arrival), limits_(limits), options_(options) {
-    start_.step *= kCoarser;
-  }
+      : start_(start), arrival_(arrival), limits_(limits), options_(options) {}
 
   /// From a first guess; empty when the arrival stays too far away.
   std::optional<Knots> solve(Knots knots) const {
@@ -167,7 +165,6 @@ class Problem {
   static constexpr int kReached = 4;  // residuals of where the steering ends; then one a knot
   using Residuals = Eigen::Matrix<double, kReached + kUnknowns, 1>;
   using Jacobian = Eigen::Matrix<double, kReached + kUnknowns, kUnknowns>;
-  static constexpr double kCoarser = 2.0;  // steps than those driven: near enough to aim by
   static constexpr double kFirstDamping = 1e-2;
   static constexpr int kDampings = 3;  // tried a step
 
@@ -221,7 +218,7 @@ class Problem {
     return false;
   }
 
-  DriveStart start_;
+  const DriveStart& start_;
   const Arrival& arrival_;
   const VehicleLimits& limits_;
   const BicycleOptions& options_;

@@ -24,7 +24,7 @@ class LaneIndices {
     const auto map = std::make_shared<const LaneMap>(
         readNuScenesMap(dataroot_, location, drivingSide(config_, location),
                         {config_.conversion.centerline_resolution}));
-    return indices_.emplace(location, LaneIndex(map)).first->second;
+    return indices_.try_emplace(location, map).first->second;
   }
 
  private:
