@@ -262,31 +262,16 @@ Eigen::MatrixXd accumulated(Eigen::MatrixXd values) {
   return values;
 }
 
-/// What was accumulated().
-Eigen::MatrixXd differences(Eigen::MatrixXd sums) {
-  for (Eigen::Index i = sums.cols() - 1; i > 0; --i) sums.col(i) -= sums.col(i - 1);
-  return sums;
-}
-
-/// Typical residuals, whose distances differ as much as those that they stand for.
+/// Of profiles that last through, in groups that drive alike.
 WeightedProfiles typicalResiduals(const Sample& sample, const Eigen::MatrixXd& residuals,
                                   const SpeedModelFitOptions& options, std::uint64_t seed) {
-  const auto intervals = static_cast<int>(residuals.cols());
-  const Eigen::MatrixXd driven = accumulated(residuals);
-  const Eigen::Index whole = sample.lasting(intervals - 1);
-  const Eigen::RowVectorXd scales =
-      driven.topRows(whole).colwise().norm().cwiseMax(kMinSpread).cwiseInverse();
-  const Clusters clusters = clusterPoints(driven.topRows(whole) * scales.asDiagonal(),
-                                          options.profiles, options.cluster_rounds, seed);
-  const Eigen::VectorXd weights = sharesOf(clusters);
-  Eigen::MatrixXd typical = meansOf(driven.topRows(whole), clusters);
-  for (int interval = 0; interval < intervals; ++interval) {
-    const Eigen::Index count = sample.lasting(interval);
-    const double wanted = driven.col(interval).head(count).cwiseAbs().mean();
-    const double is = weights.dot(typical.col(interval).cwiseAbs());
-    if (is > 0.0) typical.col(interval) *= wanted / is;
-  }
-  return {differences(std::move(typical)), weights};
+  const Eigen::MatrixXd whole =
+      residuals.topRows(sample.lasting(static_cast<int>(residuals.cols()) - 1));
+  const Eigen::MatrixXd driven = accumulated(whole);
+  const Eigen::RowVectorXd scales = driven.colwise().norm().cwiseMax(kMinSpread).cwiseInverse();
+  const Clusters clusters =
+      clusterPoints(driven * scales.asDiagonal(), options.profiles, options.cluster_rounds, seed);
+  return {meansOf(whole, clusters), sharesOf(clusters)};
 }
 
 /// Regresses on the features which of the typical profiles a standing driver takes. `linear`: 1 and

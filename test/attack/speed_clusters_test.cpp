@@ -31,20 +31,39 @@ TEST(ClusterPoints, GroupsThatAreApartAreFoundForEverySeed) {
   }
 }
 
-TEST(ClusterPoints, CentersAreTheMeansOfTheirMembers) {
-  const Eigen::MatrixXd points = threeGroups();
-  const Clusters clusters = clusterPoints(points, 10, 7, 1);
-  for (Eigen::Index cluster = 0; cluster < clusters.centers.rows(); ++cluster) {
-    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(2);
-    int members = 0;
-    for (Eigen::Index i = 0; i < points.rows(); ++i) {
-      if (clusters.member[static_cast<std::size_t>(i)] != cluster) continue;
-      sum += points.row(i);
-      ++members;
-    }
-    ASSERT_GT(members, 0);
-    EXPECT_TRUE(clusters.centers.row(cluster).isApprox(sum / members, 1e-12));
+void expectMeans(const Eigen::MatrixXd& points, const Clusters& clusters) {
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(clusters.centers.rows(), points.cols());
+  Eigen::VectorXd members = Eigen::VectorXd::Zero(clusters.centers.rows());
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Eigen::Index cluster = clusters.member[static_cast<std::size_t>(i)];
+    ASSERT_LT(cluster, clusters.centers.rows());
+    sums.row(cluster) += points.row(i);
+    members[cluster] += 1.0;
   }
+  ASSERT_GE(members.minCoeff(), 1.0);
+  EXPECT_TRUE(clusters.centers.isApprox(members.cwiseInverse().asDiagonal() * sums, 1e-12));
+}
+
+TEST(ClusterPoints, CentersAreTheMeansOfTheirMembers) {
+  expectMeans(threeGroups(), clusterPoints(threeGroups(), 10, 7, 1));
+}
+
+// A center may lose its last member to others that move towards it.
+TEST(ClusterPoints, ClustersWithoutMembersGo) {
+  int fewer = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    std::mt19937_64 engine(seed);
+    Eigen::MatrixXd points(20, 1);
+    for (Eigen::Index i = 0; i < points.size(); ++i) {
+      points(i) = static_cast<double>(engine() % 1000) / 1000.0;
+    }
+    for (int rounds = 1; rounds <= 10; ++rounds) {
+      const Clusters clusters = clusterPoints(points, 6, rounds, seed);
+      expectMeans(points, clusters);
+      fewer += clusters.centers.rows() < 6;
+    }
+  }
+  EXPECT_GT(fewer, 0);
 }
 
 TEST(ClusterPoints, EqualPointsAreOneCluster) {
