@@ -101,6 +101,7 @@ TEST(Realize, IsCertainOfAnEgoThatIsKnown) {
 TEST(Realize, IsAsConfidentAsTheShareOfTheHeldOutSamplesThatAreHit) {
   // The even samples are searched, the odd ones are held out.
   Case attack;
+  attack.options.search.confidence_curve = {0.0, 1.0};
   attack.sampleEgo({10.0, 10.0, 10.0, 10.0, 10.0, 30.0, 10.0, 30.0});
   const Realization half = attack.result();
   ASSERT_EQ(half.status.code, StatusCode::kOk) << half.status.message;
@@ -112,8 +113,16 @@ TEST(Realize, IsAsConfidentAsTheShareOfTheHeldOutSamplesThatAreHit) {
   EXPECT_EQ(whole.report.confidence, 1.0);
 }
 
+TEST(Realize, TheShareIsCurvedIntoAConfidence) {
+  Case attack;
+  attack.options.search.confidence_curve = {0.0, 0.4, 1.0};
+  attack.sampleEgo({10.0, 10.0, 10.0, 10.0, 10.0, 30.0, 10.0, 30.0});
+  EXPECT_EQ(attack.result().report.confidence, 0.4);
+}
+
 TEST(Realize, DeclinesAnAttackThatPromisesTooLittle) {
   Case attack;
+  attack.options.search.confidence_curve = {0.0, 1.0};
   attack.sampleEgo({10.0, 10.0, 10.0, 30.0, 10.0, 30.0, 10.0, 30.0});
   attack.options.search.min_confidence = 0.25;
   EXPECT_EQ(attack.result().status.code, StatusCode::kOk);
