@@ -504,7 +504,7 @@ NominalOptions readNominal(Section section) {
 PublishedSearchOptions readPublishedSearch(Section section) {
   PublishedSearchOptions options;
   options.heading_tolerance = section.within("heading_tolerance", 0.0, kMaxHeading);
-  options.time_tolerance = section.positive("time_tolerance");
+  options.latest = section.nonNegative("latest");
   options.overlap_margin = section.nonNegative("overlap_margin");
   options.max_lead = section.nonNegative("max_lead");
   options.max_speed = section.positive("max_speed");

@@ -32,7 +32,7 @@ struct NominalOptions {
 
 struct PublishedSearchOptions {
   double heading_tolerance = 0.0;
-  double time_tolerance = 0.0;
+  double latest = 0.0;
   double overlap_margin = 0.0;
   double max_lead = 0.0;
   double max_speed = 0.0;

@@ -76,7 +76,6 @@ AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOpti
     definition.min_heading = std::max(0.0, definition.nominal_heading - wanted.heading_tolerance);
     definition.max_heading = std::min(M_PI, definition.nominal_heading + wanted.heading_tolerance);
   }
-  options.verification.time_tolerance = wanted.time_tolerance;
   options.vehicle_limits = {kNone, kNone, kNone, kNone, kNone, 0.0, kNone, kNone};
   options.vehicle_limits.max_speed = wanted.max_speed;
   SearchOptions& search = options.search;
@@ -97,7 +96,7 @@ AttackerTrajectory publishedSearchAttacker(const CollideClip& clip, const Snapsh
                                            std::shared_ptr<const EgoFutureSampler> ego_futures,
                                            const AttackOptions& options,
                                            const EvaluationOptions& evaluation) {
-  const AttackOptions objective = withPublishedObjective(options, evaluation);
+  AttackOptions objective = withPublishedObjective(options, evaluation);
   const KinematicPatternPredictor predictor(objective, std::move(ego_futures));
   const PatternPrediction prediction = predictor.predict(
       snapshot, lanes, request, request.mode == Mode::kReplay ? &recorded : nullptr);
@@ -108,11 +107,15 @@ AttackerTrajectory publishedSearchAttacker(const CollideClip& clip, const Snapsh
 
   const std::vector<CollideClip> clips =
       likelyClips(clip, future, objective, evaluation.published_search.futures);
+  // Contact at any time up to the latest.
+  CollisionRequest any_time = request;
+  any_time.tta = 0.5 * (request.tta + evaluation.published_search.latest);
+  objective.verification.time_tolerance = any_time.tta;
   AttackerTrajectory best =
       nominalAttacker(clip.attacker_id, snapshot, recorded, request, evaluation.nominal, options);
   double best_worth = worth(clips, best, evaluation.published);
   for (const FoundAttack& attack :
-       searchAttacks({snapshot, future, egos, prediction.patterns, request, lanes}, objective)) {
+       searchAttacks({snapshot, future, egos, prediction.patterns, any_time, lanes}, objective)) {
     AttackerTrajectory candidate = best;
     candidate.points = attack.points;
     const double candidate_worth = worth(clips, candidate, evaluation.published);

@@ -13,11 +13,12 @@
 namespace forge {
 
 /// Options for a search of what the published protocol counts: a contact at about the angle that
-/// the set gives attackers of the type, around the time asked for, by any motion, on the road or
-/// off it. No vehicle limit is kept and no answer declined.
+/// the set gives attackers of the type, by any motion, on the road or off it. No vehicle limit is
+/// kept and no answer declined.
 AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOptions& evaluation);
 
-/// The clip's attacker on that attack of searchAttacks(), or on nominalAttacker(), that the
+/// The clip's attacker on that attack (of contacts at any time up to a little after the one asked
+/// for) of searchAttacks(), or on nominalAttacker(), that the
 /// published protocol would count in most of the ego's futures: hits, and similar ones a third
 /// more. `request.mode` decides whether `recorded` is looked at; the angle in the file's name
 /// never is.

@@ -189,7 +189,7 @@ TEST(Config, ShippedEvaluationHasTheDocumentedValues) {
   EXPECT_EQ(options.nominal.lane_change_side, 1.0);
   EXPECT_NEAR(options.nominal.lane_change_heading, 20.0 * M_PI / 180.0, 1e-4);
   EXPECT_EQ(options.published_search.heading_tolerance, 0.12);
-  EXPECT_EQ(options.published_search.time_tolerance, 5.0);
+  EXPECT_EQ(options.published_search.latest, 1.0);
   EXPECT_EQ(options.published_search.overlap_margin, 0.15);
   EXPECT_EQ(options.published_search.max_lead, 1.0);
   EXPECT_EQ(options.published_search.max_speed, 40.0);
