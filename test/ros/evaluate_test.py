@@ -98,13 +98,12 @@ class EvaluateTest(road.RoadTest):
 
     def test_other_arguments_or_configuration_do_not_go_on(self):
         out = self.path('out')
-        self.assertEqual(evaluate(self.collide, out).returncode, 0)
+        config = road.copy_config(self.path('config'))
+        self.assertEqual(evaluate(self.collide, out, '--config', config).returncode, 0)
         before = (out / 'results.csv').read_bytes()
-        result = evaluate(self.collide, out, '--protocol', 'published')
+        result = evaluate(self.collide, out, '--config', config, '--protocol', 'published')
         self.assertEqual(result.returncode, 1)
         self.assertIn('"protocol = strict" there, "protocol = published" now', result.stderr)
-        config = self.path('config')
-        shutil.copytree(str(road.PACKAGE_FOLDER / 'config'), str(config))
         limits = config / 'vehicle_limits.yaml'
         limits.write_text(limits.read_text().replace('max_speed: 25.0', 'max_speed: 26.0'))
         result = evaluate(self.collide, out, '--config', config)

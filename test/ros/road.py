@@ -1,5 +1,6 @@
 """What the tests of this folder share: the package's tools, its embedded data, and bags to make, read and damage."""
 import math
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -40,6 +41,14 @@ def run(name, *arguments):
     return subprocess.run([tool(name)] + [str(argument) for argument in arguments], stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, universal_newlines=True,
                           timeout=TOOL_TIMEOUT, check=False)
+
+
+def copy_config(folder):
+    """The shipped configuration in another folder, from which it still finds the speed model."""
+    shutil.copytree(str(PACKAGE_FOLDER / 'config'), str(folder))
+    futures = folder / 'ego_futures.yaml'
+    futures.write_text(futures.read_text().replace('speed_model: ..', 'speed_model: ' + str(PACKAGE_FOLDER)))
+    return folder
 
 
 def convert(out, *arguments, dataroot=DATAROOT, version=VERSION):
