@@ -17,8 +17,9 @@ struct FutureScore {
 };
 
 /// Scores thousands of motions of attackers: the poses of all futures are laid out by time step.
-/// Boxes are shrunk and bands narrowed by the margins of SearchOptions, contact is looked for at
-/// the steps and told between them linearly; what is exact is verify(). Limits are not looked at.
+/// Contact is that of the whole boxes, looked for at the steps and told between them linearly; they
+/// have to come to overlap by twice SearchOptions::overlap_margin, and bands and times are narrowed
+/// by the other margins. What is exact is verify(). Limits are not looked at.
 /// Immutable.
 class FutureScorer {
  public:
