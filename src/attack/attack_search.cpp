@@ -271,7 +271,7 @@ class Search {
     const DriveStart& start = candidate.contender->start;
     if (!drive(candidate, start, points_)) return;
     const double until = start.now + input_.request.tta + options_.verification.time_tolerance;
-    if (findBrokenLimit(points_, start.motion.pose.yaw, until, limits_)) return;
+    if (!keepsLimits(points_, start.motion.pose.yaw, until, limits_)) return;
     candidate.score = scorer_.score(*candidate.contender->track, points_);
     candidate.objective =
         candidate.score.share + search_.closeness_weight * candidate.score.closeness;

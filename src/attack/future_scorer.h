@@ -43,6 +43,8 @@ class FutureScorer {
   struct Outcome;
   void evaluate(const Track& attacker, const std::vector<TrajectoryPoint>& points,
                 std::vector<Outcome>& outcomes) const;
+  Pose2 local(const Pose2& pose) const;                     // seen from origin_'s position
+  Pose2 egoAt(std::size_t step, std::size_t future) const;  // local
   int firstOther(const Track& attacker, const std::vector<TrajectoryPoint>& points) const;
 
   std::size_t count_ = 0;   // futures

@@ -1,12 +1,15 @@
 #include "attack/limits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 namespace forge {
 namespace {
 
-constexpr double kBackwardSlack = 1e-3;  // m between two points, for rounding at standstill
+constexpr double kBackwardSlack = 1e-3;      // m between two points, for rounding at standstill
+constexpr double kDifferenceError = 0.05;    // m/s2 that a second difference may be off
+constexpr double kMaxSpeedDifference = 0.3;  // m/s; a change from full braking to full throttle
 
 double totalAcceleration(const TrajectoryPoint& point) {
   const double across = point.speed * point.speed * point.curvature;
@@ -46,11 +49,10 @@ void checkPoint(const TrajectoryPoint& point, const VehicleLimits& limits, Worst
   }
 }
 
-}  // namespace
+enum class Wanted { kWorst, kFirst };
 
-std::optional<BrokenLimit> findBrokenLimit(const std::vector<TrajectoryPoint>& points,
-                                           double start_yaw, double until,
-                                           const VehicleLimits& limits) {
+std::optional<BrokenLimit> findBroken(const std::vector<TrajectoryPoint>& points, double start_yaw,
+                                      double until, const VehicleLimits& limits, Wanted wanted) {
   Worst worst;
   double slow_yaw = start_yaw;  // heading where the current slow stretch began
   double slow_distance = 0.0;   // metres driven since
@@ -71,8 +73,40 @@ std::optional<BrokenLimit> findBrokenLimit(const std::vector<TrajectoryPoint>& p
       worst.check("heading_slack", std::abs(angleBetween(slow_yaw, point.pose.yaw)),
                   limits.heading_slack + limits.heading_per_metre * slow_distance);
     }
-    if (point.time >= until) break;
+    if (point.time >= until || (wanted == Wanted::kFirst && worst.found())) break;
     previous = &point;
+  }
+  return worst.found();
+}
+
+}  // namespace
+
+std::optional<BrokenLimit> findBrokenLimit(const std::vector<TrajectoryPoint>& points,
+                                           double start_yaw, double until,
+                                           const VehicleLimits& limits) {
+  return findBroken(points, start_yaw, until, limits, Wanted::kWorst);
+}
+
+bool keepsLimits(const std::vector<TrajectoryPoint>& points, double start_yaw, double until,
+                 const VehicleLimits& limits) {
+  return !findBroken(points, start_yaw, until, limits, Wanted::kFirst) &&
+         !findBrokenPositions(points, until, limits);
+}
+
+std::optional<BrokenLimit> findBrokenPositions(const std::vector<TrajectoryPoint>& points,
+                                               double until, const VehicleLimits& limits) {
+  Worst worst;
+  for (std::size_t i = 1; i + 1 < points.size() && points[i].time < until; ++i) {
+    const TrajectoryPoint& point = points[i];
+    const double step = point.time - points[i - 1].time;
+    const Vector2 before = (point.pose.position() - points[i - 1].pose.position()) / step;
+    const Vector2 after = (points[i + 1].pose.position() - point.pose.position()) / step;
+    worst.check("max_total_acceleration", (after - before).norm() / step - kDifferenceError,
+                limits.max_total_acceleration);
+    const auto [slower, faster] = std::minmax({before.norm(), after.norm()});
+    const double speed = std::abs(point.speed);
+    worst.check("speed_of_positions", std::max(slower - speed, speed - faster),
+                kMaxSpeedDifference);
   }
   return worst.found();
 }

@@ -11,7 +11,8 @@ namespace forge {
 
 /// A limit that a trajectory breaks, and by how much.
 struct BrokenLimit {
-  const char* name = "";  ///< key in config/vehicle_limits.yaml, or "no_reversing", "finite"
+  /// Key in config/vehicle_limits.yaml, or "no_reversing", "finite", "speed_of_positions".
+  const char* name = "";
   double value = 0.0;
   double limit = 0.0;
 };
@@ -25,6 +26,19 @@ struct BrokenLimit {
 std::optional<BrokenLimit> findBrokenLimit(const std::vector<TrajectoryPoint>& points,
                                            double start_yaw, double until,
                                            const VehicleLimits& limits);
+
+/// Holds what the positions alone say of the points before `until` against what is written and
+/// allowed: the total acceleration as a second difference of positions (a reader of the points
+/// finds no more than 0.05 m/s2 above the limit), and the written speeds, without sign, as those of
+/// the steps before and after each point ("speed_of_positions": within 0.3 m/s of either or between
+/// the two). Points are evenly spaced in time. Returns the worst, by ratio; points that are not
+/// finite break nothing.
+std::optional<BrokenLimit> findBrokenPositions(const std::vector<TrajectoryPoint>& points,
+                                               double until, const VehicleLimits& limits);
+
+/// Neither findBrokenLimit() nor findBrokenPositions() finds anything; quicker than both.
+bool keepsLimits(const std::vector<TrajectoryPoint>& points, double start_yaw, double until,
+                 const VehicleLimits& limits);
 
 /// "name value > limit", for people.
 std::string describe(const BrokenLimit& broken);

@@ -156,7 +156,8 @@ CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const Verific
   const double start_yaw = attacker != input.snapshot.agents.end()
                                ? attacker->states.back().pose.yaw
                                : trajectory.points.front().pose.yaw;
-  const auto broken = findBrokenLimit(trajectory.points, start_yaw, until, options.vehicle_limits);
+  auto broken = findBrokenLimit(trajectory.points, start_yaw, until, options.vehicle_limits);
+  if (!broken) broken = findBrokenPositions(trajectory.points, until, options.vehicle_limits);
   report.bounds_kept = !broken;
   if (broken) report.broken_bound = describe(*broken);
   return report;

@@ -26,6 +26,8 @@ AttackerTrajectory with(const TrajectoryPoint& values, std::size_t index = 5) {
 std::string broken(const AttackerTrajectory& trajectory, double start_yaw = 0.0,
                    double until = kEnd) {
   const auto found = findBrokenLimit(trajectory.points, start_yaw, until, kLimits);
+  EXPECT_EQ(keepsLimits(trajectory.points, start_yaw, until, kLimits),
+            !found && !findBrokenPositions(trajectory.points, until, kLimits));
   return found ? found->name : "";
 }
 
@@ -146,6 +148,50 @@ TEST(FindBrokenLimit, StartsTheSlowHeadingAnewAfterEachFastStretch) {
   EXPECT_EQ(broken(trajectory), "heading_slack");
   trajectory.points[11].speed = 2.0;
   EXPECT_EQ(broken(trajectory), "");
+}
+
+/// A drive whose speed, and curvature, change after the tenth point, a second on.
+AttackerTrajectory changingDrive(double from, double to, double turn = 0.0) {
+  AttackerTrajectory trajectory = straightDrive({}, from, 3.0);
+  for (std::size_t i = 11; i < trajectory.points.size(); ++i) {
+    TrajectoryPoint& point = trajectory.points[i];
+    point.pose = compose(trajectory.points[i - 1].pose, {0.1 * to, 0.0, turn});
+    point.speed = to;
+  }
+  return trajectory;
+}
+
+std::string brokenPositions(const AttackerTrajectory& trajectory, double until = kEnd) {
+  const auto found = findBrokenPositions(trajectory.points, until, kLimits);
+  return found ? describe(*found) : "";
+}
+
+TEST(FindBrokenPositions, IsEmptyForASteadyDrive) {
+  EXPECT_EQ(brokenPositions(straightDrive({}, 10.0, 3.0)), "");
+  EXPECT_EQ(brokenPositions(straightDrive({}, 0.0, 3.0)), "");
+  EXPECT_EQ(brokenPositions({}), "");
+}
+
+TEST(FindBrokenPositions, HoldsTheTotalAccelerationToSecondDifferences) {
+  EXPECT_EQ(brokenPositions(changingDrive(10.0, 9.2)), "");
+  EXPECT_EQ(brokenPositions(changingDrive(10.0, 9.19)), "max_total_acceleration 8.050 > 8.000");
+  EXPECT_EQ(brokenPositions(changingDrive(10.0, 10.0, 0.08)), "") << "8 m/s2 across";
+  EXPECT_EQ(brokenPositions(changingDrive(10.0, 10.0, 0.09)),
+            "max_total_acceleration 8.947 > 8.000");
+}
+
+TEST(FindBrokenPositions, HoldsTheWrittenSpeedToTheStepsBesideIt) {
+  AttackerTrajectory trajectory = straightDrive({}, 10.0, 3.0);
+  trajectory.points[5].speed = 10.29;
+  EXPECT_EQ(brokenPositions(trajectory), "");
+  trajectory.points[5].speed = 9.69;
+  EXPECT_EQ(brokenPositions(trajectory), "speed_of_positions 0.310 > 0.300");
+  EXPECT_EQ(brokenPositions(straightDrive({}, -1.0, 3.0)), "") << "backwards";
+}
+
+TEST(FindBrokenPositions, LooksAtThePointsBeforeTheEnd) {
+  EXPECT_EQ(brokenPositions(changingDrive(10.0, 5.0), kNow + 1.0), "");
+  EXPECT_NE(brokenPositions(changingDrive(10.0, 5.0), kNow + 1.01), "");
 }
 
 TEST(Describe, NamesValueAndLimit) {
