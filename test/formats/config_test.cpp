@@ -138,7 +138,7 @@ TEST(Config, ShippedSearchHasTheDocumentedValues) {
   EXPECT_EQ(search.bicycle_targets, 100);
   EXPECT_EQ(search.bicycle_draws, 200);
   EXPECT_EQ(search.bicycle_rounds, 6);
-  EXPECT_EQ(search.bicycle_perturbations, 150);
+  EXPECT_EQ(search.bicycle_perturbations, 100);
   EXPECT_EQ(search.good_share, 0.9);
   EXPECT_EQ(search.good_off_road, 0.1);
   EXPECT_EQ(search.off_road_weight, 0.3);
