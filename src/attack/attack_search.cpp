@@ -278,6 +278,7 @@ class Search {
     std::vector<Candidate>& kept = candidate.family ? quintics_ : bicycles_;
     const bool full = static_cast<int>(kept.size()) >= search_.kept;
     if (full && candidate.objective < kept.back().objective) return;
+    if (crossesKerb(*candidate.contender->track)) return;
     candidate.off_road = offRoad(*candidate.contender->track);
     candidate.objective -=
         search_.off_road_weight * candidate.off_road +
@@ -290,25 +291,48 @@ class Search {
 
   /// Mean share of nine places of the box that are off the drivable area, to the impact.
   double offRoad(const Track& attacker) const {
-    const DrivableRaster& drivable = input_.lanes.drivable();
-    if (!drivable.known()) return 0.0;
+    const AreaRaster& drivable = input_.lanes.drivable();
+    if (drivable.empty()) return 0.0;
     const int stride = std::max(
         1, static_cast<int>(std::lround(options_.verification.off_road_interval / search_.step)));
-    int off = 0;
+    int on = 0;
     int asked = 0;
+    const auto on_road = [&](const Vector2& place) { return drivable.contains(place); };
     for (std::size_t i = 0; i < points_.size(); i += static_cast<std::size_t>(stride)) {
-      const Vector2 middle = points_[i].pose.position();
-      const Vector2 ahead = points_[i].pose.heading();
-      const Vector2 along = 0.4 * attacker.size.length * ahead;
-      const Vector2 across = 0.4 * attacker.size.width * Vector2(-ahead.y(), ahead.x());
-      for (int x = -1; x <= 1; ++x) {
-        for (int y = -1; y <= 1; ++y) {
-          off += !drivable.isDrivable(middle + x * along + y * across);
-          ++asked;
-        }
+      on += placesOf(points_[i].pose, attacker.size, on_road);
+      asked += kPlaces;
+    }
+    return 1.0 - static_cast<double>(on) / asked;
+  }
+
+  /// True when more of the box comes to be on a walkway (and on no road) than is now.
+  bool crossesKerb(const Track& attacker) const {
+    const LaneIndex& lanes = input_.lanes;
+    if (lanes.walkways().empty()) return false;
+    const auto on_walkway = [&](const Vector2& place) {
+      return lanes.walkways().contains(place) && !lanes.drivable().contains(place);
+    };
+    const int now = placesOf(points_.front().pose, attacker.size, on_walkway);
+    return std::any_of(points_.begin(), points_.end(), [&](const TrajectoryPoint& point) {
+      return placesOf(point.pose, attacker.size, on_walkway) > now;
+    });
+  }
+
+  static constexpr int kPlaces = 9;  // that a box is looked at, in three rows
+
+  /// How many of them are where `is_there` says.
+  template <typename IsThere>
+  static int placesOf(const Pose2& pose, const BoxSize& size, const IsThere& is_there) {
+    const Vector2 ahead = pose.heading();
+    const Vector2 along = 0.4 * size.length * ahead;
+    const Vector2 across = 0.4 * size.width * Vector2(-ahead.y(), ahead.x());
+    int count = 0;
+    for (int x = -1; x <= 1; ++x) {
+      for (int y = -1; y <= 1; ++y) {
+        count += is_there(pose.position() + x * along + y * across);
       }
     }
-    return static_cast<double>(off) / asked;
+    return count;
   }
 
   bool isGood() const {

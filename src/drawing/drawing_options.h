@@ -38,6 +38,7 @@ struct DrawingOptions {
   Color text_color;
   Color muted_text_color;
   Color drivable_color;
+  Color walkway_color;
   Color lane_color;
   Color connector_color;
   Color agent_color;

@@ -17,9 +17,9 @@ std::vector<Vector2> toPixels(const Viewport& viewport, const std::vector<Vector
   return pixels;
 }
 
-void paintDrivableArea(Canvas& canvas, const Viewport& viewport, const LaneMap& map,
-                       const Color& color) {
-  for (const Polygon& polygon : map.drivable_area) {
+void paintArea(Canvas& canvas, const Viewport& viewport, const std::vector<Polygon>& area,
+               const Color& color) {
+  for (const Polygon& polygon : area) {
     std::vector<std::vector<Vector2>> rings = {toPixels(viewport, polygon.exterior)};
     for (const std::vector<Vector2>& hole : polygon.holes) {
       rings.push_back(toPixels(viewport, hole));
@@ -78,7 +78,8 @@ void paintLane(Canvas& canvas, const Viewport& viewport, const Lane& lane,
 
 void paintMap(Canvas& canvas, const Viewport& viewport, const LaneMap& map,
               const DrawingOptions& options, double line_width) {
-  paintDrivableArea(canvas, viewport, map, options.drivable_color);
+  paintArea(canvas, viewport, map.walkways, options.walkway_color);
+  paintArea(canvas, viewport, map.drivable_area, options.drivable_color);
   for (const Lane& lane : map.lanes) {
     if (lane.is_connector || lane.polygon.empty()) continue;
     canvas.stroke(toPixels(viewport, lane.polygon),

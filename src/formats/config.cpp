@@ -457,6 +457,7 @@ DrawingOptions loadDrawing(const std::string& directory) {
   options.text_color = section.color("text_color");
   options.muted_text_color = section.color("muted_text_color");
   options.drivable_color = section.color("drivable_color");
+  options.walkway_color = section.color("walkway_color");
   options.lane_color = section.color("lane_color");
   options.connector_color = section.color("connector_color");
   options.agent_color = section.color("agent_color");

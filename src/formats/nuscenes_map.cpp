@@ -122,6 +122,7 @@ LaneMap readNuScenesMap(const std::string& dataroot, const std::string& location
   map.location = location;
   map.driving_side = driving_side;
   map.drivable_area = polygonsOf(layers, layers.drivable_area, "drivable areas", counter);
+  map.walkways = polygonsOf(layers, layers.walkways, "walkways", counter);
   const std::vector<Polygon> intersections =
       polygonsOf(layers, layers.intersections, "intersections", counter);
   for (const NuScenesMapLayers::Lane& from : layers.lanes) {

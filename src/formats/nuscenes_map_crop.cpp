@@ -67,6 +67,9 @@ LaneMap cropped(const LaneMap& map, const std::vector<Vector2>& points, double r
   for (const Polygon& polygon : map.drivable_area) {
     if (isNear(polygon, points, radius)) crop.drivable_area.push_back(polygon);
   }
+  for (const Polygon& polygon : map.walkways) {
+    if (isNear(polygon, points, radius)) crop.walkways.push_back(polygon);
+  }
   return crop;
 }
 

@@ -105,6 +105,9 @@ class LayerReader {
       const std::vector<std::string> polygons = document_.texts(row, "polygon_tokens");
       layers_.drivable_area.insert(layers_.drivable_area.end(), polygons.begin(), polygons.end());
     }
+    for (const MapRow& row : document_.rows("walkway")) {
+      layers_.walkways.push_back(document_.text(row, "polygon_token"));
+    }
     for (const MapRow& row : document_.rows("road_segment")) {
       if (!document_.flag(row, "is_intersection")) continue;
       layers_.intersections.push_back(document_.text(row, "polygon_token"));

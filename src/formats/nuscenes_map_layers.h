@@ -41,6 +41,7 @@ struct NuScenesMapLayers {
   std::vector<Lane> lanes;                            ///< lanes, then connectors
   std::unordered_map<std::string, Polygon> polygons;  ///< usable ones only
   std::vector<std::string> drivable_area;             ///< polygon tokens
+  std::vector<std::string> walkways;                  ///< polygon tokens
   std::vector<std::string> intersections;             ///< polygon tokens of such road segments
   std::vector<Links> connectivity;                    ///< in the file's order
   std::unordered_map<std::string, std::vector<ArcPath>> arclines;  ///< usable ones only

@@ -21,12 +21,13 @@ struct Lane {
   std::vector<std::string> outgoing;  ///< ids of lanes that follow; all exist in the map
 };
 
-/// The lanes and the drivable ground of one place. Global map frame, metres.
+/// The lanes, the drivable ground and the walkways of one place. Global map frame, metres.
 struct LaneMap {
   std::string location;
   DrivingSide driving_side = DrivingSide::kRight;
   std::vector<Lane> lanes;
   std::vector<Polygon> drivable_area;  ///< polygons may overlap: the area is their union
+  std::vector<Polygon> walkways;       ///< raised ground behind kerbs; empty where unknown
 };
 
 }  // namespace forge

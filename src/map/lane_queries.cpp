@@ -159,7 +159,8 @@ class BoxSamples {
 
 LaneIndex::LaneIndex(std::shared_ptr<const LaneMap> map)
     : map_(map ? std::move(map) : throw std::invalid_argument("lane index needs a map")),
-      drivable_(*map_) {
+      drivable_(map_->drivable_area),
+      walkways_(map_->walkways) {
   std::unordered_map<std::string, std::size_t> index_of;
   for (std::size_t i = 0; i < map_->lanes.size(); ++i) {
     index_of.emplace(map_->lanes[i].id, i);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/polyline.h"
-#include "map/drivable_raster.h"
+#include "map/area_raster.h"
 #include "map/lane_map.h"
 
 namespace forge {
@@ -76,7 +76,9 @@ class LaneIndex {
   std::optional<std::size_t> straightestSuccessor(std::size_t lane) const;
 
   /// The drivable area, quickly and to half a metre.
-  const DrivableRaster& drivable() const { return drivable_; }
+  const AreaRaster& drivable() const { return drivable_; }
+  /// The same of the walkways.
+  const AreaRaster& walkways() const { return walkways_; }
 
   /// Share of the box's area off the union of the drivable polygons, in [0, 1], told from the
   /// middles of equal cells at most 0.25 m long and wide. Empty (unknown) when the map has no
@@ -88,7 +90,8 @@ class LaneIndex {
   void extend(LanePath& path, std::size_t lane, double from, double distance) const;
 
   std::shared_ptr<const LaneMap> map_;
-  DrivableRaster drivable_;
+  AreaRaster drivable_;
+  AreaRaster walkways_;
   std::vector<std::optional<Polyline>> centerlines_;  // one a lane
   std::vector<std::vector<std::size_t>> successors_;  // one a lane
   std::vector<Eigen::AlignedBox2d> lane_bounds_;      // one a lane, empty without a centreline

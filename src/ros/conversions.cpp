@@ -111,6 +111,19 @@ geometry_msgs::Pose2D toPose2dMessage(const Pose2& pose) {
   return message;
 }
 
+Polygon fromMessage(const collision_forge::PolygonWithHoles& message) {
+  Polygon polygon{fromMessage(message.exterior), {}};
+  for (const auto& hole : message.holes) polygon.holes.push_back(fromMessage(hole));
+  return polygon;
+}
+
+collision_forge::PolygonWithHoles toMessage(const Polygon& polygon) {
+  collision_forge::PolygonWithHoles message;
+  message.exterior = toPolygonMessage(polygon.exterior);
+  for (const auto& hole : polygon.holes) message.holes.push_back(toPolygonMessage(hole));
+  return message;
+}
+
 LaneMap fromMessage(const collision_forge::LaneMap& message) {
   LaneMap map;
   map.location = message.location;
@@ -118,11 +131,8 @@ LaneMap fromMessage(const collision_forge::LaneMap& message) {
                          ? DrivingSide::kLeft
                          : DrivingSide::kRight;
   for (const auto& lane : message.lanes) map.lanes.push_back(fromMessage(lane));
-  for (const auto& area : message.drivable_area) {
-    Polygon polygon{fromMessage(area.exterior), {}};
-    for (const auto& hole : area.holes) polygon.holes.push_back(fromMessage(hole));
-    map.drivable_area.push_back(std::move(polygon));
-  }
+  for (const auto& area : message.drivable_area) map.drivable_area.push_back(fromMessage(area));
+  for (const auto& walkway : message.walkways) map.walkways.push_back(fromMessage(walkway));
   return map;
 }
 
@@ -135,12 +145,8 @@ collision_forge::LaneMap toMessage(const LaneMap& map, const ros::Time& stamp) {
                              ? collision_forge::LaneMap::DRIVE_LEFT
                              : collision_forge::LaneMap::DRIVE_RIGHT;
   for (const Lane& lane : map.lanes) message.lanes.push_back(toMessage(lane));
-  for (const Polygon& polygon : map.drivable_area) {
-    collision_forge::PolygonWithHoles area;
-    area.exterior = toPolygonMessage(polygon.exterior);
-    for (const auto& hole : polygon.holes) area.holes.push_back(toPolygonMessage(hole));
-    message.drivable_area.push_back(std::move(area));
-  }
+  for (const Polygon& area : map.drivable_area) message.drivable_area.push_back(toMessage(area));
+  for (const Polygon& walkway : map.walkways) message.walkways.push_back(toMessage(walkway));
   return message;
 }
 

@@ -17,6 +17,7 @@ struct MarkerColor {
 };
 
 inline constexpr MarkerColor kDrivableArea{0.90F, 0.91F, 0.92F};
+inline constexpr MarkerColor kWalkway{0.93F, 0.89F, 0.82F};
 inline constexpr MarkerColor kLane{0.66F, 0.69F, 0.72F};
 inline constexpr MarkerColor kConnector{0.78F, 0.80F, 0.82F};
 

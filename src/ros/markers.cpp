@@ -16,6 +16,7 @@ namespace {
 using visualization_msgs::MarkerArray;
 
 // Heights above ground, m: what should be seen from above lies higher.
+constexpr double kWalkwayHeight = -0.02;
 constexpr double kAreaHeight = 0.0;
 constexpr double kConnectorHeight = 0.02;
 constexpr double kLaneHeight = 0.04;
@@ -204,16 +205,22 @@ void addContact(const OrientedBox& ego, const OrientedBox& attacker, const std::
   markers.addText("report", text, place, kReportLetterHeight, kTextHeight, colors::kText);
 }
 
+void addArea(const char* name_space, const std::vector<collision_forge::PolygonWithHoles>& polygons,
+             double height, const colors::MarkerColor& color, MarkerList& markers) {
+  std::vector<Vector2> area;
+  for (const auto& polygon : polygons) {
+    const std::vector<Vector2> triangles = fillTriangles(polygonOf(polygon));
+    area.insert(area.end(), triangles.begin(), triangles.end());
+  }
+  markers.addTriangles(name_space, area, height, color);
+}
+
 }  // namespace
 
 MarkerArray mapMarkers(const collision_forge::LaneMap& map) {
   MarkerList markers(map.header);
-  std::vector<Vector2> area;
-  for (const auto& polygon : map.drivable_area) {
-    const std::vector<Vector2> triangles = fillTriangles(polygonOf(polygon));
-    area.insert(area.end(), triangles.begin(), triangles.end());
-  }
-  markers.addTriangles("drivable_area", area, kAreaHeight, colors::kDrivableArea);
+  addArea("drivable_area", map.drivable_area, kAreaHeight, colors::kDrivableArea, markers);
+  addArea("walkways", map.walkways, kWalkwayHeight, colors::kWalkway, markers);
   addLanes(map, markers);
   return markers.take();
 }

@@ -214,6 +214,20 @@ TEST(SearchAttacks, TellTheShareOfTheBoxThatIsOffTheRoad) {
   for (const FoundAttack& attack : scene.found()) EXPECT_EQ(attack.off_road, 0.0) << "unknown";
 }
 
+TEST(SearchAttacks, NeverCrossAKerb) {
+  Case scene = rearEnd();
+  scene.map->drivable_area.clear();
+  scene.map->walkways = {rectangle(-13.0, -60.0, -11.0, 60.0)};
+  EXPECT_TRUE(scene.found().empty()) << "a walkway between attacker and ego";
+  scene.map->drivable_area = {rectangle(-200.0, -5.0, 200.0, 5.0)};
+  EXPECT_FALSE(scene.found().empty()) << "a road leads across it";
+  scene.map->drivable_area.clear();
+  scene.map->walkways = {rectangle(-25.0, -3.0, -15.0, 3.0)};
+  EXPECT_FALSE(scene.found().empty()) << "who is on a walkway may leave it";
+  scene.map->walkways.clear();
+  EXPECT_FALSE(scene.found().empty());
+}
+
 TEST(SearchAttacks, FindNothingOutOfReach) {
   Case far(CollisionType::kRearEnd, 10.0);
   far.add("behind", {-150.0, 0.0, 0.0}, 10.0);

@@ -76,7 +76,8 @@ TEST_F(DrawPng, ShowsEverybodyWhereTheyAreAtContact) {
   EXPECT_EQ(onMap({10, 0}), packedColor(options_.ego_color));
   EXPECT_EQ(onMap({5.5, 0}), packedColor(options_.attacker_color));
   EXPECT_EQ(onMap({10, 8}), packedColor(options_.agent_color));
-  EXPECT_EQ(onMap({30, 3}), packedColor(options_.drivable_color));
+  EXPECT_EQ(onMap({30, 3.5}), packedColor(options_.drivable_color)) << "over the walkway";
+  EXPECT_EQ(onMap({30, 5}), packedColor(options_.walkway_color));
   EXPECT_EQ(onMap({10, -8}), packedColor(options_.background_color));  // north is up
 }
 

@@ -33,6 +33,7 @@ Track makeTrack(const std::string& id, const BoxSize& size, const Vector2& at, d
 std::shared_ptr<const LaneMap> makeMap() {
   auto map = std::make_shared<LaneMap>();
   map->drivable_area.push_back({{{-200, -4}, {200, -4}, {200, 4}, {-200, 4}}, {}});
+  map->walkways.push_back({{{-200, 3}, {200, 3}, {200, 6}, {-200, 6}}, {}});
   Lane lane;
   lane.id = "lane";
   for (double x = -200; x <= 200; x += 2) lane.centerline.push_back({x, 0.0, 0.0});
@@ -98,6 +99,7 @@ DrawingOptions sampleOptions() {
   options.ghost_opacity = 0.2;
   options.background_color = {1.0, 1.0, 1.0};
   options.drivable_color = {0.8, 0.8, 0.8};
+  options.walkway_color = {0.9, 0.8, 0.7};
   options.lane_color = {0.6, 0.6, 0.6};
   options.connector_color = {0.7, 0.7, 0.7};
   options.agent_color = {0.4, 0.6, 0.8};

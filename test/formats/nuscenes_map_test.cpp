@@ -27,6 +27,7 @@ std::string tinyMap() {
                 {"token": "pd", "exterior_node_tokens": ["n0", "n4", "n5", "n3"],
                  "holes": [{"node_tokens": ["h0", "h1", "h2"]}]}],
     "drivable_area": [{"token": "d", "polygon_tokens": ["pd"]}],
+    "walkway": [{"token": "w", "polygon_token": "pb"}],
     "road_segment": [{"token": "r", "polygon_token": "pb", "is_intersection": true},
                      {"token": "q", "polygon_token": "pa", "is_intersection": false}],
     "lane": [{"token": "a", "polygon_token": "pa", "lane_type": "CAR"}, {"token": "c"}],
@@ -90,6 +91,8 @@ TEST(NuScenesMap, readsLanesConnectorsAndArea) {
   ASSERT_EQ(map.drivable_area.size(), 1U);
   EXPECT_TRUE(contains(map.drivable_area[0], {5.0, 0.0}));
   EXPECT_FALSE(contains(map.drivable_area[0], {1.8, 0.0})) << "in the hole";
+  ASSERT_EQ(map.walkways.size(), 1U);
+  EXPECT_TRUE(contains(map.walkways[0], {15.0, 0.0}));
 }
 
 TEST(NuScenesMap, linksAreMutual) {
@@ -237,6 +240,8 @@ TEST(NuScenesMap, cropKeepsWhatIsNearAndCutsLinks) {
   EXPECT_EQ(crop.lanes[0].id, "a");
   EXPECT_THAT(crop.lanes[0].outgoing, IsEmpty());
   EXPECT_EQ(crop.drivable_area.size(), 1U);
+  EXPECT_TRUE(crop.walkways.empty()) << "it begins at 10 m";
+  EXPECT_EQ(cropped(map, {{5.0, 0.0}}, 6.0).walkways.size(), 1U);
   EXPECT_EQ(crop.location, map.location);
   EXPECT_EQ(crop.driving_side, map.driving_side);
   EXPECT_EQ(cropped(map, {{15.0, 0.0}}, 5.5).lanes.size(), 3U) << "b's links stay with a and c";

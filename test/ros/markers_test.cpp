@@ -66,6 +66,8 @@ collision_forge::LaneMap junctionMap() {
   map.drivable_area.resize(1);
   map.drivable_area[0].exterior = square(10);
   map.drivable_area[0].holes = {square(2)};
+  map.walkways.resize(1);
+  map.walkways[0].exterior = square(20);
   map.lanes = {lane(false, 20), lane(false, 10), lane(true, 5)};
   return map;
 }
@@ -205,8 +207,9 @@ TEST(FillTriangles, AreNoneForNothingAndForNumbersThatAreNot) {
 TEST(MapMarkers, HoldAreaLanesAndConnectorsOnceEach) {
   const MarkerArray array = mapMarkers(junctionMap());
   expectValid(array, 1.0);
-  EXPECT_EQ(array.markers.size(), 4U);
+  EXPECT_EQ(array.markers.size(), 5U);
   EXPECT_EQ(inNamespace(array, "drivable_area").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "walkways").size(), 1U);
   // 2 lanes of 2 lines, arrow heads of 2 lines at 7.5 m on both; 2 points a line.
   ASSERT_EQ(inNamespace(array, "lanes").size(), 1U);
   EXPECT_EQ(inNamespace(array, "lanes")[0].points.size(), 2U * (2 * 2 + 2 * 2));

@@ -1,4 +1,4 @@
-#include "map/drivable_raster.h"
+#include "map/area_raster.h"
 
 #include <gtest/gtest.h>
 
@@ -83,10 +83,10 @@ double distanceToEdges(const LaneMap& map, const Vector2& point) {
   return least;
 }
 
-TEST(DrivableRaster, AgreesWithThePolygonsAwayFromTheirEdges) {
+TEST(AreaRaster, AgreesWithThePolygonsAwayFromTheirEdges) {
   for (unsigned seed = 0; seed < 10; ++seed) {
     const LaneMap map = stars(seed);
-    const DrivableRaster raster(map);
+    const AreaRaster raster(map.drivable_area);
     Random random(seed + 100);
     int inside = 0;
     int outside = 0;
@@ -95,14 +95,14 @@ TEST(DrivableRaster, AgreesWithThePolygonsAwayFromTheirEdges) {
       if (distanceToEdges(map, point) < kHalfCell) continue;
       const bool expected = isInside(map, point);
       (expected ? inside : outside) += 1;
-      ASSERT_EQ(raster.isDrivable(point), expected) << "seed " << seed << ", " << point.transpose();
+      ASSERT_EQ(raster.contains(point), expected) << "seed " << seed << ", " << point.transpose();
     }
     EXPECT_GT(inside, 1000);
     EXPECT_GT(outside, 1000);
   }
 }
 
-TEST(DrivableRaster, AgreesWithTheIndexsOffRoadShareAwayFromEdges) {
+TEST(AreaRaster, AgreesWithTheIndexsOffRoadShareAwayFromEdges) {
   const auto map = std::make_shared<LaneMap>(stars(42));
   const LaneIndex index(map);
   Random random(7);
@@ -112,70 +112,69 @@ TEST(DrivableRaster, AgreesWithTheIndexsOffRoadShareAwayFromEdges) {
     if (distanceToEdges(*map, point) < kHalfCell + 0.2) continue;
     const auto share = index.offRoadShare({{point.x(), point.y(), 0.3}, {0.2, 0.2}});
     ASSERT_TRUE(share);
-    EXPECT_EQ(index.drivable().isDrivable(point), *share == 0.0) << point.transpose();
+    EXPECT_EQ(index.drivable().contains(point), *share == 0.0) << point.transpose();
     ++compared;
   }
   EXPECT_GT(compared, 2000);
 }
 
-TEST(DrivableRaster, IsHalfACellWrongAtMost) {
+TEST(AreaRaster, IsHalfACellWrongAtMost) {
   // Edges that are not on the grid of cells, which begins at the lower left corner.
   LaneMap map;
   map.drivable_area = {rectangle(0.0, 0.0, 20.2, 10.3)};
-  const DrivableRaster raster(map);
+  const AreaRaster raster(map.drivable_area);
   for (double along = 0.1; along < 10.0; along += 0.13) {
-    EXPECT_TRUE(raster.isDrivable({20.2 - 0.26, along}));
-    EXPECT_FALSE(raster.isDrivable({20.2 + 0.31, along}));
-    EXPECT_TRUE(raster.isDrivable({along, 10.3 - 0.31}));
-    EXPECT_FALSE(raster.isDrivable({along, 10.3 + 0.26}));
+    EXPECT_TRUE(raster.contains({20.2 - 0.26, along}));
+    EXPECT_FALSE(raster.contains({20.2 + 0.31, along}));
+    EXPECT_TRUE(raster.contains({along, 10.3 - 0.31}));
+    EXPECT_FALSE(raster.contains({along, 10.3 + 0.26}));
   }
 }
 
-TEST(DrivableRaster, TakesHolesOutAndTheUnionOfPolygons) {
+TEST(AreaRaster, TakesHolesOutAndTheUnionOfPolygons) {
   LaneMap map;
   map.drivable_area = {rectangle(0.0, 0.0, 40.0, 40.0)};
   map.drivable_area[0].holes = {rectangle(10.0, 10.0, 30.0, 30.0).exterior};
-  const DrivableRaster holed(map);
-  EXPECT_TRUE(holed.isDrivable({5.0, 20.0}));
-  EXPECT_FALSE(holed.isDrivable({20.0, 20.0}));
-  EXPECT_TRUE(holed.isDrivable({35.0, 20.0}));
+  const AreaRaster holed(map.drivable_area);
+  EXPECT_TRUE(holed.contains({5.0, 20.0}));
+  EXPECT_FALSE(holed.contains({20.0, 20.0}));
+  EXPECT_TRUE(holed.contains({35.0, 20.0}));
   map.drivable_area.push_back(rectangle(18.0, 18.0, 45.0, 22.0));
-  const DrivableRaster bridged(map);
-  EXPECT_TRUE(bridged.isDrivable({20.0, 20.0})) << "another polygon covers the hole";
-  EXPECT_FALSE(bridged.isDrivable({20.0, 25.0}));
-  EXPECT_TRUE(bridged.isDrivable({35.0, 20.0})) << "where they overlap";
+  const AreaRaster bridged(map.drivable_area);
+  EXPECT_TRUE(bridged.contains({20.0, 20.0})) << "another polygon covers the hole";
+  EXPECT_FALSE(bridged.contains({20.0, 25.0}));
+  EXPECT_TRUE(bridged.contains({35.0, 20.0})) << "where they overlap";
 }
 
-TEST(DrivableRaster, NothingIsDrivableBeyondTheMap) {
+TEST(AreaRaster, NothingIsDrivableBeyondTheMap) {
   LaneMap map;
   map.drivable_area = {rectangle(-10.0, -10.0, 10.0, 10.0)};
-  const DrivableRaster raster(map);
-  EXPECT_TRUE(raster.isDrivable({9.5, 9.5}));
+  const AreaRaster raster(map.drivable_area);
+  EXPECT_TRUE(raster.contains({9.5, 9.5}));
   for (const double far : {11.0, 21.9, 22.1, 54.5, 1e6, 1e300}) {
     for (const Vector2& direction :
          {Vector2(1.0, 0.0), Vector2(-1.0, 0.0), Vector2(0.0, 1.0), Vector2(0.0, -1.0)}) {
-      EXPECT_FALSE(raster.isDrivable(far * direction)) << far;
+      EXPECT_FALSE(raster.contains(far * direction)) << far;
     }
   }
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(raster.isDrivable({nan, 0.0}));
-  EXPECT_FALSE(raster.isDrivable({0.0, nan}));
+  EXPECT_FALSE(raster.contains({nan, 0.0}));
+  EXPECT_FALSE(raster.contains({0.0, nan}));
 }
 
-TEST(DrivableRaster, KnowsNothingWithoutADrivableArea) {
-  const LaneMap map;
-  const DrivableRaster raster(map);
-  EXPECT_FALSE(raster.known());
-  EXPECT_FALSE(raster.isDrivable({0.0, 0.0}));
-  LaneMap known;
-  known.drivable_area = {rectangle(0.0, 0.0, 1.0, 1.0)};
-  EXPECT_TRUE(DrivableRaster(known).known());
+TEST(AreaRaster, IsEmptyWithoutPolygons) {
+  const std::vector<Polygon> none;
+  const AreaRaster raster(none);
+  EXPECT_TRUE(raster.empty());
+  EXPECT_FALSE(raster.contains({0.0, 0.0}));
+  const std::vector<Polygon> some = {rectangle(0.0, 0.0, 1.0, 1.0)};
+  EXPECT_FALSE(AreaRaster(some).empty());
 }
 
-TEST(DrivableRaster, AnswersTheSameToManyThreadsAtOnce) {
+TEST(AreaRaster, AnswersTheSameToManyThreadsAtOnce) {
   const LaneMap map = stars(3);
-  const DrivableRaster alone(map);
-  const DrivableRaster shared(map);
+  const AreaRaster alone(map.drivable_area);
+  const AreaRaster shared(map.drivable_area);
   std::vector<Vector2> points;
   Random random(5);
   for (int i = 0; i < 20000; ++i) points.push_back(random.in(-100.0, 100.0) + Vector2(1000, -500));
@@ -183,13 +182,13 @@ TEST(DrivableRaster, AnswersTheSameToManyThreadsAtOnce) {
   std::vector<std::thread> threads;
   for (std::vector<char>& own : answers) {
     threads.emplace_back([&own, &points, &shared] {
-      for (std::size_t i = 0; i < points.size(); ++i) own[i] = shared.isDrivable(points[i]);
+      for (std::size_t i = 0; i < points.size(); ++i) own[i] = shared.contains(points[i]);
     });
   }
   for (std::thread& thread : threads) thread.join();
   for (const std::vector<char>& own : answers) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      ASSERT_EQ(own[i] != 0, alone.isDrivable(points[i])) << points[i].transpose();
+      ASSERT_EQ(own[i] != 0, alone.contains(points[i])) << points[i].transpose();
     }
   }
 }

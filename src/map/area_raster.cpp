@@ -1,4 +1,4 @@
-#include "map/drivable_raster.h"
+#include "map/area_raster.h"
 
 #include <algorithm>
 #include <array>
@@ -32,9 +32,9 @@ void addCrossings(const std::vector<Vector2>& ring, const Vector2& corner,
 
 }  // namespace
 
-DrivableRaster::DrivableRaster(const LaneMap& map) : map_(map) {
+AreaRaster::AreaRaster(const std::vector<Polygon>& area) : area_(area) {
   Eigen::AlignedBox2d all;
-  for (const Polygon& polygon : map.drivable_area) {
+  for (const Polygon& polygon : area) {
     bounds_.emplace_back();
     for (const Vector2& point : polygon.exterior) bounds_.back().extend(point);
     all.extend(bounds_.back());
@@ -48,11 +48,11 @@ DrivableRaster::DrivableRaster(const LaneMap& map) : map_(map) {
                                                  static_cast<std::size_t>(rows_));
 }
 
-DrivableRaster::~DrivableRaster() {
+AreaRaster::~AreaRaster() {
   for (const auto& tile : tiles_) delete tile.load();
 }
 
-bool DrivableRaster::isDrivable(const Vector2& point) const {
+bool AreaRaster::contains(const Vector2& point) const {
   const Vector2 cell = (point - origin_) / kCell;
   if (!(cell.x() >= 0.0 && cell.y() >= 0.0)) return false;
   const Vector2 tile = (cell / kCells).array().floor();
@@ -66,7 +66,7 @@ bool DrivableRaster::isDrivable(const Vector2& point) const {
                                                    static_cast<std::size_t>(inside.x())];
 }
 
-const DrivableRaster::Tile& DrivableRaster::tileAt(std::size_t index, const Vector2& corner) const {
+const AreaRaster::Tile& AreaRaster::tileAt(std::size_t index, const Vector2& corner) const {
   std::atomic<const Tile*>& slot = tiles_[index];
   const Tile* tile = slot.load();
   if (tile) return *tile;
@@ -76,14 +76,14 @@ const DrivableRaster::Tile& DrivableRaster::tileAt(std::size_t index, const Vect
   return *tile;
 }
 
-std::unique_ptr<const DrivableRaster::Tile> DrivableRaster::fill(const Vector2& corner) const {
+std::unique_ptr<const AreaRaster::Tile> AreaRaster::fill(const Vector2& corner) const {
   const Eigen::AlignedBox2d area(corner, corner + Vector2::Constant(kCell * kCells));
   auto tile = std::make_unique<Tile>();
   for (std::size_t i = 0; i < bounds_.size(); ++i) {
     if (!bounds_[i].intersects(area)) continue;
     std::array<std::vector<double>, kCells> crossings;
-    addCrossings(map_.drivable_area[i].exterior, corner, crossings);
-    for (const std::vector<Vector2>& hole : map_.drivable_area[i].holes) {
+    addCrossings(area_[i].exterior, corner, crossings);
+    for (const std::vector<Vector2>& hole : area_[i].holes) {
       addCrossings(hole, corner, crossings);
     }
     for (std::size_t row = 0; row < kCells; ++row) {
