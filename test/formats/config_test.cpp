@@ -111,6 +111,16 @@ TEST(Config, ShippedPredictionAndEncodingHaveTheDocumentedValues) {
   EXPECT_EQ(config.encoding.lane_point_spacing, 2.0);
 }
 
+TEST(Config, ShippedKinematicBicycleHasTheDocumentedValues) {
+  const KinematicBicycleOptions& bicycle = loadConfig(kShipped).planners.bicycle;
+  EXPECT_EQ(bicycle.wheelbase, 2.588);
+  EXPECT_EQ(bicycle.max_steering, 1.0472);
+  EXPECT_EQ(bicycle.acceleration_lag, 0.2);
+  EXPECT_EQ(bicycle.steering_lag, 0.05);
+  EXPECT_EQ(bicycle.max_acceleration, 5.0);
+  EXPECT_EQ(bicycle.max_braking, 8.0);
+}
+
 TEST(Config, ShippedRequestListHasTheDocumentedValues) {
   const Config config = loadConfig(kShipped);
   EXPECT_EQ(config.requests.stride, 2.0);
@@ -346,7 +356,7 @@ TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
        {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml", "collision_types.yaml",
         "prediction.yaml", "search.yaml", "verification.yaml", "encoding.yaml", "conversion.yaml",
         "drawing.yaml", "requests.yaml", "evaluation.yaml", "ego_futures.yaml",
-        "speed_model_fit.yaml"}) {
+        "speed_model_fit.yaml", "planners.yaml"}) {
     expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
   }
 }
@@ -367,6 +377,7 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("conversion.yaml", "map_radius:", "#", {"conversion.map_radius", "missing"});
   expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
   expectComplaint("requests.yaml", "stride:", "#", {"requests.stride", "missing"});
+  expectComplaint("planners.yaml", "wheelbase:", "#", {"bicycle.wheelbase", "missing"});
   expectComplaint("collision_types.yaml", "rules:", "#", {"collision_types.rules", "missing"});
   expectComplaint("verification.yaml", "time_tolerance:", "#",
                   {"verification.time_tolerance", "missing"});
@@ -467,8 +478,9 @@ TEST_F(SpoiltConfig, NumbersThatAreNotFiniteAreRefused) {
 
 /// Every number of these files has a sign; -1 is outside all of their domains.
 TEST_F(SpoiltConfig, NegativeValuesAreRefusedWhereverTheyMakeNoSense) {
-  for (const char* file : {"vehicle_limits.yaml", "prediction.yaml", "search.yaml",
-                           "verification.yaml", "encoding.yaml", "collision_types.yaml"}) {
+  for (const char* file :
+       {"vehicle_limits.yaml", "prediction.yaml", "search.yaml", "verification.yaml",
+        "encoding.yaml", "collision_types.yaml", "planners.yaml"}) {
     restore();
     std::stringstream content;
     content << std::ifstream(directory_ / file).rdbuf();
