@@ -2,6 +2,7 @@
 
 #include "planners/kinematic_bicycle.h"
 #include "planners/lqr_tracker.h"
+#include "planners/pdm_options.h"
 
 namespace forge {
 
@@ -9,6 +10,8 @@ namespace forge {
 struct PlannerOptions {
   KinematicBicycleOptions bicycle;
   LqrOptions lqr;
+  RouteCenterlineOptions route_centerline;
+  PdmOptions pdm;
 };
 
 }  // namespace forge
