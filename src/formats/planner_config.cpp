@@ -1,14 +1,16 @@
 #include "formats/planner_config.h"
 
-#include <limits>
-
 #include "formats/config_section.h"
+
+#include <limits>
 
 namespace forge {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMaxHeading = 3.1416;  // rad; pi as the file rounds it
+constexpr double kMaxTtc = 60.0;        // s
+constexpr double kMaxOffset = 10.0;     // m
 constexpr double kMaxSteering = 1.5;    // rad; short of a wheel across the car
 
 KinematicBicycleOptions readKinematicBicycle(Section section, const VehicleLimits& limits) {
@@ -37,6 +39,103 @@ LqrOptions readLqr(Section section) {
   options.stop_gain = section.nonNegative("stop_gain");
   options.jerk_penalty = section.positive("jerk_penalty");
   options.curvature_rate_penalty = section.positive("curvature_rate_penalty");
+  section.finish();
+  return options;
+}
+
+RouteCenterlineOptions readRouteCenterline(Section section) {
+  RouteCenterlineOptions options;
+  options.spacing = section.positive("spacing");
+  options.lane_max_distance = section.nonNegative("lane_max_distance");
+  options.lane_max_heading = section.within("lane_max_heading", 0.0, kMaxHeading);
+  options.lane_change_cost = section.nonNegative("lane_change_cost");
+  options.off_lane_cost = section.nonNegative("off_lane_cost");
+  options.lane_change_length = section.nonNegative("lane_change_length");
+  section.finish();
+  return options;
+}
+
+IdmParameters readPdmIdm(Section section) {
+  IdmParameters idm;
+  idm.min_gap = section.positive("min_gap");
+  idm.time_headway = section.nonNegative("time_headway");
+  idm.max_acceleration = section.positive("max_acceleration");
+  idm.braking = section.positive("braking");
+  idm.exponent = section.positive("exponent");
+  section.finish();
+  return idm;
+}
+
+PdmAgentOptions readPdmAgents(Section section) {
+  PdmAgentOptions options;
+  options.vehicles = section.count("vehicles", 0);
+  options.pedestrians = section.count("pedestrians", 0);
+  options.bicycles = section.count("bicycles", 0);
+  options.static_objects = section.count("static_objects", 0);
+  options.standing_speed = section.nonNegative("standing_speed");
+  section.finish();
+  return options;
+}
+
+PdmComfortOptions readPdmComfort(Section section) {
+  PdmComfortOptions options;
+  options.window = section.count("window", 3);
+  options.max_jerk = section.positive("max_jerk");
+  options.max_lateral_acceleration = section.positive("max_lateral_acceleration");
+  options.max_longitudinal_acceleration = section.positive("max_longitudinal_acceleration");
+  options.max_braking = section.positive("max_braking");
+  options.max_yaw_acceleration = section.positive("max_yaw_acceleration");
+  options.max_longitudinal_jerk = section.positive("max_longitudinal_jerk");
+  options.max_yaw_rate = section.positive("max_yaw_rate");
+  section.finish();
+  return options;
+}
+
+PdmScoringOptions readPdmScoring(Section section) {
+  PdmScoringOptions options;
+  options.progress_weight = section.nonNegative("progress_weight");
+  options.ttc_weight = section.nonNegative("ttc_weight");
+  options.comfort_weight = section.positive("comfort_weight");
+  options.static_collision_score = section.within("static_collision_score", 0.0, 1.0);
+  options.min_progress = section.nonNegative("min_progress");
+  options.ttc_times = section.numbers("ttc_times", 0.0, kMaxTtc);
+  options.ahead_angle = section.within("ahead_angle", 0.0, kMaxHeading);
+  options.behind_angle = section.within("behind_angle", options.ahead_angle, kMaxHeading);
+  options.standing_speed = section.nonNegative("standing_speed");
+  options.wrong_way_time = section.positive("wrong_way_time");
+  options.wrong_way_distance = section.positive("wrong_way_distance");
+  options.max_wrong_way_distance =
+      section.within("max_wrong_way_distance", options.wrong_way_distance, kInfinity);
+  options.wrong_way_score = section.within("wrong_way_score", 0.0, 1.0);
+  options.route_distance = section.nonNegative("route_distance");
+  options.comfort = readPdmComfort(section.section("comfort"));
+  section.finish();
+  return options;
+}
+
+PdmBrakeOptions readPdmBrake(Section section) {
+  PdmBrakeOptions options;
+  options.max_time = section.nonNegative("max_time");
+  options.max_speed = section.nonNegative("max_speed");
+  options.braking = section.positive("braking");
+  section.finish();
+  return options;
+}
+
+PdmOptions readPdm(Section section, double step) {
+  PdmOptions options;
+  options.step = step;
+  options.map_radius = section.positive("map_radius");
+  options.speed_limit = section.positive("speed_limit");
+  options.lateral_offsets = section.numbers("lateral_offsets", -kMaxOffset, kMaxOffset);
+  options.speed_shares = section.positives("speed_shares");
+  options.proposal_steps = section.count("proposal_steps", 2);
+  options.output_steps = section.count("output_steps", options.proposal_steps);
+  options.lead_interval = section.count("lead_interval", 1);
+  options.idm = readPdmIdm(section.section("idm"));
+  options.agents = readPdmAgents(section.section("agents"));
+  options.scoring = readPdmScoring(section.section("scoring"));
+  options.emergency_brake = readPdmBrake(section.section("emergency_brake"));
   section.finish();
   return options;
 }
@@ -142,6 +241,8 @@ PlannerOptions loadPlanners(const std::string& directory, const VehicleLimits& l
   options.avoidability = readAvoidability(file.section("avoidability"), limits);
   options.bicycle = readKinematicBicycle(file.section("bicycle"), limits);
   options.lqr = readLqr(file.section("lqr"));
+  options.route_centerline = readRouteCenterline(file.section("route_centerline"));
+  options.pdm = readPdm(file.section("pdm"), options.lqr.step);
   file.finish();
   return options;
 }

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "planners/idm.h"
+#include "planners/pdm_planner.h"
 
 namespace forge {
 namespace {
@@ -26,6 +27,12 @@ const Entry kEntries[] = {
        return std::make_unique<PublishedIdmPlanner>(options.published_idm, attacker);
      },
      true},
+    {"pdm",
+     [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
+       return std::make_unique<PdmPlanner>(options.pdm, options.route_centerline, options.bicycle,
+                                           options.lqr);
+     },
+     false},
 };
 
 std::string knownNames() {

@@ -16,7 +16,7 @@ struct PlannerUnderTest {
   Driving driving;
 };
 
-/// "idm", "idm_published".
+/// "idm", "idm_published", "pdm".
 const std::vector<std::string>& plannerNames();
 
 /// A new planner of plannerNames(). `attacker_id` is for those that the protocol tells who attacks

@@ -4,6 +4,7 @@
 #include "planners/idm.h"
 #include "planners/kinematic_bicycle.h"
 #include "planners/lqr_tracker.h"
+#include "planners/pdm_options.h"
 #include "planners/rollout_options.h"
 
 namespace forge {
@@ -17,6 +18,8 @@ struct PlannerOptions {
   AvoidabilityOptions avoidability;
   KinematicBicycleOptions bicycle;
   LqrOptions lqr;
+  RouteCenterlineOptions route_centerline;
+  PdmOptions pdm;
 };
 
 }  // namespace forge
