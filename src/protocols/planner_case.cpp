@@ -70,6 +70,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
   const Scene scene = toScene(clip, config.evaluation.collide, lanes->sharedMap());
   PlannerCase one;
   one.name = clip.name;
+  one.clip = clip;
   one.scene = clip.scene;
   one.request = requestOf(clip, attacker == ClipAttacker::kReplay ? Mode::kReplay : Mode::kHistory,
                           config.attack.prediction.min_tta);

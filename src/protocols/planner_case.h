@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "attack/ego_futures.h"
@@ -18,9 +19,10 @@ struct PlannerCase {
   std::string source;  ///< of scenarios: the tables have a row each
   std::string scene;   ///< what the intervals are clustered by
   CollisionRequest request;
-  Status status;             ///< why there is nothing to test on, where there is not
-  CrashScenario scenario;    ///< these two with kOk only
-  CollisionPattern pattern;  ///< aimed at
+  Status status;                    ///< why there is nothing to test on, where there is not
+  CrashScenario scenario;           ///< these two with kOk only
+  CollisionPattern pattern;         ///< aimed at
+  std::optional<CollideClip> clip;  ///< that it is of
 };
 
 /// A line of a scenario file over its scene. Declined answers keep their status; kNoScene where

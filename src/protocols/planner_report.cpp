@@ -12,8 +12,7 @@ namespace {
 
 constexpr TableUnit kShare{};
 
-using ValueOf =
-    std::function<std::optional<double>(const PlannerTestResult&, const RolloutOutcome&)>;
+using ValueOf = std::function<std::optional<double>(const PlannerTestResult&, const PlannerRow&)>;
 
 /// A measure of a rollout; its value is empty where the rollout is no trial of it.
 struct RolloutMeasure {
@@ -31,11 +30,10 @@ bool hitsAttacker(const RolloutOutcome& outcome) {
 /// 1 where it is met, of the rollouts without a failure in the cases that are wanted.
 ValueOf shareOf(const std::function<bool(const PlannerTestResult&)>& is_wanted,
                 const std::function<bool(const RolloutOutcome&)>& is_met) {
-  return
-      [=](const PlannerTestResult& result, const RolloutOutcome& outcome) -> std::optional<double> {
-        if (hasFailed(outcome) || !is_wanted(result)) return std::nullopt;
-        return is_met(outcome) ? 1.0 : 0.0;
-      };
+  return [=](const PlannerTestResult& result, const PlannerRow& row) -> std::optional<double> {
+    if (hasFailed(row.outcome) || !is_wanted(result)) return std::nullopt;
+    return is_met(row.outcome) ? 1.0 : 0.0;
+  };
 }
 
 bool isAny(const PlannerTestResult&) { return true; }
@@ -45,16 +43,23 @@ bool isStrictAvoidable(const PlannerTestResult& result) {
   return isStrict(result) && isAvoidable(result);
 }
 
-std::optional<double> impactSpeed(const PlannerTestResult&, const RolloutOutcome& outcome) {
+std::optional<double> impactSpeed(const PlannerTestResult&, const PlannerRow& row) {
+  const RolloutOutcome& outcome = row.outcome;
   if (hasFailed(outcome) || !hitsAttacker(outcome)) return std::nullopt;
   return outcome.contact->impact_speed;
 }
 
-std::optional<double> offRoad(const PlannerTestResult&, const RolloutOutcome& outcome) {
-  return outcome.off_road_share;
+std::optional<double> publishedHit(const PlannerTestResult&, const PlannerRow& row) {
+  if (!row.published_hit) return std::nullopt;
+  return *row.published_hit ? 1.0 : 0.0;
 }
 
-std::optional<double> progress(const PlannerTestResult&, const RolloutOutcome& outcome) {
+std::optional<double> offRoad(const PlannerTestResult&, const PlannerRow& row) {
+  return row.outcome.off_road_share;
+}
+
+std::optional<double> progress(const PlannerTestResult&, const PlannerRow& row) {
+  const RolloutOutcome& outcome = row.outcome;
   constexpr double kStanding = 1.0;  // m; less progress is nothing to compare with
   if (hasFailed(outcome) || outcome.recorded_progress < kStanding) return std::nullopt;
   return outcome.progress / outcome.recorded_progress;
@@ -76,6 +81,9 @@ std::vector<RolloutMeasure> rolloutMeasures() {
         false},
        kShare,
        shareOf(isStrictAvoidable, collides)},
+      {{"published_hit", "Collisions with the attacker by the published protocol", {}, false},
+       kShare,
+       publishedHit},
       {{"at_fault", "First contacts, with anybody, that the planner is to blame for", {}, false},
        kShare,
        shareOf(isAny, [](const RolloutOutcome& o) { return o.contact && o.contact->at_fault; })},
@@ -96,8 +104,8 @@ std::vector<RolloutMeasure> rolloutMeasures() {
        progress},
       {{"failure", "Rollouts that a failure of the planner ended", {}, false},
        kShare,
-       [](const PlannerTestResult&, const RolloutOutcome& outcome) -> std::optional<double> {
-         return hasFailed(outcome) ? 1.0 : 0.0;
+       [](const PlannerTestResult&, const PlannerRow& row) -> std::optional<double> {
+         return hasFailed(row.outcome) ? 1.0 : 0.0;
        }},
   };
 }
@@ -131,7 +139,7 @@ PlannerTable rolloutTable(const RolloutMeasure& measure,
         if (!result.isTested() || result.source != source) continue;
         for (const PlannerRow& row : result.rows) {
           if (row.planner != planner) continue;
-          const auto value = measure.value(result, row.outcome);
+          const auto value = measure.value(result, row);
           if (value) trials.back().second.push_back(trialOf(result, *value));
         }
       }
@@ -220,7 +228,7 @@ std::vector<WorstCase> worstCases(const std::vector<PlannerTestResult>& results,
     for (std::size_t i = 0; i < results.size(); ++i) {
       if (!results[i].isTested() || !isAvoidable(results[i])) continue;
       for (const PlannerRow& row : results[i].rows) {
-        const auto speed = impactSpeed(results[i], row.outcome);
+        const auto speed = impactSpeed(results[i], row);
         if (row.planner == planner && speed) contacts.emplace_back(-*speed, i);
       }
     }

@@ -5,6 +5,9 @@
 
 #include "formats/json_line.h"
 #include "planners/planner_factory.h"
+#include "protocols/baselines.h"
+#include "protocols/published.h"
+#include "protocols/published_planner.h"
 #include "protocols/strict.h"
 
 namespace forge {
@@ -84,6 +87,11 @@ void writeRow(JsonLineWriter& writer, const PlannerRow& row, double now) {
   writer.number("progress", outcome.progress);
   writer.number("recorded_progress", outcome.recorded_progress);
   writer.count("plans", static_cast<std::uint64_t>(outcome.plans));
+  if (row.published_hit) {
+    writer.number("published_hit", *row.published_hit ? 1.0 : 0.0);
+  } else {
+    writer.null("published_hit");
+  }
   writer.endObject();
 }
 
@@ -150,8 +158,34 @@ PlannerRow readRow(JsonObject& object, double now) {
   row.outcome.progress = object.number("progress");
   row.outcome.recorded_progress = object.number("recorded_progress");
   row.outcome.plans = static_cast<int>(object.count("plans"));
+  if (const auto hit = object.numberOrNull("published_hit")) row.published_hit = *hit != 0.0;
   object.finish();
   return row;
+}
+
+RolloutOutcome drive(const PlannerCase& one, const std::string& planner, Background background,
+                     bool ends_at_contact, const Config& config) {
+  const PlannerUnderTest made =
+      makePlanner(planner, config.planners, one.scenario.attacker.attacker_id);
+  return rollout(*made.planner, made.driving, one.scenario,
+                 {config.planners, config.attack, background, ends_at_contact});
+}
+
+/// Empty where a failure ends the drive that goes on after a contact.
+std::optional<bool> isPublishedHit(const PlannerCase& one, const std::string& planner,
+                                   Background background, const Config& config) {
+  CollideClip driven;
+  if (planner == "idm_published") {
+    driven = withPublishedIdm(*one.clip, config.planners.published_idm,
+                              config.planners.planning.route.length_ahead);
+  } else {
+    const RolloutOutcome outcome = drive(one, planner, background, false, config);
+    if (outcome.failure != PlannerFailure::kNone) return std::nullopt;
+    driven = withEgo(*one.clip, outcome.driven);
+  }
+  return publishedOutcome(driven, framesOf(driven, one.scenario.attacker),
+                          config.evaluation.published)
+      .isHit();
 }
 
 /// What describes the case in a row of the CSV file.
@@ -208,12 +242,13 @@ PlannerTestResult testPlanners(const PlannerCase& one, const std::vector<std::st
   result.avoidability = summaryOf(findAvoidability(scenario, config.planners.avoidability,
                                                    config.planners.planning.route, config.attack),
                                   scenario.snapshot.now);
-  const RolloutSetup setup{config.planners, config.attack, background};
   for (const std::string& name : planners) {
-    const PlannerUnderTest made = makePlanner(name, config.planners, scenario.attacker.attacker_id);
-    PlannerRow row{name, rollout(*made.planner, made.driving, scenario, setup)};
+    result.rows.push_back({name, drive(one, name, background, true, config), {}});
+    PlannerRow& row = result.rows.back();
     row.outcome.driven.clear();
-    result.rows.push_back(std::move(row));
+    if (one.clip && row.outcome.failure == PlannerFailure::kNone) {
+      row.published_hit = isPublishedHit(one, name, background, config);
+    }
   }
   return result;
 }
@@ -269,12 +304,12 @@ std::string plannerResultCsvHeader() {
   return "name,source,scene,type,tta,status,strict,avoidable,last_manoeuvre,last_start,planner,"
          "failure,other,attacker,contact_after,contact_type,relative_heading,ego_side,other_side,"
          "impact_speed,ego_speed,cause,at_fault,duration,max_braking,hard_braking,off_road_share,"
-         "progress,recorded_progress";
+         "progress,recorded_progress,published_hit";
 }
 
 std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
   std::string start = csvStart(result);
-  if (!result.isTested()) return {start + std::string(23, ',')};
+  if (!result.isTested()) return {start + std::string(24, ',')};
   const AvoidabilitySummary& avoidability = result.avoidability;
   start += result.is_strict ? ",1" : ",0";
   if (avoidability.is_avoidable) {
@@ -293,7 +328,8 @@ std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
                   outcome.max_braking, outcome.hard_braking, outcome.off_road_share,
                   outcome.progress, outcome.recorded_progress);
     rows.push_back(start + ',' + row.planner + ',' + toString(outcome.failure) + ',' +
-                   csvContact(outcome.contact, result.now) + ',' + numbers);
+                   csvContact(outcome.contact, result.now) + ',' + numbers + ',' +
+                   (row.published_hit ? (*row.published_hit ? "1" : "0") : ""));
   }
   return rows;
 }

@@ -23,6 +23,10 @@ struct AvoidabilitySummary {
 struct PlannerRow {
   std::string planner;
   RolloutOutcome outcome;
+  /// In a clip of COLLIDE: the published protocol sees the attacker hit the ego that the planner
+  /// drives to the last frame, through whom it may touch: from now on, with idm_published as
+  /// withPublishedIdm() has it.
+  std::optional<bool> published_hit;
 };
 
 /// All planners in one case.

@@ -1,4 +1,5 @@
 #include <boost/timer/progress_display.hpp>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -184,7 +185,8 @@ void report(const std::vector<PlannerTestResult>& results, const Arguments& argu
 }
 
 /// The rollout again, as a picture: the ego is the planner's.
-ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome) {
+ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome,
+                    const VerificationOptions& verification) {
   const CrashScenario& scenario = one.scenario;
   const PlannerContact& contact = *outcome.contact;
   ScenarioView view{one.scene,         one.request.tta, one.request.mode,  scenario.snapshot,
@@ -203,6 +205,8 @@ ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome) {
   report.attacker_side = contact.other_side;
   report.impact_speed = contact.impact_speed;
   report.type_kept = contact.type == one.request.type;
+  report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
+                   verification.time_tolerance;
   report.bounds_kept = true;
   return view;
 }
@@ -218,7 +222,7 @@ void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& 
         makePlanner(worst.planner, config.planners, one.scenario.attacker.attacker_id);
     const RolloutOutcome outcome = rollout(*made.planner, made.driving, one.scenario,
                                            {config.planners, config.attack, arguments.background});
-    const ScenarioView view = viewOf(one, outcome);
+    const ScenarioView view = viewOf(one, outcome, config.attack.verification);
     const std::string name =
         (folder / (worst.planner + "_" + std::to_string(++ranks[worst.planner]))).string();
     drawScenarioPng(name + ".png", view, config.drawing);
