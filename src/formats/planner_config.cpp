@@ -140,11 +140,105 @@ PdmOptions readPdm(Section section, double step) {
   return options;
 }
 
+RouteOptions readRoute(Section section) {
+  RouteOptions options;
+  options.spacing = section.positive("spacing");
+  options.length_ahead = section.positive("length_ahead");
+  options.join_distance = section.positive("join_distance");
+  options.lane_max_distance = section.nonNegative("lane_max_distance");
+  options.lane_max_heading = section.within("lane_max_heading", 0.0, kMaxHeading);
+  section.finish();
+  return options;
+}
+
+PlanningOptions readPlanning(Section section) {
+  PlanningOptions options;
+  options.history = section.nonNegative("history");
+  Section intervals = section.section("intervals");
+  for (const char* planner : {"idm", "idm_published", "rule_based", "pdm"}) {
+    options.intervals[planner] = intervals.positive(planner);
+  }
+  intervals.finish();
+  options.route = readRoute(section.section("route"));
+  section.finish();
+  return options;
+}
+
+IdmParameters readIdmLaw(Section& section) {
+  IdmParameters law;
+  law.desired_speed = section.positive("desired_speed");
+  law.time_headway = section.nonNegative("time_headway");
+  law.max_acceleration = section.positive("max_acceleration");
+  law.braking = section.positive("braking");
+  law.min_gap = section.nonNegative("min_gap");
+  law.exponent = section.positive("exponent");
+  return law;
+}
+
+IdmOptions readIdm(Section section) {
+  IdmOptions options;
+  options.law = readIdmLaw(section);
+  options.lead.radius = section.positive("radius");
+  options.lead.margin = section.nonNegative("margin");
+  options.step = section.positive("step");
+  options.horizon = section.within("horizon", options.step, kInfinity);
+  section.finish();
+  return options;
+}
+
+PublishedIdmOptions readPublishedIdm(Section section) {
+  PublishedIdmOptions options;
+  options.law = readIdmLaw(section);
+  options.step = section.positive("step");
+  section.finish();
+  return options;
+}
+
+RolloutOptions readRollout(Section section) {
+  RolloutOptions options;
+  options.step = section.positive("step");
+  options.hard_braking = section.positive("hard_braking");
+  Section fault = section.section("fault");
+  options.fault.standstill_speed = fault.nonNegative("standstill_speed");
+  options.fault.behind_angle = fault.within("behind_angle", 0.0, kMaxHeading);
+  options.fault.front_tolerance = fault.nonNegative("front_tolerance");
+  options.fault.off_road_share = fault.within("off_road_share", 0.0, 1.0);
+  options.fault.lane_radius = fault.nonNegative("lane_radius");
+  fault.finish();
+  section.finish();
+  return options;
+}
+
+AvoidabilityOptions readAvoidability(Section section, const VehicleLimits& limits) {
+  constexpr double kWidest = 20.0;  // m; no road is wider to either side
+  AvoidabilityOptions options;
+  options.interval = section.positive("interval");
+  options.step = section.positive("step");
+  options.accelerations =
+      section.numbers("accelerations", -limits.max_braking, limits.max_forward_acceleration);
+  options.offsets = section.numbers("offsets", -kWidest, kWidest);
+  options.durations = section.numbers("durations", 0.0, kInfinity);
+  options.return_time = section.positive("return_time");
+  options.min_return_distance = section.positive("min_return_distance");
+  options.margin = section.nonNegative("margin");
+  options.draws = section.count("draws", 0);
+  options.seed = static_cast<std::uint64_t>(section.count("seed", 0));
+  section.finish();
+  return options;
+}
+
 }  // namespace
 
 PlannerOptions loadPlanners(const std::string& directory, const VehicleLimits& limits) {
   Section file = openConfigFile(directory, "planners.yaml");
   PlannerOptions options;
+  options.planning = readPlanning(file.section("planning"));
+  Section idm = file.section("idm");
+  options.idm = readIdm(idm.section("standard"));
+  options.published_idm = readPublishedIdm(idm.section("published"));
+  idm.finish();
+  options.rollout = readRollout(file.section("rollout"));
+  options.avoidability = readAvoidability(file.section("avoidability"), limits);
   options.bicycle = readKinematicBicycle(file.section("bicycle"), limits);
   options.lqr = readLqr(file.section("lqr"));
   options.route_centerline = readRouteCenterline(file.section("route_centerline"));

@@ -121,6 +121,54 @@ TEST(Config, ShippedKinematicBicycleHasTheDocumentedValues) {
   EXPECT_EQ(bicycle.max_braking, 8.0);
 }
 
+TEST(Config, ShippedPlanningAndIdmHaveTheDocumentedValues) {
+  const PlannerOptions planners = loadConfig(kShipped).planners;
+  EXPECT_EQ(planners.planning.history, 2.0);
+  EXPECT_EQ(planners.planning.intervals,
+            (std::map<std::string, double>{
+                {"idm", 0.1}, {"idm_published", 0.1}, {"rule_based", 0.2}, {"pdm", 0.1}}));
+  EXPECT_EQ(planners.planning.route.spacing, 1.0);
+  EXPECT_EQ(planners.planning.route.length_ahead, 100.0);
+  EXPECT_EQ(planners.planning.route.join_distance, 5.0);
+  EXPECT_EQ(planners.planning.route.lane_max_distance, 3.0);
+  EXPECT_EQ(planners.planning.route.lane_max_heading, 0.785);
+  const auto values = [](const IdmParameters& law) {
+    return std::vector<double>{law.desired_speed, law.time_headway, law.max_acceleration,
+                               law.braking,       law.min_gap,      law.exponent};
+  };
+  EXPECT_EQ(values(planners.idm.law), (std::vector<double>{10.0, 1.5, 1.0, 3.0, 1.0, 4.0}));
+  EXPECT_EQ(values(planners.published_idm.law),
+            (std::vector<double>{5.0, 1.5, 5.0, 2.0, 2.0, 4.0}));
+  EXPECT_EQ(planners.idm.lead.radius, 40.0);
+  EXPECT_EQ(planners.idm.lead.margin, 0.0);
+  EXPECT_EQ(planners.idm.horizon, 8.0);
+  EXPECT_EQ(planners.idm.step, 0.1);
+  EXPECT_EQ(planners.published_idm.step, 0.1);
+}
+
+TEST(Config, ShippedRolloutAndAvoidabilityHaveTheDocumentedValues) {
+  const PlannerOptions planners = loadConfig(kShipped).planners;
+  EXPECT_EQ(planners.rollout.step, 0.1);
+  EXPECT_EQ(planners.rollout.hard_braking, 4.05);
+  EXPECT_EQ(planners.rollout.fault.standstill_speed, 0.05);
+  EXPECT_EQ(planners.rollout.fault.behind_angle, 2.618);
+  EXPECT_EQ(planners.rollout.fault.front_tolerance, 0.01);
+  EXPECT_EQ(planners.rollout.fault.off_road_share, 0.05);
+  EXPECT_EQ(planners.rollout.fault.lane_radius, 15.0);
+  const AvoidabilityOptions& avoidability = planners.avoidability;
+  EXPECT_EQ(avoidability.interval, 0.5);
+  EXPECT_EQ(avoidability.step, 0.1);
+  EXPECT_EQ(avoidability.accelerations,
+            (std::vector<double>{0.0, -2.0, -4.0, -6.0, -7.9, 2.5, 5.0}));
+  EXPECT_EQ(avoidability.offsets, (std::vector<double>{0.0, 1.0, -1.0, 2.0, -2.0, 3.5, -3.5}));
+  EXPECT_EQ(avoidability.durations, (std::vector<double>{1.0, 2.0, 20.0}));
+  EXPECT_EQ(avoidability.return_time, 0.4);
+  EXPECT_EQ(avoidability.min_return_distance, 3.0);
+  EXPECT_EQ(avoidability.margin, 0.1);
+  EXPECT_EQ(avoidability.draws, 150);
+  EXPECT_EQ(avoidability.seed, 1u);
+}
+
 TEST(Config, ShippedRequestListHasTheDocumentedValues) {
   const Config config = loadConfig(kShipped);
   EXPECT_EQ(config.requests.stride, 2.0);
@@ -378,6 +426,11 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
   expectComplaint("requests.yaml", "stride:", "#", {"requests.stride", "missing"});
   expectComplaint("planners.yaml", "wheelbase:", "#", {"bicycle.wheelbase", "missing"});
+  expectComplaint("planners.yaml", "rule_based:", "#",
+                  {"planning.intervals.rule_based", "missing"});
+  expectComplaint("planners.yaml", "margin:", "#", {"idm.standard.margin", "missing"});
+  expectComplaint("planners.yaml", "behind_angle:", "#", {"rollout.fault.behind_angle", "missing"});
+  expectComplaint("planners.yaml", "draws:", "#", {"avoidability.draws", "missing"});
   expectComplaint("collision_types.yaml", "rules:", "#", {"collision_types.rules", "missing"});
   expectComplaint("verification.yaml", "time_tolerance:", "#",
                   {"verification.time_tolerance", "missing"});
@@ -528,6 +581,13 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
     expectComplaint("search.yaml", number, key + ": 0", {"bicycle." + key, "= 0", "not positive"});
   }
   expectComplaint("encoding.yaml", "max_lanes: 128", "max_lanes: 0", {"encoding.max_lanes", "= 0"});
+  for (const std::string number :
+       {"step: 0.1 ", "spacing: 1.0", "desired_speed: 10.0", "interval: 0.5", "return_time: 0.4"}) {
+    const std::string key = number.substr(0, number.find(':'));
+    expectComplaint("planners.yaml", number, key + ": 0 ", {key, "= 0", "not positive"});
+  }
+  expectComplaint("planners.yaml", "[0.0, -2.0,", "[0.0, -9.0,",
+                  {"avoidability.accelerations", "-9.0"});
   expectComplaint("ego_vehicle.yaml", "length: 4.084", "length: 0.0",
                   {"ego_vehicle.length", "0.0"});
 }
