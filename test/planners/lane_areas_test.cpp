@@ -22,8 +22,8 @@ TEST(LaneAreas, ABoxHalfOnTheVergeIsInOneLane) {
 
 TEST(LaneAreas, ABoxInOneOfLanesThatOverlapIsInThatLane) {
   auto map = std::make_shared<LaneMap>();
-  map->lanes = {straightLane("a", {0.0, 0.0}, {50.0, 0.0}),
-                straightLane("b", {0.0, 1.0}, {50.0, 1.0})};
+  map->lanes = {outlinedLane("a", {0.0, 0.0}, {50.0, 0.0}),
+                outlinedLane("b", {0.0, 1.0}, {50.0, 1.0})};
   const LaneIndex lanes(map);
   EXPECT_FALSE(LaneAreas(lanes, {20.0, 0.0}, 50.0).inSeveralLanes({{20.0, 0.0, 0.0}, kCarSize}));
 }
@@ -39,8 +39,8 @@ TEST(LaneAreas, OncomingIsALaneThatHeadsTheOtherWay) {
 
 TEST(LaneAreas, WhereLanesCrossOneThatHeadsAlongIsEnough) {
   auto map = std::make_shared<LaneMap>();
-  map->lanes = {straightLane("east", {-30.0, 0.0}, {30.0, 0.0}),
-                straightLane("west", {30.0, 0.5}, {-30.0, 0.5})};
+  map->lanes = {outlinedLane("east", {-30.0, 0.0}, {30.0, 0.0}),
+                outlinedLane("west", {30.0, 0.5}, {-30.0, 0.5})};
   const LaneIndex lanes(map);
   EXPECT_FALSE(LaneAreas(lanes, {0.0, 0.0}, 50.0).isOncoming({0.0, 0.2, 0.0}));
   EXPECT_TRUE(LaneAreas(lanes, {0.0, 0.0}, 50.0).isOncoming({0.0, 2.1, 0.0}));
@@ -50,7 +50,7 @@ TEST(LaneAreas, LanesOutOfReachAndWithoutOutlineAreNotKnown) {
   const auto lanes = threeLaneRoad();
   EXPECT_FALSE(LaneAreas(*lanes, {0.0, 60.0}, 10.0).isOncoming({0.0, 7.0, 0.0}));
   auto map = std::make_shared<LaneMap>();
-  map->lanes = {straightLane("west", {30.0, 0.0}, {-30.0, 0.0})};
+  map->lanes = {outlinedLane("west", {30.0, 0.0}, {-30.0, 0.0})};
   map->lanes[0].polygon.clear();
   const LaneIndex bare(map);
   EXPECT_FALSE(LaneAreas(bare, {0.0, 0.0}, 50.0).isOncoming({0.0, 0.0, 0.0}));

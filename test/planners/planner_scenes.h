@@ -6,13 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "attack/test_scenes.h"
 #include "formats/config.h"
 #include "map/lane_queries.h"
 #include "planners/planner.h"
 
 namespace forge {
-
-inline constexpr BoxSize kCarSize{4.6, 1.9};
 
 /// What config/ says.
 inline const Config& shippedConfig() {
@@ -20,35 +19,23 @@ inline const Config& shippedConfig() {
   return config;
 }
 
-/// A lane 3.5 m wide, its centreline a point each 5 m at most.
-inline Lane straightLane(const std::string& id, const Vector2& from, const Vector2& to,
+/// A lane 3.5 m wide.
+inline Lane outlinedLane(const std::string& id, const Vector2& from, const Vector2& to,
                          std::vector<std::string> outgoing = {}) {
-  Lane lane;
-  lane.id = id;
-  lane.outgoing = std::move(outgoing);
+  Lane lane = straightLane(id, from, to, std::move(outgoing));
   const Vector2 span = to - from;
-  const double yaw = std::atan2(span.y(), span.x());
-  const int pieces = static_cast<int>(std::ceil(span.norm() / 5.0));
-  for (int i = 0; i <= pieces; ++i) {
-    const Vector2 point = from + span * i / pieces;
-    lane.centerline.push_back({point.x(), point.y(), yaw});
-  }
   const Vector2 left = 1.75 * Vector2(-span.y(), span.x()).normalized();
   lane.polygon = {from - left, to - left, to + left, from + left};
   return lane;
-}
-
-inline Polygon rectangle(double min_x, double min_y, double max_x, double max_y) {
-  return {{{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}}, {}};
 }
 
 /// Along x from -200 to 400 m: eastbound on y = 0 ("right") and 3.5 ("left"), westbound on y = 7
 /// ("oncoming"); drivable from y = -1.75 to 8.75.
 inline std::shared_ptr<const LaneIndex> threeLaneRoad() {
   auto map = std::make_shared<LaneMap>();
-  map->lanes = {straightLane("right", {-200.0, 0.0}, {400.0, 0.0}),
-                straightLane("left", {-200.0, 3.5}, {400.0, 3.5}),
-                straightLane("oncoming", {400.0, 7.0}, {-200.0, 7.0})};
+  map->lanes = {outlinedLane("right", {-200.0, 0.0}, {400.0, 0.0}),
+                outlinedLane("left", {-200.0, 3.5}, {400.0, 3.5}),
+                outlinedLane("oncoming", {400.0, 7.0}, {-200.0, 7.0})};
   map->drivable_area = {rectangle(-200.0, -1.75, 400.0, 8.75)};
   return std::make_shared<const LaneIndex>(map);
 }
