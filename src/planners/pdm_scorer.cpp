@@ -97,7 +97,7 @@ bool PdmScorer::isTooClose(const PdmMotion& motion, std::size_t step,
                           surroundings_.ego.size};
     forecast.forTouching(box, ego_radius_, step + ahead, [&](std::size_t agent) {
       if (let_alone[agent] || is_too_close) return;
-      const double cosine = cosineTo(state, agent, step + ahead);
+      const double cosine = cosineTo(state, agent, step);
       is_too_close = cosine > ahead_cosine_ ||
                      (cosine >= behind_cosine_ && isInSeveralLanesOrOffRoad(motion.boxes[step]));
       let_alone[agent] = !is_too_close;

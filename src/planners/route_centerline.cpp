@@ -56,31 +56,38 @@ void connect(const LaneIndex& lanes, const Choices& before, Choices& choices,
   }
 }
 
-/// The lateral offsets of the cheapest choices.
-std::vector<double> cheapestOffsets(const std::vector<Choices>& places) {
-  std::vector<double> offsets(places.size());
+std::vector<Choice> cheapest(const std::vector<Choices>& places) {
+  std::vector<Choice> chosen(places.size());
   const Choices& last = places.back();
-  std::size_t choice = static_cast<std::size_t>(
+  auto choice = static_cast<std::size_t>(
       std::min_element(last.begin(), last.end(),
                        [](const Choice& a, const Choice& b) { return a.cost < b.cost; }) -
       last.begin());
   for (std::size_t i = places.size(); i-- > 0;) {
-    offsets[i] = places[i][choice].lateral;
-    choice = places[i][choice].before;
+    chosen[i] = places[i][choice];
+    choice = chosen[i].before;
   }
-  return offsets;
+  return chosen;
 }
 
-/// Each value the mean of those up to `reach` before and behind it.
-std::vector<double> smoothed(const std::vector<double>& values, std::size_t reach) {
-  std::vector<double> means(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t around = std::min({reach, i, values.size() - 1 - i});
-    double sum = 0.0;
-    for (std::size_t j = i - around; j <= i + around; ++j) sum += values[j];
-    means[i] = sum / (2.0 * static_cast<double>(around) + 1.0);
+/// Where the line lies beside the route at each place, passing over from lane to lane within
+/// `reach` places before and behind.
+std::vector<double> lateralsOf(const LaneIndex& lanes, const std::vector<Choice>& chosen, int reach,
+                               const RouteCenterlineOptions& options) {
+  const int count = static_cast<int>(chosen.size());
+  std::vector<double> laterals;
+  for (const Choice& choice : chosen) laterals.push_back(choice.lateral);
+  for (int i = 1; i < count; ++i) {
+    const Choice& before = chosen[static_cast<std::size_t>(i - 1)];
+    const Choice& after = chosen[static_cast<std::size_t>(i)];
+    if (costBetween(lanes, before, after, options) == 0.0) continue;
+    const double jump = after.lateral - before.lateral;
+    for (int j = std::max(i - reach, 0); j < std::min(i + reach, count); ++j) {
+      const double nearness = 1.0 - std::abs(j + 0.5 - i) / reach;
+      laterals[static_cast<std::size_t>(j)] += (j < i ? 0.5 : -0.5) * jump * nearness;
+    }
   }
-  return means;
+  return laterals;
 }
 
 }  // namespace
@@ -96,12 +103,12 @@ Polyline routeCenterline(const LaneIndex& lanes, const std::vector<Vector2>& rou
     places.push_back(choicesAt(lanes, poses.back(), options));
     if (i > 0) connect(lanes, places[places.size() - 2], places.back(), options);
   }
-  const auto reach =
-      static_cast<std::size_t>(std::lround(0.5 * options.lane_change_length / options.spacing));
-  const std::vector<double> offsets = smoothed(cheapestOffsets(places), reach);
+  const int reach =
+      static_cast<int>(std::lround(0.5 * options.lane_change_length / options.spacing));
+  const std::vector<double> laterals = lateralsOf(lanes, cheapest(places), reach, options);
   std::vector<Vector2> points;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    points.push_back(compose(poses[i], {0.0, offsets[i], 0.0}).position());
+    points.push_back(compose(poses[i], {0.0, laterals[i], 0.0}).position());
   }
   return Polyline(points);
 }
