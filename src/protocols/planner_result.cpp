@@ -16,6 +16,9 @@ namespace {
 constexpr const char* kFormat = "collision_forge/planner_test";
 constexpr int kVersion = 1;
 
+/// To the microsecond, the clock's resolution.
+double fromNow(double time, double now) { return std::round((time - now) * 1e6) / 1e6; }
+
 AvoidabilitySummary summaryOf(const Avoidability& found, double now) {
   AvoidabilitySummary summary;
   summary.is_avoidable = found.isAvoidable();
@@ -24,7 +27,7 @@ AvoidabilitySummary summaryOf(const Avoidability& found, double now) {
   }
   if (found.last) {
     summary.last = found.last->manoeuvre;
-    summary.last_after = found.last->start - now;
+    summary.last_after = fromNow(found.last->start, now);
     summary.off_road_share = found.last->off_road_share;
   }
   return summary;
@@ -57,7 +60,7 @@ void writeContact(JsonLineWriter& writer, const RolloutOutcome& outcome, double 
   writer.beginObject("contact");
   writer.text("other", contact.other_id);
   writer.flag("attacker", contact.is_attacker);
-  writer.number("t", contact.time - now);
+  writer.number("t", fromNow(contact.time, now));
   if (contact.type) {
     writer.text("type", toString(*contact.type));
   } else {
