@@ -67,7 +67,9 @@ void RuleBasedPlanner::proposeSpeeds(double speed) {
   candidates_.clear();
   for (const double middle : reachable(speed, options_.middle_speeds)) {
     for (const double end : reachable(middle, options_.end_speeds)) {
-      candidates_.push_back({planThrough(speed, middle, end, options_.step, options_.steps), 0.0});
+      candidates_.push_back({planThrough(speed, middle, end, options_.max_acceleration,
+                                         options_.step, options_.steps),
+                             0.0});
     }
   }
 }

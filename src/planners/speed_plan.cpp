@@ -12,6 +12,12 @@ struct Stretch {
   double acceleration = 0.0;
 };
 
+/// From a speed to another by `acceleration`, positive also for braking.
+Stretch towards(double speed, double target_speed, double acceleration) {
+  const double change = target_speed - speed;
+  return {std::abs(change) / acceleration, std::copysign(acceleration, change)};
+}
+
 /// Drives the stretches one after the other, then on at constant speed.
 SpeedPlan drive(double speed, const std::vector<Stretch>& stretches, double step, int steps) {
   SpeedPlan plan;
@@ -44,18 +50,17 @@ std::vector<double> spread(double low, double high, int count) {
   return values;
 }
 
-SpeedPlan planThrough(double speed, double middle_speed, double end_speed, double step, int steps) {
-  const double half = 0.5 * step * steps;
-  return drive(speed,
-               {{half, (middle_speed - speed) / half}, {half, (end_speed - middle_speed) / half}},
-               step, steps);
+SpeedPlan planThrough(double speed, double middle_speed, double end_speed, double acceleration,
+                      double step, int steps) {
+  const Stretch first = towards(speed, middle_speed, acceleration);
+  const double held = std::max(0.5 * step * steps - first.duration, 0.0);
+  return drive(speed, {first, {held, 0.0}, towards(middle_speed, end_speed, acceleration)}, step,
+               steps);
 }
 
 SpeedPlan planTowards(double speed, double target_speed, double acceleration, double step,
                       int steps) {
-  const double change = target_speed - speed;
-  return drive(speed, {{std::abs(change) / acceleration, std::copysign(acceleration, change)}},
-               step, steps);
+  return drive(speed, {towards(speed, target_speed, acceleration)}, step, steps);
 }
 
 }  // namespace forge

@@ -14,8 +14,10 @@ struct SpeedPlan {
 /// `count` numbers evenly spread over a range, both ends included; its middle for one.
 std::vector<double> spread(double low, double high, int count);
 
-/// From `speed` evenly to `middle_speed` at half of `steps`, and on evenly to `end_speed`.
-SpeedPlan planThrough(double speed, double middle_speed, double end_speed, double step, int steps);
+/// From `speed` to `middle_speed`, which is held until half of `steps`, then to `end_speed`, which
+/// is held. Speeds change by `acceleration` (m/s2, positive also for braking).
+SpeedPlan planThrough(double speed, double middle_speed, double end_speed, double acceleration,
+                      double step, int steps);
 
 /// From `speed` to `target_speed` by `acceleration` (m/s2, positive also for braking), then on.
 SpeedPlan planTowards(double speed, double target_speed, double acceleration, double step,

@@ -85,13 +85,13 @@ TEST(RuleBasedPlanner, KeepsDrivingOnAnEmptyRoad) {
 }
 
 TEST(RuleBasedPlanner, StopsForACrossingCarThatItCanSee) {
-  // It reaches the ego's lane when the ego, going on, would.
-  const Track car = agentAt("a", {60.0, -42.0, 0.5 * M_PI}, 7.0);
-  const auto driven = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 10.0), {car}, 10.0);
-  EXPECT_GT(closest(driven, car), 0.5);
+  // Slow and long: in the way of the ego, which would be there after 5 s, from 1 to 15 s.
+  const Track car = agentAt("a", {60.0, -8.0, 0.5 * M_PI}, 1.0, {12.0, 2.5});
+  const auto driven = drive(crossing(), egoAt({20.0, 0.0, 0.0}, 8.0), {car}, 22.0);
+  EXPECT_GT(closest(driven, car), 0.3);
   double slowest = 100.0;
   for (const TrajectoryPoint& point : driven) slowest = std::min(slowest, point.speed);
-  EXPECT_LT(slowest, 7.0);
+  EXPECT_LT(slowest, 1.0);
   EXPECT_GT(driven.back().pose.x, 65.0);
 }
 

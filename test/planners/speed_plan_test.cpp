@@ -10,21 +10,19 @@ TEST(SpeedPlan, SpreadsNumbersOverARange) {
   EXPECT_EQ(spread(1.0, 3.0, 1), std::vector<double>{2.0});
 }
 
-TEST(SpeedPlan, PassesThroughTheMiddleSpeed) {
-  const SpeedPlan plan = planThrough(10.0, 5.0, 7.0, 0.5, 10);
-  ASSERT_EQ(plan.speeds.size(), 11U);
-  EXPECT_NEAR(plan.speeds[0], 10.0, 1e-12);
-  EXPECT_NEAR(plan.speeds[5], 5.0, 1e-12);
-  EXPECT_NEAR(plan.speeds[10], 7.0, 1e-12);
-  // The means of the halves times 2.5 s.
-  EXPECT_NEAR(plan.distances[5], 7.5 * 2.5, 1e-12);
-  EXPECT_NEAR(plan.distances[10], 7.5 * 2.5 + 6.0 * 2.5, 1e-12);
-  EXPECT_NEAR(plan.accelerations[2], -2.0, 1e-12);
-  EXPECT_NEAR(plan.accelerations[7], 0.8, 1e-12);
+TEST(SpeedPlan, HoldsTheMiddleSpeedUntilHalfOfTheTime) {
+  // Braking for 2 s, held for 0.5 s, accelerating for 1 s, held for 1.5 s.
+  const SpeedPlan plan = planThrough(10.0, 5.0, 7.5, 2.5, 0.5, 10);
+  EXPECT_EQ(plan.speeds,
+            (std::vector<double>{10.0, 8.75, 7.5, 6.25, 5.0, 5.0, 6.25, 7.5, 7.5, 7.5, 7.5}));
+  EXPECT_EQ(plan.accelerations,
+            (std::vector<double>{-2.5, -2.5, -2.5, -2.5, 0.0, 2.5, 2.5, 0.0, 0.0, 0.0, 0.0}));
+  EXPECT_NEAR(plan.distances[5], 15.0 + 2.5, 1e-12);
+  EXPECT_NEAR(plan.distances[10], 15.0 + 2.5 + 6.25 + 1.5 * 7.5, 1e-12);
 }
 
-TEST(SpeedPlan, AnOddNumberOfStepsPassesTheMiddleBetweenTwo) {
-  const SpeedPlan plan = planThrough(10.0, 5.0, 5.0, 0.2, 25);
+TEST(SpeedPlan, StretchesMayEndBetweenSteps) {
+  const SpeedPlan plan = planThrough(10.0, 5.0, 5.0, 2.0, 0.2, 25);
   EXPECT_NEAR(plan.speeds[12], 10.0 - 2.0 * 2.4, 1e-12);
   EXPECT_NEAR(plan.speeds[13], 5.0, 1e-12);
   EXPECT_NEAR(plan.distances[13], 7.5 * 2.5 + 5.0 * 0.1, 1e-12);
