@@ -23,12 +23,15 @@ struct Driver {
   }
 };
 
-TrajectoryPoint pointOf(const Driver& driver, const Polyline& path, double time) {
-  constexpr double kChord = 1.0;  // m, over which the curvature is taken
-  const double before = path.poseAt(driver.arc_length - 0.5 * kChord).yaw;
-  const double after = path.poseAt(driver.arc_length + 0.5 * kChord).yaw;
-  return {time, path.poseAt(driver.arc_length), driver.speed, driver.acceleration,
-          angleBetween(before, after) / kChord};
+/// After `before`; the curvature is that of the way in between.
+TrajectoryPoint nextPoint(const TrajectoryPoint& before, const Driver& driver, const Polyline& path,
+                          double time) {
+  constexpr double kStanding = 0.01;  // m; a shorter way has no curvature
+  TrajectoryPoint point{time, path.poseAt(driver.arc_length), driver.speed, driver.acceleration,
+                        0.0};
+  const double driven = (point.pose.position() - before.pose.position()).norm();
+  if (driven > kStanding) point.curvature = angleBetween(before.pose.yaw, point.pose.yaw) / driven;
+  return point;
 }
 
 }  // namespace
@@ -53,7 +56,7 @@ std::vector<TrajectoryPoint> IdmPlanner::plan(const Observation& observation) {
           idmAcceleration(options_.law, driver.speed, lead->speed, std::max(gap, kTouchingGap));
     }
     driver.advance(demanded, options_.step);
-    points.push_back(pointOf(driver, *route_, ego.time + (i + 1) * options_.step));
+    points.push_back(nextPoint(points.back(), driver, *route_, ego.time + (i + 1) * options_.step));
   }
   return points;
 }
@@ -72,7 +75,7 @@ std::vector<TrajectoryPoint> PublishedIdmPlanner::plan(const Observation& observ
   }
   Driver driver{route_->project(ego.pose.position()).arc_length, ego.speed, 0.0};
   driver.advance(demanded, options_.step);
-  return {ego, pointOf(driver, *route_, ego.time + options_.step)};
+  return {ego, nextPoint(ego, driver, *route_, ego.time + options_.step)};
 }
 
 }  // namespace forge

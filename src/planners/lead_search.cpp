@@ -20,38 +20,55 @@ std::vector<Vector2> outlineOf(const OrientedBox& box) {
   return points;
 }
 
-/// The corridor ahead of one follower.
+/// The points of the path from an arc length to another, both ends included.
+std::vector<Vector2> stretchOf(const Polyline& path, double from, double to) {
+  std::vector<Vector2> points = {path.poseAt(from).position()};
+  const auto& arc_lengths = path.arcLengths();
+  const auto first = std::upper_bound(arc_lengths.begin(), arc_lengths.end(), from);
+  const auto last = std::lower_bound(first, arc_lengths.end(), to);
+  for (auto it = first; it != last; ++it) {
+    points.push_back(path.points()[static_cast<std::size_t>(it - arc_lengths.begin())]);
+  }
+  points.push_back(path.poseAt(to).position());
+  return points;
+}
+
+/// The corridor ahead of one follower, from its middle on.
 class Corridor {
  public:
   Corridor(const Follower& follower, const LeadSearch& search)
-      : follower_(follower),
+      : start_(follower.arc_length),
+        length_(0.5 * follower.size.length + search.radius),
         half_width_(0.5 * follower.size.width + search.margin),
-        end_(follower.arc_length + 0.5 * follower.size.length + search.radius) {}
+        path_(stretchOf(follower.path, start_, start_ + length_)) {}
 
-  bool isOutOfReach(const OrientedBox& box) const {
-    const double reach = circumradius(box.size);
-    const double ahead = end_ - follower_.arc_length + reach;
-    const Vector2 here = follower_.path.poseAt(follower_.arc_length).position();
-    if ((box.center.position() - here).norm() > ahead) return true;
-    return follower_.path.project(box.center.position()).distance > half_width_ + reach;
-  }
-
-  /// Arc length at which the box begins; empty when it is not in the corridor.
+  /// Arc length on the follower's path at which the box begins; empty when it is not inside.
   std::optional<double> beginOf(const OrientedBox& box) const {
+    if (isOutOfReach(box)) return std::nullopt;
     std::optional<double> begin;
     for (const Vector2& point : outlineOf(box)) {
-      const PolylineProjection place = follower_.path.project(point);
-      const bool is_inside = place.distance <= half_width_ &&
-                             place.arc_length > follower_.arc_length && place.arc_length <= end_;
+      const PolylineProjection place = path_.project(point);
+      const bool is_inside =
+          place.distance <= half_width_ && place.arc_length > 0.0 && place.arc_length < length_;
       if (is_inside && (!begin || place.arc_length < *begin)) begin = place.arc_length;
     }
+    if (begin) *begin += start_;
     return begin;
   }
 
  private:
-  const Follower& follower_;
+  /// Surely out of it, told quickly.
+  bool isOutOfReach(const OrientedBox& box) const {
+    const double reach = circumradius(box.size);
+    const Vector2 away = box.center.position() - path_.points().front();
+    if (away.norm() > length_ + reach) return true;
+    return path_.project(box.center.position()).distance > half_width_ + reach;
+  }
+
+  double start_;
+  double length_;
   double half_width_;
-  double end_;
+  Polyline path_;
 };
 
 }  // namespace
@@ -64,9 +81,7 @@ std::optional<Lead> findLead(const Follower& follower, const std::string& follow
   for (const Track& other : others) {
     if (other.id == follower_id || other.states.empty()) continue;
     const AgentState& state = other.states.back();
-    const OrientedBox box = boxAt(other, state.pose);
-    if (corridor.isOutOfReach(box)) continue;
-    const auto begin = corridor.beginOf(box);
+    const auto begin = corridor.beginOf(boxAt(other, state.pose));
     if (!begin) continue;
     const double gap = std::max(*begin - front, 0.0);
     if (lead && gap >= lead->gap) continue;

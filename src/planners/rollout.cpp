@@ -14,6 +14,7 @@ namespace forge {
 namespace {
 
 constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
+constexpr double kTimeSlack = 1e-3;    // s; no step is shorter
 
 constexpr std::array<std::pair<PlannerFailure, const char*>, 7> kFailureNames = {{
     {PlannerFailure::kNone, "none"},
@@ -174,8 +175,8 @@ class Run {
     attempt([&] { planner_.initialize(task_); });
     const int steps_per_plan =
         std::max(1, static_cast<int>(std::lround(driving_.interval / options_.step)));
-    for (int step = 0; !isOver(); ++step) {
-      if (step % steps_per_plan == 0) callPlanner();
+    while (!isOver()) {
+      if (steps_ % steps_per_plan == 0) callPlanner();
       if (outcome_.failure == PlannerFailure::kNone) advance();
     }
     summarize();
@@ -185,9 +186,15 @@ class Run {
  private:
   double now() const { return ego_.point().time; }
 
+  /// The last step ends with the attacker's trajectory, a little early or late.
+  double timeOfStep(int step) const {
+    const double time = outcome_.driven.front().time + step * options_.step;
+    return time > scenario_.end() - kTimeSlack ? scenario_.end() : time;
+  }
+
   bool isOver() const {
-    return outcome_.contact || outcome_.failure != PlannerFailure::kNone ||
-           now() >= scenario_.end() - kTimeEpsilon;
+    return (outcome_.contact && setup_.ends_at_contact) ||
+           outcome_.failure != PlannerFailure::kNone || now() >= scenario_.end() - kTimeEpsilon;
   }
 
   /// The planner is a guest: what it throws is its failure, and is timed like all that it does.
@@ -214,19 +221,19 @@ class Run {
     attempt([&] { plan = planner_.plan(observation); });
     ++outcome_.plans;
     if (outcome_.failure != PlannerFailure::kNone) return;
-    const double next_call = std::min(now() + driving_.interval, scenario_.end());
+    const double next_call = std::min(now() + driving_.interval, scenario_.end() - kTimeSlack);
     fail(checkPlan(plan, now(), next_call));
     if (outcome_.failure == PlannerFailure::kNone) ego_.follow(std::move(plan));
   }
 
   void advance() {
-    const double next = std::min(now() + options_.step, scenario_.end());
+    const double next = timeOfStep(++steps_);
     const TrajectoryPoint from = ego_.point();
     const std::vector<Track> before = traffic_.agents();
     traffic_.advance(next, trackAt(from, scenario_.ego.size));
     ego_.advance(next);
-    findContact(from, before);
-    if (outcome_.contact) {
+    if (!outcome_.contact) findContact(from, before);
+    if (outcome_.contact && setup_.ends_at_contact) {
       outcome_.driven.push_back(pointAt({from, ego_.point()}, outcome_.contact->time));
     } else {
       outcome_.driven.push_back(ego_.point());
@@ -334,6 +341,7 @@ class Run {
   EgoDriver ego_;
   std::set<std::string> ignored_;  // who overlaps the ego from the start
   RolloutOutcome outcome_;
+  int steps_ = 0;
   double off_road_sum_ = 0.0;
   int road_checks_ = 0;
   bool was_on_road_ = false;

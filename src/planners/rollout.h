@@ -24,6 +24,8 @@ struct RolloutSetup {
   const PlannerOptions& planners;
   const AttackOptions& attack;  ///< of contacts: tolerance, collision types; of the start's motion
   Background background = Background::kReplay;
+  /// Otherwise the ego drives on to the end, through whom it touches.
+  bool ends_at_contact = true;
 };
 
 /// What a planner did that ended its rollout.
@@ -70,11 +72,12 @@ struct RolloutOutcome {
   double planning_seconds = 0.0;  ///< of computing in these calls; the one thing that is measured
 };
 
-/// Drives the ego by the planner from now on until its first contact, a failure of the planner or
-/// the end of the attacker's trajectory. The start is the recorded state now, its speed told from
-/// the past (estimateMotion()). Within a step ego and others move linearly, so contacts are found
-/// to `overlap_tolerance`. Who overlaps the ego already now, the attacker aside, is not looked at.
-/// Same input, same outcome (planning_seconds aside). Throws as checkScenario() and routeOf().
+/// Drives the ego by the planner from now on until its first contact (unless the setup says
+/// otherwise), a failure of the planner or the end of the attacker's trajectory. The start is the
+/// recorded state now, its speed told from the past (estimateMotion()). Within a step ego and
+/// others move linearly, so contacts are found to `overlap_tolerance`. Who overlaps the ego already
+/// now, the attacker aside, is not looked at. Same input, same outcome (planning_seconds aside).
+/// Throws as checkScenario() and routeOf().
 RolloutOutcome rollout(Planner& planner, const Driving& driving, const CrashScenario& scenario,
                        const RolloutSetup& setup);
 
