@@ -11,7 +11,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMaxHeading = 3.1416;  // rad; pi as the file rounds it
 constexpr double kMaxTtc = 60.0;        // s
 constexpr double kMaxOffset = 10.0;     // m
-constexpr double kMaxSteering = 1.5;    // rad; short of a wheel across the car
+constexpr double kMaxSpeedShare = 2.0;
+constexpr double kMaxSteering = 1.5;  // rad; short of a wheel across the car
 
 KinematicBicycleOptions readKinematicBicycle(Section section, const VehicleLimits& limits) {
   KinematicBicycleOptions options;
@@ -155,7 +156,7 @@ PlanningOptions readPlanning(Section section) {
   PlanningOptions options;
   options.history = section.nonNegative("history");
   Section intervals = section.section("intervals");
-  for (const char* planner : {"idm", "idm_published", "rule_based", "pdm"}) {
+  for (const char* planner : {"idm", "idm_published", "rule_based", "rule_based_tuned", "pdm"}) {
     options.intervals[planner] = intervals.positive(planner);
   }
   intervals.finish();
@@ -227,6 +228,38 @@ AvoidabilityOptions readAvoidability(Section section, const VehicleLimits& limit
   return options;
 }
 
+/// Those of STRIVE's two sets of parameters that differ.
+RuleBasedOptions withParameters(RuleBasedOptions options, Section section) {
+  options.max_speed = section.positive("max_speed");
+  options.max_acceleration = section.positive("max_acceleration");
+  options.distance_weight = section.nonNegative("distance_weight");
+  options.distance_weight_rate = section.nonNegative("distance_weight_rate");
+  section.finish();
+  return options;
+}
+
+void readRuleBased(Section section, PlannerOptions& planners) {
+  RuleBasedOptions options;
+  options.step = section.positive("step");
+  options.steps = section.count("steps", 2);
+  options.middle_speeds = section.count("middle_speeds", 1);
+  options.end_speeds = section.count("end_speeds", 1);
+  options.interaction_radius = section.nonNegative("interaction_radius");
+  options.speed_shares = section.numbers("speed_shares", 0.0, kMaxSpeedShare);
+  options.acceleration_share = section.positive("acceleration_share");
+  options.lane_max_distance = section.nonNegative("lane_max_distance");
+  options.lane_max_heading = section.within("lane_max_heading", 0.0, kMaxHeading);
+  options.max_paths = section.count("max_paths", 1);
+  options.bend_length = section.positive("bend_length");
+  options.sample_spacing = section.positive("sample_spacing");
+  options.circles = section.count("circles", 1);
+  options.safety_buffer = section.nonNegative("safety_buffer");
+  options.max_probability = section.within("max_probability", 0.0, 1.0);
+  planners.rule_based = withParameters(options, section.section("published"));
+  planners.tuned_rule_based = withParameters(options, section.section("tuned"));
+  section.finish();
+}
+
 }  // namespace
 
 PlannerOptions loadPlanners(const std::string& directory, const VehicleLimits& limits) {
@@ -243,6 +276,7 @@ PlannerOptions loadPlanners(const std::string& directory, const VehicleLimits& l
   options.lqr = readLqr(file.section("lqr"));
   options.route_centerline = readRouteCenterline(file.section("route_centerline"));
   options.pdm = readPdm(file.section("pdm"), options.lqr.step);
+  readRuleBased(file.section("rule_based"), options);
   file.finish();
   return options;
 }

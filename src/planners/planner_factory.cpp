@@ -4,6 +4,7 @@
 
 #include "planners/idm.h"
 #include "planners/pdm_planner.h"
+#include "planners/rule_based_planner.h"
 
 namespace forge {
 namespace {
@@ -31,6 +32,17 @@ const Entry kEntries[] = {
      [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
        return std::make_unique<PdmPlanner>(options.pdm, options.route_centerline, options.bicycle,
                                            options.lqr);
+     },
+     false},
+    {"rule_based",
+     [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
+       return std::make_unique<RuleBasedPlanner>(options.rule_based, options.route_centerline);
+     },
+     false},
+    {"rule_based_tuned",
+     [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
+       return std::make_unique<RuleBasedPlanner>(options.tuned_rule_based,
+                                                 options.route_centerline);
      },
      false},
 };

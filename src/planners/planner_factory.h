@@ -16,7 +16,7 @@ struct PlannerUnderTest {
   Driving driving;
 };
 
-/// "idm", "idm_published", "pdm".
+/// "idm", "idm_published", "pdm", "rule_based", "rule_based_tuned".
 const std::vector<std::string>& plannerNames();
 
 /// A new planner of plannerNames(). `attacker_id` is for those that the protocol tells who attacks

@@ -6,6 +6,7 @@
 #include "planners/lqr_tracker.h"
 #include "planners/pdm_options.h"
 #include "planners/rollout_options.h"
+#include "planners/rule_based_options.h"
 
 namespace forge {
 
@@ -20,6 +21,8 @@ struct PlannerOptions {
   LqrOptions lqr;
   RouteCenterlineOptions route_centerline;
   PdmOptions pdm;
+  RuleBasedOptions rule_based;        ///< with the published parameters
+  RuleBasedOptions tuned_rule_based;  ///< with those that STRIVE tuned
 };
 
 }  // namespace forge

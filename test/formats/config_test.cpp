@@ -124,9 +124,11 @@ TEST(Config, ShippedKinematicBicycleHasTheDocumentedValues) {
 TEST(Config, ShippedPlanningAndIdmHaveTheDocumentedValues) {
   const PlannerOptions planners = loadConfig(kShipped).planners;
   EXPECT_EQ(planners.planning.history, 2.0);
-  EXPECT_EQ(planners.planning.intervals,
-            (std::map<std::string, double>{
-                {"idm", 0.1}, {"idm_published", 0.1}, {"rule_based", 0.2}, {"pdm", 0.1}}));
+  EXPECT_EQ(planners.planning.intervals, (std::map<std::string, double>{{"idm", 0.1},
+                                                                        {"idm_published", 0.1},
+                                                                        {"rule_based", 0.2},
+                                                                        {"rule_based_tuned", 0.2},
+                                                                        {"pdm", 0.1}}));
   EXPECT_EQ(planners.planning.route.spacing, 1.0);
   EXPECT_EQ(planners.planning.route.length_ahead, 100.0);
   EXPECT_EQ(planners.planning.route.join_distance, 5.0);
