@@ -33,7 +33,7 @@ struct Arguments {
   std::string split = "val";
   ClipAttacker attacker = ClipAttacker::kRecorded;
   std::size_t limit = 0;
-  std::vector<std::string> planners = {"idm", "pdm"};
+  std::vector<std::string> planners = {"idm", "rule_based", "pdm"};
   Background background = Background::kReplay;
   std::size_t worst = 3;
   std::string out;

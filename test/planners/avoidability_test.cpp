@@ -125,6 +125,22 @@ TEST(Avoidability, MotionsOnTheRoadArePreferred) {
   EXPECT_GT(steering->motion.back().pose.y, 1.5);  // to the left; to the right the road ends
 }
 
+TEST(Avoidability, ContactsBetweenThePointsOfAMotionAreFound) {
+  // Half a second between points, in which the crossing attacker drives 10 m.
+  const Config& config = shippedConfig();
+  AvoidabilityOptions coarse = config.planners.avoidability;
+  coarse.step = 0.5;
+  for (const double x : {14.0, 16.0, 18.0, 20.0, 22.0}) {
+    const CrashScenario scenario =
+        roadScenario(8.0, straightDrive({x, -45.0, M_PI_2}, 20.0, 5.0, 0.5));
+    const Avoidability found =
+        findAvoidability(scenario, coarse, config.planners.planning.route, config.attack);
+    for (const Avoidance& avoidance : found.from_now) {
+      EXPECT_GT(clearance(scenario, avoidance), 0.0) << x;
+    }
+  }
+}
+
 TEST(Avoidability, TheSameAgainIsTheSame) {
   const CrashScenario scenario = roadScenario(8.0, straightDrive({40.0, 0.3, M_PI}, 5.0, 6.0));
   const Avoidability one = avoidabilityOf(scenario);
