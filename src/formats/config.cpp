@@ -1,15 +1,12 @@
 #include "formats/config.h"
 
+#include "formats/config_section.h"
+#include "formats/planner_config.h"
 #include "formats/speed_model_file.h"
 #include "formats/speed_profiles_file.h"
 
-#include <yaml-cpp/yaml.h>
-
-#include <cmath>
 #include <filesystem>
 #include <limits>
-#include <set>
-#include <sstream>
 #include <utility>
 
 namespace forge {
@@ -19,164 +16,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMaxHeading = 3.1416;   // rad; pi as the files round it
 constexpr double kMaxLaneHeading = 1.5;  // rad; an ego that crosses a lane does not follow it
 
-std::string textOf(const YAML::Node& node) {
-  return node.IsScalar() ? node.Scalar() : YAML::Dump(node);
-}
-
-/// One mapping of a file. Every read checks the value; finish() finds the keys that nobody read.
-class Section {
- public:
-  Section(std::string file, std::string name, const YAML::Node& node)
-      : file_(std::move(file)), name_(std::move(name)), node_(node) {
-    if (!node_.IsMap()) fail(name_.empty() ? "the file" : name_, node_, "is not a mapping");
-    for (const auto& entry : node_) {
-      if (!entry.first.IsScalar()) fail(pathOf(textOf(entry.first)), entry.second, "has no name");
-      const std::string key = entry.first.Scalar();
-      if (!unread_.insert(key).second) fail(pathOf(key), entry.second, "is given twice");
-    }
-  }
-
-  Section section(const std::string& key) { return {file_, pathOf(key), take(key)}; }
-
-  double positive(const std::string& key) {
-    const YAML::Node node = take(key);
-    const double value = toNumber(key, node);
-    if (!(value > 0.0)) fail(pathOf(key), node, "is not positive");
-    return value;
-  }
-
-  double within(const std::string& key, double min, double max) {
-    const YAML::Node node = take(key);
-    const double value = toNumber(key, node);
-    if (!(value >= min && value <= max)) fail(pathOf(key), node, rangeText(min, max));
-    return value;
-  }
-
-  double nonNegative(const std::string& key) { return within(key, 0.0, kInfinity); }
-
-  int count(const std::string& key, int min, int max = std::numeric_limits<int>::max()) {
-    const YAML::Node node = take(key);
-    int value = 0;
-    if (!YAML::convert<int>::decode(node, value)) fail(pathOf(key), node, "is not an integer");
-    if (value < min || value > max) fail(pathOf(key), node, rangeText(min, max));
-    return value;
-  }
-
-  std::vector<double> positives(const std::string& key) {
-    const YAML::Node node = take(key);
-    if (!node.IsSequence() || node.size() == 0) fail(pathOf(key), node, "is not a list of numbers");
-    std::vector<double> values;
-    for (const YAML::Node& entry : node) {
-      values.push_back(toNumber(key, entry));
-      if (!(values.back() > 0.0)) fail(pathOf(key), entry, "is not positive");
-    }
-    return values;
-  }
-
-  /// Two or more numbers from 0 to 1, none below the one before.
-  std::vector<double> risingShares(const std::string& key) {
-    const YAML::Node node = take(key);
-    if (!node.IsSequence() || node.size() < 2) fail(pathOf(key), node, "is not a list of numbers");
-    std::vector<double> values;
-    for (const YAML::Node& entry : node) {
-      const double value = toNumber(key, entry);
-      if (!(value >= 0.0 && value <= 1.0)) fail(pathOf(key), entry, rangeText(0.0, 1.0));
-      if (!values.empty() && value < values.back()) {
-        fail(pathOf(key), entry, "is below the one before");
-      }
-      values.push_back(value);
-    }
-    return values;
-  }
-
-  /// [red, green, blue], each 0 to 1.
-  Color color(const std::string& key) {
-    const YAML::Node node = take(key);
-    if (!node.IsSequence() || node.size() != 3) {
-      fail(pathOf(key), node, "is not [red, green, blue]");
-    }
-    double shares[3] = {};
-    for (std::size_t i = 0; i < 3; ++i) {
-      shares[i] = toNumber(key, node[i]);
-      if (!(shares[i] >= 0.0 && shares[i] <= 1.0)) fail(pathOf(key), node, rangeText(0.0, 1.0));
-    }
-    return {shares[0], shares[1], shares[2]};
-  }
-
-  TypeRules typeRules(const std::string& key) {
-    const YAML::Node node = take(key);
-    const auto rules = typeRulesFromString(textOf(node));
-    if (!rules) fail(pathOf(key), node, "is neither full nor angle");
-    return *rules;
-  }
-
-  std::string text(const std::string& key) {
-    const YAML::Node node = take(key);
-    if (!node.IsScalar()) fail(pathOf(key), node, "is not a text");
-    return node.Scalar();
-  }
-
-  DrivingSide drivingSide(const std::string& key) {
-    const YAML::Node node = take(key);
-    const std::string side = textOf(node);
-    if (side != "right" && side != "left") fail(pathOf(key), node, "is neither right nor left");
-    return side == "right" ? DrivingSide::kRight : DrivingSide::kLeft;
-  }
-
-  /// Keys that were not read yet.
-  const std::set<std::string>& unread() const { return unread_; }
-
-  void finish() const {
-    if (unread_.empty()) return;
-    const std::string& key = *unread_.begin();
-    fail(pathOf(key), node_[key], "is an unknown key");
-  }
-
- private:
-  std::string pathOf(const std::string& key) const {
-    return name_.empty() ? key : name_ + "." + key;
-  }
-
-  [[noreturn]] void fail(const std::string& path, const YAML::Node& node,
-                         const std::string& problem) const {
-    throw ConfigError(file_ + ": " + path + " = " + textOf(node) + " " + problem);
-  }
-
-  static std::string rangeText(double min, double max) {
-    std::ostringstream text;
-    text << "is not within " << min << " to " << max;
-    return text.str();
-  }
-
-  YAML::Node take(const std::string& key) {
-    if (unread_.erase(key) == 0) throw ConfigError(file_ + ": " + pathOf(key) + " is missing");
-    return node_[key];
-  }
-
-  double toNumber(const std::string& key, const YAML::Node& node) const {
-    double value = 0.0;
-    if (!YAML::convert<double>::decode(node, value)) fail(pathOf(key), node, "is not a number");
-    if (!std::isfinite(value)) fail(pathOf(key), node, "is not finite");
-    return value;
-  }
-
-  std::string file_;
-  std::string name_;
-  const YAML::Node node_;
-  std::set<std::string> unread_;
-};
-
-Section openFile(const std::string& directory, const std::string& name) {
-  const std::string path = directory + "/" + name;
-  try {
-    return {path, "", YAML::LoadFile(path)};
-  } catch (const YAML::Exception& error) {
-    throw ConfigError(path + ": " + error.what());
-  }
-}
-
 VehicleLimits loadVehicleLimits(const std::string& directory) {
-  Section file = openFile(directory, "vehicle_limits.yaml");
+  Section file = openConfigFile(directory, "vehicle_limits.yaml");
   Section section = file.section("vehicle_limits");
   VehicleLimits limits;
   limits.max_forward_acceleration = section.positive("max_forward_acceleration");
@@ -193,7 +34,7 @@ VehicleLimits loadVehicleLimits(const std::string& directory) {
 }
 
 EgoVehicle loadEgoVehicle(const std::string& directory) {
-  Section file = openFile(directory, "ego_vehicle.yaml");
+  Section file = openConfigFile(directory, "ego_vehicle.yaml");
   Section section = file.section("ego_vehicle");
   EgoVehicle vehicle;
   vehicle.size = {section.positive("length"), section.positive("width")};
@@ -205,7 +46,7 @@ EgoVehicle loadEgoVehicle(const std::string& directory) {
 }
 
 void loadCollisionTypes(const std::string& directory, AttackOptions& options) {
-  Section file = openFile(directory, "collision_types.yaml");
+  Section file = openConfigFile(directory, "collision_types.yaml");
   Section types = file.section("collision_types");
   options.type_rules = types.typeRules("rules");
   for (const CollisionType type : kCollisionTypes) {
@@ -224,7 +65,7 @@ void loadCollisionTypes(const std::string& directory, AttackOptions& options) {
 }
 
 PredictionOptions loadPrediction(const std::string& directory) {
-  Section file = openFile(directory, "prediction.yaml");
+  Section file = openConfigFile(directory, "prediction.yaml");
   Section section = file.section("prediction");
   PredictionOptions options;
   options.history_frames = section.count("history_frames", 1);
@@ -295,7 +136,7 @@ SearchOptions readSearch(Section section) {
 }
 
 VerificationOptions loadVerification(const std::string& directory) {
-  Section file = openFile(directory, "verification.yaml");
+  Section file = openConfigFile(directory, "verification.yaml");
   Section section = file.section("verification");
   VerificationOptions options;
   options.time_tolerance = section.positive("time_tolerance");
@@ -320,7 +161,7 @@ FeatureWeights readFeatureWeights(Section section) {
 }
 
 SpeedModelFitOptions loadSpeedModelFit(const std::string& directory) {
-  Section file = openFile(directory, "speed_model_fit.yaml");
+  Section file = openConfigFile(directory, "speed_model_fit.yaml");
   Section section = file.section("speed_model_fit");
   SpeedModelFitOptions options;
   options.intervals = section.count("intervals", 1);
@@ -389,7 +230,7 @@ EgoFutureOptions readEgoFutures(Section section) {
 }
 
 EncodingOptions loadEncoding(const std::string& directory) {
-  Section file = openFile(directory, "encoding.yaml");
+  Section file = openConfigFile(directory, "encoding.yaml");
   Section section = file.section("encoding");
   EncodingOptions options;
   options.lane_radius = section.positive("lane_radius");
@@ -402,7 +243,7 @@ EncodingOptions loadEncoding(const std::string& directory) {
 }
 
 ConversionOptions loadConversion(const std::string& directory) {
-  Section file = openFile(directory, "conversion.yaml");
+  Section file = openConfigFile(directory, "conversion.yaml");
   Section section = file.section("conversion");
   ConversionOptions options;
   options.map_radius = section.positive("map_radius");
@@ -413,7 +254,7 @@ ConversionOptions loadConversion(const std::string& directory) {
 }
 
 RequestListOptions loadRequests(const std::string& directory) {
-  Section file = openFile(directory, "requests.yaml");
+  Section file = openConfigFile(directory, "requests.yaml");
   Section section = file.section("requests");
   RequestListOptions options;
   options.stride = section.positive("stride");
@@ -449,7 +290,7 @@ void readDrawingSizes(Section& section, DrawingOptions& options) {
 }
 
 DrawingOptions loadDrawing(const std::string& directory) {
-  Section file = openFile(directory, "drawing.yaml");
+  Section file = openConfigFile(directory, "drawing.yaml");
   Section section = file.section("drawing");
   DrawingOptions options;
   readDrawingSizes(section, options);
@@ -525,7 +366,7 @@ StatisticsOptions readStatistics(Section section) {
 }
 
 EvaluationOptions loadEvaluation(const std::string& directory) {
-  Section file = openFile(directory, "evaluation.yaml");
+  Section file = openConfigFile(directory, "evaluation.yaml");
   Section section = file.section("evaluation");
   EvaluationOptions options;
   const BoxSize box{section.positive("box_length"), section.positive("box_width")};
@@ -542,7 +383,7 @@ EvaluationOptions loadEvaluation(const std::string& directory) {
 }
 
 std::map<std::string, DrivingSide> loadLocations(const std::string& directory) {
-  Section file = openFile(directory, "locations.yaml");
+  Section file = openConfigFile(directory, "locations.yaml");
   Section section = file.section("locations");
   std::map<std::string, DrivingSide> locations;
   while (!section.unread().empty()) {
@@ -560,12 +401,12 @@ Config loadConfig(const std::string& directory) {
   config.attack.vehicle_limits = loadVehicleLimits(directory);
   loadCollisionTypes(directory, config.attack);
   config.attack.prediction = loadPrediction(directory);
-  Section search = openFile(directory, "search.yaml");
+  Section search = openConfigFile(directory, "search.yaml");
   config.attack.search = readSearch(search.section("search"));
   config.attack.bicycle = readBicycle(search.section("bicycle"));
   search.finish();
   config.attack.verification = loadVerification(directory);
-  Section ego_futures = openFile(directory, "ego_futures.yaml");
+  Section ego_futures = openConfigFile(directory, "ego_futures.yaml");
   config.attack.ego_futures = readEgoFutures(ego_futures.section("ego_futures"));
   const std::string profiles = ego_futures.text("speed_profiles");
   if (!profiles.empty()) config.speed_profiles = std::filesystem::path(directory) / profiles;
@@ -579,6 +420,7 @@ Config loadConfig(const std::string& directory) {
   config.drawing = loadDrawing(directory);
   config.requests = loadRequests(directory);
   config.evaluation = loadEvaluation(directory);
+  config.planners = loadPlanners(directory, config.attack.vehicle_limits);
   config.locations = loadLocations(directory);
   return config;
 }

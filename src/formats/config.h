@@ -2,15 +2,16 @@
 
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 #include "attack/options.h"
 #include "attack/speed_forecaster.h"
 #include "drawing/drawing_options.h"
+#include "formats/config_error.h"
 #include "formats/evaluation_options.h"
 #include "map/lane_map.h"
 #include "network/encoding_options.h"
+#include "planners/planner_options.h"
 #include "scene/scene.h"
 
 namespace forge {
@@ -33,12 +34,8 @@ struct Config {
   DrawingOptions drawing;
   RequestListOptions requests;
   EvaluationOptions evaluation;
+  PlannerOptions planners;
   std::map<std::string, DrivingSide> locations;  ///< by prefix of the location's name
-};
-
-/// Names file, key and value.
-struct ConfigError : std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 /// Reads the files of config/ in `directory`. Throws ConfigError for a missing, unknown or

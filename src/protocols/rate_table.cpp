@@ -7,12 +7,11 @@
 namespace forge {
 namespace {
 
-std::string cell(const Rate& rate) {
+std::string cell(const Rate& rate, double scale) {
   if (rate.trials == 0) return "-";
-  constexpr double kPercent = 100.0;
   char text[64];
-  std::snprintf(text, sizeof(text), "%.1f [%.0f, %.0f]", kPercent * rate.value, kPercent * rate.low,
-                kPercent * rate.high);
+  std::snprintf(text, sizeof(text), "%.1f [%.0f, %.0f]", scale * rate.value, scale * rate.low,
+                scale * rate.high);
   return text;
 }
 
@@ -71,16 +70,17 @@ std::vector<RateTable> tabulate(const std::vector<ResultRow>& rows, Protocol pro
   return tables;
 }
 
-std::string toMarkdown(const RateTable& table) {
+std::string toMarkdown(const RateTable& table, const TableUnit& unit) {
   std::ostringstream out;
-  out << table.measure.title << ", %\n\n| method |";
+  out << table.measure.title << ", " << unit.name << "\n\n| method |";
   for (const std::string& group : table.groups) out << ' ' << group << " |";
   out << "\n|---|";
   for (std::size_t i = 0; i < table.groups.size(); ++i) out << "---|";
   out << '\n';
   const auto count = [](const Rate& rate) { return std::to_string(rate.trials); };
   for (std::size_t i = 0; i < table.methods.size(); ++i) {
-    writeRow(out, table.methods[i], table.rates[i], cell);
+    writeRow(out, table.methods[i], table.rates[i],
+             [&](const Rate& rate) { return cell(rate, unit.scale); });
   }
   const bool same = std::all_of(table.rates.begin(), table.rates.end(), [&](const auto& rates) {
     return sameTrials(rates, table.rates.front());
@@ -89,6 +89,24 @@ std::string toMarkdown(const RateTable& table) {
     writeRow(out, same ? "of" : "of, " + table.methods[i], table.rates[i], count);
   }
   return out.str();
+}
+
+std::string rateCsvHeader() { return "measure,method,group,trials,value,low,high"; }
+
+std::string toCsv(const RateTable& table) {
+  std::string text;
+  for (std::size_t i = 0; i < table.methods.size(); ++i) {
+    for (std::size_t group = 0; group < table.groups.size(); ++group) {
+      const Rate& rate = table.rates[i][group];
+      char numbers[96] = ",,";
+      if (rate.trials > 0) {
+        std::snprintf(numbers, sizeof(numbers), "%.4f,%.4f,%.4f", rate.value, rate.low, rate.high);
+      }
+      text += table.measure.name + ',' + table.methods[i] + ',' + table.groups[group] + ',' +
+              std::to_string(rate.trials) + ',' + numbers + '\n';
+    }
+  }
+  return text;
 }
 
 }  // namespace forge

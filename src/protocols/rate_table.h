@@ -35,8 +35,19 @@ std::vector<RateTable> tabulate(const std::vector<ResultRow>& rows, Protocol pro
                                 const std::vector<std::string>& methods,
                                 const StatisticsOptions& options);
 
-/// As Markdown: title, then cells "81 [78, 84]" in percent, "-" without trials, and a last row with
-/// the number of trials, by method where they differ.
-std::string toMarkdown(const RateTable& table);
+/// What a table's values are shown in.
+struct TableUnit {
+  const char* name = "%";
+  double scale = 100.0;  ///< shown for a value of 1
+};
+
+/// As Markdown: title, then cells "81 [78, 84]" in the unit, "-" without trials, and a last row
+/// with the number of trials, by method where they differ.
+std::string toMarkdown(const RateTable& table, const TableUnit& unit = {});
+
+/// "measure,method,group,trials,value,low,high", without the line's end.
+std::string rateCsvHeader();
+/// A line a method and group, each with its end; values as they are, empty without trials.
+std::string toCsv(const RateTable& table);
 
 }  // namespace forge

@@ -1,51 +1,20 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <sstream>
 
 #include "batch/dispatch.h"
 #include "formats/collide_clip.h"
 #include "formats/collide_set.h"
 #include "formats/config.h"
-#include "formats/nuscenes_map.h"
 #include "protocols/config_digest.h"
+#include "tools/city_maps.h"
 #include "tools/evaluation.h"
 #include "tools/tool_support.h"
 
 namespace forge {
 namespace {
-
-struct CityMap {
-  std::shared_ptr<const LaneMap> map;
-  std::unique_ptr<const LaneIndex> lanes;
-};
-
-/// The maps of the clips' cities, each read once. Thread-safe.
-class CityMaps {
- public:
-  CityMaps(const std::string& dataroot, const Config& config)
-      : dataroot_(dataroot), config_(config) {}
-
-  const CityMap& at(const std::string& city) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    CityMap& entry = maps_[city];
-    if (!entry.lanes) {
-      entry.map = std::make_shared<const LaneMap>(readNuScenesMap(
-          dataroot_, city, drivingSide(config_, city), {config_.conversion.centerline_resolution}));
-      entry.lanes = std::make_unique<const LaneIndex>(entry.map);
-    }
-    return entry;
-  }
-
- private:
-  const std::string& dataroot_;
-  const Config& config_;
-  std::mutex mutex_;
-  std::map<std::string, CityMap> maps_;
-};
 
 std::vector<std::string> listClips(const EvaluationArguments& arguments, const Config& config) {
   std::vector<std::string> paths =
@@ -102,8 +71,8 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const auto speeds = loadSpeedForecaster(config);
   const auto work = [&](std::size_t index) {
     const CollideClip clip = readCollideClip(paths[index]);
-    const CityMap& city = maps.at(clip.city);
-    return rowBytes(evaluateClip(clip, *city.lanes, city.map, speeds, config, arguments.plan));
+    const auto lanes = maps.at(clip.city);
+    return rowBytes(evaluateClip(clip, *lanes, lanes->sharedMap(), speeds, config, arguments.plan));
   };
   const std::vector<ResultRow> rows =
       runEvaluation(arguments.out, describeRun(arguments, paths), arguments.jobs, work);

@@ -111,6 +111,66 @@ TEST(Config, ShippedPredictionAndEncodingHaveTheDocumentedValues) {
   EXPECT_EQ(config.encoding.lane_point_spacing, 2.0);
 }
 
+TEST(Config, ShippedKinematicBicycleHasTheDocumentedValues) {
+  const KinematicBicycleOptions& bicycle = loadConfig(kShipped).planners.bicycle;
+  EXPECT_EQ(bicycle.wheelbase, 2.588);
+  EXPECT_EQ(bicycle.max_steering, 1.0472);
+  EXPECT_EQ(bicycle.acceleration_lag, 0.2);
+  EXPECT_EQ(bicycle.steering_lag, 0.05);
+  EXPECT_EQ(bicycle.max_acceleration, 5.0);
+  EXPECT_EQ(bicycle.max_braking, 8.0);
+}
+
+TEST(Config, ShippedPlanningAndIdmHaveTheDocumentedValues) {
+  const PlannerOptions planners = loadConfig(kShipped).planners;
+  EXPECT_EQ(planners.planning.history, 2.0);
+  EXPECT_EQ(planners.planning.intervals, (std::map<std::string, double>{{"idm", 0.1},
+                                                                        {"idm_published", 0.1},
+                                                                        {"rule_based", 0.2},
+                                                                        {"rule_based_tuned", 0.2},
+                                                                        {"pdm", 0.1}}));
+  EXPECT_EQ(planners.planning.route.spacing, 1.0);
+  EXPECT_EQ(planners.planning.route.length_ahead, 100.0);
+  EXPECT_EQ(planners.planning.route.join_distance, 5.0);
+  EXPECT_EQ(planners.planning.route.lane_max_distance, 3.0);
+  EXPECT_EQ(planners.planning.route.lane_max_heading, 0.785);
+  const auto values = [](const IdmParameters& law) {
+    return std::vector<double>{law.desired_speed, law.time_headway, law.max_acceleration,
+                               law.braking,       law.min_gap,      law.exponent};
+  };
+  EXPECT_EQ(values(planners.idm.law), (std::vector<double>{10.0, 1.5, 1.0, 3.0, 1.0, 4.0}));
+  EXPECT_EQ(values(planners.published_idm.law),
+            (std::vector<double>{5.0, 1.5, 5.0, 2.0, 2.0, 4.0}));
+  EXPECT_EQ(planners.idm.lead.radius, 40.0);
+  EXPECT_EQ(planners.idm.lead.margin, 0.0);
+  EXPECT_EQ(planners.idm.horizon, 8.0);
+  EXPECT_EQ(planners.idm.step, 0.1);
+  EXPECT_EQ(planners.published_idm.step, 0.1);
+}
+
+TEST(Config, ShippedRolloutAndAvoidabilityHaveTheDocumentedValues) {
+  const PlannerOptions planners = loadConfig(kShipped).planners;
+  EXPECT_EQ(planners.rollout.step, 0.1);
+  EXPECT_EQ(planners.rollout.hard_braking, 4.05);
+  EXPECT_EQ(planners.rollout.fault.standstill_speed, 0.05);
+  EXPECT_EQ(planners.rollout.fault.behind_angle, 2.618);
+  EXPECT_EQ(planners.rollout.fault.front_tolerance, 0.01);
+  EXPECT_EQ(planners.rollout.fault.off_road_share, 0.05);
+  EXPECT_EQ(planners.rollout.fault.lane_radius, 15.0);
+  const AvoidabilityOptions& avoidability = planners.avoidability;
+  EXPECT_EQ(avoidability.interval, 0.5);
+  EXPECT_EQ(avoidability.step, 0.1);
+  EXPECT_EQ(avoidability.accelerations,
+            (std::vector<double>{0.0, -2.0, -4.0, -6.0, -7.9, 2.5, 5.0}));
+  EXPECT_EQ(avoidability.offsets, (std::vector<double>{0.0, 1.0, -1.0, 2.0, -2.0, 3.5, -3.5}));
+  EXPECT_EQ(avoidability.durations, (std::vector<double>{1.0, 2.0, 20.0}));
+  EXPECT_EQ(avoidability.return_time, 0.4);
+  EXPECT_EQ(avoidability.min_return_distance, 3.0);
+  EXPECT_EQ(avoidability.margin, 0.1);
+  EXPECT_EQ(avoidability.draws, 150);
+  EXPECT_EQ(avoidability.seed, 1u);
+}
+
 TEST(Config, ShippedRequestListHasTheDocumentedValues) {
   const Config config = loadConfig(kShipped);
   EXPECT_EQ(config.requests.stride, 2.0);
@@ -346,7 +406,7 @@ TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
        {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml", "collision_types.yaml",
         "prediction.yaml", "search.yaml", "verification.yaml", "encoding.yaml", "conversion.yaml",
         "drawing.yaml", "requests.yaml", "evaluation.yaml", "ego_futures.yaml",
-        "speed_model_fit.yaml"}) {
+        "speed_model_fit.yaml", "planners.yaml"}) {
     expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
   }
 }
@@ -367,6 +427,12 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("conversion.yaml", "map_radius:", "#", {"conversion.map_radius", "missing"});
   expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
   expectComplaint("requests.yaml", "stride:", "#", {"requests.stride", "missing"});
+  expectComplaint("planners.yaml", "wheelbase:", "#", {"bicycle.wheelbase", "missing"});
+  expectComplaint("planners.yaml", "rule_based:", "#",
+                  {"planning.intervals.rule_based", "missing"});
+  expectComplaint("planners.yaml", "margin:", "#", {"idm.standard.margin", "missing"});
+  expectComplaint("planners.yaml", "behind_angle:", "#", {"rollout.fault.behind_angle", "missing"});
+  expectComplaint("planners.yaml", "draws:", "#", {"avoidability.draws", "missing"});
   expectComplaint("collision_types.yaml", "rules:", "#", {"collision_types.rules", "missing"});
   expectComplaint("verification.yaml", "time_tolerance:", "#",
                   {"verification.time_tolerance", "missing"});
@@ -467,8 +533,9 @@ TEST_F(SpoiltConfig, NumbersThatAreNotFiniteAreRefused) {
 
 /// Every number of these files has a sign; -1 is outside all of their domains.
 TEST_F(SpoiltConfig, NegativeValuesAreRefusedWhereverTheyMakeNoSense) {
-  for (const char* file : {"vehicle_limits.yaml", "prediction.yaml", "search.yaml",
-                           "verification.yaml", "encoding.yaml", "collision_types.yaml"}) {
+  for (const char* file :
+       {"vehicle_limits.yaml", "prediction.yaml", "search.yaml", "verification.yaml",
+        "encoding.yaml", "collision_types.yaml", "planners.yaml"}) {
     restore();
     std::stringstream content;
     content << std::ifstream(directory_ / file).rdbuf();
@@ -516,6 +583,13 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
     expectComplaint("search.yaml", number, key + ": 0", {"bicycle." + key, "= 0", "not positive"});
   }
   expectComplaint("encoding.yaml", "max_lanes: 128", "max_lanes: 0", {"encoding.max_lanes", "= 0"});
+  for (const std::string number :
+       {"step: 0.1 ", "spacing: 1.0", "desired_speed: 10.0", "interval: 0.5", "return_time: 0.4"}) {
+    const std::string key = number.substr(0, number.find(':'));
+    expectComplaint("planners.yaml", number, key + ": 0 ", {key, "= 0", "not positive"});
+  }
+  expectComplaint("planners.yaml", "[0.0, -2.0,", "[0.0, -9.0,",
+                  {"avoidability.accelerations", "-9.0"});
   expectComplaint("ego_vehicle.yaml", "length: 4.084", "length: 0.0",
                   {"ego_vehicle.length", "0.0"});
 }

@@ -65,5 +65,25 @@ TEST(RateTable, MarkdownHasPercentIntervalsAndTrials) {
   EXPECT_NE(text.find("| of, a | 0 | 200 |\n| of, b | 0 | 150 |\n"), std::string::npos) << text;
 }
 
+TEST(RateTable, AnotherUnitHasItsNameAndScale) {
+  RateTable table;
+  table.measure.title = "Speed";
+  table.methods = {"a"};
+  table.groups = {"all"};
+  table.rates = {{{3, 7.25, 5.0, 9.0}}};
+  EXPECT_EQ(toMarkdown(table, {"m/s", 1.0}),
+            "Speed, m/s\n\n| method | all |\n|---|---|\n| a | 7.2 [5, 9] |\n| of | 3 |\n");
+}
+
+TEST(RateTable, CsvHasALineAMethodAndGroup) {
+  RateTable table;
+  table.measure.name = "hits";
+  table.methods = {"a"};
+  table.groups = {"RE", "all"};
+  table.rates = {{{0, 0.0, 0.0, 0.0}, {200, 0.8125, 0.776, 0.844}}};
+  EXPECT_EQ(rateCsvHeader(), "measure,method,group,trials,value,low,high");
+  EXPECT_EQ(toCsv(table), "hits,a,RE,0,,,\nhits,a,all,200,0.8125,0.7760,0.8440\n");
+}
+
 }  // namespace
 }  // namespace forge

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace forge {
+
+/// Names file, key and value.
+struct ConfigError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace forge

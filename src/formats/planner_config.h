@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "attack/options.h"
+#include "planners/planner_options.h"
+
+namespace forge {
+
+/// Reads planners.yaml in `directory`; `limits` are those of the ego. Throws ConfigError for a
+/// missing, unknown or malformed key.
+PlannerOptions loadPlanners(const std::string& directory, const VehicleLimits& limits);
+
+}  // namespace forge

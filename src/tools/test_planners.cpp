@@ -1,0 +1,311 @@
+#include <boost/timer/progress_display.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "batch/dispatch.h"
+#include "drawing/draw_scenario.h"
+#include "formats/collide_set.h"
+#include "formats/resumable_file.h"
+#include "planners/planner_factory.h"
+#include "protocols/config_digest.h"
+#include "protocols/planner_report.h"
+#include "tools/evaluation.h"
+#include "tools/planner_cases.h"
+#include "tools/tool_support.h"
+
+namespace {
+
+using namespace forge;
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string dataroot;
+  std::string version;
+  std::vector<std::string> scenarios;
+  std::string collide;
+  std::string split = "val";
+  ClipAttacker attacker = ClipAttacker::kRecorded;
+  std::size_t limit = 0;
+  std::vector<std::string> planners = {"idm", "rule_based", "pdm"};
+  Background background = Background::kReplay;
+  std::size_t worst = 3;
+  std::string out;
+  std::string config;
+  int jobs = defaultJobs();
+};
+
+std::unique_ptr<PlannerCases> openCases(const Arguments& arguments, const Config& config) {
+  if (arguments.collide.empty()) {
+    return openScenarioCases(arguments.scenarios, arguments.dataroot, arguments.version,
+                             static_cast<std::size_t>(arguments.jobs) + 1, config);
+  }
+  std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
+  if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
+  return openClipCases(paths, arguments.dataroot, arguments.attacker, config);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
+  return text;
+}
+
+/// What the results depend on, for the resumption of the run.
+ResumableFile::Options runOptions(const Arguments& arguments, const PlannerCases& cases) {
+  ResumableFile::Options options = {
+      {"dataroot", fs::canonical(arguments.dataroot).string()},
+      {"cases", cases.fingerprint()},
+      {"planners", joined(arguments.planners)},
+      {"background", arguments.background == Background::kIdm ? "idm" : "replay"}};
+  for (const std::string& line : digestConfig(arguments.config)) {
+    const std::size_t equals = line.find(" = ");
+    options[line.substr(0, equals)] = line.substr(equals + 3);
+  }
+  return options;
+}
+
+/// How long the planners computed in this process.
+class PlanningTimes {
+ public:
+  void add(const PlannerTestResult& result) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const PlannerRow& row : result.rows) {
+      Sum& sum = sums_[row.planner];
+      sum.seconds += row.outcome.planning_seconds;
+      sum.calls += row.outcome.plans;
+    }
+  }
+
+  void print() const {
+    for (const auto& [planner, sum] : sums_) {
+      if (sum.calls == 0) continue;
+      std::printf("%s: %.3f ms a call, mean of %ld calls in this process\n", planner.c_str(),
+                  1e3 * sum.seconds / static_cast<double>(sum.calls), sum.calls);
+    }
+  }
+
+ private:
+  struct Sum {
+    double seconds = 0.0;
+    long calls = 0;
+  };
+  std::mutex mutex_;
+  std::map<std::string, Sum> sums_;
+};
+
+PlannerTestResult testCase(const PlannerCases& cases, std::size_t index, const Arguments& arguments,
+                           const Config& config) {
+  PlannerCase one;
+  try {
+    one = cases.at(index);
+  } catch (const std::exception& error) {
+    one.name = cases.names()[index];
+    return untested(one, "UNREADABLE", error.what());
+  }
+  return testPlanners(one, arguments.planners, arguments.background, config);
+}
+
+/// The results of all cases in their order, those of a run before and the new ones, on the master.
+class ResultLines {
+ public:
+  ResultLines(const std::string& path, const ResumableFile::Options& options,
+              const std::vector<std::string>& names)
+      : file_(path, options), names_(names), bar_(names.size(), std::cerr) {
+    if (file_.isComplete()) {
+      std::ifstream complete(path);
+      for (std::string line; std::getline(complete, line);) keep(path, line);
+    } else {
+      file_.resume([&](const std::string& where, const std::string& line) { keep(where, line); });
+    }
+    first_ = results_.size();
+    bar_ += first_;
+  }
+
+  std::size_t first() const { return first_; }
+  const std::vector<PlannerTestResult>& results() const { return results_; }
+
+  void take(const std::string& line) {
+    file_.append(line);
+    keep("a new result", line);
+    ++bar_;
+  }
+
+  void complete() {
+    if (!file_.isComplete()) file_.complete();
+  }
+
+ private:
+  void keep(const std::string& where, const std::string& line) {
+    PlannerTestResult result = readPlannerResultLine(where, line);
+    if (results_.size() >= names_.size() || result.name != names_[results_.size()]) {
+      throw std::runtime_error(where + ": name = \"" + result.name + "\" is not expected there");
+    }
+    results_.push_back(std::move(result));
+  }
+
+  ResumableFile file_;
+  const std::vector<std::string>& names_;
+  boost::timer::progress_display bar_;
+  std::vector<PlannerTestResult> results_;
+  std::size_t first_ = 0;
+};
+
+std::string csvOf(const std::vector<PlannerTestResult>& results) {
+  std::string text = plannerResultCsvHeader() + "\n";
+  for (const PlannerTestResult& result : results) {
+    for (const std::string& row : plannerResultCsvRows(result)) text += row + "\n";
+  }
+  return text;
+}
+
+void report(const std::vector<PlannerTestResult>& results, const Arguments& arguments,
+            const Config& config) {
+  const StatisticsOptions& statistics = config.evaluation.statistics;
+  std::string text =
+      reportTitle("Planners in closed loop", statistics) + "\n" + describeCases(results);
+  std::string csv = rateCsvHeader() + "\n";
+  for (const PlannerTable& entry : plannerTables(results, arguments.planners, statistics)) {
+    text += "\n" + toMarkdown(entry.table, entry.unit);
+    csv += toCsv(entry.table);
+    if (entry.table.measure.is_headline) {
+      drawTable(entry.table, "closed loop", arguments.out, config.drawing);
+    }
+  }
+  writeText(arguments.out + "/results.csv", csvOf(results));
+  writeText(arguments.out + "/table.csv", csv);
+  writeText(arguments.out + "/table.md", text);
+  std::cout << text;
+}
+
+/// The rollout again, as a picture: the ego is the planner's.
+ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome,
+                    const VerificationOptions& verification) {
+  const CrashScenario& scenario = one.scenario;
+  const PlannerContact& contact = *outcome.contact;
+  ScenarioView view{one.scene,         one.request.tta, one.request.mode,  scenario.snapshot,
+                    scenario.recorded, one.pattern,     scenario.attacker, {}};
+  view.future.ego.states.clear();
+  for (const TrajectoryPoint& point : outcome.driven) {
+    view.future.ego.states.push_back({point.time, point.pose, point.speed * point.pose.heading()});
+  }
+  CollisionReport& report = view.report;
+  report.contact = true;
+  report.contact_time = contact.time;
+  report.relative_heading = contact.relative_heading;
+  report.ego_at_contact = outcome.driven.back().pose;
+  report.attacker_at_contact = stateAt(attackerTrack(scenario), contact.time)->pose;
+  report.ego_side = contact.ego_side;
+  report.attacker_side = contact.other_side;
+  report.impact_speed = contact.impact_speed;
+  report.type_kept = contact.type == one.request.type;
+  report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
+                   verification.time_tolerance;
+  report.bounds_kept = true;
+  return view;
+}
+
+void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& results,
+               const Arguments& arguments, const Config& config) {
+  const fs::path folder = fs::path(arguments.out) / "worst";
+  fs::create_directories(folder);
+  std::map<std::string, int> ranks;
+  for (const WorstCase& worst : worstCases(results, arguments.planners, arguments.worst)) {
+    const PlannerCase one = cases.at(worst.result);
+    const PlannerUnderTest made =
+        makePlanner(worst.planner, config.planners, one.scenario.attacker.attacker_id);
+    const RolloutOutcome outcome = rollout(*made.planner, made.driving, one.scenario,
+                                           {config.planners, config.attack, arguments.background});
+    const ScenarioView view = viewOf(one, outcome, config.attack.verification);
+    const std::string name =
+        (folder / (worst.planner + "_" + std::to_string(++ranks[worst.planner]))).string();
+    drawScenarioPng(name + ".png", view, config.drawing);
+    drawScenarioGif(name + ".gif", view, config.drawing);
+  }
+}
+
+int run(const Arguments& arguments) {
+  const bool is_master = isMaster();
+  const Config config = loadConfig(arguments.config);
+  const auto cases = openCases(arguments, config);
+  std::unique_ptr<ResultLines> lines;
+  if (is_master) {
+    fs::create_directories(arguments.out);
+    lines = std::make_unique<ResultLines>((fs::path(arguments.out) / "results.jsonl").string(),
+                                          runOptions(arguments, *cases), cases->names());
+  }
+  PlanningTimes times;
+  const auto work = [&](std::size_t index) {
+    const PlannerTestResult result = testCase(*cases, index, arguments, config);
+    times.add(result);
+    return plannerResultLine(result);
+  };
+  dispatch(cases->names().size(), work,
+           [&](std::size_t, const std::string& line) { lines->take(line); },
+           {arguments.jobs, is_master ? lines->first() : 0});
+  if (!is_master) return kExitOk;
+  lines->complete();
+  report(lines->results(), arguments, config);
+  times.print();
+  drawWorst(*cases, lines->results(), arguments, config);
+  return kExitOk;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Drives planners through generated crashes; goes on where a run stopped.",
+               "test_planners");
+  app.add_option("--dataroot", arguments.dataroot, "folder with the version and maps/expansion")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  CLI::Option* version =
+      app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini");
+  CLI::Option* scenarios =
+      app.add_option("--scenarios", arguments.scenarios, "scenario files of generate")
+          ->needs(version);
+  CLI::Option* collide =
+      app.add_option("--collide", arguments.collide, "folder of COLLIDE, instead of scenarios")
+          ->excludes(scenarios);
+  app.add_option("--split", arguments.split, "of COLLIDE: train or val")
+      ->capture_default_str()
+      ->needs(collide);
+  app.add_option("--attacker", arguments.attacker,
+                 "in COLLIDE's clips: recorded (the set's), or ours in history or replay mode")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, ClipAttacker>{{"recorded", ClipAttacker::kRecorded},
+                                              {"history", ClipAttacker::kHistory},
+                                              {"replay", ClipAttacker::kReplay}}))
+      ->default_str("recorded")
+      ->needs(collide);
+  app.add_option("--limit", arguments.limit, "of COLLIDE: the first clips alone")->needs(collide);
+  app.add_option("--planners", arguments.planners, "names, separated by commas")
+      ->delimiter(',')
+      ->check(CLI::IsMember(plannerNames()))
+      ->capture_default_str();
+  app.add_option("--background", arguments.background,
+                 "the others: replay, or idm (they brake for who is in their way)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Background>{
+          {"replay", Background::kReplay}, {"idm", Background::kIdm}}))
+      ->default_str("replay");
+  app.add_option("--worst", arguments.worst, "pictures a planner, of the hardest impacts")
+      ->capture_default_str();
+  app.add_option("--out", arguments.out, "folder to write; see docs/planners.md")->required();
+  app.add_option("--jobs", arguments.jobs, "cases at a time, in every rank of mpirun")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  addConfigOption(app, arguments.config);
+  app.callback([&] {
+    if (scenarios->count() + collide->count() == 0) {
+      throw CLI::RequiredError("--scenarios or --collide");
+    }
+  });
+  return runTool(app, argc, argv, [&] { return run(arguments); });
+}

@@ -1,0 +1,49 @@
+#include "planners/pdm_motion.h"
+
+#include <gtest/gtest.h>
+
+#include "planners/planner_scenes.h"
+
+namespace forge {
+namespace {
+
+const EgoVehicle kEgo{{4.0, 1.8}, 1.5};
+
+TEST(PdmMotion, FollowsPosesFromWhereTheCarIs) {
+  const PlannerOptions& options = shippedConfig().planners;
+  const KinematicBicycle bicycle(options.bicycle);
+  LqrTracker tracker(options.lqr, options.bicycle.wheelbase);
+  std::vector<Pose2> poses;
+  for (int i = 0; i <= 80; ++i) poses.push_back({0.8 * i, 0.0, 0.0});
+  const BicycleState start{{0.0, 0.5, 0.0}, 8.0, 0.0, 0.0};
+  const PdmMotion motion = simulate(start, poses, bicycle, tracker, 0.1, kEgo);
+  ASSERT_EQ(motion.states.size(), 81U);
+  ASSERT_EQ(motion.boxes.size(), 81U);
+  EXPECT_EQ(motion.states.front().rear_axle.y, 0.5);
+  EXPECT_NEAR(motion.states.back().rear_axle.x, 64.0, 0.5);
+  EXPECT_NEAR(motion.states.back().rear_axle.y, 0.0, 0.05);
+}
+
+TEST(PdmMotion, BoxesAreAheadOfTheRearAxle) {
+  const KinematicBicycle bicycle(shippedConfig().planners.bicycle);
+  const PdmMotion motion =
+      simulateBraking({{0.0, 0.0, 0.5 * M_PI}, 5.0, 0.0, 0.0}, 4.0, 10, bicycle, 0.1, kEgo);
+  EXPECT_NEAR(motion.boxes[0].center.y, 1.5, 1e-12);
+  EXPECT_EQ(motion.boxes[3].size.length, 4.0);
+}
+
+TEST(PdmMotion, BrakingEndsAtAStandstill) {
+  const KinematicBicycle bicycle(shippedConfig().planners.bicycle);
+  const PdmMotion motion =
+      simulateBraking({{0.0, 0.0, 0.0}, 5.0, 0.0, 0.1}, 4.05, 80, bicycle, 0.1, kEgo);
+  ASSERT_EQ(motion.states.size(), 81U);
+  EXPECT_EQ(motion.states.back().speed, 0.0);
+  EXPECT_NEAR(motion.states.back().steering, 0.1, 1e-12);
+  // v^2 / 2a, and what the lag of 0.2 s adds.
+  const double distance = motion.states.back().rear_axle.position().norm();
+  EXPECT_GT(distance, 3.086);
+  EXPECT_LT(distance, 3.086 + 1.2);
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,185 @@
+#include "planners/rule_based_planner.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "planners/planner_scenes.h"
+
+namespace forge {
+namespace {
+
+const RuleBasedOptions& published() { return shippedConfig().planners.rule_based; }
+
+/// East along y = 0; a road crosses it from the south at x = 60.
+std::shared_ptr<const LaneIndex> crossing() {
+  auto map = std::make_shared<LaneMap>();
+  map->lanes = {outlinedLane("east", {-100.0, 0.0}, {300.0, 0.0}),
+                outlinedLane("north", {60.0, -150.0}, {60.0, 150.0})};
+  return std::make_shared<const LaneIndex>(map);
+}
+
+/// The ego's states, one planning step after the other, for `seconds`; the others drive straight
+/// on.
+std::vector<TrajectoryPoint> drive(std::shared_ptr<const LaneIndex> lanes, TrajectoryPoint ego,
+                                   std::vector<Track> agents, double seconds,
+                                   const RuleBasedOptions& options = published()) {
+  RuleBasedPlanner planner(options, shippedConfig().planners.route_centerline);
+  planner.initialize(taskOn(std::move(lanes)));
+  std::vector<TrajectoryPoint> driven = {ego};
+  while (ego.time < seconds) {
+    ego = planner.plan({ego, agents})[1];
+    for (Track& agent : agents) {
+      AgentState next = agent.states.back();
+      next.time = ego.time;
+      next.pose.x += options.step * next.velocity.x();
+      next.pose.y += options.step * next.velocity.y();
+      agent.states.push_back(next);
+    }
+    driven.push_back(ego);
+  }
+  return driven;
+}
+
+/// The least distance between the ego's box and the agent's, straight on from time 0.
+double closest(const std::vector<TrajectoryPoint>& driven, const Track& agent) {
+  double least = 1e9;
+  for (const TrajectoryPoint& point : driven) {
+    Pose2 there = agent.states.front().pose;
+    there.x += point.time * agent.states.front().velocity.x();
+    there.y += point.time * agent.states.front().velocity.y();
+    least = std::min(least,
+                     distance({point.pose, shippedConfig().ego_vehicle.size}, boxAt(agent, there)));
+  }
+  return least;
+}
+
+TEST(CollisionProbability, FollowsTheDistance) {
+  EXPECT_EQ(collisionProbability(1.7, 1.8, 0, published()), 1.0);
+  EXPECT_DOUBLE_EQ(collisionProbability(2.0, 1.8, 0, published()), 1.0 - std::tanh(1.4));
+  EXPECT_DOUBLE_EQ(collisionProbability(2.0, 1.8, 10, published()), 1.0 - std::tanh(2.4));
+  EXPECT_GT(collisionProbability(4.0, 1.8, 0, published()), 0.0);
+  EXPECT_EQ(collisionProbability(4.01, 1.8, 0, published()), 0.0);
+}
+
+TEST(RuleBasedPlanner, PlansFiveSecondsInSteps) {
+  RuleBasedPlanner planner(published(), shippedConfig().planners.route_centerline);
+  planner.initialize(taskOn(crossing()));
+  const std::vector<TrajectoryPoint> points = planner.plan({egoAt({0.0, 0.5, 0.0}, 8.0), {}});
+  EXPECT_EQ(planner.candidates().size(), 25U);
+  ASSERT_EQ(points.size(), 26U);
+  EXPECT_EQ(points.front().time, 0.0);
+  EXPECT_NEAR(points.back().time, 5.0, 1e-9);
+  EXPECT_EQ(points.front().pose.y, 0.5);
+  for (const RuleBasedPlanner::Candidate& candidate : planner.candidates()) {
+    for (const double acceleration : candidate.speeds.accelerations) {
+      EXPECT_LE(std::abs(acceleration), published().max_acceleration + 1e-9);
+    }
+  }
+}
+
+TEST(RuleBasedPlanner, KeepsDrivingOnAnEmptyRoad) {
+  const auto driven = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 8.0), {}, 8.0);
+  EXPECT_NEAR(driven.back().speed, published().max_speed, 0.5);
+  EXPECT_NEAR(driven.back().pose.y, 0.0, 0.01);
+}
+
+TEST(RuleBasedPlanner, StopsForACrossingCarThatItCanSee) {
+  // Slow and long: in the way of the ego, which would be there after 5 s, from 1 to 15 s.
+  const Track car = agentAt("a", {60.0, -8.0, 0.5 * M_PI}, 1.0, {12.0, 2.5});
+  const auto driven = drive(crossing(), egoAt({20.0, 0.0, 0.0}, 8.0), {car}, 22.0);
+  EXPECT_GT(closest(driven, car), 0.3);
+  double slowest = 100.0;
+  for (const TrajectoryPoint& point : driven) slowest = std::min(slowest, point.speed);
+  EXPECT_LT(slowest, 1.0);
+  EXPECT_GT(driven.back().pose.x, 65.0);
+}
+
+TEST(RuleBasedPlanner, StandsBeforeACarThatBlocksTheCrossing) {
+  const Track car = agentAt("a", {60.0, 0.0, 0.5 * M_PI}, 0.0);
+  const auto driven = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 10.0), {car}, 15.0);
+  EXPECT_LT(driven.back().speed, 0.1);
+  EXPECT_GT(closest(driven, car), 0.3);
+  EXPECT_LT(closest(driven, car), 10.0);
+}
+
+TEST(RuleBasedPlanner, PassesACrossingCarThatItNeedNotStopFor) {
+  // It has left the crossing long before.
+  const Track gone = agentAt("a", {60.0, 4.0, 0.5 * M_PI}, 7.0);
+  const auto empty = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 10.0), {}, 8.0);
+  const auto after = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 10.0), {gone}, 8.0);
+  EXPECT_EQ(after.back().pose.x, empty.back().pose.x);
+  // It comes long after.
+  const Track late = agentAt("b", {60.0, -120.0, 0.5 * M_PI}, 7.0);
+  const auto before = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 10.0), {late}, 8.0);
+  EXPECT_EQ(before.back().pose.x, empty.back().pose.x);
+}
+
+TEST(RuleBasedPlanner, PassesTheTrafficOfTheOtherLanes) {
+  const auto lanes = threeLaneRoad();
+  const Track beside = agentAt("beside", {30.0, 3.5, 0.0}, 5.0);
+  const Track oncoming = agentAt("oncoming", {90.0, 7.0, M_PI}, 10.0);
+  const auto driven = drive(lanes, egoAt({0.0, 0.0, 0.0}, 10.0), {beside, oncoming}, 8.0);
+  EXPECT_GT(driven.back().pose.x, 90.0);
+}
+
+TEST(RuleBasedPlanner, FollowsABend) {
+  const auto driven = drive(bentRoad(30.0), egoAt({-40.0, 0.5, 0.0}, 6.0), {}, 10.0);
+  for (const TrajectoryPoint& point : driven) {
+    const Vector2 place = point.pose.position();
+    if (place.x() > 0.0 && place.y() < 30.0) {
+      EXPECT_NEAR((place - Vector2(0.0, 30.0)).norm(), 30.0, 0.5);
+    }
+  }
+  EXPECT_GT(driven.back().pose.y, 40.0);
+  EXPECT_NEAR(driven.back().pose.x, 30.0, 0.3);
+  EXPECT_NEAR(driven.back().pose.yaw, 0.5 * M_PI, 0.05);
+}
+
+TEST(RuleBasedPlanner, WithoutASafeMotionTakesTheOneWithTheLeastRisk) {
+  // Touching already: all have probability 1, and the first brakes hardest.
+  RuleBasedPlanner planner(published(), shippedConfig().planners.route_centerline);
+  planner.initialize(taskOn(crossing()));
+  planner.plan({egoAt({0.0, 0.0, 0.0}, 8.0), {agentAt("a", {4.0, 0.0, 0.0}, 0.0)}});
+  EXPECT_EQ(planner.best(), 0U);
+  EXPECT_EQ(planner.candidates()[0].probability, 1.0);
+  EXPECT_NEAR(planner.candidates()[0].speeds.speeds[1], 8.0 - 0.6, 1e-9);
+  // Beside a parked car there is some risk in standing, and less in leaving.
+  planner.plan({egoAt({0.0, 0.0, 0.0}, 0.0), {agentAt("a", {-1.0, 2.3, 0.0}, 0.0)}});
+  EXPECT_GT(planner.candidates()[0].probability, published().max_probability);
+  EXPECT_GT(planner.candidates()[planner.best()].speeds.distances.back(), 5.0);
+}
+
+TEST(RuleBasedPlanner, TheTunedParametersKeepMoreDistance) {
+  const Track car = agentAt("a", {60.0, 0.0, 0.5 * M_PI}, 0.0);
+  const auto driven = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 10.0), {car}, 15.0);
+  const auto tuned = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 10.0), {car}, 15.0,
+                           shippedConfig().planners.tuned_rule_based);
+  EXPECT_GT(closest(tuned, car), closest(driven, car));
+  EXPECT_NEAR(drive(crossing(), egoAt({0.0, 0.0, 0.0}, 8.0), {}, 8.0,
+                    shippedConfig().planners.tuned_rule_based)
+                  .back()
+                  .speed,
+              20.0, 0.5);
+}
+
+TEST(RuleBasedPlanner, WhoIsOutOfReachIsNotLookedAt) {
+  RuleBasedOptions options = published();
+  options.interaction_radius = 20.0;
+  const Track car = agentAt("a", {30.0, 0.0, 0.0}, 0.0);
+  RuleBasedPlanner planner(options, shippedConfig().planners.route_centerline);
+  planner.initialize(taskOn(crossing()));
+  planner.plan({egoAt({0.0, 0.0, 0.0}, 8.0), {car}});
+  EXPECT_EQ(planner.candidates().back().probability, 0.0);
+}
+
+TEST(RuleBasedPlanner, RefusesATaskWithoutLanesOrRoute) {
+  RuleBasedPlanner planner(published(), shippedConfig().planners.route_centerline);
+  EXPECT_THROW(planner.initialize({}), std::invalid_argument);
+  DrivingTask task = taskOn(crossing());
+  task.route.clear();
+  EXPECT_THROW(planner.initialize(task), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace forge
