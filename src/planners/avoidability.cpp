@@ -329,10 +329,10 @@ class Search {
   }
 
   bool isOnRoad(const Pose2& pose) const {
-    const DrivableRaster& drivable = scenario_.lanes->drivable();
+    const AreaRaster& drivable = scenario_.lanes->drivable();
     if (!drivable.known()) return true;
     for (const Vector2& corner : corners({pose, size_})) {
-      if (!drivable.isDrivable(corner)) return false;
+      if (!drivable.contains(corner)) return false;
     }
     return true;
   }
