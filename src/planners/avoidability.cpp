@@ -330,7 +330,7 @@ class Search {
 
   bool isOnRoad(const Pose2& pose) const {
     const AreaRaster& drivable = scenario_.lanes->drivable();
-    if (!drivable.known()) return true;
+    if (drivable.empty()) return true;
     for (const Vector2& corner : corners({pose, size_})) {
       if (!drivable.contains(corner)) return false;
     }
