@@ -419,6 +419,7 @@ PatternFeatureOptions readPatternFeatures(Section section) {
   PatternFeatureOptions options;
   options.head = readHead(section);
   options.history_frames = section.count("history_frames", 1);
+  options.agent_frames = section.count("agent_frames", 1, options.history_frames);
   options.max_agents = section.count("max_agents", 1);
   options.encoding.lane_radius = section.positive("lane_radius");
   options.encoding.max_lanes = section.count("max_lanes", 1);
@@ -454,6 +455,7 @@ TrainingOptions readTraining(Section section) {
   options.learning_rate = section.positive("learning_rate");
   options.weight_decay = section.nonNegative("weight_decay");
   options.dropout = section.within("dropout", 0.0, kMaxDropout);
+  options.context_dropout = section.within("context_dropout", 0.0, 1.0);
   options.max_gradient = section.positive("max_gradient");
   options.heading_weight = section.nonNegative("heading_weight");
   options.offset_weight = section.nonNegative("offset_weight");

@@ -24,6 +24,7 @@ void writeFeatures(const PatternFeatureOptions& features, JsonLineWriter& writer
   writer.beginObject("features");
   writer.text("head", toString(features.head));
   count("history_frames", features.history_frames);
+  count("agent_frames", features.agent_frames);
   count("max_agents", features.max_agents);
   writer.number("lane_radius", features.encoding.lane_radius);
   count("max_lanes", features.encoding.max_lanes);
@@ -84,6 +85,7 @@ PatternFeatureOptions readFeatures(JsonObject object) {
     object.fail("head", error.what());
   }
   features.history_frames = widthOf(object, "history_frames");
+  features.agent_frames = widthOf(object, "agent_frames");
   features.max_agents = widthOf(object, "max_agents");
   features.encoding.lane_radius = positiveOf(object, "lane_radius");
   features.encoding.max_lanes = widthOf(object, "max_lanes");

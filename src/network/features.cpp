@@ -12,16 +12,16 @@ namespace forge {
 namespace {
 
 // What features are divided by to be of order one.
-constexpr double kPlace = 30.0;         // m
-constexpr double kSpeed = 10.0;         // m/s
-constexpr double kAcceleration = 2.0;   // m/s2
-constexpr double kTurnRate = 0.2;       // rad/s
-constexpr double kSeconds = 4.0;        // s
-constexpr double kLongestTta = 9.0;     // s
-constexpr double kSpeedChange = 3.0;    // m/s
-constexpr double kMaxChange = 4.0;      // times these at most
-constexpr double kJunction = 20.0;      // m
-constexpr double kMaxJunction = 80.0;   // m
+constexpr double kPlace = 30.0;                                       // m
+constexpr double kSpeed = 10.0;                                       // m/s
+constexpr double kAcceleration = 2.0;                                 // m/s2
+constexpr double kTurnRate = 0.2;                                     // rad/s
+constexpr double kSeconds = 4.0;                                      // s
+constexpr double kLongestTta = 9.0;                                   // s
+constexpr double kSpeedChange = 3.0;                                  // m/s
+constexpr double kMaxChange = 4.0;                                    // times these at most
+constexpr double kJunction = 20.0;                                    // m
+constexpr double kMaxJunction = 80.0;                                 // m
 constexpr double kWayPoints[] = {5.0, 10.0, 20.0, 30.0, 45.0, 60.0};  // m
 constexpr double kMinHeadway = 1e-3;
 constexpr double kAcrossFloor = 0.3;    // m
@@ -57,12 +57,14 @@ std::vector<std::size_t> nearestAgents(const Snapshot& observed, int count) {
   return rows;
 }
 
-void takeAgents(const SceneEncoding& encoding, const std::vector<std::size_t>& rows, int frames,
-                SceneFeatures& features) {
+void takeAgents(const SceneEncoding& encoding, const std::vector<std::size_t>& rows,
+                const PatternFeatureOptions& options, SceneFeatures& features) {
+  const int frames = options.history_frames;
   const float scales[6] = {kPlace, kPlace, 1.0F, 1.0F, kSpeed, kSpeed};
   const Eigen::Index width = encoding.agent_features.shape[2];
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (int frame = 0; frame < frames; ++frame) {
+    const int first = i == 0 ? 0 : std::max(frames - options.agent_frames, 0);
+    for (int frame = first; frame < frames; ++frame) {
       const auto source = static_cast<Eigen::Index>(rows[i]) * frames + frame;
       const auto target = static_cast<Eigen::Index>(i) * frames + frame;
       if (encoding.agent_mask.data[static_cast<std::size_t>(source)] == 0.0F) continue;
@@ -211,7 +213,8 @@ AnchorFeatures wayAnchors(const EgoWays& ways, double tta, const EgoFutureOption
     const ReturnToPath line(path.line, ways.ego, 0.0, futures);
     for (int i = 0; i <= options.way_anchors; ++i) {
       const int step = i - 1 - middle;
-      const double driven = i == 0 ? 0.0 : reached + step * static_cast<double>(features.along_scale);
+      const double driven =
+          i == 0 ? 0.0 : reached + step * static_cast<double>(features.along_scale);
       if (driven < 0.0) continue;
       const Eigen::Index row = group * features.group_size + i;
       placeAnchor(ways.ego.state.pose, line.poseAfter(driven), row, features);
@@ -227,8 +230,8 @@ AnchorFeatures wayAnchors(const EgoWays& ways, double tta, const EgoFutureOption
 void fillFreely(const EgoNow& ego, double tta, Eigen::Index row, AnchorFeatures& features) {
   const auto pose = features.poses.row(row);
   const double distance = std::hypot(pose[0], pose[1]);
-  features.anchors(row, 0) = static_cast<float>(
-      held((distance / tta - ego.past_speeds[0]) / kSpeedChange, kMaxChange));
+  features.anchors(row, 0) =
+      static_cast<float>(held((distance / tta - ego.past_speeds[0]) / kSpeedChange, kMaxChange));
   features.anchors(row, 1) = static_cast<float>(distance / tta / kSpeed);
   features.anchors(row, 2) = static_cast<float>(held(pose[0] / kPlace, kMaxChange));
   features.anchors(row, 3) = static_cast<float>(held(pose[1] / kPlace, kMaxChange));
@@ -351,7 +354,7 @@ SceneFeatures sceneFeatures(const Snapshot& observed, const LaneIndex& lanes,
   features.agent_mask = Eigen::VectorXf::Zero(agent_rows);
   features.lanes = RowMatrix::Zero(lane_rows, kLaneVector);
   features.lane_mask = Eigen::VectorXf::Zero(lane_rows);
-  takeAgents(encoding, nearestAgents(observed, options.max_agents), frames, features);
+  takeAgents(encoding, nearestAgents(observed, options.max_agents), options, features);
   takeLanes(encoding, options.encoding.lane_points, features);
   features.ego = egoFeatures(egoNow(observed.ego));
   return features;

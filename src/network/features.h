@@ -17,10 +17,10 @@ namespace forge {
 
 using RowMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-inline constexpr int kAgentVector = 8;    ///< x, y, cos, sin, vx, vy, time, is the ego
-inline constexpr int kLaneVector = 7;     ///< x, y, cos, sin, is_connector, is_intersection, place
-inline constexpr int kEgoFeatures = 9;    ///< five past speeds, three accelerations, turn rate
-inline constexpr int kGroupFeatures = 21; ///< of the way that anchors lie on
+inline constexpr int kAgentVector = 8;     ///< x, y, cos, sin, vx, vy, time, is the ego
+inline constexpr int kLaneVector = 7;      ///< x, y, cos, sin, is_connector, is_intersection, place
+inline constexpr int kEgoFeatures = 9;     ///< five past speeds, three accelerations, turn rate
+inline constexpr int kGroupFeatures = 21;  ///< of the way that anchors lie on
 inline constexpr int kAnchorFeatures = 12;
 inline constexpr int kRequestFeatures = 8;     ///< type one-hot (none: zeros), three of the TTA
 inline constexpr int kCandidateFeatures = 24;  ///< of a vehicle that may attack
@@ -33,22 +33,22 @@ Snapshot observedSnapshot(const Snapshot& snapshot, const std::set<std::string>&
 /// A scene as network input, in the frame of the ego now, numbers of order one. Made to fixed sizes
 /// of PatternFeatureOptions; what is missing has the mask 0 and the value 0.
 struct SceneFeatures {
-  RowMatrix agents;          ///< [(1 + max_agents) * frames, kAgentVector], the ego first
+  RowMatrix agents;  ///< [(1 + max_agents) * frames, kAgentVector], the ego first
   Eigen::VectorXf agent_mask;
-  RowMatrix lanes;           ///< [max_lanes * lane_points, kLaneVector]
+  RowMatrix lanes;  ///< [max_lanes * lane_points, kLaneVector]
   Eigen::VectorXf lane_mask;
-  Eigen::VectorXf ego;       ///< [kEgoFeatures]
+  Eigen::VectorXf ego;  ///< [kEgoFeatures]
 };
 
 /// Where the ego may stand at an instant. Anchors of a group lie together, `group_size` a group.
 struct AnchorFeatures {
   int group_size = 0;
-  RowMatrix groups;         ///< [groups, kGroupFeatures]
-  RowMatrix anchors;        ///< [groups * group_size, kAnchorFeatures]
-  RowMatrix poses;          ///< [.., 4]: x, y (m), cos, sin in the frame of the ego now
-  Eigen::VectorXf prior;    ///< [..]: added to the score; kAbsent: there is no such anchor
-  float along_scale = 1.0F;   ///< m, of offsets and spreads along an anchor's heading
-  float across_scale = 1.0F;  ///< m, across it
+  RowMatrix groups;             ///< [groups, kGroupFeatures]
+  RowMatrix anchors;            ///< [groups * group_size, kAnchorFeatures]
+  RowMatrix poses;              ///< [.., 4]: x, y (m), cos, sin in the frame of the ego now
+  Eigen::VectorXf prior;        ///< [..]: added to the score; kAbsent: there is no such anchor
+  float along_scale = 1.0F;     ///< m, of offsets and spreads along an anchor's heading
+  float across_scale = 1.0F;    ///< m, across it
   Eigen::VectorXf arc_lengths;  ///< [..]: m along the way; empty for anchors that are on no way
 };
 inline constexpr float kAbsent = -1e4F;
@@ -69,8 +69,8 @@ SceneFeatures sceneFeatures(const Snapshot& observed, const LaneIndex& lanes,
                             const PatternFeatureOptions& options);
 
 /// The anchors for the ego `tta` seconds from now, of the head that the options name.
-AnchorFeatures anchorFeatures(const EgoWays& ways,
-                              const LaneIndex& lanes, double tta, const EgoFutureOptions& futures,
+AnchorFeatures anchorFeatures(const EgoWays& ways, const LaneIndex& lanes, double tta,
+                              const EgoFutureOptions& futures,
                               const PatternFeatureOptions& options);
 
 Eigen::VectorXf requestFeatures(std::optional<CollisionType> type, double tta);

@@ -18,8 +18,7 @@ class NetworkEgoFutures : public EgoFutureSampler {
   /// `networks` may be null. Neither a network nor a forecast that knows `left_out_scene` is used.
   NetworkEgoFutures(const EgoFutureOptions& options,
                     std::shared_ptr<const PatternNetworks> networks,
-                    std::shared_ptr<const SpeedForecaster> speeds,
-                    std::string left_out_scene = "");
+                    std::shared_ptr<const SpeedForecaster> speeds, std::string left_out_scene = "");
 
   std::vector<Track> sample(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
                             int count, std::uint64_t seed) const override;

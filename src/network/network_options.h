@@ -17,6 +17,7 @@ EgoHead egoHeadFromString(const std::string& name);
 struct PatternFeatureOptions {
   EgoHead head = EgoHead::kRegionProposal;
   int history_frames = 0;
+  int agent_frames = 0;
   int max_agents = 0;
   EncodingOptions encoding;  ///< of the lanes
   int max_ways = 0;
@@ -44,6 +45,7 @@ struct TrainingOptions {
   double learning_rate = 0.0;
   double weight_decay = 0.0;
   double dropout = 0.0;
+  double context_dropout = 0.0;
   double max_gradient = 0.0;
   double heading_weight = 0.0;
   double offset_weight = 0.0;

@@ -14,9 +14,9 @@ std::vector<const Track*> attackersOf(const std::vector<CollisionPattern>& patte
                                       const Snapshot& snapshot) {
   std::vector<const Track*> attackers;
   for (const CollisionPattern& pattern : patterns) {
-    const bool known =
-        std::any_of(attackers.begin(), attackers.end(),
-                    [&](const Track* track) { return track->id == pattern.attacker_id; });
+    const bool known = std::any_of(attackers.begin(), attackers.end(), [&](const Track* track) {
+      return track->id == pattern.attacker_id;
+    });
     if (known) continue;
     for (const Track& agent : snapshot.agents) {
       if (agent.id == pattern.attacker_id) attackers.push_back(&agent);

@@ -40,8 +40,8 @@ void egoLosses(const torch::Tensor& out, const PatternBatch& batch, BatchLosses&
   losses.ego = -(weights * torch::logsumexp(joint, -1)).sum();
   const torch::Tensor true_cos = batch.ego_truth.select(-1, 2).unsqueeze(-1);
   const torch::Tensor true_sin = batch.ego_truth.select(-1, 3).unsqueeze(-1);
-  const torch::Tensor cos_error = (c * cos_turn - s * sin_turn) * true_cos +
-                                  (s * cos_turn + c * sin_turn) * true_sin;
+  const torch::Tensor cos_error =
+      (c * cos_turn - s * sin_turn) * true_cos + (s * cos_turn + c * sin_turn) * true_sin;
   const torch::Tensor near = torch::softmax(joint, -1).detach();
   losses.heading = (weights * (near * (1.0 - cos_error)).sum(-1)).sum();
 }
@@ -50,9 +50,8 @@ void attackLosses(PatternModule& module, const torch::Tensor& scene, const Patte
                   BatchLosses& losses) {
   const torch::Tensor with_request =
       module->withRequest(scene.index_select(0, batch.attack_rows), batch.attack_requests);
-  const torch::Tensor scores =
-      module->candidates(with_request, batch.candidates).select(-1, 0) +
-      (1.0 - batch.candidate_mask) * kAbsent;
+  const torch::Tensor scores = module->candidates(with_request, batch.candidates).select(-1, 0) +
+                               (1.0 - batch.candidate_mask) * kAbsent;
   losses.selection = torch::nll_loss(torch::log_softmax(scores, -1), batch.attacker);
   const torch::Tensor offset =
       module->candidates(with_request, batch.attacker_features).squeeze(1).slice(-1, 1);
@@ -61,8 +60,11 @@ void attackLosses(PatternModule& module, const torch::Tensor& scene, const Patte
 
 }  // namespace
 
-PatternModuleImpl::PatternModuleImpl(const PatternNetworkOptions& options, double dropout)
-    : options_(options), dropout_(torch::nn::DropoutOptions(dropout)) {
+PatternModuleImpl::PatternModuleImpl(const PatternNetworkOptions& options, double dropout,
+                                     double context_dropout)
+    : options_(options),
+      context_dropout_(context_dropout),
+      dropout_(torch::nn::DropoutOptions(dropout)) {
   for (const auto& [name, shape] : layerShapes(options)) {
     layers_.emplace(name, register_module(name, torch::nn::Linear(shape.inputs, shape.outputs)));
   }
@@ -95,10 +97,14 @@ torch::Tensor PatternModuleImpl::encode(const PatternBatch& batch) {
           std::sqrt(static_cast<double>(options_.hidden)) +
       (1.0 - present) * kAbsent;
   const torch::Tensor attention = torch::softmax(scores, -1).unsqueeze(1);
-  const torch::Tensor mixed =
-      torch::matmul(attention, layer("value")->forward(tokens)).squeeze(1);
+  const torch::Tensor mixed = torch::matmul(attention, layer("value")->forward(tokens)).squeeze(1);
+  torch::Tensor context = dropout_->forward(mixed);
+  if (is_training() && context_dropout_ > 0.0) {
+    context = context * torch::bernoulli(torch::full({context.size(0), 1}, 1.0 - context_dropout_,
+                                                     context.options()));
+  }
   const torch::Tensor input =
-      torch::cat({dropout_->forward(ego.squeeze(1)), dropout_->forward(mixed), batch.ego}, -1);
+      torch::cat({dropout_->forward(ego.squeeze(1)), context, batch.ego}, -1);
   return dropout_->forward(torch::relu(layer("scene")->forward(input)));
 }
 
@@ -112,18 +118,31 @@ torch::Tensor PatternModuleImpl::ego(const torch::Tensor& with_request, const Pa
   const auto group = layer("group");
   const auto first = layer("anchor_first");
   const int scene = options_.scene;
-  const torch::Tensor groups = dropout_->forward(torch::relu(
-      torch::matmul(batch.groups, group->weight.slice(1, scene).t()) +
+  const auto group_count = batch.groups.size(2);
+  const auto group_size = batch.anchors.size(3);
+  const torch::Tensor prior = batch.prior.view({-1, group_size});
+  // groups without an anchor are many, and cost nothing
+  const torch::Tensor rows = (std::get<0>(prior.max(-1)) > kAbsent).nonzero().squeeze(-1);
+  const torch::Tensor requests =
       (torch::matmul(with_request, group->weight.slice(1, 0, scene).t()) + group->bias)
-          .unsqueeze(2)));
+          .flatten(0, 1)
+          .index_select(0, rows.div(group_count, "floor"));
+  const torch::Tensor groups =
+      dropout_->forward(torch::relu(torch::matmul(batch.groups.flatten(0, 2).index_select(0, rows),
+                                                  group->weight.slice(1, scene).t()) +
+                                    requests));
   const torch::Tensor of_groups =
       torch::matmul(groups, first->weight.slice(1, 0, scene).t()) + first->bias;
   const torch::Tensor hidden =
-      torch::relu(torch::matmul(batch.anchors, first->weight.slice(1, scene).t()) +
-                  of_groups.unsqueeze(3))
-          .flatten(2, 3);
-  const torch::Tensor out = layer("anchor_last")
-                                ->forward(torch::relu(layer("anchor_second")->forward(hidden)));
+      torch::relu(torch::matmul(batch.anchors.flatten(0, 2).index_select(0, rows),
+                                first->weight.slice(1, scene).t()) +
+                  of_groups.unsqueeze(1));
+  const torch::Tensor second = torch::relu(layer("anchor_second")->forward(hidden));
+  const torch::Tensor present = layer("anchor_last")->forward(second);
+  const torch::Tensor out =
+      torch::zeros({prior.size(0), group_size, present.size(2)}, present.options())
+          .index_copy(0, rows, present)
+          .view({batch.prior.size(0), batch.prior.size(1), batch.prior.size(2), -1});
   return torch::cat({(out.select(-1, 0) + batch.prior).unsqueeze(-1), out.slice(-1, 1)}, -1);
 }
 
@@ -131,10 +150,10 @@ torch::Tensor PatternModuleImpl::candidates(const torch::Tensor& with_request,
                                             const torch::Tensor& features) {
   const auto first = layer("candidate_first");
   const int scene = options_.scene;
-  const torch::Tensor hidden = torch::relu(
-      torch::matmul(features, first->weight.slice(1, scene).t()) +
-      (torch::matmul(with_request, first->weight.slice(1, 0, scene).t()) + first->bias)
-          .unsqueeze(1));
+  const torch::Tensor hidden =
+      torch::relu(torch::matmul(features, first->weight.slice(1, scene).t()) +
+                  (torch::matmul(with_request, first->weight.slice(1, 0, scene).t()) + first->bias)
+                      .unsqueeze(1));
   return layer("candidate_last")
       ->forward(torch::relu(layer("candidate_second")->forward(dropout_->forward(hidden))));
 }

@@ -12,19 +12,19 @@ namespace forge {
 
 /// A batch of B samples on one device; T times each, G groups of K anchors, C candidates.
 struct PatternBatch {
-  torch::Tensor agents;       ///< [B, agents, frames, kAgentVector]
-  torch::Tensor agent_mask;   ///< [B, agents, frames]
-  torch::Tensor lanes;        ///< [B, lanes, points, kLaneVector]
-  torch::Tensor lane_mask;    ///< [B, lanes, points]
-  torch::Tensor ego;          ///< [B, kEgoFeatures]
-  torch::Tensor requests;     ///< [B, T, kRequestFeatures]
-  torch::Tensor groups;       ///< [B, T, G, kGroupFeatures]
-  torch::Tensor anchors;      ///< [B, T, G, K, kAnchorFeatures]
-  torch::Tensor prior;        ///< [B, T, G * K]
-  torch::Tensor poses;        ///< [B, T, G * K, 4]
-  torch::Tensor scales;       ///< [B, T, 2]: along, across
-  torch::Tensor ego_truth;    ///< [B, T, 4]: x, y, cos, sin
-  torch::Tensor time_weight;  ///< [B, T]
+  torch::Tensor agents;             ///< [B, agents, frames, kAgentVector]
+  torch::Tensor agent_mask;         ///< [B, agents, frames]
+  torch::Tensor lanes;              ///< [B, lanes, points, kLaneVector]
+  torch::Tensor lane_mask;          ///< [B, lanes, points]
+  torch::Tensor ego;                ///< [B, kEgoFeatures]
+  torch::Tensor requests;           ///< [B, T, kRequestFeatures]
+  torch::Tensor groups;             ///< [B, T, G, kGroupFeatures]
+  torch::Tensor anchors;            ///< [B, T, G, K, kAnchorFeatures]
+  torch::Tensor prior;              ///< [B, T, G * K]
+  torch::Tensor poses;              ///< [B, T, G * K, 4]
+  torch::Tensor scales;             ///< [B, T, 2]: along, across
+  torch::Tensor ego_truth;          ///< [B, T, 4]: x, y, cos, sin
+  torch::Tensor time_weight;        ///< [B, T]
   torch::Tensor attack_requests;    ///< [A, kRequestFeatures]
   torch::Tensor attack_rows;        ///< [A]: which samples have an attack
   torch::Tensor candidates;         ///< [A, C, kCandidateFeatures], by the ego's expected pose
@@ -37,7 +37,8 @@ struct PatternBatch {
 /// The network of PatternNetwork, to be trained.
 class PatternModuleImpl : public torch::nn::Module {
  public:
-  PatternModuleImpl(const PatternNetworkOptions& options, double dropout);
+  /// `dropout` of single numbers, `context_dropout` of all that is told of other agents and lanes.
+  PatternModuleImpl(const PatternNetworkOptions& options, double dropout, double context_dropout);
 
   torch::Tensor encode(const PatternBatch& batch);  ///< [B, scene]
   torch::Tensor withRequest(const torch::Tensor& scene, const torch::Tensor& requests);
@@ -52,6 +53,7 @@ class PatternModuleImpl : public torch::nn::Module {
                           const std::string& name);
 
   PatternNetworkOptions options_;
+  double context_dropout_ = 0.0;
   std::map<std::string, torch::nn::Linear> layers_;
   torch::nn::Dropout dropout_;
 };

@@ -11,8 +11,8 @@ namespace {
 constexpr float kMaxLogSpread = 3.0F;  // of spreads over the anchors' scales
 constexpr double kOffsetScale = 4.0;   // m
 constexpr int kMedianSteps = 30;
-constexpr double kMedianFloor = 0.05;   // m
-constexpr double kHeadingReach = 2.0;   // m around the median whose headings count
+constexpr double kMedianFloor = 0.05;  // m
+constexpr double kHeadingReach = 2.0;  // m around the median whose headings count
 constexpr int kEgoOutputs = 6;
 constexpr int kCandidateOutputs = 5;
 
@@ -153,21 +153,18 @@ Eigen::VectorXf PatternNetwork::encode(const SceneFeatures& features) const {
   requireShape(features.agents, (1 + options.max_agents) * frames, kAgentVector, "agents");
   requireShape(features.lanes, options.encoding.max_lanes * points, kLaneVector, "lanes");
   requireShape(features.ego, kEgoFeatures, 1, "ego features");
-  const RowMatrix agents =
-      present(polylines(features.agents, features.agent_mask, frames, layers.at("agent_first"),
-                        layers.at("agent_second")),
-              features.agent_mask, frames);
-  const RowMatrix lanes =
-      present(polylines(features.lanes, features.lane_mask, points, layers.at("lane_first"),
-                        layers.at("lane_second")),
-              features.lane_mask, points);
+  const RowMatrix agents = present(polylines(features.agents, features.agent_mask, frames,
+                                             layers.at("agent_first"), layers.at("agent_second")),
+                                   features.agent_mask, frames);
+  const RowMatrix lanes = present(polylines(features.lanes, features.lane_mask, points,
+                                            layers.at("lane_first"), layers.at("lane_second")),
+                                  features.lane_mask, points);
   const Eigen::Index hidden = weights_.network.hidden;
   RowMatrix tokens(agents.rows() + lanes.rows(), hidden);
   tokens << agents, lanes;
   const RowMatrix query = apply(layers.at("query"), tokens.topRows(1));
   const RowMatrix keys = apply(layers.at("key"), tokens);
-  Eigen::VectorXf attention =
-      keys * query.transpose() / std::sqrt(static_cast<float>(hidden));
+  Eigen::VectorXf attention = keys * query.transpose() / std::sqrt(static_cast<float>(hidden));
   attention = (attention.array() - attention.maxCoeff()).exp();
   attention /= attention.sum();
   const RowMatrix mixed = attention.transpose() * apply(layers.at("value"), tokens);
@@ -222,7 +219,8 @@ std::vector<EgoComponent> PatternNetwork::ego(const Eigen::VectorXf& with_reques
                        std::atan2(anchors.poses(i, 3), anchors.poses(i, 2))};
     const double along = anchors.along_scale * out(i, 1);
     component.pose = compose(anchor, {along, anchors.across_scale * out(i, 2), out(i, 5)});
-    component.along = anchors.along_scale * std::exp(std::clamp(out(i, 3), -kMaxLogSpread, kMaxLogSpread));
+    component.along =
+        anchors.along_scale * std::exp(std::clamp(out(i, 3), -kMaxLogSpread, kMaxLogSpread));
     component.across =
         anchors.across_scale * std::exp(std::clamp(out(i, 4), -kMaxLogSpread, kMaxLogSpread));
     component.group = i / anchors.group_size;
@@ -246,9 +244,10 @@ std::vector<CandidateAnswer> PatternNetwork::candidates(const Eigen::VectorXf& w
   const RowMatrix out = apply(layers.at("candidate_last"), second);
   std::vector<CandidateAnswer> answers;
   for (Eigen::Index i = 0; i < out.rows(); ++i) {
-    answers.push_back({out(i, 0),
-                       {kOffsetScale * out(i, 1), kOffsetScale * out(i, 2),
-                        std::atan2(static_cast<double>(out(i, 4)), static_cast<double>(out(i, 3)))}});
+    answers.push_back(
+        {out(i, 0),
+         {kOffsetScale * out(i, 1), kOffsetScale * out(i, 2),
+          std::atan2(static_cast<double>(out(i, 4)), static_cast<double>(out(i, 3)))}});
   }
   return answers;
 }

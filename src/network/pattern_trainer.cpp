@@ -46,7 +46,9 @@ double gauss(std::mt19937_64& engine) {
   return std::sqrt(-2.0 * std::log(uniform())) * std::cos(2.0 * M_PI * uniform());
 }
 
-double uniformOf(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1.0p-53; }
+double uniformOf(std::mt19937_64& engine) {
+  return static_cast<double>(engine() >> 11) * 0x1.0p-53;
+}
 
 /// The times of a sample that a step looks at; the impact always.
 std::vector<const TimedSample*> drawTimes(const TrainingSample& sample, int count,
@@ -96,8 +98,7 @@ void putScene(const Draw& draw, std::int64_t row, PatternBatch& batch) {
 void putTime(const Draw& draw, const TimedSample& time, std::int64_t row,
              const TrainingOptions& options, PatternBatch& batch) {
   const bool impact = draw.sample->attack && &time == &draw.sample->times.back();
-  const auto type =
-      impact ? std::optional<CollisionType>(draw.sample->attack->type) : std::nullopt;
+  const auto type = impact ? std::optional<CollisionType>(draw.sample->attack->type) : std::nullopt;
   const auto view = [](torch::Tensor& tensor) { return tensor.flatten(0, 1); };
   torch::Tensor requests = view(batch.requests);
   torch::Tensor groups = view(batch.groups);
@@ -169,7 +170,8 @@ PatternBatch batchOf(const std::vector<Draw>& draws, const PatternFeatureOptions
   batch.agent_mask = torch::empty({count, agents, features.history_frames});
   batch.lanes = torch::empty(
       {count, features.encoding.max_lanes, features.encoding.lane_points, kLaneVector});
-  batch.lane_mask = torch::empty({count, features.encoding.max_lanes, features.encoding.lane_points});
+  batch.lane_mask =
+      torch::empty({count, features.encoding.max_lanes, features.encoding.lane_points});
   batch.ego = torch::empty({count, kEgoFeatures});
   batch.requests = torch::empty({count, times, kRequestFeatures});
   batch.groups = torch::empty({count, times, groups, kGroupFeatures});
@@ -193,12 +195,26 @@ PatternBatch batchOf(const std::vector<Draw>& draws, const PatternFeatureOptions
 
 PatternBatch movedTo(const PatternBatch& batch, const torch::Device& device) {
   PatternBatch moved = batch;
-  for (torch::Tensor* tensor :
-       {&moved.agents, &moved.agent_mask, &moved.lanes, &moved.lane_mask, &moved.ego,
-        &moved.requests, &moved.groups, &moved.anchors, &moved.prior, &moved.poses, &moved.scales,
-        &moved.ego_truth, &moved.time_weight, &moved.attack_requests, &moved.attack_rows,
-        &moved.candidates, &moved.candidate_mask, &moved.attacker, &moved.attacker_features,
-        &moved.offset_truth}) {
+  for (torch::Tensor* tensor : {&moved.agents,
+                                &moved.agent_mask,
+                                &moved.lanes,
+                                &moved.lane_mask,
+                                &moved.ego,
+                                &moved.requests,
+                                &moved.groups,
+                                &moved.anchors,
+                                &moved.prior,
+                                &moved.poses,
+                                &moved.scales,
+                                &moved.ego_truth,
+                                &moved.time_weight,
+                                &moved.attack_requests,
+                                &moved.attack_rows,
+                                &moved.candidates,
+                                &moved.candidate_mask,
+                                &moved.attacker,
+                                &moved.attacker_features,
+                                &moved.offset_truth}) {
     *tensor = tensor->to(device);
   }
   return moved;
@@ -271,8 +287,8 @@ struct PatternTrainer::State {
 
   void followAverage() {
     const torch::NoGradGuard no_gradients;
-    const double decay = std::min(kAverageDecay, (1.0 + static_cast<double>(steps)) /
-                                                     (10.0 + static_cast<double>(steps)));
+    const double decay = std::min(
+        kAverageDecay, (1.0 + static_cast<double>(steps)) / (10.0 + static_cast<double>(steps)));
     auto targets = average->parameters();
     const auto sources = module->parameters();
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -295,9 +311,8 @@ struct PatternTrainer::State {
 };
 
 PatternTrainer::PatternTrainer(const PatternFeatureOptions& features,
-                               const PatternNetworkOptions& network,
-                               const TrainingOptions& options, const std::string& device,
-                               int threads, std::uint64_t seed)
+                               const PatternNetworkOptions& network, const TrainingOptions& options,
+                               const std::string& device, int threads, std::uint64_t seed)
     : state_(std::make_unique<State>()) {
   state_->device = deviceOf(device);
   torch::set_num_threads(threads);
@@ -306,8 +321,8 @@ PatternTrainer::PatternTrainer(const PatternFeatureOptions& features,
   state_->network = network;
   state_->options = options;
   state_->seed = seed;
-  state_->module = PatternModule(network, options.dropout);
-  state_->average = PatternModule(network, options.dropout);
+  state_->module = PatternModule(network, options.dropout, options.context_dropout);
+  state_->average = PatternModule(network, options.dropout, options.context_dropout);
   state_->average->eval();
   const torch::NoGradGuard no_gradients;
   auto targets = state_->average->parameters();
@@ -316,8 +331,8 @@ PatternTrainer::PatternTrainer(const PatternFeatureOptions& features,
   state_->module->to(state_->device);
   state_->average->to(state_->device);
   state_->optimizer = std::make_unique<torch::optim::AdamW>(
-      state_->module->parameters(), torch::optim::AdamWOptions(options.learning_rate)
-                                        .weight_decay(options.weight_decay));
+      state_->module->parameters(),
+      torch::optim::AdamWOptions(options.learning_rate).weight_decay(options.weight_decay));
 }
 
 PatternTrainer::~PatternTrainer() = default;
@@ -348,8 +363,7 @@ TrainingLosses PatternTrainer::trainEpoch(const std::vector<TrainingSample>& sam
       if (sample.attack) draw.expected_ego = blurred(*sample.attack, state.options, engine);
       draws.push_back(std::move(draw));
     }
-    const PatternBatch batch =
-        movedTo(batchOf(draws, state.features, state.options), state.device);
+    const PatternBatch batch = movedTo(batchOf(draws, state.features, state.options), state.device);
     state.setRate(steps_in_all);
     state.optimizer->zero_grad();
     const BatchLosses losses = lossesOf(state.module, batch);
@@ -380,9 +394,9 @@ TrainingLosses PatternTrainer::losses(const std::vector<TrainingSample>& samples
       if (sample.attack) draw.expected_ego = blurred(*sample.attack, state.options, engine);
       draws.push_back(std::move(draw));
     }
-    const PatternBatch batch =
-        movedTo(batchOf(draws, state.features, state.options), state.device);
-    sum += weighed(state.numbers(lossesOf(state.average, batch)), static_cast<double>(last - first));
+    const PatternBatch batch = movedTo(batchOf(draws, state.features, state.options), state.device);
+    sum +=
+        weighed(state.numbers(lossesOf(state.average, batch)), static_cast<double>(last - first));
   }
   return weighed(sum, 1.0 / static_cast<double>(std::max<std::size_t>(chosen.size(), 1)));
 }
@@ -404,9 +418,10 @@ void PatternTrainer::save(const std::string& path) const {
     archive.write("module", module);
     archive.write("average", average);
     archive.write("optimizer", optimizer);
-    archive.write("progress", torch::tensor({static_cast<std::int64_t>(state_->epochs), state_->steps,
-                                             static_cast<std::int64_t>(state_->seed)},
-                                            torch::kInt64));
+    archive.write("progress",
+                  torch::tensor({static_cast<std::int64_t>(state_->epochs), state_->steps,
+                                 static_cast<std::int64_t>(state_->seed)},
+                                torch::kInt64));
     archive.save_to(part);
     std::filesystem::rename(part, path);
   } catch (const std::exception& error) {

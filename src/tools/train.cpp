@@ -114,9 +114,9 @@ std::string metricsLine(int epoch, const TrainingLosses& training,
                         const TrainingLosses& validation) {
   char line[512];
   std::snprintf(line, sizeof(line), "%d,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", epoch,
-                training.ego, training.heading, training.offset, training.selection,
-                training.total, validation.ego, validation.heading, validation.offset,
-                validation.selection, validation.total);
+                training.ego, training.heading, training.offset, training.selection, training.total,
+                validation.ego, validation.heading, validation.offset, validation.selection,
+                validation.total);
   return line;
 }
 

@@ -16,9 +16,9 @@
 namespace forge {
 namespace {
 
-constexpr double kTtaStep = 0.5;    // s
-constexpr int kTimesAMoment = 4;    // instants kept of each moment
-constexpr int kClipTimes = 3;       // beside the impact
+constexpr double kTtaStep = 0.5;  // s
+constexpr int kTimesAMoment = 4;  // instants kept of each moment
+constexpr int kClipTimes = 3;     // beside the impact
 
 std::uint64_t seedOf(const std::string& text, std::uint64_t seed) {
   std::uint64_t hash = 0xcbf29ce484222325u ^ seed;
@@ -52,8 +52,7 @@ TimedSample timedSample(const EgoWays& ways, const LaneIndex& lanes, const Track
 std::optional<TrainingSample> momentSample(const Scene& scene, double now, const LaneIndex& lanes,
                                            const Config& config, std::mt19937_64& engine) {
   const PatternFeatureOptions& features = config.pattern_features;
-  const Snapshot observed =
-      observedSnapshot(snapshotAt(scene, now, features.history_frames), {});
+  const Snapshot observed = observedSnapshot(snapshotAt(scene, now, features.history_frames), {});
   if (observed.ego.states.size() < 2 || !newestAt(observed.ego, now)) return std::nullopt;
   const std::vector<double> ttas =
       drawTtas(scene.ego, now, config.training.max_tta, kTimesAMoment, engine);
@@ -99,8 +98,7 @@ void collectScene(const Scene& scene, const LaneIndex& lanes, const Config& conf
   }
   for (std::size_t i = 0; i < scene.agents.size(); ++i) {
     const Track& vehicle = scene.agents[i];
-    if (!canAttack(vehicle.agent_class) ||
-        meanSpeed(vehicle) < config.training.min_vehicle_speed) {
+    if (!canAttack(vehicle.agent_class) || meanSpeed(vehicle) < config.training.min_vehicle_speed) {
       continue;
     }
     const Scene other = seenFrom(scene, i);

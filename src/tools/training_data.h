@@ -15,9 +15,9 @@ namespace forge {
 struct TrainingSources {
   std::string dataroot;  ///< nuScenes root: the maps, and the logs of `version`
   std::string version;
-  std::string collide;   ///< folder of clips; empty: none
+  std::string collide;              ///< folder of clips; empty: none
   std::vector<std::string> splits;  ///< of the clips
-  int jobs = 1;          ///< threads
+  int jobs = 1;                     ///< threads
 };
 
 /// Names of all scenes of the logs and clips, sorted.
@@ -27,14 +27,12 @@ std::vector<std::string> sceneNames(const TrainingSources& sources);
 std::set<std::string> scenesOfFold(std::vector<std::string> names, int fold, int folds,
                                    std::uint64_t seed);
 
-/// A moment of each frame of the logs' egos, of the logs' moving vehicles in the ego's place, and of
-/// each clip, in the order of the scenes whatever the number of jobs. Nothing of the scenes in
+/// A moment of each frame of the logs' egos, of the logs' moving vehicles in the ego's place, and
+/// of each clip, in the order of the scenes whatever the number of jobs. Nothing of the scenes in
 /// `left_out` is read. `on_item` counts logs and clips done; sceneCount() of them.
-std::vector<TrainingSample> collectTrainingSamples(const TrainingSources& sources,
-                                                   const Config& config,
-                                                   const std::set<std::string>& left_out,
-                                                   std::uint64_t seed,
-                                                   const std::function<void(std::size_t, std::size_t)>& on_item);
+std::vector<TrainingSample> collectTrainingSamples(
+    const TrainingSources& sources, const Config& config, const std::set<std::string>& left_out,
+    std::uint64_t seed, const std::function<void(std::size_t, std::size_t)>& on_item);
 
 /// The sample of a clip at its now: the impact, and `others` earlier instants after now. `lanes` of
 /// the clip's city.
