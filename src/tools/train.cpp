@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "drawing/line_chart.h"
 #include "formats/config.h"
 #include "formats/pattern_network_file.h"
 #include "network/pattern_trainer.h"
@@ -132,6 +133,30 @@ std::string keptMetrics(const std::string& path, int epochs, double& best) {
   return kept;
 }
 
+/// A column of the metrics, counted from 0.
+std::vector<double> columnOf(const std::string& metrics, int column) {
+  std::istringstream lines(metrics);
+  std::string line;
+  std::getline(lines, line);
+  std::vector<double> values;
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    std::string cell;
+    for (int i = 0; i <= column; ++i) std::getline(cells, cell, ',');
+    values.push_back(std::stod(cell));
+  }
+  return values;
+}
+
+void drawCurves(const std::string& path, const std::string& metrics,
+                const DrawingOptions& options) {
+  const LineChart chart{"Training: negative log density of the ego's place",
+                        "epoch",
+                        {{"training", options.attacker_color, columnOf(metrics, 1)},
+                         {"validation", options.ego_color, columnOf(metrics, 6)}}};
+  drawLineChart(path, chart, options);
+}
+
 int train(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   openRun(arguments);
@@ -181,6 +206,7 @@ int train(const Arguments& arguments) {
       writePatternWeights({weights}, arguments.out + "/weights.bin");
     }
     writeAll(metrics_path, metrics);
+    drawCurves(arguments.out + "/curves.png", metrics, config.drawing);
     trainer.save(state);
     std::cout << metricsLine(trainer.epochsDone(), training, validation) << std::flush;
   }
