@@ -1,204 +1,12 @@
 #include "attack/ego_futures.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <random>
-#include <stdexcept>
 #include <utility>
 
 #include "attack/ego_paths.h"
+#include "attack/ego_sampling.h"
 
 namespace forge {
-namespace {
-
-constexpr double kRankingTime = 4.0;  // s from now; speeds are spread evenly by the distance then
-constexpr Eigen::Index kFadingProfiles = 64;  // of a forecast without recorded profiles
-constexpr double kMonotone =
-    3.0;  // times the lower neighbouring speed keeps a Hermite cubic monotone
-
-/// Evenly spread numbers in (0, 1), shifted at random.
-class EvenDraws {
- public:
-  EvenDraws(int count, std::mt19937_64& engine)
-      : count_(count), shift_((static_cast<double>(engine() >> 11) + 0.5) * 0x1.0p-53) {}
-  double operator()(int i) const { return (i + shift_) / count_; }
-
- private:
-  double count_;
-  double shift_;
-};
-
-/// Quantile of a two-sided exponential (Laplace) distribution.
-double difference(double share, double mean_difference) {
-  const double side = 2.0 * share - 1.0;
-  return -std::copysign(mean_difference, side) * std::log(1.0 - std::abs(side));
-}
-
-/// Evenly spread differences, in random order.
-std::vector<double> drawDifferences(int count, double mean_difference, std::mt19937_64& engine) {
-  const EvenDraws draw(count, engine);
-  std::vector<double> values;
-  for (int i = 0; i < count; ++i) values.push_back(difference(draw(i), mean_difference));
-  for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[engine() % i]);
-  return values;
-}
-
-/// How many of the samples take each path.
-std::vector<int> shareOut(const std::vector<EgoPath>& paths, int count, std::mt19937_64& engine) {
-  const EvenDraws draw(count, engine);
-  std::vector<int> shares(paths.size(), 0);
-  std::size_t path = 0;
-  double upper = paths.front().weight;
-  for (int i = 0; i < count; ++i) {
-    while (draw(i) > upper && path + 1 < paths.size()) upper += paths[++path].weight;
-    ++shares[path];
-  }
-  return shares;
-}
-
-/// Accelerations about the present one, which fade.
-SpeedForecast fadingAccelerations(const std::array<double, 5>& past_speeds, int intervals,
-                                  const EgoFutureOptions& options) {
-  SpeedForecast forecast;
-  forecast.speeds.resize(kFadingProfiles, intervals);
-  forecast.weights.setConstant(kFadingProfiles, 1.0 / static_cast<double>(kFadingProfiles));
-  const double present = (past_speeds[0] - past_speeds[2]) / (2.0 * kProfileStep);
-  const double fading = options.acceleration_fading;
-  for (Eigen::Index i = 0; i < kFadingProfiles; ++i) {
-    const double share = (static_cast<double>(i) + 0.5) / kFadingProfiles;
-    const double acceleration = present + difference(share, options.acceleration_spread);
-    for (int j = 0; j < intervals; ++j) {
-      const double gained = 1.0 - std::exp(-(j + 1) * kProfileStep / fading);
-      const double speed = past_speeds[0] + acceleration * fading * gained;
-      forecast.speeds(i, j) = std::max(speed, 0.0);
-    }
-  }
-  return forecast;
-}
-
-/// Rows of the forecast, spread evenly by the distance that they drive until kRankingTime.
-std::vector<Eigen::Index> drawProfiles(const SpeedForecast& forecast, int count,
-                                       std::mt19937_64& engine) {
-  const auto ranked =
-      std::min(forecast.speeds.cols(), static_cast<Eigen::Index>(kRankingTime / kProfileStep));
-  const Eigen::VectorXd driven = forecast.speeds.leftCols(ranked).rowwise().sum();
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(driven.size()));
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
-    return std::make_pair(driven[a], a) < std::make_pair(driven[b], b);
-  });
-  const EvenDraws draw(count, engine);
-  std::vector<Eigen::Index> drawn;
-  std::size_t at = 0;
-  double upper = forecast.weights[order.front()];
-  for (int i = 0; i < count; ++i) {
-    while (draw(i) > upper && at + 1 < order.size()) upper += forecast.weights[order[++at]];
-    drawn.push_back(order[at]);
-  }
-  return drawn;
-}
-
-/// Distance driven since now, smooth and never falling, from the mean speeds of intervals.
-class DrivenDistance {
- public:
-  DrivenDistance(double past_speed, const Eigen::RowVectorXd& speeds) {
-    double before = std::max(past_speed, 0.0);
-    double distance = 0.0;
-    for (const double speed : speeds) {
-      nodes_.push_back(
-          {distance, std::min(0.5 * (before + speed), kMonotone * std::min(before, speed))});
-      distance += speed * kProfileStep;
-      before = speed;
-    }
-    nodes_.push_back({distance, before});
-  }
-
-  /// Beyond the last interval its speed is kept.
-  double at(double time) const {
-    const double position = time / kProfileStep;
-    const auto i = static_cast<std::size_t>(position);
-    if (i + 1 >= nodes_.size()) {
-      const double beyond = position - static_cast<double>(nodes_.size() - 1);
-      return nodes_.back().distance + beyond * kProfileStep * nodes_.back().speed;
-    }
-    const Node& a = nodes_[i];
-    const Node& b = nodes_[i + 1];
-    const double u = position - static_cast<double>(i);
-    const double rise = b.distance - a.distance;
-    const double start = a.speed * kProfileStep;
-    const double end = b.speed * kProfileStep;
-    return a.distance +
-           u * (start + u * (3.0 * rise - 2.0 * start - end + u * (start + end - 2.0 * rise)));
-  }
-
- private:
-  struct Node {
-    double distance;
-    double speed;
-  };
-  std::vector<Node> nodes_;
-};
-
-/// A pose that leaves the ego's for a path: critically damped towards a lateral offset from it.
-class ReturnToPath {
- public:
-  ReturnToPath(const SampledPath& path, const EgoNow& ego, double offset_difference,
-               const EgoFutureOptions& options)
-      : path_(path) {
-    const Pose2 local = relativeTo(path.poses().front(), ego.state.pose);
-    start_ = local.x;
-    target_ = options.kept_offset * local.y + offset_difference;
-    lateral_ = local.y - target_;
-    return_distance_ =
-        std::max(options.lane_return_time * ego.past_speeds[0], options.lane_return_min_distance);
-    slope_ = std::tan(local.yaw);
-    rate_ = slope_ + lateral_ / return_distance_;
-  }
-
-  Pose2 poseAfter(double driven) const {
-    const double fade = std::exp(-driven / return_distance_);
-    const double offset = target_ + fade * (lateral_ + rate_ * driven);
-    const double slope = fade * (slope_ - rate_ * driven / return_distance_);
-    Pose2 pose = path_.poseAt(start_ + driven, offset);
-    pose.yaw = wrapAngle(pose.yaw + std::atan(slope));
-    return pose;
-  }
-
- private:
-  const SampledPath& path_;
-  double start_ = 0.0;
-  double target_ = 0.0;
-  double lateral_ = 0.0;
-  double slope_ = 0.0;
-  double rate_ = 0.0;
-  double return_distance_ = 0.0;
-};
-
-Track drive(const Track& ego, const EgoNow& now, const DrivenDistance& distance,
-            const ReturnToPath& way, double horizon, double step) {
-  Track track{ego.id, ego.agent_class, ego.size, {}};
-  const int steps = static_cast<int>(std::ceil(horizon / step - 1e-9));
-  track.states.reserve(static_cast<std::size_t>(steps) + 1);
-  track.states.push_back(now.state);
-  for (int i = 1; i <= steps; ++i) {
-    const double time = i * step;
-    track.states.push_back(
-        {now.state.time + time, way.poseAfter(distance.at(time)), Vector2::Zero()});
-  }
-  deriveVelocities(track);
-  track.states.front().velocity = now.state.velocity;
-  return track;
-}
-
-void checkArguments(double horizon, int count) {
-  if (!(horizon > 0.0 && std::isfinite(horizon))) {
-    throw std::invalid_argument("horizon = " + std::to_string(horizon) + " s is not positive");
-  }
-  if (count < 0) throw std::invalid_argument("count = " + std::to_string(count) + " is negative");
-}
-
-}  // namespace
 
 KinematicEgoFutures::KinematicEgoFutures(const EgoFutureOptions& options,
                                          std::shared_ptr<const SpeedForecaster> speeds,
@@ -208,18 +16,21 @@ KinematicEgoFutures::KinematicEgoFutures(const EgoFutureOptions& options,
 std::vector<Track> KinematicEgoFutures::sample(const Snapshot& snapshot, const LaneIndex& lanes,
                                                double horizon, int count,
                                                std::uint64_t seed) const {
-  checkArguments(horizon, count);
+  checkSampleArguments(horizon, count);
   const EgoNow ego = egoNow(snapshot.ego);
   std::vector<Track> tracks;
   if (count == 0) return tracks;
   tracks.reserve(static_cast<std::size_t>(count));
   std::mt19937_64 engine(seed);
   const std::vector<EgoPath> paths = egoPaths(ego, lanes, horizon, options_.paths);
-  const std::vector<int> shares = shareOut(paths, count, engine);
+  std::vector<double> weights;
+  for (const EgoPath& path : paths) weights.push_back(path.weight);
+  const std::vector<int> shares = shareOut(weights, count, engine);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (shares[i] == 0) continue;
     const DrivingSituation situation{ego.past_speeds, wayAhead(paths[i], ego, snapshot)};
-    const SpeedForecast forecast = forecastFor(situation, horizon);
+    const SpeedForecast forecast =
+        forecastSpeeds(speeds_.get(), situation, horizon, left_out_scene_, options_);
     const auto profiles = drawProfiles(forecast, shares[i], engine);
     const auto offsets = drawDifferences(shares[i], options_.offset_spread, engine);
     const auto turns = drawDifferences(shares[i], options_.turn_rate_spread, engine);
@@ -236,17 +47,6 @@ std::vector<Track> KinematicEgoFutures::sample(const Snapshot& snapshot, const L
     }
   }
   return tracks;
-}
-
-SpeedForecast KinematicEgoFutures::forecastFor(const DrivingSituation& situation,
-                                               double horizon) const {
-  const int intervals = static_cast<int>(std::ceil(horizon / kProfileStep - 1e-9));
-  SpeedForecast forecast;
-  if (speeds_) forecast = speeds_->forecast(situation, intervals, left_out_scene_);
-  if (forecast.speeds.cols() == 0) {
-    forecast = fadingAccelerations(situation.past_speeds, intervals, options_);
-  }
-  return forecast;
 }
 
 }  // namespace forge

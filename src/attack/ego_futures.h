@@ -42,8 +42,6 @@ class KinematicEgoFutures : public EgoFutureSampler {
                             int count, std::uint64_t seed) const override;
 
  private:
-  SpeedForecast forecastFor(const DrivingSituation& situation, double horizon) const;
-
   EgoFutureOptions options_;
   std::shared_ptr<const SpeedForecaster> speeds_;
   std::string left_out_scene_;

@@ -203,6 +203,24 @@ double reachOf(const EgoNow& ego, double horizon) {
   return std::max({(speed + kSpeedGain) * horizon, sameLength(ego), kBendReach});
 }
 
+/// The first stretch of lanes within a junction, `start` metres along the first lane being 0.
+void findJunction(const LanePath& way, double start, const LaneIndex& lanes, EgoPath& path) {
+  path.junction_start = path.junction_end = std::numeric_limits<double>::infinity();
+  double along = -start;
+  for (const std::size_t index : way.lanes) {
+    const Lane& lane = lanes.map().lanes[index];
+    const double end = along + lanes.centerline(index)->length();
+    const bool inside = lane.is_connector || lane.is_intersection;
+    if (inside) {
+      path.junction_start = std::min(path.junction_start, std::max(along, 0.0));
+      path.junction_end = end;
+    } else if (std::isfinite(path.junction_start)) {
+      break;
+    }
+    along = end;
+  }
+}
+
 void normalize(std::vector<EgoPath>& paths) {
   double sum = 0.0;
   for (const EgoPath& path : paths) sum += path.weight;
@@ -229,12 +247,14 @@ std::vector<EgoPath> egoPaths(const EgoNow& ego, const LaneIndex& lanes, double 
       });
       if (known) continue;
       path.on_lanes = true;
+      findJunction(way, matches[i].projection.arc_length, lanes, path);
       path.ahead = bendsAhead(path.line, ego, options);
       path.weight = std::exp(-costOf(path, ego, options));
       paths.push_back(std::move(path));
     }
   }
   EgoPath free{freePath(ego, 0.0, horizon, options)};
+  free.junction_start = free.junction_end = std::numeric_limits<double>::infinity();
   free.ahead = bendsAhead(free.line, ego, options);
   free.weight = std::exp(-options.free_path_cost);
   paths.push_back(std::move(free));

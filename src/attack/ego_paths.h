@@ -48,7 +48,9 @@ struct EgoPath {
   SampledPath line;
   double weight = 0.0;  ///< probability
   bool on_lanes = false;
-  WayAhead ahead = {};  ///< but for the vehicle ahead
+  WayAhead ahead = {};          ///< but for the vehicle ahead
+  double junction_start = 0.0;  ///< metres to the first connector or intersection on it
+  double junction_end = 0.0;    ///< metres to where that one ends; none: both are infinite
 };
 
 /// The ways that the ego may take: along the lanes near it, with all branches, and free of lanes on

@@ -4,6 +4,7 @@
 #include "formats/planner_config.h"
 #include "formats/speed_model_file.h"
 #include "formats/speed_profiles_file.h"
+#include "formats/training_config.h"
 
 #include <filesystem>
 #include <limits>
@@ -414,6 +415,11 @@ Config loadConfig(const std::string& directory) {
   if (!model.empty()) config.speed_model = std::filesystem::path(directory) / model;
   ego_futures.finish();
   config.speed_model_fit = loadSpeedModelFit(directory);
+  Section network = openConfigFile(directory, "network.yaml");
+  const std::string networks = network.text("pattern_network");
+  if (!networks.empty()) config.pattern_network = std::filesystem::path(directory) / networks;
+  network.finish();
+  loadTraining(directory, config);
   config.ego_vehicle = loadEgoVehicle(directory);
   config.encoding = loadEncoding(directory);
   config.conversion = loadConversion(directory);

@@ -11,6 +11,7 @@
 #include "formats/evaluation_options.h"
 #include "map/lane_map.h"
 #include "network/encoding_options.h"
+#include "network/network_options.h"
 #include "planners/planner_options.h"
 #include "scene/scene.h"
 
@@ -28,6 +29,10 @@ struct Config {
   std::string speed_profiles;  ///< path of recorded profiles (speed_profiles_file.h); empty: none
   std::string speed_model;     ///< path of a fitted model (speed_model_file.h); empty: none
   SpeedModelFitOptions speed_model_fit;
+  std::string pattern_network;  ///< path of trained networks (pattern_network_file.h); empty: none
+  PatternFeatureOptions pattern_features;  ///< these three of networks to be trained
+  PatternNetworkOptions pattern_layers;
+  TrainingOptions training;
   EgoVehicle ego_vehicle;
   EncodingOptions encoding;
   ConversionOptions conversion;

@@ -129,6 +129,10 @@ DrivingSide Section::drivingSide(const std::string& key) {
   return side == "right" ? DrivingSide::kRight : DrivingSide::kLeft;
 }
 
+void Section::refuse(const std::string& key, const std::string& problem) const {
+  throw ConfigError(file_ + ": " + pathOf(key) + ": " + problem);
+}
+
 void Section::finish() const {
   if (unread_.empty()) return;
   const std::string& key = *unread_.begin();

@@ -37,6 +37,9 @@ class Section {
   std::string text(const std::string& key);
   DrivingSide drivingSide(const std::string& key);
 
+  /// Throws the error of a value that the section cannot check.
+  [[noreturn]] void refuse(const std::string& key, const std::string& problem) const;
+
   /// Keys that were not read yet.
   const std::set<std::string>& unread() const { return unread_; }
 

@@ -73,7 +73,8 @@ std::string contentOf(const fs::path& path) {
 
 /// Files of the configuration that no answer depends on.
 bool isIndifferent(const std::string& file) {
-  return file == "drawing.yaml" || file == "encoding.yaml" || file == "requests.yaml";
+  return file == "drawing.yaml" || file == "encoding.yaml" || file == "requests.yaml" ||
+         file == "training.yaml";
 }
 
 /// What the answers depend on, for the resumption of the run.

@@ -1,6 +1,8 @@
 #pragma once
 
+#ifndef COLLISION_FORGE_WITHOUT_ROS
 #include <ros/package.h>
+#endif
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -14,10 +16,20 @@ namespace forge {
 /// Exit codes of every tool.
 enum ExitCode { kExitOk = 0, kExitError = 1, kExitUsage = 2, kExitNoAttack = 3 };
 
-/// Adds --config, by default the package's own configuration; required where ROS does not know the
-/// package (its environment is not sourced).
+/// The folder of the package; empty where ROS does not know it (its environment is not sourced), or
+/// in a build without ROS.
+inline std::string packageFolder() {
+#ifdef COLLISION_FORGE_WITHOUT_ROS
+  return "";
+#else
+  return ros::package::getPath("collision_forge");
+#endif
+}
+
+/// Adds --config, by default the package's own configuration; required where packageFolder() is
+/// empty.
 inline void addConfigOption(CLI::App& app, std::string& directory) {
-  const std::string package = ros::package::getPath("collision_forge");
+  const std::string package = packageFolder();
   CLI::Option* option = app.add_option("--config", directory, "folder with the configuration files")
                             ->check(CLI::ExistingDirectory);
   if (package.empty()) {

@@ -278,6 +278,51 @@ TEST(Config, ShippedSpeedModelFitHasTheDocumentedValues) {
             (FeatureWeights{0.25, 1.0, 0.75, 0.25, 2.5, 0.35, 1.14, 1.3, 0.25, 4.0}));
 }
 
+TEST(Config, ShippedTrainingHasTheDocumentedValues) {
+  const Config config = loadConfig(kShipped);
+  const PatternFeatureOptions& features = config.pattern_features;
+  EXPECT_EQ(features.head, EgoHead::kRegionProposal);
+  EXPECT_EQ(features.history_frames, 8);
+  EXPECT_EQ(features.agent_frames, 1);
+  EXPECT_EQ(features.max_agents, 16);
+  EXPECT_EQ(features.encoding.lane_radius, 60.0);
+  EXPECT_EQ(features.encoding.max_lanes, 24);
+  EXPECT_EQ(features.encoding.lane_points, 10);
+  EXPECT_EQ(features.encoding.lane_point_spacing, 4.0);
+  EXPECT_EQ(features.max_ways, 6);
+  EXPECT_EQ(features.way_anchors, 25);
+  EXPECT_EQ(features.spacing_floor, 0.03);
+  EXPECT_EQ(features.spacing_rate, 0.2);
+  EXPECT_EQ(features.spacing_exponent, 1.6);
+  EXPECT_EQ(features.target_lanes, 24);
+  EXPECT_EQ(features.target_points, 16);
+  EXPECT_EQ(features.target_spacing, 3.0);
+  EXPECT_EQ(config.pattern_layers.hidden, 32);
+  EXPECT_EQ(config.pattern_layers.scene, 64);
+  EXPECT_EQ(config.pattern_layers.anchor, 32);
+  const TrainingOptions& training = config.training;
+  EXPECT_EQ(training.epochs, 8);
+  EXPECT_EQ(training.batch, 64);
+  EXPECT_EQ(training.times, 4);
+  EXPECT_EQ(training.learning_rate, 0.002);
+  EXPECT_EQ(training.weight_decay, 0.01);
+  EXPECT_EQ(training.dropout, 0.15);
+  EXPECT_EQ(training.context_dropout, 0.4);
+  EXPECT_EQ(training.max_gradient, 5.0);
+  EXPECT_EQ(training.heading_weight, 5.0);
+  EXPECT_EQ(training.offset_weight, 20.0);
+  EXPECT_EQ(training.selection_weight, 0.3);
+  EXPECT_EQ(training.clip_weight, 2.0);
+  EXPECT_EQ(training.hidden_history_share, 0.3);
+  EXPECT_EQ(training.validation_share, 0.1);
+  EXPECT_EQ(training.max_tta, 9.0);
+  EXPECT_EQ(training.min_vehicle_speed, 1.0);
+  EXPECT_EQ(training.vehicle_stride, 1.0);
+  EXPECT_EQ(training.noise_along, 0.3);
+  EXPECT_EQ(training.noise_along_exponent, 1.4);
+  EXPECT_EQ(training.noise_across, 0.1);
+}
+
 TEST(Config, ShippedEgoFuturesHaveTheDocumentedValues) {
   const EgoFutureOptions options = loadConfig(kShipped).attack.ego_futures;
   EXPECT_EQ(options.step, 0.1);
@@ -378,6 +423,7 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
                                                         {"evaluation.yaml", "evaluation"},
                                                         {"ego_futures.yaml", "ego_futures"},
                                                         {"speed_model_fit.yaml", "speed_model_fit"},
+                                                        {"training.yaml", "training"},
                                                         {"conversion.yaml", "conversion"},
                                                         {"drawing.yaml", "drawing"},
                                                         {"requests.yaml", "requests"},
@@ -406,7 +452,7 @@ TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
        {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml", "collision_types.yaml",
         "prediction.yaml", "search.yaml", "verification.yaml", "encoding.yaml", "conversion.yaml",
         "drawing.yaml", "requests.yaml", "evaluation.yaml", "ego_futures.yaml",
-        "speed_model_fit.yaml", "planners.yaml"}) {
+        "speed_model_fit.yaml", "network.yaml", "training.yaml", "planners.yaml"}) {
     expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
   }
 }
@@ -424,6 +470,9 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("ego_futures.yaml", "bend_turn:", "#",
                   {"ego_futures.speed.feature_weights.bend_turn", "missing"});
   expectComplaint("speed_model_fit.yaml", "centers:", "#", {"speed_model_fit.centers", "missing"});
+  expectComplaint("network.yaml", "pattern_network:", "other:", {"pattern_network", "missing"});
+  expectComplaint("training.yaml", "  max_ways:", "#", {"features.max_ways", "missing"});
+  expectComplaint("training.yaml", "  hidden:", "#", {"network.hidden", "missing"});
   expectComplaint("conversion.yaml", "map_radius:", "#", {"conversion.map_radius", "missing"});
   expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
   expectComplaint("requests.yaml", "stride:", "#", {"requests.stride", "missing"});
@@ -484,6 +533,11 @@ TEST_F(SpoiltConfig, WrongTypesAreRefused) {
                   {"ego_futures.lateral.kept_offset", "1.3", "0 to 1"});
   expectComplaint("ego_futures.yaml", "closing: 22.8", "closing: -1.0",
                   {"ego_futures.speed.feature_weights.closing", "-1.0"});
+  expectComplaint("training.yaml", "head: region_proposal", "head: region",
+                  {"features.head", "region", "none of"});
+  expectComplaint("training.yaml", "agent_frames: 1", "agent_frames: 9",
+                  {"features.agent_frames", "9", "8"});
+  expectComplaint("training.yaml", "  dropout: 0.15", "  dropout: 1", {"training.dropout", "1"});
   expectComplaint("speed_model_fit.yaml", "folds: 5", "folds: 1",
                   {"speed_model_fit.folds", "1", "2 "});
   expectComplaint("speed_model_fit.yaml", "gain_ridge: 0.1", "gain_ridge: 0",

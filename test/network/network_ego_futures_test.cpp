@@ -1,0 +1,138 @@
+#include "network/network_ego_futures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "network/predicted_scene.h"
+#include "network/sample_network.h"
+
+namespace forge {
+namespace {
+
+constexpr double kHorizon = 6.0;  // s
+constexpr int kCount = 128;
+
+std::shared_ptr<const PatternNetworks> networksOf(std::vector<PatternWeights> weights) {
+  return std::make_shared<const PatternNetworks>(std::move(weights));
+}
+
+/// Spreads of half the anchors' spacing, offsets of none: a sharp network.
+PatternWeights modestWeights() {
+  PatternWeights weights = randomWeights();
+  weights.layers["anchor_last"].matrix *= 0.1F;
+  weights.layers["anchor_last"].bias << 0.0F, 0.0F, 0.0F, -0.7F, -2.0F, 0.0F;
+  return weights;
+}
+
+std::vector<Track> sampled(const std::shared_ptr<const PatternNetworks>& networks,
+                           const Snapshot& snapshot, std::uint64_t seed = 0,
+                           const std::string& left_out = "") {
+  const LaneIndex lanes = lanesOf(snapshot);
+  return NetworkEgoFutures(shippedEgoFutureOptions(), networks, nullptr, left_out)
+      .sample(snapshot, lanes, kHorizon, kCount, seed);
+}
+
+double drivenAt(const Track& track, double time) {
+  double driven = 0.0;
+  for (std::size_t i = 1; i < track.states.size() && track.states[i].time <= time + 1e-9; ++i) {
+    driven += (track.states[i].pose.position() - track.states[i - 1].pose.position()).norm();
+  }
+  return driven;
+}
+
+TEST(NetworkEgoFutures, AreKinematicWithoutANetwork) {
+  const Snapshot snapshot = junctionSnapshot();
+  const LaneIndex lanes = lanesOf(snapshot);
+  const auto plain = KinematicEgoFutures(shippedEgoFutureOptions(), nullptr)
+                         .sample(snapshot, lanes, kHorizon, kCount, 3);
+  const auto tracks = sampled(nullptr, snapshot, 3);
+  ASSERT_EQ(tracks.size(), plain.size());
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    EXPECT_EQ(tracks[i].states.back().pose.x, plain[i].states.back().pose.x);
+  }
+}
+
+TEST(NetworkEgoFutures, StartNowAndReachTheHorizon) {
+  const Snapshot snapshot = junctionSnapshot();
+  const auto tracks = sampled(networksOf({modestWeights()}), snapshot);
+  ASSERT_EQ(tracks.size(), static_cast<std::size_t>(kCount));
+  for (const Track& track : tracks) {
+    EXPECT_EQ(track.states.front().time, kNow);
+    EXPECT_GE(track.states.back().time, kNow + kHorizon - 1e-9);
+    for (const AgentState& state : track.states) EXPECT_TRUE(state.pose.isFinite());
+  }
+}
+
+TEST(NetworkEgoFutures, FollowFromTheSeed) {
+  const Snapshot snapshot = junctionSnapshot();
+  const auto networks = networksOf({modestWeights()});
+  const auto a = sampled(networks, snapshot, 1);
+  const auto b = sampled(networks, snapshot, 1);
+  const auto c = sampled(networks, snapshot, 2);
+  bool differs = false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].states.back().pose.x, b[i].states.back().pose.x);
+    differs = differs || a[i].states.back().pose.x != c[i].states.back().pose.x;
+  }
+  EXPECT_TRUE(differs);
+}
+
+TEST(NetworkEgoFutures, DistancesAreSpreadAsTheNetworkSays) {
+  Snapshot snapshot = junctionSnapshot();
+  snapshot.map = emptyMap();  // one way alone
+  const auto networks = networksOf({modestWeights()});
+  const LaneIndex lanes = lanesOf(snapshot);
+  const PredictedScene scene(networks->all()[0], snapshot, lanes, kHorizon,
+                             shippedEgoFutureOptions());
+  const auto components = scene.egoAfter(4.0, std::nullopt);
+  const auto tracks = sampled(networks, snapshot);
+  for (const double distance : {22.0, 28.0, 32.0, 36.0, 42.0}) {
+    double expected = 0.0;
+    for (const EgoComponent& component : components) {
+      expected += component.probability /
+                  (1.0 + std::exp(-(distance - component.arc_length) / component.along));
+    }
+    int below = 0;
+    for (const Track& track : tracks) below += drivenAt(track, kNow + 4.0) < distance;
+    EXPECT_NEAR(below / static_cast<double>(kCount), expected, 0.04) << distance;
+  }
+}
+
+TEST(NetworkEgoFutures, NeverDriveBackwards) {
+  const Snapshot snapshot = junctionSnapshot();
+  for (const Track& track : sampled(networksOf({randomWeights(5)}), snapshot)) {
+    for (const AgentState& state : track.states) {
+      EXPECT_GE(state.velocity.dot(state.pose.heading()), -0.1);
+    }
+  }
+}
+
+TEST(NetworkEgoFutures, AskTheNetworkThatLeftTheSceneOut) {
+  const Snapshot snapshot = junctionSnapshot();
+  PatternWeights fold = randomWeights(7);
+  fold.left_out_scenes = {"scene-x"};
+  const auto both = networksOf({modestWeights(), fold});
+  const auto alone = sampled(networksOf({fold}), snapshot);
+  const auto chosen = sampled(both, snapshot, 0, "scene-x");
+  const auto other = sampled(both, snapshot, 0, "scene-y");
+  bool differs = false;
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(alone[i].states.back().pose.x, chosen[i].states.back().pose.x);
+    differs = differs || alone[i].states.back().pose.x != other[i].states.back().pose.x;
+  }
+  EXPECT_TRUE(differs);
+}
+
+TEST(NetworkEgoFutures, RefuseBadArguments) {
+  const Snapshot snapshot = junctionSnapshot();
+  const LaneIndex lanes = lanesOf(snapshot);
+  const NetworkEgoFutures futures(shippedEgoFutureOptions(), networksOf({randomWeights()}),
+                                  nullptr);
+  EXPECT_THROW(futures.sample(snapshot, lanes, 0.0, 1, 0), std::invalid_argument);
+  EXPECT_THROW(futures.sample(snapshot, lanes, 1.0, -1, 0), std::invalid_argument);
+  EXPECT_TRUE(futures.sample(snapshot, lanes, 1.0, 0, 0).empty());
+}
+
+}  // namespace
+}  // namespace forge

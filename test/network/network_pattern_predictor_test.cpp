@@ -1,0 +1,114 @@
+#include "network/network_pattern_predictor.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "attack/kinematic_prediction.h"
+#include "network/predicted_scene.h"
+#include "network/sample_network.h"
+
+namespace forge {
+namespace {
+
+CollisionRequest crossing() {
+  CollisionRequest request;
+  request.type = CollisionType::kJunctionCrossing;
+  request.tta = 4.0;
+  return request;
+}
+
+std::shared_ptr<const PatternNetworks> networks(std::uint64_t seed) {
+  return std::make_shared<const PatternNetworks>(std::vector<PatternWeights>{randomWeights(seed)});
+}
+
+AttackOptions angleRules() {
+  AttackOptions options = shippedOptions();
+  options.type_rules = TypeRules::kAngle;  // everybody is a candidate
+  return options;
+}
+
+PatternPrediction predicted(const std::shared_ptr<const PatternNetworks>& networks,
+                            const Future* recorded = nullptr) {
+  const AttackOptions options = angleRules();
+  const Snapshot snapshot = junctionSnapshot();
+  const LaneIndex lanes = lanesOf(snapshot);
+  const auto futures = std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr);
+  return NetworkPatternPredictor(options, futures, networks)
+      .predict(snapshot, lanes, crossing(), recorded);
+}
+
+std::vector<std::string> attackersOf(const PatternPrediction& prediction) {
+  std::vector<std::string> ids;
+  for (const CollisionPattern& pattern : prediction.patterns) {
+    if (ids.empty() || ids.back() != pattern.attacker_id) ids.push_back(pattern.attacker_id);
+  }
+  return ids;
+}
+
+TEST(NetworkPatternPredictor, IsKinematicWithoutANetwork) {
+  const PatternPrediction without = predicted(nullptr);
+  ASSERT_FALSE(without.patterns.empty());
+  EXPECT_EQ(attackersOf(without).size(), 3U);
+}
+
+TEST(NetworkPatternPredictor, AddsOnePatternToEachAttackers) {
+  const PatternPrediction without = predicted(nullptr);
+  const PatternPrediction with = predicted(networks(0));
+  EXPECT_EQ(with.patterns.size(), without.patterns.size() + 3);
+  EXPECT_EQ(attackersOf(with).size(), 3U);
+}
+
+TEST(NetworkPatternPredictor, RanksAsTheNetworkJudges) {
+  const auto chosen = networks(0);
+  const Snapshot snapshot = junctionSnapshot();
+  const LaneIndex lanes = lanesOf(snapshot);
+  const PredictedScene scene(chosen->all()[0], snapshot, lanes, 4.0, shippedEgoFutureOptions());
+  const Pose2 ego = medianPose(scene.egoAfter(4.0, CollisionType::kJunctionCrossing));
+  std::vector<const Track*> vehicles;
+  for (const Track& agent : snapshot.agents) vehicles.push_back(&agent);
+  const auto answers = scene.judge(vehicles, ego, 4.0, CollisionType::kJunctionCrossing);
+  std::vector<std::size_t> order = {0, 1, 2};
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return answers[a].score > answers[b].score; });
+  const PatternPrediction prediction = predicted(chosen);
+  const auto ids = attackersOf(prediction);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(ids[i], vehicles[order[i]]->id);
+  EXPECT_NEAR(prediction.patterns[0].attacker_offset.x, answers[order[0]].offset.x, 1e-9);
+  const Pose2 place = compose(snapshot.ego.states.back().pose, ego);
+  EXPECT_NEAR(prediction.patterns[0].ego.center.x, place.x, 1e-9);
+}
+
+TEST(NetworkPatternPredictor, TakesTheRecordedEgoInReplay) {
+  const Snapshot snapshot = junctionSnapshot();
+  Future recorded;
+  recorded.ego = futureTrack(kEgoId, kEgoSize, {-30.0, -1.75, 0.0}, 5.0);
+  const PatternPrediction prediction = predicted(networks(0), &recorded);
+  ASSERT_FALSE(prediction.patterns.empty());
+  EXPECT_NEAR(prediction.patterns[0].ego.center.x, -10.0, 1e-9);
+}
+
+TEST(NetworkPatternPredictor, TellsWhenNobodyCanAttack) {
+  Snapshot snapshot = junctionSnapshot();
+  snapshot.agents.clear();
+  const LaneIndex lanes = lanesOf(snapshot);
+  const AttackOptions options = angleRules();
+  const auto futures = std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr);
+  const PatternPrediction prediction = NetworkPatternPredictor(options, futures, networks(0))
+                                           .predict(snapshot, lanes, crossing(), nullptr);
+  EXPECT_EQ(prediction.status.code, StatusCode::kNoCandidate);
+}
+
+TEST(PredictedScene, RefusesAStranger) {
+  const Snapshot snapshot = junctionSnapshot();
+  const LaneIndex lanes = lanesOf(snapshot);
+  const PatternNetwork network(randomWeights());
+  const PredictedScene scene(network, snapshot, lanes, 4.0, shippedEgoFutureOptions());
+  const Track stranger = pastTrack("stranger", kCarSize, {0.0, 0.0, 0.0}, 1.0);
+  EXPECT_THROW(scene.judge({&stranger}, {}, 4.0, CollisionType::kLtap), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace forge

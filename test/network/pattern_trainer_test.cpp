@@ -1,0 +1,202 @@
+#include "network/pattern_trainer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "network/pattern_network.h"
+#include "network/sample_network.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+TrainingOptions quickTraining() {
+  TrainingOptions options = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").training;
+  options.epochs = 4;
+  options.batch = 4;
+  options.times = 2;
+  options.dropout = 0.1;
+  options.context_dropout = 0.2;
+  return options;
+}
+
+PatternTrainer trainerOf(const TrainingOptions& options, std::uint64_t seed = 0,
+                         const PatternFeatureOptions& features = smallFeatures()) {
+  return {features, smallLayers(), options, "cpu", 1, seed};
+}
+
+/// The ego at several speeds, driving on at a speed of its own; the second vehicle attacks.
+std::vector<TrainingSample> samplesOf(const PatternFeatureOptions& options, int count) {
+  std::vector<TrainingSample> samples;
+  const EgoFutureOptions futures = shippedEgoFutureOptions();
+  for (int i = 0; i < count; ++i) {
+    Snapshot snapshot = junctionSnapshot();
+    const double speed = 4.0 + i;
+    snapshot.ego = pastTrack(kEgoId, kEgoSize, {-40.0, -1.75, 0.0}, speed);
+    const Snapshot observed = observedSnapshot(snapshot, {});
+    const LaneIndex lanes = lanesOf(snapshot);
+    const EgoWays ways = egoWays(observed, lanes, 9.0, futures, options.max_ways);
+    TrainingSample sample;
+    sample.scene = "scene-" + std::to_string(i);
+    sample.features = sceneFeatures(observed, lanes, options);
+    sample.ego_speed = speed;
+    for (const double tta : {1.0, 3.0}) {
+      sample.times.push_back({tta,
+                              anchorFeatures(ways, lanes, tta, futures, options),
+                              {0.9 * speed * tta, 0.1 * tta, 0.02 * i}});
+    }
+    if (i % 2 == 0) {
+      AttackSample attack;
+      attack.type = CollisionType::kJunctionCrossing;
+      attack.tta = 3.0;
+      attack.ego = sample.times.back().ego;
+      for (const Track& agent : observed.agents) {
+        attack.candidates.push_back(candidateNow(agent, snapshot.ego.states.back().pose));
+      }
+      attack.attacker = 1;
+      attack.offset = {1.0, -3.0, M_PI_2};
+      sample.attack = attack;
+    }
+    samples.push_back(std::move(sample));
+  }
+  return samples;
+}
+
+std::vector<std::size_t> all(const std::vector<TrainingSample>& samples) {
+  std::vector<std::size_t> indices(samples.size());
+  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = i;
+  return indices;
+}
+
+class Heads : public testing::TestWithParam<EgoHead> {
+ protected:
+  PatternFeatureOptions features() const {
+    PatternFeatureOptions options = smallFeatures();
+    options.head = GetParam();
+    return options;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(PatternTrainer, Heads,
+                         testing::Values(EgoHead::kRegionProposal, EgoHead::kTargetPoints,
+                                         EgoHead::kRegression),
+                         [](const auto& info) { return std::string(toString(info.param)); });
+
+TEST_P(Heads, GradientsAreThoseOfTheLoss) {
+  const auto samples = samplesOf(features(), 3);
+  PatternTrainer trainer = trainerOf(quickTraining(), 3, features());
+  std::map<std::string, std::vector<double>> gradients;
+  trainer.lossAndGradients(samples, &gradients);
+  constexpr double kStep = 2e-3;
+  for (const auto& [layer, numbers] : gradients) {
+    std::size_t largest = 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (std::abs(numbers[i]) > std::abs(numbers[largest])) largest = i;
+    }
+    trainer.nudge(layer, largest, kStep);
+    const double above = trainer.lossAndGradients(samples, nullptr);
+    trainer.nudge(layer, largest, -2.0 * kStep);
+    const double below = trainer.lossAndGradients(samples, nullptr);
+    trainer.nudge(layer, largest, kStep);
+    const double slope = (above - below) / (2.0 * kStep);
+    EXPECT_NEAR(slope, numbers[largest], 0.05 * std::abs(numbers[largest]) + 3e-3) << layer;
+  }
+}
+
+TEST_P(Heads, LearnAFewMomentsByHeart) {
+  const auto samples = samplesOf(features(), 4);
+  TrainingOptions options = quickTraining();
+  options.epochs = 400;
+  options.dropout = 0.0;
+  options.context_dropout = 0.0;
+  options.weight_decay = 0.0;
+  options.learning_rate = 0.01;
+  PatternTrainer trainer = trainerOf(options, 1, features());
+  const double before = trainer.losses(samples, all(samples)).total;
+  for (int i = 0; i < options.epochs; ++i) trainer.trainEpoch(samples, all(samples));
+  const TrainingLosses after = trainer.losses(samples, all(samples));
+  EXPECT_LT(after.total, before - 2.0);
+  EXPECT_LT(after.selection, 0.05);
+  EXPECT_LT(after.offset, 1e-2);
+  EXPECT_LT(after.heading, 1e-3);
+  const PatternNetwork network(trainer.weights());
+  const Eigen::VectorXf scene = network.encode(samples[1].features);
+  const TimedSample& time = samples[1].times.back();
+  const Pose2 pose = medianPose(network.ego(
+      network.withRequest(scene, requestFeatures(std::nullopt, time.tta)), time.anchors));
+  EXPECT_NEAR(pose.x, time.ego.x, 0.5);
+  EXPECT_NEAR(pose.y, time.ego.y, 0.3);
+}
+
+TEST_P(Heads, InferenceGivesTheLossOfTraining) {
+  const auto samples = samplesOf(features(), 4);
+  TrainingOptions options = quickTraining();
+  options.heading_weight = options.offset_weight = options.selection_weight = 0.0;
+  options.clip_weight = 1.0;
+  PatternTrainer trainer = trainerOf(options, 2, features());
+  const double loss = trainer.lossAndGradients(samples, nullptr);
+  const PatternNetwork network(trainer.presentWeights());
+  double sum = 0.0;
+  for (const TrainingSample& sample : samples) {
+    SceneFeatures seen = sample.features;
+    if (sample.attack) {  // as training does to clips
+      for (Eigen::Index row = 8; row < seen.agent_mask.size(); ++row) {
+        if (row % 8 != 7) seen.agent_mask[row] = 0.0F;
+      }
+    }
+    const Eigen::VectorXf scene = network.encode(seen);
+    for (const TimedSample& time : sample.times) {
+      const bool impact = sample.attack && &time == &sample.times.back();
+      const auto type = impact ? std::optional(sample.attack->type) : std::nullopt;
+      const auto components =
+          network.ego(network.withRequest(scene, requestFeatures(type, time.tta)), time.anchors);
+      sum -= logDensity(components, time.ego.position());
+    }
+  }
+  EXPECT_NEAR(sum / 8.0, loss, 1e-4 * std::abs(loss) + 1e-5);
+}
+
+TEST(PatternTrainer, ResumesToTheSameBits) {
+  const auto samples = samplesOf(smallFeatures(), 6);
+  const std::string path = (fs::path(testing::TempDir()) / "trainer_state.pt").string();
+  PatternTrainer whole = trainerOf(quickTraining());
+  for (int i = 0; i < 4; ++i) whole.trainEpoch(samples, all(samples));
+  PatternTrainer first = trainerOf(quickTraining());
+  for (int i = 0; i < 2; ++i) first.trainEpoch(samples, all(samples));
+  first.save(path);
+  PatternTrainer second = trainerOf(quickTraining());
+  second.load(path);
+  EXPECT_EQ(second.epochsDone(), 2);
+  for (int i = 0; i < 2; ++i) second.trainEpoch(samples, all(samples));
+  const PatternWeights a = whole.weights();
+  const PatternWeights b = second.weights();
+  for (const auto& [name, layer] : a.layers) {
+    EXPECT_EQ(layer.matrix, b.layers.at(name).matrix) << name;
+    EXPECT_EQ(layer.bias, b.layers.at(name).bias) << name;
+  }
+  fs::remove(path);
+}
+
+TEST(PatternTrainer, RefusesDamagedAndForeignStates) {
+  const std::string path = (fs::path(testing::TempDir()) / "trainer_damaged.pt").string();
+  trainerOf(quickTraining(), 1).save(path);
+  PatternTrainer other = trainerOf(quickTraining(), 2);
+  EXPECT_THROW(other.load(path), TrainingError);
+  fs::resize_file(path, fs::file_size(path) / 2);
+  PatternTrainer same = trainerOf(quickTraining(), 1);
+  EXPECT_THROW(same.load(path), TrainingError);
+  EXPECT_THROW(same.load(path + ".not"), TrainingError);
+  EXPECT_THROW(same.save("/no/such/folder/state.pt"), TrainingError);
+  fs::remove(path);
+}
+
+TEST(PatternTrainer, RefusesADeviceThatIsNotThere) {
+  EXPECT_THROW(PatternTrainer(smallFeatures(), smallLayers(), quickTraining(), "tpu", 1, 0),
+               TrainingError);
+}
+
+}  // namespace
+}  // namespace forge
