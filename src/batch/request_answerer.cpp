@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "attack/generator.h"
 
@@ -33,8 +34,8 @@ RecordedMoment momentAt(const Scene& scene, double now, int history_frames) {
   return {{}, snapshotAt(scene, frame, history_frames), recordedFuture(scene, frame)};
 }
 
-RequestAnswerer::RequestAnswerer(SceneSource& scenes, const Config& config)
-    : scenes_(scenes), config_(config), speeds_(loadSpeedForecaster(config)) {}
+RequestAnswerer::RequestAnswerer(SceneSource& scenes, const Config& config, Foresight foresight)
+    : scenes_(scenes), config_(config), foresight_(std::move(foresight)) {}
 
 Scenario RequestAnswerer::answer(const SceneRequest& asked) const {
   return answer(asked, *scenes_.at(asked.scene));
@@ -46,11 +47,9 @@ Scenario RequestAnswerer::answer(const SceneRequest& asked, const IndexedScene& 
       momentAt(indexed.scene, asked.now, config_.attack.prediction.history_frames);
   scenario.answer.status = moment.status;
   if (moment.status.code != StatusCode::kOk) return scenario;
-  const KinematicPatternPredictor predictor(
-      config_.attack,
-      std::make_shared<KinematicEgoFutures>(config_.attack.ego_futures, speeds_, asked.scene));
+  const auto predictor = foresight_.patterns(config_.attack, asked.scene);
   scenario.answer = generateCollision(asked.request, moment.snapshot, *indexed.lanes,
-                                      &moment.recorded, predictor, config_.attack);
+                                      &moment.recorded, *predictor, config_.attack);
   return scenario;
 }
 

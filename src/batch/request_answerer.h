@@ -3,6 +3,7 @@
 #include "attack/pattern_predictor.h"
 #include "batch/scene_source.h"
 #include "formats/scenario_file.h"
+#include "network/foresight.h"
 
 namespace forge {
 
@@ -18,11 +19,11 @@ struct RecordedMoment {
 RecordedMoment momentAt(const Scene& scene, double now, int history_frames);
 
 /// Answers requests over recorded scenes. Thread-safe; the same request gives the same answer in
-/// every process. The ego's futures are drawn without the recorded speeds of the scene itself.
+/// every process. What was learned from the scene itself is not used.
 class RequestAnswerer {
  public:
   /// `scenes` and `config` must outlive it.
-  RequestAnswerer(SceneSource& scenes, const Config& config);
+  RequestAnswerer(SceneSource& scenes, const Config& config, Foresight foresight);
 
   /// generateCollision() at the frame of the request; the status of momentAt() where there is none.
   /// Throws as SceneSource::at() does.
@@ -33,7 +34,7 @@ class RequestAnswerer {
  private:
   SceneSource& scenes_;
   const Config& config_;
-  std::shared_ptr<const SpeedForecaster> speeds_;
+  Foresight foresight_;
 };
 
 }  // namespace forge

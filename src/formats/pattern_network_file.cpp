@@ -200,4 +200,8 @@ std::shared_ptr<const PatternNetworks> loadPatternNetwork(const Config& config) 
   }
 }
 
+Foresight loadForesight(const Config& config) {
+  return {loadSpeedForecaster(config), loadPatternNetwork(config)};
+}
+
 }  // namespace forge

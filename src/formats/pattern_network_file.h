@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formats/config.h"
+#include "network/foresight.h"
 #include "network/pattern_network.h"
 
 namespace forge {
@@ -26,5 +27,8 @@ void writePatternWeights(const std::vector<PatternWeights>& networks, const std:
 
 /// The networks that the configuration names; null when it names none.
 std::shared_ptr<const PatternNetworks> loadPatternNetwork(const Config& config);
+
+/// These and the speeds of loadSpeedForecaster(), which throw.
+Foresight loadForesight(const Config& config);
 
 }  // namespace forge

@@ -141,6 +141,20 @@ Pose2 poseAt(const AttackerTrajectory& trajectory, double time) {
   return interpolate(before.pose, after->pose, (time - before.time) / (after->time - before.time));
 }
 
+/// One quintic on each axis, with the speed of now at its end, then straight on.
+AttackerTrajectory drivenTo(const Pose2& pose, double tta, const Track& attacker,
+                            const Motion& motion, double now, const SearchOptions& search) {
+  Arrival arrival;
+  arrival.time = tta;
+  arrival.pose = pose;
+  arrival.speed = motion.speed;
+  arrival.start_acceleration = motion.acceleration;
+  const int steps = static_cast<int>(std::lround((tta + search.tail) / search.step));
+  AttackerTrajectory trajectory{attacker.id, attacker.agent_class, attacker.size, {}};
+  QuinticFamily().drive({motion, now, search.step, steps + 1}, arrival, trajectory.points);
+  return trajectory;
+}
+
 }  // namespace
 
 CollisionRequest requestOf(const CollideClip& clip, Mode mode, double min_tta) {
@@ -197,16 +211,16 @@ AttackerTrajectory nominalAttacker(const std::string& attacker_id, const Snapsho
   const Motion motion = estimateMotion(attacker, options.prediction.motion_frames);
   const Pose2 ego = egoAtImpact(snapshot, recorded, request, options);
   const bool from_left = relativeTo(ego, motion.pose).y > 0.0;
-  Arrival arrival;
-  arrival.time = request.tta;
-  arrival.pose = compose(ego, nominalOffset(request.type, from_left, nominal));
-  arrival.speed = motion.speed;
-  arrival.start_acceleration = motion.acceleration;
-  const SearchOptions& search = options.search;
-  const int steps = static_cast<int>(std::lround((request.tta + search.tail) / search.step));
-  AttackerTrajectory trajectory{attacker.id, attacker.agent_class, attacker.size, {}};
-  QuinticFamily().drive({motion, snapshot.now, search.step, steps + 1}, arrival, trajectory.points);
-  return trajectory;
+  return drivenTo(compose(ego, nominalOffset(request.type, from_left, nominal)), request.tta,
+                  attacker, motion, snapshot.now, options.search);
+}
+
+AttackerTrajectory patternAttacker(const CollisionPattern& pattern, const Snapshot& snapshot,
+                                   double tta, const AttackOptions& options) {
+  const Track& attacker = trackOf(snapshot.agents, pattern.attacker_id);
+  return drivenTo(compose(pattern.ego.center, pattern.attacker_offset), tta, attacker,
+                  estimateMotion(attacker, options.prediction.motion_frames), snapshot.now,
+                  options.search);
 }
 
 std::vector<Pose2> framesOf(const CollideClip& clip, const AttackerTrajectory& trajectory) {

@@ -42,6 +42,11 @@ AttackerTrajectory nominalAttacker(const std::string& attacker_id, const Snapsho
                                    const Future& recorded, const CollisionRequest& request,
                                    const NominalOptions& nominal, const AttackOptions& options);
 
+/// The same to where a pattern puts its attacker, as in the paper (arXiv 2510.12206, Sec. 3.4):
+/// whatever came, and whatever a vehicle can do.
+AttackerTrajectory patternAttacker(const CollisionPattern& pattern, const Snapshot& snapshot,
+                                   double tta, const AttackOptions& options);
+
 /// The attacker's pose in every frame of the clip: up to now as recorded, then of the trajectory.
 std::vector<Pose2> framesOf(const CollideClip& clip, const AttackerTrajectory& trajectory);
 

@@ -14,8 +14,17 @@ namespace {
 
 const char* const kSearch = "search";
 const char* const kPublishedSearch = "published_search";
+const char* const kNetwork = "network";
+const std::string kWithNetwork = "network+";  // before the name of a search
 
-bool isSearch(const std::string& method) { return method == kSearch || method == kPublishedSearch; }
+/// The search without the networks.
+std::string withoutNetwork(const std::string& method) {
+  return method.rfind(kWithNetwork, 0) == 0 ? method.substr(kWithNetwork.size()) : method;
+}
+
+bool isSearch(const std::string& method) {
+  return withoutNetwork(method) == kSearch || withoutNetwork(method) == kPublishedSearch;
+}
 
 /// What a method answers in one clip.
 struct Answer {
@@ -29,12 +38,12 @@ struct Answer {
 class ClipCase {
  public:
   ClipCase(const CollideClip& clip, const LaneIndex& lanes, std::shared_ptr<const LaneMap> map,
-           std::shared_ptr<const EgoFutureSampler> ego_futures, const Config& config, Mode mode)
+           const Foresight& foresight, const Config& config, Mode mode)
       : clip_(clip),
         lanes_(lanes),
         config_(config),
         angle_rules_(withAngleRules(config.attack)),
-        ego_futures_(std::move(ego_futures)),
+        foresight_(foresight),
         scene_(toScene(clip, config.evaluation.collide, std::move(map))),
         snapshot_(snapshotAt(scene_, clip.now(), config.attack.prediction.history_frames)),
         recorded_(recordedFuture(scene_, clip.now())),
@@ -56,8 +65,10 @@ class ClipCase {
       return driven(nominalAttacker(clip_.attacker_id, snapshot_, recorded_, request_,
                                     config_.evaluation.nominal, config_.attack));
     }
-    if (method == kSearch) return search(seed);
-    if (method == kPublishedSearch) return publishedSearch(seed);
+    const Foresight foresight = needsNetworks(method) ? foresight_ : foresight_.withoutNetworks();
+    if (method == kNetwork) return nominalPattern(foresight);
+    if (withoutNetwork(method) == kSearch) return search(foresight, seed);
+    if (withoutNetwork(method) == kPublishedSearch) return publishedSearch(foresight, seed);
     throw std::invalid_argument("unknown method \"" + method + "\"");
   }
 
@@ -91,30 +102,42 @@ class ClipCase {
     return {{}, std::move(trajectory), std::move(frames), {}};
   }
 
-  Answer search(std::uint64_t seed) const {
+  Answer nominalPattern(const Foresight& foresight) const {
+    const PatternPrediction prediction =
+        foresight.patterns(angle_rules_, clip_.scene)
+            ->predict(snapshot_, lanes_, request_,
+                      request_.mode == Mode::kReplay ? &recorded_ : nullptr);
+    if (prediction.status.code != StatusCode::kOk) return {prediction.status, {}, {}, {}};
+    return driven(
+        patternAttacker(prediction.patterns.front(), snapshot_, request_.tta, config_.attack));
+  }
+
+  Answer search(const Foresight& foresight, std::uint64_t seed) const {
     CollisionRequest request = request_;
     request.seed = seed;
-    const KinematicPatternPredictor predictor(angle_rules_, ego_futures_);
+    const auto predictor = foresight.patterns(angle_rules_, clip_.scene);
     Realization found =
-        generateCollision(request, snapshot_, lanes_, &recorded_, predictor, angle_rules_);
+        generateCollision(request, snapshot_, lanes_, &recorded_, *predictor, angle_rules_);
     if (found.status.code != StatusCode::kOk) return {found.status, {}, {}, {}};
     Answer answer = driven(std::move(found.trajectory));
     answer.confidence = found.report.confidence;
     return answer;
   }
 
-  Answer publishedSearch(std::uint64_t seed) const {
+  Answer publishedSearch(const Foresight& foresight, std::uint64_t seed) const {
     CollisionRequest request = request_;
     request.seed = seed;
-    return driven(publishedSearchAttacker(clip_, snapshot_, recorded_, request, lanes_,
-                                          ego_futures_, config_.attack, config_.evaluation));
+    return driven(
+        publishedSearchAttacker(clip_, snapshot_, recorded_, request, lanes_,
+                                foresight.egoFutures(config_.attack.ego_futures, clip_.scene),
+                                config_.attack, config_.evaluation));
   }
 
   const CollideClip& clip_;
   const LaneIndex& lanes_;
   const Config& config_;
   AttackOptions angle_rules_;
-  std::shared_ptr<const EgoFutureSampler> ego_futures_;
+  const Foresight& foresight_;
   Scene scene_;
   Snapshot snapshot_;
   Future recorded_;
@@ -151,14 +174,32 @@ int seedsOf(const std::string& method, const EvaluationPlan& plan) {
 }  // namespace
 
 const std::vector<std::string>& evaluationMethods() {
-  static const std::vector<std::string> methods = {"recorded", "constant_velocity", "nominal",
-                                                   kSearch, kPublishedSearch};
+  static const std::vector<std::string> methods = {"recorded",
+                                                   "constant_velocity",
+                                                   "nominal",
+                                                   kSearch,
+                                                   kPublishedSearch,
+                                                   kNetwork,
+                                                   kWithNetwork + kSearch,
+                                                   kWithNetwork + kPublishedSearch};
   return methods;
+}
+
+bool needsNetworks(const std::string& method) {
+  return method == kNetwork || method.rfind(kWithNetwork, 0) == 0;
+}
+
+void checkNetworks(const std::string& method, const Foresight& foresight) {
+  if (needsNetworks(method) && !foresight.networks) {
+    throw std::invalid_argument("method " + method +
+                                ": pattern_network in network.yaml names no networks");
+  }
 }
 
 std::vector<std::string> methodsOf(const EvaluationPlan& plan) {
   std::vector<std::string> methods = {"recorded", "constant_velocity", "nominal"};
-  if (isSearch(plan.method)) methods.push_back(plan.method);
+  if (isSearch(plan.method)) methods.push_back(withoutNetwork(plan.method));
+  if (needsNetworks(plan.method)) methods.push_back(plan.method);
   return methods;
 }
 
@@ -171,12 +212,10 @@ std::size_t rowsPerClip(const EvaluationPlan& plan) {
 }
 
 std::vector<ResultRow> evaluateClip(const CollideClip& clip, const LaneIndex& lanes,
-                                    std::shared_ptr<const LaneMap> map,
-                                    std::shared_ptr<const SpeedForecaster> speeds,
+                                    std::shared_ptr<const LaneMap> map, const Foresight& foresight,
                                     const Config& config, const EvaluationPlan& plan) {
-  const auto ego_futures = std::make_shared<KinematicEgoFutures>(config.attack.ego_futures,
-                                                                 std::move(speeds), clip.scene);
-  const ClipCase clip_case(clip, lanes, std::move(map), ego_futures, config, plan.mode);
+  checkNetworks(plan.method, foresight);
+  const ClipCase clip_case(clip, lanes, std::move(map), foresight, config, plan.mode);
   std::vector<ResultRow> rows;
   for (const std::string& method : methodsOf(plan)) {
     for (int seed = 0; seed < seedsOf(method, plan); ++seed) {

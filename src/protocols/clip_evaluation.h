@@ -7,6 +7,7 @@
 #include "formats/collide_clip.h"
 #include "formats/config.h"
 #include "map/lane_queries.h"
+#include "network/foresight.h"
 #include "protocols/result_row.h"
 
 namespace forge {
@@ -20,24 +21,30 @@ struct EvaluationPlan {
 };
 
 /// "recorded", "constant_velocity", "nominal" (protocols/baselines.h), which every plan measures
-/// beside its method, "search" (attack/generator.h) and "published_search"
-/// (protocols/published_search.h).
+/// beside its method; without learning "search" (attack/generator.h) and "published_search"
+/// (protocols/published_search.h), with the pattern networks "network+search",
+/// "network+published_search" and "network": patternAttacker() to the likeliest pattern.
 const std::vector<std::string>& evaluationMethods();
 
-/// The plan's methods: those measured in every plan, then its own.
+/// The plan's methods: those measured in every plan, then its own; before a search with networks
+/// the same without them.
 std::vector<std::string> methodsOf(const EvaluationPlan& plan);
+
+/// True for the methods of evaluationMethods() that need pattern networks.
+bool needsNetworks(const std::string& method);
+/// Throws std::invalid_argument for such a method without networks.
+void checkNetworks(const std::string& method, const Foresight& foresight);
 
 /// Rows that evaluateClip() gives, the same for every clip.
 std::size_t rowsPerClip(const EvaluationPlan& plan);
 
 /// A row a method, the search a row a seed. The search and the strict protocol take the collision
-/// types by the heading alone (withAngleRules()); the ego's futures are drawn without the recorded
-/// speeds of the clip's scene; what came is the clip's own
-/// recording. A method without an answer meets nothing. In the published protocol contact_after
-/// counts at the nominal 2 Hz. Throws std::invalid_argument for an unknown method.
+/// types by the heading alone (withAngleRules()); what was learned from the clip's scene is not
+/// used; what came is the clip's own recording. A method without an answer meets nothing. In the
+/// published protocol contact_after counts at the nominal 2 Hz. Throws std::invalid_argument for an
+/// unknown method and for one that needs networks when there are none.
 std::vector<ResultRow> evaluateClip(const CollideClip& clip, const LaneIndex& lanes,
-                                    std::shared_ptr<const LaneMap> map,
-                                    std::shared_ptr<const SpeedForecaster> speeds,
+                                    std::shared_ptr<const LaneMap> map, const Foresight& foresight,
                                     const Config& config, const EvaluationPlan& plan);
 
 }  // namespace forge

@@ -30,14 +30,12 @@ CollisionPattern patternOf(const PlannerCase& one) {
 }
 
 Realization answerClip(const CollideClip& clip, const CrashScenario& scenario,
-                       const CollisionRequest& request,
-                       std::shared_ptr<const SpeedForecaster> speeds, const Config& config) {
+                       const CollisionRequest& request, const Foresight& foresight,
+                       const Config& config) {
   const AttackOptions options = withAngleRules(config.attack);
-  const KinematicPatternPredictor predictor(
-      options,
-      std::make_shared<KinematicEgoFutures>(options.ego_futures, std::move(speeds), clip.scene));
+  const auto predictor = foresight.patterns(options, clip.scene);
   return generateCollision(request, scenario.snapshot, *scenario.lanes, &scenario.recorded,
-                           predictor, options);
+                           *predictor, options);
 }
 
 }  // namespace
@@ -64,8 +62,8 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
 }
 
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
-                       std::shared_ptr<const LaneIndex> lanes,
-                       std::shared_ptr<const SpeedForecaster> speeds, const Config& config) {
+                       std::shared_ptr<const LaneIndex> lanes, const Foresight& foresight,
+                       const Config& config) {
   const BoxSize& box = config.evaluation.collide.box;
   const Scene scene = toScene(clip, config.evaluation.collide, lanes->sharedMap());
   PlannerCase one;
@@ -85,7 +83,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
     one.pattern = patternOf(one);
     return one;
   }
-  Realization answer = answerClip(clip, one.scenario, one.request, std::move(speeds), config);
+  Realization answer = answerClip(clip, one.scenario, one.request, foresight, config);
   one.status = answer.status;
   one.scenario.attacker = std::move(answer.trajectory);
   one.pattern = answer.pattern;

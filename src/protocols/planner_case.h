@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "attack/ego_futures.h"
 #include "batch/scene_source.h"
 #include "formats/collide_clip.h"
 #include "formats/config.h"
 #include "formats/scenario_file.h"
+#include "network/foresight.h"
 #include "planners/crash_scenario.h"
 
 namespace forge {
@@ -36,7 +36,7 @@ enum class ClipAttacker { kRecorded, kHistory, kReplay };
 /// A clip of COLLIDE, boxes as the set's. Ours are searched by the heading alone (withAngleRules())
 /// and declined as the configuration says.
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
-                       std::shared_ptr<const LaneIndex> lanes,
-                       std::shared_ptr<const SpeedForecaster> speeds, const Config& config);
+                       std::shared_ptr<const LaneIndex> lanes, const Foresight& foresight,
+                       const Config& config);
 
 }  // namespace forge

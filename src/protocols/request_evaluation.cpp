@@ -14,19 +14,22 @@ namespace {
 const char* const kConstantVelocity = "constant_velocity";
 const char* const kNominal = "nominal";
 const char* const kSearch = "search";
+const char* const kNetwork = "network";
+const char* const kNetworkSearch = "network+search";
 
 /// A search of the plan.
 struct SearchKind {
-  const char* name;
+  std::string name;
   TypeRules rules;
   bool knows_future;
 };
 
 std::vector<SearchKind> searchesOf(const EvaluationPlan& plan) {
-  if (plan.method != kSearch) return {};
+  if (plan.method != kSearch && plan.method != kNetworkSearch) return {};
   const bool is_replay = plan.mode == Mode::kReplay;
-  std::vector<SearchKind> kinds = {{"search_angle_bands", TypeRules::kAngle, is_replay},
-                                   {"search_full_definitions", TypeRules::kFull, is_replay}};
+  std::vector<SearchKind> kinds = {
+      {plan.method + "_angle_bands", TypeRules::kAngle, is_replay},
+      {plan.method + "_full_definitions", TypeRules::kFull, is_replay}};
   if (!is_replay) {
     kinds.push_back({"replay_angle_bands", TypeRules::kAngle, true});
     kinds.push_back({"replay_full_definitions", TypeRules::kFull, true});
@@ -101,7 +104,7 @@ void refuse(const Status& status, ResultRow& row) {
   row.note = status.message;
 }
 
-ResultRow emptyRow(const std::string& name, const char* method, const SceneRequest& asked) {
+ResultRow emptyRow(const std::string& name, const std::string& method, const SceneRequest& asked) {
   ResultRow row;
   row.name = name;
   row.method = method;
@@ -165,6 +168,25 @@ void evaluateBaseline(const RequestCase& request_case, Mode mode, ResultRow& row
   }
 }
 
+/// One quintic to the likeliest pattern.
+void evaluatePattern(const RequestCase& request_case, Mode mode, const Foresight& foresight,
+                     ResultRow& row) {
+  const auto& [asked, indexed, moment, config] = request_case;
+  CollisionRequest request = asked.request;
+  request.mode = mode;
+  const PatternPrediction prediction =
+      foresight.patterns(config.attack, asked.scene)
+          ->predict(moment.snapshot, *indexed.lanes, request,
+                    mode == Mode::kReplay ? &moment.recorded : nullptr);
+  if (prediction.status.code != StatusCode::kOk) {
+    refuse(prediction.status, row);
+    return;
+  }
+  const AttackerTrajectory trajectory =
+      patternAttacker(prediction.patterns.front(), moment.snapshot, request.tta, config.attack);
+  judge(request_case, trajectory, request_case.outcomeOf(trajectory), row);
+}
+
 void evaluateAnswer(const RequestCase& request_case, const Status& status,
                     const Realization& answer, ResultRow& row) {
   if (status.code != StatusCode::kOk) {
@@ -178,28 +200,33 @@ void evaluateAnswer(const RequestCase& request_case, const Status& status,
 }  // namespace
 
 const std::vector<std::string>& requestMethods() {
-  static const std::vector<std::string> methods = {kConstantVelocity, kNominal, kSearch};
+  static const std::vector<std::string> methods = {kConstantVelocity, kNominal, kSearch, kNetwork,
+                                                   kNetworkSearch};
   return methods;
 }
 
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan) {
   std::vector<std::string> methods = {kConstantVelocity, kNominal};
+  if (plan.method == kNetwork) methods.emplace_back(kNetwork);
   for (const SearchKind& kind : searchesOf(plan)) methods.emplace_back(kind.name);
   return methods;
 }
 
 std::size_t rowsPerRequest(const EvaluationPlan& plan) {
-  return 2 + searchesOf(plan).size() * static_cast<std::size_t>(plan.seeds);
+  const std::size_t single = plan.method == kNetwork ? 3 : 2;
+  return single + searchesOf(plan).size() * static_cast<std::size_t>(plan.seeds);
 }
 
 RequestEvaluator::RequestEvaluator(SceneSource& scenes, const Config& config,
-                                   const EvaluationPlan& plan)
+                                   const Foresight& foresight, const EvaluationPlan& plan)
     : scenes_(scenes),
+      foresight_(needsNetworks(plan.method) ? foresight : foresight.withoutNetworks()),
       plan_(plan),
       angle_config_(searchedWith(config, TypeRules::kAngle)),
       full_config_(searchedWith(config, TypeRules::kFull)),
-      angle_answerer_(scenes, angle_config_),
-      full_answerer_(scenes, full_config_) {
+      angle_answerer_(scenes, angle_config_, foresight_),
+      full_answerer_(scenes, full_config_, foresight_) {
+  checkNetworks(plan.method, foresight);
   const auto& methods = requestMethods();
   if (plan.protocol != Protocol::kStrict ||
       std::find(methods.begin(), methods.end(), plan.method) == methods.end()) {
@@ -221,6 +248,14 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
     ResultRow& row = evaluated.rows.emplace_back(emptyRow(name, method, asked));
     if (status.code == StatusCode::kOk) {
       evaluateBaseline(request_case, plan_.mode, row);
+    } else {
+      refuse(status, row);
+    }
+  }
+  if (plan_.method == kNetwork) {
+    ResultRow& row = evaluated.rows.emplace_back(emptyRow(name, kNetwork, asked));
+    if (status.code == StatusCode::kOk) {
+      evaluatePattern(request_case, plan_.mode, foresight_, row);
     } else {
       refuse(status, row);
     }

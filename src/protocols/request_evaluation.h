@@ -11,13 +11,14 @@ namespace forge {
 
 // Requests over logs, judged by the strict protocol (protocols/strict.h) against the recording.
 
-/// "constant_velocity", "nominal", which every plan measures beside its method, and "search".
+/// "constant_velocity", "nominal", which every plan measures beside its method, and of those of
+/// evaluationMethods() "search", "network" and "network+search".
 const std::vector<std::string>& requestMethods();
 
-/// What one row a request (the searches: one a seed) is of: the baselines, then with the method
-/// "search" one search a column of the strict protocol, and in history mode the same with the
-/// recorded future known: "search_angle_bands", "search_full_definitions", "replay_angle_bands",
-/// "replay_full_definitions".
+/// What one row a request (the searches: one a seed) is of: the baselines, then "network", or of a
+/// search one a column of the strict protocol, and in history mode the same with the recorded
+/// future known: "search_angle_bands", "search_full_definitions" (or "network+search_..."),
+/// "replay_angle_bands", "replay_full_definitions".
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan);
 
 /// Rows that RequestEvaluator::evaluate() gives, the same for every request.
@@ -49,9 +50,10 @@ struct EvaluatedRequest {
 ///   before the time asked for) have its status and meet nothing.
 class RequestEvaluator {
  public:
-  /// `scenes` must outlive it. Throws std::invalid_argument for a plan of another protocol or with
-  /// a method that is not of requestMethods().
-  RequestEvaluator(SceneSource& scenes, const Config& config, const EvaluationPlan& plan);
+  /// `scenes` must outlive it. Throws std::invalid_argument for a plan of another protocol, with a
+  /// method that is not of requestMethods(), or with one that needs networks when there are none.
+  RequestEvaluator(SceneSource& scenes, const Config& config, const Foresight& foresight,
+                   const EvaluationPlan& plan);
   RequestEvaluator(const RequestEvaluator&) = delete;
   RequestEvaluator& operator=(const RequestEvaluator&) = delete;
 
@@ -66,6 +68,7 @@ class RequestEvaluator {
   TimedAnswer search(TypeRules rules, const SceneRequest& asked, const IndexedScene& indexed) const;
 
   SceneSource& scenes_;
+  Foresight foresight_;
   EvaluationPlan plan_;
   Config angle_config_;
   Config full_config_;

@@ -87,7 +87,7 @@ std::vector<ResultRow> rowsThatReplayMeets(const std::vector<ResultRow>& rows,
 }
 
 bool isHistorySearch(const EvaluationPlan& plan) {
-  return plan.method == "search" && plan.mode == Mode::kHistory;
+  return plan.mode == Mode::kHistory && endsWith(plan.method, "search");
 }
 
 RateTable givenReplayTable(const std::vector<ResultRow>& rows, const Column& column,
@@ -145,7 +145,7 @@ std::vector<Calibration> requestCalibrations(const std::vector<ResultRow>& rows,
   for (const Column& column : columns()) {
     std::vector<Promise> promises;
     for (const ResultRow& row : rows) {
-      if (row.method != std::string("search") + column.suffix || !row.confidence) continue;
+      if (row.method != plan.method + column.suffix || !row.confidence) continue;
       const double kept = row.meets[column.headline] ? 1.0 : 0.0;
       promises.push_back({*row.confidence, {row.scene, row.type, row.tta, kept}});
     }

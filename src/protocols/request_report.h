@@ -12,11 +12,11 @@ namespace forge {
 // What the rows of RequestEvaluator say; docs/protocols.md defines every figure.
 
 /// The tables: for each measure of the strict protocol the methods that count in it (for a measure
-/// by angle bands or by full definitions the searches with these rules, called "search" and
-/// "replay"); with a history search the headlines among the requests that replay meets with any
-/// seed, replay left out; and for each method the share off the drivable area of its attacks that
-/// touch the ego while the attacker itself is recorded without a gap, of the same attackers' own
-/// motion, and the difference.
+/// by angle bands or by full definitions the searches with these rules, called by the
+/// plan's method and "replay"); with a history search the headlines among the requests that replay
+/// meets with any seed, replay left out; and for each method the share off the drivable area of its
+/// attacks that touch the ego while the attacker itself is recorded without a gap, of the same
+/// attackers' own motion, and the difference.
 std::vector<RateTable> requestTables(const std::vector<ResultRow>& rows, const EvaluationPlan& plan,
                                      const StatisticsOptions& options);
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "attack/pattern_predictor.h"
+#include "formats/pattern_network_file.h"
 #include "ros/conversions.h"
 #include "ros/node_support.h"
 #include "ros/topic_names.h"
@@ -17,9 +18,7 @@ class PatternPredictorNodelet : public nodelet::Nodelet {
   void onInit() override {
     const Config config = loadNodeConfig(getPrivateNodeHandle());
     options_ = config.attack;
-    predictor_ = std::make_unique<KinematicPatternPredictor>(
-        options_,
-        std::make_shared<KinematicEgoFutures>(options_.ego_futures, loadSpeedForecaster(config)));
+    predictor_ = loadForesight(config).patterns(options_);
     ros::NodeHandle& node = getNodeHandle();
     map_ = std::make_unique<LaneMapSubscriber>(node);
     service_ = std::make_unique<OwnThreadService>(node, names::kPredictPattern,
@@ -48,7 +47,7 @@ class PatternPredictorNodelet : public nodelet::Nodelet {
   }
 
   AttackOptions options_;
-  std::unique_ptr<PatternPredictor> predictor_;
+  std::unique_ptr<const PatternPredictor> predictor_;
   std::unique_ptr<LaneMapSubscriber> map_;
   std::unique_ptr<OwnThreadService> service_;
 };

@@ -8,6 +8,7 @@
 #include "formats/collide_clip.h"
 #include "formats/collide_set.h"
 #include "formats/config.h"
+#include "formats/pattern_network_file.h"
 #include "protocols/config_digest.h"
 #include "tools/city_maps.h"
 #include "tools/evaluation.h"
@@ -68,11 +69,13 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const std::vector<std::string> paths = listClips(arguments, config);
   CityMaps maps(arguments.dataroot, config);
-  const auto speeds = loadSpeedForecaster(config);
+  const Foresight foresight = loadForesight(config);
+  checkNetworks(arguments.plan.method, foresight);
   const auto work = [&](std::size_t index) {
     const CollideClip clip = readCollideClip(paths[index]);
     const auto lanes = maps.at(clip.city);
-    return rowBytes(evaluateClip(clip, *lanes, lanes->sharedMap(), speeds, config, arguments.plan));
+    return rowBytes(
+        evaluateClip(clip, *lanes, lanes->sharedMap(), foresight, config, arguments.plan));
   };
   const std::vector<ResultRow> rows =
       runEvaluation(arguments.out, describeRun(arguments, paths), arguments.jobs, work);

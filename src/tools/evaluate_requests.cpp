@@ -10,6 +10,7 @@
 #include "batch/dispatch.h"
 #include "drawing/reliability_plot.h"
 #include "formats/config.h"
+#include "formats/pattern_network_file.h"
 #include "formats/request_file.h"
 #include "protocols/config_digest.h"
 #include "protocols/request_evaluation.h"
@@ -144,7 +145,7 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   SceneSource scenes(arguments.dataroot, arguments.version, wanted.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings());
-  const RequestEvaluator evaluator(scenes, config, arguments.plan);
+  const RequestEvaluator evaluator(scenes, config, loadForesight(config), arguments.plan);
   const auto work = [&](std::size_t index) {
     const EvaluatedRequest evaluated =
         evaluator.evaluate(wanted.lines[index], wanted.requests[index]);

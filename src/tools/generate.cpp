@@ -13,6 +13,7 @@
 #include "batch/dispatch.h"
 #include "batch/request_answerer.h"
 #include "formats/collide_export.h"
+#include "formats/pattern_network_file.h"
 #include "formats/request_file.h"
 #include "formats/resumable_file.h"
 #include "tools/tool_support.h"
@@ -204,7 +205,7 @@ int generate(const Arguments& arguments) {
   SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings());
-  const RequestAnswerer answerer(scenes, config);
+  const RequestAnswerer answerer(scenes, config, loadForesight(config));
   const auto work = [&](std::size_t index) {
     try {
       return scenarioLine(answerer.answer(list.requests[index]));

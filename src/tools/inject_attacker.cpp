@@ -6,6 +6,7 @@
 #include "attack/generator.h"
 #include "drawing/draw_scenario.h"
 #include "formats/config.h"
+#include "formats/pattern_network_file.h"
 #include "ros/bag_reader.h"
 #include "ros/conversions.h"
 #include "ros/injection.h"
@@ -76,11 +77,9 @@ int inject(const Arguments& arguments) {
   const LaneIndex lanes(scene.map);
   const Snapshot snapshot = snapshotAt(scene, now, config.attack.prediction.history_frames);
   const Future recorded = recordedFuture(scene, now);
-  const KinematicPatternPredictor predictor(
-      config.attack, std::make_shared<KinematicEgoFutures>(config.attack.ego_futures,
-                                                           loadSpeedForecaster(config)));
+  const auto predictor = loadForesight(config).patterns(config.attack);
   const Realization attack =
-      generateCollision(request, snapshot, lanes, &recorded, predictor, config.attack);
+      generateCollision(request, snapshot, lanes, &recorded, *predictor, config.attack);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);
   CollisionReport tested =
       verify(attack.trajectory, {snapshot, recorded, request, lanes}, config.attack);

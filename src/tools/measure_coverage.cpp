@@ -8,6 +8,7 @@
 #include "formats/config.h"
 #include "formats/nuscenes_map.h"
 #include "formats/nuscenes_tables.h"
+#include "formats/pattern_network_file.h"
 #include "tools/tool_support.h"
 
 namespace {
@@ -31,15 +32,12 @@ struct Tally {
 using Tallies = std::map<std::pair<Mode, CollisionType>, Tally>;
 
 void answerAll(const Scene& scene, double seconds, const LaneIndex& lanes,
-               const Arguments& arguments, const Config& config,
-               const std::shared_ptr<const SpeedForecaster>& speeds, std::ostream& csv,
-               Tallies& tallies) {
+               const Arguments& arguments, const Config& config, const Foresight& foresight,
+               std::ostream& csv, Tallies& tallies) {
   const auto now = lastFrameTime(scene, scene.frame_times.front() + seconds);
   const Snapshot snapshot = snapshotAt(scene, *now, config.attack.prediction.history_frames);
   const Future recorded = recordedFuture(scene, *now);
-  const KinematicPatternPredictor predictor(
-      config.attack,
-      std::make_shared<KinematicEgoFutures>(config.attack.ego_futures, speeds, scene.name));
+  const auto predictor = foresight.patterns(config.attack, scene.name);
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) {
     for (const CollisionType type : kCollisionTypes) {
       for (const double tta : arguments.ttas) {
@@ -48,7 +46,7 @@ void answerAll(const Scene& scene, double seconds, const LaneIndex& lanes,
         request.tta = tta;
         request.mode = mode;
         const Realization attack =
-            generateCollision(request, snapshot, lanes, &recorded, predictor, config.attack);
+            generateCollision(request, snapshot, lanes, &recorded, *predictor, config.attack);
         Tally& tally = tallies[{mode, type}];
         ++tally.codes[attack.status.code];
         bool confirmed = false;
@@ -89,7 +87,7 @@ void printTable(const Tallies& tallies) {
 
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  const auto speeds = loadSpeedForecaster(config);
+  const Foresight foresight = loadForesight(config);
   const NuScenesRoot root(arguments.dataroot, arguments.version);
   std::map<std::string, std::shared_ptr<const LaneMap>> maps;
   std::ofstream csv(arguments.out + ".part");
@@ -107,7 +105,7 @@ int measure(const Arguments& arguments) {
     const Scene scene = toScene(recording, config.ego_vehicle, map);
     const LaneIndex lanes(map);
     for (const double now : arguments.nows) {
-      answerAll(scene, now, lanes, arguments, config, speeds, csv, tallies);
+      answerAll(scene, now, lanes, arguments, config, foresight, csv, tallies);
     }
     ++progress;
   }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "formats/collide_clip.h"
+#include "formats/pattern_network_file.h"
 #include "formats/resumable_file.h"
 
 namespace forge {
@@ -120,7 +121,7 @@ class ClipCases : public PlannerCases {
         attacker_(attacker),
         config_(config),
         maps_(dataroot, config),
-        speeds_(loadSpeedForecaster(config)) {
+        foresight_(loadForesight(config)) {
     for (const std::string& path : paths_) names_.push_back(fs::path(path).stem().string());
   }
 
@@ -135,7 +136,7 @@ class ClipCases : public PlannerCases {
 
   PlannerCase at(std::size_t index) const override {
     const CollideClip clip = readCollideClip(paths_[index]);
-    PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), speeds_, config_);
+    PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), foresight_, config_);
     one.source = toString(attacker_);
     return one;
   }
@@ -146,7 +147,7 @@ class ClipCases : public PlannerCases {
   ClipAttacker attacker_;
   const Config& config_;
   mutable CityMaps maps_;
-  std::shared_ptr<const SpeedForecaster> speeds_;
+  Foresight foresight_;
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ class RequestAnswererTest : public testing::Test {
 
   const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   SceneSource scenes_{kDataroot, "v1.0-embedded", {"scene-0001"}, config_, 1};
-  RequestAnswerer answerer_{scenes_, config_};
+  RequestAnswerer answerer_{scenes_, config_, {}};
 };
 
 TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {

@@ -18,7 +18,7 @@ struct Evaluation {
   EvaluationPlan plan;
 
   std::vector<ResultRow> rows(const CollideClip& clip) const {
-    return evaluateClip(clip, lanes, map, nullptr, config, plan);
+    return evaluateClip(clip, lanes, map, {}, config, plan);
   }
   ResultRow row(const CollideClip& clip, const std::string& method) const {
     for (const ResultRow& row : rows(clip)) {

@@ -66,7 +66,7 @@ CollideClip rearEnd() {
 }
 
 PlannerCase ofClip(ClipAttacker attacker) {
-  return caseOfClip(rearEnd(), attacker, std::make_shared<const LaneIndex>(twoLaneRoad()), nullptr,
+  return caseOfClip(rearEnd(), attacker, std::make_shared<const LaneIndex>(twoLaneRoad()), {},
                     config());
 }
 

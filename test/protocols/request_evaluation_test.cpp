@@ -53,7 +53,7 @@ class RequestEvaluationTest : public testing::Test {
   }
 
   EvaluatedRequest evaluate(const SceneRequest& request) {
-    return RequestEvaluator(scenes_, config_, plan_).evaluate("7", request);
+    return RequestEvaluator(scenes_, config_, {}, plan_).evaluate("7", request);
   }
 
   /// The strict outcome of an attack against the recording.
@@ -128,7 +128,7 @@ TEST_F(RequestEvaluationTest, SearchesAreTheAnswerersWithTheirRulesAgainstTheRec
         config.attack.search.min_confidence = 0.0;
         SceneRequest in_mode = request;
         in_mode.request.mode = mode;
-        const Realization answer = RequestAnswerer(scenes_, config).answer(in_mode).answer;
+        const Realization answer = RequestAnswerer(scenes_, config, {}).answer(in_mode).answer;
         const ResultRow& row = rowOf(evaluated, std::string(name) + column);
         EXPECT_EQ(row.status, toString(answer.status.code));
         if (answer.status.code != StatusCode::kOk) {
@@ -221,7 +221,7 @@ TEST_F(RequestEvaluationTest, OwnShareOffTheRoadIsThatOfTheRecordedTrackUpToTheC
   list.types = {CollisionType::kJunctionCrossing};
   list.ttas = {4.0, 6.0};
   list.attackers = Attackers::kEach;
-  const RequestEvaluator evaluator(scenes_, config_, plan_);
+  const RequestEvaluator evaluator(scenes_, config_, {}, plan_);
   const IndexedScene& indexed = scene("scene-0007");
   int off_road = 0;
   int not_recorded = 0;
@@ -256,10 +256,10 @@ TEST_F(RequestEvaluationTest, OwnShareOffTheRoadIsThatOfTheRecordedTrackUpToTheC
 
 TEST_F(RequestEvaluationTest, OtherProtocolsAndMethodsAreRefused) {
   plan_.method = "recorded";
-  EXPECT_THROW(RequestEvaluator(scenes_, config_, plan_), std::invalid_argument);
+  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, plan_), std::invalid_argument);
   plan_.method = "search";
   plan_.protocol = Protocol::kPublished;
-  EXPECT_THROW(RequestEvaluator(scenes_, config_, plan_), std::invalid_argument);
+  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, plan_), std::invalid_argument);
 }
 
 }  // namespace

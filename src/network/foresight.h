@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "attack/ego_futures.h"
+#include "attack/pattern_predictor.h"
+#include "attack/speed_forecaster.h"
+#include "network/pattern_network.h"
+
+namespace forge {
+
+/// What futures and patterns are foreseen by: fitted and trained models. Cheap to copy; may be used
+/// from many threads.
+struct Foresight {
+  std::shared_ptr<const SpeedForecaster> speeds;    ///< null: the present acceleration fades
+  std::shared_ptr<const PatternNetworks> networks;  ///< null: no learning
+
+  Foresight withoutNetworks() const { return {speeds, nullptr}; }
+
+  /// Neither model uses what was recorded in `left_out_scene`.
+  std::shared_ptr<const EgoFutureSampler> egoFutures(const EgoFutureOptions& options,
+                                                     const std::string& left_out_scene = "") const;
+  std::unique_ptr<const PatternPredictor> patterns(const AttackOptions& options,
+                                                   const std::string& left_out_scene = "") const;
+};
+
+}  // namespace forge
