@@ -425,7 +425,6 @@ class Search {
   FoundAttack finished(const Candidate& candidate) const {
     FoundAttack found;
     found.attacker = candidate.contender->track;
-    found.arrival = candidate.arrival;
     DriveStart start = candidate.contender->start;
     const double end = input_.request.tta + search_.tail;
     start.points = std::max(scorer_.steps(), static_cast<int>(std::lround(end / search_.step)) + 1);

@@ -14,7 +14,6 @@ namespace forge {
 /// One attack that the search found; drivable within the limits.
 struct FoundAttack {
   const Track* attacker = nullptr;      ///< in the snapshot
-  Arrival arrival;                      ///< what was aimed at
   std::vector<TrajectoryPoint> points;  ///< from now to tta + tail
   FutureScore score;
   double off_road = 0.0;  ///< mean share of the box off the drivable area, to the arrival

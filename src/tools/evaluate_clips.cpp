@@ -7,9 +7,8 @@
 #include "batch/dispatch.h"
 #include "formats/collide_clip.h"
 #include "formats/collide_set.h"
-#include "formats/config.h"
+#include "formats/config_fingerprint.h"
 #include "formats/pattern_network_file.h"
-#include "protocols/config_digest.h"
 #include "tools/city_maps.h"
 #include "tools/evaluation.h"
 #include "tools/tool_support.h"
@@ -26,8 +25,11 @@ std::vector<std::string> listClips(const EvaluationArguments& arguments, const C
   return paths;
 }
 
-std::vector<std::string> describe(const EvaluationArguments& arguments) {
-  std::vector<std::string> lines = digestConfig(arguments.config);
+std::vector<std::string> describe(const EvaluationArguments& arguments, const Config& config) {
+  std::vector<std::string> lines;
+  for (const auto& [name, print] : fingerprintsOf(config, arguments.config)) {
+    lines.push_back(name + " = " + print);
+  }
   const auto add = [&lines](const char* key, const auto& value) {
     std::ostringstream line;
     line << key << " = " << value;
@@ -45,10 +47,10 @@ std::vector<std::string> describe(const EvaluationArguments& arguments) {
   return lines;
 }
 
-ResultFile::Run describeRun(const EvaluationArguments& arguments,
+ResultFile::Run describeRun(const EvaluationArguments& arguments, const Config& config,
                             const std::vector<std::string>& paths) {
   ResultFile::Run run{
-      arguments.plan.protocol, {}, rowsPerClip(arguments.plan), describe(arguments)};
+      arguments.plan.protocol, {}, rowsPerClip(arguments.plan), describe(arguments, config)};
   for (const std::string& path : paths) {
     run.items.push_back(std::filesystem::path(path).stem().string());
   }
@@ -78,7 +80,7 @@ int evaluateClips(const EvaluationArguments& arguments) {
         evaluateClip(clip, *lanes, lanes->sharedMap(), foresight, config, arguments.plan));
   };
   const std::vector<ResultRow> rows =
-      runEvaluation(arguments.out, describeRun(arguments, paths), arguments.jobs, work);
+      runEvaluation(arguments.out, describeRun(arguments, config, paths), arguments.jobs, work);
   if (!is_master) return kExitOk;
   const StatisticsOptions& statistics = config.evaluation.statistics;
   const std::string title = headline(arguments, paths.size());

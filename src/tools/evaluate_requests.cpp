@@ -9,10 +9,9 @@
 
 #include "batch/dispatch.h"
 #include "drawing/reliability_plot.h"
-#include "formats/config.h"
+#include "formats/config_fingerprint.h"
 #include "formats/pattern_network_file.h"
 #include "formats/request_file.h"
-#include "protocols/config_digest.h"
 #include "protocols/request_evaluation.h"
 #include "protocols/request_report.h"
 #include "tools/evaluation.h"
@@ -56,9 +55,12 @@ WantedRequests readWanted(const EvaluationArguments& arguments) {
   return wanted;
 }
 
-std::vector<std::string> describe(const EvaluationArguments& arguments,
+std::vector<std::string> describe(const EvaluationArguments& arguments, const Config& config,
                                   const WantedRequests& wanted) {
-  std::vector<std::string> lines = digestConfig(arguments.config);
+  std::vector<std::string> lines;
+  for (const auto& [name, print] : fingerprintsOf(config, arguments.config)) {
+    lines.push_back(name + " = " + print);
+  }
   lines.push_back("dataroot = " + arguments.dataroot);
   lines.push_back("version = " + arguments.version);
   lines.push_back("requests = " + fingerprintOf(wanted.requests));
@@ -155,7 +157,7 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   };
   SearchTimes times;
   const ResultFile::Run run{Protocol::kStrict, wanted.lines, rowsPerRequest(arguments.plan),
-                            describe(arguments, wanted)};
+                            describe(arguments, config, wanted)};
   const std::vector<ResultRow> rows = runEvaluation(
       arguments.out, run, arguments.jobs, work, [&](const std::string& line) { times.add(line); });
   if (!is_master) return kExitOk;

@@ -8,11 +8,11 @@
 #include <iostream>
 #include <memory>
 #include <set>
-#include <sstream>
 
 #include "batch/dispatch.h"
 #include "batch/request_answerer.h"
 #include "formats/collide_export.h"
+#include "formats/config_fingerprint.h"
 #include "formats/pattern_network_file.h"
 #include "formats/request_file.h"
 #include "formats/resumable_file.h"
@@ -66,30 +66,14 @@ void prepareForInterruption(const Arguments& arguments) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(signal, &action, nullptr);
 }
 
-std::string contentOf(const fs::path& path) {
-  std::ostringstream content;
-  content << std::ifstream(path).rdbuf();
-  return content.str();
-}
-
-/// Files of the configuration that no answer depends on.
-bool isIndifferent(const std::string& file) {
-  return file == "drawing.yaml" || file == "encoding.yaml" || file == "requests.yaml" ||
-         file == "training.yaml";
-}
-
 /// What the answers depend on, for the resumption of the run.
-ResumableFile::Options runOptions(const Arguments& arguments,
+ResumableFile::Options runOptions(const Arguments& arguments, const Config& config,
                                   const std::vector<SceneRequest>& requests) {
-  ResumableFile::Options options = {{"dataroot", fs::canonical(arguments.dataroot).string()},
-                                    {"version", arguments.version},
-                                    {"mode", toString(arguments.mode)},
-                                    {"requests", fingerprintOf(requests)}};
-  for (const auto& entry : fs::directory_iterator(arguments.config)) {
-    const std::string file = entry.path().filename().string();
-    if (entry.path().extension() != ".yaml" || isIndifferent(file)) continue;
-    options["config/" + file] = "fingerprint " + fingerprint(contentOf(entry.path()));
-  }
+  ResumableFile::Options options = fingerprintsOf(config, arguments.config);
+  options["dataroot"] = fs::canonical(arguments.dataroot).string();
+  options["version"] = arguments.version;
+  options["mode"] = toString(arguments.mode);
+  options["requests"] = fingerprintOf(requests);
   return options;
 }
 
@@ -133,8 +117,8 @@ std::size_t resume(ResumableFile& file, const std::vector<SceneRequest>& request
 /// The scenario file and the progress bar, which the master alone has.
 class Output {
  public:
-  Output(const Arguments& arguments, const RequestList& list)
-      : file_(arguments.scenarios(), runOptions(arguments, list.requests)) {
+  Output(const Arguments& arguments, const Config& config, const RequestList& list)
+      : file_(arguments.scenarios(), runOptions(arguments, config, list.requests)) {
     count_ = list.requests.size();
     first_ = file_.isComplete() ? count_ : resume(file_, list.requests);
     if (first_ > 0) {
@@ -199,7 +183,7 @@ int generate(const Arguments& arguments) {
   std::unique_ptr<Output> output;
   if (is_master) {
     if (arguments.format == Format::kCsvCollide) prepareFolder(arguments);
-    output = std::make_unique<Output>(arguments, list);
+    output = std::make_unique<Output>(arguments, config, list);
     prepareForInterruption(arguments);
   }
   SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,

@@ -11,9 +11,9 @@
 #include "batch/dispatch.h"
 #include "drawing/draw_scenario.h"
 #include "formats/collide_set.h"
+#include "formats/config_fingerprint.h"
 #include "formats/resumable_file.h"
 #include "planners/planner_factory.h"
-#include "protocols/config_digest.h"
 #include "protocols/planner_report.h"
 #include "tools/evaluation.h"
 #include "tools/planner_cases.h"
@@ -58,16 +58,13 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 /// What the results depend on, for the resumption of the run.
-ResumableFile::Options runOptions(const Arguments& arguments, const PlannerCases& cases) {
-  ResumableFile::Options options = {
-      {"dataroot", fs::canonical(arguments.dataroot).string()},
-      {"cases", cases.fingerprint()},
-      {"planners", joined(arguments.planners)},
-      {"background", arguments.background == Background::kIdm ? "idm" : "replay"}};
-  for (const std::string& line : digestConfig(arguments.config)) {
-    const std::size_t equals = line.find(" = ");
-    options[line.substr(0, equals)] = line.substr(equals + 3);
-  }
+ResumableFile::Options runOptions(const Arguments& arguments, const PlannerCases& cases,
+                                  const Config& config) {
+  ResumableFile::Options options = fingerprintsOf(config, arguments.config);
+  options["dataroot"] = fs::canonical(arguments.dataroot).string();
+  options["cases"] = cases.fingerprint();
+  options["planners"] = joined(arguments.planners);
+  options["background"] = arguments.background == Background::kIdm ? "idm" : "replay";
   return options;
 }
 
@@ -238,7 +235,7 @@ int run(const Arguments& arguments) {
   if (is_master) {
     fs::create_directories(arguments.out);
     lines = std::make_unique<ResultLines>((fs::path(arguments.out) / "results.jsonl").string(),
-                                          runOptions(arguments, *cases), cases->names());
+                                          runOptions(arguments, *cases, config), cases->names());
   }
   PlanningTimes times;
   const auto work = [&](std::size_t index) {
