@@ -241,7 +241,7 @@ TEST(Config, ShippedTrainingHasTheDocumentedValues) {
   EXPECT_EQ(config.pattern_layers.scene, 64);
   EXPECT_EQ(config.pattern_layers.anchor, 32);
   const TrainingOptions& training = config.training;
-  EXPECT_EQ(training.epochs, 8);
+  EXPECT_EQ(training.epochs, 7);
   EXPECT_EQ(training.batch, 64);
   EXPECT_EQ(training.times, 3);
   EXPECT_EQ(training.learning_rate, 0.002);
@@ -250,7 +250,7 @@ TEST(Config, ShippedTrainingHasTheDocumentedValues) {
   EXPECT_EQ(training.context_dropout, 0.4);
   EXPECT_EQ(training.max_gradient, 5.0);
   EXPECT_EQ(training.heading_weight, 5.0);
-  EXPECT_EQ(training.offset_weight, 3.0);
+  EXPECT_EQ(training.offset_weight, 20.0);
   EXPECT_EQ(training.selection_weight, 0.3);
   EXPECT_EQ(training.clip_weight, 2.0);
   EXPECT_EQ(training.hidden_history_share, 0.3);

@@ -90,24 +90,22 @@ TEST_P(Heads, GradientsAreThoseOfTheLoss) {
   PatternTrainer trainer = trainerOf(quickTraining(), 3, features());
   std::map<std::string, std::vector<double>> gradients;
   trainer.lossAndGradients(samples, &gradients);
-  constexpr double kStep = 1e-3;
-  int wrong = 0;  // by more than the bends (ReLU, maxima) of single numbers explain
+  constexpr double kStep = 1e-6;
   for (const auto& [layer, numbers] : gradients) {
     std::size_t largest = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (std::abs(numbers[i]) > std::abs(numbers[largest])) largest = i;
     }
-    trainer.nudge(layer, largest, kStep);
-    const double above = trainer.lossAndGradients(samples, nullptr);
-    trainer.nudge(layer, largest, -2.0 * kStep);
-    const double below = trainer.lossAndGradients(samples, nullptr);
-    trainer.nudge(layer, largest, kStep);
-    const double slope = (above - below) / (2.0 * kStep);
-    const double tolerance = 0.05 * std::abs(numbers[largest]) + 5e-3;
-    wrong += std::abs(slope - numbers[largest]) > tolerance;
-    EXPECT_NEAR(slope, numbers[largest], 0.3 * std::abs(numbers[largest]) + 1e-2) << layer;
+    for (const std::size_t number : {largest, numbers.size() / 2, numbers.size() - 1}) {
+      trainer.nudge(layer, number, kStep);
+      const double above = trainer.lossAndGradients(samples, nullptr);
+      trainer.nudge(layer, number, -2.0 * kStep);
+      const double below = trainer.lossAndGradients(samples, nullptr);
+      trainer.nudge(layer, number, kStep);
+      const double slope = (above - below) / (2.0 * kStep);
+      EXPECT_NEAR(slope, numbers[number], 1e-4 * std::abs(numbers[number]) + 1e-6) << layer;
+    }
   }
-  EXPECT_LE(wrong, 3);
 }
 
 TEST_P(Heads, LearnAFewMomentsByHeart) {
