@@ -193,7 +193,8 @@ PatternBatch batchOf(const std::vector<Draw>& draws, const PatternFeatureOptions
   return batch;
 }
 
-PatternBatch movedTo(const PatternBatch& batch, const torch::Device& device) {
+PatternBatch movedTo(const PatternBatch& batch, const torch::Device& device,
+                     torch::Dtype type = torch::kFloat32) {
   PatternBatch moved = batch;
   for (torch::Tensor* tensor : {&moved.agents,
                                 &moved.agent_mask,
@@ -215,7 +216,7 @@ PatternBatch movedTo(const PatternBatch& batch, const torch::Device& device) {
                                 &moved.attacker,
                                 &moved.attacker_features,
                                 &moved.offset_truth}) {
-    *tensor = tensor->to(device);
+    *tensor = tensor->is_floating_point() ? tensor->to(device, type) : tensor->to(device);
   }
   return moved;
 }
@@ -459,13 +460,15 @@ double PatternTrainer::lossAndGradients(const std::vector<TrainingSample>& sampl
                                         std::map<std::string, std::vector<double>>* gradients) {
   State& state = *state_;
   state.module->eval();
+  state.module->to(torch::kFloat64);
   std::vector<Draw> draws;
   for (const TrainingSample& sample : samples) {
     Draw draw{&sample, evenTimes(sample, state.options.times), sample.attack.has_value(), {}};
     if (sample.attack) draw.expected_ego = sample.attack->ego;
     draws.push_back(std::move(draw));
   }
-  const PatternBatch batch = movedTo(batchOf(draws, state.features, state.options), state.device);
+  const PatternBatch batch =
+      movedTo(batchOf(draws, state.features, state.options), state.device, torch::kFloat64);
   state.module->zero_grad();
   const torch::Tensor loss = state.total(lossesOf(state.module, batch));
   if (gradients) {
@@ -473,7 +476,8 @@ double PatternTrainer::lossAndGradients(const std::vector<TrainingSample>& sampl
     for (const auto& entry : state.module->named_parameters()) {
       const torch::Tensor flat = entry.value().grad().to(torch::kCPU).contiguous().view(-1);
       std::vector<double>& numbers = (*gradients)[entry.key().substr(0, entry.key().find('.'))];
-      numbers.insert(numbers.end(), flat.data_ptr<float>(), flat.data_ptr<float>() + flat.numel());
+      numbers.insert(numbers.end(), flat.data_ptr<double>(),
+                     flat.data_ptr<double>() + flat.numel());
     }
   }
   return loss.item<double>();

@@ -58,7 +58,8 @@ class PatternTrainer {
   void load(const std::string& path);
 
   /// The loss of the weights as they are (not averaged) and its derivatives, for checks: a row of
-  /// numbers a layer, the matrix row by row, then the bias.
+  /// numbers a layer, the matrix row by row, then the bias. From then on the weights have double
+  /// precision, and nothing can be trained.
   double lossAndGradients(const std::vector<TrainingSample>& samples,
                           std::map<std::string, std::vector<double>>* gradients);
   /// Adds to one number of a layer, counted as above.

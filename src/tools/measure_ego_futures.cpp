@@ -12,8 +12,10 @@
 #include "attack/kinematic_prediction.h"
 #include "formats/config.h"
 #include "formats/nuscenes_tables.h"
+#include "formats/pattern_network_file.h"
 #include "formats/speed_model_file.h"
 #include "formats/speed_profiles_file.h"
+#include "network/network_ego_futures.h"
 #include "tools/lane_indices.h"
 #include "tools/tool_support.h"
 
@@ -30,6 +32,7 @@ struct Arguments {
   std::string version;
   std::string profiles;
   std::string speed_model;
+  std::string networks;
   std::string out;
   std::string config;
   double stride = 2.0;     // s
@@ -47,7 +50,8 @@ struct Case {
   double across = 0.0;
   double medoid = 0.0;
   double best = 0.0;
-  double pit = 0.0;  ///< share of the samples that drove less far than the ego
+  double pit = 0.0;   ///< share of the samples that drove less far than the ego
+  double crps = 0.0;  ///< m, continuous ranked probability score of the distance driven
 };
 
 struct Results {
@@ -84,6 +88,19 @@ Vector2 medoidOf(const std::vector<Vector2>& points) {
   });
 }
 
+/// Continuous ranked probability score of equally likely samples.
+double crpsOf(std::vector<double> samples, double truth) {
+  std::sort(samples.begin(), samples.end());
+  const double count = static_cast<double>(samples.size());
+  double error = 0.0;
+  double spread = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    error += std::abs(samples[i] - truth) / count;
+    spread += samples[i] * (2.0 * static_cast<double>(i) + 1.0 - count) / (count * count);
+  }
+  return error - spread;
+}
+
 Case compare(const std::vector<Track>& samples, const Track& lane_following,
              const Snapshot& snapshot, const Track& recorded, double time) {
   const Pose2 truth = stateAt(recorded, time)->pose;
@@ -106,9 +123,14 @@ Case compare(const std::vector<Track>& samples, const Track& lane_following,
     result.best = std::min(result.best, (point - truth.position()).norm());
   }
   const double driven = drivenUntil(recorded, time);
+  std::vector<double> distances;
   int shorter = 0;
-  for (const Track& sample : samples) shorter += drivenUntil(sample, time) < driven;
+  for (const Track& sample : samples) {
+    distances.push_back(drivenUntil(sample, time));
+    shorter += distances.back() < driven;
+  }
   result.pit = shorter / static_cast<double>(samples.size());
+  result.crps = crpsOf(std::move(distances), driven);
   return result;
 }
 
@@ -133,7 +155,7 @@ void measureAt(double now, const Scene& scene, const LaneIndex& lanes,
     csv << scene.name << ',' << now - scene.frame_times.front() << ',' << horizon << ','
         << result.constant_velocity << ',' << result.lane_following << ',' << result.mean << ','
         << result.along << ',' << result.across << ',' << result.medoid << ',' << result.best << ','
-        << result.pit << '\n';
+        << result.pit << ',' << result.crps << '\n';
   }
 }
 
@@ -146,13 +168,14 @@ double average(const std::vector<Case>& cases, double Case::*value) {
 void printErrors(const Results& results) {
   std::printf(
       "| s | cases | constant velocity | predictFuture() | mean of samples | along | across | "
-      "medoid | best |\n|---|---|---|---|---|---|---|---|---|\n");
+      "medoid | best | CRPS |\n|---|---|---|---|---|---|---|---|---|---|\n");
   for (const auto& [horizon, cases] : results.cases) {
-    std::printf("| %g | %zu | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f |\n", horizon,
+    std::printf("| %g | %zu | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.3f |\n", horizon,
                 cases.size(), average(cases, &Case::constant_velocity),
                 average(cases, &Case::lane_following), average(cases, &Case::mean),
                 average(cases, &Case::along), average(cases, &Case::across),
-                average(cases, &Case::medoid), average(cases, &Case::best));
+                average(cases, &Case::medoid), average(cases, &Case::best),
+                average(cases, &Case::crps));
   }
 }
 
@@ -199,20 +222,23 @@ std::shared_ptr<const SpeedForecaster> readSpeeds(const Arguments& arguments,
 }
 
 int measure(const Arguments& arguments) {
-  const Config config = loadConfig(arguments.config);
+  Config config = loadConfig(arguments.config);
+  config.pattern_network = arguments.networks;
+  const auto networks = loadPatternNetwork(config);
   const NuScenesRoot root(arguments.dataroot, arguments.version);
   const auto speeds = readSpeeds(arguments, config);
   LaneIndices lanes(arguments.dataroot, config);
   std::ofstream csv;
   if (!arguments.out.empty()) csv.open(arguments.out + ".part");
-  csv << "scene,now,horizon,constant_velocity,lane_following,mean,along,across,medoid,best,pit\n";
+  csv << "scene,now,horizon,constant_velocity,lane_following,mean,along,across,medoid,best,pit,"
+         "crps\n";
   Results results;
   boost::timer::progress_display progress(root.sceneNames().size(), std::cerr);
   for (const std::string& name : root.sceneNames()) {
     const NuScenesRecording recording = root.readScene(name);
     const LaneIndex& index = lanes.at(recording.location);
     const Scene scene = toScene(recording, config.ego_vehicle, nullptr);
-    const KinematicEgoFutures sampler(config.attack.ego_futures, speeds, name);
+    const NetworkEgoFutures sampler(config.attack.ego_futures, networks, speeds, name);
     const double last = scene.frame_times.back() - kHorizons[0] + 1e-6;
     for (double at = scene.frame_times.front() + arguments.stride; at <= last;
          at += arguments.stride) {
@@ -243,6 +269,8 @@ int main(int argc, char** argv) {
       app.add_option("--profiles", arguments.profiles, "CSV of speed profiles; none by default");
   app.add_option("--speed-model", arguments.speed_model, "file of fit_speed_model; none by default")
       ->excludes(profiles);
+  app.add_option("--networks", arguments.networks,
+                 "file of trained networks; none by default: kinematic futures");
   app.add_option("--out", arguments.out, "CSV to write, a row a case and horizon");
   app.add_option("--stride", arguments.stride, "seconds between the times sampled from")
       ->check(CLI::PositiveNumber)

@@ -32,6 +32,7 @@ struct Arguments {
   std::string config;
   bool without_others = false;
   bool unseen = false;
+  bool without_type = false;
 };
 
 /// What was foretold for one clip.
@@ -120,15 +121,16 @@ void judgeCandidates(const PredictedScene& scene, const CollideClip& clip, const
 
 void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternNetwork& network,
                  const EgoFutureSampler& kinematic, const EgoFutureSampler& sampler,
-                 const Config& config, bool without_others, Totals& totals) {
+                 const Config& config, const Arguments& arguments, Totals& totals) {
   const Scene recorded = toScene(clip, config.evaluation.collide, nullptr);
   const Snapshot snapshot =
       snapshotAt(recorded, clip.now(), network.weights().features.history_frames);
   Snapshot seen = snapshot;
-  if (without_others) seen.agents.clear();
+  if (arguments.without_others) seen.agents.clear();
   auto begin = std::chrono::steady_clock::now();
   const PredictedScene scene(network, seen, lanes, clip.tta(), config.attack.ego_futures);
-  const auto components = scene.egoAfter(clip.tta(), clip.type);
+  const auto components =
+      scene.egoAfter(clip.tta(), arguments.without_type ? std::nullopt : std::optional(clip.type));
   totals.feature_ms.push_back(millisecondsSince(begin));
   const Pose2 expected = medianPose(components);
   const Pose2 truth =
@@ -143,7 +145,8 @@ void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternN
   const Vector2 place = stateAt(recorded.ego, clip.times.back())->pose.position();
   result.kinematic = errorOfMean(kinematic, seen, lanes, clip.times.back(), place);
   result.sampled = errorOfMean(sampler, seen, lanes, clip.times.back(), place);
-  if (!without_others) judgeCandidates(scene, clip, snapshot, config, expected, truth, result);
+  if (!arguments.without_others)
+    judgeCandidates(scene, clip, snapshot, config, expected, truth, result);
   totals.clips.push_back(result);
   // features to pattern: the network alone
   const SceneFeatures features = sceneFeatures(scene.observed(), lanes, network.weights().features);
@@ -255,7 +258,7 @@ int measure(const Arguments& arguments) {
     const KinematicEgoFutures kinematic(config.attack.ego_futures, speeds, clip.scene);
     const NetworkEgoFutures sampler(config.attack.ego_futures, networks, speeds, clip.scene);
     measureClip(clip, lanes.at(clip.city), networks->forScene(clip.scene), kinematic, sampler,
-                config, arguments.without_others, totals);
+                config, arguments, totals);
     progress.show(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
   }
   print(totals);
@@ -273,6 +276,8 @@ int main(int argc, char** argv) {
   app.add_option("--networks", arguments.networks, "file of networks; that of --config by default");
   app.add_flag("--without-others", arguments.without_others,
                "hide all other vehicles, to see what they give away");
+  app.add_flag("--without-type", arguments.without_type,
+               "hide the type from what tells the ego's place");
   app.add_flag("--unseen", arguments.unseen,
                "only clips of scenes that the network that judges them was trained without");
   addConfigOption(app, arguments.config);

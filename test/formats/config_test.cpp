@@ -284,11 +284,11 @@ TEST(Config, ShippedTrainingHasTheDocumentedValues) {
   EXPECT_EQ(features.head, EgoHead::kRegionProposal);
   EXPECT_EQ(features.history_frames, 8);
   EXPECT_EQ(features.agent_frames, 1);
-  EXPECT_EQ(features.max_agents, 16);
+  EXPECT_EQ(features.max_agents, 12);
   EXPECT_EQ(features.encoding.lane_radius, 60.0);
-  EXPECT_EQ(features.encoding.max_lanes, 24);
-  EXPECT_EQ(features.encoding.lane_points, 10);
-  EXPECT_EQ(features.encoding.lane_point_spacing, 4.0);
+  EXPECT_EQ(features.encoding.max_lanes, 16);
+  EXPECT_EQ(features.encoding.lane_points, 8);
+  EXPECT_EQ(features.encoding.lane_point_spacing, 5.0);
   EXPECT_EQ(features.max_ways, 6);
   EXPECT_EQ(features.way_anchors, 25);
   EXPECT_EQ(features.spacing_floor, 0.03);
@@ -301,9 +301,9 @@ TEST(Config, ShippedTrainingHasTheDocumentedValues) {
   EXPECT_EQ(config.pattern_layers.scene, 64);
   EXPECT_EQ(config.pattern_layers.anchor, 32);
   const TrainingOptions& training = config.training;
-  EXPECT_EQ(training.epochs, 8);
+  EXPECT_EQ(training.epochs, 7);
   EXPECT_EQ(training.batch, 64);
-  EXPECT_EQ(training.times, 4);
+  EXPECT_EQ(training.times, 3);
   EXPECT_EQ(training.learning_rate, 0.002);
   EXPECT_EQ(training.weight_decay, 0.01);
   EXPECT_EQ(training.dropout, 0.15);
