@@ -109,6 +109,7 @@ PdmScoringOptions readPdmScoring(Section section) {
       section.within("max_wrong_way_distance", options.wrong_way_distance, kInfinity);
   options.wrong_way_score = section.within("wrong_way_score", 0.0, 1.0);
   options.route_distance = section.nonNegative("route_distance");
+  options.drivable_margin = section.nonNegative("drivable_margin");
   options.comfort = readPdmComfort(section.section("comfort"));
   section.finish();
   return options;

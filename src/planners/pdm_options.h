@@ -43,6 +43,7 @@ struct PdmScoringOptions {
   double max_wrong_way_distance = 0.0;
   double wrong_way_score = 0.0;
   double route_distance = 0.0;
+  double drivable_margin = 0.0;
   PdmComfortOptions comfort;
 };
 

@@ -153,7 +153,7 @@ std::vector<PdmScore> PdmScorer::score(const std::vector<PdmMotion>& motions) co
 bool PdmScorer::isOffRoad(const OrientedBox& box) const {
   const AreaRaster& drivable = surroundings_.lanes.drivable();
   if (drivable.empty()) return false;
-  const std::array<Vector2, 4> outline = corners(box);
+  const std::array<Vector2, 4> outline = corners(shrunk(box, options_.drivable_margin));
   return !std::all_of(outline.begin(), outline.end(),
                       [&](const Vector2& corner) { return drivable.contains(corner); });
 }

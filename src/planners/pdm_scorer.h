@@ -48,7 +48,8 @@ class PdmScorer {
   /// side while the ego is in several lanes or off the drivable area; never while the ego stands or
   /// with an agent behind it. Whom the ego touches without fault is let alone from then on.
   PdmCollision collision(const PdmMotion& motion) const;
-  /// 0 when a corner of the box leaves the drivable area (known to half a metre), else 1.
+  /// 0 when a corner of the box leaves the drivable area (by more than a margin for what is known
+  /// of it), else 1.
   double drivableArea(const PdmMotion& motion) const;
   /// 1, less or 0, by how far the ego drives against the traffic within the time looked at.
   double drivingDirection(const PdmMotion& motion) const;

@@ -171,6 +171,65 @@ TEST(Config, ShippedRolloutAndAvoidabilityHaveTheDocumentedValues) {
   EXPECT_EQ(avoidability.seed, 1u);
 }
 
+TEST(Config, ShippedLqrHasTheDocumentedValues) {
+  const LqrOptions& lqr = loadConfig(kShipped).planners.lqr;
+  EXPECT_EQ(lqr.step, 0.1);
+  EXPECT_EQ(lqr.horizon, 10);
+  EXPECT_EQ(lqr.speed_weight, 10.0);
+  EXPECT_EQ(lqr.acceleration_weight, 1.0);
+  EXPECT_EQ(lqr.lateral_weight, 1.0);
+  EXPECT_EQ(lqr.heading_weight, 10.0);
+  EXPECT_EQ(lqr.steering_weight, 0.0);
+  EXPECT_EQ(lqr.steering_rate_weight, 1.0);
+  EXPECT_EQ(lqr.stop_speed, 0.2);
+  EXPECT_EQ(lqr.stop_gain, 0.5);
+  EXPECT_EQ(lqr.jerk_penalty, 1e-4);
+  EXPECT_EQ(lqr.curvature_rate_penalty, 1e-2);
+}
+
+TEST(Config, ShippedPdmHasTheDocumentedValues) {
+  const PdmOptions pdm = loadConfig(kShipped).planners.pdm;
+  EXPECT_EQ(pdm.map_radius, 50.0);
+  EXPECT_EQ(pdm.speed_limit, 15.0);
+  EXPECT_EQ(pdm.lateral_offsets, (std::vector<double>{0.0, -1.0, 1.0}));
+  EXPECT_EQ(pdm.speed_shares, (std::vector<double>{0.2, 0.4, 0.6, 0.8, 1.0}));
+  EXPECT_EQ(pdm.step * pdm.proposal_steps, 4.0);
+  EXPECT_EQ(pdm.step * pdm.output_steps, 8.0);
+  EXPECT_EQ(pdm.idm.min_gap, 1.0);
+  EXPECT_EQ(pdm.idm.max_acceleration, 1.5);
+  EXPECT_EQ(pdm.idm.exponent, 10.0);
+  EXPECT_EQ(pdm.agents.vehicles, 50);
+  EXPECT_EQ(pdm.agents.static_objects, 50);
+  EXPECT_EQ(pdm.scoring.progress_weight, 5.0);
+  EXPECT_EQ(pdm.scoring.ttc_weight, 5.0);
+  EXPECT_EQ(pdm.scoring.comfort_weight, 2.0);
+  EXPECT_EQ(pdm.scoring.ttc_times, (std::vector<double>{0.0, 0.3, 0.6, 0.9}));
+  EXPECT_EQ(pdm.scoring.comfort.max_jerk, 8.37);
+  EXPECT_EQ(pdm.scoring.comfort.max_braking, 4.05);
+  EXPECT_EQ(pdm.emergency_brake.max_time, 2.0);
+  EXPECT_EQ(pdm.emergency_brake.max_speed, 5.0);
+}
+
+TEST(Config, ShippedRuleBasedHasTheDocumentedValues) {
+  const PlannerOptions planners = loadConfig(kShipped).planners;
+  const RuleBasedOptions& published = planners.rule_based;
+  const RuleBasedOptions& tuned = planners.tuned_rule_based;
+  EXPECT_EQ(published.max_speed, 15.0);
+  EXPECT_EQ(published.max_acceleration, 3.0);
+  EXPECT_EQ(published.distance_weight, 0.7);
+  EXPECT_EQ(published.distance_weight_rate, 0.05);
+  EXPECT_EQ(tuned.max_speed, 20.0);
+  EXPECT_EQ(tuned.max_acceleration, 4.0);
+  EXPECT_EQ(tuned.distance_weight, 0.3);
+  EXPECT_EQ(tuned.distance_weight_rate, 0.02);
+  EXPECT_EQ(tuned.steps, 25);
+  EXPECT_EQ(tuned.step, 0.2);
+  EXPECT_EQ(tuned.interaction_radius, 70.0);
+  EXPECT_EQ(tuned.bend_length, 3.5);
+  EXPECT_EQ(tuned.safety_buffer, 4.0);
+  EXPECT_EQ(tuned.max_probability, 0.1);
+}
+
 TEST(Config, ShippedRequestListHasTheDocumentedValues) {
   const Config config = loadConfig(kShipped);
   EXPECT_EQ(config.requests.stride, 2.0);
@@ -477,6 +536,10 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
   expectComplaint("requests.yaml", "stride:", "#", {"requests.stride", "missing"});
   expectComplaint("planners.yaml", "wheelbase:", "#", {"bicycle.wheelbase", "missing"});
+  expectComplaint("planners.yaml", "ttc_weight:", "#", {"pdm.scoring.ttc_weight", "missing"});
+  expectComplaint("planners.yaml", "max_yaw_rate:", "#",
+                  {"pdm.scoring.comfort.max_yaw_rate", "missing"});
+  expectComplaint("planners.yaml", "bend_length:", "#", {"rule_based.bend_length", "missing"});
   expectComplaint("planners.yaml", "rule_based:", "#",
                   {"planning.intervals.rule_based", "missing"});
   expectComplaint("planners.yaml", "margin:", "#", {"idm.standard.margin", "missing"});
@@ -572,6 +635,18 @@ TEST_F(SpoiltConfig, TheConfidenceCurveIsSharesThatRise) {
                   {"search.confidence_curve", "-0.1"});
   expectComplaint("search.yaml", "confidence_curve: [0.0", "confidence_curve: 0.0 #",
                   {"search.confidence_curve", "is not a list of numbers"});
+}
+
+TEST_F(SpoiltConfig, ListsOfNumbersKeepTheirRange) {
+  const std::string shipped = "lateral_offsets: [0.0, -1.0, 1.0]";
+  expectComplaint("planners.yaml", shipped, "lateral_offsets: [0.0, 20.0]",
+                  {"pdm.lateral_offsets", "20.0", "not within -10 to 10"});
+  for (const char* offsets : {"[]", "0.0", "[left]"}) {
+    expectComplaint("planners.yaml", shipped, std::string("lateral_offsets: ") + offsets,
+                    {"pdm.lateral_offsets", "not a"});
+  }
+  expectComplaint("planners.yaml", "ahead_angle: 0.5236", "ahead_angle: 3.0",
+                  {"pdm.scoring.behind_angle", "2.618", "not within 3 to"});
 }
 
 TEST_F(SpoiltConfig, NumbersThatAreNotFiniteAreRefused) {

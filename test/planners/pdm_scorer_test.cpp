@@ -112,6 +112,8 @@ TEST_F(PdmScoring, LeavingTheDrivableAreaRulesOut) {
   const PdmScorer& scorer = this->scorer({});
   EXPECT_EQ(scorer.drivableArea(straight(10.0)), 1.0);
   EXPECT_EQ(scorer.drivableArea(straight(10.0, {0.0, -0.5, 0.0})), 1.0);
+  // 0.115 m over the edge, which is known to half a metre.
+  EXPECT_EQ(scorer.drivableArea(straight(10.0, {0.0, -1.0, 0.0})), 1.0);
   EXPECT_EQ(scorer.drivableArea(straight(10.0, {0.0, -1.4, 0.0})), 0.0);
   EXPECT_EQ(scorer.drivableArea(straight(10.0, {0.0, 0.0, -0.1})), 0.0);
 }
