@@ -49,6 +49,10 @@ void checkPoint(const TrajectoryPoint& point, const VehicleLimits& limits, Worst
   }
 }
 
+Vector2 velocityOver(const TrajectoryPoint& a, const TrajectoryPoint& b) {
+  return (b.pose.position() - a.pose.position()) / (b.time - a.time);
+}
+
 enum class Wanted { kWorst, kFirst };
 
 std::optional<BrokenLimit> findBroken(const std::vector<TrajectoryPoint>& points, double start_yaw,
@@ -98,10 +102,10 @@ std::optional<BrokenLimit> findBrokenPositions(const std::vector<TrajectoryPoint
   Worst worst;
   for (std::size_t i = 1; i + 1 < points.size() && points[i].time < until; ++i) {
     const TrajectoryPoint& point = points[i];
-    const double step = point.time - points[i - 1].time;
-    const Vector2 before = (point.pose.position() - points[i - 1].pose.position()) / step;
-    const Vector2 after = (points[i + 1].pose.position() - point.pose.position()) / step;
-    worst.check("max_total_acceleration", (after - before).norm() / step - kDifferenceError,
+    const double duration = 0.5 * (points[i + 1].time - points[i - 1].time);
+    const Vector2 before = velocityOver(points[i - 1], point);
+    const Vector2 after = velocityOver(point, points[i + 1]);
+    worst.check("max_total_acceleration", (after - before).norm() / duration - kDifferenceError,
                 limits.max_total_acceleration);
     const auto [slower, faster] = std::minmax({before.norm(), after.norm()});
     const double speed = std::abs(point.speed);

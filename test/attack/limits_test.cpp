@@ -189,6 +189,15 @@ TEST(FindBrokenPositions, HoldsTheWrittenSpeedToTheStepsBesideIt) {
   EXPECT_EQ(brokenPositions(straightDrive({}, -1.0, 3.0)), "") << "backwards";
 }
 
+TEST(FindBrokenPositions, TakesStepsAsLongAsTheyAre) {
+  AttackerTrajectory trajectory = straightDrive({}, 10.0, 3.0);
+  for (std::size_t i = 6; i < trajectory.points.size(); ++i) {
+    trajectory.points[i].time -= 0.09;
+    trajectory.points[i].pose.x -= 0.9;
+  }
+  EXPECT_EQ(brokenPositions(trajectory), "");
+}
+
 TEST(FindBrokenPositions, LooksAtThePointsBeforeTheEnd) {
   EXPECT_EQ(brokenPositions(changingDrive(10.0, 5.0), kNow + 1.0), "");
   EXPECT_NE(brokenPositions(changingDrive(10.0, 5.0), kNow + 1.01), "");
