@@ -114,14 +114,18 @@ class StretchedForecast {
       : forecast_(std::move(forecast)), ego_(ego), distributions_(distributions) {
     const auto rows = static_cast<std::size_t>(forecast_.speeds.rows());
     gains_.assign(rows, std::vector<double>(distributions.instants.size(), 0.0));
-    std::vector<double> driven(rows);
-    for (std::size_t i = 0; i < distributions.instants.size(); ++i) {
-      for (std::size_t row = 0; row < rows; ++row) {
-        driven[row] = plain(static_cast<Eigen::Index>(row)).at(distributions.instants[i]);
+    std::vector<std::vector<double>> driven(distributions.instants.size(),
+                                            std::vector<double>(rows));
+    for (std::size_t row = 0; row < rows; ++row) {
+      const DrivenDistance known = plain(static_cast<Eigen::Index>(row));
+      for (std::size_t i = 0; i < driven.size(); ++i) {
+        driven[i][row] = known.at(distributions.instants[i]);
       }
-      const std::vector<double> shares = sharesBelow(driven, forecast_.weights);
+    }
+    for (std::size_t i = 0; i < driven.size(); ++i) {
+      const std::vector<double> shares = sharesBelow(driven[i], forecast_.weights);
       for (std::size_t row = 0; row < rows; ++row) {
-        gains_[row][i] = distributions.tables[i][way].quantile(shares[row]) - driven[row];
+        gains_[row][i] = distributions.tables[i][way].quantile(shares[row]) - driven[i][row];
       }
     }
   }
