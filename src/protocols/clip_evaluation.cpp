@@ -38,16 +38,17 @@ struct Answer {
 class ClipCase {
  public:
   ClipCase(const CollideClip& clip, const LaneIndex& lanes, std::shared_ptr<const LaneMap> map,
-           const Foresight& foresight, const Config& config, Mode mode)
+           const Foresight& foresight, const Config& config, const EvaluationPlan& plan)
       : clip_(clip),
         lanes_(lanes),
         config_(config),
         angle_rules_(withAngleRules(config.attack)),
         foresight_(foresight),
+        left_out_scene_(plan.seen_scenes ? "" : clip.scene),
         scene_(toScene(clip, config.evaluation.collide, std::move(map))),
         snapshot_(snapshotAt(scene_, clip.now(), config.attack.prediction.history_frames)),
         recorded_(recordedFuture(scene_, clip.now())),
-        request_(requestOf(clip, mode, config.attack.prediction.min_tta)) {
+        request_(requestOf(clip, plan.mode, config.attack.prediction.min_tta)) {
     // What comes is measured, whatever the confidence.
     angle_rules_.search.min_confidence = 0.0;
   }
@@ -104,7 +105,7 @@ class ClipCase {
 
   Answer nominalPattern(const Foresight& foresight) const {
     const PatternPrediction prediction =
-        foresight.patterns(angle_rules_, clip_.scene)
+        foresight.patterns(angle_rules_, left_out_scene_)
             ->predict(snapshot_, lanes_, request_,
                       request_.mode == Mode::kReplay ? &recorded_ : nullptr);
     if (prediction.status.code != StatusCode::kOk) return {prediction.status, {}, {}, {}};
@@ -115,7 +116,7 @@ class ClipCase {
   Answer search(const Foresight& foresight, std::uint64_t seed) const {
     CollisionRequest request = request_;
     request.seed = seed;
-    const auto predictor = foresight.patterns(angle_rules_, clip_.scene);
+    const auto predictor = foresight.patterns(angle_rules_, left_out_scene_);
     Realization found =
         generateCollision(request, snapshot_, lanes_, &recorded_, *predictor, angle_rules_);
     if (found.status.code != StatusCode::kOk) return {found.status, {}, {}, {}};
@@ -129,7 +130,7 @@ class ClipCase {
     request.seed = seed;
     return driven(
         publishedSearchAttacker(clip_, snapshot_, recorded_, request, lanes_,
-                                foresight.egoFutures(config_.attack.ego_futures, clip_.scene),
+                                foresight.egoFutures(config_.attack.ego_futures, left_out_scene_),
                                 config_.attack, config_.evaluation));
   }
 
@@ -138,6 +139,7 @@ class ClipCase {
   const Config& config_;
   AttackOptions angle_rules_;
   const Foresight& foresight_;
+  std::string left_out_scene_;
   Scene scene_;
   Snapshot snapshot_;
   Future recorded_;
@@ -215,7 +217,7 @@ std::vector<ResultRow> evaluateClip(const CollideClip& clip, const LaneIndex& la
                                     std::shared_ptr<const LaneMap> map, const Foresight& foresight,
                                     const Config& config, const EvaluationPlan& plan) {
   checkNetworks(plan.method, foresight);
-  const ClipCase clip_case(clip, lanes, std::move(map), foresight, config, plan.mode);
+  const ClipCase clip_case(clip, lanes, std::move(map), foresight, config, plan);
   std::vector<ResultRow> rows;
   for (const std::string& method : methodsOf(plan)) {
     for (int seed = 0; seed < seedsOf(method, plan); ++seed) {

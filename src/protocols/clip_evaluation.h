@@ -18,6 +18,9 @@ struct EvaluationPlan {
   std::string method = "recorded";
   Mode mode = Mode::kHistory;
   int seeds = 1;  ///< a search is run with seeds 0 to seeds - 1
+  /// Of clips: what was learned from all scenes is used, the clip's own included, as it is where
+  /// splits share scenes; otherwise what was learned without the clip's scene.
+  bool seen_scenes = false;
 };
 
 /// "recorded", "constant_velocity", "nominal" (protocols/baselines.h), which every plan measures
@@ -39,10 +42,10 @@ void checkNetworks(const std::string& method, const Foresight& foresight);
 std::size_t rowsPerClip(const EvaluationPlan& plan);
 
 /// A row a method, the search a row a seed. The search and the strict protocol take the collision
-/// types by the heading alone (withAngleRules()); what was learned from the clip's scene is not
-/// used; what came is the clip's own recording. A method without an answer meets nothing. In the
-/// published protocol contact_after counts at the nominal 2 Hz. Throws std::invalid_argument for an
-/// unknown method and for one that needs networks when there are none.
+/// types by the heading alone (withAngleRules()); what came is the clip's own recording. A method
+/// without an answer meets nothing. In the published protocol contact_after counts at the nominal 2
+/// Hz. Throws std::invalid_argument for an unknown method and for one that needs networks when
+/// there are none.
 std::vector<ResultRow> evaluateClip(const CollideClip& clip, const LaneIndex& lanes,
                                     std::shared_ptr<const LaneMap> map, const Foresight& foresight,
                                     const Config& config, const EvaluationPlan& plan);

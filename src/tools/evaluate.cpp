@@ -38,6 +38,10 @@ class CommandLine {
     app_.add_flag("--by-scene", arguments_.by_scene,
                   "deal published train and val anew, so that no scene is in both")
         ->needs(collide_);
+    app_.add_flag("--seen-scenes", arguments_.plan.seen_scenes,
+                  "foresee by what was learned from all scenes, as where splits share scenes; by "
+                  "default without the clip's own")
+        ->needs(collide_);
     app_.add_option("--limit", arguments_.limit, "the first clips only; 0 takes all")
         ->capture_default_str()
         ->needs(collide_);

@@ -39,6 +39,7 @@ std::vector<std::string> describe(const EvaluationArguments& arguments, const Co
   add("dataroot", arguments.dataroot);
   add("split", arguments.split);
   add("by-scene", arguments.by_scene ? "yes" : "no");
+  add("seen-scenes", arguments.plan.seen_scenes ? "yes" : "no");
   add("protocol", toString(arguments.plan.protocol));
   add("method", arguments.plan.method);
   add("mode", toString(arguments.plan.mode));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "attack/generator.h"
+#include "formats/pattern_network_file.h"
 
 namespace forge {
 namespace {
@@ -22,7 +23,8 @@ class RequestAnswererTest : public testing::Test {
 
   const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   SceneSource scenes_{kDataroot, "v1.0-embedded", {"scene-0001"}, config_, 1};
-  RequestAnswerer answerer_{scenes_, config_, {}};
+  const Foresight foresight_ = loadForesight(config_);
+  RequestAnswerer answerer_{scenes_, config_, foresight_};
 };
 
 TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
@@ -32,12 +34,9 @@ TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
     const Snapshot snapshot = snapshotAt(indexed->scene, request.now, 8);
     const Future recorded = recordedFuture(indexed->scene, request.now);
     Scenario expected{request, config_.ego_vehicle, {}};
-    const KinematicPatternPredictor predictor(
-        config_.attack,
-        std::make_shared<KinematicEgoFutures>(config_.attack.ego_futures,
-                                              loadSpeedForecaster(config_), request.scene));
+    const auto predictor = foresight_.patterns(config_.attack, request.scene);
     expected.answer = generateCollision(request.request, snapshot, *indexed->lanes, &recorded,
-                                        predictor, config_.attack);
+                                        *predictor, config_.attack);
     EXPECT_EQ(scenarioLine(answerer_.answer(request)), scenarioLine(expected));
   }
 }

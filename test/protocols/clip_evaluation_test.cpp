@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "formats/collide_fixture.h"
+#include "formats/pattern_network_file.h"
 
 namespace forge {
 namespace {
@@ -16,9 +17,10 @@ struct Evaluation {
   std::shared_ptr<const LaneMap> map = std::make_shared<const LaneMap>();
   LaneIndex lanes{map};
   EvaluationPlan plan;
+  Foresight foresight;  // knows nothing
 
   std::vector<ResultRow> rows(const CollideClip& clip) const {
-    return evaluateClip(clip, lanes, map, {}, config, plan);
+    return evaluateClip(clip, lanes, map, foresight, config, plan);
   }
   ResultRow row(const CollideClip& clip, const std::string& method) const {
     for (const ResultRow& row : rows(clip)) {
@@ -131,6 +133,58 @@ TEST(ClipEvaluation, SearchFindsAnAttack) {
   EXPECT_EQ(row.status, "OK");
   EXPECT_EQ(row.confidence, 1.0);
   EXPECT_TRUE(meets(row, Protocol::kStrict, "full_definitions"));
+}
+
+TEST(ClipEvaluation, MethodsWithNetworksNeedThem) {
+  Evaluation evaluation;
+  for (const char* method : {"network", "network+search", "network+published_search"}) {
+    evaluation.plan.method = method;
+    EXPECT_THROW(evaluation.rows(rearEnd()), std::invalid_argument) << method;
+  }
+  EXPECT_FALSE(needsNetworks("search"));
+}
+
+TEST(ClipEvaluation, NetworksForeseeAndTheSearchWithoutThemStandsBeside) {
+  Evaluation evaluation;
+  evaluation.foresight = loadForesight(evaluation.config);
+  const CollideClip clip =
+      straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
+  evaluation.plan.method = "network+search";
+  EXPECT_EQ(methodsOf(evaluation.plan),
+            (std::vector<std::string>{"recorded", "constant_velocity", "nominal", "search",
+                                      "network+search"}));
+  const ResultRow without = evaluation.row(clip, "search");
+  const ResultRow with = evaluation.row(clip, "network+search");
+  EXPECT_EQ(without.status, "OK");
+  EXPECT_EQ(with.status, "OK");
+  EXPECT_NE(with.contact_after, without.contact_after);
+  evaluation.foresight = evaluation.foresight.withoutNetworks();
+  evaluation.plan.method = "search";
+  EXPECT_EQ(evaluation.row(clip, "search").contact_after, without.contact_after);
+}
+
+TEST(ClipEvaluation, NetworkDrivesToItsLikeliestPattern) {
+  Evaluation evaluation;
+  evaluation.foresight = loadForesight(evaluation.config);
+  evaluation.plan.method = "network";
+  evaluation.plan.mode = Mode::kReplay;
+  const CollideClip clip =
+      straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
+  const ResultRow row = evaluation.row(clip, "network");
+  EXPECT_EQ(row.status, "OK");
+  EXPECT_TRUE(meets(row, Protocol::kStrict, "contact"));
+  EXPECT_TRUE(meets(row, Protocol::kStrict, "type_angle_bands"));
+}
+
+TEST(ClipEvaluation, SeenScenesTakeTheNetworkOfAllScenes) {
+  Evaluation evaluation;
+  evaluation.foresight = loadForesight(evaluation.config);
+  CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
+  clip.scene = evaluation.foresight.networks->all().back().weights().left_out_scenes.front();
+  evaluation.plan.method = "network";
+  const auto unseen = evaluation.row(clip, "network").contact_after;
+  evaluation.plan.seen_scenes = true;
+  EXPECT_NE(evaluation.row(clip, "network").contact_after, unseen);
 }
 
 TEST(ClipEvaluation, SearchWithoutAnAnswerMeetsNothing) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formats/pattern_network_file.h"
 #include "protocols/strict.h"
 
 namespace forge {
@@ -252,6 +253,22 @@ TEST_F(RequestEvaluationTest, OwnShareOffTheRoadIsThatOfTheRecordedTrackUpToTheC
   }
   EXPECT_GT(off_road, 0);
   EXPECT_GT(not_recorded, 0);
+}
+
+TEST_F(RequestEvaluationTest, NetworkIsARowOfItsOwnAndItsSearchNamedAfterIt) {
+  const SceneRequest request =
+      listRequests(scene("scene-0001").scene, config_.requests, config_.attack).at(20);
+  const Foresight foresight = loadForesight(config_);
+  plan_.method = "network";
+  EXPECT_EQ(requestRowMethods(plan_),
+            (std::vector<std::string>{"constant_velocity", "nominal", "network"}));
+  EXPECT_EQ(RequestEvaluator(scenes_, config_, foresight, plan_).evaluate("7", request).rows.size(),
+            rowsPerRequest(plan_));
+  plan_.method = "network+search";
+  EXPECT_EQ(requestRowMethods(plan_).at(2), "network+search_angle_bands");
+  EXPECT_EQ(RequestEvaluator(scenes_, config_, foresight, plan_).evaluate("7", request).rows.size(),
+            rowsPerRequest(plan_));
+  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, plan_), std::invalid_argument);
 }
 
 TEST_F(RequestEvaluationTest, OtherProtocolsAndMethodsAreRefused) {

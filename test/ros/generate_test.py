@@ -306,8 +306,7 @@ class GenerateTest(road.RoadTest):
         other = self.path('other.jsonl')
         other.write_text('\n'.join(lines_of(self.requests)[:-1]) + '\n')
         self.assert_refused([self.part, 'requests = '], requests=other)
-        config = self.path('config')
-        shutil.copytree(str(PACKAGE_FOLDER / 'config'), str(config))
+        config = road.copy_config(self.path('config'))
         path = config / 'search.yaml'
         path.write_text(path.read_text().replace('draws: 8', 'draws: 9'))
         self.assert_refused([self.part, 'config/search.yaml'], '--config', config)

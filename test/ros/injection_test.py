@@ -182,11 +182,15 @@ class InjectionTest(road.RoadTest):
             if road.code_of(result) == 'OK':
                 attackers.add((collision_type, road.read_one(self.path('out.bag'), '/collision_report').attacker_id))
         self.assertGreater(len({attacker for _, attacker in attackers}), 1)
+        answered = 0
         for collision_type, attacker in attackers:
             out = self.path('chosen.bag')
             result = road.inject(self.source, out, collision_type, 4.0, NOW, '--attacker', attacker)
-            self.assertEqual(road.code_of(result), 'OK', result.stderr)
-            self.assertEqual(road.read_one(out, '/attacker_trajectory').attacker_id, attacker)
+            self.assertIn(road.code_of(result), ('OK', 'LOW_CONFIDENCE'), result.stderr)
+            if road.code_of(result) == 'OK':
+                self.assertEqual(road.read_one(out, '/attacker_trajectory').attacker_id, attacker)
+                answered += 1
+        self.assertGreater(answered, 1)
 
     def test_attacked_bag_is_a_bag_like_any_other(self):
         result = road.inject(self.attacked, self.path('out.bag'), 'rear_end', 4.0, 2.0)
@@ -217,7 +221,7 @@ class ImpossibleRequestTest(road.RoadTest):
     def test_bounds_of_tta_are_within_range(self):
         for tta in (0.5, 9.0):
             result = road.inject(self.bag(SCENE), self.path('out.bag'), 'rear_end', tta, NOW)
-            self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_BOUNDS'), result.stderr)
+            self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_BOUNDS', 'LOW_CONFIDENCE'), result.stderr)
 
     def test_unknown_attacker(self):
         self.assert_refused('UNKNOWN_ATTACKER', ['nobody'], 'rear_end', 4.0, NOW, '--attacker', 'nobody')
@@ -509,7 +513,7 @@ class BadBagTest(road.RoadTest):
                 message.drivable_area = []
             return message
         result = self.inject(self.changed(change))
-        self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_BOUNDS'), result.stderr)
+        self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_BOUNDS', 'LOW_CONFIDENCE'), result.stderr)
 
     def test_map_that_is_not_a_number(self):
         def change(topic, message):

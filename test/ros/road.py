@@ -44,10 +44,11 @@ def run(name, *arguments):
 
 
 def copy_config(folder):
-    """The shipped configuration in another folder, from which it still finds the speed model."""
+    """The shipped configuration in another folder, with a link beside it to where it finds the models."""
     shutil.copytree(str(PACKAGE_FOLDER / 'config'), str(folder))
-    futures = folder / 'ego_futures.yaml'
-    futures.write_text(futures.read_text().replace('speed_model: ..', 'speed_model: ' + str(PACKAGE_FOLDER)))
+    data = folder.parent / 'data'
+    if not data.exists():
+        data.symlink_to(PACKAGE_FOLDER / 'data')
     return folder
 
 
