@@ -21,8 +21,9 @@ std::string fingerprintOfFile(const std::filesystem::path& path) {
 
 /// True for files of config/ that no result depends on.
 bool isIndifferent(const std::string& name) {
-  static const std::set<std::string> names = {"drawing.yaml", "encoding.yaml", "requests.yaml",
-                                              "speed_model_fit.yaml", "training.yaml"};
+  static const std::set<std::string> names = {"drawing.yaml",  "encoding.yaml",
+                                              "requests.yaml", "speed_model_fit.yaml",
+                                              "training.yaml", "tuning.yaml"};
   return names.count(name) > 0;
 }
 

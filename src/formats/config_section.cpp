@@ -169,4 +169,12 @@ Section openConfigFile(const std::string& directory, const std::string& name) {
   }
 }
 
+Section openConfigText(const std::string& path, const std::string& text) {
+  try {
+    return {path, "", YAML::Load(text)};
+  } catch (const YAML::Exception& error) {
+    throw ConfigError(path + ": " + error.what());
+  }
+}
+
 }  // namespace forge

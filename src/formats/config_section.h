@@ -61,4 +61,7 @@ class Section {
 /// The whole of one file of config/.
 Section openConfigFile(const std::string& directory, const std::string& name);
 
+/// The same of a file's text; `path` is what errors name.
+Section openConfigText(const std::string& path, const std::string& text);
+
 }  // namespace forge

@@ -261,10 +261,7 @@ void readRuleBased(Section section, PlannerOptions& planners) {
   section.finish();
 }
 
-}  // namespace
-
-PlannerOptions loadPlanners(const std::string& directory, const VehicleLimits& limits) {
-  Section file = openConfigFile(directory, "planners.yaml");
+PlannerOptions readPlanners(Section file, const VehicleLimits& limits) {
   PlannerOptions options;
   options.planning = readPlanning(file.section("planning"));
   Section idm = file.section("idm");
@@ -280,6 +277,17 @@ PlannerOptions loadPlanners(const std::string& directory, const VehicleLimits& l
   readRuleBased(file.section("rule_based"), options);
   file.finish();
   return options;
+}
+
+}  // namespace
+
+PlannerOptions loadPlanners(const std::string& directory, const VehicleLimits& limits) {
+  return readPlanners(openConfigFile(directory, "planners.yaml"), limits);
+}
+
+PlannerOptions parsePlanners(const std::string& path, const std::string& text,
+                             const VehicleLimits& limits) {
+  return readPlanners(openConfigText(path, text), limits);
 }
 
 }  // namespace forge

@@ -11,4 +11,8 @@ namespace forge {
 /// missing, unknown or malformed key.
 PlannerOptions loadPlanners(const std::string& directory, const VehicleLimits& limits);
 
+/// The same of such a file's text; `path` is what errors name.
+PlannerOptions parsePlanners(const std::string& path, const std::string& text,
+                             const VehicleLimits& limits);
+
 }  // namespace forge

@@ -227,8 +227,7 @@ PlannerTestResult untested(const PlannerCase& one, const std::string& status,
   return result;
 }
 
-PlannerTestResult testPlanners(const PlannerCase& one, const std::vector<std::string>& planners,
-                               Background background, const Config& config) {
+PlannerTestResult judgeCase(const PlannerCase& one, const Config& config) {
   PlannerTestResult result = untested(one, toString(one.status.code), one.status.message);
   if (one.status.code != StatusCode::kOk) return result;
   try {
@@ -245,13 +244,25 @@ PlannerTestResult testPlanners(const PlannerCase& one, const std::vector<std::st
   result.avoidability = summaryOf(findAvoidability(scenario, config.planners.avoidability,
                                                    config.planners.planning.route, config.attack),
                                   scenario.snapshot.now);
+  return result;
+}
+
+PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Background background,
+                       const Config& config) {
+  PlannerRow row{planner, drive(one, planner, background, true, config), {}};
+  row.outcome.driven.clear();
+  if (one.clip && row.outcome.failure == PlannerFailure::kNone) {
+    row.published_hit = isPublishedHit(one, planner, background, config);
+  }
+  return row;
+}
+
+PlannerTestResult testPlanners(const PlannerCase& one, const std::vector<std::string>& planners,
+                               Background background, const Config& config) {
+  PlannerTestResult result = judgeCase(one, config);
+  if (!result.isTested()) return result;
   for (const std::string& name : planners) {
-    result.rows.push_back({name, drive(one, name, background, true, config), {}});
-    PlannerRow& row = result.rows.back();
-    row.outcome.driven.clear();
-    if (one.clip && row.outcome.failure == PlannerFailure::kNone) {
-      row.published_hit = isPublishedHit(one, name, background, config);
-    }
+    result.rows.push_back(testPlanner(one, name, background, config));
   }
   return result;
 }

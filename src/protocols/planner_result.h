@@ -50,8 +50,16 @@ struct PlannerTestResult {
 PlannerTestResult untested(const PlannerCase& one, const std::string& status,
                            const std::string& message);
 
-/// Drives every planner through the case. A case that checkScenario() refuses is "UNFIT". Throws
-/// std::invalid_argument for an unknown planner.
+/// Tells what a case is without a planner: its status and, with OK, whether it is strict and
+/// avoidable. A case that checkScenario() refuses is "UNFIT".
+PlannerTestResult judgeCase(const PlannerCase& one, const Config& config);
+
+/// Drives a planner through a case that judgeCase() finds OK. Throws std::invalid_argument for an
+/// unknown planner.
+PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Background background,
+                       const Config& config);
+
+/// Drives every planner through the case as judgeCase() finds it. Throws as testPlanner().
 PlannerTestResult testPlanners(const PlannerCase& one, const std::vector<std::string>& planners,
                                Background background, const Config& config);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -32,6 +33,15 @@ std::vector<ScenarioText> readLines(const std::string& path) {
   }
   if (lines.empty()) throw std::runtime_error(path + ": has no scenarios");
   return lines;
+}
+
+/// Empty for a line that cannot be read.
+std::optional<std::string> sceneOf(const ScenarioText& line) {
+  try {
+    return readScenarioLine(line.where, line.text).asked.scene;
+  } catch (const JsonLineError&) {
+    return std::nullopt;
+  }
 }
 
 class ScenarioCases : public PlannerCases {
@@ -84,12 +94,8 @@ class ScenarioCases : public PlannerCases {
     std::vector<std::string> wanted;
     std::set<std::string> seen;
     for (const ScenarioText& line : lines_) {
-      try {
-        const std::string scene = readScenarioLine(line.where, line.text).asked.scene;
-        if (known_.count(scene) > 0 && seen.insert(scene).second) wanted.push_back(scene);
-      } catch (const JsonLineError&) {
-        continue;  // at() throws it again
-      }
+      const auto scene = sceneOf(line);
+      if (scene && known_.count(*scene) > 0 && seen.insert(*scene).second) wanted.push_back(*scene);
     }
     return wanted;
   }
@@ -151,6 +157,16 @@ class ClipCases : public PlannerCases {
 };
 
 }  // namespace
+
+std::set<std::string> readScenes(const std::vector<std::string>& paths) {
+  std::set<std::string> scenes;
+  for (const std::string& path : paths) {
+    for (const ScenarioText& line : readLines(path)) {
+      if (const auto scene = sceneOf(line)) scenes.insert(*scene);
+    }
+  }
+  return scenes;
+}
 
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
                                                 const std::string& dataroot,

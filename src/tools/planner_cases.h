@@ -1,7 +1,7 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +23,10 @@ class PlannerCases {
   /// Throws what is wrong with a case that cannot be read.
   virtual PlannerCase at(std::size_t index) const = 0;
 };
+
+/// The scenes that the readable lines of scenario files are of. Throws std::runtime_error as
+/// openScenarioCases().
+std::set<std::string> readScenes(const std::vector<std::string>& paths);
 
 /// The lines of scenario files, named FILE:LINE without the file's ending; the source is that name.
 /// Throws std::runtime_error for a file that cannot be read or has no lines; a line that is none of

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -12,11 +11,11 @@
 #include "drawing/draw_scenario.h"
 #include "formats/collide_set.h"
 #include "formats/config_fingerprint.h"
-#include "formats/resumable_file.h"
 #include "planners/planner_factory.h"
 #include "protocols/planner_report.h"
 #include "tools/evaluation.h"
 #include "tools/planner_cases.h"
+#include "tools/planner_result_lines.h"
 #include "tools/tool_support.h"
 
 namespace {
@@ -97,63 +96,6 @@ class PlanningTimes {
   std::map<std::string, Sum> sums_;
 };
 
-PlannerTestResult testCase(const PlannerCases& cases, std::size_t index, const Arguments& arguments,
-                           const Config& config) {
-  PlannerCase one;
-  try {
-    one = cases.at(index);
-  } catch (const std::exception& error) {
-    one.name = cases.names()[index];
-    return untested(one, "UNREADABLE", error.what());
-  }
-  return testPlanners(one, arguments.planners, arguments.background, config);
-}
-
-/// The results of all cases in their order, those of a run before and the new ones, on the master.
-class ResultLines {
- public:
-  ResultLines(const std::string& path, const ResumableFile::Options& options,
-              const std::vector<std::string>& names)
-      : file_(path, options), names_(names), bar_(names.size(), std::cerr) {
-    if (file_.isComplete()) {
-      std::ifstream complete(path);
-      for (std::string line; std::getline(complete, line);) keep(path, line);
-    } else {
-      file_.resume([&](const std::string& where, const std::string& line) { keep(where, line); });
-    }
-    first_ = results_.size();
-    bar_ += first_;
-  }
-
-  std::size_t first() const { return first_; }
-  const std::vector<PlannerTestResult>& results() const { return results_; }
-
-  void take(const std::string& line) {
-    file_.append(line);
-    keep("a new result", line);
-    ++bar_;
-  }
-
-  void complete() {
-    if (!file_.isComplete()) file_.complete();
-  }
-
- private:
-  void keep(const std::string& where, const std::string& line) {
-    PlannerTestResult result = readPlannerResultLine(where, line);
-    if (results_.size() >= names_.size() || result.name != names_[results_.size()]) {
-      throw std::runtime_error(where + ": name = \"" + result.name + "\" is not expected there");
-    }
-    results_.push_back(std::move(result));
-  }
-
-  ResumableFile file_;
-  const std::vector<std::string>& names_;
-  boost::timer::progress_display bar_;
-  std::vector<PlannerTestResult> results_;
-  std::size_t first_ = 0;
-};
-
 std::string csvOf(const std::vector<PlannerTestResult>& results) {
   std::string text = plannerResultCsvHeader() + "\n";
   for (const PlannerTestResult& result : results) {
@@ -231,21 +173,31 @@ int run(const Arguments& arguments) {
   const bool is_master = isMaster();
   const Config config = loadConfig(arguments.config);
   const auto cases = openCases(arguments, config);
-  std::unique_ptr<ResultLines> lines;
+  std::unique_ptr<PlannerResultLines> lines;
   if (is_master) {
     fs::create_directories(arguments.out);
-    lines = std::make_unique<ResultLines>((fs::path(arguments.out) / "results.jsonl").string(),
-                                          runOptions(arguments, *cases, config), cases->names());
+    lines =
+        std::make_unique<PlannerResultLines>((fs::path(arguments.out) / "results.jsonl").string(),
+                                             runOptions(arguments, *cases, config), cases->names());
   }
   PlanningTimes times;
   const auto work = [&](std::size_t index) {
-    const PlannerTestResult result = testCase(*cases, index, arguments, config);
+    const PlannerTestResult result = testCase(*cases, index, [&](const PlannerCase& one) {
+      return testPlanners(one, arguments.planners, arguments.background, config);
+    });
     times.add(result);
     return plannerResultLine(result);
   };
-  dispatch(cases->names().size(), work,
-           [&](std::size_t, const std::string& line) { lines->take(line); },
-           {arguments.jobs, is_master ? lines->first() : 0});
+  std::unique_ptr<boost::timer::progress_display> bar;
+  if (is_master) {
+    bar = std::make_unique<boost::timer::progress_display>(cases->names().size(), std::cerr);
+    *bar += lines->first();
+  }
+  const auto take = [&](std::size_t, const std::string& line) {
+    lines->take(line);
+    ++*bar;
+  };
+  dispatch(cases->names().size(), work, take, {arguments.jobs, is_master ? lines->first() : 0});
   if (!is_master) return kExitOk;
   lines->complete();
   report(lines->results(), arguments, config);
