@@ -6,6 +6,7 @@
 
 #include "drawing/aside_file.h"
 #include "drawing/canvas.h"
+#include "drawing/chart_legend.h"
 
 namespace forge {
 namespace {
@@ -24,23 +25,13 @@ class ChartPainter {
     const TextStyle style{options_.text_color, 1.2 * font_, true, TextAlign::kLeft};
     canvas_.text({font_, 1.8 * font_},
                  canvas_.fitted(chart_.title, 4.0 * font_ + area_.width, style), style);
-    paintLegend();
+    paintChartLegend(chart_.series, area_.x, font_, options_, canvas_);
     paintAxis();
     for (std::size_t group = 0; group < chart_.groups.size(); ++group) paintGroup(group);
   }
 
  private:
   double toY(double share) const { return area_.y + (1.0 - share) * area_.height; }
-
-  void paintLegend() {
-    const TextStyle style{options_.text_color, font_, false, TextAlign::kLeft};
-    double x = area_.x;
-    for (const BarSeries& series : chart_.series) {
-      canvas_.fillRect({x, 2.6 * font_, font_, font_}, series.color);
-      canvas_.text({x + 1.4 * font_, 3.5 * font_}, series.name, style);
-      x += 3.4 * font_ + canvas_.textWidth(series.name, style);
-    }
-  }
 
   void paintAxis() {
     constexpr int kStep = 20;  // percent between two lines

@@ -7,6 +7,7 @@
 
 #include "drawing/aside_file.h"
 #include "drawing/canvas.h"
+#include "drawing/chart_legend.h"
 #include "drawing/decimal_text.h"
 
 namespace forge {
@@ -53,7 +54,7 @@ class ChartPainter {
                  canvas_.fitted(chart_.title, area_.x + area_.width - font_, style), style);
     paintAxes();
     for (const LineSeries& series : chart_.series) paintSeries(series);
-    paintLegend();
+    paintChartLegend(chart_.series, area_.x, font_, options_, canvas_);
   }
 
  private:
@@ -90,16 +91,6 @@ class ChartPainter {
     }
     canvas_.stroke(line, {series.color, 2.0});
     for (const Vector2& place : line) canvas_.fillCircle(place, 0.2 * font_, series.color);
-  }
-
-  void paintLegend() {
-    const TextStyle style{options_.text_color, font_, false, TextAlign::kLeft};
-    double x = area_.x;
-    for (const LineSeries& series : chart_.series) {
-      canvas_.fillRect({x, 2.6 * font_, font_, font_}, series.color);
-      canvas_.text({x + 1.4 * font_, 3.5 * font_}, series.name, style);
-      x += 3.4 * font_ + canvas_.textWidth(series.name, style);
-    }
   }
 
   const LineChart& chart_;

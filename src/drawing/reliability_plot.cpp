@@ -4,6 +4,7 @@
 
 #include "drawing/aside_file.h"
 #include "drawing/canvas.h"
+#include "drawing/chart_legend.h"
 
 namespace forge {
 namespace {
@@ -25,7 +26,7 @@ class PlotPainter {
     canvas_.stroke({at(0.0, 0.0), at(1.0, 1.0)},
                    {options_.muted_text_color, 1.0, 1.0, 0.5 * font_});
     for (const ReliabilitySeries& series : plot_.series) paintSeries(series);
-    paintLegend();
+    paintChartLegend(plot_.series, area_.x, font_, options_, canvas_);
   }
 
  private:
@@ -59,16 +60,6 @@ class PlotPainter {
     }
     canvas_.stroke(line, {series.color, 2.0});
     for (const Vector2& place : line) canvas_.fillCircle(place, 0.3 * font_, series.color);
-  }
-
-  void paintLegend() {
-    const TextStyle style{options_.text_color, font_, false, TextAlign::kLeft};
-    double x = area_.x;
-    for (const ReliabilitySeries& series : plot_.series) {
-      canvas_.fillRect({x, 2.6 * font_, font_, font_}, series.color);
-      canvas_.text({x + 1.4 * font_, 3.5 * font_}, series.name, style);
-      x += 3.4 * font_ + canvas_.textWidth(series.name, style);
-    }
   }
 
   const ReliabilityPlot& plot_;

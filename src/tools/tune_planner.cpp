@@ -4,6 +4,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "batch/dispatch.h"
@@ -78,14 +79,15 @@ class Part {
   void take(const std::string& line) {
     lines_->take(line);
     const auto done = static_cast<double>(lines_->results().size());
-    progress_.show(done / static_cast<double>(size()));
+    if (!progress_) progress_.emplace(name_);  // its clock starts with the part
+    progress_->show(done / static_cast<double>(size()));
   }
 
  private:
   std::string name_;
   std::unique_ptr<PlannerCases> cases_;
   std::unique_ptr<PlannerResultLines> lines_;
-  ProgressLine progress_{name_};
+  std::optional<ProgressLine> progress_;
 };
 
 /// Everything that every rank works with.
