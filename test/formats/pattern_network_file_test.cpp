@@ -115,5 +115,16 @@ TEST_F(PatternNetworkFile, NoNameIsNoNetwork) {
   EXPECT_EQ(loadPatternNetwork(config)->all().size(), 2U);
 }
 
+TEST(ShippedNetworks, AreReadAndLeaveTheirFoldsOut) {
+  const std::string folder = COLLISION_FORGE_SOURCE_DIR "/data/weights/";
+  const auto networks = readPatternWeights(folder + "pattern_network.bin");
+  ASSERT_GT(networks.size(), 1u);
+  EXPECT_TRUE(networks[0].left_out_scenes.empty());
+  for (std::size_t i = 1; i < networks.size(); ++i) {
+    EXPECT_FALSE(networks[i].left_out_scenes.empty());
+  }
+  EXPECT_EQ(readPatternWeights(folder + "pattern_network_embedded.bin").size(), 1u);
+}
+
 }  // namespace
 }  // namespace forge
