@@ -10,16 +10,16 @@ constexpr std::size_t kLanes = 8;  // entries of a row come in multiples of this
 constexpr double kWatched =
     6.0;  // m, centre circles further apart are passed over; boxes close in less a step
 constexpr float kFar = 1e9F;
+constexpr double kCloseGap = 2.0;       // m; a miss by this much is worth 1/e of a near hit
+constexpr double kCloseHeading = 0.26;  // rad (15 degrees); the same for the heading
+constexpr double kCloseTime = 0.5;      // s; the same for the time
+
 // Compiled for wider vectors, too, where the machine may have them; the results are the same.
 #if defined(__x86_64__)
 #define FORGE_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
 #else
 #define FORGE_WIDE_VECTORS
 #endif
-
-constexpr double kCloseGap = 2.0;       // m; a miss by this much is worth 1/e of a near hit
-constexpr double kCloseHeading = 0.26;  // rad (15 degrees); the same for the heading
-constexpr double kCloseTime = 0.5;      // s; the same for the time
 
 /// A pose of one box, or of as many as the arrays are long.
 template <typename Value>

@@ -31,8 +31,8 @@ std::optional<BrokenLimit> findBrokenLimit(const std::vector<TrajectoryPoint>& p
 /// allowed: the total acceleration as a second difference of positions (a reader of the points
 /// finds no more than 0.05 m/s2 above the limit), and the written speeds, without sign, as those of
 /// the steps before and after each point ("speed_of_positions": within 0.3 m/s of either or between
-/// the two). Times increase. Returns the worst, by ratio; points that are not
-/// finite break nothing.
+/// the two). Returns the worst, by ratio. Points are finite (findBrokenLimit() tells) and their
+/// times increase.
 std::optional<BrokenLimit> findBrokenPositions(const std::vector<TrajectoryPoint>& points,
                                                double until, const VehicleLimits& limits);
 
