@@ -4,34 +4,15 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
-#include <random>
 
+#include "attack/ground_use.h"
 #include "attack/limits.h"
 #include "attack/placement.h"
+#include "attack/random.h"
+#include "attack/steering_search.h"
 
 namespace forge {
 namespace {
-
-/// The standard's distributions differ between libraries; the generator does not.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : generator_(seed) {}
-  double uniform(double low, double high) {
-    return low + static_cast<double>(generator_() >> 11) * 0x1p-53 * (high - low);
-  }
-  /// Sum of uniforms (Irwin-Hall of 4), scaled: bell-shaped, at most 3.46 deviations wide.
-  double bell(double deviation) {
-    double sum = -2.0;
-    for (int i = 0; i < 4; ++i) sum += uniform(0.0, 1.0);
-    return sum * std::sqrt(3.0) * deviation;
-  }
-  std::size_t index(std::size_t count) {
-    return std::min(count - 1, static_cast<std::size_t>(uniform(0.0, static_cast<double>(count))));
-  }
-
- private:
-  std::mt19937_64 generator_;
-};
 
 constexpr double kShrink = 0.6;          // of the perturbations, a round
 constexpr double kMinArrival = 0.3;      // s from now
@@ -80,10 +61,14 @@ class Search {
       : input_(input),
         options_(options),
         search_(options.search),
+        slack_(options.verification.time_tolerance - options.search.time_margin),
         limits_(scaled(options.vehicle_limits, options.search.limit_margin)),
         bicycle_(scaled(limits_, kRounding), options.bicycle),
         scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
                 input.lanes.map().driving_side, options),
+        ground_(input.lanes,
+                std::max(1, static_cast<int>(std::lround(options.verification.off_road_interval /
+                                                         options.search.step)))),
         random_(input.request.seed) {
     chooseEgos();
     chooseContenders();
@@ -95,7 +80,8 @@ class Search {
       perturb(quintics_, search_.perturbations, std::pow(kShrink, round));
     }
     if (!isGood()) {
-      steer();
+      steerToArrivals();
+      if (bestShare() == 0.0) steerAnyhow();
       for (int round = 0; round < search_.bicycle_rounds && !isGood(); ++round) {
         perturb(bicycles_, search_.bicycle_perturbations, std::pow(kShrink, round));
       }
@@ -191,10 +177,9 @@ class Search {
 
   /// The time and pose to arrive at for the candidate's contact.
   void aim(Candidate& candidate) const {
-    const double slack = options_.verification.time_tolerance - search_.time_margin;
     candidate.contact =
-        std::clamp(candidate.contact, std::max(kMinArrival, input_.request.tta - slack),
-                   input_.request.tta + slack);
+        std::clamp(candidate.contact, std::max(kMinArrival, input_.request.tta - slack_),
+                   input_.request.tta + slack_);
     candidate.lead = std::clamp(candidate.lead, 0.0, candidate.contact - kMinArrival);
     Arrival& arrival = candidate.arrival;
     arrival.speed = std::clamp(arrival.speed, kMinImpactSpeed, limits_.max_speed);
@@ -213,8 +198,7 @@ class Search {
     candidate.offset = drawOffset(contender, placement, nominal);
     candidate.contact = input_.request.tta;
     if (!nominal) {
-      const double slack = options_.verification.time_tolerance - search_.time_margin;
-      candidate.contact += random_.uniform(-slack, slack);
+      candidate.contact += random_.uniform(-slack_, slack_);
       candidate.lead = std::max(0.0, random_.uniform(-search_.max_lead, search_.max_lead));
     }
     Arrival& arrival = candidate.arrival;
@@ -247,16 +231,18 @@ class Search {
     }
   }
 
-  /// False when no speed within the limits brings the attacker near any of the ego's poses.
+  /// False when no speed within the limits brings the attacker near any of the ego's poses in time.
   bool canReach(const Contender& contender) const {
-    const double tta = input_.request.tta;
-    const double reach =
-        tta * std::min(limits_.max_speed,
-                       contender.start.motion.speed + 0.5 * limits_.max_forward_acceleration * tta);
-    return std::any_of(egos_.begin(), egos_.end(), [&](std::size_t ego) {
-      const Vector2 position = egoAt(ego, tta).position();
-      return (position - contender.start.motion.pose.position()).norm() < reach + kNear;
-    });
+    const Motion& motion = contender.start.motion;
+    const auto near_at = [&](double seconds) {
+      const double speed = std::min(
+          limits_.max_speed, motion.speed + 0.5 * limits_.max_forward_acceleration * seconds);
+      return std::any_of(egos_.begin(), egos_.end(), [&](std::size_t ego) {
+        const Vector2 position = egoAt(ego, seconds).position();
+        return (position - motion.pose.position()).norm() < speed * seconds + kNear;
+      });
+    };
+    return near_at(input_.request.tta) || near_at(input_.request.tta + slack_);
   }
 
   bool drive(const Candidate& candidate, const DriveStart& start,
@@ -278,8 +264,9 @@ class Search {
     std::vector<Candidate>& kept = candidate.family ? quintics_ : bicycles_;
     const bool full = static_cast<int>(kept.size()) >= search_.kept;
     if (full && candidate.objective < kept.back().objective) return;
-    if (crossesKerb(*candidate.contender->track)) return;
-    candidate.off_road = offRoad(*candidate.contender->track);
+    const BoxSize& size = candidate.contender->track->size;
+    if (ground_.crossesKerb(points_, size)) return;
+    candidate.off_road = ground_.offRoadShare(points_, size);
     candidate.objective -=
         search_.off_road_weight * candidate.off_road +
         search_.effort_weight * effort(points_, start.now + input_.request.tta, limits_);
@@ -289,50 +276,12 @@ class Search {
 
   static bool better(const Candidate& a, const Candidate& b) { return a.objective > b.objective; }
 
-  /// Mean share of nine places of the box that are off the drivable area, to the impact.
-  double offRoad(const Track& attacker) const {
-    const AreaRaster& drivable = input_.lanes.drivable();
-    if (drivable.empty()) return 0.0;
-    const int stride = std::max(
-        1, static_cast<int>(std::lround(options_.verification.off_road_interval / search_.step)));
-    int on = 0;
-    int asked = 0;
-    const auto on_road = [&](const Vector2& place) { return drivable.contains(place); };
-    for (std::size_t i = 0; i < points_.size(); i += static_cast<std::size_t>(stride)) {
-      on += placesOf(points_[i].pose, attacker.size, on_road);
-      asked += kPlaces;
+  double bestShare() const {
+    double share = 0.0;
+    for (const auto* kept : {&quintics_, &bicycles_}) {
+      if (!kept->empty()) share = std::max(share, kept->front().score.share);
     }
-    return 1.0 - static_cast<double>(on) / asked;
-  }
-
-  /// True when more of the box comes to be on a walkway (and on no road) than is now.
-  bool crossesKerb(const Track& attacker) const {
-    const LaneIndex& lanes = input_.lanes;
-    if (lanes.walkways().empty()) return false;
-    const auto on_walkway = [&](const Vector2& place) {
-      return lanes.walkways().contains(place) && !lanes.drivable().contains(place);
-    };
-    const int now = placesOf(points_.front().pose, attacker.size, on_walkway);
-    return std::any_of(points_.begin(), points_.end(), [&](const TrajectoryPoint& point) {
-      return placesOf(point.pose, attacker.size, on_walkway) > now;
-    });
-  }
-
-  static constexpr int kPlaces = 9;  // that a box is looked at, in three rows
-
-  /// How many of them are where `is_there` says.
-  template <typename IsThere>
-  static int placesOf(const Pose2& pose, const BoxSize& size, const IsThere& is_there) {
-    const Vector2 ahead = pose.heading();
-    const Vector2 along = 0.4 * size.length * ahead;
-    const Vector2 across = 0.4 * size.width * Vector2(-ahead.y(), ahead.x());
-    int count = 0;
-    for (int x = -1; x <= 1; ++x) {
-      for (int y = -1; y <= 1; ++y) {
-        count += is_there(pose.position() + x * along + y * across);
-      }
-    }
-    return count;
+    return share;
   }
 
   bool isGood() const {
@@ -379,8 +328,8 @@ class Search {
     for (double& knot : knots.curvature) knot += random_.bell(0.02 * scale);
   }
 
-  /// Steers the bicycle to arrivals of every attacker in turn, and anyhow.
-  void steer() {
+  /// Steers the bicycle to arrivals of every attacker in turn.
+  void steerToArrivals() {
     const auto placements = placementsOf(input_.request.type, input_.lanes.map().driving_side);
     std::vector<const Contender*> reachable;
     for (const auto& contender : contenders_) {
@@ -398,28 +347,41 @@ class Search {
       candidate.knots = *knots;
       consider(candidate);
     }
-    for (int i = 0; i < search_.bicycle_draws && !isGood(); ++i) {
-      Candidate candidate = driftedFrom(*reachable[static_cast<std::size_t>(i) % reachable.size()]);
-      consider(candidate);
-    }
   }
 
-  /// The attacker's own motion, with a change of speed and a bend of any size.
-  Candidate driftedFrom(const Contender& contender) {
-    Candidate candidate;
-    candidate.contender = &contender;
-    candidate.arrival.time =
-        input_.request.tta + options_.verification.time_tolerance - search_.time_margin;
-    const double from = random_.uniform(-limits_.max_braking, limits_.max_forward_acceleration);
-    const double to = random_.uniform(-limits_.max_braking, limits_.max_forward_acceleration);
-    const double bend = random_.bell(0.5 * limits_.max_curvature);
-    const double end_bend = random_.bell(0.5 * limits_.max_curvature);
-    for (std::size_t i = 0; i < SteeringKnots::kCount; ++i) {
-      const double ratio = static_cast<double>(i) / (SteeringKnots::kCount - 1);
-      candidate.knots.acceleration[i] = from + ratio * (to - from);
-      candidate.knots.curvature[i] = bend + ratio * (end_bend - bend);
+  /// Steers every attacker's bicycle to one future of the ego, wherever and however it may touch.
+  void steerAnyhow() {
+    const double end = input_.request.tta + slack_;
+    const SteeringOptions& steering = options_.steering;
+    SteeringAim aim;
+    aim.ego_size = input_.snapshot.ego.size;
+    aim.band = options_.collision_types.at(input_.request.type);
+    aim.first_in_time = input_.request.tta - slack_;
+    aim.last_in_time = end;
+    aim.depth = search_.depth;
+    const int steps = static_cast<int>(std::ceil(end / steering.step));
+    for (int i = 0; i <= steps; ++i) {
+      aim.ego.push_back(egoAt(egos_[egos_.size() / 2], end * i / steps));
     }
-    return candidate;
+    std::vector<std::pair<const Contender*, SteeringSearch>> searches;
+    for (const auto& contender : contenders_) {
+      if (!canReach(*contender)) continue;
+      aim.attacker_size = contender->track->size;
+      searches.emplace_back(contender.get(),
+                            SteeringSearch(contender->start, aim, limits_, steering));
+    }
+    for (int round = 0; round < steering.rounds && !isGood(); ++round) {
+      for (auto& [contender, search] : searches) {
+        Candidate candidate;
+        candidate.contender = contender;
+        candidate.arrival.time = end;
+        for (const SteeringKnots& knots : search.next(random_)) {
+          candidate.knots = knots;
+          consider(candidate);
+        }
+        if (isGood()) break;
+      }
+    }
   }
 
   FoundAttack finished(const Candidate& candidate) const {
@@ -438,9 +400,11 @@ class Search {
   const SearchInput& input_;
   const AttackOptions& options_;
   const SearchOptions& search_;
+  double slack_;  // s that a contact may be early or late
   VehicleLimits limits_;
   BicycleFamily bicycle_;
   FutureScorer scorer_;
+  GroundUse ground_;
   Random random_;
   std::vector<std::size_t> egos_;  // that are aimed at
   std::vector<std::unique_ptr<Contender>> contenders_;

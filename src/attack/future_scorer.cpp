@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/wide_vectors.h"
+
 namespace forge {
 namespace {
 
@@ -13,13 +15,6 @@ constexpr float kFar = 1e9F;
 constexpr double kCloseGap = 2.0;       // m; a miss by this much is worth 1/e of a near hit
 constexpr double kCloseHeading = 0.26;  // rad (15 degrees); the same for the heading
 constexpr double kCloseTime = 0.5;      // s; the same for the time
-
-// Compiled for wider vectors, too, where the machine may have them; the results are the same.
-#if defined(__x86_64__)
-#define FORGE_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
-#else
-#define FORGE_WIDE_VECTORS
-#endif
 
 /// A pose of one box, or of as many as the arrays are long.
 template <typename Value>

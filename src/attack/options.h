@@ -53,6 +53,23 @@ struct BicycleOptions {
   double curvature_scale = 0.0;
 };
 
+/// config/search.yaml, section steering
+struct SteeringOptions {
+  double step = 0.0;
+  int first_population = 0;
+  int population = 0;
+  int elites = 0;
+  int rounds = 0;
+  int considered = 0;
+  double acceleration_deviation = 0.0;
+  double curvature_deviation = 0.0;
+  double least_acceleration_deviation = 0.0;
+  double least_curvature_deviation = 0.0;
+  double heading_weight = 0.0;
+  double clearance = 0.0;
+  double near = 0.0;
+};
+
 /// config/search.yaml, section search
 struct SearchOptions {
   double step = 0.0;
@@ -71,7 +88,6 @@ struct SearchOptions {
   int rounds = 0;
   int perturbations = 0;
   int bicycle_targets = 0;
-  int bicycle_draws = 0;
   int bicycle_rounds = 0;
   int bicycle_perturbations = 0;
   double good_share = 0.0;
@@ -155,6 +171,7 @@ struct AttackOptions {
   PredictionOptions prediction;
   SearchOptions search;
   BicycleOptions bicycle;
+  SteeringOptions steering;
   VerificationOptions verification;
   EgoFutureOptions ego_futures;
 };

@@ -104,6 +104,25 @@ BicycleOptions readBicycle(Section section) {
   return options;
 }
 
+SteeringOptions readSteering(Section section) {
+  SteeringOptions options;
+  options.step = section.positive("step");
+  options.first_population = section.count("first_population", 1);
+  options.population = section.count("population", 1);
+  options.elites = section.count("elites", 1);
+  options.rounds = section.count("rounds", 0);
+  options.considered = section.count("considered", 1);
+  options.acceleration_deviation = section.positive("acceleration_deviation");
+  options.curvature_deviation = section.positive("curvature_deviation");
+  options.least_acceleration_deviation = section.nonNegative("least_acceleration_deviation");
+  options.least_curvature_deviation = section.nonNegative("least_curvature_deviation");
+  options.heading_weight = section.nonNegative("heading_weight");
+  options.clearance = section.nonNegative("clearance");
+  options.near = section.positive("near");
+  section.finish();
+  return options;
+}
+
 SearchOptions readSearch(Section section) {
   SearchOptions options;
   options.step = section.positive("step");
@@ -122,7 +141,6 @@ SearchOptions readSearch(Section section) {
   options.rounds = section.count("rounds", 0);
   options.perturbations = section.count("perturbations", 0);
   options.bicycle_targets = section.count("bicycle_targets", 0);
-  options.bicycle_draws = section.count("bicycle_draws", 0);
   options.bicycle_rounds = section.count("bicycle_rounds", 0);
   options.bicycle_perturbations = section.count("bicycle_perturbations", 0);
   options.good_share = section.within("good_share", 0.0, 1.0);
@@ -405,6 +423,7 @@ Config loadConfig(const std::string& directory) {
   Section search = openConfigFile(directory, "search.yaml");
   config.attack.search = readSearch(search.section("search"));
   config.attack.bicycle = readBicycle(search.section("bicycle"));
+  config.attack.steering = readSteering(search.section("steering"));
   search.finish();
   config.attack.verification = loadVerification(directory);
   Section ego_futures = openConfigFile(directory, "ego_futures.yaml");

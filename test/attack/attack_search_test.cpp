@@ -266,8 +266,8 @@ TEST(SearchAttacks, TheBicycleFindsWhatNoQuinticCan) {
   };
   const double with_bicycle = share(scene.found());
   scene.options.search.bicycle_targets = 0;
-  scene.options.search.bicycle_draws = 0;
   scene.options.search.bicycle_rounds = 0;
+  scene.options.steering.rounds = 0;
   EXPECT_EQ(share(scene.found()), 0.0);
   EXPECT_EQ(with_bicycle, 1.0);
 }
@@ -278,7 +278,6 @@ TEST(SearchAttacks, MoreRoundsFindNoWorse) {
     scene.request.seed = seed;
     scene.options.search.rounds = 0;
     scene.options.search.bicycle_targets = 0;
-    scene.options.search.bicycle_draws = 0;
     scene.options.search.bicycle_rounds = 0;
     const auto drawn = scene.found();
     scene.options.search.rounds = 4;

@@ -64,7 +64,6 @@ class RandomRequest {
     AttackOptions options = shippedOptions();
     // Fewer trials: there are many requests, and none has to be met.
     options.search.bicycle_targets = 20;
-    options.search.bicycle_draws = 20;
     options.search.bicycle_rounds = 2;
     options.search.bicycle_perturbations = 20;
     return generateCollision(request_, snapshot_, LaneIndex(map_), &recorded_,

@@ -245,7 +245,7 @@ TEST(Config, ShippedSearchHasTheDocumentedValues) {
   EXPECT_EQ(search.limit_margin, 0.998);
   EXPECT_EQ(search.heading_margin, 0.0087);
   EXPECT_EQ(search.time_margin, 0.03);
-  EXPECT_EQ(search.overlap_margin, 0.07);
+  EXPECT_EQ(search.overlap_margin, 0.04);
   EXPECT_EQ(search.max_attackers, 16);
   EXPECT_EQ(search.lane_paths, 3);
   EXPECT_EQ(search.ego_poses, 3);
@@ -254,8 +254,7 @@ TEST(Config, ShippedSearchHasTheDocumentedValues) {
   EXPECT_EQ(search.kept, 10);
   EXPECT_EQ(search.rounds, 4);
   EXPECT_EQ(search.perturbations, 60);
-  EXPECT_EQ(search.bicycle_targets, 100);
-  EXPECT_EQ(search.bicycle_draws, 200);
+  EXPECT_EQ(search.bicycle_targets, 40);
   EXPECT_EQ(search.bicycle_rounds, 6);
   EXPECT_EQ(search.bicycle_perturbations, 100);
   EXPECT_EQ(search.good_share, 0.9);
@@ -277,6 +276,23 @@ TEST(Config, ShippedBicycleHasTheDocumentedValues) {
   EXPECT_EQ(bicycle.speed_scale, 3.0);
   EXPECT_EQ(bicycle.acceleration_scale, 40.0);
   EXPECT_EQ(bicycle.curvature_scale, 1.0);
+}
+
+TEST(Config, ShippedSteeringHasTheDocumentedValues) {
+  const SteeringOptions steering = loadConfig(kShipped).attack.steering;
+  EXPECT_EQ(steering.step, 0.1);
+  EXPECT_EQ(steering.first_population, 3008);
+  EXPECT_EQ(steering.population, 704);
+  EXPECT_EQ(steering.elites, 30);
+  EXPECT_EQ(steering.rounds, 9);
+  EXPECT_EQ(steering.considered, 20);
+  EXPECT_EQ(steering.acceleration_deviation, 4.0);
+  EXPECT_EQ(steering.curvature_deviation, 0.3);
+  EXPECT_EQ(steering.least_acceleration_deviation, 0.05);
+  EXPECT_EQ(steering.least_curvature_deviation, 0.001);
+  EXPECT_EQ(steering.heading_weight, 8.0);
+  EXPECT_EQ(steering.clearance, 0.4);
+  EXPECT_EQ(steering.near, 0.8);
 }
 
 TEST(Config, ShippedVerificationHasTheDocumentedValues) {
