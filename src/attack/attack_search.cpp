@@ -372,6 +372,7 @@ class Search {
     }
     for (int round = 0; round < steering.rounds && !isGood(); ++round) {
       for (auto& [contender, search] : searches) {
+        if (round >= steering.patience && search.shortfall() > steering.hopeless) continue;
         Candidate candidate;
         candidate.contender = contender;
         candidate.arrival.time = end;

@@ -61,6 +61,8 @@ struct SteeringOptions {
   int elites = 0;
   int rounds = 0;
   int considered = 0;
+  int patience = 0;
+  double hopeless = 0.0;
   double acceleration_deviation = 0.0;
   double curvature_deviation = 0.0;
   double least_acceleration_deviation = 0.0;

@@ -112,6 +112,8 @@ SteeringOptions readSteering(Section section) {
   options.elites = section.count("elites", 1);
   options.rounds = section.count("rounds", 0);
   options.considered = section.count("considered", 1);
+  options.patience = section.count("patience", 1);
+  options.hopeless = section.positive("hopeless");
   options.acceleration_deviation = section.positive("acceleration_deviation");
   options.curvature_deviation = section.positive("curvature_deviation");
   options.least_acceleration_deviation = section.nonNegative("least_acceleration_deviation");

@@ -286,6 +286,8 @@ TEST(Config, ShippedSteeringHasTheDocumentedValues) {
   EXPECT_EQ(steering.elites, 30);
   EXPECT_EQ(steering.rounds, 9);
   EXPECT_EQ(steering.considered, 20);
+  EXPECT_EQ(steering.patience, 2);
+  EXPECT_EQ(steering.hopeless, 5.0);
   EXPECT_EQ(steering.acceleration_deviation, 4.0);
   EXPECT_EQ(steering.curvature_deviation, 0.3);
   EXPECT_EQ(steering.least_acceleration_deviation, 0.05);
