@@ -24,7 +24,7 @@ inline constexpr char kAttackMarkers[] = "attack_markers";    // MarkerArray, la
 inline constexpr char kPlannerOutcome[] = "planner_outcome";  // PlannerOutcome, latched
 inline constexpr char kPlannerMarkers[] = "planner_markers";  // MarkerArray, latched
 inline constexpr char kTestedMap[] = "tested_map";            // LaneMap, latched
-inline constexpr char kPlanningState[] = "planning_state";    // PlanningState, latched
+inline constexpr char kPlanningState[] = "planning_state";    // PlanningState
 
 // Made by an external planner.
 inline constexpr char kPlannedTrajectory[] = "planned_trajectory";  // PlannedTrajectory
