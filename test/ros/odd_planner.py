@@ -3,6 +3,7 @@
 
 straight: goes on like that. never: is silent. dies: ends without a word. nan, empty, unfilled: answers with a number that is
 none, without points, without orientations. late: answers the tick before. stranger: answers another test first, then well.
+From the first tick on, twice: answers that one twice, and deaf: leaves it out when it comes first.
 """
 import math
 import os
@@ -31,10 +32,15 @@ def straight(state):
 
 
 def answers(state):
-    if not states or states[-1].header.stamp != state.header.stamp:  # the first may come again
+    is_repeated = bool(states) and states[-1].header.stamp == state.header.stamp
+    if not is_repeated:
         states.append(state)
     answer = straight(state)
-    if len(states) <= GOOD_TICKS or mode == 'straight':
+    if mode == 'twice' and len(states) == 1:
+        return [answer, answer]
+    if mode == 'deaf' and len(states) == 1 and not is_repeated:
+        return []
+    if len(states) <= GOOD_TICKS:
         return [answer]
     if mode == 'never':
         return []

@@ -311,9 +311,16 @@ class PlannerTesterTest(road.RoadTest):
     def test_external_planner_that_answers_an_older_tick(self):
         self.assert_failed(self.odd('late'), 'late', '-0.1')
 
-    def test_answers_to_another_test_are_left_out(self):
-        outcome = self.odd('stranger')
+    def test_answers_to_another_test_and_repeated_first_ones_are_left_out(self):
+        for mode in ('stranger', 'twice'):
+            outcome = self.odd(mode)
+            self.assertEqual(outcome.failure, 'none', mode + ': ' + outcome.failure_message)
+            self.doCleanups()
+
+    def test_first_state_is_repeated(self):
+        outcome = self.odd('deaf')
         self.assertEqual(outcome.failure, 'none', outcome.failure_message)
+        self.assertGreater(outcome.max_call_time, 0.1)
 
 
 if __name__ == '__main__':
