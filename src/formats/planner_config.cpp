@@ -196,6 +196,14 @@ PublishedIdmOptions readPublishedIdm(Section section) {
   return options;
 }
 
+ExternalOptions readExternal(Section section) {
+  ExternalOptions options;
+  options.interval = section.positive("interval");
+  options.timeout = section.positive("timeout");
+  section.finish();
+  return options;
+}
+
 RolloutOptions readRollout(Section section) {
   RolloutOptions options;
   options.step = section.positive("step");
@@ -268,6 +276,7 @@ PlannerOptions readPlanners(Section file, const VehicleLimits& limits) {
   options.idm = readIdm(idm.section("standard"));
   options.published_idm = readPublishedIdm(idm.section("published"));
   idm.finish();
+  options.external = readExternal(file.section("external"));
   options.rollout = readRollout(file.section("rollout"));
   options.avoidability = readAvoidability(file.section("avoidability"), limits);
   options.bicycle = readKinematicBicycle(file.section("bicycle"), limits);

@@ -58,6 +58,15 @@ std::vector<TrajectoryPoint> PdmPlanner::plan(const Observation& observation) {
   return points;
 }
 
+std::vector<std::vector<Pose2>> PdmPlanner::proposals() const {
+  std::vector<std::vector<Pose2>> proposals;
+  for (const Candidate& candidate : candidates_) {
+    std::vector<Pose2>& poses = proposals.emplace_back();
+    for (const OrientedBox& box : candidate.motion.boxes) poses.push_back(box.center);
+  }
+  return proposals;
+}
+
 void PdmPlanner::propose(PdmProposer& proposer, const BicycleState& start, double arc_length) {
   candidates_.clear();
   for (const double offset : options_.lateral_offsets) {

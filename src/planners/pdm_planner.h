@@ -29,6 +29,7 @@ class PdmPlanner : public Planner {
 
   void initialize(const DrivingTask& task) override;
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
+  std::vector<std::vector<Pose2>> proposals() const override;
 
   /// Of the last plan(), in the order of the offsets, then of the speeds.
   const std::vector<Candidate>& candidates() const { return candidates_; }

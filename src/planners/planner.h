@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "attack/attack.h"
@@ -25,6 +26,16 @@ struct Observation {
   std::vector<Track> agents;  ///< those in sight now, each with its newest states up to now
 };
 
+/// Thrown by a planner that asks somebody else, in vain.
+struct PlannerTimeout : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Thrown by a planner that is given the answer to another tick than it asked for.
+struct LatePlan : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Drives the ego. One object drives one rollout; a planner is deterministic: the same task and
 /// observations give the same trajectories.
 class Planner {
@@ -38,6 +49,10 @@ class Planner {
   /// The motion of the ego from now on: points at increasing times, the first at the observation's
   /// time, middle of the box, global map frame. The caller checks what comes back.
   virtual std::vector<TrajectoryPoint> plan(const Observation& observation) = 0;
+
+  /// What the last plan() chose from, for pictures: the middle of the ego's box over time. Empty
+  /// for a planner that does not choose.
+  virtual std::vector<std::vector<Pose2>> proposals() const { return {}; }
 };
 
 }  // namespace forge

@@ -15,6 +15,7 @@ struct PlannerOptions {
   PlanningOptions planning;
   IdmOptions idm;
   PublishedIdmOptions published_idm;
+  ExternalOptions external;
   RolloutOptions rollout;
   AvoidabilityOptions avoidability;
   KinematicBicycleOptions bicycle;

@@ -16,13 +16,14 @@ namespace {
 constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 constexpr double kTimeSlack = 1e-3;    // s; no step is shorter
 
-constexpr std::array<std::pair<PlannerFailure, const char*>, 7> kFailureNames = {{
+constexpr std::array<std::pair<PlannerFailure, const char*>, 8> kFailureNames = {{
     {PlannerFailure::kNone, "none"},
     {PlannerFailure::kError, "error"},
     {PlannerFailure::kEmpty, "empty"},
     {PlannerFailure::kNotFinite, "not_finite"},
     {PlannerFailure::kUnordered, "unordered"},
     {PlannerFailure::kLate, "late"},
+    {PlannerFailure::kTimedOut, "timed_out"},
     {PlannerFailure::kOffMap, "off_map"},
 }};
 
@@ -203,6 +204,10 @@ class Run {
     const auto start = std::chrono::steady_clock::now();
     try {
       call();
+    } catch (const PlannerTimeout& error) {
+      fail({PlannerFailure::kTimedOut, error.what()});
+    } catch (const LatePlan& error) {
+      fail({PlannerFailure::kLate, error.what()});
     } catch (const std::exception& error) {
       fail({PlannerFailure::kError, error.what()});
     }

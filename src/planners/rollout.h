@@ -35,10 +35,11 @@ enum class PlannerFailure {
   kEmpty,      ///< a trajectory without points
   kNotFinite,  ///< a number that is none
   kUnordered,  ///< times that do not increase
-  kLate,       ///< a trajectory that does not span from now to the next call
+  kLate,       ///< a trajectory that does not span from now to the next call, or LatePlan
+  kTimedOut,   ///< threw PlannerTimeout: who should have planned did not answer
   kOffMap,     ///< the whole car left the drivable area
 };
-/// "none", "error", "empty", "not_finite", "unordered", "late", "off_map".
+/// "none", "error", "empty", "not_finite", "unordered", "late", "timed_out", "off_map".
 const char* toString(PlannerFailure failure);
 std::optional<PlannerFailure> plannerFailureFromString(const std::string& name);
 

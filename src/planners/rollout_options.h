@@ -22,4 +22,10 @@ struct RolloutOptions {
   FaultOptions fault;
 };
 
+/// config/planners.yaml, section external.
+struct ExternalOptions {
+  double interval = 0.0;
+  double timeout = 0.0;
+};
+
 }  // namespace forge

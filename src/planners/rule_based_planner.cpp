@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "planners/bent_path.h"
-
 namespace forge {
 namespace {
 
@@ -38,12 +36,13 @@ void RuleBasedPlanner::initialize(const DrivingTask& task) {
   task_ = task;
   chain_ = circlesOf(task.ego.size, options_.circles);
   way_.emplace(routeCenterline(*task.lanes, task.route, route_options_));
+  candidates_.clear();
 }
 
 std::vector<TrajectoryPoint> RuleBasedPlanner::plan(const Observation& observation) {
   const Vector2 here = observation.ego.pose.position();
-  const BentPath path(*way_, way_->project(here).arc_length, here, options_.bend_length,
-                      options_.sample_spacing);
+  const BentPath& path = path_.emplace(*way_, way_->project(here).arc_length, here,
+                                       options_.bend_length, options_.sample_spacing);
   proposeSpeeds(std::max(observation.ego.speed, 0.0));
   const std::vector<ExpectedAgent> agents = expectedAgents(observation);
   for (Candidate& candidate : candidates_) {
@@ -56,6 +55,15 @@ std::vector<TrajectoryPoint> RuleBasedPlanner::plan(const Observation& observati
   choose();
   return pointsAlong(path, candidates_[best_].speeds, observation.ego, options_.step,
                      options_.sample_spacing);
+}
+
+std::vector<std::vector<Pose2>> RuleBasedPlanner::proposals() const {
+  std::vector<std::vector<Pose2>> proposals;
+  for (const Candidate& candidate : candidates_) {
+    std::vector<Pose2>& poses = proposals.emplace_back();
+    for (const double distance : candidate.speeds.distances) poses.push_back(path_->at(distance));
+  }
+  return proposals;
 }
 
 void RuleBasedPlanner::proposeSpeeds(double speed) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "planners/bent_path.h"
 #include "planners/circle_chain.h"
 #include "planners/planner.h"
 #include "planners/route_centerline.h"
@@ -35,6 +36,7 @@ class RuleBasedPlanner : public Planner {
 
   void initialize(const DrivingTask& task) override;
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
+  std::vector<std::vector<Pose2>> proposals() const override;
 
   /// Of the last plan(), slower ones first.
   const std::vector<Candidate>& candidates() const { return candidates_; }
@@ -54,6 +56,7 @@ class RuleBasedPlanner : public Planner {
   DrivingTask task_;
   CircleChain chain_;
   std::optional<Polyline> way_;
+  std::optional<BentPath> path_;  // of the last plan()
   std::vector<Candidate> candidates_;
   std::size_t best_ = 0;
 };

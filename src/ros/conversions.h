@@ -9,14 +9,22 @@
 #include <collision_forge/EncodedScene.h>
 #include <collision_forge/Future.h>
 #include <collision_forge/LaneMap.h>
+#include <collision_forge/PlannedTrajectory.h>
+#include <collision_forge/PlannerOutcome.h>
+#include <collision_forge/PlanningState.h>
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
 
+#include <cstdint>
 #include <stdexcept>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "attack/attack.h"
 #include "network/scene_encoding.h"
+#include "planners/planner.h"
+#include "planners/planner_trial.h"
 #include "scene/scene.h"
 #include "scene/scene_history.h"
 
@@ -62,5 +70,16 @@ collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajecto
 
 collision_forge::CollisionReport toMessage(const CollisionReport& report,
                                            const std::string& attacker_id, double now);
+
+/// What an external planner is told; `test` and `interval` as in the message.
+collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
+                                         std::uint32_t test, double interval);
+
+/// The planned points as they are, numbers that are none among them. Throws MessageError for an
+/// orientation that was not filled in.
+std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajectory& message);
+
+collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::string& planner,
+                                          const std::string& attacker_id);
 
 }  // namespace forge

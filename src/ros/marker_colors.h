@@ -26,6 +26,8 @@ inline constexpr MarkerColor kAttacker{0.84F, 0.15F, 0.16F};
 inline constexpr MarkerColor kPatternEgo{0.52F, 0.20F, 0.68F};
 inline constexpr MarkerColor kPatternAttacker{0.98F, 0.58F, 0.10F};
 inline constexpr MarkerColor kContact{1.00F, 0.87F, 0.12F};
+inline constexpr MarkerColor kRecordedEgo{0.33F, 0.34F, 0.38F};  ///< beside a planner's ego
+inline constexpr MarkerColor kProposal{0.10F, 0.60F, 0.42F, 0.6F};
 
 inline constexpr MarkerColor kText{0.13F, 0.15F, 0.18F};
 inline constexpr MarkerColor kNose{1.00F, 1.00F, 1.00F, 0.75F};  ///< the arrow head on a box

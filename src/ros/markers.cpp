@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 
-#include "geometry/touch_point.h"
 #include "ros/conversions.h"
 #include "ros/marker_fill.h"
 #include "ros/marker_list.h"
+#include "ros/marker_parts.h"
 
 namespace forge {
 
@@ -21,34 +21,21 @@ constexpr double kAreaHeight = 0.0;
 constexpr double kConnectorHeight = 0.02;
 constexpr double kLaneHeight = 0.04;
 constexpr double kTrailHeight = 0.1;
-constexpr double kGhostHeight = 0.2;
 constexpr double kVehicleHeight = 1.5;  // of a box whose height is unknown
-constexpr double kPathHeight = 4.5;     // above every bus
-constexpr double kOutlineHeight = 4.6;
 constexpr double kPatternHeight = 4.7;
-constexpr double kContactHeight = 4.8;
-constexpr double kTextHeight = 5.0;
 
 constexpr double kLaneWidth = 0.12;     // m, of lines
 constexpr double kTrailWidth = 0.25;    // m
-constexpr double kPathWidth = 0.3;      // m
 constexpr double kPatternWidth = 0.22;  // m
-constexpr double kGhostWidth = 0.1;     // m
 
 constexpr double kArrowSpacing = 15.0;  // m along a centreline
 constexpr double kArrowLength = 1.2;    // m
 constexpr double kArrowWidth = 1.0;     // m
 
-constexpr double kGhostInterval = 0.5;    // s
-constexpr double kTimeTolerance = 1e-6;   // s
-constexpr double kContactDiameter = 1.0;  // m
-constexpr float kGhostAlpha = 0.16F;
-constexpr float kContactAlpha = 0.45F;  // of the vehicles at contact
 constexpr float kTrailAlpha = 0.6F;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr double kIdLetterHeight = 1.6;      // m
-constexpr double kReportLetterHeight = 2.2;  // m
-constexpr std::size_t kIdLetters = 6;
+constexpr double kIdLetterHeight = 1.6;  // m
 
 BoxSize sizeOf(const geometry_msgs::Vector3& size) { return {size.x, size.y}; }
 
@@ -136,54 +123,30 @@ void addTrack(const std::string& name_space, const collision_forge::AgentTrack& 
   addId(track.id, box, markers);
 }
 
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
-
 std::string reportText(const collision_forge::CollisionPattern& pattern,
                        const collision_forge::CollisionReport& report) {
   std::string text = pattern.collision_type;
   if (!report.contact) return text + ": no contact";
-  text += format("\ncontact in %.2f s", (report.contact_time - report.header.stamp).toSec());
-  text += format("\nheading %+.0f deg", report.relative_heading * 180 / M_PI);
+  text += formatted("\ncontact in %.2f s", (report.contact_time - report.header.stamp).toSec());
+  text += formatted("\nheading %+.0f deg", report.relative_heading * 180 / M_PI);
   text += "\n" + report.attacker_side + " to ego's " + report.ego_side;
-  text += format("\nimpact %.1f m/s", report.impact_speed);
+  text += formatted("\nimpact %.1f m/s", report.impact_speed);
   return report.verified ? text : text + "\nNOT VERIFIED";
 }
 
 /// Where a text hides neither vehicle's way to the contact: ahead of both.
-Vector2 textPlace(const Vector2& contact, double ego_yaw, double attacker_yaw) {
-  const Vector2 margin(15.0, 11.0);  // m, for half the text and the boxes
-  const Pose2 ego{0.0, 0.0, ego_yaw};
-  const Pose2 attacker{0.0, 0.0, attacker_yaw};
-  Vector2 ahead = ego.heading() + attacker.heading();
-  if (ahead.norm() < 0.5) ahead = {-ego.heading().y(), ego.heading().x()};
-  return contact + ahead.normalized().cwiseProduct(margin);
+Vector2 aheadOf(const Pose2& ego, const Pose2& attacker) {
+  const Vector2 ahead = ego.heading() + attacker.heading();
+  return ahead.norm() < 0.5 ? Vector2(-ego.heading().y(), ego.heading().x()) : ahead;
 }
 
-/// The attacker's way up to `until` with a ghost every kGhostInterval seconds.
-void addAttackerPath(const collision_forge::AttackerTrajectory& trajectory, const ros::Time& until,
-                     MarkerList& markers) {
-  std::vector<Vector2> path;
-  std::vector<Vector2> outlines;
-  double next_ghost = 0.0;  // s from now
+/// Where and when it is.
+std::vector<TrajectoryPoint> pointsOf(const collision_forge::AttackerTrajectory& trajectory) {
+  std::vector<TrajectoryPoint> points;
   for (const auto& point : trajectory.points) {
-    if (point.stamp > until) break;
-    const OrientedBox box{fromMessage(point.pose), sizeOf(trajectory.size)};
-    path.push_back(box.center.position());
-    if ((point.stamp - trajectory.header.stamp).toSec() < next_ghost - kTimeTolerance) continue;
-    next_ghost += kGhostInterval;
-    appendOutline(box, outlines);
-    markers.addSlab("attacker_ghosts", box, kGhostHeight,
-                    colors::withAlpha(colors::kAttacker, kGhostAlpha));
+    points.push_back({point.stamp.toSec(), fromMessage(point.pose)});
   }
-  std::vector<Vector2> lines;
-  appendPolyline(path, lines);
-  markers.addLines("attacker_path", lines, kPathWidth, kPathHeight, colors::kAttacker);
-  markers.addLines("attacker_ghost_outlines", outlines, kGhostWidth, kOutlineHeight,
-                   colors::kAttacker);
+  return points;
 }
 
 void addPatternBox(const OrientedBox& box, const std::string& name_space,
@@ -191,18 +154,6 @@ void addPatternBox(const OrientedBox& box, const std::string& name_space,
   std::vector<Vector2> outline;
   appendOutline(box, outline);
   markers.addLines(name_space, outline, kPatternWidth, kPatternHeight, color);
-}
-
-void addContact(const OrientedBox& ego, const OrientedBox& attacker, const std::string& text,
-                MarkerList& markers) {
-  markers.addSlab("contact_boxes", ego, kPathHeight,
-                  colors::withAlpha(colors::kEgo, kContactAlpha));
-  markers.addSlab("contact_boxes", attacker, kPathHeight,
-                  colors::withAlpha(colors::kAttacker, kContactAlpha));
-  const Vector2 point = touchPoint(ego, attacker);
-  const Vector2 place = textPlace(point, ego.center.yaw, attacker.center.yaw);
-  markers.addDisc("contact", point, kContactDiameter, kContactHeight, colors::kContact);
-  markers.addText("report", text, place, kReportLetterHeight, kTextHeight, colors::kText);
 }
 
 void addArea(const char* name_space, const std::vector<collision_forge::PolygonWithHoles>& polygons,
@@ -241,19 +192,20 @@ MarkerArray attackMarkers(const collision_forge::CollisionPattern& pattern,
   const OrientedBox pattern_ego{fromMessage(pattern.ego), sizeOf(pattern.ego_size)};
   const OrientedBox pattern_attacker{
       compose(pattern_ego.center, fromMessage(pattern.attacker_offset)), sizeOf(trajectory.size)};
-  addAttackerPath(trajectory, report.contact ? report.contact_time : ros::TIME_MAX, markers);
+  const double end = report.contact ? report.contact_time.toSec() : kInfinity;
+  addWay("attacker", pointsOf(trajectory), end, sizeOf(trajectory.size), colors::kAttacker,
+         markers);
   addPatternBox(pattern_ego, "pattern_ego", colors::kPatternEgo, markers);
   addPatternBox(pattern_attacker, "pattern_attacker", colors::kPatternAttacker, markers);
-  const std::string text = reportText(pattern, report);
+  Vector2 place = (pattern_ego.center.position() + pattern_attacker.center.position()) / 2;
+  OrientedBox ego = pattern_ego;
+  OrientedBox attacker = pattern_attacker;
   if (report.contact) {
-    addContact({fromMessage(report.ego_at_contact), pattern_ego.size},
-               {fromMessage(report.attacker_at_contact), pattern_attacker.size}, text, markers);
-  } else {
-    const Vector2 middle = (pattern_ego.center.position() + pattern_attacker.center.position()) / 2;
-    markers.addText("report", text,
-                    textPlace(middle, pattern_ego.center.yaw, pattern_attacker.center.yaw),
-                    kReportLetterHeight, kTextHeight, colors::kText);
+    ego.center = fromMessage(report.ego_at_contact);
+    attacker.center = fromMessage(report.attacker_at_contact);
+    place = addContact(ego, attacker, colors::kAttacker, markers);
   }
+  addReport(reportText(pattern, report), place, aheadOf(ego.center, attacker.center), markers);
   return markers.take();
 }
 

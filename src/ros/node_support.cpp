@@ -8,11 +8,14 @@
 
 namespace forge {
 
+std::string nodeConfigFolder(const ros::NodeHandle& private_node) {
+  return private_node.param<std::string>("config_dir",
+                                         ros::package::getPath("collision_forge") + "/config");
+}
+
 Config loadNodeConfig(const ros::NodeHandle& private_node) {
-  const std::string directory = private_node.param<std::string>(
-      "config_dir", ros::package::getPath("collision_forge") + "/config");
   try {
-    return loadConfig(directory);
+    return loadConfig(nodeConfigFolder(private_node));
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM("no configuration: " << error.what());  // the nodelet loader does not tell why
     throw;

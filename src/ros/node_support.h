@@ -17,8 +17,10 @@
 
 namespace forge {
 
-/// The configuration in the folder named by the private parameter `config_dir`, by default the
-/// package's own config/. Throws ConfigError.
+/// The folder named by the private parameter `config_dir`, by default the package's own config/.
+std::string nodeConfigFolder(const ros::NodeHandle& private_node);
+
+/// The configuration in that folder. Throws ConfigError.
 Config loadNodeConfig(const ros::NodeHandle& private_node);
 
 /// Keeps the newest lane map, ready for queries. Thread-safe.

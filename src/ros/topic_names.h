@@ -21,14 +21,23 @@ inline constexpr char kInjectedAgents[] = "injected_agents";  // AgentArray
 inline constexpr char kMapMarkers[] = "map_markers";          // MarkerArray, latched
 inline constexpr char kSceneMarkers[] = "scene_markers";      // MarkerArray
 inline constexpr char kAttackMarkers[] = "attack_markers";    // MarkerArray, latched
+inline constexpr char kPlannerOutcome[] = "planner_outcome";  // PlannerOutcome, latched
+inline constexpr char kPlannerMarkers[] = "planner_markers";  // MarkerArray, latched
+inline constexpr char kTestedMap[] = "tested_map";            // LaneMap, latched
+inline constexpr char kPlanningState[] = "planning_state";    // PlanningState
+
+// Made by an external planner.
+inline constexpr char kPlannedTrajectory[] = "planned_trajectory";  // PlannedTrajectory
 
 // Services.
 inline constexpr char kGenerateCollision[] = "generate_collision";
 inline constexpr char kPredictPattern[] = "predict_pattern";
 inline constexpr char kRealizeTrajectory[] = "realize_trajectory";
+inline constexpr char kTestPlanner[] = "test_planner";
 
 // Frames (REP-105).
 inline constexpr char kMapFrame[] = "map";
 inline constexpr char kBaseFrame[] = "base_link";
+inline constexpr char kTestedEgoFrame[] = "tested_ego";  // the ego's box where its test begins
 
 }  // namespace forge::names

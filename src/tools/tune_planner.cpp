@@ -173,6 +173,15 @@ void compare(Tuning& tuning, std::size_t best, std::size_t count) {
   if (isMaster() && count > 0) tuning.test.complete();
 }
 
+/// Default beside tuned; their difference, which may be negative, is no bar.
+void drawComparison(RateTable comparison, const Tuning& tuning) {
+  comparison.methods.pop_back();
+  comparison.rates.pop_back();
+  comparison.measure.title = "Collisions in avoidable crashes";
+  drawTable(comparison, tuning.arguments.planner + " before and after tuning", tuning.arguments.out,
+            tuning.config.drawing);
+}
+
 void report(const Tuning& tuning, std::size_t best) {
   const Arguments& arguments = tuning.arguments;
   const StatisticsOptions& statistics = tuning.config.evaluation.statistics;
@@ -195,6 +204,7 @@ void report(const Tuning& tuning, std::size_t best) {
             withPlannerValues(tuning.file.path, tuning.file.text, after));
   writeText(arguments.out + "/table.csv", csv);
   writeText(arguments.out + "/table.md", text);
+  drawComparison(comparison, tuning);
   std::cout << text;
 }
 

@@ -150,6 +150,8 @@ TEST(Config, ShippedPlanningAndIdmHaveTheDocumentedValues) {
 
 TEST(Config, ShippedRolloutAndAvoidabilityHaveTheDocumentedValues) {
   const PlannerOptions planners = loadConfig(kShipped).planners;
+  EXPECT_EQ(planners.external.interval, 0.1);
+  EXPECT_EQ(planners.external.timeout, 2.0);
   EXPECT_EQ(planners.rollout.step, 0.1);
   EXPECT_EQ(planners.rollout.hard_braking, 4.05);
   EXPECT_EQ(planners.rollout.fault.standstill_speed, 0.05);
@@ -562,6 +564,7 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
                   {"planning.intervals.rule_based", "missing"});
   expectComplaint("planners.yaml", "margin:", "#", {"idm.standard.margin", "missing"});
   expectComplaint("planners.yaml", "behind_angle:", "#", {"rollout.fault.behind_angle", "missing"});
+  expectComplaint("planners.yaml", "timeout:", "#", {"external.timeout", "missing"});
   expectComplaint("planners.yaml", "draws:", "#", {"avoidability.draws", "missing"});
   expectComplaint("collision_types.yaml", "rules:", "#", {"collision_types.rules", "missing"});
   expectComplaint("verification.yaml", "time_tolerance:", "#",
@@ -730,8 +733,8 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
     expectComplaint("search.yaml", number, key + ": 0", {"bicycle." + key, "= 0", "not positive"});
   }
   expectComplaint("encoding.yaml", "max_lanes: 128", "max_lanes: 0", {"encoding.max_lanes", "= 0"});
-  for (const std::string number :
-       {"step: 0.1 ", "spacing: 1.0", "desired_speed: 10.0", "interval: 0.5", "return_time: 0.4"}) {
+  for (const std::string number : {"step: 0.1 ", "spacing: 1.0", "desired_speed: 10.0",
+                                   "timeout: 2.0", "interval: 0.5", "return_time: 0.4"}) {
     const std::string key = number.substr(0, number.find(':'));
     expectComplaint("planners.yaml", number, key + ": 0 ", {key, "= 0", "not positive"});
   }

@@ -35,6 +35,13 @@ TEST(PdmPlanner, WeighsFifteenProposalsAndGivesOutEightSeconds) {
   const std::vector<TrajectoryPoint> points = planner.plan({egoAt({0.0, 0.3, 0.05}, 8.0), {}});
   EXPECT_EQ(planner.candidates().size(), 15U);
   EXPECT_EQ(planner.candidates().front().motion.states.size(), 41U);
+  const std::vector<std::vector<Pose2>> proposals = planner.proposals();
+  ASSERT_EQ(proposals.size(), 15U);
+  for (const std::vector<Pose2>& proposal : proposals) {
+    ASSERT_EQ(proposal.size(), 41U);
+    EXPECT_NEAR(proposal.front().y, 0.3, 1e-9);  // the middle of the box, as the ego's
+  }
+  EXPECT_GT(proposals.back().back().x, proposals.front().back().x);
   ASSERT_EQ(points.size(), 81U);
   EXPECT_EQ(points.front().time, 0.0);
   EXPECT_NEAR(points.back().time, 8.0, 1e-9);

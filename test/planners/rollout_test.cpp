@@ -191,6 +191,14 @@ TEST(Rollout, ABadPlanEndsItWithItsName) {
               throw std::runtime_error("out of ideas");
             }),
             PlannerFailure::kError);
+  EXPECT_EQ(failureOf([](const Observation&) -> std::vector<TrajectoryPoint> {
+              throw PlannerTimeout("no answer");
+            }),
+            PlannerFailure::kTimedOut);
+  EXPECT_EQ(failureOf([](const Observation&) -> std::vector<TrajectoryPoint> {
+              throw LatePlan("an old answer");
+            }),
+            PlannerFailure::kLate);
 }
 
 TEST(Rollout, LeavingTheMapEndsIt) {

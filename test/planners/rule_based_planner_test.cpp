@@ -67,6 +67,13 @@ TEST(RuleBasedPlanner, PlansFiveSecondsInSteps) {
   planner.initialize(taskOn(crossing()));
   const std::vector<TrajectoryPoint> points = planner.plan({egoAt({0.0, 0.5, 0.0}, 8.0), {}});
   EXPECT_EQ(planner.candidates().size(), 25U);
+  const std::vector<std::vector<Pose2>> proposals = planner.proposals();
+  ASSERT_EQ(proposals.size(), 25U);
+  for (std::size_t i = 0; i < proposals.size(); ++i) {
+    ASSERT_EQ(proposals[i].size(), 26U);
+    EXPECT_EQ(proposals[i].front().y, 0.5);
+    EXPECT_NEAR(proposals[i].back().x, planner.candidates()[i].speeds.distances.back(), 1e-6);
+  }
   ASSERT_EQ(points.size(), 26U);
   EXPECT_EQ(points.front().time, 0.0);
   EXPECT_NEAR(points.back().time, 5.0, 1e-9);

@@ -3,8 +3,11 @@
 for in both modes. Answers, topics and injected agents are what inject_attacker makes of the same bag offline."""
 import threading
 
+import rospy
+
 import live
 import road
+from collision_forge.srv import TestPlanner, TestPlannerRequest
 from live import Listener, ask, until
 
 class JunctionTest(live.WholeRoadTest):
@@ -110,6 +113,17 @@ class JunctionTest(live.WholeRoadTest):
         tta = self.offline('rear_end', 'history')[1]
         for name in ('RE', 're', 'REAR_END'):
             self.assertEqual(ask(name, tta, mode=''), first)
+
+    def test_planner_is_driven_through_what_was_generated(self):
+        answer, _ = self.play_and_ask('rear_end', 'replay', 0)
+        tests = []
+
+        def is_tested():
+            tests.append(rospy.ServiceProxy('/test_planner', TestPlanner)(TestPlannerRequest(planner='idm')))
+            return tests[-1].code == 0 and tests[-1].outcome.header.stamp == answer.pattern.header.stamp
+        until(is_tested, lambda: tests[-1].message)
+        self.assertEqual(tests[-1].outcome.attacker_id, answer.pattern.attacker_id)
+        self.assertEqual(tests[-1].outcome.failure, 'none')
 
     def test_two_callers_at_once(self):
         requests = {}

@@ -1,0 +1,69 @@
+#!/usr/bin/python3
+"""usage: odd_planner.py MODE: an external planner that keeps its speed straight on, well for five ticks, and then as MODE says.
+
+straight: goes on like that. never: is silent. dies: ends without a word. nan, empty, unfilled: answers with a number that is
+none, without points, without orientations. late: answers the tick before. stranger: answers another test first, then well.
+From the first tick on, twice: answers that one twice, and deaf: leaves it out when it comes first.
+"""
+import math
+import os
+import sys
+
+import rospy
+
+from collision_forge.msg import PlannedTrajectory, PlanningState, TrajectoryPoint
+from geometry_msgs.msg import Quaternion
+
+GOOD_TICKS = 5
+mode = sys.argv[1]
+states = []
+
+
+def straight(state):
+    yaw = 2.0 * math.atan2(state.ego.pose.orientation.z, state.ego.pose.orientation.w)
+    answer = PlannedTrajectory(header=state.header, test=state.test, points=[state.ego])
+    for step in range(1, 41):
+        point = TrajectoryPoint(stamp=state.header.stamp + rospy.Duration(0.1 * step), speed=state.ego.speed)
+        point.pose.position.x = state.ego.pose.position.x + 0.1 * step * state.ego.speed * math.cos(yaw)
+        point.pose.position.y = state.ego.pose.position.y + 0.1 * step * state.ego.speed * math.sin(yaw)
+        point.pose.orientation = state.ego.pose.orientation
+        answer.points.append(point)
+    return answer
+
+
+def answers(state):
+    is_repeated = bool(states) and states[-1].header.stamp == state.header.stamp
+    if not is_repeated:
+        states.append(state)
+    answer = straight(state)
+    if mode == 'twice' and len(states) == 1:
+        return [answer, answer]
+    if mode == 'deaf' and len(states) == 1 and not is_repeated:
+        return []
+    if len(states) <= GOOD_TICKS:
+        return [answer]
+    if mode == 'never':
+        return []
+    if mode == 'dies':
+        os._exit(1)
+    if mode == 'nan':
+        answer.points[3].pose.position.y = math.nan
+    if mode == 'empty':
+        answer.points = []
+    if mode == 'unfilled':
+        answer.points[3].pose.orientation = Quaternion()
+    if mode == 'late':
+        answer = straight(states[-2])
+    if mode == 'stranger':
+        other = straight(state)
+        other.test -= 1
+        other.points = []
+        return [other, answer]
+    return [answer]
+
+
+rospy.init_node('odd_planner')
+publisher = rospy.Publisher('planned_trajectory', PlannedTrajectory, queue_size=10, tcp_nodelay=True)
+rospy.Subscriber('planning_state', PlanningState, lambda state: [publisher.publish(answer) for answer in answers(state)],
+                 tcp_nodelay=True)
+rospy.spin()

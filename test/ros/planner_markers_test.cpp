@@ -1,0 +1,117 @@
+#include "ros/planner_markers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "attack/test_scenes.h"
+#include "ros/marker_colors.h"
+
+namespace forge {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+/// The attacker comes towards the ego, which was recorded at 8 m/s; a parked car beside.
+CrashScenario scenario() {
+  CrashScenario scenario;
+  scenario.ego = {kEgoSize, 0.0};
+  scenario.snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 8.0), {}, twoLaneRoad());
+  scenario.recorded.ego = futureTrack(kEgoId, kEgoSize, {}, 8.0);
+  scenario.recorded.agents = {futureTrack("parked", kCarSize, {30.0, -4.0, 0.0}, 0.0)};
+  scenario.attacker = straightDrive({40.0, 0.0, M_PI}, 5.0, 6.0);
+  return scenario;
+}
+
+/// The ego stands still for two seconds.
+PlannerTrial standing() {
+  PlannerTrial trial;
+  for (int i = 0; i <= 20; ++i) trial.outcome.driven.push_back({kNow + 0.1 * i, {}});
+  trial.outcome.duration = 2.0;
+  trial.proposals = {{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, {{0.0, 0.0, 0.0}, {2.0, 1.0, 0.0}}, {}};
+  return trial;
+}
+
+std::vector<Marker> inNamespace(const MarkerArray& array, const std::string& name_space) {
+  std::vector<Marker> found;
+  std::copy_if(array.markers.begin() + 1, array.markers.end(), std::back_inserter(found),
+               [&](const Marker& marker) { return marker.ns == name_space; });
+  return found;
+}
+
+std::string reportOf(const MarkerArray& array) {
+  const auto report = inNamespace(array, "report");
+  EXPECT_EQ(report.size(), 1U);
+  return report.empty() ? "" : report[0].text;
+}
+
+TEST(PlannerMarkers, ShowTheDrivenEgoBesideTheRecordedOneAndTheAttackerUpToTheEnd) {
+  const MarkerArray array = plannerMarkers(standing(), scenario(), "idm");
+  EXPECT_EQ(array.markers.front().action, Marker::DELETEALL);
+  EXPECT_EQ(array.markers.back().header.frame_id, "map");
+  EXPECT_EQ(array.markers.back().header.stamp, ros::Time(kNow));
+  // A ghost every half second of two.
+  for (const char* name : {"ego_ghosts", "recorded_ego_ghosts", "attacker_ghosts"}) {
+    EXPECT_EQ(inNamespace(array, name).size(), 5U) << name;
+  }
+  ASSERT_EQ(inNamespace(array, "recorded_ego_path").size(), 1U);
+  const Marker recorded = inNamespace(array, "recorded_ego_path")[0];
+  EXPECT_NEAR(recorded.points.back().x, 16.0, 1e-6);
+  EXPECT_EQ(recorded.color, colors::toMessage(colors::kRecordedEgo));
+  EXPECT_EQ(inNamespace(array, "ego_path")[0].color, colors::toMessage(colors::kEgo));
+}
+
+TEST(PlannerMarkers, ShowEveryProposalWithItsEnd) {
+  const MarkerArray array = plannerMarkers(standing(), scenario(), "idm");
+  ASSERT_EQ(inNamespace(array, "proposals").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "proposals")[0].points.size(), 4U);  // two lines
+  ASSERT_EQ(inNamespace(array, "proposal_ends").size(), 2U);
+  EXPECT_EQ(inNamespace(array, "proposal_ends")[1].pose.position.y, 1.0);
+}
+
+TEST(PlannerMarkers, WithoutAContactTellWhatHappenedAtTheEnd) {
+  PlannerTrial trial = standing();
+  const MarkerArray array = plannerMarkers(trial, scenario(), "idm");
+  EXPECT_EQ(reportOf(array), "idm: no contact in 2.00 s\nno way to avoid it was found");
+  EXPECT_TRUE(inNamespace(array, "contact").empty());
+  EXPECT_EQ(inNamespace(array, "ego_at_end").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "others").size(), 2U);
+
+  trial.outcome.failure = PlannerFailure::kTimedOut;
+  trial.avoidability.last = Avoidance{Manoeuvre::kBraking, kNow + 1.5, {}, 0.0};
+  EXPECT_EQ(reportOf(plannerMarkers(trial, scenario(), "external")),
+            "external: fails, timed_out\nafter 2.00 s\navoidable up to 1.5 s by braking");
+}
+
+TEST(PlannerMarkers, ShowTheContact) {
+  PlannerTrial trial = standing();
+  PlannerContact contact;
+  contact.other_id = "attacker";
+  contact.is_attacker = true;
+  contact.time = kNow + 2.0;
+  contact.impact_speed = 5.0;
+  contact.at_fault = false;
+  trial.outcome.contact = contact;
+  const MarkerArray array = plannerMarkers(trial, scenario(), "pdm");
+  EXPECT_EQ(reportOf(array),
+            "pdm: touches the attacker\nafter 2.00 s, impact 5.0 m/s\nnot at fault\n"
+            "no way to avoid it was found");
+  EXPECT_EQ(inNamespace(array, "contact").size(), 1U);
+  const auto boxes = inNamespace(array, "contact_boxes");
+  ASSERT_EQ(boxes.size(), 2U);
+  EXPECT_NEAR(boxes[1].pose.position.x, 30.0, 1e-6);  // 5 m/s from 40 m
+  EXPECT_EQ(inNamespace(array, "others").size(), 1U);
+
+  trial.outcome.contact->other_id = "parked";
+  trial.outcome.contact->is_attacker = false;
+  trial.outcome.contact->at_fault = true;
+  const MarkerArray other = plannerMarkers(trial, scenario(), "pdm");
+  EXPECT_NE(reportOf(other).find("touches parked\n"), std::string::npos);
+  EXPECT_NE(reportOf(other).find("\nat fault\n"), std::string::npos);
+  EXPECT_NEAR(inNamespace(other, "contact_boxes")[1].pose.position.y, -4.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace forge
