@@ -23,8 +23,9 @@ double drawnHeading(const CollisionRequest& request, const TypeDefinition& defin
 ///
 /// - strictOutcome() bears it out on the recording, by the full definition of the type;
 /// - at most `max_off_road_share` of the attacker is off the road;
-/// - it has a clip of COLLIDE's layout whose own track is borne out by the strict protocol and hits
-///   in the published one, as a reader sees them (frames at 2 Hz, boxes of one size).
+/// - it has a clip of COLLIDE's layout that shows the same to a reader, who sees frames at 2 Hz and
+///   boxes of one size: a hit in the published protocol, and in the strict one contact, type and
+///   time, and nobody touched before.
 ///
 /// Else it has the search's code, or kNoAttackWithinBounds with the reason in the message.
 Realization findClip(const SceneRequest& asked, const IndexedScene& indexed, const Config& config);

@@ -403,7 +403,7 @@ DatasetOptions loadDataset(const std::string& directory) {
   options.max_off_road_share = section.within("max_off_road_share", 0.0, 1.0);
   options.balance.min_type_share =
       section.within("min_type_share", 0.0, 1.0 / static_cast<double>(std::size(kCollisionTypes)));
-  options.balance.min_tta_share = section.within("min_tta_share", 0.0, 1.0);
+  options.balance.max_tta_ratio = section.within("max_tta_ratio", 1.0, kInfinity);
   options.split.train_share = section.within("train_share", 0.0, 1.0);
   options.split.val_share = section.within("val_share", 0.0, 1.0 - options.split.train_share);
   options.sheet_columns = section.count("sheet_columns", 1);

@@ -9,7 +9,7 @@ namespace forge {
 /// How many clips of every kind a data set may have.
 struct BalanceOptions {
   double min_type_share = 0.0;
-  double min_tta_share = 0.0;
+  double max_tta_ratio = 0.0;
 };
 
 /// Shares of the scenes; what is left is the test split.
