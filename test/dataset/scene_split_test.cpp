@@ -30,7 +30,7 @@ TEST(SceneSplit, OrderAndRepetitionOfTheNamesDoNotMatter) {
   std::vector<std::string> names = scenes(50);
   const auto splits = splitByScene(names, kShares);
   std::reverse(names.begin(), names.end());
-  names.insert(names.end(), names.begin(), names.begin() + 20);
+  for (const std::string& name : scenes(20)) names.push_back(name);
   EXPECT_EQ(splitByScene(names, kShares), splits);
 }
 
