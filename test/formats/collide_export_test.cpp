@@ -337,7 +337,7 @@ TEST(CollideExport, ClipsOfASplitLieInItsFolder) {
   exporter.add(attack(), recording(), 3);
   const auto listed = listCollideClips(folder.path(), "test");
   ASSERT_EQ(listed.size(), 1U);
-  EXPECT_EQ(fs::path(listed.front()).parent_path(),
+  EXPECT_EQ(std::filesystem::path(listed.front()).parent_path(),
             CollideExporter::folderIn(folder.path(), "test"));
   EXPECT_THROW(listCollideClips(folder.path(), "val"), CollideError);
 }
