@@ -74,6 +74,9 @@ class Canvas {
   /// `text`, cut and ended with an ellipsis when wider than `width`.
   std::string fitted(const std::string& text, double width, const TextStyle& style);
 
+  /// Puts another image with its left upper corner at `position`.
+  void image(const Vector2& position, const Image& image);
+
   /// Nothing is drawn outside `rect` until the next call of unclip().
   void clip(const PixelRect& rect);
   void unclip();

@@ -84,6 +84,23 @@ void writeGif(const std::string& path, const ScenarioView& view, const DrawingOp
   writer.close();
 }
 
+void writeSheet(const std::string& path, const std::vector<ScenarioView>& views, int columns,
+                const DrawingOptions& options) {
+  const FigureSize size = gifSize(options);
+  const int rows = (static_cast<int>(views.size()) + columns - 1) / columns;
+  Image sheet(columns * size.width, rows * size.height, options.background_color);
+  Canvas canvas(sheet);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    checkDrawable(views[i], options);
+    const ScenarioPainter painter(views[i], options, size);
+    const int place = static_cast<int>(i);
+    canvas.image({static_cast<double>(place % columns * size.width),
+                  static_cast<double>(place / columns * size.height)},
+                 painter.paint(ScenarioMotion(views[i]).keyTime(), views[i].snapshot.now));
+  }
+  sheet.writePng(path);
+}
+
 /// Writes aside and moves the file to its place; errors name that place.
 template <typename Write>
 void writeAside(const std::string& path, const Write& write) {
@@ -101,6 +118,15 @@ void writeAside(const std::string& path, const Write& write) {
 void drawScenarioPng(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options) {
   writeAside(path, [&](const std::string& aside) { writePng(aside, view, options); });
+}
+
+void drawScenarioSheet(const std::string& path, const std::vector<ScenarioView>& views, int columns,
+                       const DrawingOptions& options) {
+  if (views.empty() || columns < 1) {
+    throw std::invalid_argument("a sheet of " + std::to_string(views.size()) + " pictures in " +
+                                std::to_string(columns) + " columns");
+  }
+  writeAside(path, [&](const std::string& aside) { writeSheet(aside, views, columns, options); });
 }
 
 void drawScenarioGif(const std::string& path, const ScenarioView& view,

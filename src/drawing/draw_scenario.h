@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "drawing/drawing_options.h"
 #include "drawing/scenario_view.h"
@@ -22,5 +23,11 @@ void drawScenarioPng(const std::string& path, const ScenarioView& view,
 /// stay at their contact poses while the others go on.
 void drawScenarioGif(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options);
+
+/// Pictures as of drawScenarioPng(), each of the size of an animation, `columns` a row, in the
+/// order of `views`, row by row; places that are left stay empty. Throws as the others, and
+/// std::invalid_argument for no views or no columns.
+void drawScenarioSheet(const std::string& path, const std::vector<ScenarioView>& views, int columns,
+                       const DrawingOptions& options);
 
 }  // namespace forge

@@ -200,11 +200,12 @@ std::variant<CollideClip, ClipObstacle> toCollideClip(const Scenario& scenario, 
   return ClipBuilder(scenario, scene).build(variant);
 }
 
-std::string CollideExporter::folderIn(const std::string& directory) {
-  return (fs::path(directory) / "trajectory" / "val").string();
+std::string CollideExporter::folderIn(const std::string& directory, const std::string& split) {
+  return (fs::path(directory) / "trajectory" / split).string();
 }
 
-CollideExporter::CollideExporter(const std::string& directory) : folder_(folderIn(directory)) {
+CollideExporter::CollideExporter(const std::string& directory, const std::string& split)
+    : folder_(folderIn(directory, split)) {
   fs::create_directories(folder_);
 }
 

@@ -39,15 +39,15 @@ const char* toString(ClipObstacle obstacle);
 std::variant<CollideClip, ClipObstacle> toCollideClip(const Scenario& scenario, const Scene& scene,
                                                       int variant);
 
-/// Writes attacks as clips into DIRECTORY/trajectory/val, where listCollideClips() finds them, and
-/// counts those that have none.
+/// Writes attacks as clips into DIRECTORY/trajectory/SPLIT, where listCollideClips() finds them,
+/// and counts those that have none.
 class CollideExporter {
  public:
-  /// Where the clips of `directory` lie.
-  static std::string folderIn(const std::string& directory);
+  /// Where the clips of a split lie.
+  static std::string folderIn(const std::string& directory, const std::string& split = "val");
 
   /// Makes the folder. Throws std::filesystem::filesystem_error.
-  explicit CollideExporter(const std::string& directory);
+  explicit CollideExporter(const std::string& directory, const std::string& split = "val");
 
   /// Writes the clip of an attack, aside and renamed, unless it is there already; a scenario that
   /// is no attack is passed over. `variant` must be another for every call. Throws as

@@ -403,6 +403,36 @@ EvaluationOptions loadEvaluation(const std::string& directory) {
   return options;
 }
 
+DatasetOptions loadDataset(const std::string& directory) {
+  Section file = openConfigFile(directory, "dataset.yaml");
+  Section section = file.section("dataset");
+  DatasetOptions options;
+  options.begin_stride = section.positive("begin_stride");
+  // Now is 3.5 s after the begin, and the shortest TTA is 0.5 s after that; a clip's name has 8
+  // frames or more.
+  options.min_length = section.within("min_length", 4.0, kInfinity);
+  options.max_length = section.within("max_length", options.min_length, kInfinity);
+  options.min_ego_speed = section.nonNegative("min_ego_speed");
+  Section attempts = section.section("attempts");
+  for (const CollisionType type : kCollisionTypes) {
+    options.attempts[type] = attempts.count(toString(type), 0);
+  }
+  attempts.finish();
+  options.heading_spread = section.positive("heading_spread");
+  options.time_tolerance = section.positive("time_tolerance");
+  options.max_off_road_share = section.within("max_off_road_share", 0.0, 1.0);
+  options.balance.min_type_share =
+      section.within("min_type_share", 0.0, 1.0 / static_cast<double>(std::size(kCollisionTypes)));
+  options.balance.max_tta_ratio = section.within("max_tta_ratio", 1.0, kInfinity);
+  options.split.train_share = section.within("train_share", 0.0, 1.0);
+  options.split.val_share = section.within("val_share", 0.0, 1.0 - options.split.train_share);
+  options.sheet_columns = section.count("sheet_columns", 1);
+  options.sheet_rows = section.count("sheet_rows", 1);
+  section.finish();
+  file.finish();
+  return options;
+}
+
 std::map<std::string, DrivingSide> loadLocations(const std::string& directory) {
   Section file = openConfigFile(directory, "locations.yaml");
   Section section = file.section("locations");
@@ -447,6 +477,7 @@ Config loadConfig(const std::string& directory) {
   config.drawing = loadDrawing(directory);
   config.requests = loadRequests(directory);
   config.evaluation = loadEvaluation(directory);
+  config.dataset = loadDataset(directory);
   config.planners = loadPlanners(directory, config.attack.vehicle_limits);
   config.locations = loadLocations(directory);
   return config;

@@ -8,6 +8,7 @@
 #include "attack/speed_forecaster.h"
 #include "drawing/drawing_options.h"
 #include "formats/config_error.h"
+#include "formats/dataset_options.h"
 #include "formats/evaluation_options.h"
 #include "map/lane_map.h"
 #include "network/encoding_options.h"
@@ -39,6 +40,7 @@ struct Config {
   DrawingOptions drawing;
   RequestListOptions requests;
   EvaluationOptions evaluation;
+  DatasetOptions dataset;
   PlannerOptions planners;
   std::map<std::string, DrivingSide> locations;  ///< by prefix of the location's name
 };

@@ -137,5 +137,45 @@ TEST_F(DrawPng, RefusesWhatCannotBeDrawnAndKeepsTheOldFile) {
   EXPECT_FALSE(exists(path_ + ".tmp"));
 }
 
+TEST_F(DrawPng, ASheetHasThePicturesRowByRow) {
+  ScenarioView other = view_;
+  other.report.type_kept = !other.report.type_kept;
+  drawScenarioSheet(path_, {view_, other, other}, 2, options_);
+  const Picture sheet(path_);
+  const FigureSize size = gifSize(options_);
+  ASSERT_EQ(sheet.width(), 2 * size.width);
+  ASSERT_EQ(sheet.height(), 2 * size.height);
+  const auto expectAt = [&](const ScenarioView& view, int column, int row) {
+    const Image alone = ScenarioPainter(view, options_, size)
+                            .paint(ScenarioMotion(view).keyTime(), view.snapshot.now);
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        const Vector2 place(column * size.width + x, row * size.height + y);
+        ASSERT_EQ(sheet.at(place), alone.pixel(x, y)) << place.transpose();
+      }
+    }
+  };
+  expectAt(view_, 0, 0);
+  expectAt(other, 1, 0);
+  expectAt(other, 0, 1);
+  for (int y = size.height; y < 2 * size.height; ++y) {
+    for (int x = size.width; x < 2 * size.width; ++x) {
+      ASSERT_EQ(sheet.at({x, y}), packedColor(options_.background_color));
+    }
+  }
+}
+
+TEST_F(DrawPng, ASheetOfNothingAndAPictureThatCannotBeDrawnAreRefused) {
+  EXPECT_THROW(drawScenarioSheet(path_, {}, 2, options_), std::invalid_argument);
+  EXPECT_THROW(drawScenarioSheet(path_, {view_}, 0, options_), std::invalid_argument);
+  ScenarioView empty = view_;
+  empty.trajectory.points.clear();
+  EXPECT_NE(errorOf([&] {
+              drawScenarioSheet(path_, {view_, empty}, 2, options_);
+            }).find(path_),
+            std::string::npos);
+  EXPECT_FALSE(exists(path_));
+}
+
 }  // namespace
 }  // namespace forge

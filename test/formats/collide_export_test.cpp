@@ -331,5 +331,16 @@ TEST(CollideExport, AnotherRecordingAndARefusalAreMisuse) {
   EXPECT_THROW(toCollideClip(between, recording(), 0), std::invalid_argument);
 }
 
+TEST(CollideExport, ClipsOfASplitLieInItsFolder) {
+  const TemporaryFolder folder;
+  CollideExporter exporter(folder.path(), "test");
+  exporter.add(attack(), recording(), 3);
+  const auto listed = listCollideClips(folder.path(), "test");
+  ASSERT_EQ(listed.size(), 1U);
+  EXPECT_EQ(std::filesystem::path(listed.front()).parent_path(),
+            CollideExporter::folderIn(folder.path(), "test"));
+  EXPECT_THROW(listCollideClips(folder.path(), "val"), CollideError);
+}
+
 }  // namespace
 }  // namespace forge

@@ -71,6 +71,19 @@ class SpoiltConfig : public testing::Test {
   fs::path directory_;
 };
 
+TEST(Config, ShippedDatasetHasTheDocumentedValues) {
+  const DatasetOptions options = loadConfig(kShipped).dataset;
+  EXPECT_EQ(options.begin_stride, 0.5);
+  EXPECT_EQ(options.min_length, 4.5);
+  EXPECT_EQ(options.max_length, 9.0);
+  EXPECT_EQ(options.attempts.size(), 5U);
+  EXPECT_EQ(options.attempts.at(CollisionType::kOppositeDirection), 3);
+  EXPECT_EQ(options.time_tolerance, 0.1);
+  EXPECT_EQ(options.balance.min_type_share, 0.15);
+  EXPECT_EQ(options.split.train_share, 0.7);
+  EXPECT_EQ(options.split.val_share, 0.1);
+}
+
 TEST(Config, ShippedLimitsAndVehicleHaveTheDocumentedValues) {
   const Config config = loadConfig(kShipped);
   const VehicleLimits& limits = config.attack.vehicle_limits;
@@ -500,6 +513,7 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
                                                         {"prediction.yaml", "prediction"},
                                                         {"encoding.yaml", "encoding"},
                                                         {"evaluation.yaml", "evaluation"},
+                                                        {"dataset.yaml", "dataset"},
                                                         {"ego_futures.yaml", "ego_futures"},
                                                         {"speed_model_fit.yaml", "speed_model_fit"},
                                                         {"training.yaml", "training"},
@@ -530,7 +544,7 @@ TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
   for (const char* file :
        {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml", "collision_types.yaml",
         "prediction.yaml", "search.yaml", "verification.yaml", "encoding.yaml", "conversion.yaml",
-        "drawing.yaml", "requests.yaml", "evaluation.yaml", "ego_futures.yaml",
+        "drawing.yaml", "requests.yaml", "evaluation.yaml", "dataset.yaml", "ego_futures.yaml",
         "speed_model_fit.yaml", "network.yaml", "training.yaml", "planners.yaml"}) {
     expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
   }
@@ -555,6 +569,8 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("conversion.yaml", "map_radius:", "#", {"conversion.map_radius", "missing"});
   expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
   expectComplaint("requests.yaml", "stride:", "#", {"requests.stride", "missing"});
+  expectComplaint("dataset.yaml", "sheet_rows:", "#", {"dataset.sheet_rows", "missing"});
+  expectComplaint("dataset.yaml", "    ltap:", "#", {"dataset.attempts.ltap", "missing"});
   expectComplaint("planners.yaml", "wheelbase:", "#", {"bicycle.wheelbase", "missing"});
   expectComplaint("planners.yaml", "ttc_weight:", "#", {"pdm.scoring.ttc_weight", "missing"});
   expectComplaint("planners.yaml", "max_yaw_rate:", "#",
@@ -712,6 +728,15 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
   expectComplaint("prediction.yaml", "lane_return_distance: 15.0", "lane_return_distance: 0",
                   {"prediction.lane_return_distance", "= 0"});
   expectComplaint("requests.yaml", "stride: 2.0", "stride: 0.0", {"requests.stride", "0.0"});
+  expectComplaint("dataset.yaml", "stride: 0.5", "stride: 0.0", {"dataset.begin_stride", "0.0"});
+  expectComplaint("dataset.yaml", "min_length: 4.5", "min_length: 3.5", {"dataset.min_length"});
+  expectComplaint("dataset.yaml", "max_length: 9.0", "max_length: 4.0", {"dataset.max_length"});
+  expectComplaint("dataset.yaml", "rear_end: 1", "rear_end: -1", {"dataset.attempts.rear_end"});
+  expectComplaint("dataset.yaml", "min_type_share: 0.15", "min_type_share: 0.21",
+                  {"dataset.min_type_share"});
+  expectComplaint("dataset.yaml", "max_tta_ratio: 2.0", "max_tta_ratio: 0.9",
+                  {"dataset.max_tta_ratio"});
+  expectComplaint("dataset.yaml", "val_share: 0.1", "val_share: 0.31", {"dataset.val_share"});
   expectComplaint("requests.yaml", "[2.0,", "[-2.0,", {"requests.ttas", "-2.0"});
   expectComplaint("requests.yaml", "speed: 2.0", "speed: -1", {"requests.min_ego_speed", "-1"});
   expectComplaint("evaluation.yaml", "resamples: 1000", "resamples: 0",

@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 LAYERS = [{'geometry'}, {'map'}, {'scene'}, {'attack'}, {'drawing', 'formats', 'network', 'planners'},
-          {'batch'}, {'protocols'}, {'ros', 'rviz', 'tools'}]
+          {'batch'}, {'protocols'}, {'dataset'}, {'ros', 'rviz', 'tools'}]
 LAYER_OF = {module: level for level, modules in enumerate(LAYERS) for module in modules}
 
 ROS_MODULES = {'ros', 'rviz', 'tools'}

@@ -31,6 +31,11 @@ class CheckLayering(unittest.TestCase):
         self.assertEqual(['src/formats/a.cpp: batch is above formats'],
                          violations_of(formats__a_cpp='batch/b.h', batch__b_h=''))
 
+    def test_dataset_is_between_protocols_and_tools(self):
+        self.assertEqual([], violations_of(protocols__a_h='', dataset__b_h='protocols/a.h', tools__c_cpp='dataset/b.h'))
+        self.assertEqual(['src/protocols/a.cpp: dataset is above protocols'],
+                         violations_of(protocols__a_cpp='dataset/b.h', dataset__b_h=''))
+
     def test_ros_stays_in_its_modules(self):
         self.assertEqual([], violations_of(ros__a_cpp='ros/ros.h', ros__bag_reader_cpp='rosbag/bag.h',
                                            tools__b_cpp='nav_msgs/Path.h', rviz__c_cpp='rviz/panel.h'))
