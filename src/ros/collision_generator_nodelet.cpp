@@ -1,6 +1,7 @@
 #include <collision_forge/EncodedScene.h>
 #include <collision_forge/GenerateCollision.h>
 #include <collision_forge/PredictPattern.h>
+#include <collision_forge/PredictedPatterns.h>
 #include <collision_forge/RealizeTrajectory.h>
 #include <nodelet/nodelet.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -32,6 +33,8 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     const Config config = loadNodeConfig(getPrivateNodeHandle());
     options_ = config.attack;
     loadRecording(config.ego_vehicle);
+    predicted_publisher_ =
+        node.advertise<collision_forge::PredictedPatterns>(names::kPredictedPatterns, 1, true);
     pattern_publisher_ =
         node.advertise<collision_forge::CollisionPattern>(names::kCollisionPattern, 1, true);
     trajectory_publisher_ =
@@ -114,6 +117,10 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     if (!callService(predict_name_, predict)) return unavailable(predict_name_);
     if (predict.response.code != Response::OK) return statusOf(predict.response);
 
+    collision_forge::PredictedPatterns predicted;
+    predicted.header = predict.request.scene.header;
+    predicted.patterns = predict.response.patterns;
+    predicted_publisher_.publish(predicted);
     collision_forge::RealizeTrajectory realize;
     realize.request.scene = std::move(predict.request.scene);
     realize.request.request = predict.request.request;
@@ -178,6 +185,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   std::string predict_name_;
   std::string realize_name_;
   ros::Subscriber scene_subscriber_;
+  ros::Publisher predicted_publisher_;
   ros::Publisher pattern_publisher_;
   ros::Publisher trajectory_publisher_;
   ros::Publisher report_publisher_;

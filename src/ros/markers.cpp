@@ -27,6 +27,8 @@ constexpr double kPatternHeight = 4.7;
 constexpr double kLaneWidth = 0.12;     // m, of lines
 constexpr double kTrailWidth = 0.25;    // m
 constexpr double kPatternWidth = 0.22;  // m
+constexpr std::size_t kShownPatterns = 5;
+constexpr float kPatternAlpha = 0.5F;  // of the first; each next one has half of it
 
 constexpr double kArrowSpacing = 15.0;  // m along a centreline
 constexpr double kArrowLength = 1.2;    // m
@@ -182,6 +184,28 @@ MarkerArray sceneMarkers(const collision_forge::EncodedScene& scene) {
     addTrack("agents", agent, scene.header.stamp, colors::agentColor(agent.agent_class), markers);
   }
   addTrack("ego", scene.ego, scene.header.stamp, colors::kEgo, markers);
+  return markers.take();
+}
+
+MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
+                           const collision_forge::EncodedScene& scene) {
+  MarkerList markers(predicted.header);
+  float alpha = kPatternAlpha;
+  for (std::size_t i = 0; i < std::min(kShownPatterns, predicted.patterns.size()); ++i) {
+    const collision_forge::CollisionPattern& pattern = predicted.patterns[i];
+    const auto attacker =
+        std::find_if(scene.agents.begin(), scene.agents.end(),
+                     [&](const auto& agent) { return agent.id == pattern.attacker_id; });
+    if (attacker == scene.agents.end()) continue;
+    const OrientedBox ego{fromMessage(pattern.ego), sizeOf(pattern.ego_size)};
+    const OrientedBox other{compose(ego.center, fromMessage(pattern.attacker_offset)),
+                            sizeOf(attacker->size)};
+    markers.addSlab("predicted_ego", ego, kGhostHeight,
+                    colors::withAlpha(colors::kPatternEgo, alpha));
+    markers.addSlab("predicted_attacker", other, kGhostHeight,
+                    colors::withAlpha(colors::kPatternAttacker, alpha));
+    alpha *= 0.5F;
+  }
   return markers.take();
 }
 

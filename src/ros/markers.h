@@ -6,6 +6,7 @@
 #include <collision_forge/CollisionReport.h>
 #include <collision_forge/EncodedScene.h>
 #include <collision_forge/LaneMap.h>
+#include <collision_forge/PredictedPatterns.h>
 #include <visualization_msgs/MarkerArray.h>
 
 /// Messages as RViz shows them. Frame and stamp are those of the message's header; every array
@@ -17,6 +18,11 @@ visualization_msgs::MarkerArray mapMarkers(const collision_forge::LaneMap& map);
 
 /// The ego and the agents present now: box, past trail, and the start of its id on what can attack.
 visualization_msgs::MarkerArray sceneMarkers(const collision_forge::EncodedScene& scene);
+
+/// The first patterns as pairs of ghosts, the ego's and the attacker's box at impact, the fainter
+/// the less promising. Attackers have their size in `scene`; who is not there is left out.
+visualization_msgs::MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
+                                               const collision_forge::EncodedScene& scene);
 
 /// The attacker's way to the contact with a ghost every half second, the pattern's two boxes, both
 /// vehicles at contact, and what the report says in words.

@@ -14,11 +14,14 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
     ros::NodeHandle& node = getNodeHandle();
     map_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kMapMarkers, 1, true);
     scene_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kSceneMarkers, 1);
+    pattern_markers_ =
+        node.advertise<visualization_msgs::MarkerArray>(names::kPatternMarkers, 1, true);
     attack_markers_ =
         node.advertise<visualization_msgs::MarkerArray>(names::kAttackMarkers, 1, true);
     subscribers_ = {
         node.subscribe(names::kLaneMap, 1, &SceneVisualizerNodelet::onMap, this),
         node.subscribe(names::kEncodedScene, 1, &SceneVisualizerNodelet::onScene, this),
+        node.subscribe(names::kPredictedPatterns, 1, &SceneVisualizerNodelet::onPredicted, this),
         node.subscribe(names::kCollisionPattern, 1, &SceneVisualizerNodelet::onPattern, this),
         node.subscribe(names::kAttackerTrajectory, 1, &SceneVisualizerNodelet::onTrajectory, this),
         node.subscribe(names::kCollisionReport, 1, &SceneVisualizerNodelet::onReport, this)};
@@ -29,8 +32,16 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
   }
 
   void onScene(const collision_forge::EncodedSceneConstPtr& scene) {
+    scene_ = scene;
     scene_markers_.publish(sceneMarkers(*scene));
     clearFutureAttack(*scene);
+  }
+
+  /// Of the newest scene, as requests are.
+  void onPredicted(const collision_forge::PredictedPatternsConstPtr& predicted) {
+    if (!scene_) return;
+    pattern_markers_.publish(patternMarkers(*predicted, *scene_));
+    patterns_start_ = predicted->header.stamp;
   }
 
   void onPattern(const collision_forge::CollisionPatternConstPtr& pattern) {
@@ -63,6 +74,10 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
 
   /// A scene from before the attack was made means that the recording started anew.
   void clearFutureAttack(const collision_forge::EncodedScene& scene) {
+    if (scene.header.stamp < patterns_start_) {
+      pattern_markers_.publish(noMarkers(scene.header));
+      patterns_start_ = ros::Time();
+    }
     if (scene.header.stamp >= attack_start_) return;
     attack_markers_.publish(noMarkers(scene.header));
     attack_start_ = ros::Time();
@@ -77,12 +92,15 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
 
   ros::Publisher map_markers_;
   ros::Publisher scene_markers_;
+  ros::Publisher pattern_markers_;
   ros::Publisher attack_markers_;
   std::vector<ros::Subscriber> subscribers_;
+  collision_forge::EncodedSceneConstPtr scene_;
   collision_forge::CollisionPatternConstPtr pattern_;
   collision_forge::AttackerTrajectoryConstPtr trajectory_;
   collision_forge::CollisionReportConstPtr report_;
-  ros::Time attack_start_;  ///< "now" of the attack that is shown; zero: none
+  ros::Time patterns_start_;  ///< "now" of the patterns that are shown; zero: none
+  ros::Time attack_start_;    ///< "now" of the attack that is shown; zero: none
 };
 
 }  // namespace forge

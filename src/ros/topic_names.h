@@ -13,6 +13,7 @@ inline constexpr char kTf[] = "/tf";
 
 // Made by the suite.
 inline constexpr char kEncodedScene[] = "encoded_scene";              // EncodedScene
+inline constexpr char kPredictedPatterns[] = "predicted_patterns";    // PredictedPatterns, latched
 inline constexpr char kCollisionPattern[] = "collision_pattern";      // CollisionPattern, latched
 inline constexpr char kAttackerTrajectory[] = "attacker_trajectory";  // AttackerTrajectory, latched
 inline constexpr char kCollisionReport[] = "collision_report";        // CollisionReport, latched
@@ -20,6 +21,7 @@ inline constexpr char kTestedReport[] = "tested_report";  // CollisionReport, la
 inline constexpr char kInjectedAgents[] = "injected_agents";  // AgentArray
 inline constexpr char kMapMarkers[] = "map_markers";          // MarkerArray, latched
 inline constexpr char kSceneMarkers[] = "scene_markers";      // MarkerArray
+inline constexpr char kPatternMarkers[] = "pattern_markers";  // MarkerArray, latched
 inline constexpr char kAttackMarkers[] = "attack_markers";    // MarkerArray, latched
 inline constexpr char kPlannerOutcome[] = "planner_outcome";  // PlannerOutcome, latched
 inline constexpr char kPlannerMarkers[] = "planner_markers";  // MarkerArray, latched

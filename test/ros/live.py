@@ -29,12 +29,12 @@ NODES = {
                         ['/agents', '/attacker_trajectory', '/collision_pattern', '/lane_map', '/odom'], []),
     'planner_tester': (['/planner_markers', '/planner_outcome', '/planning_state', '/tested_map'],
                        ['/attacker_trajectory', '/collision_pattern', '/planned_trajectory'], ['/test_planner']),
-    'collision_generator': (['/attacker_trajectory', '/collision_pattern', '/collision_report'],
+    'collision_generator': (['/attacker_trajectory', '/collision_pattern', '/collision_report', '/predicted_patterns'],
                             ['/encoded_scene'], ['/generate_collision']),
     'attacker_injector': (['/injected_agents'], ['/agents', '/attacker_trajectory'], []),
-    'scene_visualizer': (['/attack_markers', '/map_markers', '/scene_markers'],
+    'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers'],
                          ['/attacker_trajectory', '/collision_pattern', '/collision_report', '/encoded_scene',
-                          '/lane_map'], []),
+                          '/lane_map', '/predicted_patterns'], []),
 }
 MANAGER = 'collision_forge_manager'
 PLAYED = ['/agents', '/lane_map', '/odom', '/tf']  # what the suite hears of a bag
@@ -45,7 +45,7 @@ ANSWERED = {'/collision_pattern': 'pattern', '/attacker_trajectory': 'trajectory
 TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/encoded_scene': EncodedScene,
          '/attacker_trajectory': AttackerTrajectory, '/collision_pattern': CollisionPattern,
          '/collision_report': CollisionReport, '/tested_report': CollisionReport, '/attack_markers': MarkerArray,
-         '/map_markers': MarkerArray, '/scene_markers': MarkerArray}
+         '/map_markers': MarkerArray, '/pattern_markers': MarkerArray, '/scene_markers': MarkerArray}
 
 
 def until(condition, what, timeout=TIMEOUT, interval=0.05):
@@ -281,7 +281,7 @@ class LiveTest(road.RoadTest):
 class WholeRoadTest(LiveTest):
     """Checks that what the suite answers and publishes is what inject_attacker makes of the same bag offline."""
     HEARD = ['/encoded_scene', '/agents', '/injected_agents', '/tested_report', '/map_markers', '/scene_markers',
-             '/attack_markers']
+             '/pattern_markers', '/attack_markers']
 
     def play_and_ask(self, collision_type, mode, seed):
         """Answered live as offline; returns the answer and the attacked bag."""

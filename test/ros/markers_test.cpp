@@ -332,6 +332,51 @@ TEST(AttackMarkers, OfEmptyMessagesAreValid) {
   expectValid(empty.markers(), 4.0);
 }
 
+/// `count` patterns of agents "a0", "a1" ..., five metres left of each other, all in the scene.
+std::pair<collision_forge::PredictedPatterns, collision_forge::EncodedScene> predicted(int count) {
+  collision_forge::PredictedPatterns patterns;
+  collision_forge::EncodedScene scene;
+  patterns.header = scene.header = header(1.0);
+  for (int i = 0; i < count; ++i) {
+    collision_forge::CollisionPattern pattern;
+    pattern.attacker_id = "a" + std::to_string(i);
+    pattern.ego = pose2d(10.0, 0.0, M_PI / 2);
+    pattern.ego_size = carSize();
+    pattern.attacker_offset = pose2d(0.0, 5.0 * (i + 1), 0.0);
+    patterns.patterns.push_back(pattern);
+    collision_forge::AgentTrack agent;
+    agent.id = pattern.attacker_id;
+    agent.size = carSize();
+    scene.agents.push_back(agent);
+  }
+  return {patterns, scene};
+}
+
+TEST(PatternMarkers, ShowTheFirstOnesFainterAndFainter) {
+  const auto [patterns, scene] = predicted(7);
+  const MarkerArray array = patternMarkers(patterns, scene);
+  expectValid(array, 1.0);
+  const auto attackers = inNamespace(array, "predicted_attacker");
+  ASSERT_EQ(attackers.size(), 5U);
+  EXPECT_EQ(inNamespace(array, "predicted_ego").size(), 5U);
+  for (std::size_t i = 0; i < attackers.size(); ++i) {
+    // Left of an ego that heads along y is towards -x.
+    EXPECT_NEAR(attackers[i].pose.position.x, 10.0 - 5.0 * (static_cast<double>(i) + 1.0), 1e-9);
+    if (i > 0) EXPECT_LT(attackers[i].color.a, attackers[i - 1].color.a);
+  }
+}
+
+TEST(PatternMarkers, LeaveOutWhoIsNotInTheScene) {
+  auto [patterns, scene] = predicted(2);
+  scene.agents.erase(scene.agents.begin());
+  EXPECT_EQ(inNamespace(patternMarkers(patterns, scene), "predicted_attacker").size(), 1U);
+}
+
+TEST(PatternMarkers, OfNothingDeleteWhatWas) {
+  const auto [patterns, scene] = predicted(0);
+  EXPECT_EQ(patternMarkers(patterns, scene).markers.size(), 1U);
+}
+
 TEST(AnnotationMarkers, HoldABoxAndANameForEverybody) {
   collision_forge::AgentArray agents;
   agents.header = header(5.0);

@@ -74,10 +74,13 @@ class JunctionTest(live.WholeRoadTest):
     def test_attack_markers_go_when_the_replay_is_restarted(self):
         answer, _ = self.play_and_ask('rear_end', 'history', 0)
         listener = self.heard['/attack_markers']
-        listener.wait(lambda markers: len(markers.markers) > 1 and
-                      markers.markers[-1].header.stamp == answer.pattern.header.stamp)
+        predicted = self.heard['/pattern_markers']
+        for markers in (listener, predicted):
+            markers.wait(lambda markers: len(markers.markers) > 1 and
+                         markers.markers[-1].header.stamp == answer.pattern.header.stamp)
         self.play_to(1.0)
         until(lambda: len(listener.all()[-1].markers) <= 1, 'the attack markers to go')
+        until(lambda: len(predicted.all()[-1].markers) <= 1, 'the predicted patterns to go')
 
     def test_restarted_replay_starts_history_anew(self):
         self.assertEqual(len(self.play_to(8.0).ego.states), 8)
