@@ -77,7 +77,7 @@ TEST(Config, ShippedDatasetHasTheDocumentedValues) {
   EXPECT_EQ(options.min_length, 4.5);
   EXPECT_EQ(options.max_length, 9.0);
   EXPECT_EQ(options.attempts.size(), 5U);
-  EXPECT_EQ(options.attempts.at(CollisionType::kOppositeDirection), 3);
+  EXPECT_EQ(options.attempts.at(CollisionType::kOppositeDirection), 5);
   EXPECT_EQ(options.time_tolerance, 0.1);
   EXPECT_EQ(options.balance.min_type_share, 0.15);
   EXPECT_EQ(options.split.train_share, 0.7);
