@@ -6,8 +6,6 @@
 namespace forge {
 namespace {
 
-constexpr double kTouchingGap = 0.01;  // m, instead of a gap that the law cannot divide by
-
 /// A vehicle that the law drives along a path.
 struct Driver {
   double arc_length = 0.0;  ///< m

@@ -5,6 +5,9 @@
 
 namespace forge {
 
+/// m; what callers give the law at least, instead of a gap that it cannot divide by.
+inline constexpr double kTouchingGap = 0.01;
+
 /// The intelligent driver model (Treiber, Hennecke, Helbing 2000, doi 10.1103/PhysRevE.62.1805).
 struct IdmParameters {
   double desired_speed = 0.0;     ///< v0, m/s

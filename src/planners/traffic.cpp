@@ -6,7 +6,6 @@
 namespace forge {
 namespace {
 
-constexpr double kTouchingGap = 0.01;  // m, instead of a gap that the law cannot divide by
 constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 
 bool isMotorVehicle(AgentClass agent_class) {

@@ -2,7 +2,7 @@
 """usage: odd_planner.py MODE: an external planner that keeps its speed straight on, well for five ticks, and then as MODE says.
 
 straight: goes on like that. never: is silent. dies: ends without a word. nan, empty, unfilled: answers with a number that is
-none, without points, without orientations. late: answers the tick before. stranger: answers another test first, then well.
+none, without points, without orientations. late: names the tick before. stranger: answers another test first, then well.
 From the first tick on, twice: answers that one twice, and deaf: leaves it out when it comes first.
 """
 import math
@@ -53,7 +53,7 @@ def answers(state):
     if mode == 'unfilled':
         answer.points[3].pose.orientation = Quaternion()
     if mode == 'late':
-        answer = straight(states[-2])
+        answer.header = states[-2].header
     if mode == 'stranger':
         other = straight(state)
         other.test -= 1

@@ -310,7 +310,7 @@ class PlannerTesterTest(road.RoadTest):
         self.assert_failed(self.odd('unfilled'), 'error', 'points[3].pose.orientation')
 
     def test_external_planner_that_answers_an_older_tick(self):
-        self.assert_failed(self.odd('late'), 'late', '-0.1')
+        self.assert_failed(self.odd('late'), 'late', 'to the tick -0.1')
 
     def test_answers_to_another_test_and_repeated_first_ones_are_left_out(self):
         for mode in ('stranger', 'twice'):
