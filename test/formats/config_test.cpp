@@ -373,6 +373,7 @@ TEST(Config, ShippedTrainingHasTheDocumentedValues) {
   EXPECT_EQ(training.selection_weight, 0.3);
   EXPECT_EQ(training.clip_weight, 2.0);
   EXPECT_EQ(training.hidden_history_share, 0.3);
+  EXPECT_EQ(training.mirrored_share, 0.5);
   EXPECT_EQ(training.validation_share, 0.1);
   EXPECT_EQ(training.max_tta, 9.0);
   EXPECT_EQ(training.min_vehicle_speed, 1.0);

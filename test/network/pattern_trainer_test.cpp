@@ -85,16 +85,14 @@ INSTANTIATE_TEST_SUITE_P(PatternTrainer, Heads,
                                          EgoHead::kRegression),
                          [](const auto& info) { return std::string(toString(info.param)); });
 
-TEST_P(Heads, GradientsAreThoseOfTheLoss) {
-  const auto samples = samplesOf(features(), 3);
-  TrainingOptions options = quickTraining();
-  // which anchors' headings count is held by training, so differences would not agree
-  if (GetParam() != EgoHead::kRegression) options.heading_weight = 0.0;
-  PatternTrainer trainer = trainerOf(options, 3, features());
+/// Derivatives against differences, of the layers whose names begin with `prefix` or of all others.
+void checkGradients(PatternTrainer trainer, const std::vector<TrainingSample>& samples,
+                    const std::string& prefix, bool others) {
   std::map<std::string, std::vector<double>> gradients;
   trainer.lossAndGradients(samples, &gradients);
   constexpr double kStep = 1e-6;
   for (const auto& [layer, numbers] : gradients) {
+    if ((layer.rfind(prefix, 0) == 0) == others) continue;
     std::size_t largest = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (std::abs(numbers[i]) > std::abs(numbers[largest])) largest = i;
@@ -111,6 +109,18 @@ TEST_P(Heads, GradientsAreThoseOfTheLoss) {
   }
 }
 
+TEST_P(Heads, GradientsAreThoseOfTheLoss) {
+  const auto samples = samplesOf(features(), 3);
+  TrainingOptions options = quickTraining();
+  // which anchors' headings count is held by training, so differences would not agree
+  if (GetParam() != EgoHead::kRegression) options.heading_weight = 0.0;
+  checkGradients(trainerOf(options, 3, features()), samples, "candidate_", false);
+  // what the ego's place is told by is trained by that alone
+  options.offset_weight = 0.0;
+  options.selection_weight = 0.0;
+  checkGradients(trainerOf(options, 3, features()), samples, "candidate_", true);
+}
+
 TEST_P(Heads, LearnAFewMomentsByHeart) {
   const auto samples = samplesOf(features(), 4);
   TrainingOptions options = quickTraining();
@@ -118,6 +128,7 @@ TEST_P(Heads, LearnAFewMomentsByHeart) {
   options.dropout = 0.0;
   options.context_dropout = 0.0;
   options.weight_decay = 0.0;
+  options.mirrored_share = 0.0;
   options.learning_rate = 0.01;
   PatternTrainer trainer = trainerOf(options, 1, features());
   const double before = trainer.losses(samples, all(samples)).total;
