@@ -60,6 +60,7 @@ struct PatternTrainer::State {
   std::uint64_t seed = 0;
   int epochs = 0;
   std::int64_t steps = 0;
+  TrainingRanks ranks;
   PatternModule module{nullptr};
   PatternModule average{nullptr};
   std::unique_ptr<torch::optim::AdamW> optimizer;
@@ -92,6 +93,72 @@ struct PatternTrainer::State {
     const auto sources = module->parameters();
     for (std::size_t i = 0; i < targets.size(); ++i) {
       targets[i].mul_(decay).add_(sources[i], 1.0 - decay);
+    }
+  }
+
+  /// One step on a batch, of which this rank takes its part; the losses over all of it.
+  TrainingLosses step(const std::vector<TrainingDraw>& draws, double steps_in_all) {
+    const std::size_t rank = static_cast<std::size_t>(ranks.rank);
+    const std::size_t size = static_cast<std::size_t>(ranks.size);
+    const auto begin = static_cast<std::ptrdiff_t>(draws.size() * rank / size);
+    const auto end = static_cast<std::ptrdiff_t>(draws.size() * (rank + 1) / size);
+    const double share = static_cast<double>(end - begin) / static_cast<double>(draws.size());
+    TrainingLosses result;
+    setRate(steps_in_all);
+    optimizer->zero_grad();
+    if (begin < end) {
+      const PatternBatch batch =
+          movedTo(batchOf({draws.begin() + begin, draws.begin() + end}, features, options), device);
+      const BatchLosses losses = lossesOf(module, batch);
+      torch::Tensor loss = total(losses);
+      if (size > 1) loss = loss * share;
+      loss.backward();
+      result = weighed(numbers(losses), share);
+    }
+    if (size > 1) shareGradients(result);
+    torch::nn::utils::clip_grad_norm_(module->parameters(), options.max_gradient);
+    optimizer->step();
+    ++steps;
+    followAverage();
+    return result;
+  }
+
+  /// Gradients and losses become their sums over the ranks.
+  void shareGradients(TrainingLosses& losses) {
+    std::vector<double> numbers = {losses.ego, losses.heading, losses.offset, losses.selection,
+                                   losses.total};
+    const std::size_t first = numbers.size();
+    for (const torch::Tensor& parameter : module->parameters()) {
+      torch::Tensor gradient =
+          parameter.grad().defined() ? parameter.grad() : torch::zeros_like(parameter);
+      gradient = gradient.to(torch::kCPU, torch::kFloat64).contiguous();
+      numbers.insert(numbers.end(), gradient.data_ptr<double>(),
+                     gradient.data_ptr<double>() + gradient.numel());
+    }
+    ranks.sum(numbers);
+    losses = {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
+    double* next = numbers.data() + first;
+    for (torch::Tensor& parameter : module->parameters()) {
+      parameter.mutable_grad() =
+          torch::from_blob(next, parameter.sizes(), torch::kFloat64).to(parameter.options());
+      next += parameter.numel();
+    }
+  }
+
+  /// Every rank tells a fingerprint of its weights, and hears those of the others.
+  void checkRanks() const {
+    std::vector<double> prints(static_cast<std::size_t>(ranks.size), 0.0);
+    std::uint32_t print = 0x811c9dc5u;  // FNV-1a
+    for (const torch::Tensor& parameter : module->parameters()) {
+      const RowMatrix matrix = toMatrix(parameter);
+      const auto* bytes = reinterpret_cast<const unsigned char*>(matrix.data());
+      const auto count = static_cast<std::size_t>(matrix.size()) * sizeof(float);
+      for (std::size_t i = 0; i < count; ++i) print = (print ^ bytes[i]) * 0x01000193u;
+    }
+    prints[static_cast<std::size_t>(ranks.rank)] = print;
+    ranks.sum(prints);
+    for (const double other : prints) {
+      if (other != print) throw TrainingError("the ranks do not hold the same weights");
     }
   }
 
@@ -136,6 +203,8 @@ PatternTrainer::PatternTrainer(const PatternFeatureOptions& features,
 
 PatternTrainer::~PatternTrainer() = default;
 
+void PatternTrainer::trainTogether(TrainingRanks ranks) { state_->ranks = std::move(ranks); }
+
 int PatternTrainer::epochsDone() const { return state_->epochs; }
 
 TrainingLosses PatternTrainer::trainEpoch(const std::vector<TrainingSample>& samples,
@@ -143,8 +212,8 @@ TrainingLosses PatternTrainer::trainEpoch(const std::vector<TrainingSample>& sam
                                           const std::function<void(std::size_t)>& on_batch) {
   State& state = *state_;
   const std::uint64_t seed = state.seed * 1000003 + static_cast<std::uint64_t>(state.epochs) + 1;
-  torch::manual_seed(seed);
-  std::mt19937_64 engine(seed);
+  torch::manual_seed(seed + 7919 * static_cast<std::uint64_t>(state.ranks.rank));
+  std::mt19937_64 engine(seed);  // all ranks draw the same
   std::vector<std::size_t> order = chosen;
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[engine() % i]);
   const auto batch_size = static_cast<std::size_t>(state.options.batch);
@@ -158,19 +227,11 @@ TrainingLosses PatternTrainer::trainEpoch(const std::vector<TrainingSample>& sam
     for (std::size_t i = first; i < last; ++i) {
       draws.push_back(randomDraw(samples[order[i]], state.options, engine));
     }
-    const PatternBatch batch = movedTo(batchOf(draws, state.features, state.options), state.device);
-    state.setRate(steps_in_all);
-    state.optimizer->zero_grad();
-    const BatchLosses losses = lossesOf(state.module, batch);
-    state.total(losses).backward();
-    torch::nn::utils::clip_grad_norm_(state.module->parameters(), state.options.max_gradient);
-    state.optimizer->step();
-    ++state.steps;
-    state.followAverage();
-    sum += weighed(state.numbers(losses), static_cast<double>(last - first));
+    sum += weighed(state.step(draws, steps_in_all), static_cast<double>(last - first));
     if (on_batch) on_batch(last);
   }
   ++state.epochs;
+  if (state.ranks.size > 1) state.checkRanks();
   return weighed(sum, 1.0 / static_cast<double>(order.size()));
 }
 
