@@ -30,7 +30,7 @@ struct Arguments {
   std::string config;
   bool without_others = false;
   bool unseen = false;
-  bool without_type = false;
+  bool seen_scenes = false;
 };
 
 /// What was foretold for one clip.
@@ -121,7 +121,7 @@ void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternN
   if (arguments.without_others) seen.agents.clear();
   const PredictedScene scene(network, seen, lanes, clip.tta(), config.attack.ego_futures);
   const auto components =
-      scene.egoAfter(clip.tta(), arguments.without_type ? std::nullopt : std::optional(clip.type));
+      scene.egoAfter(clip.tta(), arguments.seen_scenes ? std::optional(clip.type) : std::nullopt);
   const Pose2 expected = medianPose(components);
   const Pose2 truth =
       relativeTo(scene.ways().ego.state.pose, stateAt(recorded.ego, clip.times.back())->pose);
@@ -224,15 +224,16 @@ int measure(const Arguments& arguments) {
   const auto paths = listCollideClips(arguments.collide, arguments.split);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const CollideClip clip = readCollideClip(paths[i]);
-    const auto& left_out = networks->forScene(clip.scene).weights().left_out_scenes;
+    const std::string scene = arguments.seen_scenes ? "" : clip.scene;
+    const PatternNetwork& network = networks->forScene(scene);
+    const auto& left_out = network.weights().left_out_scenes;
     if (arguments.unseen &&
         std::find(left_out.begin(), left_out.end(), clip.scene) == left_out.end()) {
       continue;
     }
-    const KinematicEgoFutures kinematic(config.attack.ego_futures, speeds, clip.scene);
-    const NetworkEgoFutures sampler(config.attack.ego_futures, networks, speeds, clip.scene);
-    measureClip(clip, lanes.at(clip.city), networks->forScene(clip.scene), kinematic, sampler,
-                config, arguments, totals);
+    const KinematicEgoFutures kinematic(config.attack.ego_futures, speeds, scene);
+    const NetworkEgoFutures sampler(config.attack.ego_futures, networks, speeds, scene);
+    measureClip(clip, lanes.at(clip.city), network, kinematic, sampler, config, arguments, totals);
     progress.show(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
   }
   print(totals);
@@ -250,10 +251,12 @@ int main(int argc, char** argv) {
   app.add_option("--networks", arguments.networks, "file of networks; that of --config by default");
   app.add_flag("--without-others", arguments.without_others,
                "hide all other vehicles, to see what they give away");
-  app.add_flag("--without-type", arguments.without_type,
-               "hide the type from what tells the ego's place");
+  CLI::Option* seen = app.add_flag(
+      "--seen-scenes", arguments.seen_scenes,
+      "judge by the network of all scenes, and tell it the type, as where splits share scenes");
   app.add_flag("--unseen", arguments.unseen,
-               "only clips of scenes that the network that judges them was trained without");
+               "only clips of scenes that the network that judges them was trained without")
+      ->excludes(seen);
   addConfigOption(app, arguments.config);
   return runTool(app, argc, argv, [&] { return measure(arguments); });
 }
