@@ -204,28 +204,29 @@ TEST(PatternTrainer, ResumesToTheSameBits) {
 class TwoRanks {
  public:
   TrainingRanks rank(int rank) {
-    return {rank, 2, [this](std::vector<double>& numbers) { sum(numbers); }};
+    return {rank, 2, [this](std::vector<double>& numbers) { sumUp(numbers); }};
   }
 
  private:
-  void sum(std::vector<double>& numbers) {
+  void sumUp(std::vector<double>& numbers) {
     std::unique_lock<std::mutex> lock(mutex_);
     const int round = rounds_;
+    std::vector<double>& sum = sums_[round % 2];  // the other may begin the next round at once
     if (++arrived_ == 1) {
-      sum_ = numbers;
+      sum = numbers;
       all_here_.wait(lock, [&] { return rounds_ != round; });
     } else {
-      for (std::size_t i = 0; i < numbers.size(); ++i) sum_[i] += numbers[i];
+      for (std::size_t i = 0; i < numbers.size(); ++i) sum[i] += numbers[i];
       arrived_ = 0;
       ++rounds_;
       all_here_.notify_all();
     }
-    numbers = sum_;
+    numbers = sum;
   }
 
   std::mutex mutex_;
   std::condition_variable all_here_;
-  std::vector<double> sum_;
+  std::vector<double> sums_[2];
   int arrived_ = 0;
   int rounds_ = 0;
 };
