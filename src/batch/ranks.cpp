@@ -30,6 +30,14 @@ void Ranks::send(int to, MessageTag tag, const std::string& bytes) const {
            MPI_COMM_WORLD);
 }
 
+void Ranks::sum(std::vector<double>& numbers) const {
+  if (size_ == 1) return;
+  MPI_Allreduce(MPI_IN_PLACE, numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, MPI_SUM,
+                MPI_COMM_WORLD);
+  // rank 0 has the last word: an order of summing that differs among ranks would part them
+  MPI_Bcast(numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD);
+}
+
 std::optional<RankMessage> Ranks::receive() const {
   if (size_ == 1) return std::nullopt;
   int has_arrived = 0;

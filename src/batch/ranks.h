@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace forge {
 
@@ -38,6 +39,10 @@ class Ranks {
   /// A message that has arrived, from anyone; empty when none has. Does not wait: MPI's own waiting
   /// keeps a core busy.
   std::optional<RankMessage> receive() const;
+
+  /// Replaces numbers by their sums over all ranks, the same bits for each. Waits for all of them,
+  /// which must bring as many numbers.
+  void sum(std::vector<double>& numbers) const;
 
   /// From now on this process may end without the others: MPI is shut down in good order at its
   /// exit. A process that exits without has failed, and mpirun ends the others.

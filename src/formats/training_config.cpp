@@ -63,6 +63,7 @@ TrainingOptions readTraining(Section section) {
   options.selection_weight = section.nonNegative("selection_weight");
   options.clip_weight = section.positive("clip_weight");
   options.hidden_history_share = section.within("hidden_history_share", 0.0, 1.0);
+  options.mirrored_share = section.within("mirrored_share", 0.0, 1.0);
   options.validation_share = section.within("validation_share", 0.0, 1.0);
   options.max_tta = section.positive("max_tta");
   options.min_vehicle_speed = section.nonNegative("min_vehicle_speed");

@@ -12,8 +12,9 @@ std::shared_ptr<const EgoFutureSampler> Foresight::egoFutures(
 
 std::unique_ptr<const PatternPredictor> Foresight::patterns(
     const AttackOptions& options, const std::string& left_out_scene) const {
-  return std::make_unique<NetworkPatternPredictor>(
-      options, egoFutures(options.ego_futures, left_out_scene), networks, left_out_scene);
+  return std::make_unique<NetworkPatternPredictor>(options,
+                                                   egoFutures(options.ego_futures, left_out_scene),
+                                                   networks, left_out_scene, scenes_are_known);
 }
 
 }  // namespace forge

@@ -52,6 +52,7 @@ struct TrainingOptions {
   double selection_weight = 0.0;
   double clip_weight = 0.0;
   double hidden_history_share = 0.0;
+  double mirrored_share = 0.0;
   double validation_share = 0.0;
   double max_tta = 0.0;
   double min_vehicle_speed = 0.0;

@@ -46,10 +46,11 @@ void egoLosses(const torch::Tensor& out, const PatternBatch& batch, BatchLosses&
   losses.heading = (weights * (near * (1.0 - cos_error)).sum(-1)).sum();
 }
 
+/// These train the candidate's layers alone: the scene is encoded for the ego's place.
 void attackLosses(PatternModule& module, const torch::Tensor& scene, const PatternBatch& batch,
                   BatchLosses& losses) {
   const torch::Tensor with_request =
-      module->withRequest(scene.index_select(0, batch.attack_rows), batch.attack_requests);
+      module->withRequest(scene.index_select(0, batch.attack_rows), batch.attack_requests).detach();
   const torch::Tensor scores = module->candidates(with_request, batch.candidates).select(-1, 0) +
                                (1.0 - batch.candidate_mask) * kAbsent;
   losses.selection = torch::nll_loss(torch::log_softmax(scores, -1), batch.attacker);

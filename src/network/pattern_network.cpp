@@ -49,40 +49,55 @@ auto lastInputs(const LinearWeights& layer, Eigen::Index count) {
 void relu(RowMatrix& values) { values = values.cwiseMax(0.0F); }
 
 /// Polylines of `size` vectors each: two layers, of which the second sees the polyline's maximum
-/// too, then the maximum. A row a polyline; one without vectors is 0.
+/// too, then the maximum. A row for each polyline that has a vector; what is masked costs nothing.
 RowMatrix polylines(const RowMatrix& vectors, const Eigen::VectorXf& mask, Eigen::Index size,
                     const LinearWeights& first, const LinearWeights& second) {
-  const Eigen::Index hidden = second.bias.size();
-  const Eigen::Index count = vectors.rows() / size;
-  RowMatrix inner = apply(first, vectors);
-  relu(inner);
-  inner.array().colwise() *= mask.array();
-  RowMatrix largest(count, hidden);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    largest.row(i) = inner.middleRows(i * size, size).colwise().maxCoeff();
+  std::vector<Eigen::Index> rows;
+  std::vector<Eigen::Index> bounds;  // of polylines among the rows
+  for (Eigen::Index first_row = 0; first_row < mask.size(); first_row += size) {
+    const auto before = static_cast<Eigen::Index>(rows.size());
+    for (Eigen::Index row = first_row; row < first_row + size; ++row) {
+      if (mask[row] > 0.0F) rows.push_back(row);
+    }
+    if (before < static_cast<Eigen::Index>(rows.size())) bounds.push_back(before);
   }
+  const auto count = static_cast<Eigen::Index>(bounds.size());
+  bounds.push_back(static_cast<Eigen::Index>(rows.size()));
+  const auto polyline = [&](const RowMatrix& of, Eigen::Index i) {
+    const auto at = static_cast<std::size_t>(i);
+    return of.middleRows(bounds[at], bounds[at + 1] - bounds[at]);
+  };
+  const Eigen::Index hidden = second.bias.size();
+  const RowMatrix there = vectors(rows, Eigen::all);
+  RowMatrix inner = apply(first, there);
+  relu(inner);
+  RowMatrix largest(count, hidden);
+  for (Eigen::Index i = 0; i < count; ++i) largest.row(i) = polyline(inner, i).colwise().maxCoeff();
   RowMatrix shared = largest * lastInputs(second, hidden).transpose();
   shared.rowwise() += second.bias.transpose();
-  RowMatrix outer = inner * firstInputs(second, hidden).transpose();
+  const RowMatrix outer = inner * firstInputs(second, hidden).transpose();
   RowMatrix result(count, hidden);
   for (Eigen::Index i = 0; i < count; ++i) {
-    auto rows = outer.middleRows(i * size, size);
-    rows.rowwise() += shared.row(i);
-    rows = rows.cwiseMax(0.0F);
-    rows.array().colwise() *= mask.segment(i * size, size).array();
-    result.row(i) = rows.colwise().maxCoeff();
+    result.row(i) = polyline(outer, i).colwise().maxCoeff() + shared.row(i);
   }
+  relu(result);  // the largest of sums and the sum of the largest are the same
   return result;
 }
 
-/// Those polylines that have a vector.
-RowMatrix present(const RowMatrix& tokens, const Eigen::VectorXf& mask, Eigen::Index size) {
-  RowMatrix result(tokens.rows(), tokens.cols());
-  Eigen::Index count = 0;
-  for (Eigen::Index i = 0; i < tokens.rows(); ++i) {
-    if (mask.segment(i * size, size).maxCoeff() > 0.0F) result.row(count++) = tokens.row(i);
+/// Rows of the anchors in groups that have one, and these groups.
+struct PresentAnchors {
+  std::vector<Eigen::Index> groups;
+  std::vector<Eigen::Index> rows;
+};
+PresentAnchors presentAnchors(const AnchorFeatures& anchors) {
+  PresentAnchors present;
+  for (Eigen::Index group = 0; group < anchors.groups.rows(); ++group) {
+    const Eigen::Index first = group * anchors.group_size;
+    if (anchors.prior.segment(first, anchors.group_size).maxCoeff() <= kAbsent) continue;
+    present.groups.push_back(group);
+    for (Eigen::Index i = 0; i < anchors.group_size; ++i) present.rows.push_back(first + i);
   }
-  return result.topRows(count);
+  return present;
 }
 
 double logLogistic(double offset, double scale) {
@@ -153,12 +168,10 @@ Eigen::VectorXf PatternNetwork::encode(const SceneFeatures& features) const {
   requireShape(features.agents, (1 + options.max_agents) * frames, kAgentVector, "agents");
   requireShape(features.lanes, options.encoding.max_lanes * points, kLaneVector, "lanes");
   requireShape(features.ego, kEgoFeatures, 1, "ego features");
-  const RowMatrix agents = present(polylines(features.agents, features.agent_mask, frames,
-                                             layers.at("agent_first"), layers.at("agent_second")),
-                                   features.agent_mask, frames);
-  const RowMatrix lanes = present(polylines(features.lanes, features.lane_mask, points,
-                                            layers.at("lane_first"), layers.at("lane_second")),
-                                  features.lane_mask, points);
+  const RowMatrix agents = polylines(features.agents, features.agent_mask, frames,
+                                     layers.at("agent_first"), layers.at("agent_second"));
+  const RowMatrix lanes = polylines(features.lanes, features.lane_mask, points,
+                                    layers.at("lane_first"), layers.at("lane_second"));
   const Eigen::Index hidden = weights_.network.hidden;
   RowMatrix tokens(agents.rows() + lanes.rows(), hidden);
   tokens << agents, lanes;
@@ -193,13 +206,16 @@ std::vector<EgoComponent> PatternNetwork::ego(const Eigen::VectorXf& with_reques
   if (!anchors.groups.allFinite() || !anchors.anchors.allFinite()) {
     throw std::invalid_argument("anchors have a number that is not finite");
   }
-  RowMatrix groups = anchors.groups * lastInputs(group, kGroupFeatures).transpose();
+  const PresentAnchors present = presentAnchors(anchors);
+  RowMatrix groups =
+      anchors.groups(present.groups, Eigen::all) * lastInputs(group, kGroupFeatures).transpose();
   const Eigen::VectorXf shared = firstInputs(group, scene) * with_request + group.bias;
   groups.rowwise() += shared.transpose();
   relu(groups);
   RowMatrix of_groups = groups * firstInputs(first, scene).transpose();
   of_groups.rowwise() += first.bias.transpose();
-  RowMatrix hidden = anchors.anchors * lastInputs(first, kAnchorFeatures).transpose();
+  RowMatrix hidden =
+      anchors.anchors(present.rows, Eigen::all) * lastInputs(first, kAnchorFeatures).transpose();
   for (Eigen::Index i = 0; i < of_groups.rows(); ++i) {
     hidden.middleRows(i * anchors.group_size, anchors.group_size).rowwise() += of_groups.row(i);
   }
@@ -207,22 +223,23 @@ std::vector<EgoComponent> PatternNetwork::ego(const Eigen::VectorXf& with_reques
   RowMatrix second = apply(layers.at("anchor_second"), hidden);
   relu(second);
   const RowMatrix out = apply(layers.at("anchor_last"), second);
-  const Eigen::VectorXf scores = out.col(0) + anchors.prior;
+  const Eigen::VectorXf scores = out.col(0) + anchors.prior(present.rows);
   const float largest = scores.maxCoeff();
   const float sum = (scores.array() - largest).exp().sum();
   std::vector<EgoComponent> components;
-  for (Eigen::Index i = 0; i < out.rows(); ++i) {
+  for (Eigen::Index row = 0; row < out.rows(); ++row) {
+    const Eigen::Index i = present.rows[static_cast<std::size_t>(row)];
     if (anchors.prior[i] <= kAbsent) continue;
     EgoComponent component;
-    component.probability = std::exp(scores[i] - largest) / sum;
+    component.probability = std::exp(scores[row] - largest) / sum;
     const Pose2 anchor{anchors.poses(i, 0), anchors.poses(i, 1),
                        std::atan2(anchors.poses(i, 3), anchors.poses(i, 2))};
-    const double along = anchors.along_scale * out(i, 1);
-    component.pose = compose(anchor, {along, anchors.across_scale * out(i, 2), out(i, 5)});
+    const double along = anchors.along_scale * out(row, 1);
+    component.pose = compose(anchor, {along, anchors.across_scale * out(row, 2), out(row, 5)});
     component.along =
-        anchors.along_scale * std::exp(std::clamp(out(i, 3), -kMaxLogSpread, kMaxLogSpread));
+        anchors.along_scale * std::exp(std::clamp(out(row, 3), -kMaxLogSpread, kMaxLogSpread));
     component.across =
-        anchors.across_scale * std::exp(std::clamp(out(i, 4), -kMaxLogSpread, kMaxLogSpread));
+        anchors.across_scale * std::exp(std::clamp(out(row, 4), -kMaxLogSpread, kMaxLogSpread));
     component.group = i / anchors.group_size;
     if (anchors.arc_lengths.size() > 0) component.arc_length = anchors.arc_lengths[i] + along;
     components.push_back(component);

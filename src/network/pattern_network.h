@@ -5,8 +5,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "network/features.h"
+#include "network/anchor_features.h"
 #include "network/pattern_weights.h"
+#include "network/request_features.h"
+#include "network/scene_features.h"
 
 namespace forge {
 

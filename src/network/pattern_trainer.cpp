@@ -15,211 +15,9 @@
 namespace forge {
 namespace {
 
-constexpr double kOffsetScale = 4.0;     // m
 constexpr double kAverageDecay = 0.998;  // of the averaged weights, a step
 constexpr double kWarmUp = 0.05;         // share of the steps in which the rate rises
 constexpr std::size_t kLossBatch = 128;
-
-/// Row `row` of a tensor on the CPU becomes `values`.
-template <typename Values>
-void put(torch::Tensor& tensor, std::int64_t row, const Values& values) {
-  const auto count = tensor.numel() / tensor.size(0);
-  TORCH_CHECK(count == values.size(), "a sample of another size");
-  std::memcpy(tensor.data_ptr<float>() + row * count, values.data(),
-              static_cast<std::size_t>(count) * sizeof(float));
-}
-
-void putNumbers(torch::Tensor& tensor, std::int64_t row, std::initializer_list<double> values) {
-  float* target = tensor.data_ptr<float>() + row * static_cast<std::int64_t>(values.size());
-  for (const double value : values) *target++ = static_cast<float>(value);
-}
-
-struct Draw {
-  const TrainingSample* sample = nullptr;
-  std::vector<const TimedSample*> times;
-  bool hides_history = false;
-  Pose2 expected_ego;  ///< of the attack
-};
-
-double gauss(std::mt19937_64& engine) {
-  const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1.0p-53; };
-  return std::sqrt(-2.0 * std::log(uniform())) * std::cos(2.0 * M_PI * uniform());
-}
-
-double uniformOf(std::mt19937_64& engine) {
-  return static_cast<double>(engine() >> 11) * 0x1.0p-53;
-}
-
-/// The times of a sample that a step looks at; the impact always.
-std::vector<const TimedSample*> drawTimes(const TrainingSample& sample, int count,
-                                          std::mt19937_64& engine) {
-  std::vector<const TimedSample*> times;
-  for (int i = 0; i < count; ++i) {
-    const bool impact = i == 0 && sample.attack;
-    times.push_back(impact ? &sample.times.back() : &sample.times[engine() % sample.times.size()]);
-  }
-  return times;
-}
-
-std::vector<const TimedSample*> evenTimes(const TrainingSample& sample, int count) {
-  std::vector<const TimedSample*> times;
-  for (int i = 0; i < count; ++i) {
-    const std::size_t last = sample.times.size() - 1;
-    times.push_back(&sample.times[last - last * static_cast<std::size_t>(i) /
-                                             static_cast<std::size_t>(std::max(count - 1, 1))]);
-  }
-  return times;
-}
-
-/// As uncertain as the network will be.
-Pose2 blurred(const AttackSample& attack, const TrainingOptions& options, std::mt19937_64& engine) {
-  const double along =
-      options.noise_along * std::pow(attack.tta, options.noise_along_exponent) * gauss(engine);
-  const double across = options.noise_across * attack.tta * gauss(engine);
-  return compose(attack.ego, {along, across, 0.0});
-}
-
-void hideHistories(torch::Tensor& agents, torch::Tensor& mask, std::int64_t row) {
-  const auto now = agents.size(2) - 1;
-  agents[row].slice(0, 1).slice(1, 0, now).zero_();
-  mask[row].slice(0, 1).slice(1, 0, now).zero_();
-}
-
-void putScene(const Draw& draw, std::int64_t row, PatternBatch& batch) {
-  const SceneFeatures& features = draw.sample->features;
-  put(batch.agents, row, features.agents);
-  put(batch.agent_mask, row, features.agent_mask);
-  put(batch.lanes, row, features.lanes);
-  put(batch.lane_mask, row, features.lane_mask);
-  put(batch.ego, row, features.ego);
-  if (draw.hides_history) hideHistories(batch.agents, batch.agent_mask, row);
-}
-
-void putTime(const Draw& draw, const TimedSample& time, std::int64_t row,
-             const TrainingOptions& options, PatternBatch& batch) {
-  const bool impact = draw.sample->attack && &time == &draw.sample->times.back();
-  const auto type = impact ? std::optional<CollisionType>(draw.sample->attack->type) : std::nullopt;
-  const auto view = [](torch::Tensor& tensor) { return tensor.flatten(0, 1); };
-  torch::Tensor requests = view(batch.requests);
-  torch::Tensor groups = view(batch.groups);
-  torch::Tensor anchors = view(batch.anchors);
-  torch::Tensor prior = view(batch.prior);
-  torch::Tensor poses = view(batch.poses);
-  torch::Tensor scales = view(batch.scales);
-  torch::Tensor truth = view(batch.ego_truth);
-  torch::Tensor weight = view(batch.time_weight);
-  put(requests, row, requestFeatures(type, time.tta));
-  put(groups, row, time.anchors.groups);
-  put(anchors, row, time.anchors.anchors);
-  put(prior, row, time.anchors.prior);
-  put(poses, row, time.anchors.poses);
-  putNumbers(scales, row, {time.anchors.along_scale, time.anchors.across_scale});
-  putNumbers(truth, row, {time.ego.x, time.ego.y, std::cos(time.ego.yaw), std::sin(time.ego.yaw)});
-  putNumbers(weight, row, {impact ? options.clip_weight : 1.0});
-}
-
-void putAttacks(const std::vector<Draw>& draws, PatternBatch& batch) {
-  std::vector<std::int64_t> rows;
-  std::size_t most = 1;
-  for (std::size_t i = 0; i < draws.size(); ++i) {
-    if (!draws[i].sample->attack) continue;
-    rows.push_back(static_cast<std::int64_t>(i));
-    most = std::max(most, draws[i].sample->attack->candidates.size());
-  }
-  const auto count = static_cast<std::int64_t>(rows.size());
-  const auto width = static_cast<std::int64_t>(most);
-  batch.attack_rows = torch::tensor(rows, torch::kInt64);
-  batch.attacker = torch::zeros({count}, torch::kInt64);
-  batch.attack_requests = torch::zeros({count, kRequestFeatures});
-  batch.candidates = torch::zeros({count, width, kCandidateFeatures});
-  batch.candidate_mask = torch::zeros({count, width});
-  batch.attacker_features = torch::zeros({count, 1, kCandidateFeatures});
-  batch.offset_truth = torch::zeros({count, 4});
-  for (std::int64_t row = 0; row < count; ++row) {
-    const Draw& draw = draws[static_cast<std::size_t>(rows[static_cast<std::size_t>(row)])];
-    const AttackSample& attack = *draw.sample->attack;
-    const double speed = draw.sample->ego_speed;
-    torch::Tensor of_row = batch.candidates[row];
-    for (std::size_t i = 0; i < attack.candidates.size(); ++i) {
-      put(of_row, static_cast<std::int64_t>(i),
-          candidateFeatures(attack.candidates[i], speed, draw.expected_ego, attack.tta,
-                            attack.type));
-      batch.candidate_mask[row][static_cast<std::int64_t>(i)] = 1.0;
-    }
-    batch.attacker[row] = static_cast<std::int64_t>(attack.attacker);
-    put(batch.attack_requests, row, requestFeatures(attack.type, attack.tta));
-    put(batch.attacker_features, row,
-        candidateFeatures(attack.candidates[attack.attacker], speed, attack.ego, attack.tta,
-                          attack.type));
-    putNumbers(batch.offset_truth, row,
-               {attack.offset.x / kOffsetScale, attack.offset.y / kOffsetScale,
-                std::cos(attack.offset.yaw), std::sin(attack.offset.yaw)});
-  }
-}
-
-PatternBatch batchOf(const std::vector<Draw>& draws, const PatternFeatureOptions& features,
-                     const TrainingOptions& options) {
-  const auto count = static_cast<std::int64_t>(draws.size());
-  const auto times = static_cast<std::int64_t>(draws.front().times.size());
-  const AnchorFeatures& anchors = draws.front().times.front()->anchors;
-  const std::int64_t groups = anchors.groups.rows();
-  const std::int64_t size = anchors.group_size;
-  const std::int64_t agents = 1 + features.max_agents;
-  PatternBatch batch;
-  batch.agents = torch::empty({count, agents, features.history_frames, kAgentVector});
-  batch.agent_mask = torch::empty({count, agents, features.history_frames});
-  batch.lanes = torch::empty(
-      {count, features.encoding.max_lanes, features.encoding.lane_points, kLaneVector});
-  batch.lane_mask =
-      torch::empty({count, features.encoding.max_lanes, features.encoding.lane_points});
-  batch.ego = torch::empty({count, kEgoFeatures});
-  batch.requests = torch::empty({count, times, kRequestFeatures});
-  batch.groups = torch::empty({count, times, groups, kGroupFeatures});
-  batch.anchors = torch::empty({count, times, groups, size, kAnchorFeatures});
-  batch.prior = torch::empty({count, times, groups * size});
-  batch.poses = torch::empty({count, times, groups * size, 4});
-  batch.scales = torch::empty({count, times, 2});
-  batch.ego_truth = torch::empty({count, times, 4});
-  batch.time_weight = torch::empty({count, times});
-  for (std::int64_t row = 0; row < count; ++row) {
-    const Draw& draw = draws[static_cast<std::size_t>(row)];
-    putScene(draw, row, batch);
-    for (std::int64_t time = 0; time < times; ++time) {
-      putTime(draw, *draw.times[static_cast<std::size_t>(time)], row * times + time, options,
-              batch);
-    }
-  }
-  putAttacks(draws, batch);
-  return batch;
-}
-
-PatternBatch movedTo(const PatternBatch& batch, const torch::Device& device,
-                     torch::Dtype type = torch::kFloat32) {
-  PatternBatch moved = batch;
-  for (torch::Tensor* tensor : {&moved.agents,
-                                &moved.agent_mask,
-                                &moved.lanes,
-                                &moved.lane_mask,
-                                &moved.ego,
-                                &moved.requests,
-                                &moved.groups,
-                                &moved.anchors,
-                                &moved.prior,
-                                &moved.poses,
-                                &moved.scales,
-                                &moved.ego_truth,
-                                &moved.time_weight,
-                                &moved.attack_requests,
-                                &moved.attack_rows,
-                                &moved.candidates,
-                                &moved.candidate_mask,
-                                &moved.attacker,
-                                &moved.attacker_features,
-                                &moved.offset_truth}) {
-    *tensor = tensor->is_floating_point() ? tensor->to(device, type) : tensor->to(device);
-  }
-  return moved;
-}
 
 RowMatrix toMatrix(const torch::Tensor& tensor) {
   const torch::Tensor flat = tensor.detach().to(torch::kCPU, torch::kFloat32).contiguous();
@@ -262,6 +60,7 @@ struct PatternTrainer::State {
   std::uint64_t seed = 0;
   int epochs = 0;
   std::int64_t steps = 0;
+  TrainingRanks ranks;
   PatternModule module{nullptr};
   PatternModule average{nullptr};
   std::unique_ptr<torch::optim::AdamW> optimizer;
@@ -294,6 +93,72 @@ struct PatternTrainer::State {
     const auto sources = module->parameters();
     for (std::size_t i = 0; i < targets.size(); ++i) {
       targets[i].mul_(decay).add_(sources[i], 1.0 - decay);
+    }
+  }
+
+  /// One step on a batch, of which this rank takes its part; the losses over all of it.
+  TrainingLosses step(const std::vector<TrainingDraw>& draws, double steps_in_all) {
+    const std::size_t rank = static_cast<std::size_t>(ranks.rank);
+    const std::size_t size = static_cast<std::size_t>(ranks.size);
+    const auto begin = static_cast<std::ptrdiff_t>(draws.size() * rank / size);
+    const auto end = static_cast<std::ptrdiff_t>(draws.size() * (rank + 1) / size);
+    const double share = static_cast<double>(end - begin) / static_cast<double>(draws.size());
+    TrainingLosses result;
+    setRate(steps_in_all);
+    optimizer->zero_grad();
+    if (begin < end) {
+      const PatternBatch batch =
+          movedTo(batchOf({draws.begin() + begin, draws.begin() + end}, features, options), device);
+      const BatchLosses losses = lossesOf(module, batch);
+      torch::Tensor loss = total(losses);
+      if (size > 1) loss = loss * share;
+      loss.backward();
+      result = weighed(numbers(losses), share);
+    }
+    if (size > 1) shareGradients(result);
+    torch::nn::utils::clip_grad_norm_(module->parameters(), options.max_gradient);
+    optimizer->step();
+    ++steps;
+    followAverage();
+    return result;
+  }
+
+  /// Gradients and losses become their sums over the ranks.
+  void shareGradients(TrainingLosses& losses) {
+    std::vector<double> numbers = {losses.ego, losses.heading, losses.offset, losses.selection,
+                                   losses.total};
+    const std::size_t first = numbers.size();
+    for (const torch::Tensor& parameter : module->parameters()) {
+      torch::Tensor gradient =
+          parameter.grad().defined() ? parameter.grad() : torch::zeros_like(parameter);
+      gradient = gradient.to(torch::kCPU, torch::kFloat64).contiguous();
+      numbers.insert(numbers.end(), gradient.data_ptr<double>(),
+                     gradient.data_ptr<double>() + gradient.numel());
+    }
+    ranks.sum(numbers);
+    losses = {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
+    double* next = numbers.data() + first;
+    for (torch::Tensor& parameter : module->parameters()) {
+      parameter.mutable_grad() =
+          torch::from_blob(next, parameter.sizes(), torch::kFloat64).to(parameter.options());
+      next += parameter.numel();
+    }
+  }
+
+  /// Every rank tells a fingerprint of its weights, and hears those of the others.
+  void checkRanks() const {
+    std::vector<double> prints(static_cast<std::size_t>(ranks.size), 0.0);
+    std::uint32_t print = 0x811c9dc5u;  // FNV-1a
+    for (const torch::Tensor& parameter : module->parameters()) {
+      const RowMatrix matrix = toMatrix(parameter);
+      const auto* bytes = reinterpret_cast<const unsigned char*>(matrix.data());
+      const auto count = static_cast<std::size_t>(matrix.size()) * sizeof(float);
+      for (std::size_t i = 0; i < count; ++i) print = (print ^ bytes[i]) * 0x01000193u;
+    }
+    prints[static_cast<std::size_t>(ranks.rank)] = print;
+    ranks.sum(prints);
+    for (const double other : prints) {
+      if (other != print) throw TrainingError("the ranks do not hold the same weights");
     }
   }
 
@@ -338,6 +203,8 @@ PatternTrainer::PatternTrainer(const PatternFeatureOptions& features,
 
 PatternTrainer::~PatternTrainer() = default;
 
+void PatternTrainer::trainTogether(TrainingRanks ranks) { state_->ranks = std::move(ranks); }
+
 int PatternTrainer::epochsDone() const { return state_->epochs; }
 
 TrainingLosses PatternTrainer::trainEpoch(const std::vector<TrainingSample>& samples,
@@ -345,8 +212,8 @@ TrainingLosses PatternTrainer::trainEpoch(const std::vector<TrainingSample>& sam
                                           const std::function<void(std::size_t)>& on_batch) {
   State& state = *state_;
   const std::uint64_t seed = state.seed * 1000003 + static_cast<std::uint64_t>(state.epochs) + 1;
-  torch::manual_seed(seed);
-  std::mt19937_64 engine(seed);
+  torch::manual_seed(seed + 7919 * static_cast<std::uint64_t>(state.ranks.rank));
+  std::mt19937_64 engine(seed);  // all ranks draw the same
   std::vector<std::size_t> order = chosen;
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[engine() % i]);
   const auto batch_size = static_cast<std::size_t>(state.options.batch);
@@ -356,27 +223,15 @@ TrainingLosses PatternTrainer::trainEpoch(const std::vector<TrainingSample>& sam
   TrainingLosses sum;
   for (std::size_t first = 0; first < order.size(); first += batch_size) {
     const std::size_t last = std::min(first + batch_size, order.size());
-    std::vector<Draw> draws;
+    std::vector<TrainingDraw> draws;
     for (std::size_t i = first; i < last; ++i) {
-      const TrainingSample& sample = samples[order[i]];
-      Draw draw{&sample, drawTimes(sample, state.options.times, engine), true, {}};
-      draw.hides_history = sample.attack || uniformOf(engine) < state.options.hidden_history_share;
-      if (sample.attack) draw.expected_ego = blurred(*sample.attack, state.options, engine);
-      draws.push_back(std::move(draw));
+      draws.push_back(randomDraw(samples[order[i]], state.options, engine));
     }
-    const PatternBatch batch = movedTo(batchOf(draws, state.features, state.options), state.device);
-    state.setRate(steps_in_all);
-    state.optimizer->zero_grad();
-    const BatchLosses losses = lossesOf(state.module, batch);
-    state.total(losses).backward();
-    torch::nn::utils::clip_grad_norm_(state.module->parameters(), state.options.max_gradient);
-    state.optimizer->step();
-    ++state.steps;
-    state.followAverage();
-    sum += weighed(state.numbers(losses), static_cast<double>(last - first));
+    sum += weighed(state.step(draws, steps_in_all), static_cast<double>(last - first));
     if (on_batch) on_batch(last);
   }
   ++state.epochs;
+  if (state.ranks.size > 1) state.checkRanks();
   return weighed(sum, 1.0 / static_cast<double>(order.size()));
 }
 
@@ -387,13 +242,10 @@ TrainingLosses PatternTrainer::losses(const std::vector<TrainingSample>& samples
   TrainingLosses sum;
   for (std::size_t first = 0; first < chosen.size(); first += kLossBatch) {
     const std::size_t last = std::min(first + kLossBatch, chosen.size());
-    std::vector<Draw> draws;
+    std::vector<TrainingDraw> draws;
     std::mt19937_64 engine(state.seed + first);
     for (std::size_t i = first; i < last; ++i) {
-      const TrainingSample& sample = samples[chosen[i]];
-      Draw draw{&sample, evenTimes(sample, state.options.times), sample.attack.has_value(), {}};
-      if (sample.attack) draw.expected_ego = blurred(*sample.attack, state.options, engine);
-      draws.push_back(std::move(draw));
+      draws.push_back(evenDraw(samples[chosen[i]], state.options, &engine));
     }
     const PatternBatch batch = movedTo(batchOf(draws, state.features, state.options), state.device);
     sum +=
@@ -461,12 +313,8 @@ double PatternTrainer::lossAndGradients(const std::vector<TrainingSample>& sampl
   State& state = *state_;
   state.module->eval();
   state.module->to(torch::kFloat64);
-  std::vector<Draw> draws;
-  for (const TrainingSample& sample : samples) {
-    Draw draw{&sample, evenTimes(sample, state.options.times), sample.attack.has_value(), {}};
-    if (sample.attack) draw.expected_ego = sample.attack->ego;
-    draws.push_back(std::move(draw));
-  }
+  std::vector<TrainingDraw> draws;
+  for (const TrainingSample& sample : samples) draws.push_back(evenDraw(sample, state.options));
   const PatternBatch batch =
       movedTo(batchOf(draws, state.features, state.options), state.device, torch::kFloat64);
   state.module->zero_grad();

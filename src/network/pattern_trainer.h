@@ -28,6 +28,15 @@ struct TrainingLosses {
   double total = 0.0;      ///< weighed as TrainingOptions have it
 };
 
+/// This process among those that train one network together, each on its part of every batch.
+struct TrainingRanks {
+  int rank = 0;
+  int size = 1;
+  /// Replaces numbers by their sums over all ranks, to the same bits everywhere; every rank calls
+  /// it as often. Not needed by one alone.
+  std::function<void(std::vector<double>&)> sum;
+};
+
 /// Trains a pattern network. The same samples, options and seed give the same weights on the same
 /// machine with one thread; a run that is stopped between epochs and goes on from its saved state
 /// as well.
@@ -39,9 +48,14 @@ class PatternTrainer {
                  std::uint64_t seed);
   ~PatternTrainer();
 
+  /// Gradients are averaged over the ranks from now on. All have the same samples, options and
+  /// seed, and the same result; for as many ranks always the same one, for others another.
+  void trainTogether(TrainingRanks ranks);
+
   int epochsDone() const;
 
   /// One pass over `chosen` of the samples in random order. `on_batch` is told the samples done.
+  /// Throws TrainingError when the ranks do not hold the same weights afterwards.
   TrainingLosses trainEpoch(const std::vector<TrainingSample>& samples,
                             const std::vector<std::size_t>& chosen,
                             const std::function<void(std::size_t)>& on_batch = nullptr);

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "network/features.h"
 #include "network/network_options.h"
+#include "network/row_matrix.h"
 
 namespace forge {
 

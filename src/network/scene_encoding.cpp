@@ -79,6 +79,7 @@ void encodeLanes(const Snapshot& snapshot, const LaneIndex& lanes, const Encodin
     const Lane& lane = lanes.map().lanes[near[row]];
     const Polyline& line = *lanes.centerline(near[row]);
     encoding.lane_ids.push_back(lane.id);
+    encoding.lanes.push_back(near[row]);
     for (std::size_t point = 0; point < points; ++point) {
       const double arc_length = static_cast<double>(point) * options.lane_point_spacing;
       if (arc_length > line.length()) break;

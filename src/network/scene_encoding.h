@@ -27,6 +27,7 @@ struct SceneEncoding {
   DenseTensor lane_features;
   DenseTensor lane_mask;              ///< [lanes, points]
   std::vector<std::string> lane_ids;  ///< [lanes]
+  std::vector<std::size_t> lanes;     ///< [lanes], indices into LaneMap::lanes
 };
 
 /// Encodes the `frames` newest frames of the snapshot and the lanes around the ego.

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "network/features.h"
+#include "network/anchor_features.h"
+#include "network/request_features.h"
+#include "network/scene_features.h"
 
 namespace forge {
 

@@ -43,7 +43,7 @@ class ClipCase {
         lanes_(lanes),
         config_(config),
         angle_rules_(withAngleRules(config.attack)),
-        foresight_(foresight),
+        foresight_{foresight.speeds, foresight.networks, plan.seen_scenes},
         left_out_scene_(plan.seen_scenes ? "" : clip.scene),
         scene_(toScene(clip, config.evaluation.collide, std::move(map))),
         snapshot_(snapshotAt(scene_, clip.now(), config.attack.prediction.history_frames)),
@@ -138,7 +138,7 @@ class ClipCase {
   const LaneIndex& lanes_;
   const Config& config_;
   AttackOptions angle_rules_;
-  const Foresight& foresight_;
+  Foresight foresight_;
   std::string left_out_scene_;
   Scene scene_;
   Snapshot snapshot_;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -15,14 +14,13 @@
 #include "network/network_ego_futures.h"
 #include "network/predicted_scene.h"
 #include "tools/lane_indices.h"
+#include "tools/pattern_timing.h"
 #include "tools/progress_line.h"
 #include "tools/tool_support.h"
 
 namespace {
 
 using namespace forge;
-
-constexpr int kTimedCalls = 20;  // of each clip's prediction
 
 struct Arguments {
   std::string collide;
@@ -32,7 +30,7 @@ struct Arguments {
   std::string config;
   bool without_others = false;
   bool unseen = false;
-  bool without_type = false;
+  bool seen_scenes = false;
 };
 
 /// What was foretold for one clip.
@@ -54,14 +52,8 @@ struct ClipResult {
 
 struct Totals {
   std::vector<ClipResult> clips;
-  std::vector<double> feature_ms;
-  std::vector<double> network_ms;
+  PatternTiming timing;
 };
-
-double millisecondsSince(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-      .count();
-}
 
 /// Share of the distribution that lies less far ahead than the truth, along its expected heading.
 double shareBefore(const std::vector<EgoComponent>& components, const Pose2& expected,
@@ -127,11 +119,9 @@ void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternN
       snapshotAt(recorded, clip.now(), network.weights().features.history_frames);
   Snapshot seen = snapshot;
   if (arguments.without_others) seen.agents.clear();
-  auto begin = std::chrono::steady_clock::now();
   const PredictedScene scene(network, seen, lanes, clip.tta(), config.attack.ego_futures);
   const auto components =
-      scene.egoAfter(clip.tta(), arguments.without_type ? std::nullopt : std::optional(clip.type));
-  totals.feature_ms.push_back(millisecondsSince(begin));
+      scene.egoAfter(clip.tta(), arguments.seen_scenes ? std::optional(clip.type) : std::nullopt);
   const Pose2 expected = medianPose(components);
   const Pose2 truth =
       relativeTo(scene.ways().ego.state.pose, stateAt(recorded.ego, clip.times.back())->pose);
@@ -148,19 +138,8 @@ void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternN
   if (!arguments.without_others)
     judgeCandidates(scene, clip, snapshot, config, expected, truth, result);
   totals.clips.push_back(result);
-  // features to pattern: the network alone
-  const SceneFeatures features = sceneFeatures(scene.observed(), lanes, network.weights().features);
-  const AnchorFeatures anchors = anchorFeatures(
-      scene.ways(), lanes, clip.tta(), config.attack.ego_futures, network.weights().features);
-  const RowMatrix candidates = RowMatrix::Zero(std::max(result.candidates, 1), kCandidateFeatures);
-  begin = std::chrono::steady_clock::now();
-  for (int i = 0; i < kTimedCalls; ++i) {
-    const Eigen::VectorXf with_request =
-        network.withRequest(network.encode(features), requestFeatures(clip.type, clip.tta()));
-    medianPose(network.ego(with_request, anchors));
-    network.candidates(with_request, candidates);
-  }
-  totals.network_ms.push_back(millisecondsSince(begin) / kTimedCalls);
+  totals.timing.add(scene, network, lanes, clip.tta(), clip.type, result.candidates,
+                    config.attack.ego_futures);
 }
 
 void printRow(const std::string& name, const std::vector<ClipResult>& clips) {
@@ -211,11 +190,6 @@ void printRow(const std::string& name, const std::vector<ClipResult>& clips) {
       100.0 * inside[2] / count);
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.empty() ? 0.0 : values[values.size() / 2];
-}
-
 void print(const Totals& totals) {
   std::printf(
       "| clips | | displacement, m | median | kinematic futures | network futures | heading, deg | "
@@ -234,8 +208,8 @@ void print(const Totals& totals) {
     groups[tta].push_back(clip);
   }
   for (const auto& [name, clips] : groups) printRow(name, clips);
-  std::printf("\nsnapshot to ego: median %.3f ms; features to pattern: median %.3f ms\n",
-              median(totals.feature_ms), median(totals.network_ms));
+  std::printf("\n");
+  totals.timing.print();
 }
 
 int measure(const Arguments& arguments) {
@@ -250,15 +224,16 @@ int measure(const Arguments& arguments) {
   const auto paths = listCollideClips(arguments.collide, arguments.split);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const CollideClip clip = readCollideClip(paths[i]);
-    const auto& left_out = networks->forScene(clip.scene).weights().left_out_scenes;
+    const std::string scene = arguments.seen_scenes ? "" : clip.scene;
+    const PatternNetwork& network = networks->forScene(scene);
+    const auto& left_out = network.weights().left_out_scenes;
     if (arguments.unseen &&
         std::find(left_out.begin(), left_out.end(), clip.scene) == left_out.end()) {
       continue;
     }
-    const KinematicEgoFutures kinematic(config.attack.ego_futures, speeds, clip.scene);
-    const NetworkEgoFutures sampler(config.attack.ego_futures, networks, speeds, clip.scene);
-    measureClip(clip, lanes.at(clip.city), networks->forScene(clip.scene), kinematic, sampler,
-                config, arguments, totals);
+    const KinematicEgoFutures kinematic(config.attack.ego_futures, speeds, scene);
+    const NetworkEgoFutures sampler(config.attack.ego_futures, networks, speeds, scene);
+    measureClip(clip, lanes.at(clip.city), network, kinematic, sampler, config, arguments, totals);
     progress.show(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
   }
   print(totals);
@@ -276,10 +251,12 @@ int main(int argc, char** argv) {
   app.add_option("--networks", arguments.networks, "file of networks; that of --config by default");
   app.add_flag("--without-others", arguments.without_others,
                "hide all other vehicles, to see what they give away");
-  app.add_flag("--without-type", arguments.without_type,
-               "hide the type from what tells the ego's place");
+  CLI::Option* seen = app.add_flag(
+      "--seen-scenes", arguments.seen_scenes,
+      "judge by the network of all scenes, and tell it the type, as where splits share scenes");
   app.add_flag("--unseen", arguments.unseen,
-               "only clips of scenes that the network that judges them was trained without");
+               "only clips of scenes that the network that judges them was trained without")
+      ->excludes(seen);
   addConfigOption(app, arguments.config);
   return runTool(app, argc, argv, [&] { return measure(arguments); });
 }

@@ -14,6 +14,10 @@
 #include "tools/tool_support.h"
 #include "tools/training_data.h"
 
+#ifndef COLLISION_FORGE_WITHOUT_MPI
+#include "batch/ranks.h"
+#endif
+
 namespace {
 
 using namespace forge;
@@ -32,14 +36,26 @@ struct Arguments {
   bool resume = false;
 };
 
+/// The processes that mpirun started.
+TrainingRanks launchedRanks() {
+#ifdef COLLISION_FORGE_WITHOUT_MPI
+  return {};
+#else
+  const Ranks& ranks = Ranks::get();
+  return {ranks.rank(), ranks.size(),
+          [&ranks](std::vector<double>& numbers) { ranks.sum(numbers); }};
+#endif
+}
+
 /// What a run was asked for; going on asks for the same.
-std::string describe(const Arguments& arguments) {
+std::string describe(const Arguments& arguments, int ranks) {
   std::ostringstream text;
   text << "dataroot = " << arguments.sources.dataroot << "\nversion = " << arguments.sources.version
        << "\ncollide = " << arguments.sources.collide << "\nsplits =";
   for (const std::string& split : arguments.sources.splits) text << ' ' << split;
   text << "\nfold = " << arguments.fold << "\nfolds = " << arguments.folds
-       << "\nseed = " << arguments.seed << "\ndevice = " << arguments.device << "\n\n";
+       << "\nseed = " << arguments.seed << "\ndevice = " << arguments.device
+       << "\nranks = " << ranks << "\n\n";
   std::ifstream config(arguments.config + "/training.yaml");
   text << config.rdbuf();
   return text.str();
@@ -62,9 +78,9 @@ void writeAll(const std::string& path, const std::string& text) {
 }
 
 /// Makes the run folder, or checks that the one there is of the same run.
-void openRun(const Arguments& arguments) {
+void openRun(const Arguments& arguments, int ranks) {
   const std::string run = arguments.out + "/run.txt";
-  const std::string asked = describe(arguments);
+  const std::string asked = describe(arguments, ranks);
   if (!arguments.resume) {
     if (fs::exists(run)) {
       throw std::runtime_error(arguments.out + ": holds a run; go on with --resume, or remove it");
@@ -157,13 +173,78 @@ void drawCurves(const std::string& path, const std::string& metrics,
   drawLineChart(path, chart, options);
 }
 
+/// What the run folder tells of the epochs, and the network of the best.
+class RunRecord {
+ public:
+  RunRecord(const Arguments& arguments, const Config& config, int epochs_done)
+      : folder_(arguments.out), config_(config), metrics_(kMetricsHeader) {
+    if (epochs_done > 0) metrics_ = keptMetrics(folder_ + "/metrics.csv", epochs_done, best_);
+  }
+
+  void add(const PatternTrainer& trainer, const std::set<std::string>& left_out,
+           const TrainingLosses& training, const TrainingLosses& validation, bool chooses) {
+    const std::string line = metricsLine(trainer.epochsDone(), training, validation);
+    metrics_ += line;
+    if (!chooses || validation.total < best_) {
+      best_ = validation.total;
+      PatternWeights weights = trainer.weights();
+      weights.left_out_scenes.assign(left_out.begin(), left_out.end());
+      writePatternWeights({weights}, folder_ + "/weights.bin");
+    }
+    writeAll(folder_ + "/metrics.csv", metrics_);
+    drawCurves(folder_ + "/curves.png", metrics_, config_.drawing);
+    trainer.save(folder_ + "/state.pt");
+    std::cout << line << std::flush;
+  }
+
+ private:
+  std::string folder_;
+  const Config& config_;
+  std::string metrics_;
+  double best_ = std::numeric_limits<double>::infinity();
+};
+
+/// Epoch after epoch on what was read; rank 0 alone writes and tells.
+void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::string>& left_out,
+             const Arguments& arguments, const Config& config, bool is_first,
+             PatternTrainer& trainer) {
+  const Split split = splitByScene(samples, config.training.validation_share, arguments.seed);
+  if (split.training.empty()) throw std::runtime_error("there is nothing to train on");
+  if (is_first) {
+    std::cout << samples.size() << " moments, " << split.validation.size()
+              << " of them to tell the best epoch; " << left_out.size() << " scenes left out\n";
+  }
+  RunRecord record(arguments, config, trainer.epochsDone());
+  ProgressLine progress("training");
+  const int first = trainer.epochsDone();
+  int stop = config.training.epochs;
+  if (arguments.stop_after > 0) stop = std::min(stop, arguments.stop_after);
+  while (trainer.epochsDone() < stop) {
+    const int epoch = trainer.epochsDone();
+    const auto show = [&](std::size_t done) {
+      const double share = double(done) / double(split.training.size());
+      progress.show(
+          (epoch - first + share) / (stop - first),
+          "epoch " + std::to_string(epoch + 1) + " of " + std::to_string(config.training.epochs));
+    };
+    const TrainingLosses training = trainer.trainEpoch(
+        samples, split.training, is_first ? std::function<void(std::size_t)>(show) : nullptr);
+    if (!is_first) continue;
+    const bool chooses = !split.validation.empty();
+    record.add(trainer, left_out, training,
+               chooses ? trainer.losses(samples, split.validation) : training, chooses);
+  }
+}
+
 int train(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  openRun(arguments);
+  const TrainingRanks ranks = launchedRanks();
+  const bool is_first = ranks.rank == 0;
+  if (is_first) openRun(arguments, ranks.size);
   PatternTrainer trainer(config.pattern_features, config.pattern_layers, config.training,
                          arguments.device, arguments.threads, arguments.seed);
+  trainer.trainTogether(ranks);
   const std::string state = arguments.out + "/state.pt";
-  const std::string metrics_path = arguments.out + "/metrics.csv";
   if (arguments.resume && fs::exists(state)) trainer.load(state);
   std::set<std::string> left_out;
   if (arguments.fold > 0) {
@@ -172,44 +253,13 @@ int train(const Arguments& arguments) {
   }
   ProgressLine reading("reading");
   const std::vector<TrainingSample> samples = collectTrainingSamples(
-      arguments.sources, config, left_out, arguments.seed,
-      [&](std::size_t done, std::size_t all) { reading.show(double(done) / double(all)); });
-  const Split split = splitByScene(samples, config.training.validation_share, arguments.seed);
-  std::cout << samples.size() << " moments, " << split.validation.size()
-            << " of them to tell the best epoch; " << left_out.size() << " scenes left out\n";
-  if (split.training.empty()) throw std::runtime_error("there is nothing to train on");
-  double best = std::numeric_limits<double>::infinity();
-  std::string metrics = trainer.epochsDone() > 0
-                            ? keptMetrics(metrics_path, trainer.epochsDone(), best)
-                            : kMetricsHeader;
-  ProgressLine progress("training");
-  const int first = trainer.epochsDone();
-  int stop = config.training.epochs;
-  if (arguments.stop_after > 0) stop = std::min(stop, arguments.stop_after);
-  while (trainer.epochsDone() < stop) {
-    const int epoch = trainer.epochsDone();
-    const TrainingLosses training =
-        trainer.trainEpoch(samples, split.training, [&](std::size_t done) {
-          const double share = double(done) / double(split.training.size());
-          progress.show((epoch - first + share) / (stop - first),
-                        "epoch " + std::to_string(epoch + 1) + " of " +
-                            std::to_string(config.training.epochs));
-        });
-    const bool chooses = !split.validation.empty();
-    const TrainingLosses validation =
-        chooses ? trainer.losses(samples, split.validation) : training;
-    metrics += metricsLine(trainer.epochsDone(), training, validation);
-    if (!chooses || validation.total < best) {
-      best = validation.total;
-      PatternWeights weights = trainer.weights();
-      weights.left_out_scenes.assign(left_out.begin(), left_out.end());
-      writePatternWeights({weights}, arguments.out + "/weights.bin");
-    }
-    writeAll(metrics_path, metrics);
-    drawCurves(arguments.out + "/curves.png", metrics, config.drawing);
-    trainer.save(state);
-    std::cout << metricsLine(trainer.epochsDone(), training, validation) << std::flush;
-  }
+      arguments.sources, config, left_out, arguments.seed, [&](std::size_t done, std::size_t all) {
+        if (is_first) reading.show(double(done) / double(all));
+      });
+  trainOn(samples, left_out, arguments, config, is_first, trainer);
+#ifndef COLLISION_FORGE_WITHOUT_MPI
+  Ranks::get().settle();
+#endif
   return kExitOk;
 }
 

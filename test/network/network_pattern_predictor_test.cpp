@@ -31,12 +31,12 @@ AttackOptions angleRules() {
 }
 
 PatternPrediction predicted(const std::shared_ptr<const PatternNetworks>& networks,
-                            const Future* recorded = nullptr) {
+                            const Future* recorded = nullptr, bool scene_is_known = false) {
   const AttackOptions options = angleRules();
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
   const auto futures = std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr);
-  return NetworkPatternPredictor(options, futures, networks)
+  return NetworkPatternPredictor(options, futures, networks, "", scene_is_known)
       .predict(snapshot, lanes, crossing(), recorded);
 }
 
@@ -55,6 +55,22 @@ TEST(NetworkPatternPredictor, IsKinematicWithoutANetwork) {
   EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), 3U);
 }
 
+TEST(NetworkPatternPredictor, TypeTellsTheEgosPlaceInKnownScenesAlone) {
+  const auto chosen = networks(0);
+  const Snapshot snapshot = junctionSnapshot();
+  const LaneIndex lanes = lanesOf(snapshot);
+  const PredictedScene scene(chosen->all()[0], snapshot, lanes, 4.0, shippedEgoFutureOptions());
+  const Pose2 with_type = medianPose(scene.egoAfter(4.0, CollisionType::kJunctionCrossing));
+  const Pose2 without_type = medianPose(scene.egoAfter(4.0, std::nullopt));
+  ASSERT_GT((with_type.position() - without_type.position()).norm(), 1e-3);
+  const auto placeOf = [&](bool scene_is_known) {
+    const CollisionPattern pattern = predicted(chosen, nullptr, scene_is_known).patterns[0];
+    return relativeTo(snapshot.ego.states.back().pose, pattern.ego.center);
+  };
+  EXPECT_NEAR(placeOf(true).x, with_type.x, 1e-6);
+  EXPECT_NEAR(placeOf(false).x, without_type.x, 1e-6);
+}
+
 TEST(NetworkPatternPredictor, AddsOnePatternToEachAttackers) {
   const PatternPrediction without = predicted(nullptr);
   const PatternPrediction with = predicted(networks(0));
@@ -67,7 +83,7 @@ TEST(NetworkPatternPredictor, RanksAsTheNetworkJudges) {
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
   const PredictedScene scene(chosen->all()[0], snapshot, lanes, 4.0, shippedEgoFutureOptions());
-  const Pose2 ego = medianPose(scene.egoAfter(4.0, CollisionType::kJunctionCrossing));
+  const Pose2 ego = medianPose(scene.egoAfter(4.0, std::nullopt));
   std::vector<const Track*> vehicles;
   for (const Track& agent : snapshot.agents) vehicles.push_back(&agent);
   const auto answers = scene.judge(vehicles, ego, 4.0, CollisionType::kJunctionCrossing);

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <condition_variable>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
+#include <thread>
 
 #include "network/pattern_network.h"
 #include "network/sample_network.h"
@@ -85,16 +88,14 @@ INSTANTIATE_TEST_SUITE_P(PatternTrainer, Heads,
                                          EgoHead::kRegression),
                          [](const auto& info) { return std::string(toString(info.param)); });
 
-TEST_P(Heads, GradientsAreThoseOfTheLoss) {
-  const auto samples = samplesOf(features(), 3);
-  TrainingOptions options = quickTraining();
-  // which anchors' headings count is held by training, so differences would not agree
-  if (GetParam() != EgoHead::kRegression) options.heading_weight = 0.0;
-  PatternTrainer trainer = trainerOf(options, 3, features());
+/// Derivatives against differences, of the layers whose names begin with `prefix` or of all others.
+void checkGradients(PatternTrainer trainer, const std::vector<TrainingSample>& samples,
+                    const std::string& prefix, bool others) {
   std::map<std::string, std::vector<double>> gradients;
   trainer.lossAndGradients(samples, &gradients);
   constexpr double kStep = 1e-6;
   for (const auto& [layer, numbers] : gradients) {
+    if ((layer.rfind(prefix, 0) == 0) == others) continue;
     std::size_t largest = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (std::abs(numbers[i]) > std::abs(numbers[largest])) largest = i;
@@ -111,13 +112,26 @@ TEST_P(Heads, GradientsAreThoseOfTheLoss) {
   }
 }
 
+TEST_P(Heads, GradientsAreThoseOfTheLoss) {
+  const auto samples = samplesOf(features(), 3);
+  TrainingOptions options = quickTraining();
+  // which anchors' headings count is held by training, so differences would not agree
+  if (GetParam() != EgoHead::kRegression) options.heading_weight = 0.0;
+  checkGradients(trainerOf(options, 3, features()), samples, "candidate_", false);
+  // what the ego's place is told by is trained by that alone
+  options.offset_weight = 0.0;
+  options.selection_weight = 0.0;
+  checkGradients(trainerOf(options, 3, features()), samples, "candidate_", true);
+}
+
 TEST_P(Heads, LearnAFewMomentsByHeart) {
   const auto samples = samplesOf(features(), 4);
   TrainingOptions options = quickTraining();
-  options.epochs = 250;
+  options.epochs = 500;
   options.dropout = 0.0;
   options.context_dropout = 0.0;
   options.weight_decay = 0.0;
+  options.mirrored_share = 0.0;
   options.learning_rate = 0.01;
   PatternTrainer trainer = trainerOf(options, 1, features());
   const double before = trainer.losses(samples, all(samples)).total;
@@ -184,6 +198,97 @@ TEST(PatternTrainer, ResumesToTheSameBits) {
     EXPECT_EQ(layer.bias, b.layers.at(name).bias) << name;
   }
   fs::remove(path);
+}
+
+/// What MPI does, for two threads.
+class TwoRanks {
+ public:
+  TrainingRanks rank(int rank) {
+    return {rank, 2, [this](std::vector<double>& numbers) { sumUp(numbers); }};
+  }
+
+ private:
+  void sumUp(std::vector<double>& numbers) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    const int round = rounds_;
+    std::vector<double>& sum = sums_[round % 2];  // the other may begin the next round at once
+    if (++arrived_ == 1) {
+      sum = numbers;
+      all_here_.wait(lock, [&] { return rounds_ != round; });
+    } else {
+      for (std::size_t i = 0; i < numbers.size(); ++i) sum[i] += numbers[i];
+      arrived_ = 0;
+      ++rounds_;
+      all_here_.notify_all();
+    }
+    numbers = sum;
+  }
+
+  std::mutex mutex_;
+  std::condition_variable all_here_;
+  std::vector<double> sums_[2];
+  int arrived_ = 0;
+  int rounds_ = 0;
+};
+
+TEST(PatternTrainer, TwoRanksLearnTheSame) {
+  const auto samples = samplesOf(smallFeatures(), 7);
+  TrainingOptions options = quickTraining();
+  options.epochs = 60;
+  options.dropout = options.context_dropout = 0.0;
+  options.mirrored_share = 0.0;
+  TwoRanks ranks;
+  PatternTrainer first = trainerOf(options);
+  PatternTrainer second = trainerOf(options);
+  first.trainTogether(ranks.rank(0));
+  second.trainTogether(ranks.rank(1));
+  const double before = first.losses(samples, all(samples)).total;
+  TrainingLosses of_first;
+  TrainingLosses of_second;
+  const auto train = [&](PatternTrainer& trainer, TrainingLosses& losses) {
+    for (int i = 0; i < options.epochs; ++i) losses = trainer.trainEpoch(samples, all(samples));
+  };
+  std::thread other([&] { train(second, of_second); });
+  train(first, of_first);
+  other.join();
+  EXPECT_LT(first.losses(samples, all(samples)).total, before - 0.5);
+  EXPECT_EQ(of_first.total, of_second.total);
+  for (const auto& [name, layer] : first.weights().layers) {
+    EXPECT_EQ(layer.matrix, second.weights().layers.at(name).matrix) << name;
+  }
+}
+
+TEST(PatternTrainer, TwoRanksStepByTheMeanOfTheirGradients) {
+  // two ranks with one moment each, and one process with both
+  const std::vector<TrainingSample> samples = {samplesOf(smallFeatures(), 2)[1],
+                                               samplesOf(smallFeatures(), 4)[3]};
+  TrainingOptions options = quickTraining();
+  options.epochs = 1;
+  options.batch = 2;
+  options.dropout = options.context_dropout = options.mirrored_share = 0.0;
+  PatternTrainer alone = trainerOf(options);
+  alone.trainEpoch(samples, all(samples));
+  TwoRanks ranks;
+  PatternTrainer first = trainerOf(options);
+  PatternTrainer second = trainerOf(options);
+  first.trainTogether(ranks.rank(0));
+  second.trainTogether(ranks.rank(1));
+  std::thread other([&] { second.trainEpoch(samples, all(samples)); });
+  first.trainEpoch(samples, all(samples));
+  other.join();
+  for (const auto& [name, layer] : alone.presentWeights().layers) {
+    const RowMatrix difference = layer.matrix - first.presentWeights().layers.at(name).matrix;
+    EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-4F) << name;
+  }
+}
+
+TEST(PatternTrainer, RanksThatPartAreFoundOut) {
+  const auto samples = samplesOf(smallFeatures(), 4);
+  PatternTrainer trainer = trainerOf(quickTraining());
+  trainer.trainTogether({0, 2, [](std::vector<double>& numbers) {
+                           if (numbers.size() == 2) numbers[1] = numbers[0] + 1.0;
+                         }});
+  EXPECT_THROW(trainer.trainEpoch(samples, all(samples)), TrainingError);
 }
 
 TEST(PatternTrainer, RefusesDamagedAndForeignStates) {

@@ -3,7 +3,6 @@
 #include <random>
 
 #include "attack/test_scenes.h"
-#include "network/features.h"
 #include "network/pattern_network.h"
 
 namespace forge {

@@ -1,4 +1,4 @@
-#include "network/features.h"
+#include "network/scene_features.h"
 
 #include <gtest/gtest.h>
 
@@ -11,20 +11,10 @@ namespace forge {
 namespace {
 
 constexpr float kTolerance = 1e-5F;
-constexpr double kTta = 3.0;  // s
 
 SceneFeatures featuresOf(const Snapshot& snapshot, const std::set<std::string>& hidden = {},
                          const PatternFeatureOptions& options = smallFeatures()) {
   return sceneFeatures(observedSnapshot(snapshot, hidden), lanesOf(snapshot), options);
-}
-
-AnchorFeatures anchorsOf(const Snapshot& snapshot, EgoHead head = EgoHead::kRegionProposal) {
-  PatternFeatureOptions options = smallFeatures();
-  options.head = head;
-  const LaneIndex lanes = lanesOf(snapshot);
-  const EgoWays ways = egoWays(observedSnapshot(snapshot, {}), lanes, 9.0,
-                               shippedEgoFutureOptions(), options.max_ways);
-  return anchorFeatures(ways, lanes, kTta, shippedEgoFutureOptions(), options);
 }
 
 TEST(ObservedSnapshot, VelocitiesLookBack) {
@@ -91,6 +81,49 @@ TEST(SceneFeatures, AgentFramesBoundWhatIsSeenOfOthers) {
   EXPECT_EQ(features.agent_mask.segment(8, 8).sum(), 1.0F);
 }
 
+/// Rows of the lane whose first point is at (x, y) in the map.
+Eigen::Index laneAt(const SceneFeatures& features, double x, double y) {
+  const Eigen::Index points = smallFeatures().encoding.lane_points;
+  for (Eigen::Index row = 0; row < features.lanes.rows(); row += points) {
+    const double dx = static_cast<double>(features.lanes(row, 0)) * 30.0 - 30.0 - x;
+    const double dy = static_cast<double>(features.lanes(row, 1)) * 30.0 - 1.75 - y;
+    if (features.lane_mask[row] > 0.0F && std::hypot(dx, dy) < 1e-3) return row;
+  }
+  ADD_FAILURE() << "no lane at " << x << ' ' << y;
+  return 0;
+}
+
+TEST(SceneFeatures, LanesTellWhatFollows) {
+  Snapshot snapshot = junctionSnapshot();
+  auto map = fourWayJunction();
+  map->lanes[0].outgoing = {"east_through", "left", "right"};
+  map->lanes[1].is_intersection = true;
+  map->lanes[1].incoming = {"east_in"};
+  Lane left = straightLane("left", {-10.0, -1.75}, {1.75, 10.0});
+  left.centerline.push_back({1.75, 12.0, M_PI_2});
+  Lane right = straightLane("right", {-10.0, -1.75}, {-1.75, -10.0});
+  right.centerline.push_back({-1.75, -12.0, -M_PI_2});
+  map->lanes.push_back(left);
+  map->lanes.push_back(right);
+  snapshot.map = map;
+  PatternFeatureOptions options = smallFeatures();
+  options.encoding.max_lanes = 8;
+  const SceneFeatures features = featuresOf(snapshot, {}, options);
+  const Eigen::RowVectorXf in = features.lanes.row(laneAt(features, -200.0, -1.75));
+  EXPECT_NEAR(in[7], 1.0F, kTolerance);  // three follow
+  EXPECT_NEAR(in[8], 0.0F, kTolerance);
+  EXPECT_NEAR(in[9], M_PI_2, 1e-3);
+  EXPECT_NEAR(in[10], -M_PI_2, 1e-3);
+  EXPECT_EQ(in[11], 1.0F);
+  const Eigen::RowVectorXf through = features.lanes.row(laneAt(features, -10.0, -1.75));
+  EXPECT_NEAR(through[7], 1.0F / 3.0F, kTolerance);
+  EXPECT_NEAR(through[8], 1.0F / 3.0F, kTolerance);
+  EXPECT_NEAR(through[9], 0.0F, kTolerance);
+  EXPECT_EQ(through[11], 0.0F);
+  const Eigen::RowVectorXf west = features.lanes.row(laneAt(features, 200.0, 1.75));
+  EXPECT_EQ(west.tail(5).cwiseAbs().sum(), 0.0F);
+}
+
 TEST(SceneFeatures, NoLanesAndNoOthersAreFine) {
   Snapshot snapshot = junctionSnapshot();
   snapshot.agents.clear();
@@ -123,99 +156,6 @@ TEST(SceneFeatures, RefuseWhatIsNotFinite) {
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("crossing"), std::string::npos) << error.what();
   }
-}
-
-TEST(AnchorFeatures, LieAlongTheWaysAboutThePresentSpeed) {
-  const AnchorFeatures anchors = anchorsOf(junctionSnapshot());
-  ASSERT_EQ(anchors.group_size, 10);
-  ASSERT_GT(anchors.prior[0], kAbsent);
-  EXPECT_NEAR(anchors.poses(0, 0), 0.0F, 1e-3F);  // standing still
-  // the middle one: on at 8 m/s, straight on the likeliest way
-  EXPECT_NEAR(anchors.arc_lengths[5], 24.0F, 1e-3F);
-  EXPECT_NEAR(anchors.poses(5, 0), 24.0F, 0.05F);
-  EXPECT_NEAR(anchors.poses(5, 1), 0.0F, 0.05F);
-  EXPECT_NEAR(anchors.arc_lengths[6] - anchors.arc_lengths[5], anchors.along_scale, 1e-4F);
-  EXPECT_NEAR(anchors.along_scale, 0.05 + 0.5 * std::pow(kTta, 1.5), 1e-5);
-}
-
-TEST(AnchorFeatures, NoneLiesBehindTheEgo) {
-  Snapshot snapshot = junctionSnapshot();
-  snapshot.ego = pastTrack(kEgoId, kEgoSize, {-30.0, -1.75, 0.0}, 1.0);
-  const AnchorFeatures anchors = anchorsOf(snapshot);
-  int present = 0;
-  for (Eigen::Index i = 0; i < anchors.prior.size(); ++i) {
-    if (anchors.prior[i] <= kAbsent) continue;
-    ++present;
-    EXPECT_GE(anchors.arc_lengths[i], 0.0F);
-  }
-  EXPECT_GT(present, 0);
-  EXPECT_EQ(anchors.prior[1], kAbsent);
-}
-
-TEST(AnchorFeatures, TargetPointsLieOnCentrelines) {
-  const AnchorFeatures anchors = anchorsOf(junctionSnapshot(), EgoHead::kTargetPoints);
-  int present = 0;
-  for (Eigen::Index i = 0; i < anchors.prior.size(); ++i) {
-    if (anchors.prior[i] <= kAbsent) continue;
-    ++present;
-    const double x = anchors.poses(i, 0) - 30.0;  // back in the map
-    const double y = anchors.poses(i, 1) - 1.75;
-    EXPECT_TRUE(std::abs(std::abs(x) - 1.75) < 1e-4 || std::abs(std::abs(y) - 1.75) < 1e-4)
-        << x << ' ' << y;
-  }
-  EXPECT_GT(present, 10);
-}
-
-TEST(AnchorFeatures, HeadsWithoutLanesGoStraightOn) {
-  Snapshot snapshot = junctionSnapshot();
-  snapshot.map = emptyMap();
-  for (const EgoHead head : {EgoHead::kTargetPoints, EgoHead::kRegression}) {
-    const AnchorFeatures anchors = anchorsOf(snapshot, head);
-    EXPECT_NEAR(anchors.poses(0, 0), 24.0F, 1e-3F);
-    EXPECT_GT(anchors.prior[0], kAbsent);
-  }
-}
-
-TEST(AnchorFeatures, RefuseAnInstantThatIsNotAhead) {
-  const Snapshot snapshot = junctionSnapshot();
-  const LaneIndex lanes = lanesOf(snapshot);
-  const EgoWays ways = egoWays(snapshot, lanes, 9.0, shippedEgoFutureOptions(), 4);
-  EXPECT_THROW(anchorFeatures(ways, lanes, 0.0, shippedEgoFutureOptions(), smallFeatures()),
-               std::invalid_argument);
-}
-
-TEST(RequestFeatures, TellTypeAndTime) {
-  const Eigen::VectorXf none = requestFeatures(std::nullopt, 9.0);
-  EXPECT_EQ(none.head(5).sum(), 0.0F);
-  EXPECT_NEAR(none[5], 1.0F, kTolerance);
-  const Eigen::VectorXf rear_end = requestFeatures(CollisionType::kRearEnd, 0.5);
-  EXPECT_EQ(rear_end.head(5).sum(), 1.0F);
-  EXPECT_EQ(rear_end[2], 1.0F);
-  EXPECT_NEAR(rear_end[5], 0.0F, kTolerance);
-}
-
-TEST(CandidateFeatures, DoNotSeeTheHistory) {
-  Track track = pastTrack("candidate", kCarSize, {10.0, 5.0, 0.3}, 6.0);
-  const Pose2 ego{1.0, 2.0, 0.1};
-  const CandidateNow before = candidateNow(track, ego);
-  for (std::size_t i = 0; i + 1 < track.states.size(); ++i) track.states[i].pose.x -= 3.0;
-  const CandidateNow after = candidateNow(track, ego);
-  EXPECT_EQ(before.speed, after.speed);
-  EXPECT_EQ(before.pose.x, after.pose.x);
-  EXPECT_NEAR(before.speed, 6.0, 1e-9);
-}
-
-TEST(CandidateFeatures, TellWhereConstantSpeedLeads) {
-  // 20 m beside, heading across at 5 m/s for 2 s: ends 10 m beside the ego's place
-  const CandidateNow candidate{{0.0, 20.0, -M_PI_2}, 5.0};
-  const Eigen::VectorXf features =
-      candidateFeatures(candidate, 8.0, {0.0, 0.0, 0.0}, 2.0, CollisionType::kJunctionCrossing);
-  EXPECT_NEAR(features[10], 0.0F, kTolerance);
-  EXPECT_NEAR(features[11], 0.5F, kTolerance);
-  EXPECT_NEAR(features[13], 1.0F, kTolerance);  // 10 m/s are needed
-  EXPECT_NEAR(features[14], 0.5F, kTolerance);  // 5 m/s more than it has
-  EXPECT_NEAR(features[16], 1.0F, kTolerance);  // straight ahead of it
-  EXPECT_EQ(features.tail(5).sum(), 1.0F);
 }
 
 }  // namespace
