@@ -28,6 +28,7 @@ VehicleLimits loadVehicleLimits(const std::string& directory) {
   file.finish();
   return limits;
 }
+
 void loadCollisionTypes(const std::string& directory, AttackOptions& options) {
   Section file = openConfigFile(directory, "collision_types.yaml");
   Section types = file.section("collision_types");
