@@ -65,7 +65,7 @@ struct FutureScorer::Outcome {
   double contact = -1.0;  // first contact, in steps; below 0: none
   bool deep = false;      // the boxes came to overlap by more than a touch
   float gap = 1e9F;       // m, smallest while contact would be on time
-  Pose2 offset;           // the attacker seen from the ego, at contact
+  double heading = 0.0;   // rad, the attacker's seen from the ego, at contact
   bool hit = false;       // all conditions hold
 };
 
@@ -94,6 +94,7 @@ FutureScorer::FutureScorer(const std::vector<const Track*>& egos, const std::vec
   const std::size_t size = padded_ * static_cast<std::size_t>(steps_);
   x_.resize(size);
   y_.resize(size);
+  yaw_.resize(size);
   cosine_.resize(size);
   sine_.resize(size);
   for (int step = 0; step < steps_; ++step) {
@@ -106,6 +107,7 @@ FutureScorer::FutureScorer(const std::vector<const Track*>& egos, const std::vec
           time < ego.states.front().time ? ego.states.front() : ego.states.back());
       x_[row + i] = static_cast<float>(state.pose.x - origin_.x);
       y_[row + i] = static_cast<float>(state.pose.y - origin_.y);
+      yaw_[row + i] = static_cast<float>(state.pose.yaw);
       cosine_[row + i] = static_cast<float>(std::cos(state.pose.yaw));
       sine_[row + i] = static_cast<float>(std::sin(state.pose.yaw));
       sum += Vector2(x_[row + i], y_[row + i]);
@@ -115,7 +117,7 @@ FutureScorer::FutureScorer(const std::vector<const Track*>& egos, const std::vec
     for (std::size_t i = 0; i < padded_; ++i) {
       spread = std::max(spread, (Vector2(x_[row + i], y_[row + i]) - middle).norm());
     }
-    middle_.push_back({middle.x(), middle.y(), 0.0});
+    middle_.push_back(middle);
     spread_.push_back(spread);
   }
   for (const Track& agent : agents) {
@@ -141,7 +143,29 @@ Pose2 FutureScorer::local(const Pose2& pose) const {
 
 Pose2 FutureScorer::egoAt(std::size_t step, std::size_t future) const {
   const std::size_t i = step * padded_ + future;
-  return {x_[i], y_[i], std::atan2(sine_[i], cosine_[i])};
+  return {x_[i], y_[i], yaw_[i]};
+}
+
+/// Both poses, the ego's in one future, between two steps.
+struct FutureScorer::Met {
+  Pose2 ego;
+  Pose2 attacker;
+};
+
+FutureScorer::Met FutureScorer::metAt(double contact, std::size_t future,
+                                      const std::vector<TrajectoryPoint>& points) const {
+  const auto last = static_cast<std::size_t>(contact);
+  const auto next = std::min(last + 1, static_cast<std::size_t>(steps_ - 1));
+  const double ratio = contact - static_cast<double>(last);
+  return {interpolate(egoAt(last, future), egoAt(next, future), ratio),
+          interpolate(local(points[last].pose), local(points[next].pose), ratio)};
+}
+
+bool FutureScorer::fitsType(double contact, std::size_t future, const Track& attacker,
+                            const std::vector<TrajectoryPoint>& points) const {
+  const Met met = metAt(contact, future, points);
+  return contactFits(type_, relativeTo(met.ego, met.attacker), ego_size_, attacker.size,
+                     driving_side_);
 }
 
 int FutureScorer::firstOther(const Track& attacker,
@@ -183,8 +207,8 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
     const double py = pose.y - origin_.y;
     const std::size_t at = static_cast<std::size_t>(step);
     const bool in_time = step >= first_in_time_ && step <= last_in_time_;
-    const double apart = std::hypot(px - middle_[at].x, py - middle_[at].y) - spread_[at] - reach;
-    if (apart > kWatched) continue;
+    const double near = kWatched + spread_[at] + reach;
+    if ((Vector2(px, py) - middle_[at]).squaredNorm() > near * near) continue;
     const float ax = static_cast<float>(px), ay = static_cast<float>(py);
     const float ac = static_cast<float>(std::cos(pose.yaw));
     const float as = static_cast<float>(std::sin(pose.yaw));
@@ -208,10 +232,9 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
       // They met between the step before and this one.
       const float before = gaps_before[i];
       const double ratio = step == 0 ? 0.0 : before / (before - gaps[i]);
-      const std::size_t last = step == 0 ? 0 : at - 1;
       outcome.contact = std::max(0.0, step - 1.0 + ratio);
-      outcome.offset = relativeTo(interpolate(egoAt(last, i), egoAt(at, i), ratio),
-                                  interpolate(local(points[last].pose), local(pose), ratio));
+      const Met met = metAt(outcome.contact, i, points);
+      outcome.heading = angleBetween(met.ego.yaw, met.attacker.yaw);
     }
     std::swap(gaps, gaps_before);
   }
@@ -221,9 +244,8 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
     outcome.gap = least_gaps[i];
     outcome.hit = outcome.deep && outcome.contact >= first_in_time_ &&
                   outcome.contact <= last_in_time_ && outcome.contact > 0.0 &&
-                  outcome.contact < other && headingFits(outcome.offset.yaw, band_) &&
-                  (rules_ == TypeRules::kAngle ||
-                   contactFits(type_, outcome.offset, ego_size_, attacker.size, driving_side_));
+                  outcome.contact < other && headingFits(outcome.heading, band_) &&
+                  (rules_ == TypeRules::kAngle || fitsType(outcome.contact, i, attacker, points));
   }
 }
 
@@ -238,7 +260,7 @@ FutureScore FutureScorer::score(const Track& attacker,
     } else if (outcome.contact < 0.0) {
       score.closeness += std::exp(-std::max(0.0F, outcome.gap) / kCloseGap);
     } else {
-      const double heading = std::abs(outcome.offset.yaw);
+      const double heading = std::abs(outcome.heading);
       const double off = std::max({0.0, band_.min_heading - heading, heading - band_.max_heading});
       const double late =
           std::max({0.0, first_in_time_ - outcome.contact, outcome.contact - last_in_time_});

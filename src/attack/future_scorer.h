@@ -45,6 +45,10 @@ class FutureScorer {
                 std::vector<Outcome>& outcomes) const;
   Pose2 local(const Pose2& pose) const;                     // seen from origin_'s position
   Pose2 egoAt(std::size_t step, std::size_t future) const;  // local
+  struct Met;
+  Met metAt(double contact, std::size_t future, const std::vector<TrajectoryPoint>& points) const;
+  bool fitsType(double contact, std::size_t future, const Track& attacker,
+                const std::vector<TrajectoryPoint>& points) const;
   int firstOther(const Track& attacker, const std::vector<TrajectoryPoint>& points) const;
 
   std::size_t count_ = 0;   // futures
@@ -54,9 +58,9 @@ class FutureScorer {
   double first_in_time_ = 0.0;  // steps between which contact is on time
   double last_in_time_ = 0.0;
   // One row a step, one entry a future.
-  std::vector<float> x_, y_, cosine_, sine_;
+  std::vector<float> x_, y_, yaw_, cosine_, sine_;
   // One entry a step: a circle around all futures' positions.
-  std::vector<Pose2> middle_;
+  std::vector<Vector2> middle_;
   std::vector<double> spread_;
   // One vector of states (one a step) for each other agent that may be met.
   struct Other {

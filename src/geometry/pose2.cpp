@@ -5,6 +5,7 @@
 namespace forge {
 
 double wrapAngle(double angle) {
+  if (angle > -M_PI && angle <= M_PI) return angle;
   const double wrapped = std::remainder(angle, 2.0 * M_PI);
   return wrapped <= -M_PI ? M_PI : wrapped;
 }

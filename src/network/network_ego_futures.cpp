@@ -30,36 +30,34 @@ class DistanceTable {
       high = std::max(high, component.arc_length + reach);
       weight_ += component.probability;
     }
-    low = std::max(low, 0.0);
-    for (int i = 0; i <= kTableSteps && weight_ > 0.0; ++i) {
-      const double distance = low + (high - low) * i / kTableSteps;
-      double share = 0.0;
-      for (const EgoComponent& component : components) {
-        if (component.group != way) continue;
-        share += component.probability /
-                 (1.0 + std::exp(-(distance - component.arc_length) / component.along));
-      }
-      distances_.push_back(distance);
-      shares_.push_back(share / weight_);
+    if (weight_ <= 0.0) return;
+    distances_ = Eigen::ArrayXd::LinSpaced(kTableSteps + 1, std::max(low, 0.0), high);
+    shares_ = Eigen::ArrayXd::Zero(distances_.size());
+    for (const EgoComponent& component : components) {
+      if (component.group != way) continue;
+      shares_ += component.probability /
+                 (1.0 + ((component.arc_length - distances_) / component.along).exp());
     }
+    shares_ /= weight_;
   }
 
   double weight() const { return weight_; }
 
   /// The distance, metres, that a share of drivers stays below.
   double quantile(double share) const {
-    const auto above = std::lower_bound(shares_.begin(), shares_.end(), share);
-    if (above == shares_.begin()) return distances_.front();
-    if (above == shares_.end()) return distances_.back();
-    const auto i = static_cast<std::size_t>(above - shares_.begin());
+    const double* begin = shares_.data();
+    const double* end = begin + shares_.size();
+    const Eigen::Index i = std::lower_bound(begin, end, share) - begin;
+    if (i == 0) return distances_[0];
+    if (i == shares_.size()) return distances_[i - 1];
     const double ratio = (share - shares_[i - 1]) / std::max(shares_[i] - shares_[i - 1], 1e-12);
     return distances_[i - 1] + ratio * (distances_[i] - distances_[i - 1]);
   }
 
  private:
   double weight_ = 0.0;
-  std::vector<double> distances_;
-  std::vector<double> shares_;
+  Eigen::ArrayXd distances_;
+  Eigen::ArrayXd shares_;
 };
 
 /// The network's distributions at several instants: a table an instant and way.
