@@ -201,7 +201,7 @@ std::shared_ptr<const PatternNetworks> loadPatternNetwork(const Config& config) 
 }
 
 Foresight loadForesight(const Config& config) {
-  return {loadSpeedForecaster(config), loadPatternNetwork(config), false};
+  return {loadSpeedForecaster(config), loadPatternNetwork(config), std::nullopt};
 }
 
 }  // namespace forge

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "attack/ego_futures.h"
@@ -15,11 +16,11 @@ namespace forge {
 struct Foresight {
   std::shared_ptr<const SpeedForecaster> speeds;    ///< null: the present acceleration fades
   std::shared_ptr<const PatternNetworks> networks;  ///< null: no learning
-  /// The networks were trained on clips of the scenes that are asked about. What they know by heart
-  /// of these, the type brings up; in other scenes it misleads what tells the ego's place.
-  bool scenes_are_known = false;
+  /// The request's type, where the networks were trained on clips of the very scene. What they know
+  /// by heart of it, the type brings up; in other scenes it misleads what tells the ego's place.
+  std::optional<CollisionType> known_type;
 
-  Foresight withoutNetworks() const { return {speeds, nullptr, false}; }
+  Foresight withoutNetworks() const { return {speeds, nullptr, std::nullopt}; }
 
   /// Neither model uses what was recorded in `left_out_scene`.
   std::shared_ptr<const EgoFutureSampler> egoFutures(const EgoFutureOptions& options,

@@ -66,11 +66,12 @@ struct Distributions {
   std::vector<std::vector<DistanceTable>> tables;
 };
 
-Distributions distributionsOf(const PredictedScene& scene, double horizon) {
+Distributions distributionsOf(const PredictedScene& scene, double horizon,
+                              std::optional<CollisionType> known_type) {
   Distributions result;
   for (const double instant : kInstants) {
     if (!result.instants.empty() && result.instants.back() >= horizon) break;
-    const auto components = scene.egoAfter(instant, std::nullopt);
+    const auto components = scene.egoAfter(instant, known_type);
     result.instants.push_back(instant);
     result.tables.emplace_back();
     for (std::size_t way = 0; way < scene.ways().paths.size(); ++way) {
@@ -176,11 +177,13 @@ class StretchedForecast {
 NetworkEgoFutures::NetworkEgoFutures(const EgoFutureOptions& options,
                                      std::shared_ptr<const PatternNetworks> networks,
                                      std::shared_ptr<const SpeedForecaster> speeds,
-                                     std::string left_out_scene)
+                                     std::string left_out_scene,
+                                     std::optional<CollisionType> known_type)
     : options_(options),
       networks_(std::move(networks)),
       speeds_(std::move(speeds)),
       left_out_scene_(std::move(left_out_scene)),
+      known_type_(known_type),
       kinematic_(options, speeds_, left_out_scene_) {}
 
 std::vector<Track> NetworkEgoFutures::sample(const Snapshot& snapshot, const LaneIndex& lanes,
@@ -193,7 +196,7 @@ std::vector<Track> NetworkEgoFutures::sample(const Snapshot& snapshot, const Lan
   }
   const PredictedScene scene(network, snapshot, lanes, horizon, options_);
   const EgoNow& ego = scene.ways().ego;
-  const Distributions distributions = distributionsOf(scene, horizon);
+  const Distributions distributions = distributionsOf(scene, horizon, known_type_);
   std::mt19937_64 engine(seed);
   const std::vector<int> shares = shareOut(wayWeights(distributions), count, engine);
   std::vector<Track> tracks;

@@ -15,10 +15,12 @@ namespace forge {
 /// network, or with one whose anchors lie on no ways.
 class NetworkEgoFutures : public EgoFutureSampler {
  public:
-  /// `networks` may be null. Neither a network nor a forecast that knows `left_out_scene` is used.
+  /// `networks` may be null. `known_type`: see Foresight. Neither a network nor a forecast that
+  /// knows `left_out_scene` is used.
   NetworkEgoFutures(const EgoFutureOptions& options,
                     std::shared_ptr<const PatternNetworks> networks,
-                    std::shared_ptr<const SpeedForecaster> speeds, std::string left_out_scene = "");
+                    std::shared_ptr<const SpeedForecaster> speeds, std::string left_out_scene = "",
+                    std::optional<CollisionType> known_type = std::nullopt);
 
   std::vector<Track> sample(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
                             int count, std::uint64_t seed) const override;
@@ -28,6 +30,7 @@ class NetworkEgoFutures : public EgoFutureSampler {
   std::shared_ptr<const PatternNetworks> networks_;
   std::shared_ptr<const SpeedForecaster> speeds_;
   std::string left_out_scene_;
+  std::optional<CollisionType> known_type_;
   KinematicEgoFutures kinematic_;
 };
 

@@ -37,13 +37,12 @@ std::vector<std::size_t> ranked(const std::vector<CandidateAnswer>& answers) {
 
 /// The ego's pose at impact in its frame now.
 Pose2 egoAtImpact(const PredictedScene& scene, const CollisionRequest& request,
-                  const Future* recorded, double now, bool scene_is_known) {
+                  const Future* recorded, double now, std::optional<CollisionType> known_type) {
   if (recorded) {
     const auto state = stateAt(recorded->ego, now + request.tta);
     if (state) return relativeTo(scene.ways().ego.state.pose, state->pose);
   }
-  return medianPose(
-      scene.egoAfter(request.tta, scene_is_known ? std::optional(request.type) : std::nullopt));
+  return medianPose(scene.egoAfter(request.tta, known_type));
 }
 
 }  // namespace
@@ -51,12 +50,12 @@ Pose2 egoAtImpact(const PredictedScene& scene, const CollisionRequest& request,
 NetworkPatternPredictor::NetworkPatternPredictor(
     const AttackOptions& options, std::shared_ptr<const EgoFutureSampler> ego_futures,
     std::shared_ptr<const PatternNetworks> networks, std::string left_out_scene,
-    bool scene_is_known)
+    std::optional<CollisionType> known_type)
     : options_(options),
       kinematic_(options, std::move(ego_futures)),
       networks_(std::move(networks)),
       left_out_scene_(std::move(left_out_scene)),
-      scene_is_known_(scene_is_known) {}
+      known_type_(known_type) {}
 
 PatternPrediction NetworkPatternPredictor::predict(const Snapshot& snapshot, const LaneIndex& lanes,
                                                    const CollisionRequest& request,
@@ -65,7 +64,7 @@ PatternPrediction NetworkPatternPredictor::predict(const Snapshot& snapshot, con
   if (!networks_ || prediction.patterns.empty()) return prediction;
   const PredictedScene scene(networks_->forScene(left_out_scene_), snapshot, lanes, request.tta,
                              options_.ego_futures);
-  const Pose2 ego = egoAtImpact(scene, request, recorded, snapshot.now, scene_is_known_);
+  const Pose2 ego = egoAtImpact(scene, request, recorded, snapshot.now, known_type_);
   const std::vector<const Track*> attackers = attackersOf(prediction.patterns, snapshot);
   const std::vector<CandidateAnswer> answers =
       scene.judge(attackers, ego, request.tta, request.type);

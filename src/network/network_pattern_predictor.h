@@ -15,11 +15,12 @@ class NetworkPatternPredictor : public PatternPredictor {
  public:
   /// Without networks (null) it is a KinematicPatternPredictor. A scene on test is judged by the
   /// network that was trained without `left_out_scene`. The ego's place is told without the type,
-  /// unless the scene is known (Foresight::scenes_are_known).
+  /// unless it is known (Foresight::known_type).
   NetworkPatternPredictor(const AttackOptions& options,
                           std::shared_ptr<const EgoFutureSampler> ego_futures,
                           std::shared_ptr<const PatternNetworks> networks,
-                          std::string left_out_scene = "", bool scene_is_known = false);
+                          std::string left_out_scene = "",
+                          std::optional<CollisionType> known_type = std::nullopt);
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request, const Future* recorded) const override;
@@ -29,7 +30,7 @@ class NetworkPatternPredictor : public PatternPredictor {
   KinematicPatternPredictor kinematic_;
   std::shared_ptr<const PatternNetworks> networks_;
   std::string left_out_scene_;
-  bool scene_is_known_ = false;
+  std::optional<CollisionType> known_type_;
 };
 
 }  // namespace forge

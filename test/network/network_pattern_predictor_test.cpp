@@ -31,12 +31,13 @@ AttackOptions angleRules() {
 }
 
 PatternPrediction predicted(const std::shared_ptr<const PatternNetworks>& networks,
-                            const Future* recorded = nullptr, bool scene_is_known = false) {
+                            const Future* recorded = nullptr,
+                            std::optional<CollisionType> known_type = std::nullopt) {
   const AttackOptions options = angleRules();
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
   const auto futures = std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr);
-  return NetworkPatternPredictor(options, futures, networks, "", scene_is_known)
+  return NetworkPatternPredictor(options, futures, networks, "", known_type)
       .predict(snapshot, lanes, crossing(), recorded);
 }
 
@@ -63,12 +64,12 @@ TEST(NetworkPatternPredictor, TypeTellsTheEgosPlaceInKnownScenesAlone) {
   const Pose2 with_type = medianPose(scene.egoAfter(4.0, CollisionType::kJunctionCrossing));
   const Pose2 without_type = medianPose(scene.egoAfter(4.0, std::nullopt));
   ASSERT_GT((with_type.position() - without_type.position()).norm(), 1e-3);
-  const auto placeOf = [&](bool scene_is_known) {
-    const CollisionPattern pattern = predicted(chosen, nullptr, scene_is_known).patterns[0];
+  const auto placeOf = [&](std::optional<CollisionType> known_type) {
+    const CollisionPattern pattern = predicted(chosen, nullptr, known_type).patterns[0];
     return relativeTo(snapshot.ego.states.back().pose, pattern.ego.center);
   };
-  EXPECT_NEAR(placeOf(true).x, with_type.x, 1e-6);
-  EXPECT_NEAR(placeOf(false).x, without_type.x, 1e-6);
+  EXPECT_NEAR(placeOf(CollisionType::kJunctionCrossing).x, with_type.x, 1e-6);
+  EXPECT_NEAR(placeOf(std::nullopt).x, without_type.x, 1e-6);
 }
 
 TEST(NetworkPatternPredictor, AddsOnePatternToEachAttackers) {
