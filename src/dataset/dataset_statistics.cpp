@@ -10,7 +10,6 @@
 namespace forge {
 namespace {
 
-constexpr double kFrameInterval = 0.5;  // s, nominal
 constexpr double kDegrees = 180.0 / M_PI;
 
 /// How many clips of each split have a value.
@@ -56,7 +55,7 @@ std::vector<Group> groupsOf(const std::vector<DatasetClip>& clips) {
   const auto type_name = [](const DatasetClip& clip) { return std::string(toString(clip.type)); };
   const auto length = [](const DatasetClip& clip) { return clip.length; };
   const auto tta = [](const DatasetClip& clip) {
-    return decimals(kFrameInterval * (clip.length - kCollideNowFrame), 1);
+    return decimals(kCollideFrameInterval * (clip.length - kCollideNowFrame), 1);
   };
   const auto location = [](const DatasetClip& clip) { return clip.location; };
   return {grouped("type", clips, type, type_name), grouped("tta", clips, length, tta),

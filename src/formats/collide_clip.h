@@ -18,6 +18,7 @@ struct CollideError : std::runtime_error {
 
 /// The frame of every clip that is now; frames 0 to 7 are the history.
 inline constexpr int kCollideNowFrame = 7;
+inline constexpr double kCollideFrameInterval = 0.5;  ///< s, nominal
 
 /// One vehicle in one frame. Global map frame of nuScenes; the pose is the middle of the box.
 struct CollideState {
@@ -55,7 +56,7 @@ struct CollideClip : CollideName {
   /// Seconds from now to the collision frame, by the recorded times.
   double tta() const { return times.back() - now(); }
   /// The same at the nominal 2 Hz, a multiple of 0.5 s.
-  double nominalTta() const { return 0.5 * (collision_frame - kCollideNowFrame); }
+  double nominalTta() const { return kCollideFrameInterval * (collision_frame - kCollideNowFrame); }
   /// Throws std::out_of_range for an id that is not there.
   const CollideTrack& track(const std::string& id) const;
   const CollideTrack& ego() const;

@@ -10,8 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFrameInterval = 0.5;  // s, nominal
-constexpr double kTimeEpsilon = 1e-6;   // s, the resolution of the clock
+constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 constexpr const char* kBatch = "collision-forge";
 
 CollideState recorded(const AgentState& state) { return {state.pose, state.velocity.norm()}; }
@@ -104,7 +103,7 @@ class ClipBuilder {
     const std::size_t first = now - kCollideNowFrame;
     clip_.collision_frame =
         kCollideNowFrame +
-        static_cast<int>(std::lround(scenario_.asked.request.tta / kFrameInterval));
+        static_cast<int>(std::lround(scenario_.asked.request.tta / kCollideFrameInterval));
     const std::size_t end = first + static_cast<std::size_t>(clip_.collision_frame) + 1;
     if (clip_.collision_frame <= kCollideNowFrame || end > scene_.frame_times.size()) {
       return ClipObstacle::kNoCollisionFrame;

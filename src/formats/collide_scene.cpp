@@ -5,8 +5,6 @@
 namespace forge {
 namespace {
 
-constexpr double kFrameInterval = 0.5;  // s, nominal
-
 AgentState stateOf(const CollideState& state, double time) {
   return {time, state.pose, state.speed * state.pose.heading()};
 }
@@ -22,7 +20,7 @@ Vector2 lastVelocity(const CollideTrack& track, const std::vector<double>& times
 
 void goStraightOn(Track& track, const Vector2& velocity, double duration) {
   const AgentState last = track.states.back();
-  const int steps = static_cast<int>(std::ceil(duration / kFrameInterval));
+  const int steps = static_cast<int>(std::ceil(duration / kCollideFrameInterval));
   for (int step = 1; step <= steps; ++step) {
     const double elapsed = duration * step / steps;
     const Vector2 position = last.pose.position() + elapsed * velocity;
@@ -49,8 +47,8 @@ Track recordedTrack(const CollideTrack& recorded, const CollideClip& clip, std::
 AgentState straightBefore(const CollideClip& clip) {
   const CollideState& now = *clip.attacker().frames[kCollideNowFrame];
   CollideState before = now;
-  before.pose = compose(now.pose, {-kFrameInterval * now.speed, 0.0, 0.0});
-  return stateOf(before, clip.now() - kFrameInterval);
+  before.pose = compose(now.pose, {-kCollideFrameInterval * now.speed, 0.0, 0.0});
+  return stateOf(before, clip.now() - kCollideFrameInterval);
 }
 
 }  // namespace

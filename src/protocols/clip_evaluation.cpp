@@ -79,10 +79,9 @@ class ClipCase {
         publishedOutcome(clip_, answer.frames, config_.evaluation.published);
     row.meets = {outcome.isHit(), outcome.similar};
     if (outcome.event == PublishedOutcome::Event::kNone) return;
-    constexpr double kFrameInterval = 0.5;  // s, nominal
     const double frame =
         static_cast<double>(outcome.step) / config_.evaluation.published.steps_per_interval;
-    row.contact_after = kFrameInterval * (frame - kCollideNowFrame);
+    row.contact_after = kCollideFrameInterval * (frame - kCollideNowFrame);
     if (outcome.isHit()) {
       row.relative_heading = outcome.relative_heading;
     } else {

@@ -85,7 +85,7 @@ ResumableFile::Options runOptions(const Arguments& arguments, const Config& conf
   options["dataroot"] = fs::canonical(arguments.dataroot).string();
   options["version"] = arguments.version;
   options["seed"] = std::to_string(arguments.seed);
-  options["requests"] = fingerprintOf(requests);
+  options["wanted_clips"] = fingerprintOf(requests);
   return options;
 }
 
@@ -110,7 +110,8 @@ struct Attempt {
   double off_road_share = 0.0;
 
   int length() const {
-    return kCollideNowFrame + static_cast<int>(std::lround(asked.request.tta / 0.5));
+    return kCollideNowFrame +
+           static_cast<int>(std::lround(asked.request.tta / kCollideFrameInterval));
   }
 };
 
