@@ -5,6 +5,7 @@
 #include <memory>
 #include <numeric>
 
+#include "attack/contender.h"
 #include "attack/ground_use.h"
 #include "attack/limits.h"
 #include "attack/placement.h"
@@ -31,14 +32,6 @@ VehicleLimits scaled(VehicleLimits limits, double margin) {
   limits.heading_per_metre *= margin;
   return limits;
 }
-
-/// One attacker and the ways it may drive.
-struct Contender {
-  const Track* track = nullptr;
-  DriveStart start;
-  std::vector<ReferencePath> paths;
-  std::vector<std::unique_ptr<TrajectoryFamily>> quintics;
-};
 
 struct Candidate {
   const Contender* contender = nullptr;
@@ -69,9 +62,9 @@ class Search {
         ground_(input.lanes,
                 std::max(1, static_cast<int>(std::lround(options.verification.off_road_interval /
                                                          options.search.step)))),
+        contenders_(contendersOf(input, options, limits_, scorer_.steps())),
         random_(input.request.seed) {
     chooseEgos();
-    chooseContenders();
   }
 
   std::vector<FoundAttack> run() {
@@ -117,40 +110,6 @@ class Search {
   Pose2 egoAt(std::size_t ego, double seconds) const {
     const Track& track = *input_.egos[ego];
     return stateAt(track, input_.snapshot.now + seconds).value_or(track.states.back()).pose;
-  }
-
-  void chooseContenders() {
-    for (const CollisionPattern& pattern : input_.patterns) {
-      if (static_cast<int>(contenders_.size()) >= search_.max_attackers) break;
-      const auto same = [&](const auto& other) { return other->track->id == pattern.attacker_id; };
-      if (std::any_of(contenders_.begin(), contenders_.end(), same)) continue;
-      for (const Track& agent : input_.snapshot.agents) {
-        if (agent.id == pattern.attacker_id) contenders_.push_back(contender(agent));
-      }
-    }
-  }
-
-  std::unique_ptr<Contender> contender(const Track& agent) const {
-    auto entry = std::make_unique<Contender>();
-    const PredictionOptions& prediction = options_.prediction;
-    entry->track = &agent;
-    entry->start = {estimateMotion(agent, prediction.motion_frames), input_.snapshot.now,
-                    search_.step, scorer_.steps()};
-    entry->start.motion.speed = std::clamp(entry->start.motion.speed, 0.0, limits_.max_speed);
-    if (entry->start.motion.speed < prediction.standstill_speed)
-      entry->start.motion.acceleration = 0.0;
-    const double reach = input_.request.tta *
-                         std::min(limits_.max_speed,
-                                  entry->start.motion.speed +
-                                      0.5 * limits_.max_forward_acceleration * input_.request.tta);
-    entry->paths = pathsAhead(input_.lanes, agent.states.back().pose, reach + 10.0,
-                              prediction.lane_max_distance, prediction.lane_max_heading,
-                              static_cast<std::size_t>(search_.lane_paths));
-    entry->quintics.push_back(std::make_unique<QuinticFamily>());
-    for (const ReferencePath& path : entry->paths) {
-      entry->quintics.push_back(std::make_unique<QuinticFamily>(path));
-    }
-    return entry;
   }
 
   /// An offset of the attacker from the ego's box, drawn from a placement's.
@@ -406,9 +365,9 @@ class Search {
   BicycleFamily bicycle_;
   FutureScorer scorer_;
   GroundUse ground_;
-  Random random_;
-  std::vector<std::size_t> egos_;  // that are aimed at
   std::vector<std::unique_ptr<Contender>> contenders_;
+  Random random_;
+  std::vector<std::size_t> egos_;    // that are aimed at
   std::vector<Candidate> quintics_;  // best first
   std::vector<Candidate> bicycles_;  // best first
   std::vector<TrajectoryPoint> points_;

@@ -1,0 +1,77 @@
+#include "attack/contender.h"
+
+#include <gtest/gtest.h>
+
+#include "attack/test_scenes.h"
+
+namespace forge {
+namespace {
+
+constexpr int kPoints = 46;
+
+/// The ego drives east on the right one of two lanes, one other drives behind it, one stands on the
+/// left lane and one off the road.
+class Contenders : public testing::Test {
+ protected:
+  Contenders()
+      : snapshot_(snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0),
+                             {pastTrack("behind", kCarSize, {-20.0, 0.0, 0.0}, 12.0),
+                              pastTrack("standing", kCarSize, {15.0, 3.5, 0.0}, 0.0),
+                              pastTrack("away", kCarSize, {0.0, 60.0, 0.0}, 5.0)},
+                             map_)),
+        lanes_(map_) {
+    request_.tta = 4.0;
+  }
+
+  std::vector<std::unique_ptr<Contender>> of(const std::vector<std::string>& attackers) {
+    std::vector<CollisionPattern> patterns(attackers.size());
+    for (std::size_t i = 0; i < attackers.size(); ++i) patterns[i].attacker_id = attackers[i];
+    const Future future;
+    const std::vector<const Track*> egos;
+    return contendersOf({snapshot_, future, egos, patterns, request_, lanes_}, options_,
+                        options_.vehicle_limits, kPoints);
+  }
+
+  AttackOptions options_ = shippedOptions();
+  std::shared_ptr<LaneMap> map_ = twoLaneRoad();
+  Snapshot snapshot_;
+  LaneIndex lanes_;
+  CollisionRequest request_;
+};
+
+TEST_F(Contenders, AreTheVehiclesOfThePatternsEachOnceInTheirOrder) {
+  const auto contenders = of({"standing", "behind", "standing", "nobody"});
+  ASSERT_EQ(contenders.size(), 2U);
+  EXPECT_EQ(contenders[0]->track, &snapshot_.agents[1]);
+  EXPECT_EQ(contenders[1]->track, &snapshot_.agents[0]);
+}
+
+TEST_F(Contenders, AreNoMoreThanConfigured) {
+  options_.search.max_attackers = 1;
+  const auto contenders = of({"behind", "standing"});
+  ASSERT_EQ(contenders.size(), 1U);
+  EXPECT_EQ(contenders[0]->track->id, "behind");
+}
+
+TEST_F(Contenders, DriveFreelyAndAlongTheirLanes) {
+  const auto contenders = of({"behind", "away"});
+  EXPECT_FALSE(contenders[0]->paths.empty());
+  EXPECT_EQ(contenders[0]->quintics.size(), 1 + contenders[0]->paths.size());
+  EXPECT_TRUE(contenders[1]->paths.empty());
+  EXPECT_EQ(contenders[1]->quintics.size(), 1U);
+  options_.search.lane_paths = 0;
+  EXPECT_EQ(of({"behind"})[0]->quintics.size(), 1U);
+}
+
+TEST_F(Contenders, StartFromTheirMotionNow) {
+  const auto contenders = of({"behind", "standing"});
+  EXPECT_NEAR(contenders[0]->start.motion.speed, 12.0, 1e-6);
+  EXPECT_EQ(contenders[0]->start.points, kPoints);
+  EXPECT_EQ(contenders[0]->start.now, snapshot_.now);
+  EXPECT_EQ(contenders[1]->start.motion.acceleration, 0.0);
+  options_.vehicle_limits.max_speed = 8.0;
+  EXPECT_EQ(of({"behind"})[0]->start.motion.speed, 8.0);
+}
+
+}  // namespace
+}  // namespace forge
