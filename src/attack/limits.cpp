@@ -105,8 +105,15 @@ std::optional<BrokenLimit> findBrokenPositions(const std::vector<TrajectoryPoint
     const double duration = 0.5 * (points[i + 1].time - points[i - 1].time);
     const Vector2 before = velocityOver(points[i - 1], point);
     const Vector2 after = velocityOver(point, points[i + 1]);
-    worst.check("max_total_acceleration", (after - before).norm() / duration - kDifferenceError,
-                limits.max_total_acceleration);
+    const Vector2 change = (after - before) / duration;
+    const double total = change.norm() - kDifferenceError;
+    worst.check("max_total_acceleration", total, limits.max_total_acceleration);
+    if (total > std::min(limits.max_forward_acceleration, limits.max_braking)) {
+      const double along = change.dot(point.pose.heading());
+      worst.check("max_forward_acceleration", along - kDifferenceError,
+                  limits.max_forward_acceleration);
+      worst.check("max_braking", -along - kDifferenceError, limits.max_braking);
+    }
     const auto [slower, faster] = std::minmax({before.norm(), after.norm()});
     const double speed = std::abs(point.speed);
     worst.check("speed_of_positions", std::max(slower - speed, speed - faster),

@@ -28,8 +28,9 @@ std::optional<BrokenLimit> findBrokenLimit(const std::vector<TrajectoryPoint>& p
                                            const VehicleLimits& limits);
 
 /// Holds what the positions alone say of the points before `until` against what is written and
-/// allowed: the total acceleration as a second difference of positions (a reader of the points
-/// finds no more than 0.05 m/s2 above the limit), and the written speeds, without sign, as those of
+/// allowed: the total acceleration as a second difference of positions, and forwards and backwards
+/// its part along the heading (a reader of the points finds no more than 0.05 m/s2 above the
+/// limits), and the written speeds, without sign, as those of
 /// the steps before and after each point ("speed_of_positions": within 0.3 m/s of either or between
 /// the two). Returns the worst, by ratio. Points are finite (findBrokenLimit() tells) and their
 /// times increase.

@@ -180,6 +180,16 @@ TEST(FindBrokenPositions, HoldsTheTotalAccelerationToSecondDifferences) {
             "max_total_acceleration 8.947 > 8.000");
 }
 
+TEST(FindBrokenPositions, HoldsTheAccelerationAlongTheHeadingToSecondDifferences) {
+  EXPECT_EQ(brokenPositions(changingDrive(10.0, 10.504)), "");
+  EXPECT_EQ(brokenPositions(changingDrive(10.0, 10.506)), "max_forward_acceleration 5.010 > 5.000");
+  VehicleLimits limits = kLimits;
+  limits.max_braking = 6.0;
+  const auto found = findBrokenPositions(changingDrive(10.0, 9.39).points, kEnd, limits);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(describe(*found), "max_braking 6.050 > 6.000");
+}
+
 TEST(FindBrokenPositions, HoldsTheWrittenSpeedToTheStepsBesideIt) {
   AttackerTrajectory trajectory = straightDrive({}, 10.0, 3.0);
   trajectory.points[5].speed = 10.29;
