@@ -27,9 +27,10 @@ PatternWeights modestWeights() {
 
 std::vector<Track> sampled(const std::shared_ptr<const PatternNetworks>& networks,
                            const Snapshot& snapshot, std::uint64_t seed = 0,
-                           const std::string& left_out = "") {
+                           const std::string& left_out = "",
+                           std::optional<CollisionType> known_type = std::nullopt) {
   const LaneIndex lanes = lanesOf(snapshot);
-  return NetworkEgoFutures(shippedEgoFutureOptions(), networks, nullptr, left_out)
+  return NetworkEgoFutures(shippedEgoFutureOptions(), networks, nullptr, left_out, known_type)
       .sample(snapshot, lanes, kHorizon, kCount, seed);
 }
 
@@ -78,15 +79,8 @@ TEST(NetworkEgoFutures, FollowFromTheSeed) {
   EXPECT_TRUE(differs);
 }
 
-TEST(NetworkEgoFutures, DistancesAreSpreadAsTheNetworkSays) {
-  Snapshot snapshot = junctionSnapshot();
-  snapshot.map = emptyMap();  // one way alone
-  const auto networks = networksOf({modestWeights()});
-  const LaneIndex lanes = lanesOf(snapshot);
-  const PredictedScene scene(networks->all()[0], snapshot, lanes, kHorizon,
-                             shippedEgoFutureOptions());
-  const auto components = scene.egoAfter(4.0, std::nullopt);
-  const auto tracks = sampled(networks, snapshot);
+/// The tracks drive less than some distances as often as the components say.
+void expectSpread(const std::vector<Track>& tracks, const std::vector<EgoComponent>& components) {
   for (const double distance : {22.0, 28.0, 32.0, 36.0, 42.0}) {
     double expected = 0.0;
     for (const EgoComponent& component : components) {
@@ -97,6 +91,31 @@ TEST(NetworkEgoFutures, DistancesAreSpreadAsTheNetworkSays) {
     for (const Track& track : tracks) below += drivenAt(track, kNow + 4.0) < distance;
     EXPECT_NEAR(below / static_cast<double>(kCount), expected, 0.04) << distance;
   }
+}
+
+TEST(NetworkEgoFutures, DistancesAreSpreadAsTheNetworkSays) {
+  Snapshot snapshot = junctionSnapshot();
+  snapshot.map = emptyMap();  // one way alone
+  const auto networks = networksOf({modestWeights()});
+  const LaneIndex lanes = lanesOf(snapshot);
+  const PredictedScene scene(networks->all()[0], snapshot, lanes, kHorizon,
+                             shippedEgoFutureOptions());
+  expectSpread(sampled(networks, snapshot), scene.egoAfter(4.0, std::nullopt));
+}
+
+TEST(NetworkEgoFutures, DistancesAreThoseOfTheTypeThatIsKnown) {
+  Snapshot snapshot = junctionSnapshot();
+  snapshot.map = emptyMap();
+  PatternWeights weights = modestWeights();
+  weights.layers["request"].matrix *= 200.0F;  // the type weighs
+  const auto networks = networksOf({weights});
+  const LaneIndex lanes = lanesOf(snapshot);
+  const PredictedScene scene(networks->all()[0], snapshot, lanes, kHorizon,
+                             shippedEgoFutureOptions());
+  const auto with_type = scene.egoAfter(4.0, CollisionType::kRearEnd);
+  ASSERT_GT(std::abs(medianPose(with_type).x - medianPose(scene.egoAfter(4.0, std::nullopt)).x),
+            1.0);
+  expectSpread(sampled(networks, snapshot, 0, "", CollisionType::kRearEnd), with_type);
 }
 
 TEST(NetworkEgoFutures, NeverDriveBackwards) {
