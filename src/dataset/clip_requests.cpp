@@ -11,12 +11,11 @@
 namespace forge {
 namespace {
 
-constexpr double kFrameInterval = 0.5;  // s, nominal
 constexpr auto kNow = static_cast<std::size_t>(kCollideNowFrame);
 
 /// True when a reader that counts frames at 2 Hz counts these.
 bool comesAtTwoHertz(const std::vector<double>& frames, std::size_t from, std::size_t to) {
-  const auto counted = std::lround((frames[to] - frames[from]) / kFrameInterval);
+  const auto counted = std::lround((frames[to] - frames[from]) / kCollideFrameInterval);
   return counted == static_cast<long>(to - from);
 }
 
@@ -24,7 +23,8 @@ bool comesAtTwoHertz(const std::vector<double>& frames, std::size_t from, std::s
 std::vector<std::size_t> beginsOf(const std::vector<double>& frames, double stride) {
   std::vector<std::size_t> begins;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (begins.empty() || frames[i] - frames[begins.back()] > stride - 0.5 * kFrameInterval) {
+    if (begins.empty() ||
+        frames[i] - frames[begins.back()] > stride - 0.5 * kCollideFrameInterval) {
       begins.push_back(i);
     }
   }
@@ -99,8 +99,8 @@ class Lister {
 
 std::vector<int> clipLengths(const DatasetOptions& options) {
   std::vector<int> lengths;
-  const auto first = static_cast<int>(std::ceil(options.min_length / kFrameInterval - 1e-9));
-  const auto last = static_cast<int>(std::floor(options.max_length / kFrameInterval + 1e-9));
+  const auto first = static_cast<int>(std::ceil(options.min_length / kCollideFrameInterval - 1e-9));
+  const auto last = static_cast<int>(std::floor(options.max_length / kCollideFrameInterval + 1e-9));
   for (int length = first; length <= last; ++length) lengths.push_back(length);
   return lengths;
 }
