@@ -226,11 +226,18 @@ class Search {
     const BoxSize& size = candidate.contender->track->size;
     if (ground_.crossesKerb(points_, size)) return;
     candidate.off_road = ground_.offRoadShare(points_, size);
-    candidate.objective -=
-        search_.off_road_weight * candidate.off_road +
-        search_.effort_weight * effort(points_, start.now + input_.request.tta, limits_);
+    candidate.objective -= cost(candidate.off_road, start.now + input_.request.tta);
     kept.insert(std::upper_bound(kept.begin(), kept.end(), candidate, better), candidate);
     if (static_cast<int>(kept.size()) > search_.kept) kept.pop_back();
+  }
+
+  /// Of driving points_ up to `until`.
+  double cost(double off_road, double until) const {
+    const double quick = search_.quick_steering;
+    const double steering = std::max(quick, fastestSteering(points_, until, limits_));
+    return search_.off_road_weight * off_road +
+           search_.effort_weight * effort(points_, until, limits_) +
+           search_.steering_weight * (1.0 - quick / steering);
   }
 
   static bool better(const Candidate& a, const Candidate& b) { return a.objective > b.objective; }

@@ -17,8 +17,8 @@ struct FoundAttack {
   std::vector<TrajectoryPoint> points;  ///< from now to tta + tail
   FutureScore score;
   double off_road = 0.0;  ///< mean share of the box off the drivable area, to the arrival
-  double objective =
-      0.0;  ///< what the search maximises: share, closeness, off_road and effort weighed
+  /// What the search maximises: share, closeness, off_road, effort and steering weighed.
+  double objective = 0.0;
 };
 
 /// What the search is given.

@@ -141,4 +141,17 @@ double effort(const std::vector<TrajectoryPoint>& points, double until,
   return count > 0 ? sum / count : 0.0;
 }
 
+double fastestSteering(const std::vector<TrajectoryPoint>& points, double until,
+                       const VehicleLimits& limits) {
+  double fastest = 0.0;
+  for (std::size_t i = 1; i < points.size() && points[i - 1].time < until; ++i) {
+    const TrajectoryPoint& before = points[i - 1];
+    const TrajectoryPoint& point = points[i];
+    if (std::min(before.speed, point.speed) < limits.curvature_min_speed) continue;
+    const double rate = (point.curvature - before.curvature) / (point.time - before.time);
+    fastest = std::max(fastest, std::abs(rate));
+  }
+  return fastest;
+}
+
 }  // namespace forge

@@ -49,4 +49,9 @@ std::string describe(const BrokenLimit& broken);
 double effort(const std::vector<TrajectoryPoint>& points, double until,
               const VehicleLimits& limits);
 
+/// Fastest change of curvature, 1/(m s), between neighbours that both drive at curvature_min_speed
+/// or faster, of the points up to and including the first at or after `until`.
+double fastestSteering(const std::vector<TrajectoryPoint>& points, double until,
+                       const VehicleLimits& limits);
+
 }  // namespace forge

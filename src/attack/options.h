@@ -96,6 +96,8 @@ struct SearchOptions {
   double good_off_road = 0.0;
   double off_road_weight = 0.0;
   double effort_weight = 0.0;
+  double steering_weight = 0.0;
+  double quick_steering = 0.0;
   double closeness_weight = 0.0;
   std::vector<double> confidence_curve;  ///< at shares evenly spread over [0, 1]
   double min_confidence = 0.0;

@@ -132,6 +132,8 @@ SearchOptions readSearch(Section section) {
   options.good_off_road = section.within("good_off_road", 0.0, 1.0);
   options.off_road_weight = section.nonNegative("off_road_weight");
   options.effort_weight = section.nonNegative("effort_weight");
+  options.steering_weight = section.nonNegative("steering_weight");
+  options.quick_steering = section.positive("quick_steering");
   options.closeness_weight = section.within("closeness_weight", 0.0, 1.0);
   options.confidence_curve = section.risingShares("confidence_curve");
   options.min_confidence = section.within("min_confidence", 0.0, 1.0);

@@ -237,5 +237,24 @@ TEST(Effort, IsAMeanUpToTheEnd) {
   EXPECT_EQ(effort({}, kEnd, kLimits), 0.0);
 }
 
+TEST(FastestSteering, IsTheFastestChangeOfCurvatureEitherWay) {
+  AttackerTrajectory trajectory = straightDrive({}, 10.0, 3.0);
+  EXPECT_EQ(fastestSteering(trajectory.points, kEnd, kLimits), 0.0);
+  trajectory.points[4].curvature = 0.01;
+  trajectory.points[5].curvature = -0.02;
+  trajectory.points[6].curvature = -0.02;
+  EXPECT_NEAR(fastestSteering(trajectory.points, kEnd, kLimits), 0.3, 1e-6) << "0.03 in 0.1 s";
+  EXPECT_EQ(fastestSteering({}, kEnd, kLimits), 0.0);
+}
+
+TEST(FastestSteering, CountsUpToTheEndAndOnlyWhereBothAreFastEnough) {
+  AttackerTrajectory trajectory = straightDrive({}, 10.0, 3.0);
+  trajectory.points[6].curvature = 0.02;
+  EXPECT_EQ(fastestSteering(trajectory.points, kNow + 0.45, kLimits), 0.0);
+  EXPECT_NEAR(fastestSteering(trajectory.points, kNow + 0.55, kLimits), 0.2, 1e-6);
+  trajectory.points[6].speed = kLimits.curvature_min_speed - 0.1;
+  EXPECT_EQ(fastestSteering(trajectory.points, kEnd, kLimits), 0.0);
+}
+
 }  // namespace
 }  // namespace forge

@@ -276,6 +276,8 @@ TEST(Config, ShippedSearchHasTheDocumentedValues) {
   EXPECT_EQ(search.good_off_road, 0.1);
   EXPECT_EQ(search.off_road_weight, 0.3);
   EXPECT_EQ(search.effort_weight, 0.02);
+  EXPECT_EQ(search.steering_weight, 0.3);
+  EXPECT_EQ(search.quick_steering, 0.3);
   EXPECT_EQ(search.closeness_weight, 0.2);
   EXPECT_EQ(search.min_confidence, 0.05);
 }
