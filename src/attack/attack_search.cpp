@@ -45,6 +45,7 @@ struct Candidate {
   Arrival arrival;       // its time and pose follow from these
   FutureScore score;
   double off_road = 0.0;
+  double steering = 0.0;  // fastest, 1/(m s)
   double objective = 0.0;
 };
 
@@ -226,18 +227,18 @@ class Search {
     const BoxSize& size = candidate.contender->track->size;
     if (ground_.crossesKerb(points_, size)) return;
     candidate.off_road = ground_.offRoadShare(points_, size);
-    candidate.objective -= cost(candidate.off_road, start.now + input_.request.tta);
+    const double arrival = start.now + input_.request.tta;
+    candidate.steering = fastestSteering(points_, arrival, limits_);
+    candidate.objective -= search_.off_road_weight * candidate.off_road +
+                           search_.effort_weight * effort(points_, arrival, limits_) +
+                           search_.steering_weight * beyond(candidate.steering);
     kept.insert(std::upper_bound(kept.begin(), kept.end(), candidate, better), candidate);
     if (static_cast<int>(kept.size()) > search_.kept) kept.pop_back();
   }
 
-  /// Of driving points_ up to `until`.
-  double cost(double off_road, double until) const {
-    const double quick = search_.quick_steering;
-    const double steering = std::max(quick, fastestSteering(points_, until, limits_));
-    return search_.off_road_weight * off_road +
-           search_.effort_weight * effort(points_, until, limits_) +
-           search_.steering_weight * (1.0 - quick / steering);
+  /// What steering counts: nothing while quick_steering is not exceeded, 1 when it is by far.
+  double beyond(double steering) const {
+    return 1.0 - search_.quick_steering / std::max(search_.quick_steering, steering);
   }
 
   static bool better(const Candidate& a, const Candidate& b) { return a.objective > b.objective; }
@@ -253,7 +254,8 @@ class Search {
   bool isGood() const {
     const auto good = [this](const std::vector<Candidate>& kept) {
       return !kept.empty() && kept.front().score.share >= search_.good_share &&
-             kept.front().off_road <= search_.good_off_road;
+             kept.front().off_road <= search_.good_off_road &&
+             kept.front().steering <= search_.good_steering;
     };
     return good(quintics_) || good(bicycles_);
   }

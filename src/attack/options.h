@@ -94,6 +94,7 @@ struct SearchOptions {
   int bicycle_perturbations = 0;
   double good_share = 0.0;
   double good_off_road = 0.0;
+  double good_steering = 0.0;
   double off_road_weight = 0.0;
   double effort_weight = 0.0;
   double steering_weight = 0.0;

@@ -130,6 +130,7 @@ SearchOptions readSearch(Section section) {
   options.bicycle_perturbations = section.count("bicycle_perturbations", 0);
   options.good_share = section.within("good_share", 0.0, 1.0);
   options.good_off_road = section.within("good_off_road", 0.0, 1.0);
+  options.good_steering = section.positive("good_steering");
   options.off_road_weight = section.nonNegative("off_road_weight");
   options.effort_weight = section.nonNegative("effort_weight");
   options.steering_weight = section.nonNegative("steering_weight");

@@ -86,6 +86,8 @@ AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOpti
   search.kept = wanted.kept;
   search.off_road_weight = 0.0;
   search.good_off_road = 1.0;
+  search.steering_weight = 0.0;
+  search.good_steering = kNone;
   search.good_share = 1.0;
   search.min_confidence = 0.0;
   return options;

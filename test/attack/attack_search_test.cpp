@@ -203,6 +203,23 @@ TEST(SearchAttacks, PreferAFollowerOfTheLaneToOneOffTheRoad) {
   EXPECT_LT(careful, 0.5 * careless);
 }
 
+TEST(SearchAttacks, SteerNoFasterThanADriverWould) {
+  double hasty = 0.0;
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    for (Case scene : allCases()) {
+      scene.request.seed = seed;
+      const double arrival = kNow + scene.request.tta;
+      const VehicleLimits& limits = scene.options.vehicle_limits;
+      SearchOptions& search = scene.options.search;
+      EXPECT_LE(fastestSteering(scene.found().at(0).points, arrival, limits), search.good_steering);
+      search.steering_weight = 0.0;
+      search.good_steering = 1e6;
+      hasty = std::max(hasty, fastestSteering(scene.found().at(0).points, arrival, limits));
+    }
+  }
+  EXPECT_GT(hasty, 1.0) << "what the search would do otherwise";
+}
+
 TEST(SearchAttacks, TellTheShareOfTheBoxThatIsOffTheRoad) {
   Case scene = rearEnd();
   scene.map->drivable_area = {rectangle(-200.0, -50.0, 200.0, 50.0)};

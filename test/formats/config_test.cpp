@@ -273,11 +273,12 @@ TEST(Config, ShippedSearchHasTheDocumentedValues) {
   EXPECT_EQ(search.bicycle_rounds, 6);
   EXPECT_EQ(search.bicycle_perturbations, 100);
   EXPECT_EQ(search.good_share, 0.9);
-  EXPECT_EQ(search.good_off_road, 0.1);
-  EXPECT_EQ(search.off_road_weight, 0.3);
+  EXPECT_EQ(search.good_off_road, 0.05);
+  EXPECT_EQ(search.off_road_weight, 0.4);
   EXPECT_EQ(search.effort_weight, 0.02);
   EXPECT_EQ(search.steering_weight, 0.3);
   EXPECT_EQ(search.quick_steering, 0.3);
+  EXPECT_EQ(search.good_steering, 0.6);
   EXPECT_EQ(search.closeness_weight, 0.2);
   EXPECT_EQ(search.min_confidence, 0.05);
 }
@@ -783,7 +784,7 @@ TEST_F(SpoiltConfig, ValuesBeyondEachOtherOrTheirRangeAreRefused) {
                   {"collision_types.lane_change.nominal_heading", "0.6"});
   expectComplaint("collision_types.yaml", "max_heading: 3.1416", "max_heading: 180",
                   {"collision_types.opposite_direction.max_heading", "180"});
-  for (const std::string share : {"limit_margin: 0.998", "good_share: 0.9", "good_off_road: 0.1",
+  for (const std::string share : {"limit_margin: 0.998", "good_share: 0.9", "good_off_road: 0.05",
                                   "closeness_weight: 0.2", "min_confidence: 0.05"}) {
     const std::string key = share.substr(0, share.find(':'));
     expectComplaint("search.yaml", share, key + ": 1.1", {"search." + key, "1.1", "within 0 to 1"});
