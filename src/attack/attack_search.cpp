@@ -226,8 +226,8 @@ class Search {
     if (full && candidate.objective < kept.back().objective) return;
     const BoxSize& size = candidate.contender->track->size;
     if (ground_.crossesKerb(points_, size)) return;
-    candidate.off_road = ground_.offRoadShare(points_, size);
     const double arrival = start.now + input_.request.tta;
+    candidate.off_road = ground_.offRoadShare(points_, arrival, size);
     candidate.steering = fastestSteering(points_, arrival, limits_);
     candidate.objective -= search_.off_road_weight * candidate.off_road +
                            search_.effort_weight * effort(points_, arrival, limits_) +

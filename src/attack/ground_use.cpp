@@ -24,7 +24,7 @@ int placesOf(const Pose2& pose, const BoxSize& size, const IsThere& is_there) {
 
 }  // namespace
 
-double GroundUse::offRoadShare(const std::vector<TrajectoryPoint>& points,
+double GroundUse::offRoadShare(const std::vector<TrajectoryPoint>& points, double until,
                                const BoxSize& size) const {
   const AreaRaster& drivable = lanes_.drivable();
   if (drivable.empty()) return 0.0;
@@ -34,6 +34,7 @@ double GroundUse::offRoadShare(const std::vector<TrajectoryPoint>& points,
   for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(stride_)) {
     on += placesOf(points[i].pose, size, on_road);
     asked += kPlaces;
+    if (points[i].time >= until) break;
   }
   return 1.0 - static_cast<double>(on) / asked;
 }

@@ -7,9 +7,11 @@
 namespace forge {
 namespace {
 
-double offRoad(const std::shared_ptr<LaneMap>& map, const Pose2& start, int stride = 1) {
+double offRoad(const std::shared_ptr<LaneMap>& map, const Pose2& start, int stride = 1,
+               double until = kNow + 2.0) {
   const LaneIndex lanes(map);
-  return GroundUse(lanes, stride).offRoadShare(straightDrive(start, 5.0, 2.0).points, kCarSize);
+  return GroundUse(lanes, stride)
+      .offRoadShare(straightDrive(start, 5.0, 2.0).points, until, kCarSize);
 }
 
 bool crosses(const std::shared_ptr<LaneMap>& map, const Pose2& start) {
@@ -34,6 +36,11 @@ TEST(GroundUse, LooksAtEveryStridethPoint) {
             offRoad(twoLaneRoad(), {0.0, 0.0, -M_PI / 2.0}, 21));
   EXPECT_GT(offRoad(twoLaneRoad(), {0.0, 0.0, -M_PI / 2.0}, 5),
             offRoad(twoLaneRoad(), {0.0, 0.0, -M_PI / 2.0}, 21));
+}
+
+TEST(GroundUse, LooksNoFurtherThanItIsTold) {
+  EXPECT_EQ(offRoad(twoLaneRoad(), {0.0, 2.0, M_PI_2}, 1, kNow), 0.0);
+  EXPECT_GT(offRoad(twoLaneRoad(), {0.0, 2.0, M_PI_2}, 1, kNow + 2.0), 0.0);
 }
 
 TEST(GroundUse, AKerbIsCrossedByWhoComesToAWalkway) {
