@@ -18,11 +18,8 @@ constexpr double kMaxBendBraking = 6.0;    // m/s2
 constexpr double kMaxBendCurvature = 0.1;  // 1/m
 constexpr double kTurnReach = 60.0;        // m
 constexpr double kGapReach = 60.0;         // m to the vehicle ahead
-constexpr double kWishedGap = 2.0;         // m
-constexpr double kWishedTimeGap = 1.2;     // s
 constexpr double kMinGap = 1.5;            // m
 constexpr double kMaxHeadway = 2.0;
-constexpr double kMinClosingGap = 2.0;   // m
 constexpr double kMaxClosing = 1.0;      // 1/s
 constexpr double kLaneHalfWidth = 0.9;   // m, of what is ahead rather than beside
 constexpr double kLeadMaxHeading = 1.0;  // rad between a vehicle ahead and the path
@@ -325,8 +322,7 @@ WayAhead wayAhead(const EgoPath& path, const EgoNow& ego, const Snapshot& snapsh
   WayAhead ahead = path.ahead;
   if (lead.gap >= kGapReach) return ahead;
   const double speed = ego.past_speeds[0];
-  const double wished = kWishedGap + kWishedTimeGap * speed;
-  ahead.headway = std::clamp(wished / std::max(lead.gap, kMinGap), 0.0, kMaxHeadway);
+  ahead.headway = std::clamp(wishedGap(speed) / std::max(lead.gap, kMinGap), 0.0, kMaxHeadway);
   ahead.closing = std::clamp((speed - lead.speed) / std::max(lead.gap, kMinClosingGap),
                              -kMaxClosing, kMaxClosing);
   return ahead;

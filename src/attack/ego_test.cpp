@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "scene/scene_history.h"
+
 namespace forge {
 namespace {
 
@@ -26,6 +28,7 @@ void EgoTest::addEgo(const AgentState& state) { append(ego_, state); }
 
 void EgoTest::addAgents(const std::vector<Track>& agents) {
   for (const Track& agent : agents) {
+    if (!isUsable(agent)) continue;
     Track& track = agents_.try_emplace(agent.id, Track{agent.id, agent.agent_class, agent.size, {}})
                        .first->second;
     for (const AgentState& state : agent.states) {

@@ -16,7 +16,7 @@ class EgoTest {
 
   /// Middle of the ego's box. States from before the trajectory's start may be given.
   void addEgo(const AgentState& state);
-  /// Everybody else at one time, one state each.
+  /// Everybody else at one time, one state each; who is not usable (isUsable()) is left out.
   void addAgents(const std::vector<Track>& agents);
 
   /// The verification against what was driven: as soon as the attacker has touched the ego and the

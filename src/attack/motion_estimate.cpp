@@ -7,8 +7,6 @@
 namespace forge {
 namespace {
 
-constexpr double kMaxGap = 1.1;  // s, the default of stateAt()
-
 /// First of the newest `frames` states without a gap between them.
 std::size_t unbrokenStart(const std::vector<AgentState>& states, int frames) {
   std::size_t first = states.size() - 1;

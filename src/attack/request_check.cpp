@@ -19,8 +19,6 @@ bool isFinite(const Track& track) {
                      [](const AgentState& state) { return state.pose.isFinite(); });
 }
 
-constexpr double kMaxGap = 1.1;  // s, the default of stateAt()
-
 /// False when the newest two states are too far apart to tell a motion from.
 bool hasMotion(const Track& track) {
   const auto& states = track.states;

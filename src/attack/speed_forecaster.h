@@ -9,13 +9,19 @@ namespace forge {
 /// Seconds between the speeds of a profile, and between the past speeds of a situation.
 inline constexpr double kProfileStep = 0.5;
 
+/// m; smaller gaps to a vehicle ahead count as this in WayAhead::closing.
+inline constexpr double kMinClosingGap = 2.0;
+
+/// The gap, metres, that a driver at `speed` m/s wishes to the vehicle ahead: 2 m and 1.2 s.
+inline double wishedGap(double speed) { return 2.0 + 1.2 * speed; }
+
 /// What the way ahead asks of the driver, in numbers that drivers react to about linearly.
 struct WayAhead {
   double turn_rate = 0.0;       ///< rad/s now, without sign
   double bend_braking = 0.0;    ///< m/s2 needed to take the bends within 80 m comfortably, -3 to 6
   double bend_turn = 0.0;       ///< rad, change of heading over the next 60 m, without sign
   double bend_curvature = 0.0;  ///< 1/m, the largest from 10 to 20 m ahead, 0 to 0.1
-  double headway = 0.0;         ///< wished over actual gap to the vehicle ahead, 0 (none) to 2
+  double headway = 0.0;         ///< wishedGap() over actual gap to the vehicle ahead, 0 (none) to 2
   double closing = 0.0;         ///< 1/s, closing speed over gap to the vehicle ahead, -1 to 1
 };
 

@@ -17,15 +17,13 @@ constexpr double kJunction = 20.0;                                    // m
 constexpr double kMaxJunction = 80.0;                                 // m
 constexpr double kWayPoints[] = {5.0, 10.0, 20.0, 30.0, 45.0, 60.0};  // m
 constexpr double kMinHeadway = 1e-3;
-constexpr double kAcrossFloor = 0.3;    // m
-constexpr double kAcrossRate = 0.1;     // m/s
-constexpr double kWishedGap = 2.0;      // m, as WayAhead::headway has it
-constexpr double kWishedTimeGap = 1.2;  // s
+constexpr double kAcrossFloor = 0.3;  // m
+constexpr double kAcrossRate = 0.1;   // m/s
 
 /// The gap to the vehicle ahead that WayAhead tells, metres; empty when there is none.
 std::optional<double> gapAhead(const WayAhead& ahead, double speed) {
   if (ahead.headway < kMinHeadway) return std::nullopt;
-  return (kWishedGap + kWishedTimeGap * speed) / ahead.headway;
+  return wishedGap(speed) / ahead.headway;
 }
 
 void fillWay(const EgoPath& path, const WayAhead& ahead, const EgoNow& ego,
@@ -78,7 +76,7 @@ void fillAnchor(const EgoWays& ways, std::size_t way, double driven, double plac
   const double mean_speed = driven / tta;
   const double start = relativeTo(path.line.poses().front(), ways.ego.state.pose).x;
   const double gap = gapAhead(ways.ahead[way], std::max(speed, 0.0)).value_or(kMaxJunction);
-  const double lead_speed = speed - ways.ahead[way].closing * std::max(gap, kWishedGap);
+  const double lead_speed = speed - ways.ahead[way].closing * std::max(gap, kMinClosingGap);
   const double rest = gap + std::max(lead_speed, 0.0) * tta - driven;
   const double junction = std::min(path.junction_start, kMaxJunction);
   const double values[kAnchorFeatures] = {

@@ -43,7 +43,7 @@ class DistanceTable {
 
   double weight() const { return weight_; }
 
-  /// The distance, metres, that a share of drivers stays below.
+  /// The distance, metres, that a share of drivers stays below. The table must have weight.
   double quantile(double share) const {
     const double* begin = shares_.data();
     const double* end = begin + shares_.size();

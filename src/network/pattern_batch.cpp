@@ -4,11 +4,10 @@
 #include <cstring>
 
 #include "network/mirrored_sample.h"
+#include "network/pattern_weights.h"
 
 namespace forge {
 namespace {
-
-constexpr double kOffsetScale = 4.0;  // m
 
 /// Row `row` of a tensor on the CPU becomes `values`.
 template <typename Values>

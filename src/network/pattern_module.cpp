@@ -5,8 +5,6 @@
 namespace forge {
 namespace {
 
-constexpr double kMaxLogSpread = 3.0;  // of spreads over the anchors' scales
-
 torch::Tensor logLogistic(const torch::Tensor& offset, const torch::Tensor& log_scale) {
   const torch::Tensor z = (offset / log_scale.exp()).abs();
   return -z - 2.0 * torch::log1p(torch::exp(-z)) - log_scale;

@@ -8,8 +8,6 @@
 namespace forge {
 namespace {
 
-constexpr float kMaxLogSpread = 3.0F;  // of spreads over the anchors' scales
-constexpr double kOffsetScale = 4.0;   // m
 constexpr int kMedianSteps = 30;
 constexpr double kMedianFloor = 0.05;  // m
 constexpr double kHeadingReach = 2.0;  // m around the median whose headings count
@@ -20,8 +18,8 @@ std::string shapeText(Eigen::Index outputs, Eigen::Index inputs) {
   return std::to_string(outputs) + " x " + std::to_string(inputs);
 }
 
-void requireShape(const RowMatrix& matrix, Eigen::Index rows, Eigen::Index columns,
-                  const char* name) {
+void requireShape(const Eigen::Ref<const RowMatrix>& matrix, Eigen::Index rows,
+                  Eigen::Index columns, const char* name) {
   if (matrix.rows() != rows || matrix.cols() != columns) {
     throw std::invalid_argument(std::string(name) + " are " +
                                 shapeText(matrix.rows(), matrix.cols()) + ", not " +
@@ -100,6 +98,12 @@ PresentAnchors presentAnchors(const AnchorFeatures& anchors) {
   return present;
 }
 
+/// Over the anchors' scale.
+float spreadOf(float log_spread) {
+  constexpr auto kMax = static_cast<float>(kMaxLogSpread);
+  return std::exp(std::clamp(log_spread, -kMax, kMax));
+}
+
 double logLogistic(double offset, double scale) {
   const double z = std::abs(offset / scale);
   return -z - 2.0 * std::log1p(std::exp(-z)) - std::log(scale);
@@ -168,6 +172,8 @@ Eigen::VectorXf PatternNetwork::encode(const SceneFeatures& features) const {
   requireShape(features.agents, (1 + options.max_agents) * frames, kAgentVector, "agents");
   requireShape(features.lanes, options.encoding.max_lanes * points, kLaneVector, "lanes");
   requireShape(features.ego, kEgoFeatures, 1, "ego features");
+  requireShape(features.agent_mask, features.agents.rows(), 1, "agent masks");
+  requireShape(features.lane_mask, features.lanes.rows(), 1, "lane masks");
   const RowMatrix agents = polylines(features.agents, features.agent_mask, frames,
                                      layers.at("agent_first"), layers.at("agent_second"));
   const RowMatrix lanes = polylines(features.lanes, features.lane_mask, points,
@@ -236,10 +242,8 @@ std::vector<EgoComponent> PatternNetwork::ego(const Eigen::VectorXf& with_reques
                        std::atan2(anchors.poses(i, 3), anchors.poses(i, 2))};
     const double along = anchors.along_scale * out(row, 1);
     component.pose = compose(anchor, {along, anchors.across_scale * out(row, 2), out(row, 5)});
-    component.along =
-        anchors.along_scale * std::exp(std::clamp(out(row, 3), -kMaxLogSpread, kMaxLogSpread));
-    component.across =
-        anchors.across_scale * std::exp(std::clamp(out(row, 4), -kMaxLogSpread, kMaxLogSpread));
+    component.along = anchors.along_scale * spreadOf(out(row, 3));
+    component.across = anchors.across_scale * spreadOf(out(row, 4));
     component.group = i / anchors.group_size;
     if (anchors.arc_lengths.size() > 0) component.arc_length = anchors.arc_lengths[i] + along;
     components.push_back(component);

@@ -10,6 +10,10 @@
 
 namespace forge {
 
+// What outputs are in, in training and in use alike.
+inline constexpr double kMaxLogSpread = 3.0;  ///< of spreads over the anchors' scales
+inline constexpr double kOffsetScale = 4.0;   ///< m
+
 /// y = matrix * x + bias.
 struct LinearWeights {
   RowMatrix matrix;      ///< [outputs, inputs]

@@ -8,7 +8,9 @@ namespace {
 
 double gauss(std::mt19937_64& engine) {
   const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1.0p-53; };
-  return std::sqrt(-2.0 * std::log(uniform())) * std::cos(2.0 * M_PI * uniform());
+  const double radius = std::sqrt(-2.0 * std::log(uniform()));
+  const double angle = 2.0 * M_PI * uniform();
+  return radius * std::cos(angle);
 }
 
 double uniformOf(std::mt19937_64& engine) {

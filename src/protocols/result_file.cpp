@@ -102,6 +102,7 @@ void ResultFile::finish() {
                            std::to_string(run_.items.size()) + " are done");
   }
   part_.close();
+  if (!part_) throw std::runtime_error(path(kPart) + ": cannot be completed");
   fs::rename(path(kPart), path(kFinished));
   is_finished_ = true;
 }

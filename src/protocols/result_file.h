@@ -33,9 +33,10 @@ class ResultFile {
   /// Starts or goes on writing; rows of an item that was cut off are dropped. One process only.
   /// Throws std::runtime_error for a folder that cannot be written.
   void open();
-  /// The next item's rows, which reach the disk before this returns.
+  /// The next item's rows; they are in the file when this returns. Throws std::runtime_error.
   void add(const std::vector<ResultRow>& rows);
-  /// All items are there: results.csv gets its name. Throws std::logic_error otherwise.
+  /// All items are there: results.csv gets its name. Throws std::logic_error otherwise, and
+  /// std::runtime_error when the file cannot be completed.
   void finish();
 
  private:

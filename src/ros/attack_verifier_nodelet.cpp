@@ -61,7 +61,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
       test_.emplace(fromMessage(*trajectory_), request, config_.ego_vehicle);
       for (const AgentState& ego : egos_) test_->addEgo(ego);
       for (const auto& frame : frames_) test_->addAgents(frame);
-    } catch (const MessageError& error) {
+    } catch (const std::exception& error) {
       NODELET_ERROR_STREAM("attack left out: " << error.what());
     }
   }

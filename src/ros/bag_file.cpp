@@ -26,6 +26,7 @@ NewBag::NewBag(const std::string& path) : path_(path), part_(path + ".part"), ba
   try {
     bag_->open(part_, rosbag::bagmode::Write);
   } catch (const rosbag::BagException& error) {
+    abandon();
     throw BagError(path_ + ": cannot be written: " + error.what());
   }
   bag_->setCompression(rosbag::compression::LZ4);
@@ -54,9 +55,17 @@ void NewBag::commit() {
 
 void NewBag::close() {
   if (!bag_) return;
-  bag_->close();
+  try {
+    bag_->close();
+  } catch (const rosbag::BagException&) {
+    abandon();
+    throw;
+  }
   const std::lock_guard<std::mutex> lock(pluginMutex());
   bag_.reset();
 }
+
+// A bag that could not be closed tries again when it is destroyed, and would throw from there.
+void NewBag::abandon() { static_cast<void>(bag_.release()); }
 
 }  // namespace forge

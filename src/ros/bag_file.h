@@ -25,18 +25,22 @@ class NewBag {
   NewBag(const NewBag&) = delete;
   NewBag& operator=(const NewBag&) = delete;
 
+  /// The header is that of the connection. Throws BagError.
   template <typename Message>
-  void write(const std::string& topic, const ros::Time& time, const Message& message) {
-    bag_->write(topic, time, message);
+  void write(const std::string& topic, const ros::Time& time, const Message& message,
+             const boost::shared_ptr<ros::M_string>& header = {}) {
+    try {
+      bag_->write(topic, time, message, header);
+    } catch (const rosbag::BagException& error) {
+      throw BagError(path_ + ": cannot be written: " + error.what());
+    }
   }
 
   /// As a latched publisher would have been recorded: rosbag play latches it again.
   template <typename Message>
   void writeLatched(const std::string& topic, const ros::Time& time, const Message& message) {
-    bag_->write(topic, time, message, latchedHeader<Message>());
+    write(topic, time, message, latchedHeader<Message>());
   }
-
-  rosbag::Bag& bag() { return *bag_; }
 
   /// Closes and renames. Throws BagError.
   void commit();
@@ -53,6 +57,7 @@ class NewBag {
   }
 
   void close();
+  void abandon();
 
   std::string path_;
   std::string part_;

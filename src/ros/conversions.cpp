@@ -80,7 +80,7 @@ TrajectoryPoint fromMessage(const collision_forge::TrajectoryPoint& message) {
 
 collision_forge::TrajectoryPoint toMessage(const TrajectoryPoint& point) {
   collision_forge::TrajectoryPoint message;
-  message.stamp = ros::Time(point.time);
+  message.stamp = stampOf(point.time);
   message.pose = toPoseMessage(point.pose);
   message.speed = point.speed;
   message.acceleration = point.acceleration;
@@ -96,7 +96,7 @@ collision_forge::Tensor toMessage(const DenseTensor& tensor) {
 }
 
 void fillContact(const PlannerContact& contact, collision_forge::PlannerOutcome& message) {
-  message.contact_time = ros::Time(contact.time);
+  message.contact_time = stampOf(contact.time);
   message.other_id = contact.other_id;
   message.is_attacker = contact.is_attacker;
   if (contact.type) message.collision_type = toString(*contact.type);
@@ -109,6 +109,12 @@ void fillContact(const PlannerContact& contact, collision_forge::PlannerOutcome&
 }
 
 }  // namespace
+
+ros::Time stampOf(double time) {
+  constexpr std::uint64_t kMicrosecond = 1000;  // ns
+  const std::uint64_t nanoseconds = ros::Time(time).toNSec();
+  return ros::Time().fromNSec((nanoseconds + kMicrosecond / 2) / kMicrosecond * kMicrosecond);
+}
 
 Pose2 fromMessage(const geometry_msgs::Pose& message) {
   return {message.position.x, message.position.y, yawOf(message.orientation)};
@@ -208,7 +214,7 @@ collision_forge::AgentTrack toMessage(const Track& track) {
   message.size = toMessage(track.size);
   for (const AgentState& state : track.states) {
     collision_forge::TrackState sample;
-    sample.stamp = ros::Time(state.time);
+    sample.stamp = stampOf(state.time);
     sample.pose = toPose2dMessage(state.pose);
     sample.velocity_x = state.velocity.x();
     sample.velocity_y = state.velocity.y();
@@ -244,7 +250,7 @@ Snapshot fromMessage(const collision_forge::EncodedScene& message) {
 collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEncoding& encoding) {
   collision_forge::EncodedScene message;
   message.header.frame_id = names::kMapFrame;
-  message.header.stamp = ros::Time(snapshot.now);
+  message.header.stamp = stampOf(snapshot.now);
   message.ego = toMessage(snapshot.ego);
   for (const Track& agent : snapshot.agents) message.agents.push_back(toMessage(agent));
   message.agent_features = toMessage(encoding.agent_features);
@@ -294,7 +300,7 @@ CollisionPattern fromMessage(const collision_forge::CollisionPattern& message) {
 collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, double now) {
   collision_forge::CollisionPattern message;
   message.header.frame_id = names::kMapFrame;
-  message.header.stamp = ros::Time(now);
+  message.header.stamp = stampOf(now);
   message.collision_type = toString(pattern.type);
   message.attacker_id = pattern.attacker_id;
   message.tta = pattern.time - now;
@@ -318,7 +324,7 @@ collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajecto
   collision_forge::AttackerTrajectory message;
   message.header.frame_id = names::kMapFrame;
   if (!trajectory.points.empty()) {
-    message.header.stamp = ros::Time(trajectory.points.front().time);
+    message.header.stamp = stampOf(trajectory.points.front().time);
   }
   message.attacker_id = trajectory.attacker_id;
   message.agent_class = static_cast<std::uint8_t>(trajectory.agent_class);
@@ -331,12 +337,12 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
                                            const std::string& attacker_id, double now) {
   collision_forge::CollisionReport message;
   message.header.frame_id = names::kMapFrame;
-  message.header.stamp = ros::Time(now);
+  message.header.stamp = stampOf(now);
   message.attacker_id = attacker_id;
   message.verified = report.verified();
   message.contact = report.contact;
   if (report.contact) {
-    message.contact_time = ros::Time(report.contact_time);
+    message.contact_time = stampOf(report.contact_time);
     message.relative_heading = report.relative_heading;
     message.ego_at_contact = toPose2dMessage(report.ego_at_contact);
     message.attacker_at_contact = toPose2dMessage(report.attacker_at_contact);
@@ -349,7 +355,7 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
   message.bounds_kept = report.bounds_kept;
   message.broken_bound = report.broken_bound;
   message.first_other_id = report.first_other_id;
-  if (!report.first_other_id.empty()) message.first_other_time = ros::Time(report.first_other_time);
+  if (!report.first_other_id.empty()) message.first_other_time = stampOf(report.first_other_time);
   message.off_road_share = report.off_road_share;
   message.confidence = report.confidence;
   return message;
@@ -359,7 +365,7 @@ collision_forge::PlanningState toMessage(const Observation& observation, const D
                                          std::uint32_t test, double interval) {
   collision_forge::PlanningState message;
   message.header.frame_id = names::kMapFrame;
-  message.header.stamp = ros::Time(observation.ego.time);
+  message.header.stamp = stampOf(observation.ego.time);
   message.test = test;
   message.interval = interval;
   message.ego = toMessage(observation.ego);
@@ -392,7 +398,7 @@ collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::
   const RolloutOutcome& outcome = trial.outcome;
   collision_forge::PlannerOutcome message;
   message.header.frame_id = names::kMapFrame;
-  message.header.stamp = ros::Time(outcome.driven.front().time);
+  message.header.stamp = stampOf(outcome.driven.front().time);
   message.planner = planner;
   message.attacker_id = attacker_id;
   message.failure = toString(outcome.failure);
@@ -411,7 +417,7 @@ collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::
   }
   if (trial.avoidability.last) {
     message.last_manoeuvre = toString(trial.avoidability.last->manoeuvre);
-    message.last_moment = ros::Time(trial.avoidability.last->start);
+    message.last_moment = stampOf(trial.avoidability.last->start);
   }
   message.ticks = static_cast<std::uint32_t>(outcome.plans);
   message.mean_call_time = trial.mean_call;

@@ -36,6 +36,10 @@ struct MessageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The stamp of a time in seconds. A double does not tell the nanoseconds of today's times: it is
+/// taken to the nearest microsecond, which gives the stamps of nuScenes back as they were.
+ros::Time stampOf(double time);
+
 Pose2 fromMessage(const geometry_msgs::Pose& message);
 Pose2 fromMessage(const geometry_msgs::Pose2D& message);
 Pose2 fromMessage(const geometry_msgs::Transform& message);

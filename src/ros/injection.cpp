@@ -115,16 +115,16 @@ void injectIntoBag(const std::string& in, const std::string& out, const AttackMe
       const auto frame = after == frames.begin() ? frames.end() : std::prev(after);
       if (time > now && frame != frames.end()) {
         if (topic == bagTopic(names::kAgents) && frame->first == time) {
-          target.bag().write(topic, time, frame->second, instance.getConnectionHeader());
+          target.write(topic, time, frame->second, instance.getConnectionHeader());
           continue;
         }
         if (topic == bagTopic(names::kAnnotationMarkers)) {
-          target.bag().write(topic, time, annotationMarkers(frame->second),
-                             instance.getConnectionHeader());
+          target.write(topic, time, annotationMarkers(frame->second),
+                       instance.getConnectionHeader());
           continue;
         }
       }
-      target.bag().write(topic, time, instance, instance.getConnectionHeader());
+      target.write(topic, time, instance, instance.getConnectionHeader());
     }
     if (!added) writeAttack(target, now, attack);
     target.commit();

@@ -14,7 +14,7 @@ constexpr float kOthersAlpha = 0.5F;
 std_msgs::Header headerAt(double time) {
   std_msgs::Header header;
   header.frame_id = names::kMapFrame;
-  header.stamp = ros::Time(time);
+  header.stamp = stampOf(time);
   return header;
 }
 

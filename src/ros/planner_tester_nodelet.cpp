@@ -232,7 +232,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
       around.push_back(state.pose.position());
     }
     const LaneMap map = cropped(scenario.lanes->map(), around, config_.conversion.map_radius);
-    maps_.publish(toMessage(map, ros::Time(scenario.snapshot.now)));
+    maps_.publish(toMessage(map, stampOf(scenario.snapshot.now)));
     geometry_msgs::TransformStamped frame;
     frame.header.frame_id = names::kMapFrame;
     frame.header.stamp = ros::Time::now();

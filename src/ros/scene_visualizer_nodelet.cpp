@@ -94,13 +94,13 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
   ros::Publisher scene_markers_;
   ros::Publisher pattern_markers_;
   ros::Publisher attack_markers_;
-  std::vector<ros::Subscriber> subscribers_;
   collision_forge::EncodedSceneConstPtr scene_;
   collision_forge::CollisionPatternConstPtr pattern_;
   collision_forge::AttackerTrajectoryConstPtr trajectory_;
   collision_forge::CollisionReportConstPtr report_;
   ros::Time patterns_start_;  ///< "now" of the patterns that are shown; zero: none
   ros::Time attack_start_;    ///< "now" of the attack that is shown; zero: none
+  std::vector<ros::Subscriber> subscribers_;
 };
 
 }  // namespace forge

@@ -10,6 +10,7 @@ inline constexpr char kOdometry[] = "odom";     // nav_msgs/Odometry
 inline constexpr char kAnnotationMarkers[] =
     "annotation_markers";  // visualization_msgs/MarkerArray
 inline constexpr char kTf[] = "/tf";
+inline constexpr char kStaticTf[] = "/tf_static";
 
 // Made by the suite.
 inline constexpr char kEncodedScene[] = "encoded_scene";              // EncodedScene

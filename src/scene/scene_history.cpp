@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 namespace forge {
-namespace {
 
 bool isUsable(const Track& agent) {
   return agent.states.size() == 1 && agent.states.front().pose.isFinite() &&
@@ -14,18 +13,24 @@ bool isUsable(const Track& agent) {
          std::isfinite(agent.size.width) && agent.size.width > 0.0;
 }
 
-}  // namespace
-
 SceneHistory::SceneHistory(int frames, const EgoVehicle& ego)
     : capacity_(static_cast<std::size_t>(frames)), ego_(ego) {}
 
 int SceneHistory::add(Frame frame) {
   if (!frame.ego.isFinite()) throw std::invalid_argument("the ego's pose is not a number");
-  if (!frames_.empty() && frame.time <= frames_.back().time) frames_.clear();
+  const auto after =
+      std::lower_bound(frames_.begin(), frames_.end(), frame.time,
+                       [](const Frame& other, double time) { return other.time < time; });
+  const bool is_restart =
+      after != frames_.end() && (after == frames_.begin() || after->time == frame.time);
   const auto usable_end = std::stable_partition(frame.agents.begin(), frame.agents.end(), isUsable);
   const auto dropped = static_cast<int>(std::distance(usable_end, frame.agents.end()));
   frame.agents.erase(usable_end, frame.agents.end());
-  frames_.push_back(std::move(frame));
+  if (is_restart) {
+    frames_ = {std::move(frame)};
+  } else {
+    frames_.insert(after, std::move(frame));
+  }
   if (frames_.size() > capacity_) frames_.pop_front();
   return dropped;
 }

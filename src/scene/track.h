@@ -44,16 +44,19 @@ struct Track {
   std::vector<AgentState> states;
 };
 
+/// s; over a longer gap between two states nobody knows how an agent moved.
+inline constexpr double kMaxGap = 1.1;
+
 /// State at `time`, interpolated (pose and velocity linear, yaw along the shorter turn).
 /// Empty before the first and after the last state, and within a gap longer than `max_gap` seconds.
-std::optional<AgentState> stateAt(const Track& track, double time, double max_gap = 1.1);
+std::optional<AgentState> stateAt(const Track& track, double time, double max_gap = kMaxGap);
 
 /// True when the track has a state at `time` (to a microsecond) as its newest.
 bool newestAt(const Track& track, double time);
 
 /// Velocities from positions by central differences (one-sided at the ends and beside gaps longer
 /// than `max_gap` seconds; zero for a lone state).
-void deriveVelocities(Track& track, double max_gap = 1.1);
+void deriveVelocities(Track& track, double max_gap = kMaxGap);
 
 /// The box of `track` at a pose.
 inline OrientedBox boxAt(const Track& track, const Pose2& pose) { return {pose, track.size}; }

@@ -135,7 +135,9 @@ class ClipCases : public PlannerCases {
 
   std::string fingerprint() const override {
     std::string found;
-    for (const std::string& name : names_) found = forge::fingerprint(name, found);
+    for (const std::string& path : paths_) {
+      found = forge::fingerprint(fs::canonical(path).string(), found);
+    }
     return std::to_string(names_.size()) + " clips, attacker " + toString(attacker_) +
            ", fingerprint " + found;
   }

@@ -61,6 +61,7 @@ ResumableFile::Options runOptions(const Arguments& arguments, const PlannerCases
                                   const Config& config) {
   ResumableFile::Options options = fingerprintsOf(config, arguments.config);
   options["dataroot"] = fs::canonical(arguments.dataroot).string();
+  options["version"] = arguments.version;
   options["cases"] = cases.fingerprint();
   options["planners"] = joined(arguments.planners);
   options["background"] = arguments.background == Background::kIdm ? "idm" : "replay";

@@ -255,6 +255,7 @@ std::vector<TrainingSample> collectTrainingSamples(
       } catch (...) {
         const std::lock_guard<std::mutex> lock(mutex);
         if (!problem) problem = std::current_exception();
+        next = parts.size();
         return;
       }
       const std::lock_guard<std::mutex> lock(mutex);

@@ -117,6 +117,7 @@ ResumableFile::Options runOptions(const Tuning& tuning) {
   const Arguments& arguments = tuning.arguments;
   ResumableFile::Options options = fingerprintsOf(tuning.config, arguments.config);
   options["dataroot"] = fs::canonical(arguments.dataroot).string();
+  options["version"] = arguments.version;
   options["planner"] = arguments.planner;
   options["background"] = arguments.background == Background::kIdm ? "idm" : "replay";
   std::string found;

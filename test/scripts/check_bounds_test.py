@@ -57,8 +57,8 @@ class CheckBounds(unittest.TestCase):
         """The names of the limits that a trajectory is said to break."""
         result = self.check(points)
         lines = result.stdout.splitlines()
-        names = [line.split(' seed 7: ')[1].rsplit(' ', 6)[0] for line in lines[:-1]]
-        self.assertEqual(lines[-1], '1 trajectories of 1 requests, {} violations'.format(len(names)))
+        names = [line.split(' seed 7: ')[1].rsplit(' ', 6)[0] for line in lines[:-2]]
+        self.assertEqual(lines[-2], '1 trajectories of 1 requests, {} violations'.format(len(names)))
         self.assertEqual(result.returncode, 1 if names else 0, result.stderr)
         return names
 
@@ -73,6 +73,16 @@ class CheckBounds(unittest.TestCase):
                              ('max_curvature', arc(5.0, 0.0, -0.202)), ('slip', arc(5.0, slip=0.021)),
                              ('no_reversing', arc(-0.5)), ('heading_slack', arc(1.0, 0.0, 0.4))):
             self.assertIn(name, self.broken(points))
+
+    def test_the_fastest_steering_is_told(self):
+        def told(points):
+            return self.check(points).stdout.splitlines()[-1]
+        self.assertEqual(told(arc(10.0, 0.0, 0.05)),
+                         'fastest change of curvature, 1/(m s): 50 % 0.00, 90 % 0.00, 99 % 0.00')
+        points = arc(10.0)
+        points[11]['yaw'] += 0.02  # a turn of 0.02 on the metre before, of -0.02 on the one after
+        self.assertEqual(told(points), 'fastest change of curvature, 1/(m s): 50 % 0.40, 90 % 0.40, 99 % 0.40')
+        self.assertIn('50 % 0.00', told([dict(point, yaw=0.01 * (i % 2)) for i, point in enumerate(arc(1.0))]), 'slow')
 
     def test_one_spoilt_number_is_found(self):
         for name, points in (('max_total_acceleration', spoilt('x', 10, 0.1)), ('max_braking', spoilt('y', 10, 1.0)),
@@ -98,7 +108,7 @@ class CheckBounds(unittest.TestCase):
         lines = result.stdout.splitlines()
         self.assertRegex(lines[0], r'^{}: line 3: scene-0001 now 100.500000 ltap tta 3 replay seed 7: '
                                    r'max_speed 26\.0000 > 25\.0000 at \d\.\d s$'.format(self.file))
-        self.assertEqual(lines[-1], '2 trajectories of 3 requests, 2 violations')
+        self.assertEqual(lines[-2], '2 trajectories of 3 requests, 2 violations')
 
     def test_limits_are_those_of_the_configuration(self):
         text = (PACKAGE / 'config' / 'vehicle_limits.yaml').read_text()
