@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <numeric>
 #include <random>
+#include <sstream>
 #include <utility>
 
 #include "network/pattern_module.h"
@@ -34,6 +36,23 @@ torch::Device deviceOf(const std::string& name) {
     throw TrainingError("device = cuda: this libtorch finds no CUDA device; use cpu");
   }
   return torch::Device(torch::kCUDA);
+}
+
+/// What libtorch complains of, without the backtrace that follows.
+std::string firstLine(const std::exception& error) {
+  const std::string text = error.what();
+  return text.substr(0, text.find('\n'));
+}
+
+/// Written aside and renamed.
+void writeAside(const std::string& path, const std::string& bytes) {
+  const std::string part = path + ".part";
+  std::ofstream file(part, std::ios::binary);
+  file << bytes;
+  file.close();
+  std::error_code error;
+  if (file) std::filesystem::rename(part, path, error);
+  if (!file || error) throw TrainingError(path + ": cannot be written");
 }
 
 TrainingLosses& operator+=(TrainingLosses& sum, const TrainingLosses& other) {
@@ -82,6 +101,16 @@ struct PatternTrainer::State {
         options.learning_rate * rising * 0.5 * (1.0 + std::cos(M_PI * std::min(done, 1.0)));
     for (auto& group : optimizer->param_groups()) {
       static_cast<torch::optim::AdamWOptions&>(group.options()).lr(std::max(rate, 1e-6));
+    }
+  }
+
+  /// A layer that was trained once has a gradient from then on, of zero in batches that do not
+  /// train it; without one it would not follow its momentum. Where not all layers were trained,
+  /// those of the clips are left, which have none yet.
+  void resumeGradients() {
+    if (optimizer->state().size() < module->parameters().size()) return;
+    for (torch::Tensor& parameter : module->parameters()) {
+      parameter.mutable_grad() = torch::zeros_like(parameter);
     }
   }
 
@@ -259,27 +288,22 @@ PatternWeights PatternTrainer::weights() const { return state_->exported(state_-
 PatternWeights PatternTrainer::presentWeights() const { return state_->exported(state_->module); }
 
 void PatternTrainer::save(const std::string& path) const {
-  const std::string part = path + ".part";
-  try {
-    torch::serialize::OutputArchive archive;
-    torch::serialize::OutputArchive module;
-    torch::serialize::OutputArchive average;
-    torch::serialize::OutputArchive optimizer;
-    state_->module->save(module);
-    state_->average->save(average);
-    state_->optimizer->save(optimizer);
-    archive.write("module", module);
-    archive.write("average", average);
-    archive.write("optimizer", optimizer);
-    archive.write("progress",
-                  torch::tensor({static_cast<std::int64_t>(state_->epochs), state_->steps,
-                                 static_cast<std::int64_t>(state_->seed)},
-                                torch::kInt64));
-    archive.save_to(part);
-    std::filesystem::rename(part, path);
-  } catch (const std::exception& error) {
-    throw TrainingError(path + ": cannot be written: " + error.what());
-  }
+  torch::serialize::OutputArchive archive;
+  torch::serialize::OutputArchive module;
+  torch::serialize::OutputArchive average;
+  torch::serialize::OutputArchive optimizer;
+  state_->module->save(module);
+  state_->average->save(average);
+  state_->optimizer->save(optimizer);
+  archive.write("module", module);
+  archive.write("average", average);
+  archive.write("optimizer", optimizer);
+  archive.write("progress", torch::tensor({static_cast<std::int64_t>(state_->epochs), state_->steps,
+                                           static_cast<std::int64_t>(state_->seed)},
+                                          torch::kInt64));
+  std::ostringstream bytes;  // an archive that cannot write to a file ends the process
+  archive.save_to(bytes);
+  writeAside(path, bytes.str());
 }
 
 void PatternTrainer::load(const std::string& path) {
@@ -301,10 +325,12 @@ void PatternTrainer::load(const std::string& path) {
     state_->module->load(module);
     state_->average->load(average);
     state_->optimizer->load(optimizer);
+    state_->resumeGradients();
     state_->epochs = static_cast<int>(progress[0].item<std::int64_t>());
     state_->steps = progress[1].item<std::int64_t>();
   } catch (const std::exception& error) {
-    throw TrainingError(path + ": cannot be read as the state of this training: " + error.what());
+    throw TrainingError(path +
+                        ": cannot be read as the state of this training: " + firstLine(error));
   }
 }
 

@@ -299,5 +299,10 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--resume", arguments.resume, "go on with the run in --out");
   addConfigOption(app, arguments.config);
+  app.callback([&] {
+    if (arguments.fold <= arguments.folds) return;
+    throw CLI::ValidationError("--fold", std::to_string(arguments.fold) + " is none of the " +
+                                             std::to_string(arguments.folds) + " of --folds");
+  });
   return runTool(app, argc, argv, [&] { return train(arguments); });
 }

@@ -66,6 +66,28 @@ class TrainTest(road.RoadTest):
         for name in ('weights.bin', 'metrics.csv'):
             self.assertEqual((whole / name).read_bytes(), (stopped / name).read_bytes(), name)
 
+    def test_a_fold_beyond_the_last_is_refused(self):
+        out = self.folder / 'beyond'
+        result = self.train(out, '--fold', 3, '--folds', 2)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn('--fold: 3 is none of the 2 of --folds', result.stderr)
+        self.assertFalse(out.exists())
+        self.trained('last', '--fold', 2, '--folds', 2, '--stop-after', 1)
+
+    def assert_refused(self, result, message):
+        self.assertEqual(result.returncode, 1, result.stderr)
+        complaints = [line for line in result.stderr.splitlines() if line.startswith('train: ')]
+        self.assertEqual(result.stderr.splitlines()[-1:], complaints, result.stderr)
+        self.assertIn(message, complaints[0])
+
+    def test_a_damaged_state_and_a_full_disk_are_told_in_a_line(self):
+        out = self.trained('damaged', '--stop-after', 1)
+        state = out / 'state.pt'
+        (out / 'state.pt.part').symlink_to('/dev/full')  # a disk without space
+        self.assert_refused(self.train(out, '--resume'), '{}: cannot be written'.format(state))
+        state.write_bytes(state.read_bytes()[:1000])
+        self.assert_refused(self.train(out, '--resume'), '{}: cannot be read as the state'.format(state))
+
 
 if __name__ == '__main__':
     road.main()
