@@ -132,6 +132,7 @@ ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome,
                     scenario.recorded, one.pattern,     scenario.attacker, {}};
   view.future.ego.states.clear();
   for (const TrajectoryPoint& point : outcome.driven) {
+  view.contact_alone = true;
     view.future.ego.states.push_back({point.time, point.pose, point.speed * point.pose.heading()});
   }
   CollisionReport& report = view.report;
@@ -146,7 +147,6 @@ ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome,
   report.type_kept = contact.type == one.request.type;
   report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
                    verification.time_tolerance;
-  report.bounds_kept = true;
   return view;
 }
 
