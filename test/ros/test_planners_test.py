@@ -167,7 +167,27 @@ class TestPlannersTest(road.RoadTest):
         for result, word in zip(results, ('version', 'scene-9999', 'frame', 'touches the ego', '', 'line 6')):
             self.assertIn(word, result['message'])
         self.assertEqual(results[4]['planners'], ego['planners'])
-        self.assertIn('- not tested, UNREADABLE: 3', (out / 'table.md').read_text())
+        with open(str(out / 'results.csv')) as file:
+            rows = {row['name']: row for row in csv.DictReader(file)}
+        for result in results:
+            if result['status'] == 'UNREADABLE':
+                for field in ('source', 'scene', 'type', 'tta', 'now'):
+                    self.assertIsNone(result[field])
+                    self.assertEqual(rows[result['name']].get(field, ''), '')
+        table = (out / 'table.md').read_text()
+        self.assertIn('- not tested, UNREADABLE: 3', table)
+        self.assertNotIn('idm / ', table, 'all cases are of one source')
+
+    def test_nothing_to_test_is_an_error(self):
+        scenarios, out = self.path('bad.jsonl'), self.path('out')
+        scenarios.write_text('{}\n[]\n')
+        for _ in range(2):
+            result = self.run_on(scenarios, out)
+            self.assertEqual(result.returncode, 1, result.stdout)
+            for word in ('results.jsonl', 'none of the cases could be tested (2)', 'bad:1', 'format'):
+                self.assertIn(word, result.stderr)
+            self.assertEqual(len(lines_of(out)), 2)
+            self.assertFalse((out / 'table.md').exists())
 
     @staticmethod
     def ego_pose(scenario):
