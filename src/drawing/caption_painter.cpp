@@ -55,6 +55,7 @@ std::vector<ReportRow> reportRows(const ScenarioView& view, const DrawingOptions
   } else {
     rows.push_back({"Contact", "none", options.failed_color});
   }
+  if (view.contact_alone) return rows;
   rows.push_back({"Bounds kept", report.bounds_kept ? "yes" : "no", verdict(report.bounds_kept)});
   if (!report.broken_bound.empty()) {
     rows.push_back({"", report.broken_bound, options.failed_color});
@@ -86,7 +87,7 @@ void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& s
                         TextAlign::kRight};
   const std::string verdict = verified ? "verified" : "not verified";
   const double second_line = 3.1 * font;
-  canvas.text({area.x + area.width, second_line}, verdict, badge);
+  if (!view.contact_alone) canvas.text({area.x + area.width, second_line}, verdict, badge);
 
   const double room = area.width - canvas.textWidth("not verified", badge) - 2 * font;
   const TextStyle scene{options.text_color, 1.3 * font, true, TextAlign::kLeft};

@@ -6,7 +6,8 @@
 
 namespace forge {
 
-/// Scene, type, time to accident, mode and attacker, and on the right whether it is verified.
+/// Scene, type, time to accident, mode and attacker, and on the right whether it is verified, where
+/// that is known.
 void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, const DrawingOptions& options);
 
@@ -18,7 +19,7 @@ void paintClock(Canvas& canvas, const FigureLayout& layout, const FigureSize& si
 void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const DrawingOptions& options);
 
-/// The figures of the report.
+/// The figures of the report that are known.
 void paintReport(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, const DrawingOptions& options);
 

@@ -25,6 +25,9 @@ struct ScenarioView {
   CollisionPattern pattern;       ///< the asked-for boxes, drawn as outlines
   AttackerTrajectory trajectory;  ///< what the attacker drives instead
   CollisionReport report;         ///< what verification found on that trajectory
+  /// Of the report its contact alone is known, with its type and time: the picture says nothing of
+  /// the other fields, nor whether the attack is verified.
+  bool contact_alone = false;
 };
 
 }  // namespace forge

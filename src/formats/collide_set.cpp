@@ -59,6 +59,9 @@ std::vector<std::string> listCollideClipsByScene(const std::string& directory,
       if (held_out == (split == "val")) paths.push_back(path);
     }
   }
+  if (paths.empty()) {
+    throw CollideError(directory + ": no clips in " + split + " of the split by scene");
+  }
   std::sort(paths.begin(), paths.end(), byFileName);
   return paths;
 }

@@ -14,7 +14,8 @@ bool isHeldOutScene(const std::string& scene, double share);
 std::vector<std::string> listCollideClips(const std::string& directory, const std::string& split);
 
 /// The split by scene: all clips of the published train and val, dealt anew so that no scene is in
-/// both. `split` is "train" or "val"; throws std::invalid_argument for another, and as above.
+/// both. `split` is "train" or "val"; throws std::invalid_argument for another, CollideError where
+/// none is dealt to it, and as above.
 std::vector<std::string> listCollideClipsByScene(const std::string& directory,
                                                  const std::string& split, double held_out_share);
 

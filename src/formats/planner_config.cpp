@@ -12,7 +12,12 @@ constexpr double kMaxHeading = 3.1416;  // rad; pi as the file rounds it
 constexpr double kMaxTtc = 60.0;        // s
 constexpr double kMaxOffset = 10.0;     // m
 constexpr double kMaxSpeedShare = 2.0;
-constexpr double kMaxSteering = 1.5;  // rad; short of a wheel across the car
+constexpr double kMinTimeStep = 0.01;  // s; with shorter ones a test computes for minutes
+constexpr double kMaxSteering = 1.5;   // rad; short of a wheel across the car
+
+double readTimeStep(Section& section, const char* key) {
+  return section.within(key, kMinTimeStep, kInfinity);
+}
 
 KinematicBicycleOptions readKinematicBicycle(Section section, const VehicleLimits& limits) {
   KinematicBicycleOptions options;
@@ -28,7 +33,7 @@ KinematicBicycleOptions readKinematicBicycle(Section section, const VehicleLimit
 
 LqrOptions readLqr(Section section) {
   LqrOptions options;
-  options.step = section.positive("step");
+  options.step = readTimeStep(section, "step");
   options.horizon = section.count("horizon", 1);
   options.speed_weight = section.positive("speed_weight");
   options.acceleration_weight = section.nonNegative("acceleration_weight");
@@ -158,7 +163,7 @@ PlanningOptions readPlanning(Section section) {
   options.history = section.nonNegative("history");
   Section intervals = section.section("intervals");
   for (const char* planner : {"idm", "idm_published", "rule_based", "rule_based_tuned", "pdm"}) {
-    options.intervals[planner] = intervals.positive(planner);
+    options.intervals[planner] = readTimeStep(intervals, planner);
   }
   intervals.finish();
   options.route = readRoute(section.section("route"));
@@ -182,7 +187,7 @@ IdmOptions readIdm(Section section) {
   options.law = readIdmLaw(section);
   options.lead.radius = section.positive("radius");
   options.lead.margin = section.nonNegative("margin");
-  options.step = section.positive("step");
+  options.step = readTimeStep(section, "step");
   options.horizon = section.within("horizon", options.step, kInfinity);
   section.finish();
   return options;
@@ -191,14 +196,14 @@ IdmOptions readIdm(Section section) {
 PublishedIdmOptions readPublishedIdm(Section section) {
   PublishedIdmOptions options;
   options.law = readIdmLaw(section);
-  options.step = section.positive("step");
+  options.step = readTimeStep(section, "step");
   section.finish();
   return options;
 }
 
 ExternalOptions readExternal(Section section) {
   ExternalOptions options;
-  options.interval = section.positive("interval");
+  options.interval = readTimeStep(section, "interval");
   options.timeout = section.positive("timeout");
   section.finish();
   return options;
@@ -206,7 +211,7 @@ ExternalOptions readExternal(Section section) {
 
 RolloutOptions readRollout(Section section) {
   RolloutOptions options;
-  options.step = section.positive("step");
+  options.step = readTimeStep(section, "step");
   options.hard_braking = section.positive("hard_braking");
   Section fault = section.section("fault");
   options.fault.standstill_speed = fault.nonNegative("standstill_speed");
@@ -222,8 +227,8 @@ RolloutOptions readRollout(Section section) {
 AvoidabilityOptions readAvoidability(Section section, const VehicleLimits& limits) {
   constexpr double kWidest = 20.0;  // m; no road is wider to either side
   AvoidabilityOptions options;
-  options.interval = section.positive("interval");
-  options.step = section.positive("step");
+  options.interval = readTimeStep(section, "interval");
+  options.step = readTimeStep(section, "step");
   options.accelerations =
       section.numbers("accelerations", -limits.max_braking, limits.max_forward_acceleration);
   options.offsets = section.numbers("offsets", -kWidest, kWidest);
@@ -249,7 +254,7 @@ RuleBasedOptions withParameters(RuleBasedOptions options, Section section) {
 
 void readRuleBased(Section section, PlannerOptions& planners) {
   RuleBasedOptions options;
-  options.step = section.positive("step");
+  options.step = readTimeStep(section, "step");
   options.steps = section.count("steps", 2);
   options.middle_speeds = section.count("middle_speeds", 1);
   options.end_speeds = section.count("end_speeds", 1);

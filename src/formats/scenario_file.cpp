@@ -148,10 +148,16 @@ Status readStatus(JsonObject object) {
   return status;
 }
 
+double readPositive(JsonObject& object, const char* key) {
+  const double value = object.number(key);
+  if (!(value > 0.0)) object.fail(key, "is not positive");
+  return value;
+}
+
 AttackerTrajectory readAttacker(JsonObject object, double now) {
   AttackerTrajectory trajectory;
   trajectory.attacker_id = object.text("id");
-  trajectory.size = {object.number("length"), object.number("width")};
+  trajectory.size = {readPositive(object, "length"), readPositive(object, "width")};
   for (JsonObject& entry : object.objects("trajectory")) {
     TrajectoryPoint point;
     point.time = now + entry.number("t");
@@ -208,7 +214,7 @@ CollisionReport readReport(JsonObject object, double now) {
 }
 
 EgoVehicle readEgo(JsonObject object) {
-  const EgoVehicle ego{{object.number("length"), object.number("width")},
+  const EgoVehicle ego{{readPositive(object, "length"), readPositive(object, "width")},
                        object.number("center_offset")};
   object.finish();
   return ego;

@@ -110,11 +110,12 @@ std::vector<RolloutMeasure> rolloutMeasures() {
   };
 }
 
-/// In the order in which they come.
+/// In the order in which they come; a case that cannot be read has none.
 std::vector<std::string> sourcesOf(const std::vector<PlannerTestResult>& results) {
   std::vector<std::string> sources;
   for (const PlannerTestResult& result : results) {
-    if (std::find(sources.begin(), sources.end(), result.source) == sources.end()) {
+    if (result.isRead() &&
+        std::find(sources.begin(), sources.end(), result.source) == sources.end()) {
       sources.push_back(result.source);
     }
   }

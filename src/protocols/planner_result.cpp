@@ -98,12 +98,42 @@ void writeRow(JsonLineWriter& writer, const PlannerRow& row, double now) {
   writer.endObject();
 }
 
+/// What a case that can be read was asked for.
+void writeCase(JsonLineWriter& writer, const PlannerTestResult& result) {
+  if (!result.isRead()) {
+    for (const char* key : {"source", "scene", "type", "tta", "now"}) writer.null(key);
+    return;
+  }
+  writer.text("source", result.source);
+  writer.text("scene", result.scene);
+  writer.text("type", toString(result.type));
+  writer.number("tta", result.tta);
+  writer.number("now", result.now);
+}
+
 /// A name that `parse` knows; fails naming the field otherwise.
 template <typename Parse>
 auto readName(JsonObject& object, const char* key, const Parse& parse) {
   const auto value = parse(object.text(key));
   if (!value) object.fail(key, "is no known name");
   return *value;
+}
+
+void readCase(JsonObject& object, PlannerTestResult& result) {
+  if (!result.isRead()) {
+    for (const char* key : {"source", "scene", "type"}) {
+      if (object.textOrNull(key)) object.fail(key, "is there without a case that can be read");
+    }
+    for (const char* key : {"tta", "now"}) {
+      if (object.numberOrNull(key)) object.fail(key, "is there without a case that can be read");
+    }
+    return;
+  }
+  result.source = object.text("source");
+  result.scene = object.text("scene");
+  result.type = readName(object, "type", collisionTypeFromString);
+  result.tta = object.number("tta");
+  result.now = object.number("now");
 }
 
 AvoidabilitySummary readAvoidability(JsonObject object) {
@@ -193,6 +223,7 @@ std::optional<bool> isPublishedHit(const PlannerCase& one, const std::string& pl
 
 /// What describes the case in a row of the CSV file.
 std::string csvStart(const PlannerTestResult& result) {
+  if (!result.isRead()) return result.name + ",,,,," + result.status;
   char numbers[64];
   std::snprintf(numbers, sizeof(numbers), "%.3f", result.tta);
   return result.name + ',' + result.source + ',' + result.scene + ',' + toString(result.type) +
@@ -273,11 +304,7 @@ std::string plannerResultLine(const PlannerTestResult& result) {
   writer.text("format", kFormat);
   writer.count("version", kVersion);
   writer.text("name", result.name);
-  writer.text("source", result.source);
-  writer.text("scene", result.scene);
-  writer.text("type", toString(result.type));
-  writer.number("tta", result.tta);
-  writer.number("now", result.now);
+  writeCase(writer, result);
   writer.text("status", result.status);
   writer.text("message", result.message);
   writer.flag("strict", result.is_strict);
@@ -298,12 +325,8 @@ PlannerTestResult readPlannerResultLine(const std::string& where, const std::str
   }
   PlannerTestResult result;
   result.name = object.text("name");
-  result.source = object.text("source");
-  result.scene = object.text("scene");
-  result.type = readName(object, "type", collisionTypeFromString);
-  result.tta = object.number("tta");
-  result.now = object.number("now");
   result.status = object.text("status");
+  readCase(object, result);
   result.message = object.text("message");
   result.is_strict = object.flag("strict");
   result.avoidability = readAvoidability(object.object("avoidability"));

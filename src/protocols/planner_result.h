@@ -29,21 +29,25 @@ struct PlannerRow {
   std::optional<bool> published_hit;
 };
 
+/// Status of a case that cannot be read: its name alone is known.
+inline constexpr const char* kUnreadable = "UNREADABLE";
+
 /// All planners in one case.
 struct PlannerTestResult {
   std::string name;
-  std::string source;
+  std::string source;  ///< these five with isRead()
   std::string scene;
   CollisionType type = CollisionType::kRearEnd;
   double tta = 0.0;
   double now = 0.0;        ///< s, the scene's clock
-  std::string status;      ///< "OK", a StatusCode, "UNREADABLE" or "UNFIT": nothing to test on
+  std::string status;      ///< "OK", a StatusCode, kUnreadable or "UNFIT": nothing to test on
   std::string message;     ///< for people; empty with OK
   bool is_strict = false;  ///< with OK: all conditions of the strict protocol against the recording
   AvoidabilitySummary avoidability;  ///< these two with OK
   std::vector<PlannerRow> rows;
 
   bool isTested() const { return status == "OK"; }
+  bool isRead() const { return status != kUnreadable; }
 };
 
 /// A result without anything tested.

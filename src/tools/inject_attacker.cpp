@@ -1,7 +1,10 @@
+#include <unistd.h>
+
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <utility>
 
 #include "attack/generator.h"
 #include "drawing/draw_scenario.h"
@@ -15,6 +18,8 @@
 namespace {
 
 using namespace forge;
+
+namespace fs = std::filesystem;
 
 struct Arguments {
   std::string bag;
@@ -60,11 +65,36 @@ int refuse(const Status& status) {
   return kExitNoAttack;
 }
 
-int inject(const Arguments& arguments) {
-  if (std::filesystem::weakly_canonical(arguments.bag) ==
-      std::filesystem::weakly_canonical(arguments.out)) {
+bool isSameFile(const fs::path& a, const fs::path& b) {
+  return fs::weakly_canonical(a) == fs::weakly_canonical(b);
+}
+
+/// Throws for a picture that would replace a bag, and for one that cannot be written.
+void checkPicture(const std::string& picture, const Arguments& arguments) {
+  for (const auto& [option, bag] : {std::pair{"--bag", arguments.bag}, {"--out", arguments.out}}) {
+    if (isSameFile(picture, bag)) {
+      throw std::invalid_argument("--draw would write " + picture + ", the bag of " + option);
+    }
+  }
+  const fs::path folder = fs::absolute(picture).parent_path();
+  if (!fs::is_directory(folder) || access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw std::runtime_error("cannot draw " + picture + ": " + folder.string() +
+                             " is no folder that can be written to");
+  }
+  if (fs::is_directory(picture)) throw std::runtime_error("cannot draw " + picture + ": a folder");
+}
+
+/// So that nothing is written, or lost, where not all can be written.
+void checkOutputs(const Arguments& arguments) {
+  if (isSameFile(arguments.bag, arguments.out)) {
     throw std::invalid_argument("--out names the input bag " + arguments.bag);
   }
+  if (arguments.draw.empty()) return;
+  for (const char* ending : {".png", ".gif"}) checkPicture(arguments.draw + ending, arguments);
+}
+
+int inject(const Arguments& arguments) {
+  checkOutputs(arguments);
   const auto parsed = fromMessage(arguments.request);
   if (const Status* refusal = std::get_if<Status>(&parsed)) return refuse(*refusal);
   const auto& request = std::get<CollisionRequest>(parsed);

@@ -13,7 +13,7 @@ PlannerTestResult testCase(const PlannerCases& cases, std::size_t index,
     one = cases.at(index);
   } catch (const std::exception& error) {
     one.name = cases.names()[index];
-    return untested(one, "UNREADABLE", error.what());
+    return untested(one, kUnreadable, error.what());
   }
   return test(one);
 }

@@ -11,7 +11,7 @@
 
 namespace forge {
 
-/// The result of the case at an index; one that cannot be read is "UNREADABLE".
+/// The result of the case at an index; one that cannot be read is kUnreadable.
 PlannerTestResult testCase(const PlannerCases& cases, std::size_t index,
                            const std::function<PlannerTestResult(const PlannerCase&)>& test);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/timer/progress_display.hpp>
 #include <cmath>
 #include <cstdio>
@@ -6,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 
 #include "batch/dispatch.h"
 #include "drawing/draw_scenario.h"
@@ -131,6 +133,7 @@ ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome,
   const PlannerContact& contact = *outcome.contact;
   ScenarioView view{one.scene,         one.request.tta, one.request.mode,  scenario.snapshot,
                     scenario.recorded, one.pattern,     scenario.attacker, {}};
+  view.contact_alone = true;
   view.future.ego.states.clear();
   for (const TrajectoryPoint& point : outcome.driven) {
     view.future.ego.states.push_back({point.time, point.pose, point.speed * point.pose.heading()});
@@ -147,7 +150,6 @@ ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome,
   report.type_kept = contact.type == one.request.type;
   report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
                    verification.time_tolerance;
-  report.bounds_kept = true;
   return view;
 }
 
@@ -170,16 +172,26 @@ void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& 
   }
 }
 
+/// Throws where there is nothing to report on.
+void checkTested(const std::vector<PlannerTestResult>& results, const std::string& path) {
+  const auto isTested = [](const PlannerTestResult& result) { return result.isTested(); };
+  if (std::any_of(results.begin(), results.end(), isTested)) return;
+  const PlannerTestResult& first = results.front();
+  throw std::runtime_error(path + ": none of the cases could be tested (" +
+                           std::to_string(results.size()) + "); the first, " + first.name + ": " +
+                           first.status + ": " + first.message);
+}
+
 int run(const Arguments& arguments) {
   const bool is_master = isMaster();
   const Config config = loadConfig(arguments.config);
   const auto cases = openCases(arguments, config);
+  const std::string results = (fs::path(arguments.out) / "results.jsonl").string();
   std::unique_ptr<PlannerResultLines> lines;
   if (is_master) {
     fs::create_directories(arguments.out);
-    lines =
-        std::make_unique<PlannerResultLines>((fs::path(arguments.out) / "results.jsonl").string(),
-                                             runOptions(arguments, *cases, config), cases->names());
+    lines = std::make_unique<PlannerResultLines>(results, runOptions(arguments, *cases, config),
+                                                 cases->names());
   }
   PlanningTimes times;
   const auto work = [&](std::size_t index) {
@@ -201,6 +213,7 @@ int run(const Arguments& arguments) {
   dispatch(cases->names().size(), work, take, {arguments.jobs, is_master ? lines->first() : 0});
   if (!is_master) return kExitOk;
   lines->complete();
+  checkTested(lines->results(), results);
   report(lines->results(), arguments, config);
   times.print();
   drawWorst(*cases, lines->results(), arguments, config);

@@ -95,6 +95,29 @@ TEST_F(DrawPng, WithoutContactThereIsNoMark) {
   EXPECT_NE(onCloseUp({7.8, 0}), packedColor(options_.contact_color));
 }
 
+TEST_F(DrawPng, WithTheContactAloneNothingElseOfTheReportIsSaid) {
+  const auto otherwise = [](CollisionReport report) {
+    report.bounds_kept = !report.bounds_kept;
+    report.first_other_id = "truck";
+    report.off_road_share = 0.52;
+    report.confidence = 0.25;
+    return report;
+  };
+  const auto bytesWith = [this](bool contact_alone, const CollisionReport& report) {
+    view_.contact_alone = contact_alone;
+    view_.report = report;
+    draw();
+    return readBytes(path_);
+  };
+  const CollisionReport known = sampleView().report;
+  const std::string alone = bytesWith(true, known);
+  EXPECT_EQ(bytesWith(true, otherwise(known)), alone);
+  EXPECT_NE(bytesWith(false, known), alone);
+  CollisionReport later = known;
+  later.on_time = !later.on_time;
+  EXPECT_NE(bytesWith(true, later), alone);
+}
+
 TEST_F(DrawPng, NeedsNoMap) {
   view_.snapshot.map = nullptr;
   draw();

@@ -56,6 +56,7 @@ TEST(CollideSet, SplitBySceneDealsEveryClipOnceAndNoSceneTwice) {
   EXPECT_GT(val.size(), 10u);
   EXPECT_LT(val.size(), 60u);
   EXPECT_THROW(listCollideClipsByScene(folder.path(), "test", 0.3), std::invalid_argument);
+  EXPECT_THROW(listCollideClipsByScene(folder.path(), "val", 0.0), CollideError);
 }
 
 TEST(CollideSet, HeldOutShareOfManyScenesIsTheShareAskedFor) {

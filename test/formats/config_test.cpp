@@ -762,10 +762,17 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
     expectComplaint("search.yaml", number, key + ": 0", {"bicycle." + key, "= 0", "not positive"});
   }
   expectComplaint("encoding.yaml", "max_lanes: 128", "max_lanes: 0", {"encoding.max_lanes", "= 0"});
-  for (const std::string number : {"step: 0.1 ", "spacing: 1.0", "desired_speed: 10.0",
-                                   "timeout: 2.0", "interval: 0.5", "return_time: 0.4"}) {
+  for (const std::string number :
+       {"spacing: 1.0", "desired_speed: 10.0", "timeout: 2.0", "return_time: 0.4"}) {
     const std::string key = number.substr(0, number.find(':'));
     expectComplaint("planners.yaml", number, key + ": 0 ", {key, "= 0", "not positive"});
+  }
+  for (const std::string step :
+       {"rollout:\n  step: 0.1", "idm: 0.1", "interval: 0.1", "interval: 0.5", "step: 0.2"}) {
+    const std::size_t value = step.rfind(' ') + 1;
+    const std::size_t key = step.rfind(' ', value - 2) + 1;
+    expectComplaint("planners.yaml", step, step.substr(0, value) + "1e-9",
+                    {step.substr(key, value - key - 2), "= 1e-9", "within 0.01"});
   }
   expectComplaint("planners.yaml", "[0.0, -2.0,", "[0.0, -9.0,",
                   {"avoidability.accelerations", "-9.0"});

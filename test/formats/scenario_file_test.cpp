@@ -118,6 +118,14 @@ TEST(ScenarioFile, MalformedLinesNameTheField) {
               field("ego.extra"));
   EXPECT_THAT(complaintAbout(kAttackLine, "\"on_time\":true", "\"on_time\":false"),
               field("report.verified"));
+  for (const std::string impossible : {"-4", "0", "1e999"}) {
+    EXPECT_THAT(
+        complaintAbout(kAttackLine, "\"length\":4.6", "\"length\":" + impossible),
+        HasSubstr(impossible == "1e999" ? "file: line 9" : "attacker.length = " + impossible));
+    EXPECT_THAT(
+        complaintAbout(kAttackLine, "\"width\":1.9", "\"width\":" + impossible),
+        HasSubstr(impossible == "1e999" ? "file: line 9" : "attacker.width = " + impossible));
+  }
   EXPECT_THAT(complaintAbout(scenarioLine(refusal()), "\"confidence\":null", "\"confidence\":1"),
               field("confidence"));
   EXPECT_THAT(complaintAbout(scenarioLine(refusal()), "\"pattern\":null", "\"pattern\":{}"),

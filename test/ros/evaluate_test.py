@@ -141,6 +141,15 @@ class EvaluateTest(road.RoadTest):
         self.assertEqual(sum(len(rows) for rows in found.values()), 3 * 80)
         self.assertFalse({row['scene'] for row in found['train']} & {row['scene'] for row in found['val']})
 
+    def test_split_by_scene_without_clips_is_an_error(self):
+        collide, out = self.path('collide'), self.path('out')
+        for split in ('train', 'val'):
+            collide_clips.write_random_clips(collide / 'trajectory' / split, 1, 'embedded-right', split)
+        result = evaluate(collide, out, '--by-scene')
+        self.assertEqual(result.returncode, 1, result.stdout)
+        self.assertIn('no clips in val of the split by scene', result.stderr)
+        self.assertFalse(out.exists())
+
     def test_wrong_command_lines_and_folders(self):
         out = self.path('out')
         self.assertEqual(evaluate(self.collide, out, '--method', 'magic').returncode, 2)

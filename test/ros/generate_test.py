@@ -101,6 +101,11 @@ class RequestsTest(road.RoadTest):
         for before, after in zip(nows, nows[1:]):
             self.assertAlmostEqual(after - before, 4.0, places=1)
 
+    def test_what_is_asked_for_twice_is_listed_once(self):
+        once = self.requests('--scene', 'scene-0001', '--types', 'RE', 'ltap', '--tta', 4, 3)
+        self.assertEqual(self.requests('--scene', 'scene-0001', 'scene-0001', '--types', 'RE', 'ltap', 'rear_end', 'RE',
+                                       '--tta', 4, 3, '4.0', 3), once)
+
     def test_each_attacker_has_a_request(self):
         requests = self.requests('--scene', 'scene-0001', '--attacker', 'each', '--types', 'RE', '--tta', 4)
         instances = {row['token'] for row in json.loads((DATAROOT / VERSION / 'instance.json').read_text())}
@@ -118,8 +123,15 @@ class RequestsTest(road.RoadTest):
         result = make_requests(self.path('none.jsonl'), '--scene', 'scene-0099')
         self.assertEqual(result.returncode, 1)
         self.assertIn('scene-0099', result.stderr)
-        for arguments in (['--types', 'drift'], ['--attacker', 'all'], ['--stride', '0'], ['--tta', '-1']):
-            self.assertEqual(make_requests(self.path('none.jsonl'), *arguments).returncode, 2, arguments)
+        for arguments in (['--types', 'drift'], ['--attacker', 'all'], ['--stride', '0'],
+                          ['--stride', 'nan'], ['--tta', '-1'], ['--tta', '4', 'nan'], ['--tta', 'inf'],
+                          ['--min-ego-speed', 'nan']):
+            result = make_requests(self.path('none.jsonl'), *arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertIn(arguments[0], result.stderr)
+        result = make_requests(self.path('none.jsonl'), '--stride', '1e-9')
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('stride = 1e-09', result.stderr)
         self.assertFalse(self.path('none.jsonl').exists())
 
 

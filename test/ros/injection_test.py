@@ -311,10 +311,30 @@ class ImpossibleRequestTest(road.RoadTest):
             self.assertEqual(left, [])
 
     def test_unwritable_drawing(self):
-        result = road.inject(self.bag(SCENE), self.path('out.bag'), 'rear_end', 4.0, NOW, '--draw',
-                             self.path('nowhere') / 'attack')
-        self.assertEqual(result.returncode, 1, result.stderr)
-        self.assertIn('attack.png', result.stderr)
+        """Nothing is written, neither where the folder is missing nor where a picture's name is a folder's."""
+        out = self.path('out.bag')
+        self.path('taken.gif').mkdir()
+        for drawing, named in ((self.path('nowhere') / 'attack', 'attack.png'), (self.path('taken'), 'taken.gif')):
+            result = road.inject(self.bag(SCENE), out, 'rear_end', 4.0, NOW, '--draw', drawing)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertIn(named, result.stderr)
+            self.assertFalse(out.exists())
+            self.assertFalse(self.path('taken.png').exists())
+
+    def test_drawing_is_a_bag(self):
+        before = self.bag(SCENE).read_bytes()
+        for ending in ('.png', '.gif'):
+            named = self.path('scene' + ending)
+            named.write_bytes(before)
+            out = self.path('out' + ending)
+            for bag, target, drawing, option in ((self.bag(SCENE), out, self.path('out'), '--out'),
+                                                 (named, self.path('out.bag'), self.path('scene'), '--bag')):
+                result = road.inject(bag, target, 'rear_end', 4.0, NOW, '--draw', drawing)
+                self.assertEqual(result.returncode, 1, result.stderr)
+                for word in ('--draw', option, ending):
+                    self.assertIn(word, result.stderr)
+                self.assertFalse(target.exists())
+            self.assertEqual(named.read_bytes(), before)
 
 
 class BadBagTest(road.RoadTest):

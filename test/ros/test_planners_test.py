@@ -3,8 +3,10 @@
 import csv
 import json
 import os
+import struct
 import subprocess
 import sys
+import zlib
 from pathlib import Path
 
 import road
@@ -20,6 +22,27 @@ ROOT = ('--dataroot', DATAROOT, '--version', VERSION)
 
 def lines_of(out):
     return [json.loads(line) for line in (out / 'results.jsonl').read_text().splitlines()]
+
+
+def png_rows(path, count):
+    """The first rows of pixels of a picture of cairo's, 8 bits RGB, each as bytes."""
+    data = path.read_bytes()
+    width, compressed, at = struct.unpack('>I', data[16:20])[0], b'', 8
+    while at < len(data):
+        size, kind = struct.unpack('>I4s', data[at:at + 8])
+        if kind == b'IDAT':
+            compressed += data[at + 8:at + 8 + size]
+        at += 12 + size
+    packed, rows, above = zlib.decompress(compressed), [], bytes(3 * width)
+    for start in range(0, count * (3 * width + 1), 3 * width + 1):
+        row = bytearray(packed[start + 1:start + 1 + 3 * width])
+        for i, value in enumerate(row):
+            left, corner = (row[i - 3], above[i - 3]) if i >= 3 else (0, 0)
+            nearest = min((left, above[i], corner), key=lambda near: abs(left + above[i] - corner - near))
+            row[i] = (value + (0, left, above[i], (left + above[i]) // 2, nearest)[packed[start]]) % 256
+        above = bytes(row)
+        rows.append(above)
+    return rows
 
 
 class TestPlannersTest(road.RoadTest):
@@ -81,6 +104,14 @@ class TestPlannersTest(road.RoadTest):
             self.assertEqual((self.expected / 'worst' / (planner + '_1.png')).read_bytes()[:4], PNG)
             self.assertEqual((self.expected / 'worst' / (planner + '_1.gif')).read_bytes()[:4], b'GIF8')
 
+    def test_pictures_of_rollouts_have_no_verdict(self):
+        """Whether an attack on the planner's ego is verified is not known: its place in the header is blank."""
+        verdict, first, last, pixel = 70, 30, 48, 3  # pixels of a verdict, the rows that it takes, bytes a pixel
+        for path in (self.expected / 'worst').glob('*.png'):
+            rows = png_rows(path, last)
+            self.assertEqual({value for row in rows[first:] for value in row[-pixel * verdict:]}, {255}, path)
+            self.assertGreater(len({value for row in rows[first:] for value in row}), 1, 'the request is written there')
+
     def test_threads_do_not_change_a_byte(self):
         out = self.path('out')
         self.assertEqual(self.run_on(self.scenarios, out, '--jobs', 3, '--worst', 0).returncode, 0)
@@ -136,7 +167,27 @@ class TestPlannersTest(road.RoadTest):
         for result, word in zip(results, ('version', 'scene-9999', 'frame', 'touches the ego', '', 'line 6')):
             self.assertIn(word, result['message'])
         self.assertEqual(results[4]['planners'], ego['planners'])
-        self.assertIn('- not tested, UNREADABLE: 3', (out / 'table.md').read_text())
+        with open(str(out / 'results.csv')) as file:
+            rows = {row['name']: row for row in csv.DictReader(file)}
+        for result in results:
+            if result['status'] == 'UNREADABLE':
+                for field in ('source', 'scene', 'type', 'tta', 'now'):
+                    self.assertIsNone(result[field])
+                    self.assertEqual(rows[result['name']].get(field, ''), '')
+        table = (out / 'table.md').read_text()
+        self.assertIn('- not tested, UNREADABLE: 3', table)
+        self.assertNotIn('idm / ', table, 'all cases are of one source')
+
+    def test_nothing_to_test_is_an_error(self):
+        scenarios, out = self.path('bad.jsonl'), self.path('out')
+        scenarios.write_text('{}\n[]\n')
+        for _ in range(2):
+            result = self.run_on(scenarios, out)
+            self.assertEqual(result.returncode, 1, result.stdout)
+            for word in ('results.jsonl', 'none of the cases could be tested (2)', 'bad:1', 'format'):
+                self.assertIn(word, result.stderr)
+            self.assertEqual(len(lines_of(out)), 2)
+            self.assertFalse((out / 'table.md').exists())
 
     @staticmethod
     def ego_pose(scenario):
