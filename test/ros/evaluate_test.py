@@ -130,7 +130,7 @@ class EvaluateTest(road.RoadTest):
     def test_split_by_scene_has_every_clip_once(self):
         collide = self.path('collide')
         for split in ('train', 'val'):
-            collide_clips.write_random_clips(collide / 'trajectory' / split, 40, 'embedded-right', split)
+            collide_clips.write_random_clips(collide / 'trajectory' / split, 88, 'embedded-right', split)
         found = {}
         for split in ('train', 'val'):
             out = self.path(split)
@@ -138,7 +138,7 @@ class EvaluateTest(road.RoadTest):
                               '--by-scene', '--protocol', 'published')
             self.assertEqual(result.returncode, 0, result.stderr)
             found[split] = rows_of(out)
-        self.assertEqual(sum(len(rows) for rows in found.values()), 3 * 80)
+        self.assertEqual(sum(len(rows) for rows in found.values()), 3 * 176)
         self.assertFalse({row['scene'] for row in found['train']} & {row['scene'] for row in found['val']})
 
     def test_split_by_scene_without_clips_is_an_error(self):
