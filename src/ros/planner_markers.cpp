@@ -1,5 +1,6 @@
 #include "ros/planner_markers.h"
 
+#include "ros/conversions.h"
 #include "ros/marker_parts.h"
 #include "ros/topic_names.h"
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/make_shared.hpp>
+
 namespace forge {
 namespace {
 
