@@ -3,10 +3,13 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <mutex>
 
 namespace forge {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// A bag loads and unloads its encryption plugin when it is made and destroyed, and the plugin
 /// loader must not do that from two threads at a time.
@@ -23,10 +26,14 @@ std::unique_ptr<rosbag::Bag> makeBag() {
 }  // namespace
 
 NewBag::NewBag(const std::string& path) : path_(path), part_(path + ".part"), bag_(makeBag()) {
+  if (fs::exists(path_) && !fs::is_regular_file(path_)) {
+    throw BagError(path_ + ": is there and no file");
+  }
   try {
     bag_->open(part_, rosbag::bagmode::Write);
   } catch (const rosbag::BagException& error) {
     abandon();
+    std::remove(part_.c_str());
     throw BagError(path_ + ": cannot be written: " + error.what());
   }
   bag_->setCompression(rosbag::compression::LZ4);

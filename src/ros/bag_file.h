@@ -20,6 +20,7 @@ inline std::string bagTopic(const char* name) { return std::string("/") + name; 
 /// commit(), removed if that never comes. Different bags may be written from different threads.
 class NewBag {
  public:
+  /// Throws BagError, for a path that is there and no file, too.
   explicit NewBag(const std::string& path);
   ~NewBag();
   NewBag(const NewBag&) = delete;

@@ -1,7 +1,11 @@
 #!/usr/bin/python3
 """inject_attacker: what it changes in a bag and what not, and what it answers to impossible requests and bad bags."""
 import math
+import os
+import resource
+import stat
 import struct
+import subprocess
 
 import rosbag
 
@@ -309,6 +313,28 @@ class ImpossibleRequestTest(road.RoadTest):
             self.assertIn(str(out), result.stderr)
             left = list(self.folder.glob('*.part')) + list(self.folder.parent.glob(self.folder.name + '.*'))
             self.assertEqual(left, [])
+
+    def test_a_full_disk_is_told_and_leaves_nothing(self):
+        out = self.path('out.bag')
+        for room in (0, 5000, 100000):  # bytes; a write beyond them fails, as the signal is ignored here
+            def limit(room=room):
+                resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))
+
+            result = subprocess.run([road.tool('inject_attacker'), '--bag', str(self.bag(SCENE)), '--out', str(out),
+                                     '--type', 'rear_end', '--tta', '4', '--now', str(NOW)], stdout=subprocess.PIPE,
+                                    stderr=subprocess.PIPE, universal_newlines=True, preexec_fn=limit,
+                                    restore_signals=False, check=False)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertIn(str(out), result.stderr)
+            self.assertEqual([path.name for path in self.folder.glob(out.name + '*')], [], room)
+
+    def test_out_is_no_file(self):
+        out = self.path('pipe')
+        os.mkfifo(str(out))
+        result = road.inject(self.bag(SCENE), out, 'rear_end', 4.0, NOW)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn(str(out) + ': is there and no file', result.stderr)
+        self.assertTrue(stat.S_ISFIFO(out.stat().st_mode))
 
     def test_unwritable_drawing(self):
         """Nothing is written, neither where the folder is missing nor where a picture's name is a folder's."""
