@@ -76,7 +76,12 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     keepNewest(egos_, ego);
     if (!test_) return;
     test_->addEgo(ego);
-    publishOutcome();
+    try {
+      publishOutcome();
+    } catch (const std::exception& error) {
+      NODELET_ERROR_STREAM("attack left out: " << error.what());
+      test_.reset();
+    }
   }
 
   void receiveAgents(const collision_forge::AgentArray& message) {

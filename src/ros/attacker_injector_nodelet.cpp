@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "ros/conversions.h"
 #include "ros/injection.h"
 #include "ros/topic_names.h"
 
@@ -26,6 +27,12 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
   }
 
   void receiveTrajectory(const collision_forge::AttackerTrajectory& message) {
+    try {
+      static_cast<void>(fromMessage(message));  // as the injector will for every frame
+    } catch (const MessageError& error) {
+      NODELET_ERROR_STREAM("attack left out: " << error.what());
+      return;
+    }
     injector_.emplace(message);
     if (last_) injector_->remember(*last_);
   }

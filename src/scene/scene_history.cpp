@@ -18,19 +18,11 @@ SceneHistory::SceneHistory(int frames, const EgoVehicle& ego)
 
 int SceneHistory::add(Frame frame) {
   if (!frame.ego.isFinite()) throw std::invalid_argument("the ego's pose is not a number");
-  const auto after =
-      std::lower_bound(frames_.begin(), frames_.end(), frame.time,
-                       [](const Frame& other, double time) { return other.time < time; });
-  const bool is_restart =
-      after != frames_.end() && (after == frames_.begin() || after->time == frame.time);
+  if (!frames_.empty() && frame.time <= frames_.back().time) frames_.clear();
   const auto usable_end = std::stable_partition(frame.agents.begin(), frame.agents.end(), isUsable);
   const auto dropped = static_cast<int>(std::distance(usable_end, frame.agents.end()));
   frame.agents.erase(usable_end, frame.agents.end());
-  if (is_restart) {
-    frames_ = {std::move(frame)};
-  } else {
-    frames_.insert(after, std::move(frame));
-  }
+  frames_.push_back(std::move(frame));
   if (frames_.size() > capacity_) frames_.pop_front();
   return dropped;
 }

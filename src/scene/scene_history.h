@@ -21,10 +21,9 @@ class SceneHistory {
  public:
   SceneHistory(int frames, const EgoVehicle& ego);
 
-  /// Takes a frame. Agents that are not usable are left out; their number is returned. A frame that
-  /// comes late takes its place among the others; one of a time that is there already or before all
-  /// others starts the history anew (a replay was restarted). Throws std::invalid_argument for an
-  /// ego pose that is not finite.
+  /// Takes a frame. Agents that are not usable are left out; their number is returned. A frame
+  /// whose time is not after the last one's starts the history anew (a replay was restarted).
+  /// Throws std::invalid_argument for an ego pose that is not finite.
   int add(Frame frame);
 
   bool empty() const { return frames_.empty(); }

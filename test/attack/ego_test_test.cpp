@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "test_scenes.h"
 
 namespace forge {
@@ -34,6 +36,19 @@ AgentState standing(double time, double x) { return {time, {x, 0.0, 0.0}, Vector
 
 std::vector<Track> frame(double time) {
   return {Track{"other", AgentClass::kCar, kCarSize, {standing(time, -50.0)}}};
+}
+
+TEST(EgoTest, LeavesOutAgentsThatAreNoNumber) {
+  const double nan = std::nan("");
+  EgoTest test = testOf(1.0);
+  test.addAgents(
+      {Track{"sizeless", AgentClass::kCar, {nan, 2.0}, {standing(kNow, 5.0)}},
+       Track{"nowhere", AgentClass::kCar, kCarSize, {{kNow, {5.0, 0.0, nan}, {0.0, 0.0}}}}});
+  for (int i = 0; i <= 40; ++i) test.addEgo(standing(kNow + 0.1 * i, 12.0));
+  const auto report = test.outcome(emptyMap(), shippedOptions());
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->contact);
+  EXPECT_EQ(report->first_other_id, "");
 }
 
 TEST(EgoTest, WaitsUntilTheEgoWasDrivenToTheContact) {

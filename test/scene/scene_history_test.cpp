@@ -43,17 +43,6 @@ TEST(SceneHistory, KeepsTheNewestFrames) {
   EXPECT_NEAR(snapshot.ego.states.back().velocity.x(), 4.0, 1e-12);
 }
 
-TEST(SceneHistory, AFrameThatComesLateTakesItsPlace) {
-  SceneHistory history(4, kVehicle);
-  for (const double time : {0.5, 2.0, 1.5, 1.0}) history.add(frameAt(time));
-  const Snapshot snapshot = history.snapshot();
-  ASSERT_EQ(snapshot.ego.states.size(), 4u);
-  for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(snapshot.ego.states[i].time, 0.5 + 0.5 * static_cast<double>(i));
-  }
-  EXPECT_EQ(snapshot.now, 2.0);
-}
-
 TEST(SceneHistory, GathersTheFramesOfEachAgentSortedById) {
   SceneHistory history(8, kVehicle);
   history.add(frameAt(0.0, {seen("b", {0.0, 0.0, 0.0}), seen("gone", {5.0, 5.0, 0.0})}));
