@@ -118,6 +118,12 @@ class Suite:
             raise
 
 
+def living_connections(publisher):
+    """How many subscribers are connected; rospy by itself counts a killed one until the next comes."""
+    publisher.impl.check()
+    return publisher.get_num_connections()
+
+
 class Player:
     """Publishes /clock and the messages of a bag, in their order, up to the time that it is given."""
 
@@ -129,22 +135,17 @@ class Player:
                             for connection in bag._get_connections()}
         self.start = self.messages[0][2]
         self.next = 0
-        self.publishers = {}
-
-    def connect(self, suite, listeners):
-        """Advertises, and waits until all of the suite and the listeners have connected, to it and to each other.
-
-        It advertises anew each time, as rospy counts the connection of a subscriber that was killed until it fails.
-        """
-        self.unregister()
         types = {topic: type(message) for topic, message, _ in self.messages}
         self.publishers = {topic: rospy.Publisher(topic, types[topic], queue_size=1000, latch=self.latched[topic])
                            for topic in types}
         self.publishers['/clock'] = rospy.Publisher('/clock', Clock, queue_size=1000)
+
+    def connect(self, suite, listeners):
+        """Waits until all of the suite and the listeners have connected, to the player and to each other."""
         for topic, publisher in self.publishers.items():
             hearers = 1 if suite.nodelets else sum(topic in heard or topic == '/clock' for _, heard, _ in NODES.values())
             hearers += topic in listeners
-            until(lambda: publisher.get_num_connections() >= hearers, lambda: '{} subscribers of {}; {} came'.format(
+            until(lambda: living_connections(publisher) >= hearers, lambda: '{} subscribers of {}; {} came'.format(
                 hearers, topic, publisher.get_num_connections()))
         for topic, listener in listeners.items():
             until(lambda: listener.subscriber.get_num_connections() > 0, 'a publisher of ' + topic)
