@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "drawing/aside_file.h"
 #include "drawing/canvas.h"
 #include "drawing/chart_legend.h"
+#include "files/aside_file.h"
 
 namespace forge {
 namespace {
@@ -92,7 +92,7 @@ void drawBarChart(const std::string& path, const BarChart& chart, const DrawingO
   Image image(options.chart_width, options.chart_height, options.background_color);
   ChartPainter(image, chart, options).paint();
   AsideFile file(path);
-  image.writePng(file.temporaryPath());
+  image.writePng(file.stream());
   file.commit();
 }
 

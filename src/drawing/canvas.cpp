@@ -75,11 +75,13 @@ std::uint32_t Image::pixel(int x, int y) const {
   return value & 0xFFFFFFU;
 }
 
-void Image::writePng(const std::string& path) const {
-  const cairo_status_t status = cairo_surface_write_to_png(surface_.get(), path.c_str());
-  if (status != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error("cannot write " + path + ": " + cairo_status_to_string(status));
-  }
+void Image::writePng(std::ostream& stream) const {
+  const auto write = [](void* to, const unsigned char* bytes, unsigned int size) {
+    static_cast<std::ostream*>(to)->write(reinterpret_cast<const char*>(bytes), size);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface_.get(), write, &stream);
+  if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(cairo_status_to_string(status));
 }
 
 void Canvas::Destroy::operator()(cairo_t* context) const { cairo_destroy(context); }

@@ -45,8 +45,8 @@ class Image {
   /// 0x00RRGGBB.
   std::uint32_t pixel(int x, int y) const;
 
-  /// Throws std::runtime_error naming `path`.
-  void writePng(const std::string& path) const;
+  /// To a binary stream, which alone tells of a write that fails.
+  void writePng(std::ostream& stream) const;
 
  private:
   friend class Canvas;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "drawing/aside_file.h"
 #include "drawing/gif_writer.h"
 #include "drawing/scenario_painter.h"
+#include "files/aside_file.h"
 
 namespace forge {
 
@@ -62,29 +62,29 @@ std::vector<Frame> planFrames(const ScenarioView& view, const DrawingOptions& op
   return frames;
 }
 
-void writePng(const std::string& path, const ScenarioView& view, const DrawingOptions& options) {
+void writePng(std::ostream& file, const ScenarioView& view, const DrawingOptions& options) {
   checkDrawable(view, options);
   const ScenarioPainter painter(view, options, pngSize(options));
-  painter.paint(ScenarioMotion(view).keyTime(), view.snapshot.now).writePng(path);
+  painter.paint(ScenarioMotion(view).keyTime(), view.snapshot.now).writePng(file);
 }
 
 /// Paints every frame twice, for the shared palette and for the file: that is quicker than it is
 /// big to keep them.
-void writeGif(const std::string& path, const ScenarioView& view, const DrawingOptions& options) {
+void writeGif(std::ostream& file, const ScenarioView& view, const DrawingOptions& options) {
   checkDrawable(view, options);
   const ScenarioPainter painter(view, options, gifSize(options));
   const std::vector<Frame> frames = planFrames(view, options);
   ColorHistogram histogram;
   for (const Frame& frame : frames) histogram.add(painter.paint(frame.time, frame.time));
   const ColorPalette palette(histogram, kPaletteColors);
-  GifWriter writer(path, options.gif_width, options.gif_height, palette);
+  GifWriter writer(file, options.gif_width, options.gif_height, palette);
   for (const Frame& frame : frames) {
     writer.addFrame(painter.paint(frame.time, frame.time), frame.delay);
   }
   writer.close();
 }
 
-void writeSheet(const std::string& path, const std::vector<ScenarioView>& views, int columns,
+void writeSheet(std::ostream& file, const std::vector<ScenarioView>& views, int columns,
                 const DrawingOptions& options) {
   const FigureSize size = gifSize(options);
   const int rows = (static_cast<int>(views.size()) + columns - 1) / columns;
@@ -98,15 +98,16 @@ void writeSheet(const std::string& path, const std::vector<ScenarioView>& views,
                   static_cast<double>(place / columns * size.height)},
                  painter.paint(ScenarioMotion(views[i]).keyTime(), views[i].snapshot.now));
   }
-  sheet.writePng(path);
+  sheet.writePng(file);
 }
 
-/// Writes aside and moves the file to its place; errors name that place.
+/// Writes aside; errors name the file.
 template <typename Write>
 void writeAside(const std::string& path, const Write& write) {
   AsideFile file(path);
+  std::ostream& stream = file.stream();
   try {
-    write(file.temporaryPath());
+    write(stream);
   } catch (const std::exception& error) {
     throw std::runtime_error("cannot draw " + path + ": " + error.what());
   }
@@ -117,7 +118,7 @@ void writeAside(const std::string& path, const Write& write) {
 
 void drawScenarioPng(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options) {
-  writeAside(path, [&](const std::string& aside) { writePng(aside, view, options); });
+  writeAside(path, [&](std::ostream& file) { writePng(file, view, options); });
 }
 
 void drawScenarioSheet(const std::string& path, const std::vector<ScenarioView>& views, int columns,
@@ -126,12 +127,12 @@ void drawScenarioSheet(const std::string& path, const std::vector<ScenarioView>&
     throw std::invalid_argument("a sheet of " + std::to_string(views.size()) + " pictures in " +
                                 std::to_string(columns) + " columns");
   }
-  writeAside(path, [&](const std::string& aside) { writeSheet(aside, views, columns, options); });
+  writeAside(path, [&](std::ostream& file) { writeSheet(file, views, columns, options); });
 }
 
 void drawScenarioGif(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options) {
-  writeAside(path, [&](const std::string& aside) { writeGif(aside, view, options); });
+  writeAside(path, [&](std::ostream& file) { writeGif(file, view, options); });
 }
 
 }  // namespace forge

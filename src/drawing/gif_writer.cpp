@@ -3,8 +3,7 @@
 #include <gif_lib.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
+#include <ostream>
 #include <stdexcept>
 
 namespace forge {
@@ -14,23 +13,20 @@ namespace {
 constexpr int kColors = 256;
 constexpr std::uint8_t kUnchanged = 255;
 
-[[noreturn]] void fail(const std::string& path, int error) {
+[[noreturn]] void fail(int error) {
   const char* reason = GifErrorString(error);
-  throw std::runtime_error("cannot write " + path + ": " +
-                           (reason == nullptr ? "unknown error" : reason));
+  throw std::runtime_error(reason == nullptr ? "unknown error of giflib" : reason);
 }
 
 int writeBytes(GifFileType* file, const GifByteType* bytes, int size) {
-  auto& stream = *static_cast<std::ofstream*>(file->UserData);
-  stream.write(reinterpret_cast<const char*>(bytes), size);
-  return stream ? size : 0;
+  static_cast<std::ostream*>(file->UserData)->write(reinterpret_cast<const char*>(bytes), size);
+  return size;
 }
 
-GifFileType* openFile(const std::string& path, std::ofstream& stream) {
-  if (!stream) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+GifFileType* openFile(std::ostream& stream) {
   int error = 0;
   GifFileType* file = EGifOpen(&stream, writeBytes, &error);
-  if (file == nullptr) fail(path, error);
+  if (file == nullptr) fail(error);
   return file;
 }
 
@@ -38,13 +34,8 @@ GifFileType* openFile(const std::string& path, std::ofstream& stream) {
 
 void GifWriter::Close::operator()(GifFileType* file) const { EGifCloseFile(file, nullptr); }
 
-GifWriter::GifWriter(const std::string& path, int width, int height, const ColorPalette& palette)
-    : path_(path),
-      width_(width),
-      height_(height),
-      palette_(palette),
-      stream_(path, std::ios::binary),
-      file_(openFile(path, stream_)) {
+GifWriter::GifWriter(std::ostream& stream, int width, int height, const ColorPalette& palette)
+    : width_(width), height_(height), palette_(palette), file_(openFile(stream)) {
   EGifSetGifVersion(file_.get(), true);
   std::vector<GifColorType> colors(kColors, GifColorType{0, 0, 0});
   for (std::size_t i = 0; i < palette.colors().size(); ++i) {
@@ -77,13 +68,11 @@ void GifWriter::addFrame(const Image& image, int delay) {
 
 void GifWriter::close() {
   int error = 0;
-  if (EGifCloseFile(file_.release(), &error) != GIF_OK) fail(path_, error);
-  stream_.close();
-  if (!stream_) throw std::runtime_error("cannot write " + path_ + ": " + std::strerror(errno));
+  if (EGifCloseFile(file_.release(), &error) != GIF_OK) fail(error);
 }
 
 void GifWriter::check(int result) const {
-  if (result != GIF_OK) fail(path_, file_->Error);
+  if (result != GIF_OK) fail(file_->Error);
 }
 
 void GifWriter::writeControl(int delay) {

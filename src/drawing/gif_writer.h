@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
+#include <iosfwd>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "drawing/color_palette.h"
@@ -13,12 +12,12 @@ struct GifFileType;
 namespace forge {
 
 /// Writes an animated GIF that loops forever. A frame stores only the rectangle that differs from
-/// the one before. Every function throws std::runtime_error naming `path` when writing fails.
+/// the one before. A write that fails is told by the stream alone.
 class GifWriter {
  public:
-  /// `palette` has at most 255 colours and must outlive the writer: the last of GIF's 256 stands
-  /// for "as before".
-  GifWriter(const std::string& path, int width, int height, const ColorPalette& palette);
+  /// `palette` has at most 255 colours: the last of GIF's 256 stands for "as before". It and the
+  /// stream, which is binary, must outlive the writer.
+  GifWriter(std::ostream& stream, int width, int height, const ColorPalette& palette);
 
   /// Shows `image` for `delay` hundredths of a second.
   void addFrame(const Image& image, int delay);
@@ -43,11 +42,9 @@ class GifWriter {
   void writeRegion(const std::vector<std::uint8_t>& indices, const Region& region);
   Region changedRegion(const std::vector<std::uint8_t>& indices) const;
 
-  std::string path_;
   int width_;
   int height_;
   const ColorPalette& palette_;
-  std::ofstream stream_;
   std::unique_ptr<GifFileType, Close> file_;
   std::vector<std::uint8_t> previous_;  ///< indices of the frame before, empty at first
 };

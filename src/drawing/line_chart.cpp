@@ -5,10 +5,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "drawing/aside_file.h"
 #include "drawing/canvas.h"
 #include "drawing/chart_legend.h"
 #include "drawing/decimal_text.h"
+#include "files/aside_file.h"
 
 namespace forge {
 namespace {
@@ -112,7 +112,7 @@ void drawLineChart(const std::string& path, const LineChart& chart, const Drawin
   Image image(options.chart_width, options.chart_height, options.background_color);
   ChartPainter(image, chart, range, options).paint();
   AsideFile file(path);
-  image.writePng(file.temporaryPath());
+  image.writePng(file.stream());
   file.commit();
 }
 

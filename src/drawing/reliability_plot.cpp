@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "drawing/aside_file.h"
 #include "drawing/canvas.h"
 #include "drawing/chart_legend.h"
+#include "files/aside_file.h"
 
 namespace forge {
 namespace {
@@ -79,7 +79,7 @@ void drawReliabilityPlot(const std::string& path, const ReliabilityPlot& plot,
   Image image(options.plot_size, options.plot_size, options.background_color);
   PlotPainter(image, plot, options).paint();
   AsideFile file(path);
-  image.writePng(file.temporaryPath());
+  image.writePng(file.stream());
   file.commit();
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "files/aside_file.h"
 #include "scene/scene.h"
 
 namespace forge {
@@ -340,22 +341,18 @@ CollideClip readCollideClip(const std::string& path) {
 }
 
 void writeCollideClip(const std::string& path, const CollideClip& clip) {
-  const std::string part = path + ".part";
-  {
-    std::ofstream out(part, std::ios::binary);
-    for (std::size_t column = 0; column < kColumns; ++column) {
-      out << (column > 0 ? "," : "") << kColumnNames[column];
-    }
-    out << '\n';
-    for (const CollideTrack& track : clip.tracks) {
-      for (std::size_t frame = 0; frame < track.frames.size(); ++frame) {
-        writeRow(out, track, clip.times[frame], track.frames[frame]);
-      }
-    }
-    out.close();
-    if (!out) throw std::runtime_error(path + ": cannot be written");
+  AsideFile file(path);
+  std::ostream& out = file.stream();
+  for (std::size_t column = 0; column < kColumns; ++column) {
+    out << (column > 0 ? "," : "") << kColumnNames[column];
   }
-  std::filesystem::rename(part, path);
+  out << '\n';
+  for (const CollideTrack& track : clip.tracks) {
+    for (std::size_t frame = 0; frame < track.frames.size(); ++frame) {
+      writeRow(out, track, clip.times[frame], track.frames[frame]);
+    }
+  }
+  file.commit();
 }
 
 }  // namespace forge

@@ -78,7 +78,7 @@ CollideClip readCollideClip(const std::string& path);
 
 /// Writes the rows of a clip as published: TRACK_ID,TIMESTAMP,V,X,Y,YAW with microseconds and
 /// degrees, every number as the shortest text that reads back as the same, zeros for a missing
-/// frame. Written aside and renamed. Throws std::runtime_error naming `path`.
+/// frame. Throws as AsideFile does.
 void writeCollideClip(const std::string& path, const CollideClip& clip);
 
 }  // namespace forge

@@ -2,11 +2,11 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <system_error>
 #include <utility>
 
+#include "files/aside_file.h"
 #include "formats/json_line.h"
 
 namespace forge {
@@ -176,8 +176,8 @@ std::vector<PatternWeights> readPatternWeights(const std::string& path) {
 }
 
 void writePatternWeights(const std::vector<PatternWeights>& networks, const std::string& path) {
-  const std::string part = path + ".part";
-  std::ofstream file(part, std::ios::binary);
+  AsideFile aside(path);
+  std::ostream& file = aside.stream();
   for (const PatternWeights& weights : networks) {
     file << headerOf(weights) << '\n';
     for (const auto& entry : weights.layers) {
@@ -185,10 +185,7 @@ void writePatternWeights(const std::vector<PatternWeights>& networks, const std:
       writeNumbers(file, entry.second.bias.data(), entry.second.bias.size());
     }
   }
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, path, error);
-  if (!file || error) throw PatternNetworkFileError(path + ": cannot be written");
+  aside.commit();
 }
 
 std::shared_ptr<const PatternNetworks> loadPatternNetwork(const Config& config) {

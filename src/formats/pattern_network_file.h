@@ -22,7 +22,7 @@ struct PatternNetworkFileError : std::runtime_error {
 /// PatternNetworkFileError for a file that is absent, cut short, or of another architecture.
 std::vector<PatternWeights> readPatternWeights(const std::string& path);
 
-/// Written aside and renamed. Throws PatternNetworkFileError naming `path`.
+/// Throws as AsideFile does.
 void writePatternWeights(const std::vector<PatternWeights>& networks, const std::string& path);
 
 /// The networks that the configuration names; null when it names none.

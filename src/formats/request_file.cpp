@@ -2,9 +2,9 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 
+#include "files/aside_file.h"
 #include "formats/resumable_file.h"
 
 namespace forge {
@@ -69,12 +69,9 @@ std::string fingerprintOf(const std::vector<SceneRequest>& requests) {
 }
 
 void writeRequests(const std::string& path, const std::vector<SceneRequest>& requests) {
-  const std::string part = path + ".part";
-  std::ofstream file(part);
-  for (const SceneRequest& request : requests) file << requestLine(request) << '\n';
-  file.close();
-  if (!file) throw std::runtime_error(part + ": cannot be written: " + std::strerror(errno));
-  std::filesystem::rename(part, path);
+  AsideFile file(path);
+  for (const SceneRequest& request : requests) file.stream() << requestLine(request) << '\n';
+  file.commit();
 }
 
 }  // namespace forge

@@ -28,8 +28,7 @@ std::vector<SceneRequest> readRequests(const std::string& path,
 /// The number of the requests and a fingerprint of their lines, to tell lists apart.
 std::string fingerprintOf(const std::vector<SceneRequest>& requests);
 
-/// Writes a list aside (PATH.part) and moves it to its place. Throws std::runtime_error naming the
-/// file when it cannot be written.
+/// Writes a list. Throws as AsideFile does.
 void writeRequests(const std::string& path, const std::vector<SceneRequest>& requests);
 
 }  // namespace forge

@@ -11,6 +11,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "files/aside_file.h"
+
 namespace forge {
 namespace {
 
@@ -33,12 +35,9 @@ ResumableFile::Options readOptions(const std::string& path) {
 }
 
 void writeOptions(const std::string& path, const ResumableFile::Options& options) {
-  const std::string part = path + ".part";
-  std::ofstream file(part);
-  for (const auto& [name, value] : options) file << name << ": " << value << '\n';
-  file.close();
-  if (!file) failWith(part, "cannot be written");
-  fs::rename(part, path);
+  AsideFile file(path);
+  for (const auto& [name, value] : options) file.stream() << name << ": " << value << '\n';
+  file.commit();
 }
 
 /// Refuses to go on with `what`, which was begun with other options than these.

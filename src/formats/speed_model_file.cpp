@@ -3,12 +3,12 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "files/aside_file.h"
 #include "formats/json_line.h"
 
 namespace forge {
@@ -152,14 +152,11 @@ SpeedModel readSpeedModel(const std::string& path) {
 }
 
 void writeSpeedModel(const SpeedModel& model, const std::string& path) {
-  const std::string part = path + ".part";
-  std::ofstream file(part);
+  AsideFile aside(path);
+  std::ostream& file = aside.stream();
   file << lineOf(model.whole()) << '\n';
   for (const SpeedModelWeights& fold : model.folds()) file << lineOf(fold) << '\n';
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, path, error);
-  if (!file || error) throw SpeedModelFileError(path + ": cannot be written");
+  aside.commit();
 }
 
 }  // namespace forge

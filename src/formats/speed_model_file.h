@@ -16,8 +16,7 @@ struct SpeedModelFileError : std::runtime_error {
 /// that is missing or malformed.
 SpeedModel readSpeedModel(const std::string& path);
 
-/// Writes the same, numbers rounded to five digits, aside first and renamed when complete. Throws
-/// SpeedModelFileError when it cannot be written.
+/// Writes the same, numbers rounded to five digits. Throws as AsideFile does.
 void writeSpeedModel(const SpeedModel& model, const std::string& path);
 
 }  // namespace forge

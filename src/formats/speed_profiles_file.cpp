@@ -2,11 +2,12 @@
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <system_error>
+
+#include "files/aside_file.h"
 
 namespace forge {
 namespace {
@@ -99,8 +100,8 @@ SpeedProfiles readSpeedProfiles(const std::string& path, const SpeedProfileOptio
 }
 
 void writeSpeedProfiles(const std::vector<SpeedProfileRow>& rows, const std::string& path) {
-  const std::string part = path + ".part";
-  std::ofstream file(part);
+  AsideFile aside(path);
+  std::ostream& file = aside.stream();
   file << kColumns << '\n';
   for (const SpeedProfileRow& row : rows) {
     file << row.scene << ',' << row.frame;
@@ -111,10 +112,7 @@ void writeSpeedProfiles(const std::vector<SpeedProfileRow>& rows, const std::str
     }
     file << '\n';
   }
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, path, error);
-  if (!file || error) throw SpeedProfilesFileError(path + ": cannot be written");
+  aside.commit();
 }
 
 }  // namespace forge

@@ -21,8 +21,7 @@ SpeedSituations readSpeedSituations(const std::string& path);
 /// The same, to forecast by.
 SpeedProfiles readSpeedProfiles(const std::string& path, const SpeedProfileOptions& options);
 
-/// Writes rows aside and renames the file when it is complete; numbers to the third decimal. Throws
-/// SpeedProfilesFileError when it cannot be written.
+/// Writes rows, numbers to the third decimal. Throws as AsideFile does.
 void writeSpeedProfiles(const std::vector<SpeedProfileRow>& rows, const std::string& path);
 
 }  // namespace forge

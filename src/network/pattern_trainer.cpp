@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <random>
 #include <sstream>
 #include <utility>
 
+#include "files/aside_file.h"
 #include "network/pattern_module.h"
 
 namespace forge {
@@ -42,17 +41,6 @@ torch::Device deviceOf(const std::string& name) {
 std::string firstLine(const std::exception& error) {
   const std::string text = error.what();
   return text.substr(0, text.find('\n'));
-}
-
-/// Written aside and renamed.
-void writeAside(const std::string& path, const std::string& bytes) {
-  const std::string part = path + ".part";
-  std::ofstream file(part, std::ios::binary);
-  file << bytes;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, path, error);
-  if (!file || error) throw TrainingError(path + ": cannot be written");
 }
 
 TrainingLosses& operator+=(TrainingLosses& sum, const TrainingLosses& other) {
@@ -303,7 +291,7 @@ void PatternTrainer::save(const std::string& path) const {
                                           torch::kInt64));
   std::ostringstream bytes;  // an archive that cannot write to a file ends the process
   archive.save_to(bytes);
-  writeAside(path, bytes.str());
+  writeText(path, bytes.str());
 }
 
 void PatternTrainer::load(const std::string& path) {

@@ -67,7 +67,7 @@ class PatternTrainer {
   /// The average of the weights over the last few hundred steps.
   PatternWeights weights() const;
 
-  /// Everything that going on takes. Written aside and renamed; throws TrainingError naming `path`.
+  /// Everything that going on takes. Throws as AsideFile does.
   void save(const std::string& path) const;
   void load(const std::string& path);
 

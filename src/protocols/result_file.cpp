@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "files/aside_file.h"
+
 namespace forge {
 namespace {
 
@@ -20,15 +22,10 @@ std::vector<std::string> wholeLines(const std::string& path) {
   return lines;
 }
 
-void writeAside(const std::string& path, const std::vector<std::string>& lines) {
-  const std::string temporary = path + ".tmp";
-  {
-    std::ofstream file(temporary, std::ios::binary);
-    for (const std::string& line : lines) file << line << '\n';
-    file.close();
-    if (!file) throw std::runtime_error(path + ": cannot be written");
-  }
-  fs::rename(temporary, path);
+void writeLines(const std::string& path, const std::vector<std::string>& lines) {
+  AsideFile file(path);
+  for (const std::string& line : lines) file.stream() << line << '\n';
+  file.commit();
 }
 
 }  // namespace
@@ -80,10 +77,10 @@ void ResultFile::readRows(const std::string& file) {
 void ResultFile::open() {
   if (is_finished_) return;
   fs::create_directories(folder_);
-  writeAside(path(kDescription), run_.description);
+  writeLines(path(kDescription), run_.description);
   std::vector<std::string> lines = {csvHeader(run_.protocol)};
   for (const ResultRow& row : rows_) lines.push_back(toCsv(row));
-  writeAside(path(kPart), lines);
+  writeLines(path(kPart), lines);
   part_.open(path(kPart), std::ios::binary | std::ios::app);
 }
 

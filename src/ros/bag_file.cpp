@@ -1,15 +1,9 @@
 #include "ros/bag_file.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <mutex>
 
 namespace forge {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A bag loads and unloads its encryption plugin when it is made and destroyed, and the plugin
 /// loader must not do that from two threads at a time.
@@ -25,15 +19,11 @@ std::unique_ptr<rosbag::Bag> makeBag() {
 
 }  // namespace
 
-NewBag::NewBag(const std::string& path) : path_(path), part_(path + ".part"), bag_(makeBag()) {
-  if (fs::exists(path_) && !fs::is_regular_file(path_)) {
-    throw BagError(path_ + ": is there and no file");
-  }
+NewBag::NewBag(const std::string& path) : path_(path), aside_(path), bag_(makeBag()) {
   try {
-    bag_->open(part_, rosbag::bagmode::Write);
+    bag_->open(aside_.partPath(), rosbag::bagmode::Write);
   } catch (const rosbag::BagException& error) {
     abandon();
-    std::remove(part_.c_str());
     throw BagError(path_ + ": cannot be written: " + error.what());
   }
   bag_->setCompression(rosbag::compression::LZ4);
@@ -45,7 +35,6 @@ NewBag::~NewBag() {
   } catch (const rosbag::BagException&) {
     // Only an uncommitted bag gets here open, and its file goes away.
   }
-  if (!part_.empty()) std::remove(part_.c_str());
 }
 
 void NewBag::commit() {
@@ -54,10 +43,7 @@ void NewBag::commit() {
   } catch (const rosbag::BagException& error) {
     throw BagError(path_ + ": cannot be completed: " + error.what());
   }
-  if (std::rename(part_.c_str(), path_.c_str()) != 0) {
-    throw BagError(path_ + ": cannot be written: " + std::strerror(errno));
-  }
-  part_.clear();
+  aside_.commit();
 }
 
 void NewBag::close() {

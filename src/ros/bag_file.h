@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "files/aside_file.h"
+
 namespace forge {
 
 /// A bag that cannot be read or written; names the path, and the topic and time if it has them.
@@ -16,11 +18,11 @@ struct BagError : std::runtime_error {
 /// The name in a bag of a topic of topic_names.h.
 inline std::string bagTopic(const char* name) { return std::string("/") + name; }
 
-/// An LZ4 bag that takes its name only when it is complete: written to `path` + ".part", renamed by
-/// commit(), removed if that never comes. Different bags may be written from different threads.
+/// An LZ4 bag that takes its name only when it is complete (AsideFile). Different bags may be
+/// written from different threads.
 class NewBag {
  public:
-  /// Throws BagError, for a path that is there and no file, too.
+  /// Throws BagError, and std::runtime_error for a path that is there and no file.
   explicit NewBag(const std::string& path);
   ~NewBag();
   NewBag(const NewBag&) = delete;
@@ -43,7 +45,7 @@ class NewBag {
     write(topic, time, message, latchedHeader<Message>());
   }
 
-  /// Closes and renames. Throws BagError.
+  /// Closes and renames. Throws BagError, and std::runtime_error where it cannot be renamed.
   void commit();
 
  private:
@@ -61,7 +63,7 @@ class NewBag {
   void abandon();
 
   std::string path_;
-  std::string part_;
+  AsideFile aside_;
   std::unique_ptr<rosbag::Bag> bag_;
 };
 

@@ -13,6 +13,7 @@
 #include "dataset/dataset_statistics.h"
 #include "dataset/scene_split.h"
 #include "drawing/draw_scenario.h"
+#include "files/aside_file.h"
 #include "formats/collide_export.h"
 #include "formats/config_fingerprint.h"
 #include "formats/request_file.h"
@@ -234,8 +235,7 @@ class DatasetWriter {
  private:
   /// A split's part of the clip store, written aside.
   struct Store {
-    std::string path;
-    std::ofstream file;
+    std::unique_ptr<AsideFile> file;
     std::unique_ptr<CollideExporter> exporter;
   };
 
@@ -266,9 +266,7 @@ class DatasetWriter {
       progress.show(static_cast<double>(done + 1) / static_cast<double>(chosen.size()));
     }
     for (auto& [split, store] : stores_) {
-      store.file.close();
-      if (!store.file) throw std::runtime_error(store.path + ": cannot be written");
-      fs::rename(store.path + ".part", store.path);
+      store.file->commit();
     }
   }
 
@@ -278,7 +276,7 @@ class DatasetWriter {
     const auto indexed = scenes_.at(scenario.asked.scene);
     const std::string& split = splits_.at(scenario.asked.scene);
     Store& store = storeOf(split);
-    store.file << line << "\n";
+    store.file->stream() << line << "\n";
     store.exporter->add(scenario, indexed->scene, static_cast<int>(index));
     const CollisionReport& report = scenario.answer.report;
     clips_.push_back({split, scenario.asked.scene, indexed->scene.map->location,
@@ -292,8 +290,8 @@ class DatasetWriter {
   Store& storeOf(const std::string& split) {
     Store& store = stores_[split];
     if (!store.exporter) {
-      store.path = (fs::path(arguments_.out) / "scenarios" / (split + ".jsonl")).string();
-      store.file.open(store.path + ".part");
+      const fs::path scenarios = fs::path(arguments_.out) / "scenarios";
+      store.file = std::make_unique<AsideFile>((scenarios / (split + ".jsonl")).string());
       store.exporter = std::make_unique<CollideExporter>(arguments_.out, split);
     }
     return store;

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "batch/dispatch.h"
+#include "files/aside_file.h"
 #include "formats/collide_clip.h"
 #include "formats/collide_set.h"
 #include "formats/config_fingerprint.h"

@@ -9,6 +9,7 @@
 
 #include "batch/dispatch.h"
 #include "drawing/reliability_plot.h"
+#include "files/aside_file.h"
 #include "formats/config_fingerprint.h"
 #include "formats/pattern_network_file.h"
 #include "formats/request_file.h"

@@ -2,8 +2,6 @@
 
 #include <boost/timer/progress_display.hpp>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -70,14 +68,6 @@ void drawTable(const RateTable& table, const std::string& title, const std::stri
     chart.series.push_back(std::move(series));
   }
   drawBarChart(folder + "/" + table.measure.name + ".png", chart, drawing);
-}
-
-void writeText(const std::string& path, const std::string& text) {
-  std::ofstream file(path + ".part", std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(path + ": cannot be written");
-  std::filesystem::rename(path + ".part", path);
 }
 
 }  // namespace forge

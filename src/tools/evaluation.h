@@ -49,7 +49,4 @@ std::string reportTitle(const std::string& title, const StatisticsOptions& stati
 void drawTable(const RateTable& table, const std::string& title, const std::string& folder,
                const DrawingOptions& drawing);
 
-/// Written aside and renamed. Throws std::runtime_error naming `path`.
-void writeText(const std::string& path, const std::string& text);
-
 }  // namespace forge

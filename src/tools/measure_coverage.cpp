@@ -1,10 +1,9 @@
 #include <boost/timer/progress_display.hpp>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 
 #include "attack/generator.h"
+#include "files/aside_file.h"
 #include "formats/config.h"
 #include "formats/nuscenes_map.h"
 #include "formats/nuscenes_tables.h"
@@ -90,7 +89,8 @@ int measure(const Arguments& arguments) {
   const Foresight foresight = loadForesight(config);
   const NuScenesRoot root(arguments.dataroot, arguments.version);
   std::map<std::string, std::shared_ptr<const LaneMap>> maps;
-  std::ofstream csv(arguments.out + ".part");
+  AsideFile file(arguments.out);
+  std::ostream& csv = file.stream();
   csv << "scene,now,mode,type,tta,code,attacker,confidence,off_road_share,confirmed\n";
   Tallies tallies;
   boost::timer::progress_display progress(root.sceneNames().size(), std::cerr);
@@ -109,9 +109,7 @@ int measure(const Arguments& arguments) {
     }
     ++progress;
   }
-  csv.close();
-  if (!csv) throw std::runtime_error(arguments.out + ": cannot be written");
-  std::filesystem::rename(arguments.out + ".part", arguments.out);
+  file.commit();
   printTable(tallies);
   return kExitOk;
 }

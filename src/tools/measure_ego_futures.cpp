@@ -1,15 +1,15 @@
 #include <boost/timer/progress_display.hpp>
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "attack/ego_futures.h"
 #include "attack/ego_paths.h"
 #include "attack/kinematic_prediction.h"
+#include "files/aside_file.h"
 #include "formats/config.h"
 #include "formats/nuscenes_tables.h"
 #include "formats/pattern_network_file.h"
@@ -228,8 +228,10 @@ int measure(const Arguments& arguments) {
   const NuScenesRoot root(arguments.dataroot, arguments.version);
   const auto speeds = readSpeeds(arguments, config);
   LaneIndices lanes(arguments.dataroot, config);
-  std::ofstream csv;
-  if (!arguments.out.empty()) csv.open(arguments.out + ".part");
+  std::optional<AsideFile> file;
+  if (!arguments.out.empty()) file.emplace(arguments.out);
+  std::ostream nowhere(nullptr);
+  std::ostream& csv = file ? file->stream() : nowhere;
   csv << "scene,now,horizon,constant_velocity,lane_following,mean,along,across,medoid,best,pit,"
          "crps\n";
   Results results;
@@ -246,11 +248,7 @@ int measure(const Arguments& arguments) {
     }
     ++progress;
   }
-  if (!arguments.out.empty()) {
-    csv.close();
-    if (!csv) throw std::runtime_error(arguments.out + ": cannot be written");
-    std::filesystem::rename(arguments.out + ".part", arguments.out);
-  }
+  if (file) file->commit();
   printErrors(results);
   printCalibration(results);
   printTimes(results.milliseconds);

@@ -11,6 +11,7 @@
 
 #include "batch/dispatch.h"
 #include "drawing/draw_scenario.h"
+#include "files/aside_file.h"
 #include "formats/collide_set.h"
 #include "formats/config_fingerprint.h"
 #include "planners/planner_factory.h"

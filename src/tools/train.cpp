@@ -16,6 +16,7 @@
 
 #ifndef COLLISION_FORGE_WITHOUT_MPI
 #include "batch/ranks.h"
+#include "files/aside_file.h"
 #endif
 
 namespace {
@@ -68,15 +69,6 @@ std::string readAll(const std::string& path) {
   return text.str();
 }
 
-void writeAll(const std::string& path, const std::string& text) {
-  std::ofstream file(path + ".part");
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) fs::rename(path + ".part", path, error);
-  if (!file || error) throw std::runtime_error(path + ": cannot be written");
-}
-
 /// Makes the run folder, or checks that the one there is of the same run.
 void openRun(const Arguments& arguments, int ranks) {
   const std::string run = arguments.out + "/run.txt";
@@ -86,7 +78,7 @@ void openRun(const Arguments& arguments, int ranks) {
       throw std::runtime_error(arguments.out + ": holds a run; go on with --resume, or remove it");
     }
     fs::create_directories(arguments.out);
-    writeAll(run, asked);
+    writeText(run, asked);
     return;
   }
   if (!fs::exists(run)) throw std::runtime_error(run + ": no such file; there is no run to resume");
@@ -137,6 +129,11 @@ std::string metricsLine(int epoch, const TrainingLosses& training,
   return line;
 }
 
+/// What chooses the best epoch, as the metrics tell it.
+double validationTotal(const std::string& line) {
+  return std::stod(line.substr(line.rfind(',') + 1));
+}
+
 /// The first `epochs` epochs of what a stopped run wrote, and the best validation among them.
 std::string keptMetrics(const std::string& path, int epochs, double& best) {
   std::istringstream file(readAll(path));
@@ -144,7 +141,7 @@ std::string keptMetrics(const std::string& path, int epochs, double& best) {
   std::string line;
   for (int i = 0; i <= epochs && std::getline(file, line); ++i) {
     kept += line + '\n';
-    if (i > 0) best = std::min(best, std::stod(line.substr(line.rfind(',') + 1)));
+    if (i > 0) best = std::min(best, validationTotal(line));
   }
   return kept;
 }
@@ -185,13 +182,13 @@ class RunRecord {
            const TrainingLosses& training, const TrainingLosses& validation, bool chooses) {
     const std::string line = metricsLine(trainer.epochsDone(), training, validation);
     metrics_ += line;
-    if (!chooses || validation.total < best_) {
-      best_ = validation.total;
+    if (!chooses || validationTotal(line) < best_) {
+      best_ = validationTotal(line);
       PatternWeights weights = trainer.weights();
       weights.left_out_scenes.assign(left_out.begin(), left_out.end());
       writePatternWeights({weights}, folder_ + "/weights.bin");
     }
-    writeAll(folder_ + "/metrics.csv", metrics_);
+    writeText(folder_ + "/metrics.csv", metrics_);
     drawCurves(folder_ + "/curves.png", metrics_, config_.drawing);
     trainer.save(folder_ + "/state.pt");
     std::cout << line << std::flush;

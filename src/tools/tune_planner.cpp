@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "batch/dispatch.h"
+#include "files/aside_file.h"
 #include "formats/config_fingerprint.h"
 #include "formats/resumable_file.h"
 #include "planners/planner_factory.h"

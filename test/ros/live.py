@@ -118,10 +118,10 @@ class Suite:
             raise
 
 
-def living_connections(publisher):
-    """How many subscribers are connected; rospy by itself counts a killed one until the next comes."""
-    publisher.impl.check()
-    return publisher.get_num_connections()
+def living_connections(end):
+    """How many are connected to a publisher or subscriber; rospy counts killed ones until the next comes, unless asked."""
+    end.impl.check()
+    return end.get_num_connections()
 
 
 class Player:
@@ -148,7 +148,7 @@ class Player:
             until(lambda: living_connections(publisher) >= hearers, lambda: '{} subscribers of {}; {} came'.format(
                 hearers, topic, publisher.get_num_connections()))
         for topic, listener in listeners.items():
-            until(lambda: listener.subscriber.get_num_connections() > 0, 'a publisher of ' + topic)
+            until(lambda: living_connections(listener.subscriber) > 0, 'a publisher of ' + topic)
 
     def play_to(self, seconds):
         """Goes on to `seconds` after the first message; starts anew if that is past."""

@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path
 
-LAYERS = [{'geometry'}, {'map'}, {'scene'}, {'attack'}, {'drawing', 'formats', 'network', 'planners'},
+LAYERS = [{'files', 'geometry'}, {'map'}, {'scene'}, {'attack'}, {'drawing', 'formats', 'network', 'planners'},
           {'batch'}, {'protocols'}, {'dataset'}, {'ros', 'rviz', 'tools'}]
 LAYER_OF = {module: level for level, modules in enumerate(LAYERS) for module in modules}
 
