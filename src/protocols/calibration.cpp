@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "protocols/rate_table.h"
+
 namespace forge {
 namespace {
 
@@ -54,10 +56,9 @@ std::string toMarkdown(const Calibration& calibration) {
                      "difference |\n|---|---|---|---|---|\n";
   int number = 0;
   for (const CalibrationGroup& decile : calibration.deciles) {
-    const Rate& kept = decile.kept;
-    text += formatted("| %d | %d | %.1f | %.1f [%.0f, %.0f] | %+.1f |\n", ++number, kept.trials,
-                      kPercent * decile.promised, kPercent * kept.value, kPercent * kept.low,
-                      kPercent * kept.high, kPercent * decile.difference());
+    text +=
+        formatted("| %d | %d | %.1f | ", ++number, decile.kept.trials, kPercent * decile.promised) +
+        toText(decile.kept, kPercent) + formatted(" | %+.1f |\n", kPercent * decile.difference());
   }
   return text + formatted("\nLargest difference: %.1f points\n",
                           kPercent * calibration.largestDifference());

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "formats/planner_config.h"
+#include "protocols/rate_table.h"
 
 namespace forge {
 namespace {
@@ -177,10 +178,11 @@ std::string scoresCsv(const std::vector<PlannerVariant>& variants,
     text += variants[i].name;
     for (const auto& entry : variants[i].values) text += ',' + shortestText(entry.second);
     const auto& [rate, progress] = scores[i];
-    char numbers[128];
-    std::snprintf(numbers, sizeof(numbers), ",%d,%.4f,%.4f,%.4f,%.3f,%d\n", rate.trials, rate.value,
-                  rate.low, rate.high, progress, i == best ? 1 : 0);
-    text += numbers;
+    char collision[64];
+    std::snprintf(collision, sizeof(collision), ",%d,%.4f,", rate.trials, rate.value);
+    char rest[64];
+    std::snprintf(rest, sizeof(rest), ",%.3f,%d\n", progress, i == best ? 1 : 0);
+    text += collision + intervalCsv(rate) + rest;
   }
   return text;
 }

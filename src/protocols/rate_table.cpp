@@ -7,14 +7,6 @@
 namespace forge {
 namespace {
 
-std::string cell(const Rate& rate, double scale) {
-  if (rate.trials == 0) return "-";
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.1f [%.0f, %.0f]", scale * rate.value, scale * rate.low,
-                scale * rate.high);
-  return text;
-}
-
 template <typename Cell>
 void writeRow(std::ostream& out, const std::string& title, const std::vector<Rate>& rates,
               Cell cell_text) {
@@ -70,6 +62,25 @@ std::vector<RateTable> tabulate(const std::vector<ResultRow>& rows, Protocol pro
   return tables;
 }
 
+std::string toText(const Rate& rate, double scale) {
+  if (rate.trials == 0) return "-";
+  char text[96];
+  const int length = std::snprintf(text, sizeof(text), "%.1f", scale * rate.value);
+  if (rate.interval) {
+    std::snprintf(text + length, sizeof(text) - length, " [%.0f, %.0f]", scale * rate.interval->low,
+                  scale * rate.interval->high);
+  }
+  return text;
+}
+
+std::string intervalCsv(const Rate& rate) {
+  char text[64] = ",";
+  if (rate.interval) {
+    std::snprintf(text, sizeof(text), "%.4f,%.4f", rate.interval->low, rate.interval->high);
+  }
+  return text;
+}
+
 std::string toMarkdown(const RateTable& table, const TableUnit& unit) {
   std::ostringstream out;
   out << table.measure.title << ", " << unit.name << "\n\n| method |";
@@ -80,7 +91,7 @@ std::string toMarkdown(const RateTable& table, const TableUnit& unit) {
   const auto count = [](const Rate& rate) { return std::to_string(rate.trials); };
   for (std::size_t i = 0; i < table.methods.size(); ++i) {
     writeRow(out, table.methods[i], table.rates[i],
-             [&](const Rate& rate) { return cell(rate, unit.scale); });
+             [&](const Rate& rate) { return toText(rate, unit.scale); });
   }
   const bool same = std::all_of(table.rates.begin(), table.rates.end(), [&](const auto& rates) {
     return sameTrials(rates, table.rates.front());
@@ -98,12 +109,10 @@ std::string toCsv(const RateTable& table) {
   for (std::size_t i = 0; i < table.methods.size(); ++i) {
     for (std::size_t group = 0; group < table.groups.size(); ++group) {
       const Rate& rate = table.rates[i][group];
-      char numbers[96] = ",,";
-      if (rate.trials > 0) {
-        std::snprintf(numbers, sizeof(numbers), "%.4f,%.4f,%.4f", rate.value, rate.low, rate.high);
-      }
+      char value[32] = "";
+      if (rate.trials > 0) std::snprintf(value, sizeof(value), "%.4f", rate.value);
       text += table.measure.name + ',' + table.methods[i] + ',' + table.groups[group] + ',' +
-              std::to_string(rate.trials) + ',' + numbers + '\n';
+              std::to_string(rate.trials) + ',' + value + ',' + intervalCsv(rate) + '\n';
     }
   }
   return text;

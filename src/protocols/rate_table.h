@@ -41,8 +41,14 @@ struct TableUnit {
   double scale = 100.0;  ///< shown for a value of 1
 };
 
-/// As Markdown: title, then cells "81 [78, 84]" in the unit, "-" without trials, and a last row
-/// with the number of trials, by method where they differ.
+/// "81.2 [78, 84]", "81.2" without an interval, "-" without trials.
+std::string toText(const Rate& rate, double scale);
+
+/// The ends of the interval as CSV: "0.7760,0.8440", "," without one.
+std::string intervalCsv(const Rate& rate);
+
+/// As Markdown: title, then cells of toText() in the unit, and a last row with the
+/// number of trials, by method where they differ.
 std::string toMarkdown(const RateTable& table, const TableUnit& unit = {});
 
 /// "measure,method,group,trials,value,low,high", without the line's end.

@@ -72,6 +72,12 @@ double quantile(const std::vector<double>& sorted, double share) {
 Rate pooledRate(const std::vector<Trial>& trials, const StatisticsOptions& options) {
   if (trials.empty()) return {};
   const std::vector<Sum> scenes = sumByScene(trials);
+  Sum all;
+  for (const Sum& scene : scenes) {
+    all.values += scene.values;
+    all.trials += scene.trials;
+  }
+  if (scenes.size() < 2) return {all.trials, meanOf(all), std::nullopt};
   std::mt19937_64 generator(options.seed);
   std::vector<double> rates;
   for (int resample = 0; resample < options.resamples; ++resample) {
@@ -85,13 +91,9 @@ Rate pooledRate(const std::vector<Trial>& trials, const StatisticsOptions& optio
     rates.push_back(meanOf(sum));
   }
   std::sort(rates.begin(), rates.end());
-  Sum all;
-  for (const Sum& scene : scenes) {
-    all.values += scene.values;
-    all.trials += scene.trials;
-  }
   const double outside = 0.5 * (1.0 - options.confidence);
-  return {all.trials, meanOf(all), quantile(rates, outside), quantile(rates, 1.0 - outside)};
+  return {all.trials, meanOf(all),
+          Interval{quantile(rates, outside), quantile(rates, 1.0 - outside)}};
 }
 
 std::vector<TrialGroup> groupTrials(const std::vector<Trial>& trials) {

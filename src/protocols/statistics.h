@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,16 @@ struct Trial {
   double value = 0.0;  ///< 1 for a success, 0 for a failure
 };
 
+struct Interval {
+  double low = 0.0;
+  double high = 0.0;
+};
+
 /// Successes over trials, all trials weighing the same ("pooled"); the mean of other values.
 struct Rate {
   int trials = 0;
-  double value = 0.0;  ///< these three valid with trials
-  double low = 0.0;    ///< ends of the interval
-  double high = 0.0;
+  double value = 0.0;                ///< valid with trials
+  std::optional<Interval> interval;  ///< of two scenes or more: one tells nothing about others
 };
 
 /// With a bootstrap interval by scenes: as many scenes as there are, drawn with replacement, give

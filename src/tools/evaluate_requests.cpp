@@ -106,8 +106,7 @@ ReliabilityPlot plotOf(const std::vector<Calibration>& calibrations, const std::
   for (const Calibration& calibration : calibrations) {
     ReliabilitySeries series{calibration.column, colors[plot.series.size() % colors.size()], {}};
     for (const CalibrationGroup& decile : calibration.deciles) {
-      series.points.push_back(
-          {decile.promised, {decile.kept.value, decile.kept.low, decile.kept.high}});
+      series.points.push_back({decile.promised, barOf(decile.kept)});
     }
     plot.series.push_back(std::move(series));
   }

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "batch/dispatch.h"
-#include "drawing/bar_chart.h"
 
 namespace forge {
 
@@ -54,6 +53,11 @@ std::string reportTitle(const std::string& title, const StatisticsOptions& stati
          " % intervals over scenes\n";
 }
 
+Bar barOf(const Rate& rate) {
+  const Interval interval = rate.interval.value_or(Interval{rate.value, rate.value});
+  return {rate.value, interval.low, interval.high};
+}
+
 void drawTable(const RateTable& table, const std::string& title, const std::string& folder,
                const DrawingOptions& drawing) {
   const std::vector<Color> colors = {drawing.agent_color, drawing.pattern_ego_color,
@@ -62,8 +66,7 @@ void drawTable(const RateTable& table, const std::string& title, const std::stri
   for (std::size_t i = 0; i < table.methods.size(); ++i) {
     BarSeries series{table.methods[i], colors[i % colors.size()], {}};
     for (const Rate& rate : table.rates[i]) {
-      series.bars.push_back(rate.trials > 0 ? std::optional<Bar>({rate.value, rate.low, rate.high})
-                                            : std::nullopt);
+      series.bars.push_back(rate.trials > 0 ? std::optional<Bar>(barOf(rate)) : std::nullopt);
     }
     chart.series.push_back(std::move(series));
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "drawing/bar_chart.h"
 #include "drawing/drawing_options.h"
 #include "protocols/clip_evaluation.h"
 #include "protocols/rate_table.h"
@@ -44,6 +45,9 @@ std::string rowBytes(const std::vector<ResultRow>& rows);
 
 /// The first line of a report.
 std::string reportTitle(const std::string& title, const StatisticsOptions& statistics);
+
+/// A rate in a chart; one without an interval has no whisker.
+Bar barOf(const Rate& rate);
 
 /// A chart of a table as OUT/NAME.png; `title` says what was measured.
 void drawTable(const RateTable& table, const std::string& title, const std::string& folder,

@@ -233,8 +233,19 @@ void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::str
   }
 }
 
+std::set<std::string> leftOutScenes(const Arguments& arguments) {
+  if (arguments.fold == 0) return {};
+  const std::vector<std::string> names = sceneNames(arguments.sources);
+  if (static_cast<int>(names.size()) < arguments.fold) {
+    throw std::runtime_error("--fold: " + std::to_string(arguments.fold) + " has none of the " +
+                             std::to_string(names.size()) + " scenes");
+  }
+  return scenesOfFold(names, arguments.fold, arguments.folds, arguments.seed);
+}
+
 int train(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
+  const std::set<std::string> left_out = leftOutScenes(arguments);
   const TrainingRanks ranks = launchedRanks();
   const bool is_first = ranks.rank == 0;
   if (is_first) openRun(arguments, ranks.size);
@@ -243,11 +254,6 @@ int train(const Arguments& arguments) {
   trainer.trainTogether(ranks);
   const std::string state = arguments.out + "/state.pt";
   if (arguments.resume && fs::exists(state)) trainer.load(state);
-  std::set<std::string> left_out;
-  if (arguments.fold > 0) {
-    left_out = scenesOfFold(sceneNames(arguments.sources), arguments.fold, arguments.folds,
-                            arguments.seed);
-  }
   ProgressLine reading("reading");
   const std::vector<TrainingSample> samples = collectTrainingSamples(
       arguments.sources, config, left_out, arguments.seed, [&](std::size_t done, std::size_t all) {

@@ -58,8 +58,9 @@ TEST(Calibration, FewPromisesLeaveOutEmptyGroups) {
 }
 
 TEST(Calibration, MarkdownHasPercentAndTheLargestDifference) {
-  const Calibration calibration{"angle bands",
-                                {{0.25, {40, 0.2, 0.1, 0.304}}, {0.75, {40, 0.875, 0.8, 0.9}}}};
+  const Calibration calibration{
+      "angle bands",
+      {{0.25, {40, 0.2, Interval{0.1, 0.304}}}, {0.75, {40, 0.875, Interval{0.8, 0.9}}}}};
   EXPECT_EQ(toMarkdown(calibration),
             "Calibration, angle bands, %\n\n| decile | attacks | promised | kept | difference |\n"
             "|---|---|---|---|---|\n"

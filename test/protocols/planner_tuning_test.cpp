@@ -61,7 +61,7 @@ std::vector<PlannerVariant> named(const std::vector<std::string>& names) {
 }
 
 VariantScore score(double collision, double progress) {
-  return {{10, collision, 0.0, 1.0}, progress};
+  return {{10, collision, Interval{0.0, 1.0}}, progress};
 }
 
 /// The attacker comes from behind at twice the ego's speed.

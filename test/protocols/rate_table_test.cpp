@@ -55,8 +55,8 @@ TEST(RateTable, MarkdownHasPercentIntervalsAndTrials) {
   table.measure.title = "Title";
   table.methods = {"a", "b"};
   table.groups = {"RE", "all"};
-  table.rates = {{{0, 0.0, 0.0, 0.0}, {200, 0.8125, 0.776, 0.844}},
-                 {{0, 0.0, 0.0, 0.0}, {200, 1.0, 1.0, 1.0}}};
+  table.rates = {{{0, 0.0, {}}, {200, 0.8125, Interval{0.776, 0.844}}},
+                 {{0, 0.0, {}}, {200, 1.0, Interval{1.0, 1.0}}}};
   EXPECT_EQ(toMarkdown(table),
             "Title, %\n\n| method | RE | all |\n|---|---|---|\n| a | - | 81.2 [78, 84] |\n"
             "| b | - | 100.0 [100, 100] |\n| of | 0 | 200 |\n");
@@ -70,9 +70,19 @@ TEST(RateTable, AnotherUnitHasItsNameAndScale) {
   table.measure.title = "Speed";
   table.methods = {"a"};
   table.groups = {"all"};
-  table.rates = {{{3, 7.25, 5.0, 9.0}}};
+  table.rates = {{{3, 7.25, Interval{5.0, 9.0}}}};
   EXPECT_EQ(toMarkdown(table, {"m/s", 1.0}),
             "Speed, m/s\n\n| method | all |\n|---|---|\n| a | 7.2 [5, 9] |\n| of | 3 |\n");
+}
+
+TEST(RateTable, OneSceneIsShownWithoutAnInterval) {
+  RateTable table;
+  table.measure.name = "hits";
+  table.methods = {"a"};
+  table.groups = {"all"};
+  table.rates = {{{20, 0.85, {}}}};
+  EXPECT_NE(toMarkdown(table).find("| a | 85.0 |\n"), std::string::npos);
+  EXPECT_EQ(toCsv(table), "hits,a,all,20,0.8500,,\n");
 }
 
 TEST(RateTable, CsvHasALineAMethodAndGroup) {
@@ -80,7 +90,7 @@ TEST(RateTable, CsvHasALineAMethodAndGroup) {
   table.measure.name = "hits";
   table.methods = {"a"};
   table.groups = {"RE", "all"};
-  table.rates = {{{0, 0.0, 0.0, 0.0}, {200, 0.8125, 0.776, 0.844}}};
+  table.rates = {{{0, 0.0, {}}, {200, 0.8125, Interval{0.776, 0.844}}}};
   EXPECT_EQ(rateCsvHeader(), "measure,method,group,trials,value,low,high");
   EXPECT_EQ(toCsv(table), "hits,a,RE,0,,,\nhits,a,all,200,0.8125,0.7760,0.8440\n");
 }

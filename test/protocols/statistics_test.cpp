@@ -40,8 +40,8 @@ TEST(Statistics, RateOfOtherValuesIsTheirMeanWithItsInterval) {
   }
   const Rate rate = pooledRate(trials, kOptions);
   EXPECT_DOUBLE_EQ(rate.value, 0.25);
-  EXPECT_EQ(rate.low, -0.5);
-  EXPECT_EQ(rate.high, 1.0);
+  EXPECT_EQ(rate.interval->low, -0.5);
+  EXPECT_EQ(rate.interval->high, 1.0);
 }
 
 TEST(Statistics, QuantilesAreLinearBetweenSortedValues) {
@@ -60,23 +60,30 @@ TEST(Statistics, EqualScenesLeaveNoInterval) {
     trials.push_back(trial(scene, false));
   }
   const Rate rate = pooledRate(trials, kOptions);
-  EXPECT_EQ(rate.low, 0.5);
-  EXPECT_EQ(rate.high, 0.5);
+  EXPECT_EQ(rate.interval->low, 0.5);
+  EXPECT_EQ(rate.interval->high, 0.5);
+}
+
+TEST(Statistics, OneSceneHasNoInterval) {
+  const Rate rate = pooledRate({trial("a", true), trial("a", false)}, kOptions);
+  EXPECT_EQ(rate.trials, 2);
+  EXPECT_EQ(rate.value, 0.5);
+  EXPECT_FALSE(rate.interval.has_value());
 }
 
 TEST(Statistics, IntervalIsThatOfScenesDrawnIndependently) {
   // 100 scenes, half of them 1 and half 0: the rate's standard deviation is sqrt(0.25 / 100).
   const Rate rate = pooledRate(clustered(100, 1), kOptions);
-  EXPECT_NEAR(rate.low, 0.5 - 1.96 * 0.05, 0.012);
-  EXPECT_NEAR(rate.high, 0.5 + 1.96 * 0.05, 0.012);
+  EXPECT_NEAR(rate.interval->low, 0.5 - 1.96 * 0.05, 0.012);
+  EXPECT_NEAR(rate.interval->high, 0.5 + 1.96 * 0.05, 0.012);
 }
 
 TEST(Statistics, TrialsOfOneSceneDoNotNarrowTheInterval) {
   const Rate one = pooledRate(clustered(100, 1), kOptions);
   const Rate ten = pooledRate(clustered(100, 10), kOptions);
   EXPECT_EQ(ten.trials, 1000);
-  EXPECT_EQ(ten.low, one.low);
-  EXPECT_EQ(ten.high, one.high);
+  EXPECT_EQ(ten.interval->low, one.interval->low);
+  EXPECT_EQ(ten.interval->high, one.interval->high);
 }
 
 TEST(Statistics, OrderOfTrialsDoesNotMatterTheSeedDoes) {
@@ -84,12 +91,12 @@ TEST(Statistics, OrderOfTrialsDoesNotMatterTheSeedDoes) {
   const Rate rate = pooledRate(trials, kOptions);
   std::shuffle(trials.begin(), trials.end(), std::mt19937_64(5));
   const Rate shuffled = pooledRate(trials, kOptions);
-  EXPECT_EQ(rate.low, shuffled.low);
-  EXPECT_EQ(rate.high, shuffled.high);
+  EXPECT_EQ(rate.interval->low, shuffled.interval->low);
+  EXPECT_EQ(rate.interval->high, shuffled.interval->high);
   bool differs = false;
   for (const std::uint64_t seed : {8u, 9u, 10u, 11u}) {
     const Rate other = pooledRate(trials, {40, 0.95, seed});
-    differs = differs || other.low != pooledRate(trials, {40, 0.95, 7}).low;
+    differs = differs || other.interval->low != pooledRate(trials, {40, 0.95, 7}).interval->low;
   }
   EXPECT_TRUE(differs);
 }
@@ -97,7 +104,7 @@ TEST(Statistics, OrderOfTrialsDoesNotMatterTheSeedDoes) {
 TEST(Statistics, ConfidenceWidensTheInterval) {
   const auto trials = clustered(100, 1);
   const Rate half = pooledRate(trials, {4000, 0.5, 7});
-  EXPECT_NEAR(half.high - half.low, 2.0 * 0.674 * 0.05, 0.015);
+  EXPECT_NEAR(half.interval->high - half.interval->low, 2.0 * 0.674 * 0.05, 0.015);
 }
 
 TEST(Statistics, GroupsAreTypesThenTtasThenAll) {

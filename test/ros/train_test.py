@@ -74,6 +74,12 @@ class TrainTest(road.RoadTest):
         self.assertFalse(out.exists())
         self.trained('last', '--fold', 2, '--folds', 2, '--stop-after', 1)
 
+    def test_a_fold_without_scenes_is_refused(self):
+        out = self.folder / 'empty'
+        result = self.train(out, '--fold', 11, '--folds', 20)
+        self.assert_refused(result, '--fold: 11 has none of the 10 scenes')
+        self.assertFalse(out.exists())
+
     def assert_refused(self, result, message):
         self.assertEqual(result.returncode, 1, result.stderr)
         complaints = [line for line in result.stderr.splitlines() if line.startswith('train: ')]
