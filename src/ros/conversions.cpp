@@ -316,7 +316,16 @@ AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& messag
                                 agentClass(message.agent_class, message.attacker_id),
                                 fromMessage(message.size),
                                 {}};
-  for (const auto& point : message.points) trajectory.points.push_back(fromMessage(point));
+  std::vector<TrajectoryPoint>& points = trajectory.points;
+  for (const auto& point : message.points) {
+    const std::string where =
+        "attacker " + message.attacker_id + ": points[" + std::to_string(points.size()) + "]";
+    points.push_back(fromMessage(point));
+    if (!points.back().pose.isFinite()) throw MessageError(where + ".pose is not a number");
+    if (points.size() > 1 && points.back().time <= points[points.size() - 2].time) {
+      throw MessageError(where + ".stamp is not after the one before");
+    }
+  }
   return trajectory;
 }
 

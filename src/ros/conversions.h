@@ -69,6 +69,8 @@ std::variant<CollisionRequest, Status> fromMessage(
 CollisionPattern fromMessage(const collision_forge::CollisionPattern& message);
 collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, double now);
 
+/// Throws MessageError for an agent class that does not exist, a pose that is no number, and times
+/// that do not grow.
 AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& message);
 collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajectory);
 

@@ -10,7 +10,7 @@ from live import ask, until
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
-from collision_forge.msg import Agent, AgentArray, Lane, LaneMap, PolygonWithHoles
+from collision_forge.msg import Agent, AgentArray, AttackerTrajectory, Lane, LaneMap, PolygonWithHoles
 
 SPEED = 10.0    # m/s of the ego, eastwards along y = 0
 PERIOD = 0.5    # s between frames
@@ -242,6 +242,18 @@ class BadInputTest(live.LiveTest):
                          [0.0, 0.5, 1.0, 1.5, 2.5])
         self.assertIn('42', self.suite.output())
         self.ask_for_code('OK', 'rear_end', 4.0)
+
+    def test_trajectory_that_is_not_a_number(self):
+        """Published by somebody else: the suite says so, and goes on."""
+        self.show(drive(6))
+        answer = self.ask_for_code('OK', 'rear_end', 4.0)
+        answer.trajectory.points[3].pose.position.x = math.nan
+        publisher = rospy.Publisher('/attacker_trajectory', AttackerTrajectory, queue_size=1, latch=True)
+        self.addCleanup(publisher.unregister)
+        publisher.publish(answer.trajectory)
+        until(lambda: self.suite.output().count('attack left out: attacker behind: points[3].pose is not') == 2,
+              'the injector and the verifier to leave it out')
+        self.assert_works()
 
     def test_ego_pose_that_is_not_a_number(self):
         """tf drops it, and knows the ego's pose from those around it."""

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace forge {
 namespace {
 
@@ -17,6 +19,40 @@ TEST(StampOf, TakesOthersToTheNearestMicrosecond) {
   EXPECT_EQ(stampOf(1.0000014), ros::Time(1, 1000));
   EXPECT_EQ(stampOf(1.9999996), ros::Time(2, 0));
   EXPECT_EQ(stampOf(0.0), ros::Time(0, 0));
+}
+
+collision_forge::AttackerTrajectory drivenFor(int points) {
+  collision_forge::AttackerTrajectory message;
+  message.attacker_id = "a";
+  for (int i = 0; i < points; ++i) {
+    message.points.emplace_back();
+    message.points.back().stamp = ros::Time(10.0 + 0.1 * i);
+    message.points.back().pose.orientation.w = 1.0;
+  }
+  return message;
+}
+
+std::string complaintAbout(const collision_forge::AttackerTrajectory& message) {
+  try {
+    static_cast<void>(fromMessage(message));
+  } catch (const MessageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(AttackerTrajectoryMessage, MustBeOfNumbersWhoseTimesGrow) {
+  EXPECT_EQ(fromMessage(drivenFor(4)).points.size(), 4u);
+  EXPECT_TRUE(fromMessage(drivenFor(0)).points.empty());
+  auto message = drivenFor(4);
+  message.points[2].pose.position.y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(complaintAbout(message), "attacker a: points[2].pose is not a number");
+  message = drivenFor(4);
+  message.points[3].stamp = message.points[2].stamp;
+  EXPECT_EQ(complaintAbout(message), "attacker a: points[3].stamp is not after the one before");
+  message = drivenFor(4);
+  message.agent_class = 200;
+  EXPECT_NE(complaintAbout(message), "");
 }
 
 }  // namespace

@@ -105,6 +105,15 @@ class Suite:
     def wait_until_ready(self):
         until(lambda: not self.missing(), lambda: '{}\n{}'.format(self.missing(), self.output()), timeout=60.0)
 
+    def wait_until_back(self, name, old_pid):
+        """Until a process that was killed is another, and the suite is whole again."""
+        def is_back():
+            try:
+                return pid_of(name) != old_pid and not self.missing()
+            except (OSError, rosgraph.MasterException):
+                return False  # registered, but nobody there
+        until(is_back, lambda: '{}: {}'.format(name, self.missing()), timeout=60.0)
+
     def output(self):
         return self.log.read_text(errors='replace')
 

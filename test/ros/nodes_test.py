@@ -7,7 +7,6 @@ import time
 
 import live
 import road
-import rosgraph
 from live import NODES, ask, until
 
 ANSWER_LIMIT = 10.0  # s; how long the generator may take to notice that a node is gone
@@ -105,14 +104,8 @@ class SeparateNodesTest(live.WholeRoadTest):
     def check_restarted(self, name):
         """A node that was killed is back after a while, connected to all others, and the road is whole again."""
         pid = live.pid_of(name)
-        os.kill(pid, signal.SIGKILL)
-
-        def is_back():
-            try:
-                return live.pid_of(name) != pid and not self.suite.missing()
-            except (OSError, rosgraph.MasterException):
-                return False  # registered, but nobody there
-        until(is_back, name + ' to come back')
+        live.kill_node(name)
+        self.suite.wait_until_back(name, pid)
         self.player.connect(self.suite, self.heard)
         answer, attacked = self.play_and_ask('rear_end', 'history', 4)
         self.assert_published(answer)

@@ -128,6 +128,14 @@ class JunctionTest(live.WholeRoadTest):
         self.assertEqual(tests[-1].outcome.attacker_id, answer.pattern.attacker_id)
         self.assertEqual(tests[-1].outcome.failure, 'none')
 
+    def test_killed_manager(self):
+        """Its nodelets are loaded again, and the next replay is answered as before."""
+        pid = live.pid_of(live.MANAGER)
+        live.kill_node(live.MANAGER)
+        self.suite.wait_until_back(live.MANAGER, pid)
+        self.player.connect(self.suite, self.heard)
+        self.check('rear_end', 'history', 4)
+
     def test_two_callers_at_once(self):
         requests = {}
         for collision_type in ('rear_end', 'lane_change'):
