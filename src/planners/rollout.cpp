@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 constexpr double kTimeSlack = 1e-3;    // s; no step is shorter
+constexpr double kLongestPlan = 60.0;  // s; no scenario lasts longer, later points are not driven
 
 constexpr std::array<std::pair<PlannerFailure, const char*>, 8> kFailureNames = {{
     {PlannerFailure::kNone, "none"},
@@ -91,7 +92,7 @@ class EgoDriver {
   void follow(std::vector<TrajectoryPoint> plan) {
     plan_ = std::move(plan);
     if (is_exact_) return;
-    const double duration = plan_.back().time - plan_.front().time;
+    const double duration = std::min(plan_.back().time - plan_.front().time, kLongestPlan);
     const int steps = std::max(1, static_cast<int>(std::floor(duration / step_ + kTimeEpsilon)));
     std::vector<Pose2> axles;
     for (int i = 0; i <= steps; ++i) {

@@ -45,6 +45,7 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
   PlannerCase one;
   one.scene = scenario.asked.scene;
   one.request = scenario.asked.request;
+  one.scenario.snapshot.now = scenario.asked.now;
   one.status = scenario.answer.status;
   if (one.status.code != StatusCode::kOk) return one;
   RecordedMoment moment =

@@ -20,8 +20,8 @@ struct PlannerCase {
   std::string scene;   ///< what the intervals are clustered by
   CollisionRequest request;
   Status status;                    ///< why there is nothing to test on, where there is not
-  CrashScenario scenario;           ///< these two with kOk only
-  CollisionPattern pattern;         ///< aimed at
+  CrashScenario scenario;           ///< with kOk only, but snapshot.now always
+  CollisionPattern pattern;         ///< aimed at; with kOk only
   std::optional<CollideClip> clip;  ///< that it is of
 };
 

@@ -22,6 +22,12 @@ namespace forge {
 class AttackVerifierNodelet : public nodelet::Nodelet {
  private:
   static constexpr std::size_t kQueue = 100;
+  static constexpr double kAhead = 1.0;  // s; agents of a new replay may come before its odometry
+
+  struct Frame {
+    double time = 0.0;
+    std::vector<Track> agents;
+  };
 
   void onInit() override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
@@ -60,7 +66,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
       request.mode = Mode::kReplay;
       test_.emplace(fromMessage(*trajectory_), request, config_.ego_vehicle);
       for (const AgentState& ego : egos_) test_->addEgo(ego);
-      for (const auto& frame : frames_) test_->addAgents(frame);
+      for (const Frame& frame : frames_) test_->addAgents(frame.agents);
     } catch (const std::exception& error) {
       NODELET_ERROR_STREAM("attack left out: " << error.what());
     }
@@ -72,7 +78,10 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
                          compose(base, {config_.ego_vehicle.center_offset, 0.0, 0.0}),
                          message.twist.twist.linear.x * base.heading()};
     if (!ego.pose.isFinite()) return;
-    if (!egos_.empty() && ego.time < egos_.back().time) forget();  // the replay was restarted
+    if (!egos_.empty() && ego.time < egos_.back().time) {  // the replay was restarted
+      egos_.clear();
+      restart(ego.time, ego.time + kAhead);
+    }
     keepNewest(egos_, ego);
     if (!test_) return;
     test_->addEgo(ego);
@@ -85,18 +94,25 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
   }
 
   void receiveAgents(const collision_forge::AgentArray& message) {
+    const double time = message.header.stamp.toSec();
     try {
-      keepNewest(frames_, fromMessage(message));
-      if (test_) test_->addAgents(frames_.back());
+      Frame frame{time, fromMessage(message)};
+      if (!frames_.empty() && time < frames_.back().time) {
+        restart(time, time);
+      }
+      keepNewest(frames_, frame);
+      if (test_) test_->addAgents(frame.agents);
     } catch (const MessageError& error) {
       NODELET_ERROR_STREAM_THROTTLE(1.0, "frame left out: " << error.what());
     }
   }
 
-  void forget() {
-    egos_.clear();
-    frames_.clear();
+  /// The replay has gone back to `time`: frames after `newest` are of before. An attack that is
+  /// still to come is tested again.
+  void restart(double time, double newest) {
+    while (!frames_.empty() && frames_.back().time > newest) frames_.pop_back();
     test_.reset();
+    if (trajectory_ && time <= trajectory_->header.stamp.toSec()) startTest();
   }
 
   template <typename Value>
@@ -119,8 +135,8 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
   std::unique_ptr<LaneMapSubscriber> map_;
   std::optional<collision_forge::CollisionPattern> pattern_;
   std::optional<collision_forge::AttackerTrajectory> trajectory_;
-  std::deque<AgentState> egos_;            // the newest, as an answer is later than its "now"
-  std::deque<std::vector<Track>> frames_;  // the same of everybody else
+  std::deque<AgentState> egos_;  // the newest, as an answer is later than its "now"
+  std::deque<Frame> frames_;     // the same of everybody else
   std::optional<EgoTest> test_;
   ros::Publisher publisher_;
   std::vector<ros::Subscriber> subscribers_;

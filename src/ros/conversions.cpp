@@ -316,13 +316,21 @@ AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& messag
                                 agentClass(message.agent_class, message.attacker_id),
                                 fromMessage(message.size),
                                 {}};
+  if (!(trajectory.size.length > 0.0 && trajectory.size.width > 0.0 &&
+        std::isfinite(trajectory.size.length) && std::isfinite(trajectory.size.width))) {
+    throw MessageError("attacker " + message.attacker_id + ": size is not positive");
+  }
   std::vector<TrajectoryPoint>& points = trajectory.points;
   for (const auto& point : message.points) {
     const std::string where =
         "attacker " + message.attacker_id + ": points[" + std::to_string(points.size()) + "]";
     points.push_back(fromMessage(point));
-    if (!points.back().pose.isFinite()) throw MessageError(where + ".pose is not a number");
-    if (points.size() > 1 && points.back().time <= points[points.size() - 2].time) {
+    const TrajectoryPoint& newest = points.back();
+    if (!newest.pose.isFinite() || !std::isfinite(newest.speed) ||
+        !std::isfinite(newest.acceleration) || !std::isfinite(newest.curvature)) {
+      throw MessageError(where + " is not of numbers");
+    }
+    if (points.size() > 1 && newest.time <= points[points.size() - 2].time) {
       throw MessageError(where + ".stamp is not after the one before");
     }
   }

@@ -69,8 +69,8 @@ std::variant<CollisionRequest, Status> fromMessage(
 CollisionPattern fromMessage(const collision_forge::CollisionPattern& message);
 collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, double now);
 
-/// Throws MessageError for an agent class that does not exist, a pose that is no number, and times
-/// that do not grow.
+/// Throws MessageError for an agent class that does not exist, a size that is not positive, points
+/// that are not of numbers, and times that do not grow.
 AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& message);
 collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajectory);
 

@@ -62,7 +62,9 @@ AttackerInjector::AttackerInjector(collision_forge::AttackerTrajectory trajector
 
 void AttackerInjector::remember(const collision_forge::AgentArray& recorded) {
   for (const collision_forge::Agent& agent : recorded.agents) {
-    if (agent.id == attacker_.id) attacker_ = agent;
+    if (agent.id != attacker_.id) continue;
+    attacker_ = agent;
+    is_remembered_ = true;
   }
 }
 
@@ -79,6 +81,7 @@ collision_forge::AgentArray AttackerInjector::inject(collision_forge::AgentArray
     if (recorded != all.end()) all.erase(recorded);
     return agents;
   }
+  if (!is_remembered_) remember(agents);
   const TrajectoryPoint point = pointAt(fromMessage(trajectory_), agents.header.stamp.toSec());
   collision_forge::Agent attacker = attacker_;
   const double z = attacker_.pose.position.z;

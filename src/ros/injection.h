@@ -15,7 +15,8 @@ class AttackerInjector {
  public:
   explicit AttackerInjector(collision_forge::AttackerTrajectory trajectory);
 
-  /// Takes height and z from a recorded frame, if the attacker is in it.
+  /// Takes height and z from a recorded frame, if the attacker is in it. inject() does so itself
+  /// with frames up to the trajectory's start, and later ones where there was none.
   void remember(const collision_forge::AgentArray& recorded);
 
   /// Frames up to the trajectory's start pass as they are. Later, the attacker is where its
@@ -27,6 +28,7 @@ class AttackerInjector {
  private:
   collision_forge::AttackerTrajectory trajectory_;
   collision_forge::Agent attacker_;
+  bool is_remembered_ = false;
 };
 
 /// What a generated collision adds to a bag.

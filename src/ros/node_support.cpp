@@ -14,12 +14,7 @@ std::string nodeConfigFolder(const ros::NodeHandle& private_node) {
 }
 
 Config loadNodeConfig(const ros::NodeHandle& private_node) {
-  try {
-    return loadConfig(nodeConfigFolder(private_node));
-  } catch (const std::exception& error) {
-    ROS_FATAL_STREAM("no configuration: " << error.what());  // the nodelet loader does not tell why
-    throw;
-  }
+  return loadLogged("configuration", [&] { return loadConfig(nodeConfigFolder(private_node)); });
 }
 
 LaneMapSubscriber::LaneMapSubscriber(ros::NodeHandle& node)

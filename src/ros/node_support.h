@@ -23,6 +23,18 @@ std::string nodeConfigFolder(const ros::NodeHandle& private_node);
 /// The configuration in that folder. Throws ConfigError.
 Config loadNodeConfig(const ros::NodeHandle& private_node);
 
+/// What `load` returns. The nodelet loader does not tell what an exception of onInit() says: it is
+/// logged behind "no WHAT: " and goes on.
+template <typename Load>
+auto loadLogged(const char* what, Load load) {
+  try {
+    return load();
+  } catch (const std::exception& error) {
+    ROS_FATAL_STREAM("no " << what << ": " << error.what());
+    throw;
+  }
+}
+
 /// Keeps the newest lane map, ready for queries. Thread-safe.
 class LaneMapSubscriber {
  public:

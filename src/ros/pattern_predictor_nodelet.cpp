@@ -18,7 +18,7 @@ class PatternPredictorNodelet : public nodelet::Nodelet {
   void onInit() override {
     const Config config = loadNodeConfig(getPrivateNodeHandle());
     options_ = config.attack;
-    predictor_ = loadForesight(config).patterns(options_);
+    predictor_ = loadLogged("foresight", [&] { return loadForesight(config).patterns(options_); });
     ros::NodeHandle& node = getNodeHandle();
     map_ = std::make_unique<LaneMapSubscriber>(node);
     service_ = std::make_unique<OwnThreadService>(node, names::kPredictPattern,

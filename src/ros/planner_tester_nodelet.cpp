@@ -82,7 +82,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     config_ = loadNodeConfig(own);
     planners_path_ = nodeConfigFolder(own) + "/planners.yaml";
     planners_text_ = readText(planners_path_);
-    openSources(own);
+    loadLogged("scenarios", [&] { openSources(own); });
     external_ = std::make_unique<ExternalPlanner>(node, config_.planners.external);
     outcomes_ = node.advertise<collision_forge::PlannerOutcome>(names::kPlannerOutcome, 1, true);
     markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kPlannerMarkers, 1, true);
@@ -102,7 +102,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     std::vector<std::string> warnings;
     try {
       scenarios_ = std::make_unique<TrialScenarios>(sources, config_, &warnings);
-    } catch (const BagError& error) {
+    } catch (const std::exception& error) {
       NODELET_ERROR_STREAM("no trajectories can be tested: " << error.what());
       sources.recording.clear();
       scenarios_ = std::make_unique<TrialScenarios>(sources, config_, nullptr);

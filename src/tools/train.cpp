@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "drawing/line_chart.h"
+#include "files/aside_file.h"
 #include "formats/config.h"
 #include "formats/pattern_network_file.h"
 #include "network/pattern_trainer.h"
@@ -16,7 +17,6 @@
 
 #ifndef COLLISION_FORGE_WITHOUT_MPI
 #include "batch/ranks.h"
-#include "files/aside_file.h"
 #endif
 
 namespace {

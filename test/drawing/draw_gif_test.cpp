@@ -149,7 +149,7 @@ TEST_F(DrawGif, NamesAnUnwritablePathAndLeavesNothing) {
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find(path_), std::string::npos);
   }
-  EXPECT_FALSE(exists(path_ + ".tmp"));
+  EXPECT_FALSE(exists(path_ + ".part"));
 }
 
 TEST_F(DrawGif, RefusesAFrameRateOfZero) {

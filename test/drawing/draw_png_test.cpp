@@ -135,13 +135,13 @@ TEST_F(DrawPng, SameInputGivesTheSameBytes) {
 TEST_F(DrawPng, NamesAnUnwritablePathAndLeavesNothing) {
   path_ = temporaryPath("missing") + "/scenario.png";
   EXPECT_NE(errorOf([this] { draw(); }).find(path_), std::string::npos);
-  EXPECT_FALSE(exists(path_ + ".tmp"));
+  EXPECT_FALSE(exists(path_ + ".part"));
 }
 
 TEST_F(DrawPng, LeavesNoTemporaryFileWhenThePathIsAFolder) {
   ASSERT_EQ(mkdir(path_.c_str(), 0700), 0);
   EXPECT_NE(errorOf([this] { draw(); }).find(path_), std::string::npos);
-  EXPECT_FALSE(exists(path_ + ".tmp"));
+  EXPECT_FALSE(exists(path_ + ".part"));
 }
 
 TEST_F(DrawPng, RefusesWhatCannotBeDrawnAndKeepsTheOldFile) {
@@ -157,7 +157,7 @@ TEST_F(DrawPng, RefusesWhatCannotBeDrawnAndKeepsTheOldFile) {
   view_.report.contact_time = std::nan("");
   EXPECT_NE(errorOf([this] { draw(); }), "");
   EXPECT_EQ(readBytes(path_), before);
-  EXPECT_FALSE(exists(path_ + ".tmp"));
+  EXPECT_FALSE(exists(path_ + ".part"));
 }
 
 TEST_F(DrawPng, ASheetHasThePicturesRowByRow) {

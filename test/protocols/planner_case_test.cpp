@@ -52,13 +52,16 @@ TEST(PlannerCase, ADeclinedAnswerKeepsItsStatus) {
   scenario.answer.status = {StatusCode::kLowConfidence, "no"};
   const PlannerCase one = caseOfScenario(scenario, straightScene(), config());
   EXPECT_EQ(one.status.code, StatusCode::kLowConfidence);
+  EXPECT_EQ(one.scenario.snapshot.now, kNow);
   EXPECT_TRUE(one.scenario.attacker.points.empty());
 }
 
 TEST(PlannerCase, ATimeThatIsNoFrameHasNoScene) {
   Scenario scenario = answered();
   scenario.asked.now += 0.2;
-  EXPECT_EQ(caseOfScenario(scenario, straightScene(), config()).status.code, StatusCode::kNoScene);
+  const PlannerCase one = caseOfScenario(scenario, straightScene(), config());
+  EXPECT_EQ(one.status.code, StatusCode::kNoScene);
+  EXPECT_EQ(one.scenario.snapshot.now, kNow + 0.2);
 }
 
 CollideClip rearEnd() {

@@ -64,6 +64,8 @@ class BadInputTest(live.LiveTest):
                                                  ('/lane_map', LaneMap))}
         for topic, publisher in cls.publishers.items():
             until(lambda: publisher.get_num_connections() > 0, 'a subscriber of ' + topic)
+        for topic, listener in cls.heard.items():
+            until(lambda: listener.subscriber.get_num_connections() > 0, 'a publisher of ' + topic)
         cls.start = 10000.0  # s; every scene starts before the one before: a replay that is restarted
 
     def setUp(self):
@@ -240,18 +242,18 @@ class BadInputTest(live.LiveTest):
         scene = self.show(frames, left_out=1)
         self.assertEqual([round(state.stamp.to_sec() - self.start, 3) for state in scene.ego.states],
                          [0.0, 0.5, 1.0, 1.5, 2.5])
-        self.assertIn('42', self.suite.output())
+        self.assertIn('agent_class = 42', self.suite.output())
         self.ask_for_code('OK', 'rear_end', 4.0)
 
     def test_trajectory_that_is_not_a_number(self):
         """Published by somebody else: the suite says so, and goes on."""
         self.show(drive(6))
         answer = self.ask_for_code('OK', 'rear_end', 4.0)
-        answer.trajectory.points[3].pose.position.x = math.nan
+        answer.trajectory.points[3].speed = math.nan
         publisher = rospy.Publisher('/attacker_trajectory', AttackerTrajectory, queue_size=1, latch=True)
         self.addCleanup(publisher.unregister)
         publisher.publish(answer.trajectory)
-        until(lambda: self.suite.output().count('attack left out: attacker behind: points[3].pose is not') == 2,
+        until(lambda: self.suite.output().count('attack left out: attacker behind: points[3] is not of numbers') >= 2,
               'the injector and the verifier to leave it out')
         self.assert_works()
 

@@ -24,6 +24,8 @@ TEST(StampOf, TakesOthersToTheNearestMicrosecond) {
 collision_forge::AttackerTrajectory drivenFor(int points) {
   collision_forge::AttackerTrajectory message;
   message.attacker_id = "a";
+  message.size.x = 4.5;
+  message.size.y = 2.0;
   for (int i = 0; i < points; ++i) {
     message.points.emplace_back();
     message.points.back().stamp = ros::Time(10.0 + 0.1 * i);
@@ -46,7 +48,13 @@ TEST(AttackerTrajectoryMessage, MustBeOfNumbersWhoseTimesGrow) {
   EXPECT_TRUE(fromMessage(drivenFor(0)).points.empty());
   auto message = drivenFor(4);
   message.points[2].pose.position.y = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(complaintAbout(message), "attacker a: points[2].pose is not a number");
+  EXPECT_EQ(complaintAbout(message), "attacker a: points[2] is not of numbers");
+  message = drivenFor(4);
+  message.points[1].speed = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(complaintAbout(message), "attacker a: points[1] is not of numbers");
+  message = drivenFor(4);
+  message.size.y = 0.0;
+  EXPECT_EQ(complaintAbout(message), "attacker a: size is not positive");
   message = drivenFor(4);
   message.points[3].stamp = message.points[2].stamp;
   EXPECT_EQ(complaintAbout(message), "attacker a: points[3].stamp is not after the one before");

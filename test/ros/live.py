@@ -77,6 +77,20 @@ def missing_of(nodes, owner=lambda node: node):
     return missing
 
 
+def unconnected_of(nodes):
+    """Which of what the suite itself publishes has not reached those of NODES that hear it."""
+    master = rosgraph.Master(rospy.get_name())
+    publishers = {topic: node for node, (published, _, _) in NODES.items() for topic in published}
+    missing = []
+    for node in nodes:
+        links = ServerProxy(master.lookupNode('/' + node)).getBusInfo(rospy.get_name())[2]
+        heard = {(link[4], link[1]) for link in links if link[2] == 'i'}
+        for topic in NODES[node][1]:
+            if topic in publishers and (topic, master.lookupNode('/' + publishers[topic])) not in heard:
+                missing.append('{} is connected to {}'.format(node, topic))
+    return missing
+
+
 class Suite:
     """launch/collision_forge.launch with some arguments, until stop()."""
 
@@ -97,7 +111,7 @@ class Suite:
     def missing(self):
         assert self.process.poll() is None, 'roslaunch ended: ' + self.output()
         if not self.nodelets:
-            return missing_of(NODES)
+            return missing_of(NODES) or unconnected_of(NODES)
         # A node that loads a nodelet ties itself to the manager when it is done.
         bonds = [node for node in NODES if ('/' + MANAGER + '/bond', node) not in graph()[1]]
         return missing_of(NODES, lambda node: MANAGER) + ['{} is loaded'.format(node) for node in bonds]

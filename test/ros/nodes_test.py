@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Every node as a process of its own: alone, all together, and killed."""
 import os
+import shutil
 import signal
 import subprocess
 import time
@@ -38,6 +39,13 @@ class NodeAloneTest(road.RoadTest):
         process = self.run_node('pattern_predictor', '_config_dir:=/nowhere')
         self.assertNotEqual(process.wait(live.TIMEOUT), 0)
         self.assertIn('/nowhere', self.path('log').read_text())
+
+    def test_weights_that_are_not_there_are_named(self):
+        config = self.path('config')
+        shutil.copytree(str(road.PACKAGE_FOLDER / 'config'), str(config))  # paths in it lead nowhere now
+        process = self.run_node('pattern_predictor', '_config_dir:={}'.format(config))
+        self.assertNotEqual(process.wait(live.TIMEOUT), 0)
+        self.assertIn('no foresight: {}'.format(config), self.path('log').read_text())
 
 
 def add_node_tests():

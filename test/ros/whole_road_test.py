@@ -96,6 +96,14 @@ class JunctionTest(live.WholeRoadTest):
         self.assertEqual(now, 1.5)
         self.assert_answer(answer, attacked)
 
+    def test_replay_that_comes_by_again_is_tested_again(self):
+        answer, attacked = self.play_and_ask('rear_end', 'replay', 3)
+        first = self.assert_played_on(answer, attacked)
+        self.play_to(1.0)
+        self.heard['/tested_report'].clear()
+        self.player.play_to((answer.trajectory.points[-1].stamp - self.player.start).to_sec())
+        self.assert_close(self.heard['/tested_report'].wait(), first)
+
     def test_first_frame_is_too_little_history(self):
         self.assertEqual(len(self.play_to(0.0).ego.states), 1)
         answer = self.ask_for_code('TOO_LITTLE_HISTORY')
@@ -170,7 +178,7 @@ class RoundaboutTest(live.WholeRoadTest):
     def test_replay_ltap(self):
         self.check('ltap', 'replay', 1)
 
-    def test_bag_of_another_scene_is_not_the_recording(self):
+    def test_the_bag_of_another_scene_is_not_the_recording(self):
         other = self.folder / 'scene-0001.bag'
         self.assertEqual(road.convert(self.folder, '--scene', 'scene-0001').returncode, 0)
         player = live.Player(other)
