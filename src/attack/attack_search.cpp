@@ -137,9 +137,9 @@ class Search {
 
   /// The time and pose to arrive at for the candidate's contact.
   void aim(Candidate& candidate) const {
+    const double earliest = std::max(kMinArrival, input_.request.tta - slack_);
     candidate.contact =
-        std::clamp(candidate.contact, std::max(kMinArrival, input_.request.tta - slack_),
-                   input_.request.tta + slack_);
+        std::clamp(candidate.contact, earliest, std::max(earliest, input_.request.tta + slack_));
     candidate.lead = std::clamp(candidate.lead, 0.0, candidate.contact - kMinArrival);
     Arrival& arrival = candidate.arrival;
     arrival.speed = std::clamp(arrival.speed, kMinImpactSpeed, limits_.max_speed);

@@ -94,19 +94,43 @@ Pose2 SampledPath::poseAt(double arc_length, double lateral) const {
           a.y + ratio * (b.y - a.y) + lateral * along.x(), a.yaw + turned * (b.yaw - a.yaw)};
 }
 
+namespace {
+
+/// Signed along the heading at the end; over `elapsed` seconds.
+double speedBetween(const AgentState& earlier, const AgentState& later, double elapsed) {
+  const Vector2 step = later.pose.position() - earlier.pose.position();
+  return std::copysign(step.norm(), later.pose.heading().dot(step)) / elapsed;
+}
+
+/// From the first of the states up to now that no gap parts; a lone one stands.
+void tellShortMotion(const Track& track, EgoNow& now) {
+  std::size_t first = track.states.size() - 1;
+  while (first > 0 && track.states[first].time - track.states[first - 1].time <= kMaxGap) --first;
+  const AgentState& earliest = track.states[first];
+  const double elapsed = now.state.time - earliest.time;
+  if (elapsed <= 0.0) return;
+  now.past_speeds.fill(speedBetween(earliest, now.state, elapsed));
+  now.turn_rate = angleBetween(earliest.pose.yaw, now.state.pose.yaw) / elapsed;
+}
+
+}  // namespace
+
 EgoNow egoNow(const Track& ego) {
   if (ego.states.empty()) throw std::invalid_argument("track " + ego.id + " has no states");
   EgoNow now{ego.states.back()};
   AgentState later = now.state;
   for (std::size_t i = 0; i < now.past_speeds.size(); ++i) {
     const auto earlier = stateAt(ego, later.time - kProfileStep);
-    if (!earlier) {
-      std::fill(now.past_speeds.begin() + static_cast<std::ptrdiff_t>(i), now.past_speeds.end(),
-                i == 0 ? 0.0 : now.past_speeds[i - 1]);
+    if (!earlier && i == 0) {
+      tellShortMotion(ego, now);
       break;
     }
-    const Vector2 step = later.pose.position() - earlier->pose.position();
-    now.past_speeds[i] = std::copysign(step.norm(), later.pose.heading().dot(step)) / kProfileStep;
+    if (!earlier) {
+      std::fill(now.past_speeds.begin() + static_cast<std::ptrdiff_t>(i), now.past_speeds.end(),
+                now.past_speeds[i - 1]);
+      break;
+    }
+    now.past_speeds[i] = speedBetween(*earlier, later, kProfileStep);
     if (i == 0) now.turn_rate = angleBetween(earlier->pose.yaw, later.pose.yaw) / kProfileStep;
     later = *earlier;
   }

@@ -142,12 +142,12 @@ CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const Verific
   const double end = trajectory.points.back().time;
   const double tolerance = options.verification.overlap_tolerance;
   const auto contact = firstContactTime(trajectory, input.future.ego, end, tolerance);
-  if (contact) {
-    report.contact = *contact > trajectory.points.front().time;
+  report.contact = contact && *contact > trajectory.points.front().time;
+  if (report.contact) {
     report.contact_time = *contact;
     describeContact(trajectory, input, options, report);
   }
-  const double until = contact.value_or(end);
+  const double until = report.contact ? *contact : end;
   findFirstOther(trajectory, input.future, until, tolerance, report);
 
   const auto attacker =

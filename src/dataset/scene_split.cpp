@@ -9,7 +9,9 @@ namespace forge {
 namespace {
 
 std::size_t countOf(double share, std::size_t scenes) {
-  const auto count = static_cast<std::size_t>(share * static_cast<double>(scenes) + 1e-9);
+  constexpr double kRounding = 1e-9;
+  if (share < kRounding) return 0;
+  const auto count = static_cast<std::size_t>(share * static_cast<double>(scenes) + kRounding);
   return scenes >= splitNames().size() ? std::max<std::size_t>(count, 1) : count;
 }
 

@@ -115,7 +115,7 @@ SearchOptions readSearch(Section section) {
   options.depth = section.nonNegative("depth");
   options.limit_margin = section.within("limit_margin", 0.0, 1.0);
   options.heading_margin = section.nonNegative("heading_margin");
-  options.time_margin = section.nonNegative("time_margin");
+  options.time_margin = section.positive("time_margin");
   options.overlap_margin = section.nonNegative("overlap_margin");
   options.max_attackers = section.count("max_attackers", 1);
   options.lane_paths = section.count("lane_paths", 0);
@@ -142,11 +142,12 @@ SearchOptions readSearch(Section section) {
   return options;
 }
 
-VerificationOptions loadVerification(const std::string& directory) {
+/// Attacks keep `time_margin` to the ends of the time tolerance.
+VerificationOptions loadVerification(const std::string& directory, double time_margin) {
   Section file = openConfigFile(directory, "verification.yaml");
   Section section = file.section("verification");
   VerificationOptions options;
-  options.time_tolerance = section.positive("time_tolerance");
+  options.time_tolerance = section.within("time_tolerance", time_margin, kInfinity);
   options.overlap_tolerance = section.positive("overlap_tolerance");
   options.off_road_interval = section.positive("off_road_interval");
   section.finish();
@@ -261,7 +262,7 @@ void loadAttack(const std::string& directory, Config& config) {
   loadCollisionTypes(directory, config.attack);
   config.attack.prediction = loadPrediction(directory);
   loadSearch(directory, config.attack);
-  config.attack.verification = loadVerification(directory);
+  config.attack.verification = loadVerification(directory, config.attack.search.time_margin);
   loadEgoFutures(directory, config);
   config.speed_model_fit = loadSpeedModelFit(directory);
 }

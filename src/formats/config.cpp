@@ -182,7 +182,9 @@ EvaluationOptions loadEvaluation(const std::string& directory) {
   return options;
 }
 
-DatasetOptions loadDataset(const std::string& directory) {
+/// Attacks keep `time_margin` to the ends of every time tolerance.
+DatasetOptions loadDataset(const std::string& directory, double time_margin) {
+  constexpr double kShareRounding = 1e-9;  // 1 - 0.8 is less than 0.2
   Section file = openConfigFile(directory, "dataset.yaml");
   Section section = file.section("dataset");
   DatasetOptions options;
@@ -198,13 +200,14 @@ DatasetOptions loadDataset(const std::string& directory) {
   }
   attempts.finish();
   options.heading_spread = section.positive("heading_spread");
-  options.time_tolerance = section.positive("time_tolerance");
+  options.time_tolerance = section.within("time_tolerance", time_margin, kInfinity);
   options.max_off_road_share = section.within("max_off_road_share", 0.0, 1.0);
   options.balance.min_type_share =
       section.within("min_type_share", 0.0, 1.0 / static_cast<double>(std::size(kCollisionTypes)));
   options.balance.max_tta_ratio = section.within("max_tta_ratio", 1.0, kInfinity);
   options.split.train_share = section.within("train_share", 0.0, 1.0);
-  options.split.val_share = section.within("val_share", 0.0, 1.0 - options.split.train_share);
+  options.split.val_share =
+      section.within("val_share", 0.0, 1.0 - options.split.train_share + kShareRounding);
   options.sheet_columns = section.count("sheet_columns", 1);
   options.sheet_rows = section.count("sheet_rows", 1);
   section.finish();
@@ -240,7 +243,7 @@ Config loadConfig(const std::string& directory) {
   config.drawing = loadDrawing(directory);
   config.requests = loadRequests(directory);
   config.evaluation = loadEvaluation(directory);
-  config.dataset = loadDataset(directory);
+  config.dataset = loadDataset(directory, config.attack.search.time_margin);
   config.planners = loadPlanners(directory, config.attack.vehicle_limits);
   config.locations = loadLocations(directory);
   return config;

@@ -14,6 +14,11 @@ namespace {
 using Ring = std::vector<Vector2>;
 
 constexpr double kSmallestArea = 1e-6;  // square metres
+constexpr double kFarthest = 5e4;       // metres from the map's origin; what is farther is damaged
+
+bool isWithinReach(const Vector2& point) {
+  return std::abs(point.x()) <= kFarthest && std::abs(point.y()) <= kFarthest;  // false for NaN
+}
 
 double signedArea(const Ring& ring) {
   double twice = 0.0;
@@ -57,7 +62,7 @@ class LayerReader {
     Ring ring;
     for (const std::string& token : tokens) {
       const auto node = nodes.find(token);
-      if (node == nodes.end() || !node->second.allFinite()) return {};
+      if (node == nodes.end() || !isWithinReach(node->second)) return {};
       if (ring.empty() || ring.back() != node->second) ring.push_back(node->second);
     }
     while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
@@ -132,9 +137,11 @@ class LayerReader {
     const bool has_radius = std::isfinite(path.radius) && path.radius > 0.0;
     const bool has_shape =
         shape.size() == path.shape.size() && shape.find_first_not_of("LSR") == std::string::npos;
-    if (!path.start.isFinite() || !has_radius || !has_shape) return std::nullopt;
+    if (!path.start.isFinite() || !isWithinReach(path.start.position()) || !has_radius ||
+        !has_shape)
+      return std::nullopt;
     for (std::size_t i = 0; i < path.shape.size(); ++i) {
-      if (!std::isfinite(lengths[i]) || lengths[i] < 0.0) return std::nullopt;
+      if (!(lengths[i] >= 0.0 && lengths[i] <= kFarthest)) return std::nullopt;
       path.shape[i] = shape[i];
       path.segment_length[i] = lengths[i];
     }
@@ -152,7 +159,7 @@ class LayerReader {
         if (path && path->length() > 0.0) paths.push_back(*path);
       }
       if (!is_usable) {
-        warnings_.add("unusable arclines (not finite, or no such shape)", entry.token);
+        warnings_.add("unusable arclines (numbers out of range, or no such shape)", entry.token);
       } else if (!paths.empty()) {
         layers_.arclines[entry.token] = std::move(paths);
       }

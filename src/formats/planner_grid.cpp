@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <set>
@@ -109,7 +110,12 @@ std::string withPlannerValues(const std::string& path, const std::string& text,
 
 std::string shortestText(double value) {
   char text[32];
-  return {text, std::to_chars(text, text + sizeof(text), value).ptr};
+  constexpr double kLargest = 1e15;  // whole numbers up to there are written without an exponent
+  const bool is_whole = std::floor(value) == value && std::abs(value) < kLargest;
+  const auto end = is_whole
+                       ? std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed)
+                       : std::to_chars(text, text + sizeof(text), value);
+  return {text, end.ptr};
 }
 
 }  // namespace forge

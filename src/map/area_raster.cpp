@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace forge {
 namespace {
 
-constexpr double kCell = 0.5;  // metres, a side
+constexpr double kCell = 0.5;     // metres, a side
+constexpr double kLargest = 1e5;  // metres from end to end
 
 /// Where a ring crosses the middle line of each row of cells, in cells from the tile's left side.
 template <std::size_t kRows>
@@ -40,6 +43,10 @@ AreaRaster::AreaRaster(const std::vector<Polygon>& area) : area_(area) {
     all.extend(bounds_.back());
   }
   if (all.isEmpty()) return;
+  if (!(all.sizes().maxCoeff() <= kLargest)) {
+    throw std::invalid_argument("an area of " + std::to_string(all.sizes().x()) + " x " +
+                                std::to_string(all.sizes().y()) + " m is too large");
+  }
   origin_ = all.min();
   const Vector2 tiles = (all.sizes() / (kCell * kCells)).array().floor() + 1.0;
   columns_ = static_cast<int>(tiles.x());

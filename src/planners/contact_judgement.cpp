@@ -74,13 +74,22 @@ bool isAtFault(ContactCause cause, const OrientedBox& ego, const LaneIndex& lane
 
 bool isInSeveralLanes(const OrientedBox& box, const LaneIndex& lanes, double radius) {
   const auto ring = corners(box);
+  const auto outside = [&](std::size_t lane, std::vector<Vector2> points) {
+    const Polygon outline{lanes.map().lanes[lane].polygon, {}};
+    points.erase(std::remove_if(points.begin(), points.end(),
+                                [&](const Vector2& point) { return contains(outline, point); }),
+                 points.end());
+    return points;
+  };
   bool is_in_any = false;
   for (const std::size_t lane : lanes.lanesWithin(box.center.position(), radius)) {
-    const Polygon outline{lanes.map().lanes[lane].polygon, {}};
-    const auto inside = std::count_if(
-        ring.begin(), ring.end(), [&](const Vector2& corner) { return contains(outline, corner); });
-    if (inside == static_cast<std::ptrdiff_t>(ring.size())) return false;
-    is_in_any = is_in_any || inside > 0;
+    const std::vector<Vector2> rest = outside(lane, {ring.begin(), ring.end()});
+    if (rest.size() == ring.size()) continue;
+    is_in_any = true;
+    if (rest.empty()) return false;
+    for (const std::size_t next : lanes.successors(lane)) {
+      if (outside(next, rest).empty()) return false;
+    }
   }
   return is_in_any;
 }

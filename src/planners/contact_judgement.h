@@ -40,8 +40,8 @@ ContactCause causeOf(const ContactSide& ego, const ContactSide& other, const Fau
 bool isAtFault(ContactCause cause, const OrientedBox& ego, const LaneIndex& lanes,
                const FaultOptions& options);
 
-/// Not all of the box is in one lane: no polygon of a lane near it holds its four corners, and one
-/// holds some of them. False where the map has no polygons.
+/// Not all of the box is in one lane: no polygon of a lane near it, with that of a successor, holds
+/// its four corners, and one holds some of them. False where the map has no polygons.
 bool isInSeveralLanes(const OrientedBox& box, const LaneIndex& lanes, double radius);
 
 /// The two at the start and at the contact.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace forge {
 namespace {
@@ -117,7 +118,9 @@ void Traffic::drive(Driver& driver, double time, const std::vector<Track>& in_si
 
 /// Appends where the driver is now, if it is there, with the velocity over the last step.
 void Traffic::show(Driver& driver, double step) const {
-  auto state = stateAt(driver.recorded, driver.clock);
+  // Who reacts may have to wait where the recording has lost sight of it.
+  auto state = stateAt(driver.recorded, driver.clock,
+                       driver.way ? std::numeric_limits<double>::infinity() : kMaxGap);
   if (!state) return;
   state->time = time_;
   auto& states = driver.shown.states;

@@ -55,6 +55,7 @@ std::optional<double> publishedHit(const PlannerTestResult&, const PlannerRow& r
 }
 
 std::optional<double> offRoad(const PlannerTestResult&, const PlannerRow& row) {
+  if (hasFailed(row.outcome)) return std::nullopt;
   return row.outcome.off_road_share;
 }
 

@@ -85,6 +85,12 @@ std::string csvHeader(Protocol protocol) {
 }
 
 std::string toCsv(const ResultRow& row) {
+  for (const std::string& name : {row.name, row.scene}) {
+    if (plain(name) != name) {
+      throw std::runtime_error("\"" + name +
+                               "\" cannot stand in a CSV file: it has commas or line ends");
+    }
+  }
   std::ostringstream text;
   text << row.name << ',' << row.scene << ',' << toString(row.type) << ',' << row.tta << ','
        << row.method << ',' << row.seed << ',' << plain(row.status);

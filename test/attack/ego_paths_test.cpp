@@ -77,6 +77,16 @@ TEST(EgoNow, TellsPastSpeedsAndTurnRate) {
   EXPECT_NEAR(now.turn_rate, 0.07 / 0.5, 1e-9);
 }
 
+TEST(EgoNow, AShortHistoryTellsTheSpeedOfWhatThereIs) {
+  Track ego{kEgoId, AgentClass::kCar, kEgoSize, {}};
+  ego.states.push_back({kNow - 5.0, {-500.0, 0, 0}, {}});  // before a gap
+  ego.states.push_back({kNow - 0.4, {0.0, 0, 0.1}, {}});
+  ego.states.push_back({kNow, {4.0, 0, 0.12}, {}});
+  const EgoNow now = egoNow(ego);
+  for (const double speed : now.past_speeds) EXPECT_NEAR(speed, 10.0, 1e-9);
+  EXPECT_NEAR(now.turn_rate, 0.02 / 0.4, 1e-9);
+}
+
 TEST(EgoNow, ReversingIsNegativeAndALoneStateStands) {
   EXPECT_NEAR(egoAt({0, 0, 1.0}, -3.0).past_speeds[0], -3.0, 1e-9);
   Track lone{kEgoId, AgentClass::kCar, kEgoSize, {{kNow, {1, 2, 3}, {5.0, 0.0}}}};

@@ -315,6 +315,7 @@ TEST(Verify, ReportsOthersTouchedWhenTheEgoIsMissed) {
 TEST(Verify, TouchingAtNowIsNoContactAfterNow) {
   Case attack({kAlong - 0.5, 0.0, 0.0}, 10.0, {}, 10.0);
   EXPECT_FALSE(attack.report().contact);
+  EXPECT_FALSE(attack.report().type_kept);
   EXPECT_FALSE(attack.report().verified());
   EXPECT_TRUE(Case({kAlong + 0.5, 0.0, 0.0}, 10.0, {}, 11.0).report().contact);
 }

@@ -44,6 +44,13 @@ TEST(SceneSplit, IsNoRunOfNeighbours) {
   EXPECT_GT(changes, 20);
 }
 
+TEST(SceneSplit, ASplitOfNothingStaysEmpty) {
+  EXPECT_EQ(sizes(splitByScene(scenes(10), {1.0, 0.0})),
+            (std::map<std::string, int>{{"train", 10}}));
+  const std::map<std::string, int> expected = {{"train", 8}, {"val", 2}};
+  EXPECT_EQ(sizes(splitByScene(scenes(10), {0.8, 0.2})), expected);
+}
+
 TEST(SceneSplit, FewScenesStillFillEverySplit) {
   const std::map<std::string, int> expected = {{"test", 1}, {"train", 2}, {"val", 1}};
   EXPECT_EQ(sizes(splitByScene(scenes(4), kShares)), expected);

@@ -303,6 +303,10 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
   expectComplaint("dataset.yaml", "max_tta_ratio: 2.0", "max_tta_ratio: 0.9",
                   {"dataset.max_tta_ratio"});
   expectComplaint("dataset.yaml", "val_share: 0.1", "val_share: 0.31", {"dataset.val_share"});
+  expectComplaint("dataset.yaml", "time_tolerance: 0.1", "time_tolerance: 0.02",
+                  {"dataset.time_tolerance"});
+  expectComplaint("verification.yaml", "time_tolerance: 0.5", "time_tolerance: 0.02",
+                  {"verification.time_tolerance"});
   expectComplaint("requests.yaml", "[2.0,", "[-2.0,", {"requests.ttas", "-2.0"});
   expectComplaint("requests.yaml", "speed: 2.0", "speed: -1", {"requests.min_ego_speed", "-1"});
   expectComplaint("evaluation.yaml", "resamples: 1000", "resamples: 0",

@@ -72,12 +72,13 @@ TEST(PlannerValues, AreFoundByTheirPaths) {
 }
 
 TEST(PlannerValues, AreChangedAndAllElseStays) {
-  EXPECT_EQ(withPlannerValues("p.yaml", kText, {{"a.b", 0.25}, {"a.c.d", 10.0}, {"a.c.e", 7.0}}),
-            "# numbers\n"
-            "a:  # of a\n"
-            "  b: 0.25     # m\n"
-            "  c: {d: 10, e: 7, list: [1.0]}\n"
-            "f: \"4.0\"\n");
+  EXPECT_EQ(
+      withPlannerValues("p.yaml", kText, {{"a.b", 0.25}, {"a.c.d", 100000.0}, {"a.c.e", 7.0}}),
+      "# numbers\n"
+      "a:  # of a\n"
+      "  b: 0.25     # m\n"
+      "  c: {d: 100000, e: 7, list: [1.0]}\n"
+      "f: \"4.0\"\n");
 }
 
 TEST(PlannerValues, ThatAreThereAlreadyStayAsWritten) {

@@ -55,6 +55,19 @@ TEST(ContactJudgement, BlamesALateralContactInSeveralLanesOrOffTheRoad) {
   EXPECT_TRUE(blamed(-1.2));  // a fifth off the road
 }
 
+TEST(ContactJudgement, ALaneAndItsSuccessorAreOne) {
+  auto map = outlinedRoad();
+  map->lanes[0].polygon = rectangle(-200.0, -1.75, 0.0, 1.75).exterior;
+  map->lanes.push_back(straightLane("on", {0.0, 0.0}, {200.0, 0.0}));
+  map->lanes.back().polygon = rectangle(0.0, -1.75, 200.0, 1.75).exterior;
+  const OrientedBox across{{0.0, 0.0, 0.0}, kEgoSize};
+  EXPECT_TRUE(isInSeveralLanes(across, LaneIndex(map), 15.0));
+  map->lanes[0].outgoing = {"on"};
+  map->lanes.back().incoming = {map->lanes[0].id};
+  EXPECT_FALSE(isInSeveralLanes(across, LaneIndex(map), 15.0));
+  EXPECT_TRUE(isInSeveralLanes({{0.0, 1.75, 0.0}, kEgoSize}, LaneIndex(map), 15.0));
+}
+
 TEST(ContactJudgement, ALaneWithoutOutlineIsNoLaneToBeBetween) {
   EXPECT_FALSE(isInSeveralLanes({{0.0, 1.75, 0.0}, kEgoSize}, LaneIndex(twoLaneRoad()), 15.0));
 }

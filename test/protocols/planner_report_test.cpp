@@ -66,6 +66,7 @@ TEST(PlannerReport, CountsContactsWithTheAttacker) {
 TEST(PlannerReport, AFailureCountsAsThatAlone) {
   EXPECT_EQ(rateOf(results(), "failure").trials, 5);
   EXPECT_DOUBLE_EQ(rateOf(results(), "failure").value, 0.2);
+  EXPECT_EQ(rateOf(results(), "off_road").trials, 4);
 }
 
 TEST(PlannerReport, HasMeansOfSpeedAndProgress) {

@@ -35,6 +35,12 @@ TEST(ResultRow, LineHoldsWhatTheHeaderSays) {
             "0.1235,0.0000,max_speed 26.000 > 25.000");
 }
 
+TEST(ResultRow, NamesThatWouldBreakTheLineAreRefused) {
+  ResultRow row = sampleRow();
+  row.scene = "scene, the first";
+  EXPECT_THROW(toCsv(row), std::runtime_error);
+}
+
 TEST(ResultRow, ReadsBackAsItself) {
   const auto row = rowFromCsv(toCsv(sampleRow()), Protocol::kPublished);
   ASSERT_TRUE(row);
