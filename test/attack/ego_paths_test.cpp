@@ -79,9 +79,9 @@ TEST(EgoNow, TellsPastSpeedsAndTurnRate) {
 
 TEST(EgoNow, AShortHistoryTellsTheSpeedOfWhatThereIs) {
   Track ego{kEgoId, AgentClass::kCar, kEgoSize, {}};
-  ego.states.push_back({kNow - 5.0, {-500.0, 0, 0}, {}});  // before a gap
-  ego.states.push_back({kNow - 0.4, {0.0, 0, 0.1}, {}});
-  ego.states.push_back({kNow, {4.0, 0, 0.12}, {}});
+  ego.states.push_back({kNow - 5.0, {-500.0, 0, 0}, {99.0, 0.0}});  // before a gap
+  ego.states.push_back({kNow - 0.4, {0.0, 0, 0.1}, {99.0, 0.0}});
+  ego.states.push_back({kNow, {4.0, 0, 0.12}, {99.0, 0.0}});
   const EgoNow now = egoNow(ego);
   for (const double speed : now.past_speeds) EXPECT_NEAR(speed, 10.0, 1e-9);
   EXPECT_NEAR(now.turn_rate, 0.02 / 0.4, 1e-9);

@@ -362,7 +362,9 @@ TEST(PatternMarkers, ShowTheFirstOnesFainterAndFainter) {
   for (std::size_t i = 0; i < attackers.size(); ++i) {
     // Left of an ego that heads along y is towards -x.
     EXPECT_NEAR(attackers[i].pose.position.x, 10.0 - 5.0 * (static_cast<double>(i) + 1.0), 1e-9);
-    if (i > 0) EXPECT_LT(attackers[i].color.a, attackers[i - 1].color.a);
+    if (i > 0) {
+      EXPECT_LT(attackers[i].color.a, attackers[i - 1].color.a);
+    }
   }
 }
 
