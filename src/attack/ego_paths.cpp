@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "attack/motion_estimate.h"
+
 namespace forge {
 namespace {
 
@@ -104,9 +106,8 @@ double speedBetween(const AgentState& earlier, const AgentState& later, double e
 
 /// From the first of the states up to now that no gap parts; a lone one stands.
 void tellShortMotion(const Track& track, EgoNow& now) {
-  std::size_t first = track.states.size() - 1;
-  while (first > 0 && track.states[first].time - track.states[first - 1].time <= kMaxGap) --first;
-  const AgentState& earliest = track.states[first];
+  const auto all = static_cast<int>(track.states.size());
+  const AgentState& earliest = track.states[unbrokenStart(track.states, all)];
   const double elapsed = now.state.time - earliest.time;
   if (elapsed <= 0.0) return;
   now.past_speeds.fill(speedBetween(earliest, now.state, elapsed));

@@ -5,9 +5,7 @@
 #include <stdexcept>
 
 namespace forge {
-namespace {
 
-/// First of the newest `frames` states without a gap between them.
 std::size_t unbrokenStart(const std::vector<AgentState>& states, int frames) {
   std::size_t first = states.size() - 1;
   while (first > 0 && states.size() - first < static_cast<std::size_t>(frames) &&
@@ -16,8 +14,6 @@ std::size_t unbrokenStart(const std::vector<AgentState>& states, int frames) {
   }
   return first;
 }
-
-}  // namespace
 
 Motion estimateMotion(const Track& track, int frames) {
   if (track.states.empty()) throw std::invalid_argument("track " + track.id + " has no states");

@@ -12,11 +12,14 @@ struct Motion {
   double yaw_rate = 0.0;      ///< rad/s
 };
 
+/// Index of the first of the newest `frames` states that no gap above 1.1 s parts; there must be one
+/// state at least.
+std::size_t unbrokenStart(const std::vector<AgentState>& states, int frames);
+
 /// Fits a parabola in time to the positions, and a line to the yaws, of the `frames` newest states
-/// of an unbroken stretch (no gap above 1.1 s): least squares, evaluated at the newest. Two states
-/// give a velocity without acceleration, one gives standstill. The past alone is looked at,
-/// recorded velocities (which may look ahead) are not. Throws std::invalid_argument for a track
-/// without states.
+/// from unbrokenStart() on: least squares, evaluated at the newest. Two states give a velocity
+/// without acceleration, one gives standstill. The past alone is looked at, recorded velocities
+/// (which may look ahead) are not. Throws std::invalid_argument for a track without states.
 Motion estimateMotion(const Track& track, int frames);
 
 }  // namespace forge

@@ -138,8 +138,9 @@ class LayerReader {
     const bool has_shape =
         shape.size() == path.shape.size() && shape.find_first_not_of("LSR") == std::string::npos;
     if (!path.start.isFinite() || !isWithinReach(path.start.position()) || !has_radius ||
-        !has_shape)
+        !has_shape) {
       return std::nullopt;
+    }
     for (std::size_t i = 0; i < path.shape.size(); ++i) {
       if (!(lengths[i] >= 0.0 && lengths[i] <= kFarthest)) return std::nullopt;
       path.shape[i] = shape[i];

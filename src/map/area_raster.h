@@ -14,7 +14,7 @@ namespace forge {
 /// times and may be half a cell wrong. Tiles are filled when they are first asked for. Thread-safe.
 class AreaRaster {
  public:
-  /// The polygons must outlive the raster.
+  /// The polygons must outlive the raster. Throws std::invalid_argument beyond 100 km.
   explicit AreaRaster(const std::vector<Polygon>& area);
   ~AreaRaster();
   AreaRaster(const AreaRaster&) = delete;

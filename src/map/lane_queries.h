@@ -31,8 +31,8 @@ struct LanePath {
 /// to share among threads. Lanes whose centreline has no two distinct points are never found.
 class LaneIndex {
  public:
-  /// Throws std::invalid_argument without a map or for a centreline that is not finite. Outgoing
-  /// ids that the map does not have are ignored.
+  /// Throws std::invalid_argument without a map, for a centreline that is not finite, and for an
+  /// area beyond 100 km. Outgoing ids that the map does not have are ignored.
   explicit LaneIndex(std::shared_ptr<const LaneMap> map);
 
   const LaneMap& map() const { return *map_; }

@@ -47,7 +47,7 @@ struct ResultRow {
 };
 
 /// Both without the line's end. Times have three decimals, shares four, headings are degrees with
-/// two.
+/// two. toCsv() throws std::runtime_error for a name or scene with commas or line ends.
 std::string csvHeader(Protocol protocol);
 std::string toCsv(const ResultRow& row);
 

@@ -78,9 +78,12 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
                          compose(base, {config_.ego_vehicle.center_offset, 0.0, 0.0}),
                          message.twist.twist.linear.x * base.heading()};
     if (!ego.pose.isFinite()) return;
-    if (!egos_.empty() && ego.time < egos_.back().time) {  // the replay was restarted
+    if (!egos_.empty() && ego.time < egos_.back().time) {
+      // The replay was restarted. An attack that is still to come is tested again.
       egos_.clear();
-      restart(ego.time, ego.time + kAhead);
+      dropFramesAfter(ego.time + kAhead);
+      test_.reset();
+      if (trajectory_ && ego.time <= trajectory_->header.stamp.toSec()) startTest();
     }
     keepNewest(egos_, ego);
     if (!test_) return;
@@ -97,9 +100,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     const double time = message.header.stamp.toSec();
     try {
       Frame frame{time, fromMessage(message)};
-      if (!frames_.empty() && time < frames_.back().time) {
-        restart(time, time);
-      }
+      dropFramesAfter(time);
       keepNewest(frames_, frame);
       if (test_) test_->addAgents(frame.agents);
     } catch (const MessageError& error) {
@@ -107,12 +108,9 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     }
   }
 
-  /// The replay has gone back to `time`: frames after `newest` are of before. An attack that is
-  /// still to come is tested again.
-  void restart(double time, double newest) {
-    while (!frames_.empty() && frames_.back().time > newest) frames_.pop_back();
-    test_.reset();
-    if (trajectory_ && time <= trajectory_->header.stamp.toSec()) startTest();
+  /// They are of before the replay went back.
+  void dropFramesAfter(double time) {
+    while (!frames_.empty() && frames_.back().time > time) frames_.pop_back();
   }
 
   template <typename Value>

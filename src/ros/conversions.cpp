@@ -321,17 +321,19 @@ AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& messag
     throw MessageError("attacker " + message.attacker_id + ": size is not positive");
   }
   std::vector<TrajectoryPoint>& points = trajectory.points;
+  const auto fail = [&](const char* problem) {
+    throw MessageError("attacker " + message.attacker_id + ": points[" +
+                       std::to_string(points.size() - 1) + problem);
+  };
   for (const auto& point : message.points) {
-    const std::string where =
-        "attacker " + message.attacker_id + ": points[" + std::to_string(points.size()) + "]";
     points.push_back(fromMessage(point));
     const TrajectoryPoint& newest = points.back();
     if (!newest.pose.isFinite() || !std::isfinite(newest.speed) ||
         !std::isfinite(newest.acceleration) || !std::isfinite(newest.curvature)) {
-      throw MessageError(where + " is not of numbers");
+      fail("] is not finite");
     }
     if (points.size() > 1 && newest.time <= points[points.size() - 2].time) {
-      throw MessageError(where + ".stamp is not after the one before");
+      fail("].stamp is not after the one before");
     }
   }
   return trajectory;

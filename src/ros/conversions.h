@@ -70,7 +70,7 @@ CollisionPattern fromMessage(const collision_forge::CollisionPattern& message);
 collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, double now);
 
 /// Throws MessageError for an agent class that does not exist, a size that is not positive, points
-/// that are not of numbers, and times that do not grow.
+/// that are not finite, and times that do not grow.
 AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& message);
 collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajectory);
 

@@ -8,7 +8,6 @@
 #include <visualization_msgs/MarkerArray.h>
 #include <pluginlib/class_list_macros.hpp>
 
-#include <cmath>
 #include <fstream>
 #include <mutex>
 #include <sstream>
@@ -51,22 +50,6 @@ Background backgroundOf(const std::string& name) {
     refuse(Response::INVALID_INPUT, "background = \"" + name + "\" is neither replay nor idm");
   }
   return Background::kIdm;
-}
-
-/// Throws TestRefusal for what no vehicle can drive.
-void checkTrajectory(const AttackerTrajectory& trajectory) {
-  const auto fail = [](const std::string& problem) {
-    refuse(Response::INVALID_INPUT, "trajectory" + problem);
-  };
-  if (!(trajectory.size.length > 0.0 && trajectory.size.width > 0.0)) {
-    fail(".size is not positive");
-  }
-  for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
-    const TrajectoryPoint& point = trajectory.points[i];
-    if (!point.pose.isFinite() || !std::isfinite(point.speed)) {
-      fail(".points[" + std::to_string(i) + "] is not finite");
-    }
-  }
 }
 
 }  // namespace
@@ -198,7 +181,6 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
   CrashScenario scenarioOfTrajectory(const Request& request) {
     const collision_forge::AttackerTrajectory message = trajectoryOf(request);
     const AttackerTrajectory trajectory = fromMessage(message);
-    checkTrajectory(trajectory);
     const std::string type = request.collision_type.empty() ? newestTypeOf(message.header.stamp)
                                                             : request.collision_type;
     const auto parsed = collisionTypeFromString(type);

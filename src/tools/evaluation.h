@@ -46,7 +46,7 @@ std::string rowBytes(const std::vector<ResultRow>& rows);
 /// The first line of a report.
 std::string reportTitle(const std::string& title, const StatisticsOptions& statistics);
 
-/// A rate in a chart; one without an interval has no whisker.
+/// A rate in a chart; without an interval the whisker has no length.
 Bar barOf(const Rate& rate);
 
 /// A chart of a table as OUT/NAME.png; `title` says what was measured.

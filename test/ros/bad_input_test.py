@@ -253,7 +253,7 @@ class BadInputTest(live.LiveTest):
         publisher = rospy.Publisher('/attacker_trajectory', AttackerTrajectory, queue_size=1, latch=True)
         self.addCleanup(publisher.unregister)
         publisher.publish(answer.trajectory)
-        until(lambda: self.suite.output().count('attack left out: attacker behind: points[3] is not of numbers') >= 2,
+        until(lambda: self.suite.output().count('attack left out: attacker behind: points[3] is not finite') >= 2,
               'the injector and the verifier to leave it out')
         self.assert_works()
 

@@ -48,10 +48,10 @@ TEST(AttackerTrajectoryMessage, MustBeOfNumbersWhoseTimesGrow) {
   EXPECT_TRUE(fromMessage(drivenFor(0)).points.empty());
   auto message = drivenFor(4);
   message.points[2].pose.position.y = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(complaintAbout(message), "attacker a: points[2] is not of numbers");
+  EXPECT_EQ(complaintAbout(message), "attacker a: points[2] is not finite");
   message = drivenFor(4);
   message.points[1].speed = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(complaintAbout(message), "attacker a: points[1] is not of numbers");
+  EXPECT_EQ(complaintAbout(message), "attacker a: points[1] is not finite");
   message = drivenFor(4);
   message.size.y = 0.0;
   EXPECT_EQ(complaintAbout(message), "attacker a: size is not positive");
