@@ -12,8 +12,8 @@ struct Motion {
   double yaw_rate = 0.0;      ///< rad/s
 };
 
-/// Index of the first of the newest `frames` states that no gap above 1.1 s parts; there must be one
-/// state at least.
+/// Index of the first of the newest `frames` states that no gap above 1.1 s parts; there must be
+/// one state at least.
 std::size_t unbrokenStart(const std::vector<AgentState>& states, int frames);
 
 /// Fits a parabola in time to the positions, and a line to the yaws, of the `frames` newest states
