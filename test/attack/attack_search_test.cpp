@@ -1,4 +1,4 @@
-#include "attack/attack_search.h"
+#include "collision_forge/attack/attack_search.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "attack/limits.h"
 #include "attack/test_scenes.h"
+#include "collision_forge/verify/limits.h"
 
 namespace forge {
 namespace {

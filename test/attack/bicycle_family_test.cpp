@@ -3,9 +3,9 @@
 #include <cmath>
 #include <random>
 
-#include "attack/limits.h"
 #include "attack/test_scenes.h"
-#include "attack/trajectory_family.h"
+#include "collision_forge/attack/trajectory_family.h"
+#include "collision_forge/verify/limits.h"
 
 namespace forge {
 namespace {

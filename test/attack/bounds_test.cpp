@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
-#include "attack/generator.h"
 #include "attack/test_scenes.h"
+#include "collision_forge/attack/generator.h"
 
 namespace forge {
 namespace {

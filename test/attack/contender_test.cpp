@@ -1,4 +1,4 @@
-#include "attack/contender.h"
+#include "collision_forge/attack/contender.h"
 
 #include <gtest/gtest.h>
 

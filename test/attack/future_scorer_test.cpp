@@ -1,4 +1,4 @@
-#include "attack/future_scorer.h"
+#include "collision_forge/attack/future_scorer.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "attack/test_scenes.h"
-#include "attack/verification.h"
+#include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "attack/generator.h"
+#include "collision_forge/attack/generator.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <limits>
 #include <random>
 
-#include "attack/kinematic_prediction.h"
 #include "attack/test_scenes.h"
+#include "collision_forge/forecast/kinematic_prediction.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "attack/ground_use.h"
+#include "collision_forge/attack/ground_use.h"
 
 #include <gtest/gtest.h>
 

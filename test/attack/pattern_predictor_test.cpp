@@ -1,10 +1,10 @@
-#include "attack/pattern_predictor.h"
+#include "collision_forge/attack/pattern_predictor.h"
 
 #include <gtest/gtest.h>
 
-#include "attack/kinematic_prediction.h"
-#include "attack/placement.h"
 #include "attack/test_scenes.h"
+#include "collision_forge/attack/placement.h"
+#include "collision_forge/forecast/kinematic_prediction.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "attack/placement.h"
+#include "collision_forge/attack/placement.h"
 
 #include <gtest/gtest.h>
 

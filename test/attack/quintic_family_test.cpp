@@ -4,7 +4,7 @@
 #include <random>
 
 #include "attack/test_scenes.h"
-#include "attack/trajectory_family.h"
+#include "collision_forge/attack/trajectory_family.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "attack/quintic.h"
+#include "collision_forge/attack/quintic.h"
 
 #include <gtest/gtest.h>
 

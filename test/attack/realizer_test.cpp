@@ -1,13 +1,13 @@
-#include "attack/realizer.h"
+#include "collision_forge/attack/realizer.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "attack/kinematic_prediction.h"
-#include "attack/limits.h"
-#include "attack/placement.h"
 #include "attack/test_scenes.h"
+#include "collision_forge/attack/placement.h"
+#include "collision_forge/forecast/kinematic_prediction.h"
+#include "collision_forge/verify/limits.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "attack/request_check.h"
+#include "collision_forge/attack/request_check.h"
 
 #include <gtest/gtest.h>
 

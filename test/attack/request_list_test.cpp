@@ -1,4 +1,4 @@
-#include "attack/request_list.h"
+#include "collision_forge/attack/request_list.h"
 
 #include <gtest/gtest.h>
 

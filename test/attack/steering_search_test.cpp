@@ -1,12 +1,12 @@
-#include "attack/steering_search.h"
+#include "collision_forge/attack/steering_search.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "attack/limits.h"
 #include "attack/test_scenes.h"
+#include "collision_forge/verify/limits.h"
 
 namespace forge {
 namespace {

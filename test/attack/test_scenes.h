@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "attack/attack.h"
-#include "attack/ego_futures.h"
-#include "attack/options.h"
-#include "attack/pattern_predictor.h"
-#include "formats/config.h"
-#include "map/lane_queries.h"
-#include "scene/scene.h"
+#include "collision_forge/attack/options.h"
+#include "collision_forge/attack/pattern_predictor.h"
+#include "collision_forge/config/config.h"
+#include "collision_forge/forecast/ego_futures.h"
+#include "collision_forge/map/lane_queries.h"
+#include "collision_forge/scene/attack.h"
+#include "collision_forge/scene/scene.h"
 
 namespace forge {
 

@@ -1,4 +1,4 @@
-#include "batch/dispatch.h"
+#include "collision_forge/batch/dispatch.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "batch/ledger.h"
+#include "collision_forge/batch/ledger.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "batch/ranks.h"
+#include "collision_forge/batch/ranks.h"
 
 #include <gtest/gtest.h>
 

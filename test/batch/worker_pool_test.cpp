@@ -1,4 +1,4 @@
-#include "batch/worker_pool.h"
+#include "collision_forge/batch/worker_pool.h"
 
 #include <gtest/gtest.h>
 

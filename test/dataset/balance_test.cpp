@@ -1,4 +1,4 @@
-#include "dataset/balance.h"
+#include "collision_forge/dataset/balance.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

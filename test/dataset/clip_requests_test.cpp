@@ -1,4 +1,4 @@
-#include "dataset/clip_requests.h"
+#include "collision_forge/dataset/clip_requests.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

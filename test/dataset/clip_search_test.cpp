@@ -1,4 +1,4 @@
-#include "dataset/clip_search.h"
+#include "collision_forge/dataset/clip_search.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <set>
 
 #include "attack/test_scenes.h"
-#include "formats/collide_export.h"
-#include "formats/scenario_file.h"
-#include "scene/track.h"
+#include "collision_forge/data/collide_export.h"
+#include "collision_forge/data/scenario_file.h"
+#include "collision_forge/scene/track.h"
 
 namespace forge {
 namespace {

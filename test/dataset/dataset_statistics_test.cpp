@@ -1,4 +1,4 @@
-#include "dataset/dataset_statistics.h"
+#include "collision_forge/dataset/dataset_statistics.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

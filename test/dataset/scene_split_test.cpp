@@ -1,4 +1,4 @@
-#include "dataset/scene_split.h"
+#include "collision_forge/dataset/scene_split.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "dataset/seeds.h"
+#include "collision_forge/dataset/seeds.h"
 
 #include <gtest/gtest.h>
 

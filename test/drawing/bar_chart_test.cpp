@@ -1,4 +1,4 @@
-#include "drawing/bar_chart.h"
+#include "collision_forge/drawing/bar_chart.h"
 
 #include <cairo.h>
 #include <gtest/gtest.h>

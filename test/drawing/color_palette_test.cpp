@@ -1,4 +1,4 @@
-#include "drawing/color_palette.h"
+#include "collision_forge/drawing/color_palette.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "drawing/decimal_text.h"
+#include "collision_forge/drawing/decimal_text.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "drawing/draw_scenario.h"
+#include "collision_forge/drawing/draw_scenario.h"
+#include "collision_forge/drawing/scenario_painter.h"
 #include "drawing/sample_view.h"
-#include "drawing/scenario_painter.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "drawing/figure_layout.h"
+#include "collision_forge/drawing/figure_layout.h"
 
 #include <gtest/gtest.h>
 

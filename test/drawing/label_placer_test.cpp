@@ -1,4 +1,4 @@
-#include "drawing/label_placer.h"
+#include "collision_forge/drawing/label_placer.h"
 
 #include <gtest/gtest.h>
 

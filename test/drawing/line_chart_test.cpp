@@ -1,4 +1,4 @@
-#include "drawing/line_chart.h"
+#include "collision_forge/drawing/line_chart.h"
 
 #include <cairo.h>
 #include <gtest/gtest.h>

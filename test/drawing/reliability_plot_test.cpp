@@ -1,4 +1,4 @@
-#include "drawing/reliability_plot.h"
+#include "collision_forge/drawing/reliability_plot.h"
 
 #include <cairo.h>
 #include <gtest/gtest.h>

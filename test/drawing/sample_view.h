@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "drawing/drawing_options.h"
-#include "drawing/scenario_view.h"
+#include "collision_forge/drawing/drawing_options.h"
+#include "collision_forge/drawing/scenario_view.h"
 
 namespace forge {
 

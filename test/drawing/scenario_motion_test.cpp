@@ -1,4 +1,4 @@
-#include "drawing/scenario_motion.h"
+#include "collision_forge/drawing/scenario_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "drawing/viewport.h"
+#include "collision_forge/drawing/viewport.h"
 
 #include <gtest/gtest.h>
 

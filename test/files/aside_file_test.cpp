@@ -1,4 +1,4 @@
-#include "files/aside_file.h"
+#include "collision_forge/files/aside_file.h"
 
 #include <gtest/gtest.h>
 

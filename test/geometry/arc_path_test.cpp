@@ -1,4 +1,4 @@
-#include "geometry/arc_path.h"
+#include "collision_forge/geometry/arc_path.h"
 
 #include <gtest/gtest.h>
 

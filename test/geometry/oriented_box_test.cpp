@@ -1,4 +1,4 @@
-#include "geometry/oriented_box.h"
+#include "collision_forge/geometry/oriented_box.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/polygon.h"
+#include "collision_forge/geometry/polygon.h"
 
 #include <gtest/gtest.h>
 

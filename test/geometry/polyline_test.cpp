@@ -1,4 +1,4 @@
-#include "geometry/polyline.h"
+#include "collision_forge/geometry/polyline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/pose2.h"
+#include "collision_forge/geometry/pose2.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/oriented_box.h"
+#include "collision_forge/geometry/oriented_box.h"
 
 /// A second, slow way to the answers of src/geometry: points, edges and crossings of outlines, with
 /// none of its separating axes, clipping or box frames.

@@ -1,4 +1,4 @@
-#include "geometry/swept_contact.h"
+#include "collision_forge/geometry/swept_contact.h"
 
 #include <gtest/gtest.h>
 

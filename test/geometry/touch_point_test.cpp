@@ -1,4 +1,4 @@
-#include "geometry/touch_point.h"
+#include "collision_forge/geometry/touch_point.h"
 
 #include <gtest/gtest.h>
 

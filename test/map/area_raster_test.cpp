@@ -1,4 +1,4 @@
-#include "map/area_raster.h"
+#include "collision_forge/map/area_raster.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <thread>
 
-#include "map/lane_queries.h"
+#include "collision_forge/map/lane_queries.h"
 
 namespace forge {
 namespace {

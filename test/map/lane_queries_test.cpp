@@ -1,4 +1,4 @@
-#include "map/lane_queries.h"
+#include "collision_forge/map/lane_queries.h"
 
 #include <gtest/gtest.h>
 

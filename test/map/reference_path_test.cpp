@@ -1,4 +1,4 @@
-#include "map/reference_path.h"
+#include "collision_forge/map/reference_path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "network/anchor_features.h"
+#include "collision_forge/network/anchor_features.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "network/network_ego_futures.h"
+#include "collision_forge/network/network_ego_futures.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "network/predicted_scene.h"
+#include "collision_forge/network/predicted_scene.h"
 #include "network/sample_network.h"
 
 namespace forge {

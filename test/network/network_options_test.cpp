@@ -1,4 +1,4 @@
-#include "network/network_options.h"
+#include "collision_forge/network/network_options.h"
 
 #include <gtest/gtest.h>
 

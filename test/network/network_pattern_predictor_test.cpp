@@ -1,4 +1,4 @@
-#include "network/network_pattern_predictor.h"
+#include "collision_forge/network/network_pattern_predictor.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "attack/kinematic_prediction.h"
-#include "network/predicted_scene.h"
+#include "collision_forge/forecast/kinematic_prediction.h"
+#include "collision_forge/network/predicted_scene.h"
 #include "network/sample_network.h"
 
 namespace forge {

@@ -1,4 +1,4 @@
-#include "network/pattern_network.h"
+#include "collision_forge/network/pattern_network.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "network/predicted_scene.h"
+#include "collision_forge/network/predicted_scene.h"
 #include "network/sample_network.h"
 
 namespace forge {

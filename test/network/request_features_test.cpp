@@ -1,4 +1,4 @@
-#include "network/request_features.h"
+#include "collision_forge/network/request_features.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "attack/test_scenes.h"
-#include "network/pattern_network.h"
+#include "collision_forge/network/pattern_network.h"
 
 namespace forge {
 

@@ -1,4 +1,4 @@
-#include "network/scene_encoding.h"
+#include "collision_forge/network/scene_encoding.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "network/scene_features.h"
+#include "collision_forge/network/scene_features.h"
 
 #include <gtest/gtest.h>
 

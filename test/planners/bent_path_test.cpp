@@ -1,4 +1,4 @@
-#include "planners/bent_path.h"
+#include "collision_forge/planners/bent_path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "planners/circle_chain.h"
+#include "collision_forge/planners/circle_chain.h"
 
 #include <gtest/gtest.h>
 

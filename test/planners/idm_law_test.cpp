@@ -1,4 +1,4 @@
-#include "planners/idm_law.h"
+#include "collision_forge/planners/idm_law.h"
 
 #include <gtest/gtest.h>
 

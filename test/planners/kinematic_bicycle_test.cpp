@@ -1,4 +1,4 @@
-#include "planners/kinematic_bicycle.h"
+#include "collision_forge/planners/kinematic_bicycle.h"
 
 #include <gtest/gtest.h>
 

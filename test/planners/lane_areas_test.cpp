@@ -1,4 +1,4 @@
-#include "planners/lane_areas.h"
+#include "collision_forge/planners/lane_areas.h"
 
 #include <gtest/gtest.h>
 

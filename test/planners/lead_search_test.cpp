@@ -1,8 +1,8 @@
-#include "planners/lead_search.h"
+#include "collision_forge/planners/lead_search.h"
 
 #include <gtest/gtest.h>
 
-#include "planners/rollout_scenes.h"
+#include "trials/rollout_scenes.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "planners/lqr_tracker.h"
+#include "collision_forge/planners/lqr_tracker.h"
 
 #include <gtest/gtest.h>
 

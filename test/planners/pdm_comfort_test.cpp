@@ -1,4 +1,4 @@
-#include "planners/pdm_comfort.h"
+#include "collision_forge/planners/pdm_comfort.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "planners/pdm_forecast.h"
+#include "collision_forge/planners/pdm_forecast.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "planners/pdm_motion.h"
+#include "collision_forge/planners/pdm_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "planners/pdm_planner.h"
+#include "collision_forge/planners/pdm_planner.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "planners/pdm_proposals.h"
+#include "collision_forge/planners/pdm_proposals.h"
 
 #include <gtest/gtest.h>
 

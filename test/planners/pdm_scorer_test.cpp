@@ -1,4 +1,4 @@
-#include "planners/pdm_scorer.h"
+#include "collision_forge/planners/pdm_scorer.h"
 
 #include <gtest/gtest.h>
 

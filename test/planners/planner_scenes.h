@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "attack/test_scenes.h"
-#include "formats/config.h"
-#include "map/lane_queries.h"
-#include "planners/planner.h"
+#include "collision_forge/config/config.h"
+#include "collision_forge/map/lane_queries.h"
+#include "collision_forge/planners/planner.h"
 
 namespace forge {
 

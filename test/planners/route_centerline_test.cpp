@@ -1,4 +1,4 @@
-#include "planners/route_centerline.h"
+#include "collision_forge/planners/route_centerline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "planners/route.h"
+#include "collision_forge/planners/route.h"
 
 #include <gtest/gtest.h>
 
-#include "planners/rollout_scenes.h"
+#include "trials/rollout_scenes.h"
 
 namespace forge {
 namespace {

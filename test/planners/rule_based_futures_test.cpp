@@ -1,4 +1,4 @@
-#include "planners/rule_based_futures.h"
+#include "collision_forge/planners/rule_based_futures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "planners/sampled_way.h"
+#include "collision_forge/planners/sampled_way.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "planners/speed_plan.h"
+#include "collision_forge/planners/speed_plan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ros/injection.h"
+#include "collision_forge/ros/injection.h"
 
 namespace forge {
 namespace {

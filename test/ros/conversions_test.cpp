@@ -1,4 +1,4 @@
-#include "ros/conversions.h"
+#include "collision_forge/ros/conversions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ros/markers.h"
+#include "collision_forge/ros/markers.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <set>
 #include <tuple>
 
-#include "ros/marker_colors.h"
-#include "ros/marker_fill.h"
+#include "collision_forge/ros/marker_colors.h"
+#include "collision_forge/ros/marker_fill.h"
 
 namespace forge {
 namespace {

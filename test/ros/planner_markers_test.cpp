@@ -1,4 +1,4 @@
-#include "ros/planner_markers.h"
+#include "collision_forge/ros/planner_markers.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "attack/test_scenes.h"
-#include "ros/marker_colors.h"
+#include "collision_forge/ros/marker_colors.h"
 
 namespace forge {
 namespace {

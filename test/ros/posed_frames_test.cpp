@@ -1,4 +1,4 @@
-#include "ros/posed_frames.h"
+#include "collision_forge/ros/posed_frames.h"
 
 #include <gtest/gtest.h>
 

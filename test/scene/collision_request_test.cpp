@@ -1,4 +1,4 @@
-#include "scene/collision_request.h"
+#include "collision_forge/scene/collision_request.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/collision_types.h"
+#include "collision_forge/scene/collision_types.h"
 
 #include <gtest/gtest.h>
 

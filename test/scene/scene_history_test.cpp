@@ -1,4 +1,4 @@
-#include "scene/scene_history.h"
+#include "collision_forge/scene/scene_history.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/scene.h"
+#include "collision_forge/scene/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/track.h"
+#include "collision_forge/scene/track.h"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@ import re
 import sys
 from pathlib import Path
 
-LAYERS = [{'files', 'geometry'}, {'map'}, {'scene'}, {'attack'}, {'drawing', 'formats', 'network', 'planners'},
-          {'batch'}, {'protocols'}, {'dataset'}, {'ros', 'rviz', 'tools'}]
+LAYERS = [{'files', 'geometry'}, {'map'}, {'scene'}, {'forecast', 'verify', 'attack'}, {'network'}, {'planners', 'trials', 'drawing', 'training', 'config', 'data', 'batch', 'study', 'dataset'},
+          {'ros', 'rviz', 'app'}]
 LAYER_OF = {module: level for level, modules in enumerate(LAYERS) for module in modules}
 
 ROS_MODULES = {'ros', 'rviz', 'tools'}

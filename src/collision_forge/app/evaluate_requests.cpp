@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+#include "collision_forge/app/evaluation.h"
+#include "collision_forge/app/tool_support.h"
+#include "collision_forge/batch/dispatch.h"
+#include "collision_forge/config/config_fingerprint.h"
+#include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/data/request_file.h"
+#include "collision_forge/drawing/reliability_plot.h"
+#include "collision_forge/files/aside_file.h"
+#include "collision_forge/study/request_evaluation.h"
+#include "collision_forge/study/request_report.h"
+
+namespace forge {
+namespace {
+
+/// The requests of the wanted scenes, with their lines in the list, and the names of these scenes.
+struct WantedRequests {
+  std::vector<SceneRequest> requests;
+  std::vector<std::string> lines;
+  std::vector<std::string> scenes;
+};
+
+void checkScenes(const std::vector<std::string>& wanted, const std::set<std::string>& known,
+                 const std::string& root) {
+  for (const std::string& scene : wanted) {
+    if (known.count(scene) == 0) throw std::runtime_error(root + ": no scene \"" + scene + "\"");
+  }
+}
+
+WantedRequests readWanted(const EvaluationArguments& arguments) {
+  const auto names = readSceneNames(arguments.dataroot, arguments.version);
+  const std::set<std::string> known(names.begin(), names.end());
+  checkScenes(arguments.scenes, known, arguments.dataroot + "/" + arguments.version);
+  const std::set<std::string> scenes(arguments.scenes.begin(), arguments.scenes.end());
+  WantedRequests wanted;
+  std::set<std::string> seen;
+  std::size_t line = 0;
+  for (SceneRequest& request : readRequests(arguments.requests, known)) {
+    ++line;
+    if (!scenes.empty() && scenes.count(request.scene) == 0) continue;
+    if (seen.insert(request.scene).second) wanted.scenes.push_back(request.scene);
+    wanted.requests.push_back(std::move(request));
+    wanted.lines.push_back(std::to_string(line));
+  }
+  if (wanted.requests.empty()) {
+    throw std::runtime_error(arguments.requests + ": no request is of the scenes asked for");
+  }
+  return wanted;
+}
+
+std::vector<std::string> describe(const EvaluationArguments& arguments, const Config& config,
+                                  const WantedRequests& wanted) {
+  std::vector<std::string> lines;
+  for (const auto& [name, print] : fingerprintsOf(config, arguments.config)) {
+    lines.push_back(name + " = " + print);
+  }
+  lines.push_back("dataroot = " + arguments.dataroot);
+  lines.push_back("version = " + arguments.version);
+  lines.push_back("requests = " + fingerprintOf(wanted.requests));
+  lines.push_back("method = " + arguments.plan.method);
+  lines.push_back(std::string("mode = ") + toString(arguments.plan.mode));
+  lines.push_back("seeds = " + std::to_string(arguments.plan.seeds));
+  return lines;
+}
+
+/// Milliseconds of the searches of this run, by method.
+class SearchTimes {
+ public:
+  static std::string toLine(const SearchTime& time) {
+    return time.method + " " + std::to_string(time.milliseconds) + "\n";
+  }
+  void add(const std::string& line) {
+    std::istringstream parts(line);
+    SearchTime time;
+    parts >> time.method >> time.milliseconds;
+    times_[time.method].push_back(time.milliseconds);
+  }
+
+  void print() {
+    for (auto& [method, times] : times_) {
+      std::sort(times.begin(), times.end());
+      const double mean = std::accumulate(times.begin(), times.end(), 0.0) / times.size();
+      std::printf(
+          "%s: %.1f ms a request on one core in the mean, median %.1f ms, 95 %% quantile "
+          "%.1f ms (%zu searches of this run)\n",
+          method.c_str(), mean, quantile(times, 0.5), quantile(times, 0.95), times.size());
+    }
+  }
+
+ private:
+  std::map<std::string, std::vector<double>> times_;
+};
+
+ReliabilityPlot plotOf(const std::vector<Calibration>& calibrations, const std::string& title,
+                       const DrawingOptions& drawing) {
+  const std::vector<Color> colors = {drawing.ego_color, drawing.pattern_attacker_color};
+  ReliabilityPlot plot{title, {}};
+  for (const Calibration& calibration : calibrations) {
+    ReliabilitySeries series{calibration.column, colors[plot.series.size() % colors.size()], {}};
+    for (const CalibrationGroup& decile : calibration.deciles) {
+      series.points.push_back({decile.promised, barOf(decile.kept)});
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+void report(const EvaluationArguments& arguments, const Config& config,
+            const std::vector<ResultRow>& rows, const WantedRequests& wanted) {
+  const StatisticsOptions& statistics = config.evaluation.statistics;
+  const std::string title = arguments.version + ", strict protocol, " +
+                            toString(arguments.plan.mode) + " mode, " +
+                            std::to_string(wanted.requests.size()) + " requests of " +
+                            std::to_string(wanted.scenes.size()) + " scenes";
+  const std::string short_title =
+      arguments.version + ", " + std::to_string(wanted.requests.size()) + " requests";
+  std::string text = reportTitle(title, statistics);
+  for (const RateTable& table : requestTables(rows, arguments.plan, statistics)) {
+    text += "\n" + toMarkdown(table);
+    if (table.measure.is_headline) drawTable(table, short_title, arguments.out, config.drawing);
+  }
+  const auto calibrations = requestCalibrations(rows, arguments.plan, statistics);
+  for (const Calibration& calibration : calibrations) text += "\n" + toMarkdown(calibration);
+  if (!calibrations.empty()) {
+    drawReliabilityPlot(arguments.out + "/calibration.png",
+                        plotOf(calibrations, "Confidence: " + short_title, config.drawing),
+                        config.drawing);
+  }
+  writeText(arguments.out + "/table.md", text);
+  std::cout << text << std::endl;
+}
+
+}  // namespace
+
+int evaluateRequests(const EvaluationArguments& arguments) {
+  const bool is_master = isMaster();
+  const Config config = loadConfig(arguments.config);
+  const WantedRequests wanted = readWanted(arguments);
+  SceneSource scenes(arguments.dataroot, arguments.version, wanted.scenes, config,
+                     static_cast<std::size_t>(arguments.jobs) + 1,
+                     is_master ? OnWarnings(printWarnings) : OnWarnings());
+  const RequestEvaluator evaluator(scenes, config, loadForesight(config), arguments.plan);
+  const auto work = [&](std::size_t index) {
+    const EvaluatedRequest evaluated =
+        evaluator.evaluate(wanted.lines[index], wanted.requests[index]);
+    std::string bytes = rowBytes(evaluated.rows);
+    for (const SearchTime& time : evaluated.times) bytes += SearchTimes::toLine(time);
+    return bytes;
+  };
+  SearchTimes times;
+  const ResultFile::Run run{Protocol::kStrict, wanted.lines, rowsPerRequest(arguments.plan),
+                            describe(arguments, config, wanted)};
+  const std::vector<ResultRow> rows = runEvaluation(
+      arguments.out, run, arguments.jobs, work, [&](const std::string& line) { times.add(line); });
+  if (!is_master) return kExitOk;
+  report(arguments, config, rows, wanted);
+  times.print();
+  return kExitOk;
+}
+
+}  // namespace forge

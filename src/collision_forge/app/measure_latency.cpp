@@ -1,0 +1,75 @@
+#include <collision_forge/GenerateCollision.h>
+#include <ros/ros.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <map>
+
+#include "collision_forge/app/tool_support.h"
+#include "collision_forge/ros/topic_names.h"
+
+namespace {
+
+using namespace forge;
+
+struct Arguments {
+  collision_forge::GenerateCollision::Request request;
+  int calls = 1000;
+};
+
+int measure(const Arguments& arguments) {
+  ros::NodeHandle node;
+  const std::string service = node.resolveName(names::kGenerateCollision);
+  if (!ros::service::waitForService(service, ros::Duration(10.0))) {
+    throw std::runtime_error("no service " + service);
+  }
+  std::vector<double> milliseconds;
+  std::map<int, int> codes;
+  int failures = 0;
+  for (int i = 0; i < arguments.calls; ++i) {
+    collision_forge::GenerateCollision call;
+    call.request = arguments.request;
+    call.request.seed = static_cast<std::uint64_t>(i);
+    const auto start = std::chrono::steady_clock::now();
+    if (!ros::service::call(service, call)) {
+      ++failures;
+      continue;
+    }
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    milliseconds.push_back(elapsed.count());
+    ++codes[call.response.code];
+  }
+  if (milliseconds.empty()) throw std::runtime_error(service + " never answered");
+  std::cout << "first " << milliseconds.front() << " ms";
+  std::sort(milliseconds.begin(), milliseconds.end());
+  const auto percentile = [&](double share) {
+    return milliseconds[static_cast<std::size_t>(share * (milliseconds.size() - 1))];
+  };
+  std::cout << ", p50 " << percentile(0.5) << " ms, p99 " << percentile(0.99) << " ms of "
+            << arguments.calls << " calls; lost " << failures << "; codes:";
+  for (const auto& [code, count] : codes) std::cout << " " << code << " x" << count;
+  std::cout << "\n";
+  return kExitOk;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "measure_latency", ros::init_options::AnonymousName);
+  Arguments arguments;
+  arguments.request.collision_type = "rear_end";
+  arguments.request.tta = 4.0;
+  CLI::App app("Times calls of generate_collision over TCPROS, the seed counting up.",
+               "measure_latency");
+  app.add_option("--type", arguments.request.collision_type, "collision type")
+      ->capture_default_str();
+  app.add_option("--tta", arguments.request.tta, "seconds from now to impact")
+      ->capture_default_str();
+  app.add_option("--mode", arguments.request.mode, "history or replay")->default_str("history");
+  app.add_option("--calls", arguments.calls, "number of calls")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  return runTool(app, argc, argv, [&] { return measure(arguments); });
+}

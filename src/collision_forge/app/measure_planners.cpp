@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <boost/timer/progress_display.hpp>
+#include <ctime>
+#include <iostream>
+
+#include "collision_forge/app/tool_support.h"
+#include "collision_forge/config/config.h"
+#include "collision_forge/data/scene_source.h"
+#include "collision_forge/planners/planner_factory.h"
+
+namespace {
+
+using namespace forge;
+
+struct Arguments {
+  std::string dataroot;
+  std::string version;
+  std::vector<std::string> scenes;
+  std::vector<std::string> planners = plannerNames();
+  std::string config;
+};
+
+/// How much time of the processor one planner's steps took, and what was around the ego.
+struct Measurement {
+  std::string name;
+  std::vector<double> milliseconds;
+  std::vector<double> agents;
+};
+
+Observation observationAt(const Scene& scene, double now, int frames) {
+  const Snapshot snapshot = snapshotAt(scene, now, frames);
+  const AgentState& ego = snapshot.ego.states.back();
+  Observation observation;
+  observation.ego = {now, ego.pose, std::max(ego.velocity.dot(ego.pose.heading()), 0.0), 0.0, 0.0};
+  for (const Track& track : snapshot.agents) {
+    if (newestAt(track, now)) observation.agents.push_back(track);
+  }
+  return observation;
+}
+
+void measureScene(const IndexedScene& indexed, const Config& config, Measurement& measurement) {
+  const Scene& scene = indexed.scene;
+  const PlannerOptions& options = config.planners;
+  const std::unique_ptr<Planner> planner = makePlanner(measurement.name, options, "").planner;
+  planner->initialize({indexed.lanes, routeOf(scene.ego, *indexed.lanes, options.planning.route),
+                       config.ego_vehicle, options.bicycle.wheelbase});
+  for (const double now : scene.frame_times) {
+    const Observation observation =
+        observationAt(scene, now, config.attack.prediction.history_frames);
+    const std::clock_t start = std::clock();
+    planner->plan(observation);
+    measurement.milliseconds.push_back(1e3 * static_cast<double>(std::clock() - start) /
+                                       CLOCKS_PER_SEC);
+    measurement.agents.push_back(static_cast<double>(observation.agents.size()));
+  }
+}
+
+/// Sorts the values.
+double percentile(std::vector<double>& values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+void print(Measurement& measurement) {
+  std::cout << "| " << measurement.name << " | " << measurement.milliseconds.size() << " | "
+            << percentile(measurement.agents, 0.5) << " | " << percentile(measurement.agents, 1.0)
+            << " | " << percentile(measurement.milliseconds, 0.5) << " | "
+            << percentile(measurement.milliseconds, 0.99) << " | "
+            << percentile(measurement.milliseconds, 1.0) << " |\n";
+}
+
+int measure(const Arguments& arguments) {
+  const Config config = loadConfig(arguments.config);
+  const std::vector<std::string> names = arguments.scenes.empty()
+                                             ? readSceneNames(arguments.dataroot, arguments.version)
+                                             : arguments.scenes;
+  SceneSource scenes(arguments.dataroot, arguments.version, names, config, 1);
+  std::vector<Measurement> measurements;
+  for (const std::string& planner : arguments.planners) measurements.push_back({planner, {}, {}});
+  boost::timer::progress_display progress(names.size(), std::cerr);
+  for (const std::string& name : names) {
+    const std::shared_ptr<const IndexedScene> scene = scenes.at(name);
+    for (Measurement& measurement : measurements) measureScene(*scene, config, measurement);
+    ++progress;
+  }
+  std::cout << "| planner | steps | agents p50 | agents max | p50 ms | p99 ms | max ms |\n"
+               "|---|---|---|---|---|---|---|\n";
+  for (Measurement& measurement : measurements) print(measurement);
+  return kExitOk;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Tells the processor time of planning steps, at every frame of recorded scenes.",
+               "measure_planners");
+  app.add_option("--dataroot", arguments.dataroot, "nuScenes root")->required();
+  app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini")->required();
+  app.add_option("--scene", arguments.scenes, "these scenes only");
+  app.add_option("--planners", arguments.planners, "whose steps")
+      ->delimiter(',')
+      ->check(CLI::IsMember(plannerNames()))
+      ->capture_default_str();
+  addConfigOption(app, arguments.config);
+  return runTool(app, argc, argv, [&] { return measure(arguments); });
+}

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "collision_forge/attack/future_scorer.h"
+#include "collision_forge/attack/options.h"
+#include "collision_forge/attack/trajectory_family.h"
+#include "collision_forge/map/lane_queries.h"
+#include "collision_forge/scene/attack.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+/// One attack that the search found; drivable within the limits.
+struct FoundAttack {
+  const Track* attacker = nullptr;      ///< in the snapshot
+  std::vector<TrajectoryPoint> points;  ///< from now to tta + tail
+  FutureScore score;
+  double off_road = 0.0;  ///< mean share of the box off the drivable area, to the arrival
+  /// What the search maximises: share, closeness, off_road, effort and steering weighed.
+  double objective = 0.0;
+};
+
+/// What the search is given.
+struct SearchInput {
+  const Snapshot& snapshot;
+  const Future& future;                   ///< of the others
+  const std::vector<const Track*>& egos;  ///< equally likely futures of the ego, at least one
+  const std::vector<CollisionPattern>& patterns;  ///< whom to try, most promising first
+  const CollisionRequest& request;
+  const LaneIndex& lanes;
+};
+
+/// Searches arrivals (contact offset, side, relative heading, speed, start and end acceleration,
+/// time) and families of motion for attacks whose conditions hold in most of the ego's futures:
+/// random arrivals around every placement of the type, perturbations of the best, then the bicycle
+/// where no quintic is good enough. Best first; only attacks with a share above 0. The draws follow
+/// from the request's seed.
+std::vector<FoundAttack> searchAttacks(const SearchInput& input, const AttackOptions& options);
+
+}  // namespace forge

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+#include "collision_forge/forecast/options.h"
+#include "collision_forge/scene/collision_types.h"
+#include "collision_forge/verify/options.h"
+
+namespace forge {
+
+/// config/search.yaml, section bicycle
+struct BicycleOptions {
+  int iterations = 0;
+  double convergence = 0.0;
+  double max_miss = 0.0;
+  double turn_heading = 0.0;
+  double position_scale = 0.0;
+  double heading_scale = 0.0;
+  double speed_scale = 0.0;
+  double acceleration_scale = 0.0;
+  double curvature_scale = 0.0;
+};
+
+/// config/search.yaml, section steering
+struct SteeringOptions {
+  double step = 0.0;
+  int first_population = 0;
+  int population = 0;
+  int elites = 0;
+  int rounds = 0;
+  int considered = 0;
+  int patience = 0;
+  double hopeless = 0.0;
+  double acceleration_deviation = 0.0;
+  double curvature_deviation = 0.0;
+  double least_acceleration_deviation = 0.0;
+  double least_curvature_deviation = 0.0;
+  double heading_weight = 0.0;
+  double clearance = 0.0;
+  double near = 0.0;
+};
+
+/// config/search.yaml, section search
+struct SearchOptions {
+  double step = 0.0;
+  double tail = 0.0;
+  double depth = 0.0;
+  double limit_margin = 0.0;
+  double heading_margin = 0.0;
+  double time_margin = 0.0;
+  double overlap_margin = 0.0;
+  int max_attackers = 0;
+  int lane_paths = 0;
+  int ego_poses = 0;
+  int draws = 0;
+  double max_lead = 0.0;
+  int kept = 0;
+  int rounds = 0;
+  int perturbations = 0;
+  int bicycle_targets = 0;
+  int bicycle_rounds = 0;
+  int bicycle_perturbations = 0;
+  double good_share = 0.0;
+  double good_off_road = 0.0;
+  double good_steering = 0.0;
+  double off_road_weight = 0.0;
+  double effort_weight = 0.0;
+  double steering_weight = 0.0;
+  double quick_steering = 0.0;
+  double closeness_weight = 0.0;
+  std::vector<double> confidence_curve;  ///< at shares evenly spread over [0, 1]
+  double min_confidence = 0.0;
+};
+
+/// Everything that the road from a snapshot to an attacker trajectory is tuned by.
+struct AttackOptions {
+  VehicleLimits vehicle_limits;
+  TypeRules type_rules = TypeRules::kFull;
+  TypeDefinitions collision_types;
+  PredictionOptions prediction;
+  SearchOptions search;
+  BicycleOptions bicycle;
+  SteeringOptions steering;
+  VerificationOptions verification;
+  EgoFutureOptions ego_futures;
+};
+
+/// For whom a list of requests asks: for any attacker, or for each possible one by its id.
+enum class Attackers { kAny, kEach };
+
+/// What a list of requests is made of; stride, ttas and min_ego_speed by default those of
+/// config/requests.yaml, where their units stand.
+struct RequestListOptions {
+  double stride = 0.0;
+  std::vector<double> ttas;
+  double min_ego_speed = 0.0;
+  std::vector<CollisionType> types{std::begin(kCollisionTypes), std::end(kCollisionTypes)};
+  Attackers attackers = Attackers::kAny;
+  std::uint64_t seed = 0;  ///< of every request
+};
+
+}  // namespace forge

@@ -1,0 +1,122 @@
+#include "collision_forge/attack/pattern_predictor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision_forge/attack/placement.h"
+#include "collision_forge/attack/request_check.h"
+#include "collision_forge/forecast/kinematic_prediction.h"
+#include "collision_forge/forecast/motion_estimate.h"
+
+namespace forge {
+namespace {
+
+struct RankedPattern {
+  CollisionPattern pattern;
+  double cost = 0.0;
+};
+
+/// How far the attacker's mean speed to the impact is from the mean of its speeds at both ends.
+double speedMismatch(const CollisionPattern& pattern, const Motion& motion, double tta) {
+  const Pose2 impact = compose(pattern.ego.center, pattern.attacker_offset);
+  const double distance = (impact.position() - motion.pose.position()).norm();
+  return std::abs(distance / tta - 0.5 * (motion.speed + pattern.attacker_speed));
+}
+
+/// True when the agent comes from where the type wants it.
+bool comesFromThere(const Track& agent, const Snapshot& snapshot, CollisionType type,
+                    const AttackOptions& options) {
+  if (options.type_rules == TypeRules::kAngle) return true;
+  const double approach =
+      angleBetween(snapshot.ego.states.back().pose.yaw, agent.states.back().pose.yaw);
+  return approachFits(approach, options.collision_types.at(type));
+}
+
+/// The candidate at the ego's pose at impact, pushed in from `side`.
+RankedPattern placedPattern(const Track& agent, const Placement& placement, const AgentState& ego,
+                            const Snapshot& snapshot, const CollisionRequest& request,
+                            const AttackOptions& options) {
+  const PredictionOptions& prediction = options.prediction;
+  const Motion motion = estimateMotion(agent, prediction.motion_frames);
+  const double nominal = options.collision_types.at(request.type).nominal_heading;
+  const double heading = wrapAngle(placement.sign < 0.0 ? -nominal : nominal);
+  CollisionPattern pattern;
+  pattern.type = request.type;
+  pattern.attacker_id = agent.id;
+  pattern.time = snapshot.now + request.tta;
+  pattern.ego = boxAt(snapshot.ego, ego.pose);
+  pattern.attacker_offset =
+      attackerOffset(snapshot.ego.size, agent.size, placement.side, heading, 0.0, 0.0);
+  pattern.attacker_speed = request.type == CollisionType::kRearEnd
+                               ? ego.velocity.norm() + prediction.rear_end_closing_speed
+                               : std::max(motion.speed, prediction.min_impact_speed);
+  return {pattern, speedMismatch(pattern, motion, request.tta)};
+}
+
+/// The track whose place at `time` is nearest to the mean of all.
+const Track& mostCentral(const std::vector<Track>& tracks, double time) {
+  const auto placeOf = [time](const Track& track) {
+    return stateAt(track, time).value_or(track.states.back()).pose.position();
+  };
+  Vector2 mean = Vector2::Zero();
+  for (const Track& track : tracks) mean += placeOf(track) / static_cast<double>(tracks.size());
+  return *std::min_element(tracks.begin(), tracks.end(), [&](const Track& a, const Track& b) {
+    return (placeOf(a) - mean).squaredNorm() < (placeOf(b) - mean).squaredNorm();
+  });
+}
+
+}  // namespace
+
+KinematicPatternPredictor::KinematicPatternPredictor(
+    AttackOptions options, std::shared_ptr<const EgoFutureSampler> ego_futures)
+    : options_(std::move(options)), ego_futures_(std::move(ego_futures)) {}
+
+Future KinematicPatternPredictor::predictedFuture(const Snapshot& snapshot, const LaneIndex& lanes,
+                                                  const CollisionRequest& request) const {
+  const double horizon = request.tta + options_.prediction.tail;
+  Future future = predictFuture(snapshot, lanes, horizon, options_.prediction);
+  future.ego_samples =
+      ego_futures_->sample(snapshot, lanes, horizon, options_.prediction.ego_samples, request.seed);
+  if (!future.ego_samples.empty()) {
+    future.ego = mostCentral(future.ego_samples, snapshot.now + request.tta);
+  }
+  return future;
+}
+
+PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
+                                                     const LaneIndex& lanes,
+                                                     const CollisionRequest& request,
+                                                     const Future* recorded) const {
+  PatternPrediction prediction;
+  prediction.future = recorded ? *recorded : predictedFuture(snapshot, lanes, request);
+  const auto ego = stateAt(prediction.future.ego, snapshot.now + request.tta);
+  if (!ego) {
+    prediction.status = {StatusCode::kBeyondRecording,
+                         "the ego's recording ends before the impact, tta = " +
+                             std::to_string(request.tta) + " s from now"};
+    return prediction;
+  }
+  std::vector<RankedPattern> ranked;
+  for (const Track& agent : snapshot.agents) {
+    if (request.attacker && agent.id != *request.attacker) continue;
+    // One that was asked for has been checked, and may be anywhere.
+    if (!request.attacker && !isCandidate(agent, snapshot, options_.prediction)) continue;
+    if (!comesFromThere(agent, snapshot, request.type, options_)) continue;
+    for (const Placement& placement : placementsOf(request.type, lanes.map().driving_side)) {
+      ranked.push_back(placedPattern(agent, placement, *ego, snapshot, request, options_));
+    }
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  for (RankedPattern& entry : ranked) prediction.patterns.push_back(std::move(entry.pattern));
+  if (prediction.patterns.empty()) {
+    prediction.status = {StatusCode::kNoCandidate,
+                         "no vehicle within candidate_radius = " +
+                             std::to_string(options_.prediction.candidate_radius) +
+                             " m, seen now and in the frame before, comes from where " +
+                             toString(request.type) + " wants it"};
+  }
+  return prediction;
+}
+
+}  // namespace forge

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "collision_forge/attack/options.h"
+#include "collision_forge/forecast/ego_futures.h"
+#include "collision_forge/map/lane_queries.h"
+#include "collision_forge/scene/attack.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+/// Where ego and attackers may stand at impact, and the motion that this assumes.
+struct PatternPrediction {
+  Status status;                           ///< kOk, or why there are no patterns
+  std::vector<CollisionPattern> patterns;  ///< most promising first
+  Future future;                           ///< from now to past the impact
+};
+
+/// Predicts collision patterns. Implementations are immutable and may be used from many threads.
+class PatternPredictor {
+ public:
+  virtual ~PatternPredictor() = default;
+
+  /// `recorded` is the recorded future in replay mode and null in history mode. The request has
+  /// been passed checkRequest().
+  virtual PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
+                                    const CollisionRequest& request,
+                                    const Future* recorded) const = 0;
+};
+
+/// No learning: the ego moves as the sampler says, all others as predictFuture() says (or everybody
+/// as recorded), and each candidate attacker is placed at the ego's pose at impact with the type's
+/// nominal heading.
+class KinematicPatternPredictor : public PatternPredictor {
+ public:
+  KinematicPatternPredictor(AttackOptions options,
+                            std::shared_ptr<const EgoFutureSampler> ego_futures);
+
+  PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
+                            const CollisionRequest& request, const Future* recorded) const override;
+
+ private:
+  Future predictedFuture(const Snapshot& snapshot, const LaneIndex& lanes,
+                         const CollisionRequest& request) const;
+
+  AttackOptions options_;
+  std::shared_ptr<const EgoFutureSampler> ego_futures_;
+};
+
+}  // namespace forge

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "collision_forge/geometry/oriented_box.h"
+#include "collision_forge/map/lane_map.h"
+#include "collision_forge/scene/collision_request.h"
+
+namespace forge {
+
+/// The side of the ego's box that the attacker's is pushed against, and which way the attacker
+/// heads there.
+struct Placement {
+  Side side = Side::kLeft;
+  double sign = 0.0;  ///< of the attacker's heading relative to the ego's; 0: either
+};
+
+/// Where a type's attackers can stand. An attacker at the left heads to the right (sign -1), one at
+/// the right to the left. rear_end: behind the ego, or ahead with the ego running into it.
+/// opposite_direction: ahead. lane_change: beside. junction_crossing: beside or in front. ltap: the
+/// side that an oncoming vehicle turns across from (the left in right-hand traffic, its mirror in
+/// left-hand traffic), or in front, heading away from there. The first ones are COLLIDE's.
+std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side);
+
+/// Box middle and heading of the attacker in the ego box's frame such that, pushed in from `side`,
+/// the boxes overlap by `depth` metres along the push. `slide` in [-1, 1] moves the attacker along
+/// the side that is hit, as a share of half that side (positive is forward, or left for front and
+/// rear).
+Pose2 attackerOffset(const BoxSize& ego, const BoxSize& attacker, Side side, double heading,
+                     double slide, double depth);
+
+}  // namespace forge

@@ -1,0 +1,95 @@
+#include "collision_forge/attack/request_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace forge {
+namespace {
+
+template <typename... Parts>
+Status refuse(StatusCode code, const Parts&... parts) {
+  std::ostringstream message;
+  (message << ... << parts);
+  return {code, message.str()};
+}
+
+bool isFinite(const Track& track) {
+  return std::all_of(track.states.begin(), track.states.end(),
+                     [](const AgentState& state) { return state.pose.isFinite(); });
+}
+
+/// False when the newest two states are too far apart to tell a motion from.
+bool hasMotion(const Track& track) {
+  const auto& states = track.states;
+  return states.size() >= 2 && states.back().time - states[states.size() - 2].time <= kMaxGap;
+}
+
+Status checkEgo(const Snapshot& snapshot, const PredictionOptions& options) {
+  const Track& ego = snapshot.ego;
+  if (!(ego.size.length > 0.0 && ego.size.width > 0.0)) {
+    return refuse(StatusCode::kInvalidInput, "the ego's size is ", ego.size.length, " x ",
+                  ego.size.width, " m");
+  }
+  if (!isFinite(ego)) return refuse(StatusCode::kInvalidInput, "the ego's pose is not a number");
+  if (static_cast<int>(ego.states.size()) < options.min_history_frames ||
+      !newestAt(ego, snapshot.now)) {
+    return refuse(StatusCode::kTooLittleHistory, "the ego was seen in ", ego.states.size(),
+                  " frames up to now, ", options.min_history_frames, " are needed");
+  }
+  if (!hasMotion(ego)) {
+    return refuse(StatusCode::kTooLittleHistory, "the ego was not seen in the ", kMaxGap,
+                  " s before now");
+  }
+  return {};
+}
+
+Status checkAttacker(const std::string& id, const Snapshot& snapshot) {
+  const auto attacker = std::find_if(snapshot.agents.begin(), snapshot.agents.end(),
+                                     [&](const Track& agent) { return agent.id == id; });
+  if (attacker == snapshot.agents.end()) {
+    return refuse(StatusCode::kUnknownAttacker, "attacker_id \"", id, "\" is nobody in the scene");
+  }
+  if (!newestAt(*attacker, snapshot.now)) {
+    return refuse(StatusCode::kAbsentAttacker, "attacker \"", id, "\" is not there now");
+  }
+  if (!canAttack(attacker->agent_class)) {
+    return refuse(StatusCode::kAbsentAttacker, "attacker \"", id, "\" is a ",
+                  toString(attacker->agent_class), ", which cannot attack");
+  }
+  if (!isFinite(*attacker)) {
+    return refuse(StatusCode::kInvalidInput, "the pose of attacker \"", id, "\" is not a number");
+  }
+  if (!(attacker->size.length > 0.0 && attacker->size.width > 0.0)) {
+    return refuse(StatusCode::kInvalidInput, "the size of attacker \"", id, "\" is ",
+                  attacker->size.length, " x ", attacker->size.width, " m");
+  }
+  if (!hasMotion(*attacker)) {
+    return refuse(StatusCode::kTooLittleHistory, "attacker \"", id, "\" has just appeared");
+  }
+  return {};
+}
+
+}  // namespace
+
+bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options) {
+  if (!canAttack(agent.agent_class) || !hasMotion(agent)) return false;
+  if (!newestAt(agent, snapshot.now) || !isFinite(agent)) return false;
+  if (!(agent.size.length > 0.0 && agent.size.width > 0.0)) return false;
+  const Vector2 ego = snapshot.ego.states.back().pose.position();
+  return (agent.states.back().pose.position() - ego).norm() <= options.candidate_radius;
+}
+
+Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
+                    const PredictionOptions& options) {
+  if (!(request.tta >= options.min_tta && request.tta <= options.max_tta)) {
+    return refuse(StatusCode::kTtaOutOfRange, "tta = ", request.tta, " s is outside ",
+                  options.min_tta, " to ", options.max_tta, " s");
+  }
+  const Status ego = checkEgo(snapshot, options);
+  if (ego.code != StatusCode::kOk) return ego;
+  if (request.attacker) return checkAttacker(*request.attacker, snapshot);
+  return {};
+}
+
+}  // namespace forge

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "collision_forge/attack/options.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+/// A vehicle that is there now, was there in the frame before, and is within candidate_radius.
+bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options);
+
+/// What can be said against a request before any search: TTA out of range or not a number, too
+/// little history or a NaN in it, an ego without a size, an unknown, absent or unfit attacker.
+Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
+                    const PredictionOptions& options);
+
+}  // namespace forge

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "collision_forge/config/config.h"
+#include "collision_forge/network/foresight.h"
+#include "collision_forge/network/pattern_network.h"
+
+namespace forge {
+
+/// A file that holds no pattern networks, or damaged ones. Names file, network and field.
+struct PatternNetworkFileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The networks of a file, the one for all scenes first. Each is a line of JSON (format,
+/// left_out_scenes, features, network, and the name, outputs and inputs of every layer), then for
+/// each layer its matrix row by row and its bias, 32-bit floats with the lowest byte first. Throws
+/// PatternNetworkFileError for a file that is absent, cut short, or of another architecture.
+std::vector<PatternWeights> readPatternWeights(const std::string& path);
+
+/// Throws as AsideFile does.
+void writePatternWeights(const std::vector<PatternWeights>& networks, const std::string& path);
+
+/// The networks that the configuration names; null when it names none.
+std::shared_ptr<const PatternNetworks> loadPatternNetwork(const Config& config);
+
+/// These and the speeds of loadSpeedForecaster(), which throw.
+Foresight loadForesight(const Config& config);
+
+}  // namespace forge

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "collision_forge/attack/request_list.h"
+#include "collision_forge/data/json_line.h"
+
+namespace forge {
+
+/// A request as one line of a list, without a line end:
+/// {"scene":"scene-0001","now":100.5,"type":"ltap","tta":4,"attacker":null,"seed":0}
+/// now: seconds on the scene's clock (nuScenes: timestamp * 1e-6); tta: seconds from now; attacker:
+/// an agent's id, null for any.
+std::string requestLine(const SceneRequest& request);
+
+/// The opposite of requestLine(), in mode history. Every field must be there, once, and no other.
+/// Throws JsonLineError, naming `where`.
+SceneRequest readRequestLine(const std::string& where, const std::string& line);
+
+/// Reads a whole list. `scenes`: the names there are. Throws JsonLineError naming file, line, field
+/// and value for a file that cannot be read or holds no request, a malformed line, and a scene that
+/// is not in `scenes`.
+std::vector<SceneRequest> readRequests(const std::string& path,
+                                       const std::set<std::string>& scenes);
+
+/// The number of the requests and a fingerprint of their lines, to tell lists apart.
+std::string fingerprintOf(const std::vector<SceneRequest>& requests);
+
+/// Writes a list. Throws as AsideFile does.
+void writeRequests(const std::string& path, const std::vector<SceneRequest>& requests);
+
+}  // namespace forge

@@ -1,0 +1,288 @@
+#include "collision_forge/data/scenario_file.h"
+
+#include <cmath>
+
+namespace forge {
+namespace {
+
+constexpr const char* kFormat = "collision_forge/scenario";
+constexpr int kVersion = 1;
+constexpr double kMicroseconds = 1e6;  // in a second
+
+double fromNow(double time, double now) {
+  return std::round((time - now) * kMicroseconds) / kMicroseconds;
+}
+
+void writeTextOrNull(JsonLineWriter& writer, const char* key, const std::string& value) {
+  if (value.empty()) {
+    writer.null(key);
+  } else {
+    writer.text(key, value);
+  }
+}
+
+void writePoseFields(JsonLineWriter& writer, const Pose2& pose) {
+  writer.number("x", pose.x);
+  writer.number("y", pose.y);
+  writer.number("yaw", pose.yaw);
+}
+
+void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose) {
+  writer.beginObject(key);
+  writePoseFields(writer, pose);
+  writer.endObject();
+}
+
+void writeRequest(JsonLineWriter& writer, const CollisionRequest& request) {
+  writer.beginObject("request");
+  writer.text("type", toString(request.type));
+  writer.number("tta", request.tta);
+  if (request.attacker) {
+    writer.text("attacker", *request.attacker);
+  } else {
+    writer.null("attacker");
+  }
+  writer.text("mode", toString(request.mode));
+  writer.count("seed", request.seed);
+  writer.endObject();
+}
+
+void writeStatus(JsonLineWriter& writer, const Status& status) {
+  writer.beginObject("status");
+  writer.text("code", toString(status.code));
+  writer.text("message", status.message);
+  writer.endObject();
+}
+
+void writeAttacker(JsonLineWriter& writer, const AttackerTrajectory& trajectory, double now) {
+  writer.beginObject("attacker");
+  writer.text("id", trajectory.attacker_id);
+  writer.number("length", trajectory.size.length);
+  writer.number("width", trajectory.size.width);
+  writer.beginArray("trajectory");
+  for (const TrajectoryPoint& point : trajectory.points) {
+    writer.beginObject();
+    writer.number("t", fromNow(point.time, now));
+    writePoseFields(writer, point.pose);
+    writer.number("v", point.speed);
+    writer.number("a", point.acceleration);
+    writer.number("kappa", point.curvature);
+    writer.endObject();
+  }
+  writer.endArray();
+  writer.endObject();
+}
+
+void writePattern(JsonLineWriter& writer, const CollisionPattern& pattern, double now) {
+  writer.beginObject("pattern");
+  writer.number("t", fromNow(pattern.time, now));
+  writePose(writer, "ego", pattern.ego.center);
+  writePose(writer, "attacker_offset", pattern.attacker_offset);
+  writer.number("attacker_speed", pattern.attacker_speed);
+  writer.endObject();
+}
+
+void writeReport(JsonLineWriter& writer, const CollisionReport& report, double now) {
+  writer.beginObject("report");
+  writer.flag("verified", report.verified());
+  writer.flag("contact", report.contact);
+  writer.number("contact_t", fromNow(report.contact_time, now));
+  writer.number("relative_heading", report.relative_heading);
+  writePose(writer, "ego_at_contact", report.ego_at_contact);
+  writePose(writer, "attacker_at_contact", report.attacker_at_contact);
+  writer.text("ego_side", toString(report.ego_side));
+  writer.text("attacker_side", toString(report.attacker_side));
+  writer.number("impact_speed", report.impact_speed);
+  writer.flag("type_kept", report.type_kept);
+  writer.flag("on_time", report.on_time);
+  writer.flag("bounds_kept", report.bounds_kept);
+  writeTextOrNull(writer, "broken_bound", report.broken_bound);
+  writeTextOrNull(writer, "first_other", report.first_other_id);
+  writer.number("off_road_share", report.off_road_share);
+  writer.endObject();
+}
+
+void writeAttack(JsonLineWriter& writer, const Realization& answer, double now) {
+  if (answer.status.code != StatusCode::kOk) {
+    for (const char* key : {"attacker", "pattern", "confidence", "report"}) writer.null(key);
+    return;
+  }
+  writeAttacker(writer, answer.trajectory, now);
+  writePattern(writer, answer.pattern, now);
+  writer.number("confidence", answer.report.confidence);
+  writeReport(writer, answer.report, now);
+}
+
+Pose2 readPoseFields(JsonObject& object) {
+  return {object.number("x"), object.number("y"), object.number("yaw")};
+}
+
+Pose2 readPose(JsonObject object) {
+  const Pose2 pose = readPoseFields(object);
+  object.finish();
+  return pose;
+}
+
+CollisionRequest readRequest(JsonObject object) {
+  CollisionRequest request;
+  const auto type = collisionTypeFromString(object.text("type"));
+  if (!type) object.fail("type", "is no collision type");
+  const auto mode = modeFromString(object.text("mode"));
+  if (!mode) object.fail("mode", "is neither history nor replay");
+  request.type = *type;
+  request.tta = object.number("tta");
+  request.attacker = object.textOrNull("attacker");
+  request.mode = *mode;
+  request.seed = object.count("seed");
+  object.finish();
+  return request;
+}
+
+Status readStatus(JsonObject object) {
+  Status status;
+  const auto code = statusCodeFromString(object.text("code"));
+  if (!code) object.fail("code", "is no status code");
+  status.code = *code;
+  status.message = object.text("message");
+  object.finish();
+  return status;
+}
+
+double readPositive(JsonObject& object, const char* key) {
+  const double value = object.number(key);
+  if (!(value > 0.0)) object.fail(key, "is not positive");
+  return value;
+}
+
+AttackerTrajectory readAttacker(JsonObject object, double now) {
+  AttackerTrajectory trajectory;
+  trajectory.attacker_id = object.text("id");
+  trajectory.size = {readPositive(object, "length"), readPositive(object, "width")};
+  for (JsonObject& entry : object.objects("trajectory")) {
+    TrajectoryPoint point;
+    point.time = now + entry.number("t");
+    point.pose = readPoseFields(entry);
+    point.speed = entry.number("v");
+    point.acceleration = entry.number("a");
+    point.curvature = entry.number("kappa");
+    entry.finish();
+    trajectory.points.push_back(point);
+  }
+  object.finish();
+  return trajectory;
+}
+
+CollisionPattern readPattern(JsonObject object, double now) {
+  CollisionPattern pattern;
+  pattern.time = now + object.number("t");
+  pattern.ego.center = readPose(object.object("ego"));
+  pattern.attacker_offset = readPose(object.object("attacker_offset"));
+  pattern.attacker_speed = object.number("attacker_speed");
+  object.finish();
+  return pattern;
+}
+
+Side readSide(JsonObject& object, const char* key) {
+  const std::string name = object.text(key);
+  const auto side = sideFromString(name);
+  if (!side) object.fail(key, "\"" + name + "\" is no side of a box");
+  return *side;
+}
+
+CollisionReport readReport(JsonObject object, double now) {
+  CollisionReport report;
+  const bool is_verified = object.flag("verified");
+  report.contact = object.flag("contact");
+  report.contact_time = now + object.number("contact_t");
+  report.relative_heading = object.number("relative_heading");
+  report.ego_at_contact = readPose(object.object("ego_at_contact"));
+  report.attacker_at_contact = readPose(object.object("attacker_at_contact"));
+  report.ego_side = readSide(object, "ego_side");
+  report.attacker_side = readSide(object, "attacker_side");
+  report.impact_speed = object.number("impact_speed");
+  report.type_kept = object.flag("type_kept");
+  report.on_time = object.flag("on_time");
+  report.bounds_kept = object.flag("bounds_kept");
+  report.broken_bound = object.textOrNull("broken_bound").value_or("");
+  report.first_other_id = object.textOrNull("first_other").value_or("");
+  report.off_road_share = object.number("off_road_share");
+  if (is_verified != report.verified()) {
+    object.fail("verified", "does not fit the other fields of the report");
+  }
+  object.finish();
+  return report;
+}
+
+EgoVehicle readEgo(JsonObject object) {
+  const EgoVehicle ego{{readPositive(object, "length"), readPositive(object, "width")},
+                       object.number("center_offset")};
+  object.finish();
+  return ego;
+}
+
+void checkFormat(JsonObject& object) {
+  if (object.text("format") != kFormat) {
+    object.fail("format", std::string("is not ") + kFormat);
+  }
+  if (object.number("version") != kVersion) {
+    object.fail("version", "is not " + std::to_string(kVersion));
+  }
+}
+
+/// The fields that are null unless the answer is OK.
+void readAttack(JsonObject& object, const Scenario& scenario, Realization& answer) {
+  const double now = scenario.asked.now;
+  if (answer.status.code != StatusCode::kOk) {
+    for (const char* key : {"attacker", "pattern", "report"}) {
+      if (object.objectOrNull(key)) object.fail(key, "is there without an attack");
+    }
+    if (object.numberOrNull("confidence")) object.fail("confidence", "is there without an attack");
+    return;
+  }
+  answer.trajectory = readAttacker(object.object("attacker"), now);
+  answer.pattern = readPattern(object.object("pattern"), now);
+  answer.pattern.type = scenario.asked.request.type;
+  answer.pattern.attacker_id = answer.trajectory.attacker_id;
+  answer.pattern.ego.size = scenario.ego.size;
+  answer.report = readReport(object.object("report"), now);
+  answer.report.confidence = object.number("confidence");
+}
+
+}  // namespace
+
+std::string scenarioLine(const Scenario& scenario) {
+  const double now = scenario.asked.now;
+  JsonLineWriter writer;
+  writer.beginObject();
+  writer.text("format", kFormat);
+  writer.count("version", kVersion);
+  writer.text("scene", scenario.asked.scene);
+  writer.number("now", now);
+  writeRequest(writer, scenario.asked.request);
+  writeStatus(writer, scenario.answer.status);
+  writeAttack(writer, scenario.answer, now);
+  writer.beginObject("ego");
+  writer.number("length", scenario.ego.size.length);
+  writer.number("width", scenario.ego.size.width);
+  writer.number("center_offset", scenario.ego.center_offset);
+  writer.endObject();
+  writer.endObject();
+  return writer.line();
+}
+
+Scenario readScenarioLine(const std::string& where, const std::string& line) {
+  const JsonLine parsed(where, line);
+  JsonObject object = parsed.root();
+  checkFormat(object);
+  Scenario scenario;
+  scenario.asked.scene = object.text("scene");
+  scenario.asked.now = object.number("now");
+  scenario.asked.request = readRequest(object.object("request"));
+  scenario.ego = readEgo(object.object("ego"));
+  scenario.answer.status = readStatus(object.object("status"));
+  readAttack(object, scenario, scenario.answer);
+  object.finish();
+  return scenario;
+}
+
+}  // namespace forge

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "collision_forge/attack/realizer.h"
+#include "collision_forge/attack/request_list.h"
+#include "collision_forge/data/json_line.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+/// A request with its answer: one line of a scenario file.
+struct Scenario {
+  SceneRequest asked;
+  EgoVehicle ego;
+  Realization answer;  ///< times on the scene's clock
+};
+
+/// One line, without a line end, as docs/scenarios.md and docs/scenario.schema.json have it: times
+/// in seconds from now to the microsecond (the clock's resolution), all else as in the structs,
+/// global map frame. Throws std::invalid_argument for a number that is not finite.
+std::string scenarioLine(const Scenario& scenario);
+
+/// The opposite of scenarioLine(): the same line again gives the same bytes. The attacker's class
+/// is not in the file and stays at its default. Throws JsonLineError, naming `where`, for a line
+/// that is not of this format and version.
+Scenario readScenarioLine(const std::string& where, const std::string& line);
+
+}  // namespace forge

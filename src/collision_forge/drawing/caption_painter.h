@@ -1,0 +1,30 @@
+#pragma once
+
+#include "collision_forge/drawing/canvas.h"
+#include "collision_forge/drawing/figure_layout.h"
+#include "collision_forge/drawing/scenario_view.h"
+
+namespace forge {
+
+/// Scene, type, time to accident, mode and attacker, and on the right whether it is verified, where
+/// that is known.
+void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
+                 const ScenarioView& view, const DrawingOptions& options);
+
+/// The time since now, in the header's right corner. `time` in seconds on the scene's clock.
+void paintClock(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
+                const ScenarioView& view, const DrawingOptions& options, double time);
+
+/// What the colours and marks mean.
+void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
+                 const DrawingOptions& options);
+
+/// The figures of the report that are known.
+void paintReport(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
+                 const ScenarioView& view, const DrawingOptions& options);
+
+/// Scale bar and north arrow in the lower corners of the map.
+void paintScale(Canvas& canvas, const Viewport& viewport, const FigureSize& size,
+                const DrawingOptions& options);
+
+}  // namespace forge

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_forge/drawing/drawing_options.h"
+#include "collision_forge/drawing/scenario_view.h"
+
+namespace forge {
+
+/// Draws the scenario from above (north up) at the moment of contact, or at the pattern's time when
+/// the report has no contact.
+///
+/// Both functions write beside `path` and rename at the end, so `path` never holds half a picture.
+/// The same input gives the same bytes on the same machine. They throw std::runtime_error naming
+/// `path` when it cannot be written, when the attacker's trajectory or the ego's future is empty,
+/// or when the trajectory does not span now to contact.
+void drawScenarioPng(const std::string& path, const ScenarioView& view,
+                     const DrawingOptions& options);
+
+/// Animates the scenario in a loop, from before now to after contact; one frame falls exactly on
+/// the contact and is held. The crash's aftermath is not modelled: from contact on ego and attacker
+/// stay at their contact poses while the others go on.
+void drawScenarioGif(const std::string& path, const ScenarioView& view,
+                     const DrawingOptions& options);
+
+/// Pictures as of drawScenarioPng(), each of the size of an animation, `columns` a row, in the
+/// order of `views`, row by row; places that are left stay empty. Throws as the others, and
+/// std::invalid_argument for no views or no columns.
+void drawScenarioSheet(const std::string& path, const std::vector<ScenarioView>& views, int columns,
+                       const DrawingOptions& options);
+
+}  // namespace forge

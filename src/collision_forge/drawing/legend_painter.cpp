@@ -1,0 +1,80 @@
+#include <functional>
+
+#include "collision_forge/drawing/box_painter.h"
+#include "collision_forge/drawing/caption_painter.h"
+#include "collision_forge/drawing/decimal_text.h"
+
+namespace forge {
+
+namespace {
+
+/// One line of the legend: a mark drawn around the given pixel, and what it means.
+struct LegendRow {
+  std::function<void(const Vector2&)> paint_mark;
+  std::string meaning;
+};
+
+/// The body of a small vehicle that heads right.
+std::vector<Vector2> markBox(const Vector2& center, double font) {
+  const double half_length = 0.85 * font;
+  const double half_width = 0.38 * font;
+  return {center + Vector2(half_length, -half_width), center + Vector2(-half_length, -half_width),
+          center + Vector2(-half_length, half_width), center + Vector2(half_length, half_width)};
+}
+
+std::vector<LegendRow> legendRows(Canvas& canvas, const FigureSize& size,
+                                  const DrawingOptions& options) {
+  const double font = size.font_size;
+  const auto body = [&canvas, font](const Color& color, double opacity) {
+    return [&canvas, font, color, opacity](const Vector2& center) {
+      canvas.fill({markBox(center, font)}, color, opacity);
+      canvas.stroke(markBox(center, font), {color, 0.08 * font, 1.0, 0.0, true});
+    };
+  };
+  const auto outline = [&canvas, font](const Color& color) {
+    return [&canvas, font, color](const Vector2& center) {
+      canvas.stroke(markBox(center, font), {color, 0.16 * font, 1.0, 0.0, true});
+    };
+  };
+  const auto line = [&canvas, &options, font](double dash) {
+    return [&canvas, &options, font, dash](const Vector2& center) {
+      const Vector2 half(1.0 * font, 0.0);
+      canvas.stroke({center - half, center + half},
+                    {options.muted_text_color, 0.18 * font, 1.0, dash, false});
+    };
+  };
+  const auto star = [&canvas, &options, font](const Vector2& center) {
+    paintStar(canvas, center, 0.7 * font, options.contact_color, options.text_color, 0.08 * font);
+  };
+  return {
+      {body(options.ego_color, 1.0), "Ego"},
+      {body(options.attacker_color, 1.0), "Attacker"},
+      {body(options.agent_color, 1.0), "Other agents"},
+      {line(0.0), "Driven up to now"},
+      {line(0.45 * font), "From now to contact"},
+      {body(options.muted_text_color, options.ghost_opacity),
+       "Every " + decimalText(options.ghost_interval, 1) + " s from now"},
+      {outline(options.pattern_ego_color), "Pattern: ego"},
+      {outline(options.pattern_attacker_color), "Pattern: attacker"},
+      {star, "Contact"},
+  };
+}
+
+}  // namespace
+
+void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
+                 const DrawingOptions& options) {
+  const double font = size.font_size;
+  const PixelRect& area = layout.legend;
+  double baseline = area.y + font;
+  canvas.text({area.x, baseline}, "Legend", {options.text_color, font, true, TextAlign::kLeft});
+  const TextStyle style{options.text_color, font, false, TextAlign::kLeft};
+  for (const LegendRow& row : legendRows(canvas, size, options)) {
+    baseline += layout.line_height;
+    row.paint_mark({area.x + font, baseline - 0.36 * font});
+    canvas.text({area.x + 2.6 * font, baseline},
+                canvas.fitted(row.meaning, area.width - 2.6 * font, style), style);
+  }
+}
+
+}  // namespace forge

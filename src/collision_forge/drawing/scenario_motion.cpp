@@ -1,0 +1,108 @@
+#include "collision_forge/drawing/scenario_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision_forge/geometry/touch_point.h"
+
+namespace forge {
+namespace {
+
+constexpr double kSampleStep = 0.1;  // s
+
+const Track* findTrack(const std::vector<Track>& tracks, const std::string& id) {
+  const auto found = std::find_if(tracks.begin(), tracks.end(),
+                                  [&id](const Track& track) { return track.id == id; });
+  return found == tracks.end() ? nullptr : &*found;
+}
+
+std::optional<OrientedBox> boxOf(const Track& track, double time) {
+  const std::optional<AgentState> state = stateAt(track, time);
+  if (!state) return std::nullopt;
+  return boxAt(track, state->pose);
+}
+
+/// Empty outside the trajectory.
+std::optional<Pose2> poseAt(const AttackerTrajectory& trajectory, double time) {
+  const std::vector<TrajectoryPoint>& points = trajectory.points;
+  if (points.empty() || time < points.front().time || time > points.back().time) {
+    return std::nullopt;
+  }
+  const auto after = std::upper_bound(
+      points.begin(), points.end(), time,
+      [](double value, const TrajectoryPoint& point) { return value < point.time; });
+  if (after == points.end()) return points.back().pose;
+  const auto before = after - 1;
+  return interpolate(before->pose, after->pose,
+                     (time - before->time) / (after->time - before->time));
+}
+
+template <typename BoxAtTime>
+std::vector<OrientedBox> sample(double from, double to, const BoxAtTime& box_at) {
+  std::vector<OrientedBox> boxes;
+  const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / kSampleStep - 1e-9)));
+  for (int i = 0; i <= steps; ++i) {
+    const std::optional<OrientedBox> box = box_at(i == steps ? to : from + i * kSampleStep);
+    if (box) boxes.push_back(*box);
+  }
+  return boxes;
+}
+
+}  // namespace
+
+double ScenarioMotion::keyTime() const {
+  return view_.report.contact ? view_.report.contact_time : view_.pattern.time;
+}
+
+bool ScenarioMotion::frozenAt(double time) const {
+  return view_.report.contact && time >= view_.report.contact_time;
+}
+
+std::optional<OrientedBox> ScenarioMotion::egoAt(double time) const {
+  if (frozenAt(time)) return boxAt(view_.snapshot.ego, view_.report.ego_at_contact);
+  return boxOf(time <= now() ? view_.snapshot.ego : view_.future.ego, time);
+}
+
+std::optional<OrientedBox> ScenarioMotion::attackerAt(double time) const {
+  const AttackerTrajectory& trajectory = view_.trajectory;
+  if (frozenAt(time)) return OrientedBox{view_.report.attacker_at_contact, trajectory.size};
+  if (time > now()) {
+    const std::optional<Pose2> pose = poseAt(trajectory, time);
+    if (!pose) return std::nullopt;
+    return OrientedBox{*pose, trajectory.size};
+  }
+  const Track* past = findTrack(view_.snapshot.agents, trajectory.attacker_id);
+  return past == nullptr ? std::nullopt : boxOf(*past, time);
+}
+
+std::vector<AgentBox> ScenarioMotion::othersAt(double time) const {
+  std::vector<AgentBox> boxes;
+  for (const Track& track : time <= now() ? view_.snapshot.agents : view_.future.agents) {
+    if (track.id == view_.trajectory.attacker_id) continue;
+    const std::optional<OrientedBox> box = boxOf(track, time);
+    if (box) boxes.push_back({track.agent_class, *box});
+  }
+  return boxes;
+}
+
+std::vector<OrientedBox> ScenarioMotion::egoBoxes(double from, double to) const {
+  return sample(from, to, [this](double time) { return egoAt(time); });
+}
+
+std::vector<OrientedBox> ScenarioMotion::attackerBoxes(double from, double to) const {
+  return sample(from, to, [this](double time) { return attackerAt(time); });
+}
+
+Vector2 ScenarioMotion::contactPoint() const {
+  if (!view_.report.contact) {
+    return (view_.pattern.ego.center.position() + patternAttackerBox(view_).center.position()) / 2;
+  }
+  return touchPoint(boxAt(view_.snapshot.ego, view_.report.ego_at_contact),
+                    {view_.report.attacker_at_contact, view_.trajectory.size});
+}
+
+OrientedBox patternAttackerBox(const ScenarioView& view) {
+  return {compose(view.pattern.ego.center, view.pattern.attacker_offset), view.trajectory.size};
+}
+
+}  // namespace forge

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "collision_forge/drawing/canvas.h"
+#include "collision_forge/drawing/figure_layout.h"
+#include "collision_forge/drawing/label_placer.h"
+#include "collision_forge/drawing/scenario_motion.h"
+
+namespace forge {
+
+/// Paints one scenario at any instant. What stands still is painted once. The view and the options
+/// must outlive it.
+class ScenarioPainter {
+ public:
+  ScenarioPainter(const ScenarioView& view, const DrawingOptions& options, const FigureSize& size);
+
+  /// Everybody at `time`; ghosts show where ego and attacker are from `ghosts_from` to contact.
+  Image paint(double time, double ghosts_from) const;
+
+  /// Where the ground falls on the picture.
+  const Viewport& mapViewport() const { return map_viewport_; }
+  /// The square that shows the contact from near.
+  const Viewport& closeUpViewport() const { return close_up_viewport_; }
+
+ private:
+  struct Label {
+    PixelRect place;
+    Vector2 anchor;
+    std::string text;
+    Color color;
+  };
+
+  Viewport fitMap() const;
+  void paintBackground();
+  void placeLabels();
+  Label makeLabel(Canvas& canvas, LabelPlacer& placer, const Vector2& world,
+                  const std::string& text, const Color& color) const;
+  void paintLabel(Canvas& canvas, const Label& label) const;
+
+  void paintScene(Canvas& canvas, const Viewport& viewport, double time, double ghosts_from) const;
+  void paintTrails(Canvas& canvas, const Viewport& viewport) const;
+  void paintGhosts(Canvas& canvas, const Viewport& viewport, double from) const;
+  void paintVehicles(Canvas& canvas, const Viewport& viewport, double time) const;
+
+  const ScenarioView& view_;
+  const DrawingOptions& options_;
+  FigureSize size_;
+  ScenarioMotion motion_;
+  FigureLayout layout_;
+  Viewport map_viewport_;
+  Viewport close_up_viewport_;
+  Image background_;
+  std::vector<Label> now_labels_;
+  std::vector<Label> contact_labels_;  ///< one, or none without contact
+};
+
+}  // namespace forge

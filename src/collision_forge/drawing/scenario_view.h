@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "collision_forge/scene/attack.h"
+#include "collision_forge/scene/collision_request.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+/// Everything a picture of one generated collision shows. All times on the scene's clock, all poses
+/// in the global map frame.
+struct ScenarioView {
+  std::string scene_name;
+  double tta = 0.0;  ///< seconds from now, as requested
+  Mode mode = Mode::kHistory;
+
+  /// Up to now: the map and the driven trails of the ego, the attacker and the others. The
+  /// animation starts as early as these tracks allow, so give it more frames than the prediction
+  /// needs.
+  Snapshot snapshot;
+  /// From now on: the ego and the others. A track of the attacker's id in here is not drawn.
+  Future future;
+
+  CollisionPattern pattern;       ///< the asked-for boxes, drawn as outlines
+  AttackerTrajectory trajectory;  ///< what the attacker drives instead
+  CollisionReport report;         ///< what verification found on that trajectory
+  /// Of the report its contact alone is known, with its type and time: the picture says nothing of
+  /// the other fields, nor whether the attack is verified.
+  bool contact_alone = false;
+};
+
+}  // namespace forge

@@ -1,0 +1,136 @@
+#include "collision_forge/files/resumable_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "collision_forge/files/aside_file.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void failWith(const std::string& path, const std::string& problem) {
+  throw std::runtime_error(path + ": " + problem + ": " + std::strerror(errno));
+}
+
+std::string optionsPath(const std::string& path) { return path + ".options"; }
+
+ResumableFile::Options readOptions(const std::string& path) {
+  std::ifstream file(path);
+  ResumableFile::Options options;
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (colon != std::string::npos) options[line.substr(0, colon)] = line.substr(colon + 2);
+  }
+  return options;
+}
+
+void writeOptions(const std::string& path, const ResumableFile::Options& options) {
+  AsideFile file(path);
+  for (const auto& [name, value] : options) file.stream() << name << ": " << value << '\n';
+  file.commit();
+}
+
+/// Refuses to go on with `what`, which was begun with other options than these.
+void checkOptions(const std::string& path, const std::string& what,
+                  const ResumableFile::Options& options) {
+  const std::string remedy =
+      "; finish it as it was begun, or remove it to begin anew, or write elsewhere";
+  if (!fs::exists(optionsPath(path))) {
+    throw std::runtime_error(what + ": is there, but not " + optionsPath(path) +
+                             ", which says what it was made with" + remedy);
+  }
+  ResumableFile::Options before = readOptions(optionsPath(path));
+  for (const auto& [name, value] : options) {
+    if (before[name] == value) continue;
+    throw std::runtime_error(what + ": was begun with " + name + " = " + before[name] + ", now " +
+                             name + " = " + value + remedy);
+  }
+}
+
+}  // namespace
+
+ResumableFile::ResumableFile(const std::string& path, const Options& options)
+    : path_(path), part_(path + ".part") {
+  if (fs::exists(path_)) {
+    checkOptions(path_, path_, options);
+    is_complete_ = true;
+    return;
+  }
+  descriptor_ = ::open(part_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) failWith(part_, "cannot be opened");
+  try {
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) failWith(part_, "is being written");
+    if (fs::file_size(part_) == 0) {
+      writeOptions(optionsPath(path_), options);
+    } else {
+      checkOptions(path_, part_, options);
+    }
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+}
+
+ResumableFile::~ResumableFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+std::size_t ResumableFile::resume(
+    const std::function<void(const std::string& where, const std::string& line)>& on_line) {
+  std::ifstream file(part_);
+  std::size_t lines = 0;
+  std::int64_t size = 0;
+  for (std::string line; std::getline(file, line) && !file.eof();) {
+    ++lines;
+    on_line(part_ + ": line " + std::to_string(lines), line);
+    size += static_cast<std::int64_t>(line.size()) + 1;
+  }
+  if (file.bad()) failWith(part_, "cannot be read");
+  if (::ftruncate(descriptor_, size) != 0) failWith(part_, "cannot be cut to its complete lines");
+  size_ = size;
+  return lines;
+}
+
+void ResumableFile::append(const std::string& line) {
+  const std::string bytes = line + "\n";
+  for (std::size_t written = 0; written < bytes.size();) {
+    const ssize_t count = ::write(descriptor_, bytes.data() + written, bytes.size() - written);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      const int reason = errno;
+      // Where this fails too, resume() cuts the rest off.
+      [[maybe_unused]] const int cut = ::ftruncate(descriptor_, size_);
+      errno = reason;
+      failWith(part_, "cannot be written");
+    }
+    written += static_cast<std::size_t>(count);
+  }
+  size_ += static_cast<std::int64_t>(bytes.size());
+}
+
+void ResumableFile::complete() {
+  if (::fsync(descriptor_) != 0) failWith(part_, "cannot be written");
+  if (std::rename(part_.c_str(), path_.c_str()) != 0) failWith(path_, "cannot be written");
+}
+
+std::string fingerprint(const std::string& text, const std::string& before) {
+  constexpr std::uint64_t kOffset = 0xcbf29ce484222325;
+  constexpr std::uint64_t kPrime = 0x100000001b3;
+  std::uint64_t hash = before.empty() ? kOffset : std::stoull(before, nullptr, 16);
+  for (const unsigned char byte : text) hash = (hash ^ byte) * kPrime;
+  char digits[17];
+  std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
+}
+
+}  // namespace forge

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "collision_forge/forecast/options.h"
+#include "collision_forge/map/lane_queries.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+/// Predicts where everybody goes from now to `horizon` seconds later without knowing the future:
+/// vehicles that fit a lane follow it at constant speed (at each branch the straightest successor),
+/// their lateral offset fading; all others keep their velocity; agents below the standstill speed
+/// stay. Only agents seen at now are predicted. The first state of every track is now's.
+Future predictFuture(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
+                     const PredictionOptions& options);
+
+/// The same path driven at `factor` times the speed: the state at now + t is that of
+/// now + factor * t, as far as the track goes.
+Track scaledInTime(const Track& track, double now, double factor);
+
+}  // namespace forge

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "collision_forge/geometry/oriented_box.h"
+
+namespace forge {
+
+/// A polygon with holes; rings are open (last point is not the first again), either orientation.
+struct Polygon {
+  std::vector<Vector2> exterior;
+  std::vector<std::vector<Vector2>> holes;
+};
+
+/// True inside the exterior and outside every hole (even-odd rule).
+bool contains(const Polygon& polygon, const Vector2& point);
+
+}  // namespace forge

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "collision_forge/map/lane_queries.h"
+
+namespace forge {
+
+/// A smooth way along lanes, with what driving along it needs: a uniform cubic B-spline of points
+/// about a metre apart, so that position, heading and curvature are continuous.
+class ReferencePath {
+ public:
+  /// A place on the path.
+  struct Place {
+    Pose2 pose;
+    double curvature = 0.0;  ///< 1/m, positive to the left
+    double stretch = 1.0;    ///< metres of way a metre of arc length, below 1 in sharp bends
+  };
+
+  /// A centreline (or several, joined), smoothed over a few metres: recorded centrelines have kinks
+  /// that nobody drives.
+  explicit ReferencePath(const Polyline& line);
+
+  double length() const { return spacing_ * static_cast<double>(controls_.size() - 3); }
+  /// Beyond either end the path goes straight on.
+  Place at(double arc_length) const;
+  /// Arc length of the closest place.
+  double project(const Vector2& point) const;
+
+ private:
+  double spacing_;                 // metres between controls
+  std::vector<Vector2> controls_;  // of the spline, and one beyond either end
+};
+
+/// The ways ahead of a pose: from each lane that it may be driving on (see LaneIndex::lanesNear),
+/// along every branch, for `distance` metres or until the lanes end. At most `max_paths`, those of
+/// nearer lanes and straighter ways first.
+std::vector<ReferencePath> pathsAhead(const LaneIndex& lanes, const Pose2& pose, double distance,
+                                      double max_lane_distance, double max_lane_heading,
+                                      std::size_t max_paths);
+
+}  // namespace forge

@@ -1,0 +1,90 @@
+#include "collision_forge/network/network_pattern_predictor.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "collision_forge/network/predicted_scene.h"
+
+namespace forge {
+namespace {
+
+/// The vehicles of the patterns, each once.
+std::vector<const Track*> attackersOf(const std::vector<CollisionPattern>& patterns,
+                                      const Snapshot& snapshot) {
+  std::vector<const Track*> attackers;
+  for (const CollisionPattern& pattern : patterns) {
+    const bool known = std::any_of(attackers.begin(), attackers.end(), [&](const Track* track) {
+      return track->id == pattern.attacker_id;
+    });
+    if (known) continue;
+    for (const Track& agent : snapshot.agents) {
+      if (agent.id == pattern.attacker_id) attackers.push_back(&agent);
+    }
+  }
+  return attackers;
+}
+
+/// Indices of the answers, the likeliest attacker first.
+std::vector<std::size_t> ranked(const std::vector<CandidateAnswer>& answers) {
+  std::vector<std::size_t> order(answers.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return answers[a].score > answers[b].score;
+  });
+  return order;
+}
+
+/// The ego's pose at impact in its frame now.
+Pose2 egoAtImpact(const PredictedScene& scene, const CollisionRequest& request,
+                  const Future* recorded, double now, std::optional<CollisionType> known_type) {
+  if (recorded) {
+    const auto state = stateAt(recorded->ego, now + request.tta);
+    if (state) return relativeTo(scene.ways().ego.state.pose, state->pose);
+  }
+  return medianPose(scene.egoAfter(request.tta, known_type));
+}
+
+}  // namespace
+
+NetworkPatternPredictor::NetworkPatternPredictor(
+    const AttackOptions& options, std::shared_ptr<const EgoFutureSampler> ego_futures,
+    std::shared_ptr<const PatternNetworks> networks, std::string left_out_scene,
+    std::optional<CollisionType> known_type)
+    : options_(options),
+      kinematic_(options, std::move(ego_futures)),
+      networks_(std::move(networks)),
+      left_out_scene_(std::move(left_out_scene)),
+      known_type_(known_type) {}
+
+PatternPrediction NetworkPatternPredictor::predict(const Snapshot& snapshot, const LaneIndex& lanes,
+                                                   const CollisionRequest& request,
+                                                   const Future* recorded) const {
+  PatternPrediction prediction = kinematic_.predict(snapshot, lanes, request, recorded);
+  if (!networks_ || prediction.patterns.empty()) return prediction;
+  const PredictedScene scene(networks_->forScene(left_out_scene_), snapshot, lanes, request.tta,
+                             options_.ego_futures);
+  const Pose2 ego = egoAtImpact(scene, request, recorded, snapshot.now, known_type_);
+  const std::vector<const Track*> attackers = attackersOf(prediction.patterns, snapshot);
+  const std::vector<CandidateAnswer> answers =
+      scene.judge(attackers, ego, request.tta, request.type);
+  std::vector<CollisionPattern> patterns;
+  for (const std::size_t i : ranked(answers)) {
+    bool first = true;
+    for (const CollisionPattern& pattern : prediction.patterns) {
+      if (pattern.attacker_id != attackers[i]->id) continue;
+      if (first) {
+        CollisionPattern foretold = pattern;
+        foretold.ego = boxAt(snapshot.ego, compose(scene.ways().ego.state.pose, ego));
+        foretold.attacker_offset = answers[i].offset;
+        patterns.push_back(std::move(foretold));
+        first = false;
+      }
+      patterns.push_back(pattern);
+    }
+  }
+  prediction.patterns = std::move(patterns);
+  return prediction;
+}
+
+}  // namespace forge

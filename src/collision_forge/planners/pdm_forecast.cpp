@@ -1,0 +1,78 @@
+#include "collision_forge/planners/pdm_forecast.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace forge {
+namespace {
+
+enum Kind { kVehicle, kPedestrian, kBicycle, kStatic, kKinds };
+
+Kind kindOf(AgentClass agent_class) {
+  switch (agent_class) {
+    case AgentClass::kPedestrian:
+    case AgentClass::kAnimal:
+      return kPedestrian;
+    case AgentClass::kBicycle:
+      return kBicycle;
+    case AgentClass::kStaticObject:
+      return kStatic;
+    default:
+      return kVehicle;
+  }
+}
+
+/// Indices of the nearest of each kind, rising.
+std::vector<std::size_t> nearest(const std::vector<Track>& agents, const Vector2& ego,
+                                 const PdmAgentOptions& options) {
+  std::array<std::vector<std::pair<double, std::size_t>>, kKinds> by_kind;
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    if (agents[i].states.empty()) continue;
+    const double distance = (agents[i].states.back().pose.position() - ego).norm();
+    by_kind[kindOf(agents[i].agent_class)].emplace_back(distance, i);
+  }
+  const std::array<int, kKinds> most = {options.vehicles, options.pedestrians, options.bicycles,
+                                        options.static_objects};
+  std::vector<std::size_t> chosen;
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    std::sort(by_kind[kind].begin(), by_kind[kind].end());
+    const std::size_t count = std::min(by_kind[kind].size(), static_cast<std::size_t>(most[kind]));
+    for (std::size_t i = 0; i < count; ++i) chosen.push_back(by_kind[kind][i].second);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+}  // namespace
+
+PdmForecast::PdmForecast(const std::vector<Track>& agents, const OrientedBox& ego, double step,
+                         int steps, const PdmAgentOptions& options, std::set<std::string>& ignored)
+    : step_(step) {
+  for (const std::size_t index : nearest(agents, ego.center.position(), options)) {
+    const Track& track = agents[index];
+    const AgentState& now = track.states.back();
+    const OrientedBox box = boxAt(track, now.pose);
+    if (overlaps(box, ego)) ignored.insert(track.id);
+    if (ignored.count(track.id) > 0) continue;
+    const bool is_standing = now.velocity.norm() <= options.standing_speed;
+    agents_.push_back({box, now.velocity, circumradius(box.size),
+                       track.agent_class == AgentClass::kStaticObject, is_standing});
+  }
+  for (int i = 0; i <= steps; ++i) {
+    positions_.emplace_back();
+    for (const ForecastAgent& agent : agents_) {
+      positions_.back().push_back(agent.box.center.position() + i * step * agent.velocity);
+    }
+  }
+}
+
+OrientedBox PdmForecast::box(std::size_t agent, std::size_t step) const {
+  OrientedBox box = agents_[agent].box;
+  const Vector2& position = positions_[step][agent];
+  box.center.x = position.x();
+  box.center.y = position.y();
+  return box;
+}
+
+}  // namespace forge

@@ -1,0 +1,77 @@
+#include "collision_forge/planners/planner_factory.h"
+
+#include <stdexcept>
+
+#include "collision_forge/planners/idm.h"
+#include "collision_forge/planners/pdm_planner.h"
+#include "collision_forge/planners/rule_based_planner.h"
+
+namespace forge {
+namespace {
+
+using MakePlanner = std::unique_ptr<Planner> (*)(const PlannerOptions&, const std::string&);
+
+struct Entry {
+  const char* name;
+  MakePlanner make;
+  bool is_exact;
+};
+
+const Entry kEntries[] = {
+    {"idm",
+     [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
+       return std::make_unique<IdmPlanner>(options.idm);
+     },
+     false},
+    {"idm_published",
+     [](const PlannerOptions& options, const std::string& attacker) -> std::unique_ptr<Planner> {
+       return std::make_unique<PublishedIdmPlanner>(options.published_idm, attacker);
+     },
+     true},
+    {"pdm",
+     [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
+       return std::make_unique<PdmPlanner>(options.pdm, options.route_centerline, options.bicycle,
+                                           options.lqr);
+     },
+     false},
+    {"rule_based",
+     [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
+       return std::make_unique<RuleBasedPlanner>(options.rule_based, options.route_centerline);
+     },
+     false},
+    {"rule_based_tuned",
+     [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
+       return std::make_unique<RuleBasedPlanner>(options.tuned_rule_based,
+                                                 options.route_centerline);
+     },
+     false},
+};
+
+std::string knownNames() {
+  std::string names;
+  for (const std::string& name : plannerNames()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+}  // namespace
+
+const std::vector<std::string>& plannerNames() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> found;
+    for (const Entry& entry : kEntries) found.emplace_back(entry.name);
+    return found;
+  }();
+  return names;
+}
+
+PlannerUnderTest makePlanner(const std::string& name, const PlannerOptions& options,
+                             const std::string& attacker_id) {
+  for (const Entry& entry : kEntries) {
+    if (name != entry.name) continue;
+    const double interval = options.planning.intervals.at(name);
+    return {entry.make(options, attacker_id), {interval, entry.is_exact}};
+  }
+  throw std::invalid_argument("unknown planner \"" + name + "\"; known are " + knownNames());
+}
+
+}  // namespace forge

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "collision_forge/planners/planner.h"
+#include "collision_forge/planners/planner_options.h"
+#include "collision_forge/trials/rollout.h"
+
+namespace forge {
+
+/// A planner with how it is called and driven.
+struct PlannerUnderTest {
+  std::unique_ptr<Planner> planner;
+  Driving driving;
+};
+
+/// "idm", "idm_published", "pdm", "rule_based", "rule_based_tuned".
+const std::vector<std::string>& plannerNames();
+
+/// A new planner of plannerNames(). `attacker_id` is for those that the protocol tells who attacks
+/// (idm_published). Throws std::invalid_argument for an unknown name, naming the known ones.
+PlannerUnderTest makePlanner(const std::string& name, const PlannerOptions& options,
+                             const std::string& attacker_id);
+
+}  // namespace forge

@@ -1,0 +1,145 @@
+#include <collision_forge/AgentArray.h>
+#include <collision_forge/AttackerTrajectory.h>
+#include <collision_forge/CollisionPattern.h>
+#include <collision_forge/CollisionReport.h>
+#include <nav_msgs/Odometry.h>
+#include <nodelet/nodelet.h>
+#include <ros/ros.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <deque>
+#include <optional>
+
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/topic_names.h"
+#include "collision_forge/verify/ego_test.h"
+
+namespace forge {
+
+/// Verifies the newest attack against the ego as it comes and publishes tested_report: at the
+/// contact, or at the end of the attacker's trajectory when there was none.
+class AttackVerifierNodelet : public nodelet::Nodelet {
+ private:
+  static constexpr std::size_t kQueue = 100;
+  static constexpr double kAhead = 1.0;  // s; agents of a new replay may come before its odometry
+
+  struct Frame {
+    double time = 0.0;
+    std::vector<Track> agents;
+  };
+
+  void onInit() override {
+    config_ = loadNodeConfig(getPrivateNodeHandle());
+    ros::NodeHandle& node = getNodeHandle();
+    map_ = std::make_unique<LaneMapSubscriber>(node);
+    publisher_ = node.advertise<collision_forge::CollisionReport>(names::kTestedReport, 1, true);
+    subscribers_ = {
+        node.subscribe(names::kCollisionPattern, 1, &AttackVerifierNodelet::receivePattern, this),
+        node.subscribe(names::kAttackerTrajectory, 1, &AttackVerifierNodelet::receiveTrajectory,
+                       this),
+        node.subscribe(names::kOdometry, kQueue, &AttackVerifierNodelet::receiveOdometry, this),
+        node.subscribe(names::kAgents, kQueue, &AttackVerifierNodelet::receiveAgents, this)};
+  }
+
+  void receivePattern(const collision_forge::CollisionPattern& message) {
+    pattern_ = message;
+    startTest();
+  }
+
+  void receiveTrajectory(const collision_forge::AttackerTrajectory& message) {
+    trajectory_ = message;
+    startTest();
+  }
+
+  /// Pattern and trajectory of one request come one after the other.
+  void startTest() {
+    test_.reset();
+    if (!pattern_ || !trajectory_ || pattern_->attacker_id != trajectory_->attacker_id ||
+        pattern_->header.stamp != trajectory_->header.stamp) {
+      return;
+    }
+    try {
+      CollisionRequest request;
+      request.type = fromMessage(*pattern_).type;
+      request.tta = pattern_->tta;
+      request.mode = Mode::kReplay;
+      test_.emplace(fromMessage(*trajectory_), request, config_.ego_vehicle);
+      for (const AgentState& ego : egos_) test_->addEgo(ego);
+      for (const Frame& frame : frames_) test_->addAgents(frame.agents);
+    } catch (const std::exception& error) {
+      NODELET_ERROR_STREAM("attack left out: " << error.what());
+    }
+  }
+
+  void receiveOdometry(const nav_msgs::Odometry& message) {
+    const Pose2 base = fromMessage(message.pose.pose);
+    const AgentState ego{message.header.stamp.toSec(),
+                         compose(base, {config_.ego_vehicle.center_offset, 0.0, 0.0}),
+                         message.twist.twist.linear.x * base.heading()};
+    if (!ego.pose.isFinite()) return;
+    if (!egos_.empty() && ego.time < egos_.back().time) {
+      // The replay was restarted. An attack that is still to come is tested again.
+      egos_.clear();
+      dropFramesAfter(ego.time + kAhead);
+      test_.reset();
+      if (trajectory_ && ego.time <= trajectory_->header.stamp.toSec()) startTest();
+    }
+    keepNewest(egos_, ego);
+    if (!test_) return;
+    test_->addEgo(ego);
+    try {
+      publishOutcome();
+    } catch (const std::exception& error) {
+      NODELET_ERROR_STREAM("attack left out: " << error.what());
+      test_.reset();
+    }
+  }
+
+  void receiveAgents(const collision_forge::AgentArray& message) {
+    const double time = message.header.stamp.toSec();
+    try {
+      Frame frame{time, fromMessage(message)};
+      dropFramesAfter(time);
+      keepNewest(frames_, frame);
+      if (test_) test_->addAgents(frame.agents);
+    } catch (const MessageError& error) {
+      NODELET_ERROR_STREAM_THROTTLE(1.0, "frame left out: " << error.what());
+    }
+  }
+
+  /// They are of before the replay went back.
+  void dropFramesAfter(double time) {
+    while (!frames_.empty() && frames_.back().time > time) frames_.pop_back();
+  }
+
+  template <typename Value>
+  static void keepNewest(std::deque<Value>& values, const Value& value) {
+    values.push_back(value);
+    if (values.size() > kQueue) values.pop_front();
+  }
+
+  void publishOutcome() {
+    const auto lanes = map_->lanes();
+    if (!lanes) return;
+    const auto report = test_->outcome(*lanes, config_.attack);
+    if (!report) return;
+    publisher_.publish(
+        toMessage(*report, trajectory_->attacker_id, trajectory_->header.stamp.toSec()));
+    test_.reset();
+  }
+
+  Config config_;
+  std::unique_ptr<LaneMapSubscriber> map_;
+  std::optional<collision_forge::CollisionPattern> pattern_;
+  std::optional<collision_forge::AttackerTrajectory> trajectory_;
+  std::deque<AgentState> egos_;  // the newest, as an answer is later than its "now"
+  std::deque<Frame> frames_;     // the same of everybody else
+  std::optional<EgoTest> test_;
+  ros::Publisher publisher_;
+  std::vector<ros::Subscriber> subscribers_;
+};
+
+}  // namespace forge
+
+PLUGINLIB_EXPORT_CLASS(forge::AttackVerifierNodelet, nodelet::Nodelet)

@@ -1,0 +1,54 @@
+#include <nodelet/nodelet.h>
+#include <ros/ros.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <optional>
+
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/injection.h"
+#include "collision_forge/ros/topic_names.h"
+
+namespace forge {
+
+/// agents -> injected_agents, with the newest attacker's trajectory in place of its recorded
+/// future. A replay that is restarted before the attack's start passes the recording through until
+/// then.
+class AttackerInjectorNodelet : public nodelet::Nodelet {
+ private:
+  static constexpr int kQueue = 100;
+
+  void onInit() override {
+    ros::NodeHandle& node = getNodeHandle();
+    publisher_ = node.advertise<collision_forge::AgentArray>(names::kInjectedAgents, kQueue);
+    trajectory_subscriber_ = node.subscribe(names::kAttackerTrajectory, 1,
+                                            &AttackerInjectorNodelet::receiveTrajectory, this);
+    agents_subscriber_ =
+        node.subscribe(names::kAgents, kQueue, &AttackerInjectorNodelet::receiveAgents, this);
+  }
+
+  void receiveTrajectory(const collision_forge::AttackerTrajectory& message) {
+    try {
+      static_cast<void>(fromMessage(message));  // as the injector will for every frame
+    } catch (const MessageError& error) {
+      NODELET_ERROR_STREAM("attack left out: " << error.what());
+      return;
+    }
+    injector_.emplace(message);
+    if (last_) injector_->remember(*last_);
+  }
+
+  void receiveAgents(const collision_forge::AgentArray::ConstPtr& message) {
+    last_ = message;
+    publisher_.publish(injector_ ? injector_->inject(*message) : *message);
+  }
+
+  std::optional<AttackerInjector> injector_;
+  collision_forge::AgentArray::ConstPtr last_;  // tells the injector the attacker's height
+  ros::Publisher publisher_;
+  ros::Subscriber trajectory_subscriber_;
+  ros::Subscriber agents_subscriber_;
+};
+
+}  // namespace forge
+
+PLUGINLIB_EXPORT_CLASS(forge::AttackerInjectorNodelet, nodelet::Nodelet)

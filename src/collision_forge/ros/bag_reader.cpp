@@ -1,0 +1,131 @@
+#include "collision_forge/ros/bag_reader.h"
+
+#include <collision_forge/AgentArray.h>
+#include <collision_forge/LaneMap.h>
+#include <rosbag/view.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <filesystem>
+#include <map>
+
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/topic_names.h"
+
+namespace forge {
+namespace {
+
+/// Collects a scene message by message.
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(const EgoVehicle& ego) : center_offset_(ego.center_offset) {
+    scene_.ego = Track{kEgoId, AgentClass::kCar, ego.size, {}};
+  }
+
+  void add(const tf2_msgs::TFMessage& message) {
+    for (const auto& transform : message.transforms) {
+      if (transform.header.frame_id != names::kMapFrame ||
+          transform.child_frame_id != names::kBaseFrame) {
+        continue;
+      }
+      const Pose2 base = fromMessage(transform.transform);
+      if (!base.isFinite()) {
+        ++skipped_["ego poses that are not a number"];
+        continue;
+      }
+      append(scene_.ego, {transform.header.stamp.toSec(), compose(base, {center_offset_, 0.0, 0.0}),
+                          Vector2::Zero()});
+    }
+  }
+
+  void add(const collision_forge::AgentArray& message) {
+    const double time = message.header.stamp.toSec();
+    if (!scene_.frame_times.empty() && time <= scene_.frame_times.back()) {
+      ++skipped_["frames of agents whose stamp is not after the one before"];
+      return;
+    }
+    scene_.frame_times.push_back(time);
+    for (Track& agent : fromMessage(message)) {
+      if (!agent.states.front().pose.isFinite() ||
+          !(agent.size.length > 0.0 && agent.size.width > 0.0)) {
+        ++skipped_["agents that are not a number or have no size"];
+        continue;
+      }
+      Track& track = tracks_.try_emplace(agent.id, agent).first->second;
+      append(track, agent.states.front());
+    }
+  }
+
+  void add(const collision_forge::LaneMap& message) {
+    scene_.map = std::make_shared<const LaneMap>(fromMessage(message));
+  }
+
+  Scene finish(std::vector<std::string>* warnings) {
+    deriveVelocities(scene_.ego);
+    for (auto& [id, track] : tracks_) {
+      deriveVelocities(track);
+      scene_.agents.push_back(std::move(track));
+    }
+    for (const auto& [what, count] : skipped_) {
+      if (warnings) warnings->push_back(std::to_string(count) + " " + what + " left out");
+    }
+    return std::move(scene_);
+  }
+
+ private:
+  void append(Track& track, const AgentState& state) {
+    if (track.states.empty() || state.time > track.states.back().time) {
+      track.states.push_back(state);
+    } else if (state.time < track.states.back().time) {
+      ++skipped_["poses whose stamp is before the last one's"];
+    }
+  }
+
+  double center_offset_;
+  Scene scene_;
+  std::map<std::string, Track> tracks_;
+  std::map<std::string, int> skipped_;
+};
+
+void requireTopics(const std::string& path, const Scene& scene) {
+  if (!scene.map) throw BagError(path + ": no message on " + bagTopic(names::kLaneMap));
+  if (scene.frame_times.empty())
+    throw BagError(path + ": no message on " + bagTopic(names::kAgents));
+  if (scene.ego.states.empty()) {
+    throw BagError(path + ": no transform " + names::kMapFrame + " -> " + names::kBaseFrame +
+                   " on " + names::kTf);
+  }
+}
+
+}  // namespace
+
+Scene readBag(const std::string& path, const EgoVehicle& ego, std::vector<std::string>* warnings) {
+  SceneBuilder builder(ego);
+  try {
+    const rosbag::Bag bag(path, rosbag::bagmode::Read);
+    const std::vector<std::string> topics = {names::kTf, bagTopic(names::kAgents),
+                                             bagTopic(names::kLaneMap)};
+    for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topics))) {
+      if (const auto transform = instance.instantiate<tf2_msgs::TFMessage>()) {
+        builder.add(*transform);
+      } else if (const auto agents = instance.instantiate<collision_forge::AgentArray>()) {
+        builder.add(*agents);
+      } else if (const auto map = instance.instantiate<collision_forge::LaneMap>()) {
+        builder.add(*map);
+      }
+    }
+  } catch (const rosbag::BagUnindexedException&) {
+    throw BagError(path + ": truncated (no index); `rosbag reindex` may save what is there");
+  } catch (const rosbag::BagException& error) {
+    throw BagError(path + ": cannot be read: " + error.what());
+  } catch (const ros::serialization::StreamOverrunException& error) {
+    throw BagError(path + ": a message is shorter than its type: " + error.what());
+  } catch (const MessageError& error) {
+    throw BagError(path + ": " + error.what());
+  }
+  Scene scene = builder.finish(warnings);
+  requireTopics(path, scene);
+  scene.name = std::filesystem::path(path).stem().string();
+  return scene;
+}
+
+}  // namespace forge

@@ -1,0 +1,448 @@
+#include "collision_forge/ros/conversions.h"
+
+#include <cmath>
+#include <limits>
+
+#include "collision_forge/ros/topic_names.h"
+
+namespace forge {
+namespace {
+
+geometry_msgs::Vector3 toMessage(const BoxSize& size) {
+  geometry_msgs::Vector3 message;
+  message.x = size.length;
+  message.y = size.width;
+  return message;
+}
+
+BoxSize fromMessage(const geometry_msgs::Vector3& message) { return {message.x, message.y}; }
+
+/// NaN for a quaternion that is not finite.
+template <typename Quaternion>
+double yawOf(const Quaternion& q) {
+  if (!std::isfinite(q.w + q.x + q.y + q.z)) return std::numeric_limits<double>::quiet_NaN();
+  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+}
+
+geometry_msgs::Polygon toPolygonMessage(const std::vector<Vector2>& ring) {
+  geometry_msgs::Polygon message;
+  for (const Vector2& point : ring) {
+    geometry_msgs::Point32 corner;
+    corner.x = static_cast<float>(point.x());
+    corner.y = static_cast<float>(point.y());
+    message.points.push_back(corner);
+  }
+  return message;
+}
+
+std::vector<Vector2> fromMessage(const geometry_msgs::Polygon& message) {
+  std::vector<Vector2> ring;
+  for (const auto& point : message.points) ring.emplace_back(point.x, point.y);
+  return ring;
+}
+
+AgentClass agentClass(std::uint8_t value, const std::string& id) {
+  if (value > collision_forge::Agent::STATIC_OBJECT) {
+    throw MessageError("agent " + id + ": agent_class = " + std::to_string(value) +
+                       " does not exist");
+  }
+  return static_cast<AgentClass>(value);
+}
+
+Lane fromMessage(const collision_forge::Lane& message) {
+  Lane lane;
+  lane.id = message.id;
+  lane.is_connector = message.is_connector;
+  lane.is_intersection = message.is_intersection;
+  for (const auto& pose : message.centerline) lane.centerline.push_back(forge::fromMessage(pose));
+  lane.polygon = fromMessage(message.polygon);
+  lane.incoming = message.incoming;
+  lane.outgoing = message.outgoing;
+  return lane;
+}
+
+collision_forge::Lane toMessage(const Lane& lane) {
+  collision_forge::Lane message;
+  message.id = lane.id;
+  message.is_connector = lane.is_connector;
+  message.is_intersection = lane.is_intersection;
+  for (const Pose2& pose : lane.centerline) message.centerline.push_back(toPose2dMessage(pose));
+  message.polygon = toPolygonMessage(lane.polygon);
+  message.incoming = lane.incoming;
+  message.outgoing = lane.outgoing;
+  return message;
+}
+
+TrajectoryPoint fromMessage(const collision_forge::TrajectoryPoint& message) {
+  return {message.stamp.toSec(), forge::fromMessage(message.pose), message.speed,
+          message.acceleration, message.curvature};
+}
+
+collision_forge::TrajectoryPoint toMessage(const TrajectoryPoint& point) {
+  collision_forge::TrajectoryPoint message;
+  message.stamp = stampOf(point.time);
+  message.pose = toPoseMessage(point.pose);
+  message.speed = point.speed;
+  message.acceleration = point.acceleration;
+  message.curvature = point.curvature;
+  return message;
+}
+
+collision_forge::Tensor toMessage(const DenseTensor& tensor) {
+  collision_forge::Tensor message;
+  message.shape = tensor.shape;
+  message.data = tensor.data;
+  return message;
+}
+
+void fillContact(const PlannerContact& contact, collision_forge::PlannerOutcome& message) {
+  message.contact_time = stampOf(contact.time);
+  message.other_id = contact.other_id;
+  message.is_attacker = contact.is_attacker;
+  if (contact.type) message.collision_type = toString(*contact.type);
+  message.relative_heading = contact.relative_heading;
+  message.ego_side = toString(contact.ego_side);
+  message.other_side = toString(contact.other_side);
+  message.impact_speed = contact.impact_speed;
+  message.cause = toString(contact.cause);
+  message.at_fault = contact.at_fault;
+}
+
+}  // namespace
+
+ros::Time stampOf(double time) {
+  constexpr std::uint64_t kMicrosecond = 1000;  // ns
+  const std::uint64_t nanoseconds = ros::Time(time).toNSec();
+  return ros::Time().fromNSec((nanoseconds + kMicrosecond / 2) / kMicrosecond * kMicrosecond);
+}
+
+Pose2 fromMessage(const geometry_msgs::Pose& message) {
+  return {message.position.x, message.position.y, yawOf(message.orientation)};
+}
+
+Pose2 fromMessage(const geometry_msgs::Pose2D& message) {
+  return {message.x, message.y, message.theta};
+}
+
+Pose2 fromMessage(const geometry_msgs::Transform& message) {
+  return {message.translation.x, message.translation.y, yawOf(message.rotation)};
+}
+
+geometry_msgs::Pose toPoseMessage(const Pose2& pose) {
+  geometry_msgs::Pose message;
+  message.position.x = pose.x;
+  message.position.y = pose.y;
+  message.orientation.z = std::sin(0.5 * pose.yaw);
+  message.orientation.w = std::cos(0.5 * pose.yaw);
+  return message;
+}
+
+geometry_msgs::Pose2D toPose2dMessage(const Pose2& pose) {
+  geometry_msgs::Pose2D message;
+  message.x = pose.x;
+  message.y = pose.y;
+  message.theta = pose.yaw;
+  return message;
+}
+
+Polygon fromMessage(const collision_forge::PolygonWithHoles& message) {
+  Polygon polygon{fromMessage(message.exterior), {}};
+  for (const auto& hole : message.holes) polygon.holes.push_back(fromMessage(hole));
+  return polygon;
+}
+
+collision_forge::PolygonWithHoles toMessage(const Polygon& polygon) {
+  collision_forge::PolygonWithHoles message;
+  message.exterior = toPolygonMessage(polygon.exterior);
+  for (const auto& hole : polygon.holes) message.holes.push_back(toPolygonMessage(hole));
+  return message;
+}
+
+LaneMap fromMessage(const collision_forge::LaneMap& message) {
+  LaneMap map;
+  map.location = message.location;
+  map.driving_side = message.driving_side == collision_forge::LaneMap::DRIVE_LEFT
+                         ? DrivingSide::kLeft
+                         : DrivingSide::kRight;
+  for (const auto& lane : message.lanes) map.lanes.push_back(fromMessage(lane));
+  for (const auto& area : message.drivable_area) map.drivable_area.push_back(fromMessage(area));
+  for (const auto& walkway : message.walkways) map.walkways.push_back(fromMessage(walkway));
+  return map;
+}
+
+collision_forge::LaneMap toMessage(const LaneMap& map, const ros::Time& stamp) {
+  collision_forge::LaneMap message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stamp;
+  message.location = map.location;
+  message.driving_side = map.driving_side == DrivingSide::kLeft
+                             ? collision_forge::LaneMap::DRIVE_LEFT
+                             : collision_forge::LaneMap::DRIVE_RIGHT;
+  for (const Lane& lane : map.lanes) message.lanes.push_back(toMessage(lane));
+  for (const Polygon& area : map.drivable_area) message.drivable_area.push_back(toMessage(area));
+  for (const Polygon& walkway : map.walkways) message.walkways.push_back(toMessage(walkway));
+  return message;
+}
+
+std::vector<Track> fromMessage(const collision_forge::AgentArray& message) {
+  std::vector<Track> agents;
+  const double time = message.header.stamp.toSec();
+  for (const auto& agent : message.agents) {
+    const Vector2 velocity(agent.velocity.x, agent.velocity.y);
+    agents.push_back({agent.id,
+                      agentClass(agent.agent_class, agent.id),
+                      fromMessage(agent.size),
+                      {{time, fromMessage(agent.pose), velocity}}});
+  }
+  return agents;
+}
+
+Track fromMessage(const collision_forge::AgentTrack& message) {
+  Track track{
+      message.id, agentClass(message.agent_class, message.id), fromMessage(message.size), {}};
+  for (const auto& state : message.states) {
+    track.states.push_back({state.stamp.toSec(), fromMessage(state.pose),
+                            Vector2(state.velocity_x, state.velocity_y)});
+  }
+  return track;
+}
+
+collision_forge::AgentTrack toMessage(const Track& track) {
+  collision_forge::AgentTrack message;
+  message.id = track.id;
+  message.agent_class = static_cast<std::uint8_t>(track.agent_class);
+  message.size = toMessage(track.size);
+  for (const AgentState& state : track.states) {
+    collision_forge::TrackState sample;
+    sample.stamp = stampOf(state.time);
+    sample.pose = toPose2dMessage(state.pose);
+    sample.velocity_x = state.velocity.x();
+    sample.velocity_y = state.velocity.y();
+    message.states.push_back(sample);
+  }
+  return message;
+}
+
+Future fromMessage(const collision_forge::Future& message) {
+  Future future;
+  future.ego = fromMessage(message.ego);
+  for (const auto& agent : message.agents) future.agents.push_back(fromMessage(agent));
+  for (const auto& ego : message.ego_samples) future.ego_samples.push_back(fromMessage(ego));
+  return future;
+}
+
+collision_forge::Future toMessage(const Future& future) {
+  collision_forge::Future message;
+  message.ego = toMessage(future.ego);
+  for (const Track& agent : future.agents) message.agents.push_back(toMessage(agent));
+  for (const Track& ego : future.ego_samples) message.ego_samples.push_back(toMessage(ego));
+  return message;
+}
+
+Snapshot fromMessage(const collision_forge::EncodedScene& message) {
+  Snapshot snapshot;
+  snapshot.now = message.header.stamp.toSec();
+  snapshot.ego = fromMessage(message.ego);
+  for (const auto& agent : message.agents) snapshot.agents.push_back(fromMessage(agent));
+  return snapshot;
+}
+
+collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEncoding& encoding) {
+  collision_forge::EncodedScene message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stampOf(snapshot.now);
+  message.ego = toMessage(snapshot.ego);
+  for (const Track& agent : snapshot.agents) message.agents.push_back(toMessage(agent));
+  message.agent_features = toMessage(encoding.agent_features);
+  message.agent_mask = toMessage(encoding.agent_mask);
+  message.lane_features = toMessage(encoding.lane_features);
+  message.lane_mask = toMessage(encoding.lane_mask);
+  message.lane_ids = encoding.lane_ids;
+  return message;
+}
+
+std::variant<CollisionRequest, Status> fromMessage(
+    const collision_forge::CollisionRequest& message) {
+  CollisionRequest request;
+  const auto type = collisionTypeFromString(message.collision_type);
+  if (!type) {
+    return Status{StatusCode::kUnknownType,
+                  "collision_type = \"" + message.collision_type +
+                      "\" is none of lane_change (LC), opposite_direction (OD, HO), rear_end (RE), "
+                      "junction_crossing (JC), ltap (LTAP)"};
+  }
+  const auto mode = modeFromString(message.mode.empty() ? "history" : message.mode);
+  if (!mode) {
+    return Status{StatusCode::kInvalidInput,
+                  "mode = \"" + message.mode + "\" is neither history nor replay"};
+  }
+  request.type = *type;
+  request.tta = message.tta;
+  if (!message.attacker_id.empty()) request.attacker = message.attacker_id;
+  request.mode = *mode;
+  request.seed = message.seed;
+  return request;
+}
+
+CollisionPattern fromMessage(const collision_forge::CollisionPattern& message) {
+  const auto type = collisionTypeFromString(message.collision_type);
+  if (!type) throw MessageError("collision_type = \"" + message.collision_type + "\" is unknown");
+  CollisionPattern pattern;
+  pattern.type = *type;
+  pattern.attacker_id = message.attacker_id;
+  pattern.time = message.header.stamp.toSec() + message.tta;
+  pattern.ego = {fromMessage(message.ego), fromMessage(message.ego_size)};
+  pattern.attacker_offset = fromMessage(message.attacker_offset);
+  pattern.attacker_speed = message.attacker_speed;
+  return pattern;
+}
+
+collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, double now) {
+  collision_forge::CollisionPattern message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stampOf(now);
+  message.collision_type = toString(pattern.type);
+  message.attacker_id = pattern.attacker_id;
+  message.tta = pattern.time - now;
+  message.ego = toPose2dMessage(pattern.ego.center);
+  message.ego_size = toMessage(pattern.ego.size);
+  message.attacker_offset = toPose2dMessage(pattern.attacker_offset);
+  message.attacker_speed = pattern.attacker_speed;
+  return message;
+}
+
+AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& message) {
+  AttackerTrajectory trajectory{message.attacker_id,
+                                agentClass(message.agent_class, message.attacker_id),
+                                fromMessage(message.size),
+                                {}};
+  if (!(trajectory.size.length > 0.0 && trajectory.size.width > 0.0 &&
+        std::isfinite(trajectory.size.length) && std::isfinite(trajectory.size.width))) {
+    throw MessageError("attacker " + message.attacker_id + ": size is not positive");
+  }
+  std::vector<TrajectoryPoint>& points = trajectory.points;
+  const auto fail = [&](const char* problem) {
+    throw MessageError("attacker " + message.attacker_id + ": points[" +
+                       std::to_string(points.size() - 1) + problem);
+  };
+  for (const auto& point : message.points) {
+    points.push_back(fromMessage(point));
+    const TrajectoryPoint& newest = points.back();
+    if (!newest.pose.isFinite() || !std::isfinite(newest.speed) ||
+        !std::isfinite(newest.acceleration) || !std::isfinite(newest.curvature)) {
+      fail("] is not finite");
+    }
+    if (points.size() > 1 && newest.time <= points[points.size() - 2].time) {
+      fail("].stamp is not after the one before");
+    }
+  }
+  return trajectory;
+}
+
+collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajectory) {
+  collision_forge::AttackerTrajectory message;
+  message.header.frame_id = names::kMapFrame;
+  if (!trajectory.points.empty()) {
+    message.header.stamp = stampOf(trajectory.points.front().time);
+  }
+  message.attacker_id = trajectory.attacker_id;
+  message.agent_class = static_cast<std::uint8_t>(trajectory.agent_class);
+  message.size = toMessage(trajectory.size);
+  for (const TrajectoryPoint& point : trajectory.points) message.points.push_back(toMessage(point));
+  return message;
+}
+
+collision_forge::CollisionReport toMessage(const CollisionReport& report,
+                                           const std::string& attacker_id, double now) {
+  collision_forge::CollisionReport message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stampOf(now);
+  message.attacker_id = attacker_id;
+  message.verified = report.verified();
+  message.contact = report.contact;
+  if (report.contact) {
+    message.contact_time = stampOf(report.contact_time);
+    message.relative_heading = report.relative_heading;
+    message.ego_at_contact = toPose2dMessage(report.ego_at_contact);
+    message.attacker_at_contact = toPose2dMessage(report.attacker_at_contact);
+    message.ego_side = toString(report.ego_side);
+    message.attacker_side = toString(report.attacker_side);
+    message.impact_speed = report.impact_speed;
+  }
+  message.type_kept = report.type_kept;
+  message.on_time = report.on_time;
+  message.bounds_kept = report.bounds_kept;
+  message.broken_bound = report.broken_bound;
+  message.first_other_id = report.first_other_id;
+  if (!report.first_other_id.empty()) message.first_other_time = stampOf(report.first_other_time);
+  message.off_road_share = report.off_road_share;
+  message.confidence = report.confidence;
+  return message;
+}
+
+collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
+                                         std::uint32_t test, double interval) {
+  collision_forge::PlanningState message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stampOf(observation.ego.time);
+  message.test = test;
+  message.interval = interval;
+  message.ego = toMessage(observation.ego);
+  message.ego_size = toMessage(task.ego.size);
+  message.center_offset = task.ego.center_offset;
+  message.wheelbase = task.wheelbase;
+  for (const Track& agent : observation.agents) message.agents.push_back(toMessage(agent));
+  const Polyline route(task.route);
+  for (const double arc_length : route.arcLengths()) {
+    message.route.push_back(toPose2dMessage(route.poseAt(arc_length)));
+  }
+  return message;
+}
+
+std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajectory& message) {
+  std::vector<TrajectoryPoint> points;
+  for (const auto& point : message.points) {
+    const auto& q = point.pose.orientation;
+    if (q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0) {
+      throw MessageError("points[" + std::to_string(points.size()) +
+                         "].pose.orientation is 0, 0, 0, 0, which is no rotation");
+    }
+    points.push_back(fromMessage(point));
+  }
+  return points;
+}
+
+collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::string& planner,
+                                          const std::string& attacker_id) {
+  const RolloutOutcome& outcome = trial.outcome;
+  collision_forge::PlannerOutcome message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stampOf(outcome.driven.front().time);
+  message.planner = planner;
+  message.attacker_id = attacker_id;
+  message.failure = toString(outcome.failure);
+  message.failure_message = outcome.failure_message;
+  message.duration = outcome.duration;
+  message.collided = outcome.contact.has_value();
+  if (outcome.contact) fillContact(*outcome.contact, message);
+  message.max_braking = outcome.max_braking;
+  message.hard_braking = outcome.hard_braking;
+  message.off_road_share = outcome.off_road_share;
+  message.progress = outcome.progress;
+  message.recorded_progress = outcome.recorded_progress;
+  message.avoidable = trial.avoidability.isAvoidable();
+  for (const Avoidance& avoidance : trial.avoidability.from_now) {
+    message.avoided_by.push_back(toString(avoidance.manoeuvre));
+  }
+  if (trial.avoidability.last) {
+    message.last_manoeuvre = toString(trial.avoidability.last->manoeuvre);
+    message.last_moment = stampOf(trial.avoidability.last->start);
+  }
+  message.ticks = static_cast<std::uint32_t>(outcome.plans);
+  message.mean_call_time = trial.mean_call;
+  message.max_call_time = trial.max_call;
+  for (const TrajectoryPoint& point : outcome.driven) message.driven.push_back(toMessage(point));
+  return message;
+}
+
+}  // namespace forge

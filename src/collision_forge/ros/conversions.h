@@ -1,0 +1,91 @@
+#pragma once
+
+#include <collision_forge/AgentArray.h>
+#include <collision_forge/AgentTrack.h>
+#include <collision_forge/AttackerTrajectory.h>
+#include <collision_forge/CollisionPattern.h>
+#include <collision_forge/CollisionReport.h>
+#include <collision_forge/CollisionRequest.h>
+#include <collision_forge/EncodedScene.h>
+#include <collision_forge/Future.h>
+#include <collision_forge/LaneMap.h>
+#include <collision_forge/PlannedTrajectory.h>
+#include <collision_forge/PlannerOutcome.h>
+#include <collision_forge/PlanningState.h>
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Transform.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "collision_forge/network/scene_encoding.h"
+#include "collision_forge/planners/planner.h"
+#include "collision_forge/scene/attack.h"
+#include "collision_forge/scene/scene.h"
+#include "collision_forge/scene/scene_history.h"
+#include "collision_forge/trials/planner_trial.h"
+
+/// Between the core's types and the messages. Poses are planar: z, roll and pitch are dropped.
+namespace forge {
+
+/// A message that says something impossible; names the field and the value.
+struct MessageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The stamp of a time in seconds. A double does not tell the nanoseconds of today's times: it is
+/// taken to the nearest microsecond, which gives the stamps of nuScenes back as they were.
+ros::Time stampOf(double time);
+
+Pose2 fromMessage(const geometry_msgs::Pose& message);
+Pose2 fromMessage(const geometry_msgs::Pose2D& message);
+Pose2 fromMessage(const geometry_msgs::Transform& message);
+geometry_msgs::Pose toPoseMessage(const Pose2& pose);
+geometry_msgs::Pose2D toPose2dMessage(const Pose2& pose);
+
+LaneMap fromMessage(const collision_forge::LaneMap& message);
+collision_forge::LaneMap toMessage(const LaneMap& map, const ros::Time& stamp);
+
+/// One track with one state an agent. Throws MessageError for an agent class that does not exist.
+std::vector<Track> fromMessage(const collision_forge::AgentArray& message);
+
+Track fromMessage(const collision_forge::AgentTrack& message);
+collision_forge::AgentTrack toMessage(const Track& track);
+
+Future fromMessage(const collision_forge::Future& message);
+collision_forge::Future toMessage(const Future& future);
+
+/// The snapshot in an encoded scene, without a map.
+Snapshot fromMessage(const collision_forge::EncodedScene& message);
+collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEncoding& encoding);
+
+/// The request, or why there is none: UNKNOWN_TYPE or INVALID_INPUT. An empty mode is history.
+std::variant<CollisionRequest, Status> fromMessage(
+    const collision_forge::CollisionRequest& message);
+
+CollisionPattern fromMessage(const collision_forge::CollisionPattern& message);
+collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, double now);
+
+/// Throws MessageError for an agent class that does not exist, a size that is not positive, points
+/// that are not finite, and times that do not grow.
+AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& message);
+collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajectory);
+
+collision_forge::CollisionReport toMessage(const CollisionReport& report,
+                                           const std::string& attacker_id, double now);
+
+/// What an external planner is told; `test` and `interval` as in the message.
+collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
+                                         std::uint32_t test, double interval);
+
+/// The planned points as they are, numbers that are none among them. Throws MessageError for an
+/// orientation that was not filled in.
+std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajectory& message);
+
+collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::string& planner,
+                                          const std::string& attacker_id);
+
+}  // namespace forge

@@ -1,0 +1,63 @@
+#include "collision_forge/ros/marker_parts.h"
+
+#include <cstdio>
+
+#include "collision_forge/geometry/touch_point.h"
+
+namespace forge {
+namespace {
+
+constexpr double kGhostWidth = 0.1;       // m
+constexpr double kGhostInterval = 0.5;    // s
+constexpr double kTimeTolerance = 1e-6;   // s
+constexpr double kContactDiameter = 1.0;  // m
+constexpr float kGhostAlpha = 0.16F;
+constexpr double kReportLetterHeight = 2.2;  // m
+
+}  // namespace
+
+std::string formatted(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+void addWay(const std::string& name, const std::vector<TrajectoryPoint>& points, double end,
+            const BoxSize& size, const colors::MarkerColor& color, MarkerList& markers) {
+  std::vector<Vector2> path;
+  std::vector<Vector2> outlines;
+  double next_ghost = 0.0;  // s from the first point
+  for (const TrajectoryPoint& point : points) {
+    if (point.time > end) break;
+    const OrientedBox box{point.pose, size};
+    path.push_back(box.center.position());
+    if (point.time - points.front().time < next_ghost - kTimeTolerance) continue;
+    next_ghost += kGhostInterval;
+    appendOutline(box, outlines);
+    markers.addSlab(name + "_ghosts", box, kGhostHeight, colors::withAlpha(color, kGhostAlpha));
+  }
+  std::vector<Vector2> lines;
+  appendPolyline(path, lines);
+  markers.addLines(name + "_path", lines, kPathWidth, kPathHeight, color);
+  markers.addLines(name + "_ghost_outlines", outlines, kGhostWidth, kOutlineHeight, color);
+}
+
+Vector2 addContact(const OrientedBox& ego, const OrientedBox& other,
+                   const colors::MarkerColor& other_color, MarkerList& markers) {
+  markers.addSlab("contact_boxes", ego, kPathHeight,
+                  colors::withAlpha(colors::kEgo, kContactAlpha));
+  markers.addSlab("contact_boxes", other, kPathHeight,
+                  colors::withAlpha(other_color, kContactAlpha));
+  const Vector2 point = touchPoint(ego, other);
+  markers.addDisc("contact", point, kContactDiameter, kContactHeight, colors::kContact);
+  return point;
+}
+
+void addReport(const std::string& text, const Vector2& place, const Vector2& direction,
+               MarkerList& markers) {
+  const Vector2 margin(15.0, 11.0);  // m, for half the text and the boxes
+  markers.addText("report", text, place + direction.normalized().cwiseProduct(margin),
+                  kReportLetterHeight, kTextHeight, colors::kText);
+}
+
+}  // namespace forge

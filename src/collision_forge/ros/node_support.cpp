@@ -1,0 +1,52 @@
+#include "collision_forge/ros/node_support.h"
+
+#include <ros/package.h>
+
+#include "collision_forge/attack/request_check.h"
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/topic_names.h"
+
+namespace forge {
+
+std::string nodeConfigFolder(const ros::NodeHandle& private_node) {
+  return private_node.param<std::string>("config_dir",
+                                         ros::package::getPath("collision_forge") + "/config");
+}
+
+Config loadNodeConfig(const ros::NodeHandle& private_node) {
+  return loadLogged("configuration", [&] { return loadConfig(nodeConfigFolder(private_node)); });
+}
+
+LaneMapSubscriber::LaneMapSubscriber(ros::NodeHandle& node)
+    : subscriber_(node.subscribe(names::kLaneMap, 1, &LaneMapSubscriber::receive, this)) {}
+
+std::shared_ptr<const LaneIndex> LaneMapSubscriber::lanes() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return lanes_;
+}
+
+void LaneMapSubscriber::receive(const collision_forge::LaneMap& message) {
+  try {
+    auto lanes =
+        std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(fromMessage(message)));
+    const std::lock_guard<std::mutex> lock(mutex_);
+    lanes_ = std::move(lanes);
+  } catch (const std::exception& error) {
+    ROS_ERROR_STREAM("lane_map of " << message.location << " is not usable: " << error.what());
+  }
+}
+
+std::variant<CheckedRequest, Status> checkedRequest(const LaneMapSubscriber& map,
+                                                  const collision_forge::EncodedScene& scene,
+                                                  const collision_forge::CollisionRequest& request,
+                                                  const PredictionOptions& options) {
+  const auto parsed = fromMessage(request);
+  if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
+  CheckedRequest checked{map.lanes(), fromMessage(scene), std::get<CollisionRequest>(parsed)};
+  if (!checked.lanes) return Status{StatusCode::kNoScene, "no usable lane_map has come yet"};
+  const Status status = checkRequest(checked.request, checked.snapshot, options);
+  if (status.code != StatusCode::kOk) return status;
+  return checked;
+}
+
+}  // namespace forge

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <collision_forge/CollisionRequest.h>
+#include <collision_forge/EncodedScene.h>
+#include <collision_forge/LaneMap.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <variant>
+
+#include "collision_forge/config/config.h"
+#include "collision_forge/map/lane_queries.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+/// The folder named by the private parameter `config_dir`, by default the package's own config/.
+std::string nodeConfigFolder(const ros::NodeHandle& private_node);
+
+/// The configuration in that folder. Throws ConfigError.
+Config loadNodeConfig(const ros::NodeHandle& private_node);
+
+/// What `load` returns. The nodelet loader does not tell what an exception of onInit() says: it is
+/// logged behind "no WHAT: " and goes on.
+template <typename Load>
+auto loadLogged(const char* what, Load load) {
+  try {
+    return load();
+  } catch (const std::exception& error) {
+    ROS_FATAL_STREAM("no " << what << ": " << error.what());
+    throw;
+  }
+}
+
+/// Keeps the newest lane map, ready for queries. Thread-safe.
+class LaneMapSubscriber {
+ public:
+  explicit LaneMapSubscriber(ros::NodeHandle& node);
+
+  /// Null until a usable map has come.
+  std::shared_ptr<const LaneIndex> lanes() const;
+
+ private:
+  void receive(const collision_forge::LaneMap& message);
+
+  mutable std::mutex mutex_;
+  std::shared_ptr<const LaneIndex> lanes_;
+  ros::Subscriber subscriber_;
+};
+
+/// What is asked of a scene, in the core's terms.
+struct CheckedRequest {
+  std::shared_ptr<const LaneIndex> lanes;
+  Snapshot snapshot;
+  CollisionRequest request;
+};
+
+/// The messages converted and passed through checkRequest(), or why that failed.
+std::variant<CheckedRequest, Status> checkedRequest(const LaneMapSubscriber& map,
+                                                  const collision_forge::EncodedScene& scene,
+                                                  const collision_forge::CollisionRequest& request,
+                                                  const PredictionOptions& options);
+
+/// Answers a service with what `work` returns, code and message; an exception is INVALID_INPUT.
+template <typename Response, typename Work>
+bool answerWith(Response& response, Work work) {
+  Status status;
+  try {
+    status = work();
+  } catch (const std::exception& error) {
+    status = {StatusCode::kInvalidInput, error.what()};
+  }
+  response.code = static_cast<std::uint8_t>(status.code);
+  response.message = status.message;
+  return true;
+}
+
+/// A service with a thread of its own: callers are answered one after the other, and a callback may
+/// call other services without starving the nodelet manager's threads.
+class OwnThreadService {
+ public:
+  template <typename Owner, typename Request, typename Response>
+  OwnThreadService(ros::NodeHandle node, const std::string& name,
+                   bool (Owner::*callback)(Request&, Response&), Owner* owner)
+      : spinner_(1, &queue_) {
+    node.setCallbackQueue(&queue_);
+    server_ = node.advertiseService(name, callback, owner);
+    spinner_.start();
+  }
+  ~OwnThreadService() {
+    spinner_.stop();
+    server_.shutdown();
+  }
+
+ private:
+  ros::CallbackQueue queue_;
+  ros::AsyncSpinner spinner_;
+  ros::ServiceServer server_;
+};
+
+}  // namespace forge

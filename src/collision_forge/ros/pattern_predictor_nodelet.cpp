@@ -1,0 +1,57 @@
+#include <collision_forge/PredictPattern.h>
+#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <optional>
+
+#include "collision_forge/attack/pattern_predictor.h"
+#include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/topic_names.h"
+
+namespace forge {
+
+/// Answers predict_pattern.
+class PatternPredictorNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    const Config config = loadNodeConfig(getPrivateNodeHandle());
+    options_ = config.attack;
+    predictor_ = loadLogged("foresight", [&] { return loadForesight(config).patterns(options_); });
+    ros::NodeHandle& node = getNodeHandle();
+    map_ = std::make_unique<LaneMapSubscriber>(node);
+    service_ = std::make_unique<OwnThreadService>(node, names::kPredictPattern,
+                                                  &PatternPredictorNodelet::answer, this);
+  }
+
+  bool answer(collision_forge::PredictPattern::Request& message,
+              collision_forge::PredictPattern::Response& response) {
+    return answerWith(response, [&] { return predict(message, response); });
+  }
+
+  Status predict(const collision_forge::PredictPattern::Request& message,
+                 collision_forge::PredictPattern::Response& response) {
+    const auto checked = checkedRequest(*map_, message.scene, message.request, options_.prediction);
+    if (const Status* refusal = std::get_if<Status>(&checked)) return *refusal;
+    const auto& [lanes, snapshot, request] = std::get<CheckedRequest>(checked);
+    std::optional<Future> recorded;
+    if (request.mode == Mode::kReplay) recorded = fromMessage(message.recorded_future);
+    const PatternPrediction prediction =
+        predictor_->predict(snapshot, *lanes, request, recorded ? &*recorded : nullptr);
+    for (const CollisionPattern& pattern : prediction.patterns) {
+      response.patterns.push_back(toMessage(pattern, snapshot.now));
+    }
+    response.future = toMessage(prediction.future);
+    return prediction.status;
+  }
+
+  AttackOptions options_;
+  std::unique_ptr<const PatternPredictor> predictor_;
+  std::unique_ptr<LaneMapSubscriber> map_;
+  std::unique_ptr<OwnThreadService> service_;
+};
+
+}  // namespace forge
+
+PLUGINLIB_EXPORT_CLASS(forge::PatternPredictorNodelet, nodelet::Nodelet)

@@ -1,0 +1,247 @@
+#include <collision_forge/AttackerTrajectory.h>
+#include <collision_forge/CollisionPattern.h>
+#include <collision_forge/PlannerOutcome.h>
+#include <collision_forge/TestPlanner.h>
+#include <nodelet/nodelet.h>
+#include <ros/ros.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <visualization_msgs/MarkerArray.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <fstream>
+#include <mutex>
+#include <sstream>
+
+#include "collision_forge/config/planner_config.h"
+#include "collision_forge/config/planner_grid.h"
+#include "collision_forge/data/nuscenes_map.h"
+#include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/ros/bag_file.h"
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/external_planner.h"
+#include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/planner_markers.h"
+#include "collision_forge/ros/topic_names.h"
+#include "collision_forge/ros/trial_scenarios.h"
+
+namespace forge {
+namespace {
+
+using Request = collision_forge::TestPlanner::Request;
+using Response = collision_forge::TestPlanner::Response;
+
+constexpr char kExternal[] = "external";
+
+[[noreturn]] void refuse(std::uint8_t code, const std::string& message) {
+  throw TestRefusal(code, message);
+}
+
+std::string readText(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  return text.str();
+}
+
+Background backgroundOf(const std::string& name) {
+  if (name.empty() || name == "replay") return Background::kReplay;
+  if (name != "idm") {
+    refuse(Response::INVALID_INPUT, "background = \"" + name + "\" is neither replay nor idm");
+  }
+  return Background::kIdm;
+}
+
+}  // namespace
+
+/// Answers test_planner: drives a planner in closed loop through a generated crash, and shows how
+/// it went. Private parameters: `dataroot`, `version` and `scenarios` for lines of scenario files,
+/// `recording` (a bag) for trajectories, `config_dir`.
+class PlannerTesterNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    ros::NodeHandle& node = getNodeHandle();
+    const ros::NodeHandle& own = getPrivateNodeHandle();
+    config_ = loadNodeConfig(own);
+    planners_path_ = nodeConfigFolder(own) + "/planners.yaml";
+    planners_text_ = readText(planners_path_);
+    loadLogged("scenarios", [&] { openSources(own); });
+    external_ = std::make_unique<ExternalPlanner>(node, config_.planners.external);
+    outcomes_ = node.advertise<collision_forge::PlannerOutcome>(names::kPlannerOutcome, 1, true);
+    markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kPlannerMarkers, 1, true);
+    maps_ = node.advertise<collision_forge::LaneMap>(names::kTestedMap, 1, true);
+    subscribers_ = {
+        node.subscribe(names::kCollisionPattern, 1, &PlannerTesterNodelet::receivePattern, this),
+        node.subscribe(names::kAttackerTrajectory, 1, &PlannerTesterNodelet::receiveTrajectory,
+                       this)};
+    service_ = std::make_unique<OwnThreadService>(node, names::kTestPlanner,
+                                                  &PlannerTesterNodelet::answer, this);
+  }
+
+  void openSources(const ros::NodeHandle& own) {
+    TrialSources sources{
+        own.param<std::string>("dataroot", ""), own.param<std::string>("version", ""),
+        own.param<std::string>("scenarios", ""), own.param<std::string>("recording", "")};
+    std::vector<std::string> warnings;
+    try {
+      scenarios_ = std::make_unique<TrialScenarios>(sources, config_, &warnings);
+    } catch (const std::exception& error) {
+      NODELET_ERROR_STREAM("no trajectories can be tested: " << error.what());
+      sources.recording.clear();
+      scenarios_ = std::make_unique<TrialScenarios>(sources, config_, nullptr);
+    }
+    for (const std::string& warning : warnings) {
+      NODELET_WARN_STREAM(sources.recording << ": " << warning);
+    }
+  }
+
+  void receivePattern(const collision_forge::CollisionPatternConstPtr& message) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    pattern_ = message;
+  }
+
+  void receiveTrajectory(const collision_forge::AttackerTrajectoryConstPtr& message) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    trajectory_ = message;
+  }
+
+  bool answer(Request& request, Response& response) {
+    response.code = Response::OK;
+    try {
+      test(request, response);
+    } catch (const TestRefusal& refusal) {
+      response.code = refusal.code;
+      response.message = refusal.what();
+    } catch (const std::exception& error) {
+      response.code = Response::INVALID_INPUT;
+      response.message = error.what();
+    }
+    if (response.code != Response::OK) {
+      NODELET_INFO_STREAM("no test (" << int{response.code} << "): " << response.message);
+    }
+    return true;
+  }
+
+  void test(const Request& request, Response& response) {
+    const PlannerOptions options = optionsWith(request.parameters);
+    const Background background = backgroundOf(request.background);
+    const CrashScenario scenario = scenarioOf(request);
+    const std::string& attacker_id = scenario.attacker.attacker_id;
+    PlannerUnderTest made = makeByName(request.planner, options, attacker_id);
+    showPlace(scenario);
+    const PlannerTrial trial = tryPlanner(made.planner ? *made.planner : *external_, made.driving,
+                                          scenario, {options, config_.attack, background});
+    response.outcome = toMessage(trial, request.planner, attacker_id);
+    outcomes_.publish(response.outcome);
+    markers_.publish(plannerMarkers(trial, scenario, request.planner));
+  }
+
+  /// Without a planner of its own for the external one, which is there all the time.
+  PlannerUnderTest makeByName(const std::string& name, const PlannerOptions& options,
+                              const std::string& attacker_id) {
+    if (name == kExternal) {
+      external_->setOptions(options.external);
+      return {nullptr, {options.external.interval, false}};
+    }
+    try {
+      return makePlanner(name, options, attacker_id);
+    } catch (const std::invalid_argument& error) {
+      refuse(Response::UNKNOWN_PLANNER, std::string(error.what()) + ", " + kExternal);
+    }
+  }
+
+  PlannerOptions optionsWith(
+      const std::vector<collision_forge::PlannerParameter>& parameters) const {
+    PlannerValues values;
+    for (const auto& parameter : parameters) {
+      if (!values.emplace(parameter.name, parameter.value).second) {
+        refuse(Response::BAD_PARAMETER, "parameter " + parameter.name + " is given twice");
+      }
+    }
+    try {
+      return parsePlanners(planners_path_,
+                           withPlannerValues(planners_path_, planners_text_, values),
+                           config_.attack.vehicle_limits);
+    } catch (const ConfigError& error) {
+      refuse(Response::BAD_PARAMETER, error.what());
+    }
+  }
+
+  CrashScenario scenarioOf(const Request& request) {
+    CrashScenario scenario = request.scenario.empty() ? scenarioOfTrajectory(request)
+                                                      : scenarios_->ofLine(request.scenario);
+    try {
+      checkScenario(scenario);
+    } catch (const std::invalid_argument& error) {
+      refuse(Response::UNFIT, error.what());
+    }
+    return scenario;
+  }
+
+  CrashScenario scenarioOfTrajectory(const Request& request) {
+    const collision_forge::AttackerTrajectory message = trajectoryOf(request);
+    const AttackerTrajectory trajectory = fromMessage(message);
+    const std::string type = request.collision_type.empty() ? newestTypeOf(message.header.stamp)
+                                                            : request.collision_type;
+    const auto parsed = collisionTypeFromString(type);
+    if (!parsed) {
+      refuse(Response::UNKNOWN_TYPE, "collision_type = \"" + type + "\" is no collision type");
+    }
+    return scenarios_->ofTrajectory(trajectory, *parsed);
+  }
+
+  collision_forge::AttackerTrajectory trajectoryOf(const Request& request) {
+    if (!request.trajectory.points.empty()) return request.trajectory;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!trajectory_ || trajectory_->points.empty()) {
+      refuse(Response::NO_SCENARIO,
+             "neither scenario nor trajectory is given, and no attacker_trajectory has come yet");
+    }
+    return *trajectory_;
+  }
+
+  /// Empty where the newest pattern is of another attack.
+  std::string newestTypeOf(const ros::Time& now) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return pattern_ && pattern_->header.stamp == now ? pattern_->collision_type : "";
+  }
+
+  /// The map around the test, and a frame at the ego for RViz to look at.
+  void showPlace(const CrashScenario& scenario) {
+    const Pose2& ego = scenario.snapshot.ego.states.back().pose;
+    std::vector<Vector2> around;
+    for (const AgentState& state : scenario.recorded.ego.states) {
+      around.push_back(state.pose.position());
+    }
+    const LaneMap map = cropped(scenario.lanes->map(), around, config_.conversion.map_radius);
+    maps_.publish(toMessage(map, stampOf(scenario.snapshot.now)));
+    geometry_msgs::TransformStamped frame;
+    frame.header.frame_id = names::kMapFrame;
+    frame.header.stamp = ros::Time::now();
+    frame.child_frame_id = names::kTestedEgoFrame;
+    const geometry_msgs::Pose pose = toPoseMessage(ego);
+    frame.transform.translation.x = pose.position.x;
+    frame.transform.translation.y = pose.position.y;
+    frame.transform.rotation = pose.orientation;
+    frames_.sendTransform(frame);
+  }
+
+  Config config_;
+  std::string planners_path_;
+  std::string planners_text_;
+  std::unique_ptr<TrialScenarios> scenarios_;
+  std::unique_ptr<ExternalPlanner> external_;
+  std::mutex mutex_;  // of the next two
+  collision_forge::CollisionPatternConstPtr pattern_;
+  collision_forge::AttackerTrajectoryConstPtr trajectory_;
+  tf2_ros::StaticTransformBroadcaster frames_;
+  ros::Publisher outcomes_;
+  ros::Publisher markers_;
+  ros::Publisher maps_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::unique_ptr<OwnThreadService> service_;
+};
+
+}  // namespace forge
+
+PLUGINLIB_EXPORT_CLASS(forge::PlannerTesterNodelet, nodelet::Nodelet)

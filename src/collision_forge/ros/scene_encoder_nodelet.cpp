@@ -1,0 +1,103 @@
+#include <collision_forge/AgentArray.h>
+#include <collision_forge/EncodedScene.h>
+#include <nodelet/nodelet.h>
+#include <ros/ros.h>
+#include <tf2_msgs/TFMessage.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <optional>
+
+#include "collision_forge/network/scene_encoding.h"
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/posed_frames.h"
+#include "collision_forge/ros/topic_names.h"
+#include "collision_forge/scene/scene_history.h"
+
+namespace forge {
+
+/// agents + lane_map + tf -> encoded_scene, once a frame of agents.
+class SceneEncoderNodelet : public nodelet::Nodelet {
+ private:
+  static constexpr int kQueue = 100;  // messages of a topic
+
+  void onInit() override {
+    config_ = loadNodeConfig(getPrivateNodeHandle());
+    history_.emplace(config_.attack.prediction.history_frames, config_.ego_vehicle);
+    ros::NodeHandle& node = getNodeHandle();
+    map_ = std::make_unique<LaneMapSubscriber>(node);
+    publisher_ = node.advertise<collision_forge::EncodedScene>(names::kEncodedScene, kQueue);
+    subscribers_ = {
+        node.subscribe(names::kTf, kQueue, &SceneEncoderNodelet::receiveTransforms, this),
+        node.subscribe(names::kStaticTf, kQueue, &SceneEncoderNodelet::receiveStaticTransforms,
+                       this),
+        node.subscribe(names::kAgents, kQueue, &SceneEncoderNodelet::receiveAgents, this)};
+  }
+
+  void receiveTransforms(const tf2_msgs::TFMessage& message) {
+    frames_.addTransforms(message, false);
+    encode();
+  }
+
+  void receiveStaticTransforms(const tf2_msgs::TFMessage& message) {
+    frames_.addTransforms(message, true);
+    encode();
+  }
+
+  void receiveAgents(const collision_forge::AgentArray::ConstPtr& message) {
+    frames_.addFrame(message);
+    encode();
+  }
+
+  void encode() {
+    while (const auto frame = frames_.next()) {
+      if (frame->dropped > 0) {
+        NODELET_WARN_STREAM_THROTTLE(1.0, frame->dropped << " frames before "
+                                                         << frame->agents->header.stamp
+                                                         << " left out: no transform came");
+      }
+      try {
+        add(*frame);
+        publish();
+      } catch (const std::exception& error) {
+        NODELET_ERROR_STREAM_THROTTLE(
+            1.0, "frame at " << frame->agents->header.stamp << " left out: " << error.what());
+      }
+    }
+  }
+
+  void add(const PosedFrames::PosedFrame& posed) {
+    const collision_forge::AgentArray& message = *posed.agents;
+    Frame frame;
+    frame.time = message.header.stamp.toSec();
+    frame.ego = compose(fromMessage(posed.pose), {config_.ego_vehicle.center_offset, 0.0, 0.0});
+    frame.agents = fromMessage(message);
+    if (const int dropped = history_->add(std::move(frame))) {
+      NODELET_WARN_STREAM_THROTTLE(1.0, dropped << " agents at " << message.header.stamp
+                                                << " are not a number or have no size");
+    }
+  }
+
+  void publish() {
+    const auto lanes = map_->lanes();
+    if (!lanes) {
+      NODELET_WARN_STREAM_THROTTLE(5.0, "no usable lane_map yet");
+      return;
+    }
+    const Snapshot snapshot = history_->snapshot();
+    publisher_.publish(toMessage(
+        snapshot,
+        encodeScene(snapshot, *lanes, config_.attack.prediction.history_frames, config_.encoding)));
+  }
+
+  Config config_;
+  std::optional<SceneHistory> history_;
+  std::unique_ptr<LaneMapSubscriber> map_;
+  ros::Publisher publisher_;
+  PosedFrames frames_;
+  std::vector<ros::Subscriber> subscribers_;
+};
+
+}  // namespace forge
+
+PLUGINLIB_EXPORT_CLASS(forge::SceneEncoderNodelet, nodelet::Nodelet)

@@ -1,0 +1,108 @@
+#include <nodelet/nodelet.h>
+#include <ros/ros.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "collision_forge/ros/markers.h"
+#include "collision_forge/ros/topic_names.h"
+
+namespace forge {
+
+/// Shows map, scene and attack in RViz.
+class SceneVisualizerNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    ros::NodeHandle& node = getNodeHandle();
+    map_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kMapMarkers, 1, true);
+    scene_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kSceneMarkers, 1);
+    pattern_markers_ =
+        node.advertise<visualization_msgs::MarkerArray>(names::kPatternMarkers, 1, true);
+    attack_markers_ =
+        node.advertise<visualization_msgs::MarkerArray>(names::kAttackMarkers, 1, true);
+    subscribers_ = {
+        node.subscribe(names::kLaneMap, 1, &SceneVisualizerNodelet::onMap, this),
+        node.subscribe(names::kEncodedScene, 1, &SceneVisualizerNodelet::onScene, this),
+        node.subscribe(names::kPredictedPatterns, 1, &SceneVisualizerNodelet::onPredicted, this),
+        node.subscribe(names::kCollisionPattern, 1, &SceneVisualizerNodelet::onPattern, this),
+        node.subscribe(names::kAttackerTrajectory, 1, &SceneVisualizerNodelet::onTrajectory, this),
+        node.subscribe(names::kCollisionReport, 1, &SceneVisualizerNodelet::onReport, this)};
+  }
+
+  void onMap(const collision_forge::LaneMapConstPtr& map) {
+    map_markers_.publish(mapMarkers(*map));
+  }
+
+  void onScene(const collision_forge::EncodedSceneConstPtr& scene) {
+    scene_ = scene;
+    scene_markers_.publish(sceneMarkers(*scene));
+    clearFutureAttack(*scene);
+  }
+
+  /// Of the newest scene, as requests are.
+  void onPredicted(const collision_forge::PredictedPatternsConstPtr& predicted) {
+    if (!scene_) return;
+    pattern_markers_.publish(patternMarkers(*predicted, *scene_));
+    patterns_start_ = predicted->header.stamp;
+  }
+
+  void onPattern(const collision_forge::CollisionPatternConstPtr& pattern) {
+    pattern_ = pattern;
+    showAttack();
+  }
+
+  void onTrajectory(const collision_forge::AttackerTrajectoryConstPtr& trajectory) {
+    trajectory_ = trajectory;
+    showAttack();
+  }
+
+  void onReport(const collision_forge::CollisionReportConstPtr& report) {
+    report_ = report;
+    showAttack();
+  }
+
+  /// Waits until pattern, trajectory and report are those of one request.
+  void showAttack() {
+    if (!pattern_ || !trajectory_ || !report_) return;
+    const auto belongs = [this](const auto& message) {
+      return message.header.stamp == trajectory_->header.stamp &&
+             message.attacker_id == trajectory_->attacker_id;
+    };
+    if (!belongs(*pattern_) || !belongs(*report_)) return;
+    attack_markers_.publish(attackMarkers(*pattern_, *trajectory_, *report_));
+    attack_start_ = trajectory_->header.stamp;
+    forgetMessages();
+  }
+
+  /// A scene from before the attack was made means that the recording started anew.
+  void clearFutureAttack(const collision_forge::EncodedScene& scene) {
+    if (scene.header.stamp < patterns_start_) {
+      pattern_markers_.publish(noMarkers(scene.header));
+      patterns_start_ = ros::Time();
+    }
+    if (scene.header.stamp >= attack_start_) return;
+    attack_markers_.publish(noMarkers(scene.header));
+    attack_start_ = ros::Time();
+    forgetMessages();
+  }
+
+  void forgetMessages() {
+    pattern_.reset();
+    trajectory_.reset();
+    report_.reset();
+  }
+
+  ros::Publisher map_markers_;
+  ros::Publisher scene_markers_;
+  ros::Publisher pattern_markers_;
+  ros::Publisher attack_markers_;
+  collision_forge::EncodedSceneConstPtr scene_;
+  collision_forge::CollisionPatternConstPtr pattern_;
+  collision_forge::AttackerTrajectoryConstPtr trajectory_;
+  collision_forge::CollisionReportConstPtr report_;
+  ros::Time patterns_start_;  ///< "now" of the patterns that are shown; zero: none
+  ros::Time attack_start_;    ///< "now" of the attack that is shown; zero: none
+  std::vector<ros::Subscriber> subscribers_;
+};
+
+}  // namespace forge
+
+PLUGINLIB_EXPORT_CLASS(forge::SceneVisualizerNodelet, nodelet::Nodelet)

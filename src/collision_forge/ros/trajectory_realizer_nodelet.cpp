@@ -1,0 +1,53 @@
+#include <collision_forge/RealizeTrajectory.h>
+#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "collision_forge/attack/realizer.h"
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/topic_names.h"
+
+namespace forge {
+
+/// Answers realize_trajectory.
+class TrajectoryRealizerNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    options_ = loadNodeConfig(getPrivateNodeHandle()).attack;
+    ros::NodeHandle& node = getNodeHandle();
+    map_ = std::make_unique<LaneMapSubscriber>(node);
+    service_ = std::make_unique<OwnThreadService>(node, names::kRealizeTrajectory,
+                                                  &TrajectoryRealizerNodelet::answer, this);
+  }
+
+  bool answer(collision_forge::RealizeTrajectory::Request& message,
+              collision_forge::RealizeTrajectory::Response& response) {
+    return answerWith(response, [&] { return realizeInto(message, response); });
+  }
+
+  Status realizeInto(const collision_forge::RealizeTrajectory::Request& message,
+                     collision_forge::RealizeTrajectory::Response& response) {
+    const auto checked = checkedRequest(*map_, message.scene, message.request, options_.prediction);
+    if (const Status* refusal = std::get_if<Status>(&checked)) return *refusal;
+    const auto& [lanes, snapshot, request] = std::get<CheckedRequest>(checked);
+    const Future future = fromMessage(message.future);
+    std::vector<CollisionPattern> patterns;
+    for (const auto& pattern : message.patterns) patterns.push_back(fromMessage(pattern));
+    const Realization realization =
+        realize(patterns, {snapshot, future, request, *lanes}, options_);
+    if (realization.status.code != StatusCode::kOk) return realization.status;
+    const std::string& attacker = realization.trajectory.attacker_id;
+    response.pattern = toMessage(realization.pattern, snapshot.now);
+    response.trajectory = toMessage(realization.trajectory);
+    response.report = toMessage(realization.report, attacker, snapshot.now);
+    return realization.status;
+  }
+
+  AttackOptions options_;
+  std::unique_ptr<LaneMapSubscriber> map_;
+  std::unique_ptr<OwnThreadService> service_;
+};
+
+}  // namespace forge
+
+PLUGINLIB_EXPORT_CLASS(forge::TrajectoryRealizerNodelet, nodelet::Nodelet)

@@ -1,0 +1,137 @@
+#include "collision_forge/ros/trial_scenarios.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+#include "collision_forge/data/nuscenes_json.h"
+#include "collision_forge/data/scenario_file.h"
+#include "collision_forge/ros/bag_reader.h"
+#include "collision_forge/study/request_answerer.h"
+#include "collision_forge/trials/planner_case.h"
+
+namespace forge {
+namespace {
+
+using Codes = collision_forge::TestPlanner::Response;
+
+/// The scenes of the lines that can be read.
+std::set<std::string> scenesIn(const std::string& path) {
+  std::set<std::string> scenes;
+  std::ifstream file(path, std::ios::binary);
+  for (std::string line; std::getline(file, line);) {
+    try {
+      scenes.insert(readScenarioLine(path, line).asked.scene);
+    } catch (const JsonLineError&) {
+      continue;  // told when it is asked for
+    }
+  }
+  return scenes;
+}
+
+/// The frame of the recording at that time; a bag's clock may differ by its resolution.
+double frameAt(const Scene& scene, double time) {
+  constexpr double kFrameTolerance = 1e-3;  // s
+  const auto frame = lastFrameTime(scene, time + kFrameTolerance);
+  if (!frame || std::abs(*frame - time) > kFrameTolerance) {
+    throw TestRefusal(Codes::NO_SCENE, "recording \"" + scene.name +
+                                           "\" has no frame at trajectory.header.stamp = " +
+                                           std::to_string(time) + " s");
+  }
+  return *frame;
+}
+
+}  // namespace
+
+TrialScenarios::TrialScenarios(TrialSources sources, const Config& config,
+                               std::vector<std::string>* warnings)
+    : sources_(std::move(sources)), config_(config) {
+  if (sources_.recording.empty()) return;
+  recording_.emplace();
+  recording_->scene = readBag(sources_.recording, config.ego_vehicle, warnings);
+  recording_->lanes = std::make_shared<const LaneIndex>(recording_->scene.map);
+}
+
+CrashScenario TrialScenarios::ofLine(const std::string& line) {
+  const bool is_number = !line.empty() && line.front() != '{';
+  const std::string where =
+      is_number ? sources_.scenarios + ": line " + line : std::string("scenario");
+  const std::string text = is_number ? numberedLine(line) : line;
+  try {
+    const Scenario scenario = readScenarioLine(where, text);
+    const auto scene = sceneOf(scenario.asked.scene);
+    PlannerCase one = caseOfScenario(scenario, *scene, config_);
+    if (one.status.code != StatusCode::kOk) {
+      throw TestRefusal(static_cast<std::uint8_t>(one.status.code),
+                        where + ": " + one.status.message);
+    }
+    return std::move(one.scenario);
+  } catch (const JsonLineError& error) {
+    throw TestRefusal(Codes::UNREADABLE, error.what());
+  } catch (const NuScenesError& error) {
+    throw TestRefusal(Codes::UNREADABLE, where + ": " + error.what());
+  }
+}
+
+std::string TrialScenarios::numberedLine(const std::string& number) const {
+  std::size_t wanted = 0;
+  const char* end = number.data() + number.size();
+  const auto [parsed_to, problem] = std::from_chars(number.data(), end, wanted);
+  if (problem != std::errc() || parsed_to != end) {
+    throw TestRefusal(Codes::NO_SCENARIO,
+                      "scenario = \"" + number + "\" is neither the number of a line nor a line");
+  }
+  std::ifstream file(sources_.scenarios, std::ios::binary);
+  if (!file) {
+    throw TestRefusal(Codes::NO_SCENARIO, "parameter scenarios = \"" + sources_.scenarios +
+                                              "\" is no file that can be read");
+  }
+  std::size_t count = 0;
+  for (std::string line; std::getline(file, line);) {
+    if (++count == wanted) return line;
+  }
+  throw TestRefusal(Codes::NO_SCENARIO, "scenario = \"" + number + "\": " + sources_.scenarios +
+                                            " has the lines 1 to " + std::to_string(count));
+}
+
+std::shared_ptr<const IndexedScene> TrialScenarios::sceneOf(const std::string& name) {
+  if (sources_.dataroot.empty()) {
+    throw TestRefusal(Codes::UNREADABLE,
+                      "a scenario is tested over the parameter dataroot, which is not set");
+  }
+  if (wanted_.count(name) == 0) {
+    const std::vector<std::string> known = readSceneNames(sources_.dataroot, sources_.version);
+    std::set<std::string> wanted = scenesIn(sources_.scenarios);
+    wanted.insert(wanted_.begin(), wanted_.end());
+    wanted.insert(name);
+    std::vector<std::string> scenes;
+    std::copy_if(known.begin(), known.end(), std::back_inserter(scenes),
+                 [&](const std::string& scene) { return wanted.count(scene) > 0; });
+    if (std::find(scenes.begin(), scenes.end(), name) == scenes.end()) {
+      throw TestRefusal(Codes::UNREADABLE, "scene = \"" + name + "\" is not in " +
+                                               sources_.dataroot + "/" + sources_.version);
+    }
+    source_ = std::make_unique<SceneSource>(sources_.dataroot, sources_.version, scenes, config_,
+                                            std::size_t{1});
+    wanted_ = {scenes.begin(), scenes.end()};
+  }
+  return source_->at(name);
+}
+
+CrashScenario TrialScenarios::ofTrajectory(const AttackerTrajectory& trajectory,
+                                           CollisionType type) const {
+  if (!recording_) {
+    throw TestRefusal(Codes::NO_RECORDING,
+                      "a trajectory is tested over the parameter recording, which is not set");
+  }
+  const double now = frameAt(recording_->scene, trajectory.points.front().time);
+  const RecordedMoment moment =
+      momentAt(recording_->scene, now, config_.attack.prediction.history_frames);
+  return {moment.snapshot,     moment.recorded,  trajectory, type,
+          config_.ego_vehicle, recording_->lanes};
+}
+
+}  // namespace forge

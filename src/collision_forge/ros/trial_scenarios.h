@@ -1,0 +1,59 @@
+#pragma once
+
+#include <collision_forge/TestPlanner.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "collision_forge/config/config.h"
+#include "collision_forge/data/scene_source.h"
+#include "collision_forge/trials/crash_scenario.h"
+
+namespace forge {
+
+/// Why no planner can be tested: a code of TestPlanner.srv, and a message that names field and
+/// value.
+struct TestRefusal : std::runtime_error {
+  TestRefusal(std::uint8_t refusal_code, const std::string& message)
+      : std::runtime_error(message), code(refusal_code) {}
+  std::uint8_t code;
+};
+
+/// Where the crashes that planner_tester is asked for come from; empty: not given.
+struct TrialSources {
+  std::string dataroot;   ///< of nuScenes tables, for scenario files
+  std::string version;    ///< folder of the tables
+  std::string scenarios;  ///< scenario file whose lines are asked for by their number
+  std::string recording;  ///< bag, for trajectories
+};
+
+/// Makes crash scenarios of what TestPlanner asks for. Not thread-safe.
+class TrialScenarios {
+ public:
+  /// `config` must outlive it. Throws BagError for a recording that cannot be read; `warnings` as
+  /// readBag().
+  TrialScenarios(TrialSources sources, const Config& config, std::vector<std::string>* warnings);
+
+  /// A line of a scenario file over its scene: `line` is its number, from 1 on, in the scenario
+  /// file, or the line itself. Throws TestRefusal.
+  CrashScenario ofLine(const std::string& line);
+
+  /// A trajectory over the recording, at the frame where it starts. Throws TestRefusal.
+  CrashScenario ofTrajectory(const AttackerTrajectory& trajectory, CollisionType type) const;
+
+ private:
+  std::string numberedLine(const std::string& number) const;
+  std::shared_ptr<const IndexedScene> sceneOf(const std::string& name);
+
+  TrialSources sources_;
+  const Config& config_;
+  std::optional<IndexedScene> recording_;
+  std::set<std::string> wanted_;  // the scenes that source_ has
+  std::unique_ptr<SceneSource> source_;
+};
+
+}  // namespace forge

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_forge/geometry/oriented_box.h"
+#include "collision_forge/scene/collision_request.h"
+#include "collision_forge/scene/track.h"
+
+namespace forge {
+
+/// Where ego and attacker stand to each other at impact (Sec. 3 of arXiv 2510.12206).
+struct CollisionPattern {
+  CollisionType type = CollisionType::kRearEnd;
+  std::string attacker_id;
+  double time = 0.0;          ///< seconds, same clock as the snapshot; the instant of impact
+  OrientedBox ego;            ///< the ego's box then, global map frame
+  Pose2 attacker_offset;      ///< the attacker's box centre in the ego box's frame (dx, dy, dtheta)
+  double attacker_speed = 0;  ///< m/s along its heading at impact
+};
+
+/// One sample of the attacker's motion. Global map frame; the pose is the box centre.
+struct TrajectoryPoint {
+  double time = 0.0;  ///< seconds, same clock as the snapshot
+  Pose2 pose;
+  double speed = 0.0;         ///< m/s along the heading
+  double acceleration = 0.0;  ///< m/s2 along the heading
+  double curvature = 0.0;     ///< 1/m, positive to the left
+};
+
+/// What the attacker drives from now on, evenly sampled from now to past the impact.
+struct AttackerTrajectory {
+  std::string attacker_id;
+  AgentClass agent_class = AgentClass::kCar;
+  BoxSize size;
+  std::vector<TrajectoryPoint> points;
+};
+
+/// What verification found; see verify().
+struct CollisionReport {
+  bool contact = false;         ///< the attacker touches the ego after now
+  double contact_time = 0.0;    ///< seconds, same clock; valid with contact
+  double relative_heading = 0;  ///< attacker's yaw minus ego's at first contact, radians (-pi, pi]
+  Pose2 ego_at_contact;
+  Pose2 attacker_at_contact;
+  Side ego_side = Side::kRear;        ///< of the ego's box, where the attacker's touches it
+  Side attacker_side = Side::kFront;  ///< of the attacker's box, where the ego's touches it
+  double impact_speed = 0.0;          ///< m/s, norm of the relative velocity at contact
+  bool type_kept = false;       ///< relative heading within the type's bands, at contact and now
+  bool on_time = false;         ///< |contact time - requested time| within tolerance
+  bool bounds_kept = false;     ///< every vehicle limit kept from now to contact
+  std::string broken_bound;     ///< name, value and limit of the worst broken one; empty if kept
+  std::string first_other_id;   ///< whom the attacker touches before the ego; empty if nobody
+  double first_other_time = 0;  ///< seconds, same clock; valid with first_other_id
+  double off_road_share = 0.0;  ///< mean share of the box off the drivable area, now to contact
+  double confidence = 0.0;      ///< share of likely ego futures with all conditions kept, [0, 1]
+
+  /// All conditions at once: what alone may be called a success.
+  bool verified() const {
+    return contact && type_kept && on_time && bounds_kept && first_other_id.empty();
+  }
+};
+
+}  // namespace forge

@@ -1,0 +1,97 @@
+#include "collision_forge/scene/collision_request.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace forge {
+namespace {
+
+std::string lowered(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
+}
+
+}  // namespace
+
+const char* toString(CollisionType type) {
+  switch (type) {
+    case CollisionType::kLaneChange:
+      return "lane_change";
+    case CollisionType::kOppositeDirection:
+      return "opposite_direction";
+    case CollisionType::kRearEnd:
+      return "rear_end";
+    case CollisionType::kJunctionCrossing:
+      return "junction_crossing";
+    case CollisionType::kLtap:
+      return "ltap";
+  }
+  return "unknown";
+}
+
+std::optional<CollisionType> collisionTypeFromString(const std::string& name) {
+  const std::string key = lowered(name);
+  for (const CollisionType type : kCollisionTypes) {
+    if (key == toString(type)) return type;
+  }
+  if (key == "lc") return CollisionType::kLaneChange;
+  if (key == "od" || key == "ho") return CollisionType::kOppositeDirection;
+  if (key == "re") return CollisionType::kRearEnd;
+  if (key == "jc") return CollisionType::kJunctionCrossing;
+  return std::nullopt;
+}
+
+const char* toString(Mode mode) { return mode == Mode::kHistory ? "history" : "replay"; }
+
+std::optional<Mode> modeFromString(const std::string& name) {
+  const std::string key = lowered(name);
+  if (key == "history") return Mode::kHistory;
+  if (key == "replay") return Mode::kReplay;
+  return std::nullopt;
+}
+
+const char* toString(StatusCode code) {
+  switch (code) {
+    case StatusCode::kOk:
+      return "OK";
+    case StatusCode::kUnknownType:
+      return "UNKNOWN_TYPE";
+    case StatusCode::kTtaOutOfRange:
+      return "TTA_OUT_OF_RANGE";
+    case StatusCode::kUnknownAttacker:
+      return "UNKNOWN_ATTACKER";
+    case StatusCode::kAbsentAttacker:
+      return "ABSENT_ATTACKER";
+    case StatusCode::kTooLittleHistory:
+      return "TOO_LITTLE_HISTORY";
+    case StatusCode::kNoCandidate:
+      return "NO_CANDIDATE";
+    case StatusCode::kNoAttackWithinBounds:
+      return "NO_ATTACK_WITHIN_BOUNDS";
+    case StatusCode::kNoScene:
+      return "NO_SCENE";
+    case StatusCode::kNoRecording:
+      return "NO_RECORDING";
+    case StatusCode::kBeyondRecording:
+      return "BEYOND_RECORDING";
+    case StatusCode::kInvalidInput:
+      return "INVALID_INPUT";
+    case StatusCode::kNodeUnavailable:
+      return "NODE_UNAVAILABLE";
+    case StatusCode::kLowConfidence:
+      return "LOW_CONFIDENCE";
+  }
+  return "UNKNOWN";
+}
+
+std::optional<StatusCode> statusCodeFromString(const std::string& name) {
+  for (auto number = static_cast<int>(StatusCode::kOk);
+       number <= static_cast<int>(StatusCode::kLowConfidence); ++number) {
+    const auto code = static_cast<StatusCode>(number);
+    if (name == toString(code)) return code;
+  }
+  return std::nullopt;
+}
+
+}  // namespace forge

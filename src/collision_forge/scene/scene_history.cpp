@@ -1,0 +1,55 @@
+#include "collision_forge/scene/scene_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace forge {
+
+bool isUsable(const Track& agent) {
+  return agent.states.size() == 1 && agent.states.front().pose.isFinite() &&
+         std::isfinite(agent.size.length) && agent.size.length > 0.0 &&
+         std::isfinite(agent.size.width) && agent.size.width > 0.0;
+}
+
+SceneHistory::SceneHistory(int frames, const EgoVehicle& ego)
+    : capacity_(static_cast<std::size_t>(frames)), ego_(ego) {}
+
+int SceneHistory::add(Frame frame) {
+  if (!frame.ego.isFinite()) throw std::invalid_argument("the ego's pose is not a number");
+  if (!frames_.empty() && frame.time <= frames_.back().time) frames_.clear();
+  const auto usable_end = std::stable_partition(frame.agents.begin(), frame.agents.end(), isUsable);
+  const auto dropped = static_cast<int>(std::distance(usable_end, frame.agents.end()));
+  frame.agents.erase(usable_end, frame.agents.end());
+  frames_.push_back(std::move(frame));
+  if (frames_.size() > capacity_) frames_.pop_front();
+  return dropped;
+}
+
+Snapshot SceneHistory::snapshot() const {
+  Snapshot snapshot;
+  snapshot.ego = Track{kEgoId, AgentClass::kCar, ego_.size, {}};
+  if (frames_.empty()) return snapshot;
+  snapshot.now = frames_.back().time;
+  std::map<std::string, Track> tracks;
+  for (const Frame& frame : frames_) {
+    snapshot.ego.states.push_back({frame.time, frame.ego, Vector2::Zero()});
+    for (const Track& agent : frame.agents) {
+      Track& track = tracks.try_emplace(agent.id, Track{agent.id, {}, {}, {}}).first->second;
+      track.agent_class = agent.agent_class;
+      track.size = agent.size;
+      if (track.states.empty() || track.states.back().time < frame.time) {
+        track.states.push_back({frame.time, agent.states.front().pose, Vector2::Zero()});
+      }
+    }
+  }
+  deriveVelocities(snapshot.ego);
+  for (auto& [id, track] : tracks) {
+    deriveVelocities(track);
+    snapshot.agents.push_back(std::move(track));
+  }
+  return snapshot;
+}
+
+}  // namespace forge

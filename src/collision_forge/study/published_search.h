@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "collision_forge/attack/options.h"
+#include "collision_forge/config/evaluation_options.h"
+#include "collision_forge/data/collide_clip.h"
+#include "collision_forge/forecast/ego_futures.h"
+#include "collision_forge/map/lane_queries.h"
+#include "collision_forge/scene/attack.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+/// Options for a search of what the published protocol counts: a contact at about the angle that
+/// the set gives attackers of the type, by any motion, on the road or off it. No vehicle limit is
+/// kept and no answer declined.
+AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOptions& evaluation);
+
+/// The clip's attacker on that attack (of contacts at any time up to a little after the one asked
+/// for) of searchAttacks(), or on nominalAttacker(), that the
+/// published protocol would count in most of the ego's futures: hits, and similar ones a third
+/// more. `request.mode` decides whether `recorded` is looked at; the angle in the file's name
+/// never is.
+AttackerTrajectory publishedSearchAttacker(const CollideClip& clip, const Snapshot& snapshot,
+                                           const Future& recorded, const CollisionRequest& request,
+                                           const LaneIndex& lanes,
+                                           std::shared_ptr<const EgoFutureSampler> ego_futures,
+                                           const AttackOptions& options,
+                                           const EvaluationOptions& evaluation);
+
+}  // namespace forge

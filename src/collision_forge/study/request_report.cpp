@@ -1,0 +1,157 @@
+#include "collision_forge/study/request_report.h"
+
+#include <array>
+#include <set>
+#include <string>
+
+#include "collision_forge/study/request_evaluation.h"
+
+namespace forge {
+namespace {
+
+/// A column of the strict protocol.
+struct Column {
+  const char* title;
+  const char* suffix;      ///< of the methods that are for it
+  std::size_t headline;    ///< index of the measure of all conditions
+  std::size_t type;        ///< index of the measure of the type
+  const char* given_name;  ///< of the headline among the requests that replay meets
+};
+
+std::size_t measureAt(const std::string& name) {
+  const auto& measures = measuresOf(Protocol::kStrict);
+  std::size_t index = 0;
+  while (measures.at(index).name != name) ++index;
+  return index;
+}
+
+const std::array<Column, 2>& columns() {
+  static const std::array<Column, 2> found = {
+      {{"angle bands", "_angle_bands", measureAt("angle_bands"), measureAt("type_angle_bands"),
+        "angle_bands_given_replay"},
+       {"full definitions", "_full_definitions", measureAt("full_definitions"),
+        measureAt("type_full"), "full_definitions_given_replay"}}};
+  return found;
+}
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() &&
+         text.compare(text.size() - end.size(), std::string::npos, end) == 0;
+}
+
+const Column* columnOfMethod(const std::string& method) {
+  for (const Column& column : columns()) {
+    if (endsWith(method, column.suffix)) return &column;
+  }
+  return nullptr;
+}
+
+const Column* columnOfMeasure(std::size_t measure) {
+  for (const Column& column : columns()) {
+    if (measure == column.headline || measure == column.type) return &column;
+  }
+  return nullptr;
+}
+
+/// What a method is called in a table of the column; empty if it does not count there.
+std::string nameIn(const Column* column, const std::string& method) {
+  const Column* of_method = columnOfMethod(method);
+  if (!column || !of_method) return method;
+  return of_method == column ? method.substr(0, method.size() - std::string(column->suffix).size())
+                             : "";
+}
+
+RateTable tableOf(const std::vector<ResultRow>& rows, std::size_t index, const Measure& measure,
+                  const EvaluationPlan& plan, const StatisticsOptions& options) {
+  MethodTrials trials;
+  for (const std::string& method : requestRowMethods(plan)) {
+    const std::string name = nameIn(columnOfMeasure(index), method);
+    if (!name.empty()) trials.emplace_back(name, trialsOf(rows, method, index));
+  }
+  return tabulateTrials(measure, trials, options);
+}
+
+/// The rows of the requests that replay meets with any seed.
+std::vector<ResultRow> rowsThatReplayMeets(const std::vector<ResultRow>& rows,
+                                           const Column& column) {
+  const std::string replay = std::string("replay") + column.suffix;
+  std::set<std::string> met;
+  for (const ResultRow& row : rows) {
+    if (row.method == replay && row.meets[column.headline]) met.insert(row.name);
+  }
+  std::vector<ResultRow> found;
+  for (const ResultRow& row : rows) {
+    if (met.count(row.name) > 0) found.push_back(row);
+  }
+  return found;
+}
+
+bool isHistorySearch(const EvaluationPlan& plan) {
+  return plan.mode == Mode::kHistory && endsWith(plan.method, "search");
+}
+
+RateTable givenReplayTable(const std::vector<ResultRow>& rows, const Column& column,
+                           const EvaluationPlan& plan, const StatisticsOptions& options) {
+  const std::string& title = measuresOf(Protocol::kStrict)[column.headline].title;
+  const Measure measure{column.given_name, title + ", of what replay meets", std::nullopt, true};
+  RateTable table =
+      tableOf(rowsThatReplayMeets(rows, column), column.headline, measure, plan, options);
+  table.methods.pop_back();  // replay itself, which meets all of them
+  table.rates.pop_back();
+  return table;
+}
+
+RateTable offRoadTable(const std::vector<ResultRow>& rows, const std::string& method,
+                       const StatisticsOptions& options) {
+  MethodTrials trials = {{"attack", {}}, {"own motion", {}}, {"difference", {}}};
+  for (const ResultRow& row : rows) {
+    if (row.method != method || !row.own_off_road_share) continue;
+    const double attack = *row.off_road_share;
+    const double own = *row.own_off_road_share;
+    trials[0].second.push_back({row.scene, row.type, row.tta, attack});
+    trials[1].second.push_back({row.scene, row.type, row.tta, own});
+    trials[2].second.push_back({row.scene, row.type, row.tta, attack - own});
+  }
+  const std::string title = "Off the drivable area up to contact, mean share of the box: ";
+  return tabulateTrials({"off_road_" + method, title + method, std::nullopt, false}, trials,
+                        options);
+}
+
+}  // namespace
+
+std::vector<RateTable> requestTables(const std::vector<ResultRow>& rows, const EvaluationPlan& plan,
+                                     const StatisticsOptions& options) {
+  std::vector<RateTable> tables;
+  const auto& measures = measuresOf(Protocol::kStrict);
+  for (std::size_t index = 0; index < measures.size(); ++index) {
+    tables.push_back(tableOf(rows, index, measures[index], plan, options));
+  }
+  if (isHistorySearch(plan)) {
+    for (const Column& column : columns()) {
+      tables.push_back(givenReplayTable(rows, column, plan, options));
+    }
+  }
+  for (const std::string& method : requestRowMethods(plan)) {
+    tables.push_back(offRoadTable(rows, method, options));
+  }
+  return tables;
+}
+
+std::vector<Calibration> requestCalibrations(const std::vector<ResultRow>& rows,
+                                             const EvaluationPlan& plan,
+                                             const StatisticsOptions& options) {
+  std::vector<Calibration> calibrations;
+  if (!isHistorySearch(plan)) return calibrations;
+  for (const Column& column : columns()) {
+    std::vector<Promise> promises;
+    for (const ResultRow& row : rows) {
+      if (row.method != plan.method + column.suffix || !row.confidence) continue;
+      const double kept = row.meets[column.headline] ? 1.0 : 0.0;
+      promises.push_back({*row.confidence, {row.scene, row.type, row.tta, kept}});
+    }
+    calibrations.push_back(calibrate(column.title, promises, options));
+  }
+  return calibrations;
+}
+
+}  // namespace forge

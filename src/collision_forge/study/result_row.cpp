@@ -1,0 +1,135 @@
+#include "collision_forge/study/result_row.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+namespace forge {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;  // rad
+constexpr std::size_t kFixedColumns = 13;
+
+std::string decimals(const char* format, const std::optional<double>& value) {
+  if (!value) return "";
+  char text[64];
+  std::snprintf(text, sizeof(text), format, *value);
+  return text;
+}
+
+/// Commas and line ends would break the row.
+std::string plain(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ';');
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> parts(1);
+  for (const char character : line) {
+    if (character == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += character;
+    }
+  }
+  return parts;
+}
+
+template <typename Number>
+bool parse(const std::string& text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+bool parse(const std::string& text, std::optional<double>& number) {
+  if (text.empty()) return true;
+  return parse(text, number.emplace());
+}
+
+}  // namespace
+
+const char* toString(Protocol protocol) {
+  return protocol == Protocol::kPublished ? "published" : "strict";
+}
+
+std::optional<Protocol> protocolFromString(const std::string& name) {
+  for (const Protocol protocol : {Protocol::kPublished, Protocol::kStrict}) {
+    if (name == toString(protocol)) return protocol;
+  }
+  return std::nullopt;
+}
+
+const std::vector<Measure>& measuresOf(Protocol protocol) {
+  static const std::vector<Measure> published = {
+      {"collision", "Collision rate", std::nullopt, true},
+      {"similar", "Similarity, of the collisions", 0, true}};
+  static const std::vector<Measure> strict = {
+      {"angle_bands", "All conditions, angle bands", std::nullopt, true},
+      {"full_definitions", "All conditions, full definitions", std::nullopt, true},
+      {"contact", "Contact after now", std::nullopt, false},
+      {"type_angle_bands", "Type, angle bands", std::nullopt, false},
+      {"type_full", "Type, full definitions", std::nullopt, false},
+      {"on_time", "On time", std::nullopt, false},
+      {"bounds_kept", "Bounds kept", std::nullopt, false},
+      {"nobody_before", "Nobody touched before", std::nullopt, false}};
+  return protocol == Protocol::kPublished ? published : strict;
+}
+
+std::string csvHeader(Protocol protocol) {
+  std::string text = "name,scene,type,tta,method,seed,status";
+  for (const Measure& measure : measuresOf(protocol)) text += "," + measure.name;
+  return text + ",contact_after,relative_heading,confidence,off_road_share,own_off_road_share,note";
+}
+
+std::string toCsv(const ResultRow& row) {
+  for (const std::string& name : {row.name, row.scene}) {
+    if (plain(name) != name) {
+      throw std::runtime_error("\"" + name +
+                               "\" cannot stand in a CSV file: it has commas or line ends");
+    }
+  }
+  std::ostringstream text;
+  text << row.name << ',' << row.scene << ',' << toString(row.type) << ',' << row.tta << ','
+       << row.method << ',' << row.seed << ',' << plain(row.status);
+  for (const bool met : row.meets) text << ',' << met;
+  std::optional<double> degrees = row.relative_heading;
+  if (degrees) *degrees /= kDegree;
+  text << ',' << decimals("%.3f", row.contact_after) << ',' << decimals("%.2f", degrees);
+  for (const auto& share : {row.confidence, row.off_road_share, row.own_off_road_share}) {
+    text << ',' << decimals("%.4f", share);
+  }
+  text << ',' << plain(row.note);
+  return text.str();
+}
+
+std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol) {
+  const std::vector<std::string> parts = split(line);
+  const std::size_t measures = measuresOf(protocol).size();
+  if (parts.size() != kFixedColumns + measures) return std::nullopt;
+  ResultRow row;
+  row.name = parts[0];
+  row.scene = parts[1];
+  row.method = parts[4];
+  row.status = parts[6];
+  row.note = parts.back();
+  const auto type = collisionTypeFromString(parts[2]);
+  if (!type || !parse(parts[3], row.tta) || !parse(parts[5], row.seed)) return std::nullopt;
+  row.type = *type;
+  for (std::size_t i = 0; i < measures; ++i) {
+    const std::string& met = parts[7 + i];
+    if (met != "0" && met != "1") return std::nullopt;
+    row.meets.push_back(met == "1");
+  }
+  const std::string* part = &parts[7 + measures];
+  for (auto* number : {&row.contact_after, &row.relative_heading, &row.confidence,
+                       &row.off_road_share, &row.own_off_road_share}) {
+    if (!parse(*part++, *number)) return std::nullopt;
+  }
+  if (row.relative_heading) *row.relative_heading *= kDegree;
+  return row;
+}
+
+}  // namespace forge

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_forge/scene/collision_request.h"
+
+namespace forge {
+
+/// How a clip is judged: protocols/published.h or protocols/strict.h.
+enum class Protocol { kPublished, kStrict };
+const char* toString(Protocol protocol);
+std::optional<Protocol> protocolFromString(const std::string& name);
+
+/// Something that one attack meets or does not, and that the tables have a rate of.
+struct Measure {
+  std::string name;  ///< column in results.csv
+  std::string title;
+  std::optional<std::size_t> given;  ///< rate among the rows that meet this measure; all if empty
+  bool is_headline = false;          ///< drawn as a chart
+};
+
+/// Published: collision, similar. Strict: all conditions by angle bands and by full definitions,
+/// then each condition.
+const std::vector<Measure>& measuresOf(Protocol protocol);
+
+/// How one method did in one clip or request: a row of results.csv.
+struct ResultRow {
+  std::string name;  ///< of the clip; of a request its line in the list
+  std::string scene;
+  CollisionType type = CollisionType::kRearEnd;
+  double tta = 0.0;  ///< s, nominal in a clip
+  std::string method;
+  std::uint64_t seed = 0;
+  std::string status;                      ///< "OK", or why the method has no answer
+  std::vector<bool> meets;                 ///< one a measure
+  std::optional<double> contact_after;     ///< s from now to contact, negative before
+  std::optional<double> relative_heading;  ///< rad at contact
+  std::optional<double> confidence;        ///< promised by the search, [0, 1]
+  /// Mean share of the attacker's box off the drivable area from now to contact, [0, 1], and that
+  /// of its own recorded motion over the same span.
+  std::optional<double> off_road_share;
+  std::optional<double> own_off_road_share;
+  std::string note;  ///< a broken limit, whom else the attacker touches
+};
+
+/// Both without the line's end. Times have three decimals, shares four, headings are degrees with
+/// two. toCsv() throws std::runtime_error for a name or scene with commas or line ends.
+std::string csvHeader(Protocol protocol);
+std::string toCsv(const ResultRow& row);
+
+/// The row of a line as toCsv() writes it; empty for any other line (one that was cut off).
+std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol);
+
+}  // namespace forge

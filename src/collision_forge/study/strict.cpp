@@ -1,0 +1,36 @@
+#include "collision_forge/study/strict.h"
+
+namespace forge {
+
+AttackOptions withAngleRules(AttackOptions options) {
+  options.type_rules = TypeRules::kAngle;
+  return options;
+}
+
+StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                            const AttackOptions& options) {
+  AttackOptions full = options;
+  full.type_rules = TypeRules::kFull;
+  StrictOutcome outcome;
+  outcome.report = verify(trajectory, input, withAngleRules(options));
+  outcome.full_type_kept = verifyMotion(trajectory, input, full).type_kept;
+  return outcome;
+}
+
+void describeOutcome(const StrictOutcome& outcome, double now, ResultRow& row) {
+  const CollisionReport& report = outcome.report;
+  row.meets = {outcome.meetsAngleBands(), outcome.meetsFullDefinitions(), report.contact,
+               report.type_kept,          outcome.full_type_kept,         report.on_time,
+               report.bounds_kept,        report.first_other_id.empty()};
+  if (report.contact) {
+    row.contact_after = report.contact_time - now;
+    row.relative_heading = report.relative_heading;
+    row.off_road_share = report.off_road_share;
+  }
+  row.note = report.broken_bound;
+  if (!report.first_other_id.empty()) {
+    row.note += (row.note.empty() ? "" : "; ") + ("touches " + report.first_other_id);
+  }
+}
+
+}  // namespace forge

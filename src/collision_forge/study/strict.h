@@ -1,0 +1,34 @@
+#pragma once
+
+#include "collision_forge/study/result_row.h"
+#include "collision_forge/verify/verification.h"
+
+namespace forge {
+
+/// The conditions of a crash as asked, each and together; docs/protocols.md. Without an attack all
+/// are missed.
+struct StrictOutcome {
+  /// Every condition, the type by its band of |relative heading| at first contact alone.
+  CollisionReport report;
+  bool full_type_kept = false;  ///< the whole definition of the type is kept
+
+  bool meetsAngleBands() const { return report.verified(); }
+  bool meetsFullDefinitions() const { return report.verified() && full_type_kept; }
+};
+
+/// The options with a type told by the heading at contact alone, as COLLIDE tells its types apart:
+/// its clips are searched and measured so.
+AttackOptions withAngleRules(AttackOptions options);
+
+/// The strict protocol: the attacker touches the ego after now; at a relative heading of the type;
+/// at most `time_tolerance` before or after the time asked for; within a real car's limits from now
+/// to contact; and touches nobody earlier. `input.future` is what came: recorded, not predicted.
+/// Headings are interpolated and contact is continuous, as in verify(), which decides all of it.
+StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                            const AttackOptions& options);
+
+/// Fills in what the outcome says: which measures are met, when and how the boxes touch, the share
+/// off the road, and as a note the broken limit and whom the attacker touches before.
+void describeOutcome(const StrictOutcome& outcome, double now, ResultRow& row);
+
+}  // namespace forge

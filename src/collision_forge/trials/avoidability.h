@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_forge/attack/options.h"
+#include "collision_forge/planners/route.h"
+#include "collision_forge/trials/crash_scenario.h"
+
+namespace forge {
+
+/// config/planners.yaml, section avoidability, where each number's unit and source stand.
+struct AvoidabilityOptions {
+  double interval = 0.0;
+  double step = 0.0;
+  std::vector<double> accelerations;
+  std::vector<double> offsets;
+  std::vector<double> durations;
+  double return_time = 0.0;
+  double min_return_distance = 0.0;
+  double margin = 0.0;
+  int draws = 0;
+  std::uint64_t seed = 0;
+};
+
+/// What an ego does to avoid a crash.
+enum class Manoeuvre {
+  kKeeping,       ///< nothing: it drives on as recorded
+  kBraking,       ///< along its way
+  kAccelerating,  ///< along its way
+  kSteering,      ///< to a way beside, at its speed
+  kBoth,          ///< braking or accelerating, and steering
+};
+/// "keeping", "braking", "accelerating", "steering", "both".
+const char* toString(Manoeuvre manoeuvre);
+std::optional<Manoeuvre> manoeuvreFromString(const std::string& name);
+
+/// A motion of the ego that touches nobody: the witness that a crash can be avoided.
+struct Avoidance {
+  Manoeuvre manoeuvre = Manoeuvre::kKeeping;
+  double start = 0.0;  ///< s, the scene's clock; until then the ego drives as recorded
+  std::vector<TrajectoryPoint> motion;  ///< from `start` to the attacker's end
+  double off_road_share = 0.0;          ///< mean share of the box off the drivable area
+};
+
+struct Avoidability {
+  /// From now on: the gentlest found of each kind, gentlest kind first; at most one with kKeeping.
+  std::vector<Avoidance> from_now;
+  /// That with the latest start, of now and each `interval` later. It works at every one before,
+  /// too: the ego can drive on as recorded until then.
+  std::optional<Avoidance> last;
+
+  /// Proven by a witness; otherwise the search found none, which proves nothing.
+  bool isAvoidable() const { return last.has_value(); }
+  const Avoidance* find(Manoeuvre manoeuvre) const;
+};
+
+/// Looks for motions of the ego within the vehicle limits that touch nobody up to the end of the
+/// attacker's trajectory: the attacker drives as it does, the others as recorded. A motion has two
+/// stretches of constant acceleration along the ego's way (routeOf() its recording) or a way beside
+/// it, which it steers to as hard as grip and curvature allow; motions on the road are preferred.
+/// Every witness is verified by verifyMotion(): continuous contact and every limit. Who overlaps
+/// the ego already now is not looked at. Deterministic. Throws as checkScenario() and routeOf().
+Avoidability findAvoidability(const CrashScenario& scenario, const AvoidabilityOptions& options,
+                              const RouteOptions& route, const AttackOptions& attack);
+
+}  // namespace forge

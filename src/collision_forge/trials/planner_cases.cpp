@@ -1,0 +1,186 @@
+#include "collision_forge/trials/planner_cases.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <stdexcept>
+
+#include "collision_forge/data/collide_clip.h"
+#include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/files/resumable_file.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A line of a file of scenarios.
+struct ScenarioText {
+  std::string source;
+  std::string where;
+  std::string text;
+};
+
+std::vector<ScenarioText> readLines(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  const std::string source = fs::path(path).stem().string();
+  std::vector<ScenarioText> lines;
+  for (std::string text; std::getline(file, text);) {
+    lines.push_back({source, path + ": line " + std::to_string(lines.size() + 1), text});
+  }
+  if (lines.empty()) throw std::runtime_error(path + ": has no scenarios");
+  return lines;
+}
+
+/// Empty for a line that cannot be read.
+std::optional<std::string> sceneOf(const ScenarioText& line) {
+  try {
+    return readScenarioLine(line.where, line.text).asked.scene;
+  } catch (const JsonLineError&) {
+    return std::nullopt;
+  }
+}
+
+class ScenarioCases : public PlannerCases {
+ public:
+  ScenarioCases(const std::vector<std::string>& paths, const std::string& dataroot,
+                const std::string& version, std::size_t scenes_kept, const Config& config)
+      : config_(config) {
+    for (const std::string& path : paths) {
+      int number = 0;
+      for (ScenarioText& line : readLines(path)) {
+        names_.push_back(line.source + ":" + std::to_string(++number));
+        lines_.push_back(std::move(line));
+      }
+    }
+    if (std::set<std::string>(names_.begin(), names_.end()).size() < names_.size()) {
+      throw std::runtime_error("two scenario files have the same name, " + lines_.back().source);
+    }
+    const auto known = readSceneNames(dataroot, version);
+    known_.insert(known.begin(), known.end());
+    const std::vector<std::string> wanted = wantedScenes();
+    if (!wanted.empty()) {
+      scenes_ = std::make_unique<SceneSource>(dataroot, version, wanted, config, scenes_kept);
+    }
+  }
+
+  const std::vector<std::string>& names() const override { return names_; }
+
+  std::string fingerprint() const override {
+    std::string found;
+    for (const ScenarioText& line : lines_) found = forge::fingerprint(line.text, found);
+    return std::to_string(lines_.size()) + " scenarios, fingerprint " + found;
+  }
+
+  PlannerCase at(std::size_t index) const override {
+    const ScenarioText& line = lines_[index];
+    const Scenario scenario = readScenarioLine(line.where, line.text);
+    if (known_.count(scenario.asked.scene) == 0) {
+      throw std::runtime_error(line.where + ": scene = \"" + scenario.asked.scene +
+                               "\" is not in the data");
+    }
+    PlannerCase one = caseOfScenario(scenario, *scenes_->at(scenario.asked.scene), config_);
+    one.name = names_[index];
+    one.source = line.source;
+    return one;
+  }
+
+ private:
+  /// Those that there are, of the lines that can be read, in the order of the lines.
+  std::vector<std::string> wantedScenes() const {
+    std::vector<std::string> wanted;
+    std::set<std::string> seen;
+    for (const ScenarioText& line : lines_) {
+      const auto scene = sceneOf(line);
+      if (scene && known_.count(*scene) > 0 && seen.insert(*scene).second) wanted.push_back(*scene);
+    }
+    return wanted;
+  }
+
+  const Config& config_;
+  std::vector<ScenarioText> lines_;
+  std::vector<std::string> names_;
+  std::set<std::string> known_;
+  std::unique_ptr<SceneSource> scenes_;
+};
+
+const char* toString(ClipAttacker attacker) {
+  switch (attacker) {
+    case ClipAttacker::kRecorded:
+      return "recorded";
+    case ClipAttacker::kHistory:
+      return "history";
+    case ClipAttacker::kReplay:
+      break;
+  }
+  return "replay";
+}
+
+class ClipCases : public PlannerCases {
+ public:
+  ClipCases(std::vector<std::string> paths, const std::string& dataroot, ClipAttacker attacker,
+            const Config& config)
+      : paths_(std::move(paths)),
+        attacker_(attacker),
+        config_(config),
+        maps_(dataroot, config),
+        foresight_(loadForesight(config)) {
+    for (const std::string& path : paths_) names_.push_back(fs::path(path).stem().string());
+  }
+
+  const std::vector<std::string>& names() const override { return names_; }
+
+  std::string fingerprint() const override {
+    std::string found;
+    for (const std::string& path : paths_) {
+      found = forge::fingerprint(fs::canonical(path).string(), found);
+    }
+    return std::to_string(names_.size()) + " clips, attacker " + toString(attacker_) +
+           ", fingerprint " + found;
+  }
+
+  PlannerCase at(std::size_t index) const override {
+    const CollideClip clip = readCollideClip(paths_[index]);
+    PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), foresight_, config_);
+    one.source = toString(attacker_);
+    return one;
+  }
+
+ private:
+  std::vector<std::string> paths_;
+  std::vector<std::string> names_;
+  ClipAttacker attacker_;
+  const Config& config_;
+  mutable CityMaps maps_;
+  Foresight foresight_;
+};
+
+}  // namespace
+
+std::set<std::string> readScenes(const std::vector<std::string>& paths) {
+  std::set<std::string> scenes;
+  for (const std::string& path : paths) {
+    for (const ScenarioText& line : readLines(path)) {
+      if (const auto scene = sceneOf(line)) scenes.insert(*scene);
+    }
+  }
+  return scenes;
+}
+
+std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
+                                                const std::string& dataroot,
+                                                const std::string& version, std::size_t scenes_kept,
+                                                const Config& config) {
+  return std::make_unique<ScenarioCases>(paths, dataroot, version, scenes_kept, config);
+}
+
+std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
+                                            const std::string& dataroot, ClipAttacker attacker,
+                                            const Config& config) {
+  return std::make_unique<ClipCases>(paths, dataroot, attacker, config);
+}
+
+}  // namespace forge

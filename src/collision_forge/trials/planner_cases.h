@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "collision_forge/config/config.h"
+#include "collision_forge/data/city_maps.h"
+#include "collision_forge/data/scene_source.h"
+#include "collision_forge/trials/planner_case.h"
+
+namespace forge {
+
+/// The crashes that a run of test_planners is over, by index. Thread-safe.
+class PlannerCases {
+ public:
+  virtual ~PlannerCases() = default;
+  /// One a case, all different.
+  virtual const std::vector<std::string>& names() const = 0;
+  /// What the cases depend on, to tell runs apart.
+  virtual std::string fingerprint() const = 0;
+  /// Throws what is wrong with a case that cannot be read.
+  virtual PlannerCase at(std::size_t index) const = 0;
+};
+
+/// The scenes that the readable lines of scenario files are of. Throws std::runtime_error as
+/// openScenarioCases().
+std::set<std::string> readScenes(const std::vector<std::string>& paths);
+
+/// The lines of scenario files, named FILE:LINE without the file's ending; the source is that name.
+/// Throws std::runtime_error for a file that cannot be read or has no lines; a line that is none of
+/// the format, or of a scene that the root does not have, is a case that cannot be read.
+std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
+                                                const std::string& dataroot,
+                                                const std::string& version, std::size_t scenes_kept,
+                                                const Config& config);
+
+/// Clips of COLLIDE, named as their files; the source is the attacker's: "recorded", "history" or
+/// "replay".
+std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
+                                            const std::string& dataroot, ClipAttacker attacker,
+                                            const Config& config);
+
+}  // namespace forge

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_forge/attack/options.h"
+#include "collision_forge/planners/planner.h"
+#include "collision_forge/planners/planner_options.h"
+#include "collision_forge/trials/crash_scenario.h"
+#include "collision_forge/trials/traffic.h"
+
+namespace forge {
+
+/// How a planner is called and its plans are driven.
+struct Driving {
+  double interval = 0.0;  ///< s between two calls; a multiple of the rollout's step
+  /// The ego goes where the plan says, whatever a car can do; otherwise the bicycle follows it.
+  bool is_exact = false;
+};
+
+/// Everything that a rollout depends on, beside scenario and planner.
+struct RolloutSetup {
+  const PlannerOptions& planners;
+  const AttackOptions& attack;  ///< of contacts: tolerance, collision types; of the start's motion
+  Background background = Background::kReplay;
+  /// Otherwise the ego drives on to the end, through whom it touches.
+  bool ends_at_contact = true;
+};
+
+/// What a planner did that ended its rollout.
+enum class PlannerFailure {
+  kNone,
+  kError,      ///< threw, at the start or when called
+  kEmpty,      ///< a trajectory without points
+  kNotFinite,  ///< a number that is none
+  kUnordered,  ///< times that do not increase
+  kLate,       ///< a trajectory that does not span from now to the next call, or LatePlan
+  kTimedOut,   ///< threw PlannerTimeout: who should have planned did not answer
+  kOffMap,     ///< the whole car left the drivable area
+};
+/// "none", "error", "empty", "not_finite", "unordered", "late", "timed_out", "off_map".
+const char* toString(PlannerFailure failure);
+std::optional<PlannerFailure> plannerFailureFromString(const std::string& name);
+
+/// The ego's first contact.
+struct PlannerContact {
+  std::string other_id;
+  bool is_attacker = false;
+  double time = 0.0;                  ///< s, the scene's clock
+  std::optional<CollisionType> type;  ///< see typeOf(); empty when it is of none
+  double relative_heading = 0.0;      ///< rad (-pi, pi], the other's yaw minus the ego's
+  Side ego_side = Side::kFront;       ///< of the ego's box, where the other's touches it
+  Side other_side = Side::kFront;     ///< of the other's box
+  double impact_speed = 0.0;          ///< m/s, norm of the relative velocity
+  double ego_speed = 0.0;             ///< m/s
+  ContactCause cause = ContactCause::kLateral;
+  bool at_fault = false;
+};
+
+struct RolloutOutcome {
+  PlannerFailure failure = PlannerFailure::kNone;
+  std::string failure_message;  ///< for people: what the planner returned; empty without failure
+  std::optional<PlannerContact> contact;
+  double duration = 0.0;           ///< s from now to the contact, the failure or the attacker's end
+  double max_braking = 0.0;        ///< m/s2, hardest braking of the ego, not negative
+  double hard_braking = 0.0;       ///< s that it braked harder than `hard_braking`
+  double off_road_share = 0.0;     ///< mean share of the box off the drivable area
+  double progress = 0.0;           ///< m along the route
+  double recorded_progress = 0.0;  ///< m along the route, of the recorded ego over the same time
+  std::vector<TrajectoryPoint> driven;  ///< the ego every step, the last at the end
+  int plans = 0;                        ///< calls of the planner
+  double planning_seconds = 0.0;  ///< of computing in these calls; the one thing that is measured
+};
+
+/// Drives the ego by the planner from now on until its first contact (unless the setup says
+/// otherwise), a failure of the planner or the end of the attacker's trajectory. The start is the
+/// recorded state now, its speed told from the past (estimateMotion()). Within a step ego and
+/// others move linearly, so contacts are found to `overlap_tolerance`. Who overlaps the ego already
+/// now, the attacker aside, is not looked at. Same input, same outcome (planning_seconds aside).
+/// Throws as checkScenario() and routeOf().
+RolloutOutcome rollout(Planner& planner, const Driving& driving, const CrashScenario& scenario,
+                       const RolloutSetup& setup);
+
+}  // namespace forge

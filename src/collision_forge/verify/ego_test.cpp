@@ -1,0 +1,62 @@
+#include "collision_forge/verify/ego_test.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "collision_forge/scene/scene_history.h"
+
+namespace forge {
+namespace {
+
+void append(Track& track, const AgentState& state) {
+  if (track.states.empty() || state.time > track.states.back().time) track.states.push_back(state);
+}
+
+}  // namespace
+
+EgoTest::EgoTest(AttackerTrajectory trajectory, const CollisionRequest& request,
+                 const EgoVehicle& ego)
+    : trajectory_(std::move(trajectory)),
+      request_(request),
+      ego_{kEgoId, AgentClass::kCar, ego.size, {}} {
+  if (trajectory_.points.empty()) {
+    throw std::invalid_argument("the trajectory of " + trajectory_.attacker_id + " has no points");
+  }
+}
+
+void EgoTest::addEgo(const AgentState& state) { append(ego_, state); }
+
+void EgoTest::addAgents(const std::vector<Track>& agents) {
+  for (const Track& agent : agents) {
+    if (!isUsable(agent)) continue;
+    Track& track = agents_.try_emplace(agent.id, Track{agent.id, agent.agent_class, agent.size, {}})
+                       .first->second;
+    for (const AgentState& state : agent.states) {
+      append(track, state);
+      agents_until_ = std::max(agents_until_, state.time);
+    }
+  }
+}
+
+std::optional<CollisionReport> EgoTest::outcome(const LaneIndex& lanes,
+                                                const AttackOptions& options) const {
+  if (ego_.states.empty()) return std::nullopt;
+  Future driven;
+  driven.ego = ego_;
+  for (const auto& [id, track] : agents_) driven.agents.push_back(track);
+  Snapshot start;
+  start.now = trajectory_.points.front().time;
+  const auto attacker = agents_.find(trajectory_.attacker_id);
+  if (attacker != agents_.end()) {
+    if (const auto state = stateAt(attacker->second, start.now)) {
+      start.agents.push_back(attacker->second);
+      start.agents.back().states = {*state};
+    }
+  }
+  const CollisionReport report = verify(trajectory_, {start, driven, request_, lanes}, options);
+  const bool ended = ego_.states.back().time >= trajectory_.points.back().time;
+  if (ended || (report.contact && agents_until_ >= report.contact_time)) return report;
+  return std::nullopt;
+}
+
+}  // namespace forge

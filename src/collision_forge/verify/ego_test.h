@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "collision_forge/verify/verification.h"
+
+namespace forge {
+
+/// Tests one attacker's trajectory against an ego that is driven (or replayed) now, as it comes.
+/// States that are not after the ones before are left out. Not thread-safe.
+class EgoTest {
+ public:
+  /// The trajectory must have points; throws std::invalid_argument otherwise.
+  EgoTest(AttackerTrajectory trajectory, const CollisionRequest& request, const EgoVehicle& ego);
+
+  /// Middle of the ego's box. States from before the trajectory's start may be given.
+  void addEgo(const AgentState& state);
+  /// Everybody else at one time, one state each; who is not usable (isUsable()) is left out.
+  void addAgents(const std::vector<Track>& agents);
+
+  /// The verification against what was driven: as soon as the attacker has touched the ego and the
+  /// others are known up to then, or when the trajectory has ended; empty before.
+  std::optional<CollisionReport> outcome(const LaneIndex& lanes,
+                                         const AttackOptions& options) const;
+
+ private:
+  AttackerTrajectory trajectory_;
+  CollisionRequest request_;
+  Track ego_;
+  std::map<std::string, Track> agents_;
+  double agents_until_ = 0.0;  // time of their newest state
+};
+
+}  // namespace forge

@@ -1,0 +1,186 @@
+#include "collision_forge/verify/verification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include <Eigen/Geometry>
+
+#include "collision_forge/forecast/kinematic_prediction.h"
+#include "collision_forge/geometry/swept_contact.h"
+#include "collision_forge/verify/limits.h"
+
+namespace forge {
+namespace {
+
+/// The attacker's pose at a time within its trajectory.
+Pose2 poseAt(const AttackerTrajectory& trajectory, double time) {
+  const auto& points = trajectory.points;
+  const auto after = std::lower_bound(
+      points.begin(), points.end(), time,
+      [](const TrajectoryPoint& point, double value) { return point.time < value; });
+  if (after == points.begin()) return points.front().pose;
+  if (after == points.end()) return points.back().pose;
+  const TrajectoryPoint& before = *std::prev(after);
+  return interpolate(before.pose, after->pose, (time - before.time) / (after->time - before.time));
+}
+
+/// Instants at which either of the two starts a new straight piece, from the first point to `end`.
+std::vector<double> breakpoints(const AttackerTrajectory& trajectory, const Track& track,
+                                double end) {
+  std::vector<double> times;
+  const double begin = trajectory.points.front().time;
+  for (const TrajectoryPoint& point : trajectory.points) times.push_back(point.time);
+  for (const AgentState& state : track.states) times.push_back(state.time);
+  times.push_back(end);
+  std::sort(times.begin(), times.end());
+  times.erase(std::remove_if(times.begin(), times.end(),
+                             [=](double time) { return time < begin || time > end; }),
+              times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// True when the two stay too far apart to touch up to `end`.
+bool staysClear(const AttackerTrajectory& trajectory, const Track& track, double end) {
+  if (track.states.empty()) return true;
+  const double reach = circumradius(trajectory.size) + circumradius(track.size);
+  const auto extent = [end](const auto& samples, auto position) {
+    Eigen::AlignedBox2d box;
+    for (const auto& sample : samples) {
+      box.extend(position(sample));
+      if (sample.time > end) break;
+    }
+    return box;
+  };
+  const auto attacker =
+      extent(trajectory.points, [](const TrajectoryPoint& p) { return p.pose.position(); });
+  const auto other = extent(track.states, [](const AgentState& s) { return s.pose.position(); });
+  return attacker.squaredExteriorDistance(other) > reach * reach;
+}
+
+std::optional<double> firstContactTime(const AttackerTrajectory& trajectory, const Track& track,
+                                       double end, double tolerance) {
+  if (staysClear(trajectory, track, end)) return std::nullopt;
+  const std::vector<double> times = breakpoints(trajectory, track, end);
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const auto from = stateAt(track, times[i]);
+    const auto to = stateAt(track, times[i + 1]);
+    if (!from || !to) continue;
+    const auto ratio = firstContact(
+        {poseAt(trajectory, times[i]), poseAt(trajectory, times[i + 1]), trajectory.size},
+        {from->pose, to->pose, track.size}, tolerance);
+    if (ratio) {
+      return std::min(times[i] + *ratio * (times[i + 1] - times[i]), times[i + 1]);
+    }
+  }
+  return std::nullopt;
+}
+
+Vector2 velocityAt(const AttackerTrajectory& trajectory, double time) {
+  const auto& points = trajectory.points;
+  const auto after = std::find_if(points.begin(), points.end(),
+                                  [=](const TrajectoryPoint& point) { return point.time >= time; });
+  const auto velocity = [](const TrajectoryPoint& point) -> Vector2 {
+    return point.speed * point.pose.heading();
+  };
+  if (after == points.end()) return velocity(points.back());
+  if (after == points.begin()) return velocity(points.front());
+  const TrajectoryPoint& before = *std::prev(after);
+  const double ratio = (time - before.time) / (after->time - before.time);
+  return velocity(before) + ratio * (velocity(*after) - velocity(before));
+}
+
+void describeContact(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                     const AttackOptions& options, CollisionReport& report) {
+  const TypeDefinition& type = options.collision_types.at(input.request.type);
+  const auto ego = stateAt(input.future.ego, report.contact_time);
+  report.ego_at_contact = ego->pose;
+  report.attacker_at_contact = poseAt(trajectory, report.contact_time);
+  report.relative_heading = angleBetween(ego->pose.yaw, report.attacker_at_contact.yaw);
+  const OrientedBox ego_box{ego->pose, input.future.ego.size};
+  const OrientedBox attacker_box{report.attacker_at_contact, trajectory.size};
+  report.ego_side = touchedSide(ego_box, attacker_box);
+  report.attacker_side = touchedSide(attacker_box, ego_box);
+  report.impact_speed = (velocityAt(trajectory, report.contact_time) - ego->velocity).norm();
+  report.type_kept = headingFits(report.relative_heading, type);
+  if (options.type_rules == TypeRules::kFull) {
+    const TrajectoryPoint& start = trajectory.points.front();
+    const AgentState ego_now =
+        stateAt(input.future.ego, start.time).value_or(input.future.ego.states.front());
+    const Pose2 offset = relativeTo(ego->pose, report.attacker_at_contact);
+    report.type_kept = report.type_kept &&
+                       approachFits(angleBetween(ego_now.pose.yaw, start.pose.yaw), type) &&
+                       contactFits(input.request.type, offset, input.future.ego.size,
+                                   trajectory.size, input.lanes.map().driving_side);
+  }
+  const double elapsed = report.contact_time - input.snapshot.now;
+  report.on_time = std::abs(elapsed - input.request.tta) <= options.verification.time_tolerance;
+}
+
+void findFirstOther(const AttackerTrajectory& trajectory, const Future& future, double end,
+                    double tolerance, CollisionReport& report) {
+  for (const Track& other : future.agents) {
+    if (other.id == trajectory.attacker_id) continue;
+    const auto time = firstContactTime(trajectory, other, end, tolerance);
+    if (!time || (report.contact && *time >= report.contact_time)) continue;
+    if (report.first_other_id.empty() || *time < report.first_other_time) {
+      report.first_other_id = other.id;
+      report.first_other_time = *time;
+    }
+  }
+}
+
+}  // namespace
+
+CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                             const AttackOptions& options) {
+  if (trajectory.points.empty()) throw std::invalid_argument("the trajectory has no points");
+  if (input.future.ego.states.empty()) throw std::invalid_argument("the ego's future is empty");
+  CollisionReport report;
+  const double end = trajectory.points.back().time;
+  const double tolerance = options.verification.overlap_tolerance;
+  const auto contact = firstContactTime(trajectory, input.future.ego, end, tolerance);
+  report.contact = contact && *contact > trajectory.points.front().time;
+  if (report.contact) {
+    report.contact_time = *contact;
+    describeContact(trajectory, input, options, report);
+  }
+  const double until = report.contact ? *contact : end;
+  findFirstOther(trajectory, input.future, until, tolerance, report);
+
+  const auto attacker =
+      std::find_if(input.snapshot.agents.begin(), input.snapshot.agents.end(),
+                   [&](const Track& agent) { return agent.id == trajectory.attacker_id; });
+  const double start_yaw = attacker != input.snapshot.agents.end()
+                               ? attacker->states.back().pose.yaw
+                               : trajectory.points.front().pose.yaw;
+  auto broken = findBrokenLimit(trajectory.points, start_yaw, until, options.vehicle_limits);
+  if (!broken) broken = findBrokenPositions(trajectory.points, until, options.vehicle_limits);
+  report.bounds_kept = !broken;
+  if (broken) report.broken_bound = describe(*broken);
+  return report;
+}
+
+double offRoadShare(const AttackerTrajectory& trajectory, const CollisionReport& report,
+                    const LaneIndex& lanes, const VerificationOptions& options) {
+  const double until = report.contact ? report.contact_time : trajectory.points.back().time;
+  double sum = 0.0;
+  int count = 0;
+  for (double time = trajectory.points.front().time; time <= until;
+       time += options.off_road_interval) {
+    sum += lanes.offRoadShare({poseAt(trajectory, time), trajectory.size}).value_or(0.0);
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                       const AttackOptions& options) {
+  CollisionReport report = verifyMotion(trajectory, input, options);
+  report.off_road_share = offRoadShare(trajectory, report, input.lanes, options.verification);
+  return report;
+}
+
+}  // namespace forge

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "collision_forge/attack/options.h"
+#include "collision_forge/map/lane_queries.h"
+#include "collision_forge/scene/attack.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+/// Everything that a trajectory is held against.
+struct VerificationInput {
+  const Snapshot& snapshot;
+  const Future& future;  ///< ego and others from now on; the attacker's own track is left out
+  const CollisionRequest& request;
+  const LaneIndex& lanes;
+};
+
+/// First contact of the attacker with the ego and with anybody else before, found continuously
+/// between samples (see firstContact()); type, time and limits at that contact. The ego and the
+/// others move linearly between the states of `future`. Off-road share and confidence are left at
+/// 0. Throws std::invalid_argument for a trajectory without points or a future without an ego.
+CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                             const AttackOptions& options);
+
+/// Mean share of the attacker's box off the drivable area, from now to the report's contact (or to
+/// the end), at poses `off_road_interval` apart; 0 when the map has no drivable area.
+double offRoadShare(const AttackerTrajectory& trajectory, const CollisionReport& report,
+                    const LaneIndex& lanes, const VerificationOptions& options);
+
+/// verifyMotion() and offRoadShare().
+CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                       const AttackOptions& options);
+
+}  // namespace forge

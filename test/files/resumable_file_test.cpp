@@ -1,0 +1,174 @@
+#include "collision_forge/files/resumable_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <sstream>
+
+#include "data/nuscenes_fixture.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const ResumableFile::Options kOptions = {{"mode", "history"}, {"version", "v1.0-mini"}};
+
+std::string contentOf(const std::string& path) {
+  std::ostringstream content;
+  content << std::ifstream(path).rdbuf();
+  return content.str();
+}
+
+class ResumableFileTest : public testing::Test {
+ protected:
+  std::vector<std::string> resumed(ResumableFile& file) const {
+    std::vector<std::string> lines;
+    const std::size_t count =
+        file.resume([&](const std::string&, const std::string& line) { lines.push_back(line); });
+    EXPECT_EQ(count, lines.size());
+    return lines;
+  }
+
+  std::string complaint(const ResumableFile::Options& options = kOptions) const {
+    try {
+      ResumableFile file(path_, options);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  TemporaryFolder folder_;
+  const std::string path_ = folder_.path() + "/lines";
+  const std::string part_ = path_ + ".part";
+};
+
+TEST_F(ResumableFileTest, HasItsNameOnlyWhenComplete) {
+  ResumableFile file(path_, kOptions);
+  EXPECT_FALSE(file.isComplete());
+  EXPECT_TRUE(resumed(file).empty());
+  file.append("one");
+  EXPECT_FALSE(fs::exists(path_));
+  EXPECT_EQ(contentOf(part_), "one\n") << "written at once";
+  file.append("two");
+  file.complete();
+  EXPECT_EQ(contentOf(path_), "one\ntwo\n");
+  EXPECT_FALSE(fs::exists(part_));
+  EXPECT_TRUE(fs::exists(path_ + ".options"));
+}
+
+TEST_F(ResumableFileTest, GoesOnAfterTheLastCompleteLine) {
+  {
+    ResumableFile file(path_, kOptions);
+    resumed(file);
+    file.append("one");
+    file.append("two");
+  }
+  std::ofstream(part_, std::ios::app) << "thr";  // killed while it was written
+  ResumableFile file(path_, kOptions);
+  std::vector<std::string> places;
+  file.resume([&](const std::string& where, const std::string& line) {
+    places.push_back(where + " " + line);
+  });
+  EXPECT_THAT(places, ElementsAre(part_ + ": line 1 one", part_ + ": line 2 two"));
+  file.append("three");
+  file.complete();
+  EXPECT_EQ(contentOf(path_), "one\ntwo\nthree\n");
+}
+
+TEST_F(ResumableFileTest, WhatTheReaderThrowsLeavesTheFile) {
+  {
+    ResumableFile file(path_, kOptions);
+    resumed(file);
+    file.append("one");
+  }
+  std::ofstream(part_, std::ios::app) << "tw";
+  {
+    ResumableFile file(path_, kOptions);
+    EXPECT_THROW(file.resume([](const std::string&, const std::string&) { throw 1; }), int);
+  }
+  EXPECT_EQ(contentOf(part_), "one\ntw");
+}
+
+TEST_F(ResumableFileTest, ACompleteFileIsLeftAlone) {
+  {
+    ResumableFile file(path_, kOptions);
+    resumed(file);
+    file.append("one");
+    file.complete();
+  }
+  const ResumableFile again(path_, kOptions);
+  EXPECT_TRUE(again.isComplete());
+  EXPECT_FALSE(fs::exists(part_));
+  EXPECT_THAT(complaint({{"mode", "replay"}, {"version", "v1.0-mini"}}),
+              AllOf(HasSubstr(path_ + ":"), HasSubstr("mode = history, now mode = replay")));
+}
+
+TEST_F(ResumableFileTest, OtherOptionsAreRefusedOnceThereAreLines) {
+  { const ResumableFile file(path_, kOptions); }
+  EXPECT_EQ(complaint({{"mode", "replay"}}), "") << "nothing to lose yet";
+  std::ofstream(part_) << "one\n";
+  EXPECT_EQ(complaint({{"mode", "replay"}}), "");
+  EXPECT_THAT(complaint(), AllOf(HasSubstr(part_), HasSubstr("mode = replay, now mode = history")));
+  EXPECT_EQ(contentOf(part_), "one\n");
+}
+
+TEST_F(ResumableFileTest, LinesOfUnknownOptionsAreRefused) {
+  std::ofstream(part_) << "one\n";
+  EXPECT_THAT(complaint(), HasSubstr(path_ + ".options"));
+  fs::remove(part_);
+  std::ofstream(path_) << "one\n";
+  EXPECT_THAT(complaint(), HasSubstr(path_ + ".options"));
+}
+
+TEST_F(ResumableFileTest, TwoWritersAtOnceAreRefused) {
+  const ResumableFile file(path_, kOptions);
+  EXPECT_THAT(complaint(), AllOf(HasSubstr(part_), HasSubstr("is being written")));
+}
+
+TEST_F(ResumableFileTest, AFullDiskKeepsTheLinesBefore) {
+  ResumableFile file(path_, kOptions);
+  resumed(file);
+  file.append("one");
+  const auto handler = ::signal(SIGXFSZ, SIG_IGN);
+  rlimit before = {};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit tight = {8, before.rlim_max};  // bytes: "one\n" and half a line
+  ::setrlimit(RLIMIT_FSIZE, &tight);
+  std::string complaint;
+  try {
+    file.append("two, three");
+  } catch (const std::runtime_error& error) {
+    complaint = error.what();
+  }
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  ::signal(SIGXFSZ, handler);
+  EXPECT_THAT(complaint, AllOf(HasSubstr(part_), HasSubstr("File too large")));
+  EXPECT_EQ(contentOf(part_), "one\n");
+}
+
+TEST_F(ResumableFileTest, AFolderThatIsNotThereIsNamed) {
+  try {
+    const ResumableFile file(folder_.path() + "/none/lines", kOptions);
+    FAIL() << "opened";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr(folder_.path() + "/none/lines.part"));
+  }
+}
+
+TEST(Fingerprint, IsFnv1a) {
+  // Published test vectors of FNV-1a, 64 bits.
+  EXPECT_EQ(fingerprint(""), "cbf29ce484222325");
+  EXPECT_EQ(fingerprint("a"), "af63dc4c8601ec8c");
+  EXPECT_EQ(fingerprint("foobar"), "85944171f73967e8");
+  EXPECT_EQ(fingerprint("bar", fingerprint("foo")), "85944171f73967e8");
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,90 @@
+#include "collision_forge/study/request_answerer.h"
+
+#include <gtest/gtest.h>
+
+#include "collision_forge/attack/generator.h"
+#include "collision_forge/data/pattern_network_file.h"
+
+namespace forge {
+namespace {
+
+const std::string kDataroot = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
+
+class RequestAnswererTest : public testing::Test {
+ protected:
+  /// A request 4 s after the first frame of scene-0001.
+  SceneRequest asked(CollisionType type) {
+    const double now = scenes_.at("scene-0001")->scene.frame_times.at(8);
+    SceneRequest request{"scene-0001", now, {}};
+    request.request.type = type;
+    request.request.tta = 4.0;
+    return request;
+  }
+
+  const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  SceneSource scenes_{kDataroot, "v1.0-embedded", {"scene-0001"}, config_, 1};
+  const Foresight foresight_ = loadForesight(config_);
+  RequestAnswerer answerer_{scenes_, config_, foresight_};
+};
+
+TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
+  const auto indexed = scenes_.at("scene-0001");
+  for (const CollisionType type : kCollisionTypes) {
+    const SceneRequest request = asked(type);
+    const Snapshot snapshot = snapshotAt(indexed->scene, request.now, 8);
+    const Future recorded = recordedFuture(indexed->scene, request.now);
+    Scenario expected{request, config_.ego_vehicle, {}};
+    const auto predictor = foresight_.patterns(config_.attack, request.scene);
+    expected.answer = generateCollision(request.request, snapshot, *indexed->lanes, &recorded,
+                                        *predictor, config_.attack);
+    EXPECT_EQ(scenarioLine(answerer_.answer(request)), scenarioLine(expected));
+  }
+}
+
+TEST_F(RequestAnswererTest, AGivenSceneIsTheNamedOne) {
+  const SceneRequest request = asked(CollisionType::kLaneChange);
+  EXPECT_EQ(scenarioLine(answerer_.answer(request, *scenes_.at("scene-0001"))),
+            scenarioLine(answerer_.answer(request)));
+}
+
+TEST_F(RequestAnswererTest, AMomentIsWhatIsKnownAtItAndWhatCame) {
+  const Scene& scene = scenes_.at("scene-0001")->scene;
+  const RecordedMoment moment = momentAt(scene, scene.frame_times.at(8) + 5e-7, 4);
+  EXPECT_EQ(moment.status.code, StatusCode::kOk);
+  EXPECT_EQ(moment.snapshot.now, scene.frame_times.at(8));
+  EXPECT_EQ(moment.snapshot.ego.states.size(), 4u);
+  EXPECT_EQ(moment.recorded.ego.states.back().time, scene.ego.states.back().time);
+  EXPECT_EQ(momentAt(scene, scene.frame_times.at(8) + 0.1, 4).status.code, StatusCode::kNoScene);
+}
+
+TEST_F(RequestAnswererTest, ReplayKnowsTheRecording) {
+  SceneRequest request = asked(CollisionType::kLaneChange);
+  request.request.mode = Mode::kReplay;
+  EXPECT_NE(answerer_.answer(request).answer.status.code, StatusCode::kNoRecording);
+  request.now = scenes_.at("scene-0001")->scene.frame_times.back();
+  EXPECT_EQ(answerer_.answer(request).answer.status.code, StatusCode::kBeyondRecording);
+}
+
+TEST_F(RequestAnswererTest, AnAbsentAttackerIsAnswered) {
+  SceneRequest request = asked(CollisionType::kRearEnd);
+  request.request.attacker = "nobody";
+  const Scenario scenario = answerer_.answer(request);
+  EXPECT_EQ(scenario.answer.status.code, StatusCode::kUnknownAttacker);
+  EXPECT_NE(scenario.answer.status.message.find("nobody"), std::string::npos);
+}
+
+TEST_F(RequestAnswererTest, ATimeThatIsNoFrameIsAnsweredWithTheNearest) {
+  SceneRequest request = asked(CollisionType::kRearEnd);
+  const double frame = request.now;
+  for (const double now : {frame + 0.1, frame - 0.1}) {
+    request.now = now;
+    const Status status = answerer_.answer(request).answer.status;
+    EXPECT_EQ(status.code, StatusCode::kNoScene);
+    EXPECT_NE(status.message.find(std::to_string(frame)), std::string::npos) << status.message;
+  }
+  request.now = frame + 5e-7;
+  EXPECT_NE(answerer_.answer(request).answer.status.code, StatusCode::kNoScene) << "rounding";
+}
+
+}  // namespace
+}  // namespace forge

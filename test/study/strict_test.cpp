@@ -1,0 +1,147 @@
+#include "collision_forge/study/strict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "attack/test_scenes.h"
+
+namespace forge {
+namespace {
+
+/// An attack in the middle of nowhere, as recorded.
+struct Case {
+  AttackOptions options = shippedOptions();
+  std::shared_ptr<LaneMap> map = emptyMap();
+  Snapshot snapshot;
+  Future recorded;
+  CollisionRequest request;
+  AttackerTrajectory trajectory;
+
+  StrictOutcome outcome() const {
+    return strictOutcome(trajectory, {snapshot, recorded, request, LaneIndex(map)}, options);
+  }
+};
+
+/// Both at 10 m/s, the middles meet at now + 4 s, the attacker turned by `heading`.
+Case meeting(CollisionType type, double heading) {
+  Case c;
+  const Pose2 meet = compose(Pose2{}, {40.0, 0.0, heading});
+  const Pose2 attacker = compose(meet, {-40.0, 0.0, 0.0});
+  c.snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0),
+                          {pastTrack("attacker", kCarSize, attacker, 10.0)}, c.map);
+  c.recorded.ego = futureTrack(kEgoId, kEgoSize, {}, 10.0);
+  c.trajectory = straightDrive(attacker, 10.0, 8.0);
+  c.request.type = type;
+  c.request.tta = 4.0;
+  return c;
+}
+
+TEST(Strict, CrossingFromTheSideMeetsEverything) {
+  const StrictOutcome outcome = meeting(CollisionType::kJunctionCrossing, M_PI_2).outcome();
+  EXPECT_TRUE(outcome.report.contact);
+  EXPECT_TRUE(outcome.report.type_kept);
+  EXPECT_TRUE(outcome.report.on_time);
+  EXPECT_TRUE(outcome.report.bounds_kept);
+  EXPECT_TRUE(outcome.report.first_other_id.empty());
+  EXPECT_TRUE(outcome.meetsAngleBands());
+  EXPECT_TRUE(outcome.meetsFullDefinitions());
+}
+
+TEST(Strict, ApproachCountsInTheFullDefinitionsAlone) {
+  // A left turn across path comes from the opposite direction; this one from the side.
+  const StrictOutcome outcome = meeting(CollisionType::kLtap, M_PI_2).outcome();
+  EXPECT_TRUE(outcome.meetsAngleBands());
+  EXPECT_TRUE(outcome.report.type_kept);
+  EXPECT_FALSE(outcome.full_type_kept);
+  EXPECT_FALSE(outcome.meetsFullDefinitions());
+}
+
+TEST(Strict, HeadingOutsideTheTypesBandFailsBoth) {
+  const StrictOutcome outcome = meeting(CollisionType::kJunctionCrossing, 1.2).outcome();
+  EXPECT_TRUE(outcome.report.contact);
+  EXPECT_FALSE(outcome.report.type_kept);
+  EXPECT_FALSE(outcome.meetsAngleBands());
+  EXPECT_FALSE(outcome.meetsFullDefinitions());
+}
+
+TEST(Strict, ContactMoreThanHalfASecondOffIsNotOnTime) {
+  Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
+  const double contact = c.outcome().report.contact_time - kNow;
+  for (const auto& [tta, on_time] : {std::pair(contact + 0.49, true),
+                                     {contact + 0.51, false},
+                                     {contact - 0.49, true},
+                                     {contact - 0.51, false}}) {
+    c.request.tta = tta;
+    EXPECT_EQ(c.outcome().report.on_time, on_time) << tta;
+    EXPECT_EQ(c.outcome().meetsAngleBands(), on_time) << tta;
+  }
+}
+
+TEST(Strict, SomebodyTouchedBeforeFails) {
+  Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
+  c.recorded.agents.push_back(futureTrack("wall", kCarSize, {40.0, -20.0, 0.0}, 0.0));
+  const StrictOutcome outcome = c.outcome();
+  EXPECT_TRUE(outcome.report.contact);
+  EXPECT_EQ(outcome.report.first_other_id, "wall");
+  EXPECT_FALSE(outcome.meetsAngleBands());
+}
+
+TEST(Strict, SomebodyWhomTheEgoTouchesDoesNotMatter) {
+  Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
+  c.recorded.agents.push_back(futureTrack("wall", kCarSize, {20.0, 0.0, 0.0}, 0.0));
+  EXPECT_TRUE(c.outcome().meetsAngleBands());
+}
+
+TEST(Strict, BrokenBoundFails) {
+  Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
+  c.trajectory.points[10].curvature = 0.21;
+  const StrictOutcome outcome = c.outcome();
+  EXPECT_FALSE(outcome.report.bounds_kept);
+  EXPECT_FALSE(outcome.meetsAngleBands());
+  EXPECT_FALSE(outcome.meetsFullDefinitions());
+}
+
+TEST(Strict, ContactBeforeNowAloneIsNone) {
+  Case c = meeting(CollisionType::kRearEnd, 0.0);
+  c.recorded.ego = futureTrack(kEgoId, kEgoSize, {60.0, 0.0, 0.0}, 10.0);
+  EXPECT_FALSE(c.outcome().report.contact);
+  EXPECT_FALSE(c.outcome().meetsAngleBands());
+}
+
+TEST(Strict, NoAttackMeetsNothing) {
+  const StrictOutcome outcome;
+  EXPECT_FALSE(outcome.meetsAngleBands());
+  EXPECT_FALSE(outcome.meetsFullDefinitions());
+}
+
+TEST(Strict, RowSaysWhatTheOutcomeSays) {
+  Case c = meeting(CollisionType::kLtap, M_PI_2);
+  c.trajectory.points[10].curvature = 0.21;
+  c.recorded.agents.push_back(futureTrack("wall", kCarSize, {40.0, -20.0, 0.0}, 0.0));
+  StrictOutcome outcome = c.outcome();
+  outcome.report.off_road_share = 0.25;
+  ResultRow row;
+  describeOutcome(outcome, kNow, row);
+  EXPECT_EQ(row.meets, (std::vector<bool>{false, false, true, true, false, true, false, false}));
+  EXPECT_EQ(row.contact_after, outcome.report.contact_time - kNow);
+  EXPECT_EQ(row.relative_heading, outcome.report.relative_heading);
+  EXPECT_EQ(row.off_road_share, 0.25);
+  EXPECT_EQ(row.note, "max_total_acceleration 21.000 > 8.000; touches wall");
+  ResultRow missed;
+  describeOutcome({}, kNow, missed);
+  EXPECT_FALSE(missed.contact_after);
+  EXPECT_FALSE(missed.off_road_share);
+  EXPECT_EQ(missed.meets,
+            (std::vector<bool>{false, false, false, false, false, false, false, true}));
+}
+
+TEST(Strict, AngleRulesChangeTheRulesAlone) {
+  const AttackOptions angle = withAngleRules(shippedOptions());
+  EXPECT_EQ(angle.type_rules, TypeRules::kAngle);
+  EXPECT_EQ(angle.search.kept, shippedOptions().search.kept);
+  EXPECT_EQ(shippedOptions().type_rules, TypeRules::kFull);
+}
+
+}  // namespace
+}  // namespace forge

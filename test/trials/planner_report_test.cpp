@@ -1,0 +1,110 @@
+#include "collision_forge/trials/planner_report.h"
+
+#include <gtest/gtest.h>
+
+namespace forge {
+namespace {
+
+const StatisticsOptions kStatistics{100, 0.95, 1};
+
+PlannerRow row(const std::string& planner, std::optional<double> impact_speed,
+               bool is_attacker = true) {
+  PlannerRow found{planner, {}, {}};
+  found.outcome.progress = 5.0;
+  found.outcome.recorded_progress = 10.0;
+  if (impact_speed) {
+    PlannerContact contact;
+    contact.is_attacker = is_attacker;
+    contact.impact_speed = *impact_speed;
+    found.outcome.contact = contact;
+  }
+  return found;
+}
+
+PlannerTestResult result(const std::string& scene, bool is_avoidable,
+                         std::vector<PlannerRow> rows) {
+  PlannerTestResult one;
+  one.name = scene;
+  one.source = "history";
+  one.scene = scene;
+  one.tta = 4.0;
+  one.status = "OK";
+  one.avoidability.is_avoidable = is_avoidable;
+  one.rows = std::move(rows);
+  return one;
+}
+
+/// Of "idm": two hits at 4 and 8 m/s (one unavoidable), a contact with another, none, a failure.
+std::vector<PlannerTestResult> results() {
+  std::vector<PlannerTestResult> found = {
+      result("a", true, {row("idm", 4.0)}), result("b", false, {row("idm", 8.0)}),
+      result("c", true, {row("idm", 6.0, false)}), result("d", true, {row("idm", {})}),
+      result("e", true, {row("idm", {})})};
+  found[4].rows[0].outcome.failure = PlannerFailure::kEmpty;
+  PlannerTestResult declined = result("f", false, {});
+  declined.status = "NO_CANDIDATE";
+  found.push_back(declined);
+  return found;
+}
+
+Rate rateOf(const std::vector<PlannerTestResult>& all, const std::string& measure,
+            std::size_t method = 0) {
+  for (const PlannerTable& entry : plannerTables(all, {"idm"}, kStatistics)) {
+    if (entry.table.measure.name == measure) return entry.table.rates.at(method).back();
+  }
+  throw std::out_of_range(measure);
+}
+
+TEST(PlannerReport, CountsContactsWithTheAttacker) {
+  EXPECT_EQ(rateOf(results(), "collision").trials, 4);
+  EXPECT_DOUBLE_EQ(rateOf(results(), "collision").value, 0.5);
+  EXPECT_EQ(rateOf(results(), "collision_avoidable").trials, 3);
+  EXPECT_NEAR(rateOf(results(), "collision_avoidable").value, 1.0 / 3.0, 1e-12);
+  EXPECT_DOUBLE_EQ(rateOf(results(), "other").value, 0.25);
+}
+
+TEST(PlannerReport, AFailureCountsAsThatAlone) {
+  EXPECT_EQ(rateOf(results(), "failure").trials, 5);
+  EXPECT_DOUBLE_EQ(rateOf(results(), "failure").value, 0.2);
+  EXPECT_EQ(rateOf(results(), "off_road").trials, 4);
+}
+
+TEST(PlannerReport, HasMeansOfSpeedAndProgress) {
+  EXPECT_EQ(rateOf(results(), "impact_speed").trials, 2);
+  EXPECT_DOUBLE_EQ(rateOf(results(), "impact_speed").value, 6.0);
+  EXPECT_DOUBLE_EQ(rateOf(results(), "progress").value, 0.5);
+}
+
+TEST(PlannerReport, CountsAvoidableCases) {
+  EXPECT_EQ(rateOf(results(), "avoidable").trials, 5);
+  EXPECT_DOUBLE_EQ(rateOf(results(), "avoidable").value, 0.8);
+}
+
+TEST(PlannerReport, SourcesHaveRowsOfTheirOwn) {
+  auto all = results();
+  all[3].source = "replay";
+  const RateTable table = plannerTables(all, {"idm"}, kStatistics).front().table;
+  EXPECT_EQ(table.methods, (std::vector<std::string>{"idm / history", "idm / replay"}));
+  EXPECT_EQ(table.rates[1].back().trials, 1);
+}
+
+TEST(PlannerReport, TheWorstAreTheHardestAvoidableImpactsOneAScene) {
+  auto all = results();
+  all[1].avoidability.is_avoidable = true;
+  PlannerTestResult again = result("b", true, {row("idm", 7.0)});
+  all.push_back(again);
+  const auto worst = worstCases(all, {"idm"}, 5);
+  ASSERT_EQ(worst.size(), 2u);
+  EXPECT_EQ(worst[0].result, 1u);
+  EXPECT_EQ(worst[1].result, 0u);
+  EXPECT_EQ(worstCases(all, {"idm"}, 1).size(), 1u);
+}
+
+TEST(PlannerReport, SaysWhyCasesWereNotTested) {
+  const std::string text = describeCases(results());
+  EXPECT_NE(text.find("6 cases, of which were tested: 5"), std::string::npos);
+  EXPECT_NE(text.find("NO_CANDIDATE: 1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace forge
