@@ -12,7 +12,7 @@
 
 namespace forge {
 
-/// The crashes that a run of test_planners is over, by index. Thread-safe.
+/// The crashes that a run of forge test is over, by index. Thread-safe.
 class PlannerCases {
  public:
   virtual ~PlannerCases() = default;
