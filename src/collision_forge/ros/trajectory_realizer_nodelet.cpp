@@ -39,10 +39,7 @@ class TrajectoryRealizerNodelet : public nodelet::Nodelet {
     const Realization realization =
         realize(patterns, {snapshot, future, request, *lanes}, options_);
     if (realization.status.code != StatusCode::kOk) return realization.status;
-    const std::string& attacker = realization.trajectory.attacker_id;
-    response.pattern = toMessage(realization.pattern, snapshot.now);
-    response.trajectory = toMessage(realization.trajectory);
-    response.report = toMessage(realization.report, attacker, snapshot.now);
+    response.attack = toMessage(realization, "", snapshot.now);
     return realization.status;
   }
 
