@@ -1,8 +1,9 @@
-#include <algorithm>
+#include <stdexcept>
 
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/tool_support.h"
-#include "collision_forge/study/request_evaluation.h"
+#include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/study/clip_methods.h"
 
 namespace {
 
@@ -65,8 +66,7 @@ class CommandLine {
         ->check(CLI::IsMember({"published", "strict"}))
         ->capture_default_str();
     app_.add_option("--method", arguments_.plan.method,
-                    "measured beside the baselines; recorded by default, of requests search")
-        ->check(CLI::IsMember(evaluationMethods()));
+                    "measured beside the baselines; recorded by default, of requests search");
     app_.add_option("--mode", mode_,
                     "history: use only what was seen up to now; replay: use the recorded future")
         ->check(CLI::IsMember({"history", "replay"}))
@@ -85,12 +85,17 @@ class CommandLine {
   void complete() {
     arguments_.plan.protocol = protocolFromString(protocol_).value();
     arguments_.plan.mode = modeFromString(mode_).value();
-    if (requests_->count() == 0) return;
-    if (app_.count("--method") == 0) arguments_.plan.method = "search";
-    const auto& methods = requestMethods();
-    if (std::find(methods.begin(), methods.end(), arguments_.plan.method) == methods.end()) {
-      throw CLI::ValidationError("--method", arguments_.plan.method + " is of clips alone");
+    const bool is_of_clips = requests_->count() == 0;
+    if (!is_of_clips && app_.count("--method") == 0) arguments_.plan.method = "search";
+    const Config config = loadConfig(arguments_.config);
+    MethodRegistry methods = loadMethods(config);
+    if (is_of_clips) methods = clipMethods(methods, nullptr, config.evaluation);
+    try {
+      arguments_.plan.is_seeded = methods.at(arguments_.plan.method).is_seeded;
+    } catch (const std::invalid_argument& error) {
+      throw CLI::ValidationError("--method", error.what());
     }
+    if (is_of_clips) return;
     if (arguments_.plan.protocol != Protocol::kStrict) {
       throw CLI::ValidationError("--protocol", protocol_ + " is of clips alone");
     }

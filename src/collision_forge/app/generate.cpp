@@ -32,6 +32,7 @@ struct Arguments {
   std::string requests;
   std::string out;
   std::string config;
+  std::string method;
   Mode mode = Mode::kHistory;
   Format format = Format::kJsonl;
   int jobs = defaultJobs();
@@ -72,6 +73,7 @@ ResumableFile::Options runOptions(const Arguments& arguments, const Config& conf
   ResumableFile::Options options = fingerprintsOf(config, arguments.config);
   options["dataroot"] = fs::canonical(arguments.dataroot).string();
   options["version"] = arguments.version;
+  if (!arguments.method.empty()) options["method"] = arguments.method;
   options["mode"] = toString(arguments.mode);
   options["requests"] = fingerprintOf(requests);
   return options;
@@ -189,7 +191,8 @@ int generate(const Arguments& arguments) {
   SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings());
-  const RequestAnswerer answerer(scenes, config, loadForesight(config));
+  const RequestAnswerer answerer(scenes, loadMethod(arguments.method, config), config.crash,
+                                 config.ego_vehicle);
   const auto work = [&](std::size_t index) {
     try {
       return scenarioLine(answerer.answer(list.requests[index]));
@@ -230,6 +233,7 @@ int main(int argc, char** argv) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{
           {"jsonl", Format::kJsonl}, {"csv-collide", Format::kCsvCollide}}))
       ->default_str("jsonl");
+  app.add_option("--method", arguments.method, "how attacks are made; by default the suite's own");
   app.add_option("--mode", arguments.mode, "history or replay")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, Mode>{{"history", Mode::kHistory}, {"replay", Mode::kReplay}}))

@@ -3,7 +3,6 @@
 #include <map>
 
 #include "collision_forge/app/tool_support.h"
-#include "collision_forge/attack/generator.h"
 #include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/nuscenes_tables.h"
@@ -30,13 +29,14 @@ struct Tally {
 };
 using Tallies = std::map<std::pair<Mode, CollisionType>, Tally>;
 
-void answerAll(const Scene& scene, double seconds, const LaneIndex& lanes,
-               const Arguments& arguments, const Config& config, const Foresight& foresight,
-               std::ostream& csv, Tallies& tallies) {
-  const auto now = lastFrameTime(scene, scene.frame_times.front() + seconds);
-  const Snapshot snapshot = snapshotAt(scene, *now, config.attack.prediction.history_frames);
-  const Future recorded = recordedFuture(scene, *now);
-  const auto predictor = foresight.patterns(config.attack, scene.name);
+void answerAll(const IndexedScene& indexed, double seconds, const Arguments& arguments,
+               const Config& config, const MethodMaker& maker, std::ostream& csv,
+               Tallies& tallies) {
+  const Scene& scene = indexed.scene;
+  const PredictionOptions& prediction = config.attack.prediction;
+  const double now = lastFrameTime(scene, scene.frame_times.front() + seconds).value();
+  const auto moment = std::get<Moment>(momentAt(indexed, now, prediction.history_frames));
+  const auto method = maker.make(scene.name);
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) {
     for (const CollisionType type : kCollisionTypes) {
       for (const double tta : arguments.ttas) {
@@ -44,14 +44,16 @@ void answerAll(const Scene& scene, double seconds, const LaneIndex& lanes,
         request.type = type;
         request.tta = tta;
         request.mode = mode;
-        const Realization attack =
-            generateCollision(request, snapshot, lanes, &recorded, *predictor, config.attack);
+        request.crash = config.crash;
+        const Realization attack = generateCollision(*method, moment, request, prediction);
         Tally& tally = tallies[{mode, type}];
         ++tally.codes[attack.status.code];
         bool confirmed = false;
         if (attack.status.code == StatusCode::kOk) {
-          confirmed = verify(attack.trajectory, {snapshot, recorded, request, lanes}, config.attack)
-                          .verified();
+          confirmed =
+              verify(attack.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
+                     config.attack.verification)
+                  .verified();
           tally.confirmed += confirmed;
         }
         csv << scene.name << ',' << seconds << ',' << toString(mode) << ',' << toString(type) << ','
@@ -86,7 +88,7 @@ void printTable(const Tallies& tallies) {
 
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  const Foresight foresight = loadForesight(config);
+  const MethodMaker method = loadMethod("", config);
   const NuScenesRoot root(arguments.dataroot, arguments.version);
   std::map<std::string, std::shared_ptr<const LaneMap>> maps;
   AsideFile file(arguments.out);
@@ -102,10 +104,10 @@ int measure(const Arguments& arguments) {
           arguments.dataroot, recording.location, drivingSide(config, recording.location),
           {config.conversion.centerline_resolution}));
     }
-    const Scene scene = toScene(recording, config.ego_vehicle, map);
-    const LaneIndex lanes(map);
+    const IndexedScene scene{toScene(recording, config.ego_vehicle, map),
+                             std::make_shared<const LaneIndex>(map)};
     for (const double now : arguments.nows) {
-      answerAll(scene, now, lanes, arguments, config, foresight, csv, tallies);
+      answerAll(scene, now, arguments, config, method, csv, tallies);
     }
     ++progress;
   }

@@ -128,8 +128,7 @@ void report(const std::vector<PlannerTestResult>& results, const Arguments& argu
 }
 
 /// The rollout again, as a picture: the ego is the planner's.
-ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome,
-                    const VerificationOptions& verification) {
+ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome) {
   const CrashScenario& scenario = one.scenario;
   const PlannerContact& contact = *outcome.contact;
   ScenarioView view{one.scene,         one.request.tta, one.request.mode,  scenario.snapshot,
@@ -150,7 +149,7 @@ ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome,
   report.impact_speed = contact.impact_speed;
   report.type_kept = contact.type == one.request.type;
   report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
-                   verification.time_tolerance;
+                   one.request.crash.time_tolerance;
   return view;
 }
 
@@ -163,9 +162,10 @@ void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& 
     const PlannerCase one = cases.at(worst.result);
     const PlannerUnderTest made =
         makePlanner(worst.planner, config.planners, one.scenario.attacker.attacker_id);
-    const RolloutOutcome outcome = rollout(*made.planner, made.driving, one.scenario,
-                                           {config.planners, config.attack, arguments.background});
-    const ScenarioView view = viewOf(one, outcome, config.attack.verification);
+    const RolloutOutcome outcome =
+        rollout(*made.planner, made.driving, one.scenario,
+                {config.planners, config.attack, config.crash.types, arguments.background});
+    const ScenarioView view = viewOf(one, outcome);
     const std::string name =
         (folder / (worst.planner + "_" + std::to_string(++ranks[worst.planner]))).string();
     drawScenarioPng(name + ".png", view, config.drawing);

@@ -127,7 +127,7 @@ class ClipCases : public PlannerCases {
         attacker_(attacker),
         config_(config),
         maps_(dataroot, config),
-        foresight_(loadForesight(config)) {
+        method_(loadMethod("", config)) {
     for (const std::string& path : paths_) names_.push_back(fs::path(path).stem().string());
   }
 
@@ -144,7 +144,7 @@ class ClipCases : public PlannerCases {
 
   PlannerCase at(std::size_t index) const override {
     const CollideClip clip = readCollideClip(paths_[index]);
-    PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), foresight_, config_);
+    PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), method_, config_);
     one.source = toString(attacker_);
     return one;
   }
@@ -155,7 +155,7 @@ class ClipCases : public PlannerCases {
   ClipAttacker attacker_;
   const Config& config_;
   mutable CityMaps maps_;
-  Foresight foresight_;
+  MethodMaker method_;
 };
 
 }  // namespace
