@@ -7,6 +7,7 @@ The table is the first one under the heading HEADING. Of its columns `room`, `in
 3. A row names rows above it only, so that there is no cycle.
 4. A library of LIBRARIES is included only by rooms whose row names it, and no header of ours carries it further.
 """
+import itertools
 import re
 import sys
 from pathlib import Path
@@ -29,7 +30,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
 def cells(line):
-    return [cell.strip() for cell in line.strip().strip('|').split('|')]
+    return [cell.strip() for cell in line.strip()[1:-1].split('|')]
 
 
 def names(cell):
@@ -39,7 +40,9 @@ def names(cell):
 def read_table(text):
     """{room: (rooms it may include, libraries it may include)}, in the order of the table."""
     section = text.partition(HEADING + '\n')[2].partition('\n## ')[0]
-    rows = [cells(line) for line in section.splitlines() if line.startswith('|')]
+    table = itertools.takewhile(lambda line: line.startswith('|'),
+                                itertools.dropwhile(lambda line: not line.startswith('|'), section.splitlines()))
+    rows = [cells(line) for line in table]
     if not rows:
         return {}
     room, includes, libraries = (rows[0].index(title) for title in ('room', 'includes', 'libraries'))

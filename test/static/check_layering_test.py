@@ -12,6 +12,7 @@ def violations_of(rows, files):
     with tempfile.TemporaryDirectory() as source_dir:
         table = ['', HEADING, '', '| room | what | includes | libraries |', '|---|---|---|---|']
         table += ['| `{}/` | text | {} | {} |'.format(room, includes, libraries) for room, includes, libraries in rows]
+        table += ['', 'Of another table:', '', '| file | what |', '|---|---|', '| a | b |']
         contents = {DOCUMENT: '\n'.join(table)}
         for name, included in files.items():
             contents['src/' + name] = '\n'.join('#include <{}>'.format(header) for header in included.split())
