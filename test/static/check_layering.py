@@ -20,7 +20,7 @@ LIBRARIES = {
     'torch': r'(torch|ATen|c10|caffe2)/',
     'MPI': r'mpi\.h$',
     'yaml-cpp': r'yaml-cpp/',
-    'RapidJSON': r'rapidjson/',
+    'RapidJSON': r'rapidjson/(?!fwd\.h)',
     'CLI11': r'CLI/',
     'cairo': r'cairo',
     'giflib': r'gif_lib\.h$',
