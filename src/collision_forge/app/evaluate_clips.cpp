@@ -4,8 +4,9 @@
 #include <memory>
 #include <sstream>
 
+#include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/config/config_fingerprint.h"
 #include "collision_forge/data/city_maps.h"

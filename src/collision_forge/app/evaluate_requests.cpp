@@ -7,8 +7,9 @@
 #include <set>
 #include <sstream>
 
+#include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/config/config_fingerprint.h"
 #include "collision_forge/data/pattern_network_file.h"

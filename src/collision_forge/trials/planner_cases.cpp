@@ -122,12 +122,12 @@ const char* toString(ClipAttacker attacker) {
 class ClipCases : public PlannerCases {
  public:
   ClipCases(std::vector<std::string> paths, const std::string& dataroot, ClipAttacker attacker,
-            const Config& config)
+            const std::string& method, const Config& config)
       : paths_(std::move(paths)),
         attacker_(attacker),
         config_(config),
         maps_(dataroot, config),
-        method_(loadMethod("", config)) {
+        method_(loadMethod(method, config)) {
     for (const std::string& path : paths_) names_.push_back(fs::path(path).stem().string());
   }
 
@@ -138,8 +138,8 @@ class ClipCases : public PlannerCases {
     for (const std::string& path : paths_) {
       found = forge::fingerprint(fs::canonical(path).string(), found);
     }
-    return std::to_string(names_.size()) + " clips, attacker " + toString(attacker_) +
-           ", fingerprint " + found;
+    return std::to_string(names_.size()) + " clips, attacker " + toString(attacker_) + " by " +
+           method_.name() + ", fingerprint " + found;
   }
 
   PlannerCase at(std::size_t index) const override {
@@ -179,8 +179,8 @@ std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& 
 
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
                                             const std::string& dataroot, ClipAttacker attacker,
-                                            const Config& config) {
-  return std::make_unique<ClipCases>(paths, dataroot, attacker, config);
+                                            const std::string& method, const Config& config) {
+  return std::make_unique<ClipCases>(paths, dataroot, attacker, method, config);
 }
 
 }  // namespace forge

@@ -1,16 +1,16 @@
 #include <boost/timer/progress_display.hpp>
 #include <iostream>
 
-#include "collision_forge/app/lane_indices.h"
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/config/config.h"
+#include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/speed_profiles_file.h"
 #include "collision_forge/forecast/speed_profile_collection.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 struct Arguments {
   std::string dataroot;
@@ -22,14 +22,14 @@ struct Arguments {
 int collect(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const NuScenesRoot root(arguments.dataroot, arguments.version);
-  LaneIndices lanes(arguments.dataroot, config);
+  CityMaps lanes(arguments.dataroot, config);
   std::vector<SpeedProfileRow> rows;
   boost::timer::progress_display progress(root.sceneNames().size(), std::cerr);
   for (const std::string& name : root.sceneNames()) {
     const NuScenesRecording recording = root.readScene(name);
-    const LaneIndex& index = lanes.at(recording.location);
+    const auto index = lanes.at(recording.location);
     const Scene scene = toScene(recording, config.ego_vehicle, nullptr);
-    const auto collected = collectSpeedProfiles(scene, index, config.attack.ego_futures.paths);
+    const auto collected = collectSpeedProfiles(scene, *index, config.attack.ego_futures.paths);
     rows.insert(rows.end(), collected.begin(), collected.end());
     ++progress;
   }
@@ -40,14 +40,14 @@ int collect(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Collects how the ego of recorded scenes drove, to predict other egos from.",
-               "collect_speed_profiles");
-  app.add_option("--dataroot", arguments.dataroot, "nuScenes root")->required();
-  app.add_option("--version", arguments.version, "folder of the tables, as v1.0-trainval")
-      ->required();
-  app.add_option("--out", arguments.out, "CSV to write, a row a frame")->required();
-  addConfigOption(app, arguments.config);
-  return runTool(app, argc, argv, [&] { return collect(arguments); });
+void addSpeedsCollect(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app =
+      line.add(kTraining, "speeds collect", "Collects how the egos of recorded scenes drove.",
+               [arguments] { return collect(*arguments); });
+  addLogs(app, arguments->dataroot, arguments->version);
+  addOut(app, arguments->out, "CSV to write, a row a frame");
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge

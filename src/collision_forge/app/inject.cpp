@@ -6,7 +6,8 @@
 #include <iostream>
 #include <utility>
 
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/config/config.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/draw_scenario.h"
@@ -14,9 +15,8 @@
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/injection.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 namespace fs = std::filesystem;
 
@@ -28,6 +28,7 @@ struct Arguments {
   std::string method;
   double now = 0.0;
   collision_forge::CollisionRequest request;
+  Mode mode = Mode::kHistory;
 };
 
 /// The frame at or before `now` seconds after the scene's first.
@@ -95,7 +96,9 @@ void checkOutputs(const Arguments& arguments) {
 
 int inject(const Arguments& arguments) {
   checkOutputs(arguments);
-  const auto parsed = fromMessage(arguments.request);
+  collision_forge::CollisionRequest asked = arguments.request;
+  asked.mode = toString(arguments.mode);
+  const auto parsed = fromMessage(asked);
   if (const Status* refusal = std::get_if<Status>(&parsed)) return refuse(*refusal);
   const Config config = loadConfig(arguments.config);
   CollisionRequest request = std::get<CollisionRequest>(parsed);
@@ -137,32 +140,28 @@ int inject(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Makes an agent of a recorded bag crash into the ego, and writes the attacked bag.",
-               "inject_attacker");
-  app.add_option("--bag", arguments.bag, "recorded bag, as from nuscenes_to_bag")->required();
-  app.add_option(
-         "--type", arguments.request.collision_type,
-         "lane_change, opposite_direction, rear_end, junction_crossing or ltap (LC, OD, HO, "
-         "RE, JC, LTAP)")
+void addInject(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = line.add(kMakingCollisions, "inject",
+                           "Makes an agent of a bag crash into the ego, and writes that bag.",
+                           [arguments] { return inject(*arguments); });
+  auto& request = arguments->request;
+  app.add_option("--bag", arguments->bag, "recorded bag, as from forge convert")->required();
+  app.add_option("--type", request.collision_type,
+                 "lane_change, opposite_direction, rear_end, junction_crossing or ltap (LC, OD, "
+                 "HO, RE, JC, LTAP)")
       ->required();
-  app.add_option("--tta", arguments.request.tta, "seconds from now to impact, 0.5 to 9")
-      ->required();
-  app.add_option("--now", arguments.now,
+  app.add_option("--tta", request.tta, "seconds from now to impact, 0.5 to 9")->required();
+  app.add_option("--now", arguments->now,
                  "seconds from the bag's first frame; the frame at or before")
       ->required();
-  app.add_option("--attacker", arguments.request.attacker_id, "agent id; any by default");
-  app.add_option("--mode", arguments.request.mode,
-                 "history: use only what was seen up to now; replay: use the recorded future")
-      ->check(CLI::IsMember({"history", "replay"}))
-      ->default_str("history");
-  app.add_option("--method", arguments.method,
-                 "how the attack is made; by default the suite's own");
-  app.add_option("--seed", arguments.request.seed, "of the variations tried")
-      ->capture_default_str();
-  app.add_option("--out", arguments.out, "bag to write")->required();
-  app.add_option("--draw", arguments.draw, "also draw to this name + .png and .gif");
-  addConfigOption(app, arguments.config);
-  return runTool(app, argc, argv, [&] { return inject(arguments); });
+  app.add_option("--attacker", request.attacker_id, "agent id; any by default");
+  addMethod(app, arguments->method);
+  addMode(app, arguments->mode);
+  addSeed(app, request.seed, "of the variations tried");
+  addOut(app, arguments->out, "bag to write");
+  app.add_option("--draw", arguments->draw, "also draw to this name + .png and .gif");
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge

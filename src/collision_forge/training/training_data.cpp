@@ -1,4 +1,4 @@
-#include "collision_forge/app/training_data.h"
+#include "collision_forge/training/training_data.h"
 
 #include <algorithm>
 #include <atomic>
@@ -7,8 +7,8 @@
 #include <random>
 #include <thread>
 
-#include "collision_forge/app/lane_indices.h"
 #include "collision_forge/attack/request_check.h"
+#include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/collide_scene.h"
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/nuscenes_tables.h"
@@ -111,20 +111,6 @@ void collectScene(const Scene& scene, const LaneIndex& lanes, const Config& conf
   }
 }
 
-/// Lane indices of several threads.
-class SharedLanes {
- public:
-  SharedLanes(const std::string& dataroot, const Config& config) : indices_(dataroot, config) {}
-  const LaneIndex& at(const std::string& location) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return indices_.at(location);
-  }
-
- private:
-  std::mutex mutex_;
-  LaneIndices indices_;
-};
-
 std::vector<std::string> clipPaths(const TrainingSources& sources) {
   std::vector<std::string> paths;
   for (const std::string& split : sources.splits) {
@@ -216,7 +202,7 @@ std::optional<TrainingSample> clipSample(const std::string& path, const LaneInde
 std::vector<TrainingSample> collectTrainingSamples(
     const TrainingSources& sources, const Config& config, const std::set<std::string>& left_out,
     std::uint64_t seed, const std::function<void(std::size_t, std::size_t)>& on_item) {
-  SharedLanes lanes(sources.dataroot, config);
+  CityMaps lanes(sources.dataroot, config);
   std::vector<std::string> names;
   std::optional<NuScenesRoot> root;
   if (!sources.version.empty()) {
@@ -239,12 +225,12 @@ std::vector<TrainingSample> collectTrainingSamples(
   const auto collectItem = [&](std::size_t item) {
     if (item < names.size()) {
       const NuScenesRecording recording = root->readScene(names[item]);
-      collectScene(toScene(recording, config.ego_vehicle, nullptr), lanes.at(recording.location),
+      collectScene(toScene(recording, config.ego_vehicle, nullptr), *lanes.at(recording.location),
                    config, seed, parts[item]);
       return;
     }
     const std::string& path = clips[item - names.size()];
-    const auto sample = clipSample(path, lanes.at(parseCollideName(path).city), config,
+    const auto sample = clipSample(path, *lanes.at(parseCollideName(path).city), config,
                                    config.pattern_features, kClipTimes, seed);
     if (sample) parts[item].push_back(*sample);
   };

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""test_planners: on scenarios over embedded logs and on clips made here, how it goes on, and what it does with bad input."""
+"""forge test: on scenarios over embedded logs and on clips made here, how it goes on, and what it does with bad input."""
 import csv
 import json
 import os
@@ -51,7 +51,7 @@ class TestPlannersTest(road.RoadTest):
         super().setUpClass()
         requests = cls.folder / 'requests.jsonl'
         cls.scenarios = cls.folder / 'crashes.jsonl'
-        for result in (road.run('make_requests', *ROOT, '--out', requests, '--scene', 'scene-0001', 'scene-0007',
+        for result in (road.run('requests', *ROOT, '--out', requests, '--scene', 'scene-0001', 'scene-0007',
                                 '--stride', 8, '--tta', 2, 4),
                        road.run('generate', *ROOT, '--requests', requests, '--out', cls.scenarios, '--mode', 'replay')):
             assert result.returncode == 0, result.stderr
@@ -61,7 +61,7 @@ class TestPlannersTest(road.RoadTest):
 
     @staticmethod
     def run_on(scenarios, out, *arguments):
-        return road.run('test_planners', *ROOT, '--scenarios', scenarios, '--planners', 'idm,idm_published', '--out', out,
+        return road.run('test', *ROOT, '--scenarios', scenarios, '--planners', 'idm,idm_published', '--out', out,
                         *arguments)
 
     def assert_same(self, out, names=('results.jsonl', 'results.csv', 'table.csv', 'table.md', 'collision.png')):
@@ -119,10 +119,10 @@ class TestPlannersTest(road.RoadTest):
 
     def test_ranks_do_not_change_a_byte(self):
         out = self.path('out')
-        command = ['mpirun', '--oversubscribe', '-np', 2, road.tool('test_planners'), *ROOT, '--scenarios', self.scenarios,
+        command = ['mpirun', '--oversubscribe', '-np', 2, 'forge', 'test', *ROOT, '--scenarios', self.scenarios,
                    '--planners', 'idm,idm_published', '--out', out, '--worst', 0]
         result = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                stdin=subprocess.DEVNULL, universal_newlines=True, timeout=road.TOOL_TIMEOUT, check=False,
+                                stdin=subprocess.DEVNULL, universal_newlines=True, timeout=road.TIMEOUT, check=False,
                                 env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assert_same(out)
@@ -201,8 +201,8 @@ class TestPlannersTest(road.RoadTest):
     def test_wrong_command_lines(self):
         out = self.path('out')
         self.assertEqual(self.run_on(self.scenarios, out, '--planners', 'magic').returncode, 2)
-        self.assertEqual(road.run('test_planners', *ROOT, '--out', out).returncode, 2)
-        self.assertEqual(road.run('test_planners', *ROOT, '--scenarios', self.scenarios, '--collide', self.folder, '--out',
+        self.assertEqual(road.run('test', *ROOT, '--out', out).returncode, 2)
+        self.assertEqual(road.run('test', *ROOT, '--scenarios', self.scenarios, '--collide', self.folder, '--out',
                                   out).returncode, 2)
         result = self.run_on(self.folder / 'nothing.jsonl', out)
         self.assertEqual(result.returncode, 1)
@@ -212,7 +212,7 @@ class TestPlannersTest(road.RoadTest):
 
 class TestPlannersOnClipsTest(road.RoadTest):
     def run_on(self, collide, out, *arguments):
-        return road.run('test_planners', '--dataroot', DATAROOT, '--collide', collide, '--out', out, '--worst', 0,
+        return road.run('test', '--dataroot', DATAROOT, '--collide', collide, '--out', out, '--worst', 0,
                         *arguments)
 
     def test_embedded_clips_with_every_attacker(self):
@@ -221,7 +221,7 @@ class TestPlannersOnClipsTest(road.RoadTest):
             collide_clips.write_embedded_clip(collide / 'trajectory' / 'val', DATAROOT / VERSION, scene, first, last)
         for attacker in ('recorded', 'history', 'replay'):
             out = self.path(attacker)
-            result = self.run_on(collide, out, '--attacker', attacker, '--planners', 'idm')
+            result = self.run_on(collide, out, '--drive', attacker, '--planners', 'idm')
             self.assertEqual(result.returncode, 0, result.stderr)
             results = lines_of(out)
             self.assertEqual(len(results), 2)

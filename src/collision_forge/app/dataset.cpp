@@ -6,10 +6,11 @@
 #include <memory>
 #include <set>
 
+#include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
-#include "collision_forge/app/progress_line.h"
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/config/config_fingerprint.h"
 #include "collision_forge/data/collide_export.h"
 #include "collision_forge/data/request_file.h"
@@ -22,9 +23,8 @@
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/resumable_file.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 namespace fs = std::filesystem;
 
@@ -361,25 +361,18 @@ int buildDataset(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app(
-      "Makes a data set of collisions of nuScenes logs: clips of COLLIDE's layout, scenario files, "
-      "statistics and pictures; numbers are in dataset.yaml.",
-      "build_dataset");
-  app.add_option("--dataroot", arguments.dataroot, "folder with the version and maps/expansion")
-      ->required()
-      ->check(CLI::ExistingDirectory);
-  app.add_option("--version", arguments.version, "folder of the tables, as v1.0-trainval")
-      ->required();
-  app.add_option("--scene", arguments.scenes, "names of scenes; all by default");
-  app.add_option("--out", arguments.out, "folder to write; see docs/dataset.md")->required();
-  app.add_option("--seed", arguments.seed, "of lengths, headings, searches and the balance")
-      ->capture_default_str();
-  app.add_option("--jobs", arguments.jobs, "clips at a time, in every rank of mpirun")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  app.add_flag("--resume", arguments.resume, "go on with what a run before left in the folder");
-  addConfigOption(app, arguments.config);
-  return runTool(app, argc, argv, [&] { return buildDataset(arguments); });
+void addDataset(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app =
+      line.add(kTraining, "dataset", "Makes a data set of collisions of logs, in COLLIDE's layout.",
+               [arguments] { return buildDataset(*arguments); });
+  addLogs(app, arguments->dataroot, arguments->version);
+  addScenes(app, arguments->scenes);
+  addOut(app, arguments->out, "folder to write; see docs/dataset.md");
+  addSeed(app, arguments->seed, "of lengths, headings, searches and the balance");
+  addJobs(app, arguments->jobs, "clips at a time, in every rank of mpirun");
+  app.add_flag("--resume", arguments->resume, "go on with what a run before left in the folder");
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge

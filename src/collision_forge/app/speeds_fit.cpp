@@ -2,16 +2,16 @@
 #include <iostream>
 #include <limits>
 
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/config/config.h"
 #include "collision_forge/data/speed_model_file.h"
 #include "collision_forge/data/speed_profiles_file.h"
 #include "collision_forge/forecast/speed_forecast_check.h"
 #include "collision_forge/forecast/speed_model_fit.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 const std::vector<double> kHorizons = {2.0, 3.0, 4.0, 5.0, 6.0};  // s
 constexpr double kDriving = 2.0;  // m/s; slower cases are told apart
@@ -66,19 +66,21 @@ int fit(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Fits a model of how drivers change their speed, which needs no recording any more.",
-               "fit_speed_model");
-  app.add_option("--profiles", arguments.profiles, "CSV of collect_speed_profiles")->required();
-  app.add_option("--out", arguments.out, "file of the model to write")->required();
+void addSpeedsFit(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app =
+      line.add(kTraining, "speeds fit", "Fits a model of how drivers change their speed to these.",
+               [arguments] { return fit(*arguments); });
+  app.add_option("--profiles", arguments->profiles, "CSV of forge speeds collect")->required();
+  addOut(app, arguments->out, "file of the model to write");
   app.add_option(
-         "--folds", arguments.folds,
+         "--folds", arguments->folds,
          "further models that leave each scene out once, to measure on the scenes fitted to; "
          "0: none, else 2 at least")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app.add_option("--seed", arguments.seed, "of what is drawn")->capture_default_str();
-  addConfigOption(app, arguments.config);
-  return runTool(app, argc, argv, [&] { return fit(arguments); });
+  addSeed(app, arguments->seed, "of what is drawn");
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge

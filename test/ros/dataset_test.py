@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""build_dataset: what its folder holds, that evaluate reads it, how a run goes on, threads and ranks alike."""
+"""forge dataset: what its folder holds, that evaluate reads it, how a run goes on, threads and ranks alike."""
 import csv
 import json
 import os
@@ -21,13 +21,13 @@ SPLITS = ['train', 'val', 'test']
 
 
 def command(out, *arguments):
-    return [str(word) for word in (road.tool('build_dataset'), '--dataroot', DATAROOT, '--version', VERSION,
+    return [str(word) for word in ('forge', 'dataset', '--dataroot', DATAROOT, '--version', VERSION,
                                    '--scene', *SCENES, '--out', out, *arguments)]
 
 
 def run(words, **options):
     return subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
-                          universal_newlines=True, timeout=road.TOOL_TIMEOUT, check=False, **options)
+                          universal_newlines=True, timeout=road.TIMEOUT, check=False, **options)
 
 
 def content(folder):
@@ -165,7 +165,7 @@ class BuildDatasetTest(road.RoadTest):
             self.assertIn(complaint, result.stderr)
         self.assertEqual(content(full), {'notes.txt': b'mine'})
         self.assertEqual(run(command(self.path('c'), '--jobs', '0')).returncode, 2)
-        self.assertEqual(road.run('build_dataset', '--dataroot', self.path('none'), '--version', VERSION,
+        self.assertEqual(road.run('dataset', '--dataroot', self.path('none'), '--version', VERSION,
                                   '--out', self.path('d')).returncode, 2)
 
 

@@ -6,15 +6,16 @@
 #include <mutex>
 #include <thread>
 
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/batch/dispatch.h"
 #include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/ros/bag_writer.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 struct Arguments {
   std::string dataroot;
@@ -22,7 +23,7 @@ struct Arguments {
   std::vector<std::string> scenes;
   std::string out;
   std::string config;
-  unsigned jobs = std::thread::hardware_concurrency();
+  int jobs = defaultJobs();
   bool force = false;
 };
 
@@ -118,7 +119,7 @@ int convert(const Arguments& arguments) {
     }
   };
   std::vector<std::thread> workers;
-  for (unsigned i = 1; i < arguments.jobs; ++i) workers.emplace_back(work);
+  for (int i = 1; i < arguments.jobs; ++i) workers.emplace_back(work);
   work();
   for (std::thread& worker : workers) worker.join();
 
@@ -129,19 +130,17 @@ int convert(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Converts nuScenes scenes to bags, one a scene: poses, agents, lane map, markers.",
-               "nuscenes_to_bag");
-  app.add_option("--dataroot", arguments.dataroot, "folder with the version and maps/expansion")
-      ->required();
-  app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini")->required();
-  app.add_option("--scene", arguments.scenes, "names of scenes; all by default");
-  app.add_option("--out", arguments.out, "folder for the bags")->required();
-  app.add_option("--jobs", arguments.jobs, "scenes at a time")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  app.add_flag("--force", arguments.force, "convert again what has been converted");
-  addConfigOption(app, arguments.config);
-  return runTool(app, argc, argv, [&] { return convert(arguments); });
+void addConvert(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = line.add(kMakingCollisions, "convert",
+                           "Converts nuScenes scenes to bags: poses, agents, lane map, markers.",
+                           [arguments] { return convert(*arguments); });
+  addLogs(app, arguments->dataroot, arguments->version);
+  addScenes(app, arguments->scenes);
+  addOut(app, arguments->out, "folder for the bags, one a scene");
+  addJobs(app, arguments->jobs, "scenes at a time");
+  app.add_flag("--force", arguments->force, "convert again what has been converted");
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge

@@ -9,8 +9,9 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/config/config_fingerprint.h"
 #include "collision_forge/data/collide_set.h"
@@ -21,9 +22,8 @@
 #include "collision_forge/trials/planner_report.h"
 #include "collision_forge/trials/planner_result_lines.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 namespace fs = std::filesystem;
 
@@ -40,6 +40,7 @@ struct Arguments {
   std::size_t worst = 3;
   std::string out;
   std::string config;
+  std::string method;
   int jobs = defaultJobs();
 };
 
@@ -50,7 +51,7 @@ std::unique_ptr<PlannerCases> openCases(const Arguments& arguments, const Config
   }
   std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
   if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
-  return openClipCases(paths, arguments.dataroot, arguments.attacker, config);
+  return openClipCases(paths, arguments.dataroot, arguments.attacker, arguments.method, config);
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -223,53 +224,38 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Drives planners through generated crashes; goes on where a run stopped.",
-               "test_planners");
-  app.add_option("--dataroot", arguments.dataroot, "folder with the version and maps/expansion")
-      ->required()
-      ->check(CLI::ExistingDirectory);
-  CLI::Option* version =
-      app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini");
-  CLI::Option* scenarios =
-      app.add_option("--scenarios", arguments.scenarios, "scenario files of generate")
-          ->needs(version);
-  CLI::Option* collide =
-      app.add_option("--collide", arguments.collide, "folder of COLLIDE, instead of scenarios")
-          ->excludes(scenarios);
-  app.add_option("--split", arguments.split, "of COLLIDE: train or val")
-      ->capture_default_str()
+void addTest(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app =
+      line.add(kPlanners, "test", "Drives planners through crashes; goes on where a run stopped.",
+               [arguments] { return run(*arguments); });
+  addDataroot(app, arguments->dataroot);
+  CLI::Option* version = addVersion(app, arguments->version);
+  CLI::Option_group* source = app.add_option_group("what they are driven through");
+  source->add_option("--scenarios", arguments->scenarios, "scenario files of forge generate")
+      ->needs(version);
+  CLI::Option* collide = addCollide(*source, arguments->collide);
+  source->require_option(1);
+  addSplit(app, arguments->split, collide);
+  addLimit(app, arguments->limit, collide);
+  addChoice<ClipAttacker>(app, "--drive", arguments->attacker,
+                          {{"recorded", ClipAttacker::kRecorded},
+                           {"history", ClipAttacker::kHistory},
+                           {"replay", ClipAttacker::kReplay}},
+                          "who attacks in clips: the set's own attacker as recorded, or ours in "
+                          "history or replay mode")
       ->needs(collide);
-  app.add_option("--attacker", arguments.attacker,
-                 "in COLLIDE's clips: recorded (the set's), or ours in history or replay mode")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ClipAttacker>{{"recorded", ClipAttacker::kRecorded},
-                                              {"history", ClipAttacker::kHistory},
-                                              {"replay", ClipAttacker::kReplay}}))
-      ->default_str("recorded")
-      ->needs(collide);
-  app.add_option("--limit", arguments.limit, "of COLLIDE: the first clips alone")->needs(collide);
-  app.add_option("--planners", arguments.planners, "names, separated by commas")
+  addMethod(app, arguments->method)->needs(collide);
+  app.add_option("--planners", arguments->planners, "names, separated by commas")
       ->delimiter(',')
       ->check(CLI::IsMember(plannerNames()))
       ->capture_default_str();
-  app.add_option("--background", arguments.background,
-                 "the others: replay, or idm (they brake for who is in their way)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Background>{
-          {"replay", Background::kReplay}, {"idm", Background::kIdm}}))
-      ->default_str("replay");
-  app.add_option("--worst", arguments.worst, "pictures a planner, of the hardest impacts")
+  addBackground(app, arguments->background);
+  app.add_option("--worst", arguments->worst, "pictures a planner, of the hardest impacts")
       ->capture_default_str();
-  app.add_option("--out", arguments.out, "folder to write; see docs/planners.md")->required();
-  app.add_option("--jobs", arguments.jobs, "cases at a time, in every rank of mpirun")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  addConfigOption(app, arguments.config);
-  app.callback([&] {
-    if (scenarios->count() + collide->count() == 0) {
-      throw CLI::RequiredError("--scenarios or --collide");
-    }
-  });
-  return runTool(app, argc, argv, [&] { return run(arguments); });
+  addOut(app, arguments->out, "folder to write; see docs/planners.md");
+  addJobs(app, arguments->jobs, "cases at a time, in every rank of mpirun");
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge

@@ -7,10 +7,11 @@
 #include <optional>
 #include <sstream>
 
+#include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
-#include "collision_forge/app/progress_line.h"
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/config/config_fingerprint.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/resumable_file.h"
@@ -20,9 +21,8 @@
 #include "collision_forge/trials/planner_result_lines.h"
 #include "collision_forge/trials/planner_tuning.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 namespace fs = std::filesystem;
 
@@ -234,37 +234,28 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app(
-      "Finds the best numbers for a planner on generated crashes; goes on where a run "
-      "stopped.",
-      "tune_planner");
-  app.add_option("--planner", arguments.planner, "name")
+void addTune(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app =
+      line.add(kPlanners, "tune",
+               "Finds the best numbers for a planner; goes on where a run stopped.", [arguments] {
+                 if (arguments->grid.empty()) arguments->grid = arguments->config + "/tuning.yaml";
+                 return run(*arguments);
+               });
+  app.add_option("--planner", arguments->planner, "name")
       ->check(CLI::IsMember(plannerNames()))
       ->capture_default_str();
-  app.add_option("--grid", arguments.grid, "values to try (default: tuning.yaml of --config)")
+  app.add_option("--grid", arguments->grid, "values to try (default: tuning.yaml of --config)")
       ->check(CLI::ExistingFile);
-  app.add_option("--train", arguments.train, "scenario files of generate that are tuned on")
+  app.add_option("--train", arguments->train, "scenario files of forge generate that are tuned on")
       ->required();
-  app.add_option("--test", arguments.test, "scenario files of other scenes, to compare on")
+  app.add_option("--test", arguments->test, "scenario files of other scenes, to compare on")
       ->required();
-  app.add_option("--dataroot", arguments.dataroot, "folder with the version and maps/expansion")
-      ->required()
-      ->check(CLI::ExistingDirectory);
-  app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini")->required();
-  app.add_option("--background", arguments.background,
-                 "the others: replay, or idm (they brake for who is in their way)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Background>{
-          {"replay", Background::kReplay}, {"idm", Background::kIdm}}))
-      ->default_str("replay");
-  app.add_option("--out", arguments.out, "folder to write; see docs/planners.md")->required();
-  app.add_option("--jobs", arguments.jobs, "cases at a time, in every rank of mpirun")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  addConfigOption(app, arguments.config);
-  return runTool(app, argc, argv, [&] {
-    if (arguments.grid.empty()) arguments.grid = arguments.config + "/tuning.yaml";
-    return run(arguments);
-  });
+  addLogs(app, arguments->dataroot, arguments->version);
+  addBackground(app, arguments->background);
+  addOut(app, arguments->out, "folder to write; see docs/planners.md");
+  addJobs(app, arguments->jobs, "cases at a time, in every rank of mpirun");
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge

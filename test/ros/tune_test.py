@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""tune_planner: on scenarios over embedded logs, how it goes on, and what it does with bad input."""
+"""forge tune: on scenarios over embedded logs, how it goes on, and what it does with bad input."""
 import csv
 import json
 import os
@@ -38,14 +38,14 @@ class TunePlannerTest(road.RoadTest):
     @classmethod
     def crashes(cls, name, scene):
         requests, scenarios = cls.folder / (name + '_requests.jsonl'), cls.folder / (name + '.jsonl')
-        for result in (road.run('make_requests', *ROOT, '--out', requests, '--scene', scene, '--stride', 8, '--tta', 2, 4),
+        for result in (road.run('requests', *ROOT, '--out', requests, '--scene', scene, '--stride', 8, '--tta', 2, 4),
                        road.run('generate', *ROOT, '--requests', requests, '--out', scenarios, '--mode', 'replay')):
             assert result.returncode == 0, result.stderr
         return scenarios
 
     @classmethod
     def words(cls, out, *arguments, grid=None, train=None, test=None):
-        return ('tune_planner', *ROOT, '--planner', 'idm', '--grid', grid or cls.grid, '--train', train or cls.train,
+        return ('tune', *ROOT, '--planner', 'idm', '--grid', grid or cls.grid, '--train', train or cls.train,
                 '--test', test or cls.test, '--out', out, *arguments)
 
     @classmethod
@@ -95,7 +95,7 @@ class TunePlannerTest(road.RoadTest):
             config, out = road.copy_config(self.path(name + '_config')), self.path(name)
             if planners:
                 (config / 'planners.yaml').write_text(planners)
-            result = road.run('test_planners', *ROOT, '--scenarios', self.test, '--planners', 'idm', '--out', out, '--worst',
+            result = road.run('test', *ROOT, '--scenarios', self.test, '--planners', 'idm', '--out', out, '--worst',
                               0, '--config', config)
             self.assertEqual(result.returncode, 0, result.stderr)
             driven = [row for line in lines_of(out / 'results.jsonl') for row in line['planners']]
@@ -119,9 +119,9 @@ class TunePlannerTest(road.RoadTest):
         self.assert_same(out)
 
     def mpirun(self, *words):
-        command = ['mpirun', '--oversubscribe', '-np', 2, road.tool(words[0]), *words[1:]]
+        command = ['mpirun', '--oversubscribe', '-np', 2, 'forge', *words]
         return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              stdin=subprocess.DEVNULL, universal_newlines=True, timeout=road.TOOL_TIMEOUT, check=False,
+                              stdin=subprocess.DEVNULL, universal_newlines=True, timeout=road.TIMEOUT, check=False,
                               env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'))
 
     def test_ranks_do_not_change_a_byte(self):

@@ -6,15 +6,15 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/attack/request_list.h"
 #include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/request_file.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 constexpr double kMinStride = 0.01;  // s; shorter than between any two frames
 
@@ -101,29 +101,29 @@ std::string checkType(const std::string& name) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Lists the collisions that can be asked for in nuScenes scenes, one JSON a line.",
-               "make_requests");
-  app.add_option("--dataroot", arguments.dataroot, "folder with the version")->required();
-  app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini")->required();
-  app.add_option("--scene", arguments.scenes, "names of scenes; all by default");
-  app.add_option("--out", arguments.out, "list to write, for generate")->required();
-  app.add_option("--stride", arguments.stride, "seconds between two instants; see requests.yaml")
+void addRequests(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = line.add(kMakingCollisions, "requests",
+                           "Lists the collisions that can be asked for in nuScenes scenes.",
+                           [arguments] { return makeRequests(*arguments); });
+  addLogs(app, arguments->dataroot, arguments->version);
+  addScenes(app, arguments->scenes);
+  addOut(app, arguments->out, "list to write, for forge generate: one JSON a line");
+  app.add_option("--stride", arguments->stride, "seconds between two instants; see requests.yaml")
       ->check(CLI::PositiveNumber)
       ->check(checkFinite);
-  app.add_option("--types", arguments.types, "collision types; all by default")->check(checkType);
-  app.add_option("--tta", arguments.ttas, "seconds from now to impact; see requests.yaml")
+  app.add_option("--types", arguments->types, "collision types; all by default")->check(checkType);
+  app.add_option("--tta", arguments->ttas, "seconds from now to impact; see requests.yaml")
       ->check(CLI::PositiveNumber)
       ->check(checkFinite);
-  app.add_option("--min-ego-speed", arguments.min_ego_speed, "m/s; see requests.yaml")
+  app.add_option("--min-ego-speed", arguments->min_ego_speed, "m/s; see requests.yaml")
       ->check(CLI::NonNegativeNumber)
       ->check(checkFinite);
-  app.add_option("--attacker", arguments.attackers, "any agent, or a request for each possible one")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Attackers>{{"any", Attackers::kAny}, {"each", Attackers::kEach}}))
-      ->default_str("any");
-  app.add_option("--seed", arguments.seed, "of every request")->capture_default_str();
-  addConfigOption(app, arguments.config);
-  return runTool(app, argc, argv, [&] { return makeRequests(arguments); });
+  addChoice<Attackers>(app, "--attackers", arguments->attackers,
+                       {{"any", Attackers::kAny}, {"each", Attackers::kEach}},
+                       "any agent, or a request for each possible one");
+  addSeed(app, arguments->seed, "of every request");
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge
