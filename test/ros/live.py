@@ -229,8 +229,9 @@ class Listener:
         self.subscriber.unregister()
 
 
-def ask(collision_type='rear_end', tta=4.0, attacker='', mode='history', seed=0):
-    return rospy.ServiceProxy('/generate_collision', GenerateCollision)(collision_type, tta, attacker, mode, seed)
+def ask(collision_type='rear_end', tta=4.0, attacker='', mode='history', seed=0, method=''):
+    return rospy.ServiceProxy('/generate_collision', GenerateCollision)(
+        collision_type, tta, attacker, mode, seed, method)
 
 
 class LiveTest(road.RoadTest):

@@ -83,7 +83,7 @@ class JunctionTest(live.WholeRoadTest):
         until(lambda: len(predicted.all()[-1].markers) <= 1, 'the predicted patterns to go')
 
     def test_restarted_replay_starts_history_anew(self):
-        self.assertEqual(len(self.play_to(8.0).ego.states), 8)
+        self.assertEqual(len(self.play_to(8.0).snapshot.ego.states), 8)
         scene = self.play_to(1.5)
         self.assertEqual([round((state.stamp - self.player.start).to_sec(), 3) for state in scene.snapshot.ego.states],
                          [0.0, 0.5, 1.0, 1.5])
