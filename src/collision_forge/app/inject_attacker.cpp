@@ -116,7 +116,7 @@ int inject(const Arguments& arguments) {
   tested.confidence = attack.report.confidence;
   const std::string& attacker = attack.trajectory.attacker_id;
   injectIntoBag(arguments.bag, arguments.out,
-                {toMessage(attack.pattern, now), toMessage(attack.trajectory),
+                {toMessage(attack.aim, now), toMessage(attack.trajectory),
                  toMessage(attack.report, attacker, now), toMessage(tested, attacker, now)});
   std::cout << toString(request.type) << " by " << attacker
             << ", now = " << now - scene.frame_times.front() << " s, confidence "
@@ -126,7 +126,7 @@ int inject(const Arguments& arguments) {
   std::cout << "wrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {
     const ScenarioView view{scene.name, request.tta,    request.mode,      snapshot,
-                            recorded,   attack.pattern, attack.trajectory, tested};
+                            recorded,   attack.aim, attack.trajectory, tested};
     drawScenarioPng(arguments.draw + ".png", view, config.drawing);
     drawScenarioGif(arguments.draw + ".gif", view, config.drawing);
     std::cout << "wrote " << arguments.draw << ".png\nwrote " << arguments.draw << ".gif\n";
