@@ -20,8 +20,9 @@ class Arrivals : public testing::Test {
   void aimAt(CollisionType type, const Pose2& offset, double ego_x = 40.0, double speed = 12.0) {
     request_.type = type;
     patterns_ = {{type, "beside", kNow + kTta, {{ego_x, 0.0, 0.0}, kEgoSize}, offset, speed}};
-    contenders_ = contendersOf(input_, options_, options_.vehicle_limits, 46);
-    sampler_ = std::make_unique<ArrivalSampler>(input_, options_, options_.vehicle_limits, random_);
+    contenders_ = contendersOf(input_, options_, options_.verification.limits, 46);
+    sampler_ =
+        std::make_unique<ArrivalSampler>(input_, options_, options_.verification.limits, random_);
   }
   const Contender& contender() const { return *contenders_.at(0); }
   const Aim& aim() const { return contender().aims.at(0); }
@@ -41,7 +42,7 @@ class Arrivals : public testing::Test {
   std::vector<const Track*> egos_ = {&tracks_[0], &tracks_[1], &tracks_[2]};
   Future future_;
   std::vector<CollisionPattern> patterns_;
-  CollisionRequest request_;
+  CollisionRequest request_ = requestFor();
   LaneIndex lanes_{map_};
   SearchInput input_{snapshot_, future_, egos_, patterns_, request_, lanes_};
   Random random_{1};
@@ -77,7 +78,7 @@ TEST_F(Arrivals, AreKeptToTheTimeThatTheRequestAllowsFor) {
   EXPECT_EQ(sampler_->own(contender(), aim(), false).contact, sampler_->latest());
   patterns_[0].time = kNow + 1.0;
   EXPECT_EQ(sampler_->own(contender(), aim(), false).contact, sampler_->earliest());
-  EXPECT_NEAR(sampler_->latest() - kTta, options_.verification.time_tolerance, 0.1);
+  EXPECT_NEAR(sampler_->latest() - kTta, request_.crash.time_tolerance, 0.1);
   for (int i = 0; i < 200; ++i) {
     AimedArrival aimed = sampler_->wide(contender(), aim(), true);
     sampler_->move(aimed, 3.0);
@@ -88,9 +89,9 @@ TEST_F(Arrivals, AreKeptToTheTimeThatTheRequestAllowsFor) {
 }
 
 TEST_F(Arrivals, SpreadAlongTheSideThatThePatternTouchesOverAllHeadingsOfTheType) {
-  const TypeDefinition& type = options_.collision_types.at(CollisionType::kLaneChange);
   aimAt(CollisionType::kLaneChange,
         attackerOffset(kEgoSize, kCarSize, Side::kLeft, -0.3, 0.2, 0.0));
+  const TypeDefinition& type = request_.bands();
   double least = 0.0, most = 0.0, foremost = -9.0, rearmost = 9.0;
   bool egos[3] = {};
   for (int i = 0; i < 1000; ++i) {

@@ -48,7 +48,7 @@ ArrivalSampler::ArrivalSampler(const SearchInput& input, const AttackOptions& op
                                const VehicleLimits& limits, Random& random)
     : input_(input), options_(options), limits_(limits), random_(random) {
   const double tta = input.request.tta;
-  const double slack = options.verification.time_tolerance - options.search.time_margin;
+  const double slack = input.request.crash.time_tolerance - options.search.time_margin;
   earliest_ = std::max(kMinArrival, tta - slack);
   latest_ = std::max(earliest_, tta + slack);
   egos_ = spreadFutures(input.egos, input.snapshot.ego.states.back().pose, input.snapshot.now + tta,
@@ -95,7 +95,7 @@ AimedArrival ArrivalSampler::own(const Contender& contender, const Aim& aim, boo
 }
 
 AimedArrival ArrivalSampler::wide(const Contender& contender, const Aim& aim, bool steady) {
-  const TypeDefinition& type = options_.collision_types.at(input_.request.type);
+  const TypeDefinition& type = input_.request.bands();
   const SearchOptions& search = options_.search;
   AimedArrival aimed;
   aimed.ego = egos_[random_.index(egos_.size())];

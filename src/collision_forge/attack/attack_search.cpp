@@ -50,7 +50,7 @@ class Search {
       : input_(input),
         options_(options),
         search_(options.search),
-        limits_(scaled(options.vehicle_limits, options.search.limit_margin)),
+        limits_(scaled(options.verification.limits, options.search.limit_margin)),
         bicycle_(scaled(limits_, kRounding), options.bicycle),
         scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
                 input.lanes.map().driving_side, options),
@@ -132,7 +132,7 @@ class Search {
     const DriveStart& start = candidate.contender->start;
     candidate.score = {};
     if (!drive(candidate, start, points_)) return;
-    const double until = start.now + input_.request.tta + options_.verification.time_tolerance;
+    const double until = start.now + input_.request.tta + input_.request.crash.time_tolerance;
     if (!keepsLimits(points_, start.motion.pose.yaw, until, limits_)) return;
     candidate.score = scorer_.score(*candidate.contender->track, points_, candidate.aim->ego);
     compareWithAim(candidate);
@@ -258,7 +258,7 @@ class Search {
     const SteeringOptions& steering = options_.steering;
     SteeringAim aim;
     aim.ego_size = input_.snapshot.ego.size;
-    aim.band = options_.collision_types.at(input_.request.type);
+    aim.band = input_.request.bands();
     aim.first_in_time = sampler_.earliest();
     aim.last_in_time = end;
     aim.depth = search_.depth;

@@ -28,7 +28,7 @@ void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot
 /// Counts why attacks were not taken, for the message of a refusal.
 class Rejections {
  public:
-  void add(const CollisionReport& report) { ++counts_[shortcoming(report)]; }
+  void add(const CollisionReport& report) { ++counts_[shortcomingOf(report)]; }
 
   /// Of an attack that holds, but is not exactly the pattern.
   void add(const PatternMiss& miss) {
@@ -47,14 +47,6 @@ class Rejections {
   }
 
  private:
-  static std::string shortcoming(const CollisionReport& report) {
-    if (!report.contact) return "missed the ego";
-    if (!report.first_other_id.empty()) return "touched someone else first";
-    if (!report.on_time) return "made contact at the wrong time";
-    if (!report.type_kept) return "made contact in another way";
-    return "broke " + report.broken_bound;
-  }
-
   std::map<std::string, int> counts_;
   std::optional<PatternMiss> nearest_;
 };
@@ -79,8 +71,8 @@ bool verifyInFutures(const FoundAttack& attack, const VerificationInput& input,
   Future future = input.future;
   for (std::size_t i = 0; i < std::min(kTries, attack.hits.size()); ++i) {
     future.ego = *attack.hits[i];
-    found.report =
-        verify(found.trajectory, {input.snapshot, future, input.request, input.lanes}, options);
+    found.report = verify(found.trajectory, {input.snapshot, future, input.request, input.lanes},
+                          options.verification);
     if (!found.report.verified()) {
       rejections.add(found.report);
       continue;
@@ -105,6 +97,14 @@ double confidenceIn(const VerificationInput& input, const FoundAttack& attack,
 
 }  // namespace
 
+std::string shortcomingOf(const CollisionReport& report) {
+  if (!report.contact) return "missed the ego";
+  if (!report.first_other_id.empty()) return "touched someone else first";
+  if (!report.on_time) return "made contact at the wrong time";
+  if (!report.type_kept) return "made contact in another way";
+  return "broke " + report.broken_bound;
+}
+
 double confidenceOf(double share, const std::vector<double>& curve) {
   const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(curve.size() - 1);
   const std::size_t i = std::min(static_cast<std::size_t>(place), curve.size() - 2);
@@ -127,12 +127,12 @@ Realization realize(const std::vector<CollisionPattern>& patterns, const Verific
       continue;
     }
     found.report.confidence = confidenceIn(input, attack, options);
-    if (found.report.confidence < options.search.min_confidence) {
+    if (found.report.confidence < input.request.crash.min_confidence) {
       Realization declined;
       declined.status = {
           StatusCode::kLowConfidence,
           "the best attack promises " + std::to_string(found.report.confidence) +
-              ", less than min_confidence = " + std::to_string(options.search.min_confidence)};
+              ", less than min_confidence = " + std::to_string(input.request.crash.min_confidence)};
       return declined;
     }
     return found;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "collision_forge/attack/options.h"
@@ -7,6 +8,9 @@
 #include "collision_forge/verify/verification.h"
 
 namespace forge {
+
+/// Why an attack with this report is not verified, for people: "missed the ego", ...
+std::string shortcomingOf(const CollisionReport& report);
 
 /// What a share of the futures is worth as confidence: linear between the points of `curve`, which
 /// are evenly spread over shares from 0 to 1.

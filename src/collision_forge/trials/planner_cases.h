@@ -12,7 +12,7 @@
 
 namespace forge {
 
-/// The crashes that a run of test_planners is over, by index. Thread-safe.
+/// The crashes that a run of forge test is over, by index. Thread-safe.
 class PlannerCases {
  public:
   virtual ~PlannerCases() = default;
@@ -40,6 +40,6 @@ std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& 
 /// "replay".
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
                                             const std::string& dataroot, ClipAttacker attacker,
-                                            const Config& config);
+                                            const std::string& method, const Config& config);
 
 }  // namespace forge
