@@ -10,7 +10,7 @@ from live import ask, until
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
-from collision_forge.msg import Agent, AgentArray, AttackerTrajectory, Lane, LaneMap, PolygonWithHoles
+from collision_forge.msg import Agent, AgentArray, Attack, Lane, LaneMap, PolygonWithHoles
 
 SPEED = 10.0    # m/s of the ego, eastwards along y = 0
 PERIOD = 0.5    # s between frames
@@ -102,7 +102,7 @@ class BadInputTest(live.LiveTest):
             listener.clear()
             self.publish(frames)
             try:
-                return listener.wait(lambda scene: scene.header.stamp == end and len(scene.ego.states) == expected,
+                return listener.wait(lambda scene: scene.header.stamp == end and len(scene.snapshot.ego.states) == expected,
                                      timeout=2.0)
             except AssertionError:
                 return None
@@ -112,11 +112,11 @@ class BadInputTest(live.LiveTest):
         """Whatever came before, a good scene is answered."""
         type(self).start -= 50.0
         scene = self.show(drive(6))
-        answer = self.ask_until(lambda answer: answer.code == 0 and answer.pattern.header.stamp == scene.header.stamp,
+        answer = self.ask_until(lambda answer: answer.code == 0 and answer.attack.pattern.header.stamp == scene.header.stamp,
                                 'rear_end', 4.0)
-        self.assertEqual(answer.pattern.attacker_id, 'behind')
-        self.assertTrue(answer.report.verified)
-        self.assertLess(abs((answer.report.contact_time - scene.header.stamp).to_sec() - 4.0), 0.5)
+        self.assertEqual(answer.attack.pattern.attacker_id, 'behind')
+        self.assertTrue(answer.attack.report.verified)
+        self.assertLess(abs((answer.attack.report.contact_time - scene.header.stamp).to_sec() - 4.0), 0.5)
 
     # In this order: the first tests need a suite that has heard nothing yet.
 
@@ -147,7 +147,7 @@ class BadInputTest(live.LiveTest):
     def test_opposite_direction(self):
         self.show(drive(8))
         answer = self.ask_for_code('OK', 'opposite_direction', 4.0)
-        self.assertEqual(answer.pattern.attacker_id, 'oncoming')
+        self.assertEqual(answer.attack.pattern.attacker_id, 'oncoming')
 
     def test_first_frame(self):
         self.show(drive(1))
@@ -188,7 +188,7 @@ class BadInputTest(live.LiveTest):
             return lambda seconds: [a for a in traffic(seconds) if a.id != 'behind' or seconds / PERIOD in frames]
         self.show(drive(6, there(0, 1, 2, 3, 4)))
         self.assertIn('not there now', self.ask_for_code('ABSENT_ATTACKER', attacker='behind').message)
-        self.assertNotEqual(ask('rear_end', 4.0).pattern.attacker_id, 'behind')
+        self.assertNotEqual(ask('rear_end', 4.0).attack.pattern.attacker_id, 'behind')
         self.show(drive(12, there(0, 1, 2, 3)))
         self.ask_for_code('UNKNOWN_ATTACKER', attacker='behind')
         self.show(drive(6, there(5)))
@@ -203,7 +203,7 @@ class BadInputTest(live.LiveTest):
 
     def test_nobody_there(self):
         scene = self.show(drive(6, lambda seconds: []))
-        self.assertEqual(scene.agents, [])
+        self.assertEqual(scene.snapshot.agents, [])
         self.assertEqual(tuple(scene.agent_features.shape), (1, HISTORY, 8))
         self.ask_for_code('NO_CANDIDATE')
         self.assert_works()
@@ -218,7 +218,7 @@ class BadInputTest(live.LiveTest):
             broken[3].size.x = math.nan
             return broken + traffic(seconds)
         scene = self.show(drive(6, agents))
-        self.assertEqual([track.id for track in scene.agents], ['behind', 'oncoming', 'walker'])
+        self.assertEqual([track.id for track in scene.snapshot.agents], ['behind', 'oncoming', 'walker'])
         self.assertFalse(any(math.isnan(value) for value in scene.agent_features.data))
         self.ask_for_code('OK', 'rear_end', 4.0)
         self.ask_for_code('UNKNOWN_ATTACKER', attacker='nan_0')
@@ -240,7 +240,7 @@ class BadInputTest(live.LiveTest):
         frames = drive(6)
         frames[4][2].append(agent('alien', 10.0, agent_class=42))
         scene = self.show(frames, left_out=1)
-        self.assertEqual([round(state.stamp.to_sec() - self.start, 3) for state in scene.ego.states],
+        self.assertEqual([round(state.stamp.to_sec() - self.start, 3) for state in scene.snapshot.ego.states],
                          [0.0, 0.5, 1.0, 1.5, 2.5])
         self.assertIn('agent_class = 42', self.suite.output())
         self.ask_for_code('OK', 'rear_end', 4.0)
@@ -249,10 +249,10 @@ class BadInputTest(live.LiveTest):
         """Published by somebody else: the suite says so, and goes on."""
         self.show(drive(6))
         answer = self.ask_for_code('OK', 'rear_end', 4.0)
-        answer.trajectory.points[3].speed = math.nan
-        publisher = rospy.Publisher('/attacker_trajectory', AttackerTrajectory, queue_size=1, latch=True)
+        answer.attack.trajectory.points[3].speed = math.nan
+        publisher = rospy.Publisher('/attack', Attack, queue_size=1, latch=True)
         self.addCleanup(publisher.unregister)
-        publisher.publish(answer.trajectory)
+        publisher.publish(answer.attack)
         until(lambda: self.suite.output().count('attack left out: attacker behind: points[3] is not finite') >= 2,
               'the injector and the verifier to leave it out')
         self.assert_works()
@@ -262,7 +262,8 @@ class BadInputTest(live.LiveTest):
         frames = drive(6)
         frames[4] = (frames[4][0], math.nan, frames[4][2])
         scene = self.show(frames)
-        self.assertAlmostEqual(scene.ego.states[4].pose.x - scene.ego.states[3].pose.x, SPEED * PERIOD, places=6)
+        states = scene.snapshot.ego.states
+        self.assertAlmostEqual(states[4].pose.x - states[3].pose.x, SPEED * PERIOD, places=6)
         self.ask_for_code('OK', 'rear_end', 4.0)
 
     def test_ego_that_never_moves(self):
@@ -275,13 +276,13 @@ class BadInputTest(live.LiveTest):
                               ('OK', 'NO_CANDIDATE', 'NO_ATTACK_WITHIN_BOUNDS', 'LOW_CONFIDENCE'))
                 self.assertEqual(answer.message == '', answer.code == 0)
                 if answer.code == 0:
-                    self.assertTrue(answer.report.verified)
+                    self.assertTrue(answer.attack.report.verified)
             type(self).start -= 20.0
         self.assert_works()
 
     def test_agent_twice_in_every_frame(self):
         scene = self.show(drive(6, lambda seconds: traffic(seconds) + traffic(seconds)))
-        self.assertEqual([track.id for track in scene.agents], ['behind', 'oncoming', 'walker'])
+        self.assertEqual([track.id for track in scene.snapshot.agents], ['behind', 'oncoming', 'walker'])
         self.ask_for_code('OK', 'rear_end', 4.0)
 
     def test_frames_that_come_again(self):
