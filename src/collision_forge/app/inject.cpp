@@ -128,8 +128,8 @@ int inject(const Arguments& arguments) {
   printReport("against the recording", tested, now);
   std::cout << "wrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {
-    const ScenarioView view{scene.name,       request.tta,    request.mode,      moment.snapshot,
-                            *moment.recorded, attack.pattern, attack.trajectory, tested};
+    const ScenarioView view{scene.name,       request.tta, request.mode,      moment.snapshot,
+                            *moment.recorded, attack.aim,  attack.trajectory, tested};
     drawScenarioPng(arguments.draw + ".png", view, config.drawing);
     drawScenarioGif(arguments.draw + ".gif", view, config.drawing);
     std::cout << "wrote " << arguments.draw << ".png\nwrote " << arguments.draw << ".gif\n";

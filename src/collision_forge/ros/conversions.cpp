@@ -365,7 +365,9 @@ collision_forge::Attack toMessage(const Realization& answer, const std::string& 
   message.header.frame_id = names::kMapFrame;
   message.header.stamp = stampOf(now);
   message.method = method;
-  message.pattern = toMessage(answer.pattern, now);
+  message.pattern = toMessage(answer.aim, now);
+  message.miss_distance = answer.miss.distance;
+  message.miss_heading = answer.miss.heading;
   message.trajectory = toMessage(answer.trajectory);
   message.report = toMessage(answer.report, answer.trajectory.attacker_id, now);
   return message;

@@ -37,7 +37,7 @@ class TrajectoryRealizerNodelet : public nodelet::Nodelet {
     std::vector<CollisionPattern> patterns;
     for (const auto& pattern : message.patterns) patterns.push_back(fromMessage(pattern));
     const Realization realization =
-        realize(patterns, {snapshot, future, request, *lanes}, options_);
+        realize(patterns, {snapshot, future, request, *lanes}, options_, message.exact);
     if (realization.status.code != StatusCode::kOk) return realization.status;
     response.attack = toMessage(realization, "", snapshot.now);
     return realization.status;
