@@ -19,7 +19,7 @@ class FirstVerifiedQuintic : public AttackMethod {
     answer.status = predicted.status;
     for (const CollisionPattern& pattern : predicted.patterns) {
       answer.trajectory = patternAttacker(pattern, moment.snapshot, request.tta, options_);
-      answer.pattern = pattern;
+      answer.aim = pattern;
       answer.report =
           verify(answer.trajectory, {moment.snapshot, predicted.future, request, *moment.lanes},
                  options_.verification);
