@@ -92,6 +92,7 @@ class Suite:
 
     def __init__(self, folder, **arguments):
         self.nodelets = arguments.get('nodelets', 'true') == 'true'
+        self.nodes = [node for node in NODES if node != 'pattern_predictor' or arguments.get('predictor') != 'false']
         self.log = folder / 'roslaunch.log'
         with open(str(self.log), 'w') as log:
             self.process = subprocess.Popen(
@@ -107,10 +108,10 @@ class Suite:
     def missing(self):
         assert self.process.poll() is None, 'roslaunch ended: ' + self.output()
         if not self.nodelets:
-            return missing_of(NODES) or unconnected_of(NODES)
+            return missing_of(self.nodes) or unconnected_of(self.nodes)
         # A node that loads a nodelet ties itself to the manager when it is done.
-        bonds = [node for node in NODES if ('/' + MANAGER + '/bond', node) not in graph()[1]]
-        return missing_of(NODES, lambda node: MANAGER) + ['{} is loaded'.format(node) for node in bonds]
+        bonds = [node for node in self.nodes if ('/' + MANAGER + '/bond', node) not in graph()[1]]
+        return missing_of(self.nodes, lambda node: MANAGER) + ['{} is loaded'.format(node) for node in bonds]
 
     def wait_until_ready(self):
         until(lambda: not self.missing(), lambda: '{}\n{}'.format(self.missing(), self.output()), timeout=60.0)
