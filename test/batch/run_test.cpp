@@ -31,8 +31,8 @@ std::string contentOf(const std::string& path) {
 /// Squares of the first numbers, two lines an item.
 class RunTest : public testing::Test {
  protected:
-  Run squares() {
-    Run run;
+  forge::Run squares() {
+    forge::Run run;
     run.path = path_;
     run.options = {{"power", "2"}};
     run.layout = {"number and square", 2};
@@ -69,7 +69,7 @@ class RunTest : public testing::Test {
   }
 
   /// What carryOut() throws here; empty for nothing.
-  std::string complaintOf(const Run& run) {
+  std::string complaintOf(const forge::Run& run) {
     try {
       carryOut(run);
     } catch (const std::exception& error) {
@@ -79,7 +79,7 @@ class RunTest : public testing::Test {
   }
 
   /// Errors are the master's.
-  void expectComplaint(const Run& run, const std::string& text) {
+  void expectComplaint(const forge::Run& run, const std::string& text) {
     const std::string complaint = complaintOf(run);
     if (isMaster()) {
       EXPECT_THAT(complaint, HasSubstr(text));
@@ -98,12 +98,14 @@ TEST_F(RunTest, ResultsAreTakenAndWrittenInOrderByTheMasterAlone) {
   carryOut(squares());
   EXPECT_EQ(taken_.size(), isMaster() ? kCount : 0u);
   EXPECT_EQ(fs::exists(path_), isMaster());
-  if (isMaster()) EXPECT_EQ(contentOf(path_), expected());
+  if (isMaster()) {
+    EXPECT_EQ(contentOf(path_), expected());
+  }
 }
 
 TEST_F(RunTest, AStoppedRunGoesOnAfterTheLastWholeItem) {
   leave(part_, expected(7) + "7\n");  // killed within an item
-  Run run = squares();
+  forge::Run run = squares();
   const auto work = run.work;
   run.work = [&](std::size_t index) {
     EXPECT_GE(index, 7u) << "done before";
@@ -118,7 +120,7 @@ TEST_F(RunTest, AStoppedRunGoesOnAfterTheLastWholeItem) {
 
 TEST_F(RunTest, ACompleteFileIsReadAndLeftAlone) {
   leave(path_, expected());
-  Run run = squares();
+  forge::Run run = squares();
   run.work = [](std::size_t) -> std::string { throw std::logic_error("nothing is to be done"); };
   carryOut(run);
   if (!isMaster()) return;
@@ -128,12 +130,14 @@ TEST_F(RunTest, ACompleteFileIsReadAndLeftAlone) {
 
 TEST_F(RunTest, OtherOptionsAreRefusedAndNothingIsLost) {
   leave(part_, expected(7));
-  Run run = squares();
+  forge::Run run = squares();
   run.options = {{"power", "3"}};
   expectComplaint(run, "power = 2, now power = 3");
   run.options = {};
   expectComplaint(run, "power = 2");
-  if (isMaster()) EXPECT_EQ(contentOf(part_), expected(7));
+  if (isMaster()) {
+    EXPECT_EQ(contentOf(part_), expected(7));
+  }
 }
 
 TEST_F(RunTest, ItemsThatAreNotTheRunsAreRefusedByLine) {
@@ -151,19 +155,21 @@ TEST_F(RunTest, ACompleteFileWithTooFewItemsIsRefused) {
 }
 
 TEST_F(RunTest, AnErrorKeepsTheItemsBeforeIt) {
-  Run run = squares();
+  forge::Run run = squares();
   const auto work = run.work;
   run.work = [&](std::size_t index) {
     if (index == 11) throw std::runtime_error("no square of 11");
     return work(index);
   };
   expectComplaint(run, "no square of 11");
-  if (isMaster()) EXPECT_EQ(contentOf(part_), expected(11));
+  if (isMaster()) {
+    EXPECT_EQ(contentOf(part_), expected(11));
+  }
 }
 
 TEST_F(RunTest, AnInterruptionTellsWhatIsKept) {
   if (Ranks::areLaunched()) GTEST_SKIP() << "ends the process";
-  Run run = squares();
+  forge::Run run = squares();
   run.jobs = 1;
   run.work = [](std::size_t index) {
     if (index == 3) ::raise(SIGINT);

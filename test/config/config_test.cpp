@@ -217,7 +217,7 @@ TEST_F(SpoiltConfig, WrongTypesAreRefused) {
 
 TEST_F(SpoiltConfig, TypeRulesAreReadByName) {
   replace("collision_types.yaml", "rules: full", "rules: angle");
-  EXPECT_EQ(loadConfig(directory_.string()).attack.type_rules, TypeRules::kAngle);
+  EXPECT_EQ(loadConfig(directory_.string()).crash.rules, TypeRules::kAngle);
 }
 
 TEST_F(SpoiltConfig, ColorsAreThreeSharesOfOne) {

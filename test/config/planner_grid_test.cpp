@@ -100,7 +100,7 @@ TEST(PlannerValues, OfTheShippedGridAreTakenByTheShippedPlanners) {
   std::ifstream file(kShipped + "/planners.yaml");
   std::ostringstream text;
   text << file.rdbuf();
-  const VehicleLimits limits = loadConfig(kShipped).attack.vehicle_limits;
+  const VehicleLimits limits = loadConfig(kShipped).attack.verification.limits;
   for (const char* planner : {"pdm", "idm", "rule_based"}) {
     const PlannerGrid grid = readPlannerGrid(kShipped + "/tuning.yaml", planner);
     for (const auto& [key, values] : grid) {
@@ -117,7 +117,7 @@ TEST(ParsePlanners, TakesTheTextsNumbers) {
   std::ifstream file(kShipped + "/planners.yaml");
   std::ostringstream text;
   text << file.rdbuf();
-  const VehicleLimits limits = loadConfig(kShipped).attack.vehicle_limits;
+  const VehicleLimits limits = loadConfig(kShipped).attack.verification.limits;
   const PlannerValues values = {{"pdm.idm.min_gap", 2.25}, {"rule_based.published.max_speed", 17}};
   const PlannerOptions options =
       parsePlanners("p.yaml", withPlannerValues("p.yaml", text.str(), values), limits);

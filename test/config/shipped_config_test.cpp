@@ -24,7 +24,7 @@ TEST(ShippedConfig, DatasetHasTheDocumentedValues) {
 
 TEST(ShippedConfig, LimitsAndVehicleHaveTheDocumentedValues) {
   const Config config = loadConfig(kShipped);
-  const VehicleLimits& limits = config.attack.vehicle_limits;
+  const VehicleLimits& limits = config.attack.verification.limits;
   EXPECT_EQ(limits.max_forward_acceleration, 5.0);
   EXPECT_EQ(limits.max_braking, 8.0);
   EXPECT_EQ(limits.max_total_acceleration, 8.0);
@@ -218,7 +218,7 @@ TEST(ShippedConfig, SearchHasTheDocumentedValues) {
   EXPECT_EQ(search.quick_steering, 0.3);
   EXPECT_EQ(search.good_steering, 0.6);
   EXPECT_EQ(search.closeness_weight, 0.2);
-  EXPECT_EQ(search.min_confidence, 0.05);
+  EXPECT_EQ(loadConfig(kShipped).crash.min_confidence, 0.05);
 }
 
 TEST(ShippedConfig, BicycleHasTheDocumentedValues) {
@@ -255,13 +255,13 @@ TEST(ShippedConfig, SteeringHasTheDocumentedValues) {
 
 TEST(ShippedConfig, VerificationHasTheDocumentedValues) {
   const VerificationOptions verification = loadConfig(kShipped).attack.verification;
-  EXPECT_EQ(verification.time_tolerance, 0.5);
+  EXPECT_EQ(loadConfig(kShipped).crash.time_tolerance, 0.5);
   EXPECT_EQ(verification.overlap_tolerance, 0.001);
   EXPECT_EQ(verification.off_road_interval, 0.5);
 }
 
 TEST(ShippedConfig, TypeRulesAreTheFullOnes) {
-  EXPECT_EQ(loadConfig(kShipped).attack.type_rules, TypeRules::kFull);
+  EXPECT_EQ(loadConfig(kShipped).crash.rules, TypeRules::kFull);
 }
 
 TEST(ShippedConfig, EvaluationHasTheDocumentedValues) {
@@ -386,7 +386,7 @@ TEST(ShippedConfig, EgoFuturesHaveTheDocumentedValues) {
 }
 
 TEST(ShippedConfig, CollisionTypesHaveTheDocumentedBands) {
-  const TypeDefinitions types = loadConfig(kShipped).attack.collision_types;
+  const TypeDefinitions types = loadConfig(kShipped).crash.types;
   ASSERT_EQ(types.size(), 5u);
   const auto expect_bands = [&](CollisionType type, const std::array<double, 5>& values) {
     EXPECT_EQ(types.at(type).min_heading, values[0]) << toString(type);

@@ -14,9 +14,8 @@ namespace forge {
 namespace {
 
 CollisionRequest crossing() {
-  CollisionRequest request;
-  request.type = CollisionType::kJunctionCrossing;
-  request.tta = 4.0;
+  CollisionRequest request = requestFor(CollisionType::kJunctionCrossing);
+  request.crash.rules = TypeRules::kAngle;  // everybody is a candidate
   return request;
 }
 
@@ -24,16 +23,10 @@ std::shared_ptr<const PatternNetworks> networks(std::uint64_t seed) {
   return std::make_shared<const PatternNetworks>(std::vector<PatternWeights>{randomWeights(seed)});
 }
 
-AttackOptions angleRules() {
-  AttackOptions options = shippedOptions();
-  options.type_rules = TypeRules::kAngle;  // everybody is a candidate
-  return options;
-}
-
 PatternPrediction predicted(const std::shared_ptr<const PatternNetworks>& networks,
                             const Future* recorded = nullptr,
                             std::optional<CollisionType> known_type = std::nullopt) {
-  const AttackOptions options = angleRules();
+  const AttackOptions options = shippedOptions();
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
   const auto futures = std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr);
@@ -112,7 +105,7 @@ TEST(NetworkPatternPredictor, TellsWhenNobodyCanAttack) {
   Snapshot snapshot = junctionSnapshot();
   snapshot.agents.clear();
   const LaneIndex lanes = lanesOf(snapshot);
-  const AttackOptions options = angleRules();
+  const AttackOptions options = shippedOptions();
   const auto futures = std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr);
   const PatternPrediction prediction = NetworkPatternPredictor(options, futures, networks(0))
                                            .predict(snapshot, lanes, crossing(), nullptr);

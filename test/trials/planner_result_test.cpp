@@ -20,8 +20,9 @@ const Config& config() {
 PlannerCase rearEnd() {
   const CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-14.7, 0.0, 0.0}, 10.0);
-  PlannerCase one = caseOfClip(clip, ClipAttacker::kRecorded,
-                               std::make_shared<const LaneIndex>(twoLaneRoad()), {}, config());
+  PlannerCase one =
+      caseOfClip(clip, ClipAttacker::kRecorded, std::make_shared<const LaneIndex>(twoLaneRoad()),
+                 MethodMaker("search", builtInMethods(), config().attack, {}), config());
   one.source = "recorded";
   return one;
 }

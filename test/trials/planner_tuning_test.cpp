@@ -68,8 +68,9 @@ VariantScore score(double collision, double progress) {
 PlannerCase rearEnd() {
   const CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-14.7, 0.0, 0.0}, 10.0);
-  PlannerCase one = caseOfClip(clip, ClipAttacker::kRecorded,
-                               std::make_shared<const LaneIndex>(twoLaneRoad()), {}, config());
+  PlannerCase one =
+      caseOfClip(clip, ClipAttacker::kRecorded, std::make_shared<const LaneIndex>(twoLaneRoad()),
+                 MethodMaker("search", builtInMethods(), config().attack, {}), config());
   one.clip.reset();
   return one;
 }

@@ -1,9 +1,10 @@
-#include <algorithm>
+#include <stdexcept>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/study/request_evaluation.h"
+#include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/study/clip_methods.h"
 
 namespace forge {
 namespace {
@@ -25,8 +26,7 @@ void addPlan(CLI::App& app, EvaluationPlan& plan) {
                       {{"strict", Protocol::kStrict}, {"published", Protocol::kPublished}},
                       "how crashes are judged; of requests strict alone");
   app.add_option("--method", plan.method,
-                 "measured beside the baselines; recorded by default, of requests search")
-      ->check(CLI::IsMember(evaluationMethods()));
+                 "measured beside the baselines; recorded by default, of requests search");
   addMode(app, plan.mode);
   app.add_option("--seeds", plan.seeds,
                  "of a search, all pooled: 0 to this minus one; of requests counted from theirs")
@@ -34,14 +34,21 @@ void addPlan(CLI::App& app, EvaluationPlan& plan) {
       ->capture_default_str();
 }
 
-/// What holds of requests alone.
-void checkPlan(const CLI::App& app, EvaluationPlan& plan) {
-  if (app.count("--method") == 0) plan.method = "search";
-  const auto& methods = requestMethods();
-  if (std::find(methods.begin(), methods.end(), plan.method) == methods.end()) {
-    throw CLI::ValidationError("--method", plan.method + " is of clips alone");
+/// The methods are those that the configuration knows; of clips there are more.
+void completePlan(const CLI::App& app, const std::string& directory, bool is_of_clips,
+                  EvaluationPlan& plan) {
+  if (!is_of_clips && app.count("--method") == 0) plan.method = "search";
+  try {
+    const Config config = loadConfig(directory);
+    MethodRegistry methods = loadMethods(config);
+    if (is_of_clips) methods = clipMethods(methods, nullptr, config.evaluation);
+    plan.is_seeded = methods.at(plan.method).is_seeded;
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--method", error.what());
+  } catch (const std::runtime_error&) {
+    return;  // the run reads the configuration again and says what is wrong with it
   }
-  if (plan.protocol != Protocol::kStrict) {
+  if (!is_of_clips && plan.protocol != Protocol::kStrict) {
     throw CLI::ValidationError("--protocol",
                                std::string(toString(plan.protocol)) + " is of clips alone");
   }
@@ -75,7 +82,7 @@ void addEvaluate(CommandLine& line) {
   addJobs(app, arguments->jobs, "clips or requests at a time, in every rank of mpirun");
   addConfig(app, arguments->config);
   app.parse_complete_callback([&app, arguments] {
-    if (!arguments->requests.empty()) checkPlan(app, arguments->plan);
+    completePlan(app, arguments->config, arguments->requests.empty(), arguments->plan);
   });
 }
 

@@ -11,6 +11,7 @@
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/study/clip_methods.h"
 
 namespace forge {
 namespace {
@@ -61,11 +62,13 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const std::vector<std::string> paths = listClips(arguments, config);
   CityMaps maps(arguments.dataroot, config);
   const Foresight foresight = loadForesight(config);
-  checkNetworks(arguments.plan.method, foresight);
+  const MethodRegistry methods = loadMethods(config);
+  const MethodMaker checked(arguments.plan.method, clipMethods(methods, nullptr, config.evaluation),
+                            config.attack, foresight);
   const auto rows_of = [&](std::size_t index) {
     const CollideClip clip = readCollideClip(paths[index]);
     const auto lanes = maps.at(clip.city);
-    return evaluateClip(clip, *lanes, lanes->sharedMap(), foresight, config, arguments.plan);
+    return evaluateClip(clip, lanes, {methods, foresight, config}, arguments.plan);
   };
   const std::vector<ResultRow> rows =
       runEvaluation({arguments.out, runOptions(arguments, config), arguments.plan.protocol, "clips",

@@ -140,7 +140,8 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   SceneSource scenes(arguments.dataroot, arguments.version, wanted.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings());
-  const RequestEvaluator evaluator(scenes, config, loadForesight(config), arguments.plan);
+  const RequestEvaluator evaluator(scenes, config, loadForesight(config), loadMethods(config),
+                                   arguments.plan);
   SearchTimes times;
   const auto rows_of = [&](std::size_t index) {
     EvaluatedRequest evaluated = evaluator.evaluate(wanted.lines[index], wanted.requests[index]);

@@ -28,6 +28,7 @@ struct Arguments {
   std::string requests;
   std::string out;
   std::string config;
+  std::string method;
   Mode mode = Mode::kHistory;
   Format format = Format::kJsonl;
   int jobs = defaultJobs();
@@ -43,6 +44,7 @@ ResumableFile::Options runOptions(const Arguments& arguments, const Config& conf
                                   const std::vector<SceneRequest>& requests) {
   ResumableFile::Options options =
       inputsOf(config, arguments.config, arguments.dataroot, arguments.version);
+  if (!arguments.method.empty()) options["method"] = arguments.method;
   options["mode"] = toString(arguments.mode);
   options["requests"] = fingerprintOf(requests);
   return options;
@@ -114,7 +116,8 @@ int generate(const Arguments& arguments) {
   SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings());
-  const RequestAnswerer answerer(scenes, config, loadForesight(config));
+  const RequestAnswerer answerer(scenes, loadMethod(arguments.method, config), config.crash,
+                                 config.ego_vehicle);
   Run run;
   run.path = arguments.scenarios();
   run.options = runOptions(arguments, config, list.requests);
@@ -156,6 +159,7 @@ void addGenerate(CommandLine& line) {
                     {{"jsonl", Format::kJsonl}, {"csv-collide", Format::kCsvCollide}},
                     "jsonl; csv-collide: scenarios.jsonl and a clip of COLLIDE's layout an attack, "
                     "in trajectory/val");
+  addMethod(app, arguments->method);
   addMode(app, arguments->mode);
   addJobs(app, arguments->jobs, "requests at a time, in every rank of mpirun");
   addConfig(app, arguments->config);

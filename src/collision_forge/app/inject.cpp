@@ -8,7 +8,6 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/attack/generator.h"
 #include "collision_forge/config/config.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/draw_scenario.h"
@@ -26,6 +25,7 @@ struct Arguments {
   std::string out;
   std::string draw;
   std::string config;
+  std::string method;
   double now = 0.0;
   collision_forge::CollisionRequest request;
   Mode mode = Mode::kHistory;
@@ -100,22 +100,23 @@ int inject(const Arguments& arguments) {
   asked.mode = toString(arguments.mode);
   const auto parsed = fromMessage(asked);
   if (const Status* refusal = std::get_if<Status>(&parsed)) return refuse(*refusal);
-  const auto& request = std::get<CollisionRequest>(parsed);
   const Config config = loadConfig(arguments.config);
+  CollisionRequest request = std::get<CollisionRequest>(parsed);
+  request.crash = config.crash;
   std::vector<std::string> warnings;
   const Scene scene = readBag(arguments.bag, config.ego_vehicle, &warnings);
   printWarnings(arguments.bag, warnings);
 
   const double now = frameAt(scene, arguments.now);
-  const LaneIndex lanes(scene.map);
-  const Snapshot snapshot = snapshotAt(scene, now, config.attack.prediction.history_frames);
-  const Future recorded = recordedFuture(scene, now);
-  const auto predictor = loadForesight(config).patterns(config.attack);
-  const Realization attack =
-      generateCollision(request, snapshot, lanes, &recorded, *predictor, config.attack);
+  const PredictionOptions& prediction = config.attack.prediction;
+  const Moment moment{snapshotAt(scene, now, prediction.history_frames), recordedFuture(scene, now),
+                      std::make_shared<const LaneIndex>(scene.map)};
+  const auto method = loadMethod(arguments.method, config).make();
+  const Realization attack = generateCollision(*method, moment, request, prediction);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);
   CollisionReport tested =
-      verify(attack.trajectory, {snapshot, recorded, request, lanes}, config.attack);
+      verify(attack.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
+             config.attack.verification);
   tested.confidence = attack.report.confidence;
   const std::string& attacker = attack.trajectory.attacker_id;
   injectIntoBag(arguments.bag, arguments.out,
@@ -128,8 +129,8 @@ int inject(const Arguments& arguments) {
   printReport("against the recording", tested, now);
   std::cout << "wrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {
-    const ScenarioView view{scene.name, request.tta,    request.mode,      snapshot,
-                            recorded,   attack.pattern, attack.trajectory, tested};
+    const ScenarioView view{scene.name,       request.tta,    request.mode,      moment.snapshot,
+                            *moment.recorded, attack.pattern, attack.trajectory, tested};
     drawScenarioPng(arguments.draw + ".png", view, config.drawing);
     drawScenarioGif(arguments.draw + ".gif", view, config.drawing);
     std::cout << "wrote " << arguments.draw << ".png\nwrote " << arguments.draw << ".gif\n";
@@ -155,6 +156,7 @@ void addInject(CommandLine& line) {
                  "seconds from the bag's first frame; the frame at or before")
       ->required();
   app.add_option("--attacker", request.attacker_id, "agent id; any by default");
+  addMethod(app, arguments->method);
   addMode(app, arguments->mode);
   addSeed(app, request.seed, "of the variations tried");
   addOut(app, arguments->out, "bag to write");

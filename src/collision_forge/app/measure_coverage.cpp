@@ -3,7 +3,6 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/attack/generator.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/config/config.h"
 #include "collision_forge/data/pattern_network_file.h"
@@ -29,13 +28,14 @@ struct Tally {
 };
 using Tallies = std::map<std::pair<Mode, CollisionType>, Tally>;
 
-void answerAll(const Scene& scene, double seconds, const LaneIndex& lanes,
-               const Arguments& arguments, const Config& config, const Foresight& foresight,
-               std::ostream& csv, Tallies& tallies) {
-  const auto now = lastFrameTime(scene, scene.frame_times.front() + seconds);
-  const Snapshot snapshot = snapshotAt(scene, *now, config.attack.prediction.history_frames);
-  const Future recorded = recordedFuture(scene, *now);
-  const auto predictor = foresight.patterns(config.attack, scene.name);
+void answerAll(const IndexedScene& indexed, double seconds, const Arguments& arguments,
+               const Config& config, const MethodMaker& maker, std::ostream& csv,
+               Tallies& tallies) {
+  const Scene& scene = indexed.scene;
+  const PredictionOptions& prediction = config.attack.prediction;
+  const double now = lastFrameTime(scene, scene.frame_times.front() + seconds).value();
+  const auto moment = std::get<Moment>(momentAt(indexed, now, prediction.history_frames));
+  const auto method = maker.make(scene.name);
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) {
     for (const CollisionType type : kCollisionTypes) {
       for (const double tta : arguments.ttas) {
@@ -43,14 +43,16 @@ void answerAll(const Scene& scene, double seconds, const LaneIndex& lanes,
         request.type = type;
         request.tta = tta;
         request.mode = mode;
-        const Realization attack =
-            generateCollision(request, snapshot, lanes, &recorded, *predictor, config.attack);
+        request.crash = config.crash;
+        const Realization attack = generateCollision(*method, moment, request, prediction);
         Tally& tally = tallies[{mode, type}];
         ++tally.codes[attack.status.code];
         bool confirmed = false;
         if (attack.status.code == StatusCode::kOk) {
-          confirmed = verify(attack.trajectory, {snapshot, recorded, request, lanes}, config.attack)
-                          .verified();
+          confirmed =
+              verify(attack.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
+                     config.attack.verification)
+                  .verified();
           tally.confirmed += confirmed;
         }
         csv << scene.name << ',' << seconds << ',' << toString(mode) << ',' << toString(type) << ','
@@ -85,7 +87,7 @@ void printTable(const Tallies& tallies) {
 
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  const Foresight foresight = loadForesight(config);
+  const MethodMaker method = loadMethod("", config);
   SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1);
   const std::vector<std::string> names = scenes.names();
   AsideFile file(arguments.out);
@@ -94,9 +96,9 @@ int measure(const Arguments& arguments) {
   Tallies tallies;
   ProgressLine progress("scenes");
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto indexed = scenes.at(names[i]);
+    const auto scene = scenes.at(names[i]);
     for (const double now : arguments.nows) {
-      answerAll(indexed->scene, now, *indexed->lanes, arguments, config, foresight, csv, tallies);
+      answerAll(*scene, now, arguments, config, method, csv, tallies);
     }
     progress.show(i + 1, names.size());
   }

@@ -80,6 +80,10 @@ void addJobs(CLI::App& app, int& jobs, const std::string& text) {
   app.add_option("--jobs", jobs, text)->check(CLI::Range(1, 256))->capture_default_str();
 }
 
+CLI::Option* addMethod(CLI::App& app, std::string& method) {
+  return app.add_option("--method", method, "how attacks are made; by default the suite's own way");
+}
+
 void addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text) {
   app.add_option("--seed", seed, text)->capture_default_str();
 }

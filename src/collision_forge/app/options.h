@@ -62,6 +62,8 @@ void addJobs(CLI::App& app, int& jobs, const std::string& text);
 void addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text);
 /// --mode, history or replay.
 void addMode(CLI::App& app, Mode& mode);
+/// --method of attack; empty: the suite's own.
+CLI::Option* addMethod(CLI::App& app, std::string& method);
 /// --background of tests of planners, replay or idm.
 void addBackground(CLI::App& app, Background& background);
 

@@ -73,7 +73,8 @@ int makeRequests(const Arguments& arguments) {
   std::size_t done = 0;
   for (const std::string& name : names) {
     const Scene scene = toScene(root.readScene(name), config.ego_vehicle, nullptr);
-    for (SceneRequest& request : listRequests(scene, options, config.attack)) {
+    for (SceneRequest& request :
+         listRequests(scene, options, config.attack.prediction, config.crash.time_tolerance)) {
       requests.push_back(std::move(request));
     }
     progress.show(++done, names.size());

@@ -38,6 +38,7 @@ struct Arguments {
   std::size_t worst = 3;
   std::string out;
   std::string config;
+  std::string method;
   int jobs = defaultJobs();
 };
 
@@ -48,7 +49,7 @@ std::unique_ptr<PlannerCases> openCases(const Arguments& arguments, const Config
   }
   std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
   if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
-  return openClipCases(paths, arguments.dataroot, arguments.attacker, config);
+  return openClipCases(paths, arguments.dataroot, arguments.attacker, arguments.method, config);
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -125,8 +126,7 @@ void report(const std::vector<PlannerTestResult>& results, const Arguments& argu
 }
 
 /// The rollout again, as a picture: the ego is the planner's.
-ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome,
-                    const VerificationOptions& verification) {
+ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome) {
   const CrashScenario& scenario = one.scenario;
   const PlannerContact& contact = *outcome.contact;
   ScenarioView view{one.scene,         one.request.tta, one.request.mode,  scenario.snapshot,
@@ -147,7 +147,7 @@ ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome,
   report.impact_speed = contact.impact_speed;
   report.type_kept = contact.type == one.request.type;
   report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
-                   verification.time_tolerance;
+                   one.request.crash.time_tolerance;
   return view;
 }
 
@@ -160,9 +160,10 @@ void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& 
     const PlannerCase one = cases.at(worst.result);
     const PlannerUnderTest made =
         makePlanner(worst.planner, config.planners, one.scenario.attacker.attacker_id);
-    const RolloutOutcome outcome = rollout(*made.planner, made.driving, one.scenario,
-                                           {config.planners, config.attack, arguments.background});
-    const ScenarioView view = viewOf(one, outcome, config.attack.verification);
+    const RolloutOutcome outcome =
+        rollout(*made.planner, made.driving, one.scenario,
+                {config.planners, config.attack, config.crash.types, arguments.background});
+    const ScenarioView view = viewOf(one, outcome);
     const std::string name =
         (folder / (worst.planner + "_" + std::to_string(++ranks[worst.planner]))).string();
     drawScenarioPng(name + ".png", view, config.drawing);
@@ -227,6 +228,7 @@ void addTest(CommandLine& line) {
                           "who attacks in clips: the set's own attacker as recorded, or ours in "
                           "history or replay mode")
       ->needs(collide);
+  addMethod(app, arguments->method)->needs(collide);
   app.add_option("--planners", arguments->planners, "names, separated by commas")
       ->delimiter(',')
       ->check(CLI::IsMember(plannerNames()))

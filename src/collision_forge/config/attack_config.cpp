@@ -29,13 +29,13 @@ VehicleLimits loadVehicleLimits(const std::string& directory) {
   return limits;
 }
 
-void loadCollisionTypes(const std::string& directory, AttackOptions& options) {
+void loadCollisionTypes(const std::string& directory, CrashDefinition& crash) {
   Section file = openConfigFile(directory, "collision_types.yaml");
   Section types = file.section("collision_types");
-  options.type_rules = types.typeRules("rules");
+  crash.rules = types.typeRules("rules");
   for (const CollisionType type : kCollisionTypes) {
     Section section = types.section(toString(type));
-    TypeDefinition& definition = options.collision_types[type];
+    TypeDefinition& definition = crash.types[type];
     definition.min_heading = section.within("min_heading", 0.0, kMaxHeading);
     definition.max_heading = section.within("max_heading", definition.min_heading, kMaxHeading);
     definition.nominal_heading =
@@ -108,7 +108,7 @@ SteeringOptions readSteering(Section section) {
   return options;
 }
 
-SearchOptions readSearch(Section section) {
+SearchOptions readSearch(Section section, CrashDefinition& crash) {
   SearchOptions options;
   options.step = section.positive("step");
   options.tail = section.within("tail", options.step, kInfinity);
@@ -137,17 +137,18 @@ SearchOptions readSearch(Section section) {
   options.quick_steering = section.positive("quick_steering");
   options.closeness_weight = section.within("closeness_weight", 0.0, 1.0);
   options.confidence_curve = section.risingShares("confidence_curve");
-  options.min_confidence = section.within("min_confidence", 0.0, 1.0);
+  crash.min_confidence = section.within("min_confidence", 0.0, 1.0);
   section.finish();
   return options;
 }
 
 /// Attacks keep `time_margin` to the ends of the time tolerance.
-VerificationOptions loadVerification(const std::string& directory, double time_margin) {
+VerificationOptions loadVerification(const std::string& directory, double time_margin,
+                                     CrashDefinition& crash) {
   Section file = openConfigFile(directory, "verification.yaml");
   Section section = file.section("verification");
   VerificationOptions options;
-  options.time_tolerance = section.within("time_tolerance", time_margin, kInfinity);
+  crash.time_tolerance = section.within("time_tolerance", time_margin, kInfinity);
   options.overlap_tolerance = section.positive("overlap_tolerance");
   options.off_road_interval = section.positive("off_road_interval");
   section.finish();
@@ -237,9 +238,9 @@ EgoFutureOptions readEgoFutures(Section section) {
   return options;
 }
 
-void loadSearch(const std::string& directory, AttackOptions& options) {
+void loadSearch(const std::string& directory, AttackOptions& options, CrashDefinition& crash) {
   Section file = openConfigFile(directory, "search.yaml");
-  options.search = readSearch(file.section("search"));
+  options.search = readSearch(file.section("search"), crash);
   options.bicycle = readBicycle(file.section("bicycle"));
   options.steering = readSteering(file.section("steering"));
   file.finish();
@@ -258,11 +259,12 @@ void loadEgoFutures(const std::string& directory, Config& config) {
 }  // namespace
 
 void loadAttack(const std::string& directory, Config& config) {
-  config.attack.vehicle_limits = loadVehicleLimits(directory);
-  loadCollisionTypes(directory, config.attack);
+  loadCollisionTypes(directory, config.crash);
   config.attack.prediction = loadPrediction(directory);
-  loadSearch(directory, config.attack);
-  config.attack.verification = loadVerification(directory, config.attack.search.time_margin);
+  loadSearch(directory, config.attack, config.crash);
+  config.attack.verification =
+      loadVerification(directory, config.attack.search.time_margin, config.crash);
+  config.attack.verification.limits = loadVehicleLimits(directory);
   loadEgoFutures(directory, config);
   config.speed_model_fit = loadSpeedModelFit(directory);
 }

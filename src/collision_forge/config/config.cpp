@@ -165,14 +165,14 @@ StatisticsOptions readStatistics(Section section) {
   return options;
 }
 
-EvaluationOptions loadEvaluation(const std::string& directory) {
+EvaluationOptions loadEvaluation(const std::string& directory, NominalOptions& nominal) {
   Section file = openConfigFile(directory, "evaluation.yaml");
   Section section = file.section("evaluation");
   EvaluationOptions options;
   const BoxSize box{section.positive("box_length"), section.positive("box_width")};
   options.collide = readCollide(section.section("collide"));
   options.published = readPublished(section.section("published"));
-  options.nominal = readNominal(section.section("nominal"));
+  nominal = readNominal(section.section("nominal"));
   options.published_search = readPublishedSearch(section.section("published_search"));
   options.statistics = readStatistics(section.section("statistics"));
   options.collide.box = box;
@@ -236,15 +236,20 @@ Config loadConfig(const std::string& directory) {
   const std::string networks = network.text("pattern_network");
   if (!networks.empty()) config.pattern_network = std::filesystem::path(directory) / networks;
   network.finish();
+  Section methods = openConfigFile(directory, "methods.yaml");
+  for (const std::string& library : methods.texts("libraries")) {
+    config.method_libraries.push_back(std::filesystem::path(directory) / library);
+  }
+  methods.finish();
   loadTraining(directory, config);
   config.ego_vehicle = loadEgoVehicle(directory);
   config.encoding = loadEncoding(directory);
   config.conversion = loadConversion(directory);
   config.drawing = loadDrawing(directory);
   config.requests = loadRequests(directory);
-  config.evaluation = loadEvaluation(directory);
+  config.evaluation = loadEvaluation(directory, config.attack.nominal);
   config.dataset = loadDataset(directory, config.attack.search.time_margin);
-  config.planners = loadPlanners(directory, config.attack.vehicle_limits);
+  config.planners = loadPlanners(directory, config.attack.verification.limits);
   config.locations = loadLocations(directory);
   return config;
 }

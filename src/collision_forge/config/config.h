@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "collision_forge/attack/options.h"
 #include "collision_forge/config/config_error.h"
@@ -26,10 +27,12 @@ struct ConversionOptions {
 
 /// Everything that can be tuned, as read from the files of config/.
 struct Config {
+  CrashDefinition crash;  ///< what counts as a crash, unless a request says otherwise
   AttackOptions attack;
   std::string speed_profiles;  ///< path of recorded profiles (speed_profiles_file.h); empty: none
   std::string speed_model;     ///< path of a fitted model (speed_model_file.h); empty: none
   SpeedModelFitOptions speed_model_fit;
+  std::vector<std::string> method_libraries;  ///< paths; see methodsWith()
   std::string pattern_network;  ///< path of trained networks (pattern_network_file.h); empty: none
   PatternFeatureOptions pattern_features;  ///< these three of networks to be trained
   PatternNetworkOptions pattern_layers;

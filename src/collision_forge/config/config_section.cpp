@@ -57,6 +57,17 @@ int Section::count(const std::string& key, int min, int max) {
   return value;
 }
 
+std::vector<std::string> Section::texts(const std::string& key) {
+  const YAML::Node node = take(key);
+  if (!node.IsSequence()) fail(pathOf(key), node, "is not a list of texts");
+  std::vector<std::string> values;
+  for (const YAML::Node& entry : node) {
+    if (!entry.IsScalar() || entry.Scalar().empty()) fail(pathOf(key), entry, "is not a text");
+    values.push_back(entry.Scalar());
+  }
+  return values;
+}
+
 std::vector<double> Section::positives(const std::string& key) {
   const YAML::Node node = take(key);
   if (!node.IsSequence() || node.size() == 0) fail(pathOf(key), node, "is not a list of numbers");

@@ -10,7 +10,7 @@
 #include "collision_forge/config/config_error.h"
 #include "collision_forge/drawing/drawing_options.h"
 #include "collision_forge/map/lane_map.h"
-#include "collision_forge/scene/collision_types.h"
+#include "collision_forge/scene/crash_definition.h"
 
 namespace forge {
 
@@ -35,6 +35,7 @@ class Section {
   Color color(const std::string& key);
   TypeRules typeRules(const std::string& key);
   std::string text(const std::string& key);
+  std::vector<std::string> texts(const std::string& key);
   DrivingSide drivingSide(const std::string& key);
 
   /// Throws the error of a value that the section cannot check.

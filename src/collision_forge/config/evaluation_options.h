@@ -22,14 +22,6 @@ struct PublishedOptions {
   double similar_heading = 0.0;
 };
 
-struct NominalOptions {
-  double end_distance = 0.0;
-  double side_distance = 0.0;
-  double lane_change_ahead = 0.0;
-  double lane_change_side = 0.0;
-  double lane_change_heading = 0.0;
-};
-
 struct PublishedSearchOptions {
   double heading_tolerance = 0.0;
   double latest = 0.0;
@@ -49,7 +41,6 @@ struct StatisticsOptions {
 struct EvaluationOptions {
   CollideOptions collide;
   PublishedOptions published;
-  NominalOptions nominal;
   PublishedSearchOptions published_search;
   StatisticsOptions statistics;
 };

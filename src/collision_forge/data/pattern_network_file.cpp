@@ -201,4 +201,10 @@ Foresight loadForesight(const Config& config) {
   return {loadSpeedForecaster(config), loadPatternNetwork(config), std::nullopt};
 }
 
+MethodRegistry loadMethods(const Config& config) { return methodsWith(config.method_libraries); }
+
+MethodMaker loadMethod(const std::string& name, const Config& config) {
+  return {name, loadMethods(config), config.attack, loadForesight(config)};
+}
+
 }  // namespace forge

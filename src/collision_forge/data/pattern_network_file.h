@@ -7,6 +7,7 @@
 
 #include "collision_forge/config/config.h"
 #include "collision_forge/network/foresight.h"
+#include "collision_forge/network/method_maker.h"
 #include "collision_forge/network/pattern_network.h"
 
 namespace forge {
@@ -30,5 +31,12 @@ std::shared_ptr<const PatternNetworks> loadPatternNetwork(const Config& config);
 
 /// These and the speeds of loadSpeedForecaster(), which throw.
 Foresight loadForesight(const Config& config);
+
+/// The methods that the configuration knows. Throws as methodsWith().
+MethodRegistry loadMethods(const Config& config);
+
+/// A method of loadMethods() with loadForesight(); an empty name is the suite's own. Throws as they
+/// and MethodMaker do.
+MethodMaker loadMethod(const std::string& name, const Config& config);
 
 }  // namespace forge

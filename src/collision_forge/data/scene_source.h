@@ -8,15 +8,9 @@
 
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/nuscenes_tables.h"
-#include "collision_forge/scene/scene.h"
+#include "collision_forge/scene/moment.h"
 
 namespace forge {
-
-/// A recording with the index of its whole map.
-struct IndexedScene {
-  Scene scene;
-  std::shared_ptr<const LaneIndex> lanes;
-};
 
 /// The names of all scenes of a root, in the table's order. Throws NuScenesError.
 std::vector<std::string> readSceneNames(const std::string& dataroot, const std::string& version);

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <set>
 
-#include "collision_forge/attack/generator.h"
 #include "collision_forge/attack/pattern_predictor.h"
+#include "collision_forge/attack/search_method.h"
 #include "collision_forge/data/collide_export.h"
 #include "collision_forge/dataset/seeds.h"
 #include "collision_forge/study/clip_evaluation.h"
-#include "collision_forge/study/request_answerer.h"
 #include "collision_forge/study/strict.h"
 
 namespace forge {
@@ -20,7 +20,7 @@ constexpr int kHistoryFrames = kCollideNowFrame + 1;
 /// The patterns of vehicles that were there in every frame of the history.
 class ContinuousPatterns : public PatternPredictor {
  public:
-  explicit ContinuousPatterns(const AttackOptions& options) : patterns_(options, nullptr) {}
+  explicit ContinuousPatterns(const PredictionOptions& options) : patterns_(options, nullptr) {}
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request,
@@ -51,14 +51,15 @@ class ContinuousPatterns : public PatternPredictor {
   KinematicPatternPredictor patterns_;  // in replay mode: without a sampler of futures
 };
 
-AttackOptions clipOptions(const CollisionRequest& request, const Config& config) {
-  AttackOptions options = config.attack;
-  options.type_rules = TypeRules::kFull;
-  options.verification.time_tolerance = config.dataset.time_tolerance;
-  TypeDefinition& definition = options.collision_types.at(request.type);
+/// What counts in a clip: all conditions, in less time, at about the drawn heading.
+CrashDefinition clipCrash(const CollisionRequest& request, const Config& config) {
+  CrashDefinition crash = config.crash;
+  crash.rules = TypeRules::kFull;
+  crash.time_tolerance = config.dataset.time_tolerance;
+  TypeDefinition& definition = crash.types.at(request.type);
   definition =
       narrowedAbout(definition, drawnHeading(request, definition), config.dataset.heading_spread);
-  return options;
+  return crash;
 }
 
 /// What a protocol misses in the clip's own track, but for the limits of the motion, which a
@@ -68,9 +69,11 @@ std::string shortfall(const CollideClip& clip, const IndexedScene& indexed, cons
                       Protocol protocol) {
   static const std::set<std::string> left_out = {"angle_bands", "full_definitions", "bounds_kept",
                                                  "similar"};
-  const EvaluationPlan plan{protocol, "recorded", Mode::kReplay, 1, false};
+  EvaluationPlan plan;
+  plan.protocol = protocol;
+  plan.mode = Mode::kReplay;
   const std::vector<ResultRow> rows =
-      evaluateClip(clip, *indexed.lanes, indexed.lanes->sharedMap(), {}, config, plan);
+      evaluateClip(clip, indexed.lanes, {builtInMethods(), {}, config}, plan);
   const ResultRow& row = rows.front();
   const std::vector<Measure>& measures = measuresOf(protocol);
   std::string missed;
@@ -82,13 +85,14 @@ std::string shortfall(const CollideClip& clip, const IndexedScene& indexed, cons
 }
 
 /// What speaks against an attack that was found; empty when it makes a clip.
-std::string objection(const Scenario& scenario, const IndexedScene& indexed,
-                      const RecordedMoment& moment, const Config& config) {
-  AttackOptions options = config.attack;
-  options.verification.time_tolerance = config.dataset.time_tolerance;
+std::string objection(const Scenario& scenario, const IndexedScene& indexed, const Moment& moment,
+                      const Config& config) {
+  CollisionRequest request = scenario.asked.request;
+  request.crash = config.crash;
+  request.crash.time_tolerance = config.dataset.time_tolerance;
   const StrictOutcome outcome = strictOutcome(
-      scenario.answer.trajectory,
-      {moment.snapshot, moment.recorded, scenario.asked.request, *indexed.lanes}, options);
+      scenario.answer.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
+      config.attack.verification);
   if (!outcome.meetsFullDefinitions()) return "the recording does not bear the attack out";
   if (outcome.report.off_road_share > config.dataset.max_off_road_share) {
     char text[120];
@@ -127,12 +131,17 @@ double drawnHeading(const CollisionRequest& request, const TypeDefinition& defin
 
 Realization findClip(const SceneRequest& asked, const IndexedScene& indexed, const Config& config) {
   Scenario scenario{asked, config.ego_vehicle, {}};
-  const RecordedMoment moment = momentAt(indexed.scene, asked.now, kHistoryFrames);
-  scenario.answer.status = moment.status;
-  if (moment.status.code != StatusCode::kOk) return scenario.answer;
-  const AttackOptions options = clipOptions(asked.request, config);
-  scenario.answer = generateCollision(asked.request, moment.snapshot, *indexed.lanes,
-                                      &moment.recorded, ContinuousPatterns(options), options);
+  const auto found = momentAt(indexed, asked.now, kHistoryFrames);
+  if (const Status* status = std::get_if<Status>(&found)) {
+    scenario.answer.status = *status;
+    return scenario.answer;
+  }
+  const Moment& moment = std::get<Moment>(found);
+  CollisionRequest request = asked.request;
+  request.crash = clipCrash(request, config);
+  const PredictionOptions& prediction = config.attack.prediction;
+  const SearchMethod method(config.attack, std::make_shared<ContinuousPatterns>(prediction));
+  scenario.answer = generateCollision(method, moment, request, prediction);
   if (scenario.answer.status.code != StatusCode::kOk) return scenario.answer;
   const std::string problem = objection(scenario, indexed, moment, config);
   if (problem.empty()) return scenario.answer;

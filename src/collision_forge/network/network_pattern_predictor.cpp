@@ -52,7 +52,7 @@ NetworkPatternPredictor::NetworkPatternPredictor(
     std::shared_ptr<const PatternNetworks> networks, std::string left_out_scene,
     std::optional<CollisionType> known_type)
     : options_(options),
-      kinematic_(options, std::move(ego_futures)),
+      kinematic_(options.prediction, std::move(ego_futures)),
       networks_(std::move(networks)),
       left_out_scene_(std::move(left_out_scene)),
       known_type_(known_type) {}

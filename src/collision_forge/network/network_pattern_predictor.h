@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "collision_forge/attack/options.h"
 #include "collision_forge/attack/pattern_predictor.h"
 #include "collision_forge/network/pattern_network.h"
 

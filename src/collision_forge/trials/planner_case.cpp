@@ -2,10 +2,8 @@
 
 #include <utility>
 
-#include "collision_forge/attack/generator.h"
 #include "collision_forge/data/collide_scene.h"
-#include "collision_forge/study/baselines.h"
-#include "collision_forge/study/request_answerer.h"
+#include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/strict.h"
 
 namespace forge {
@@ -29,15 +27,6 @@ CollisionPattern patternOf(const PlannerCase& one) {
   return pattern;
 }
 
-Realization answerClip(const CollideClip& clip, const CrashScenario& scenario,
-                       const CollisionRequest& request, const Foresight& foresight,
-                       const Config& config) {
-  const AttackOptions options = withAngleRules(config.attack);
-  const auto predictor = foresight.patterns(options, clip.scene);
-  return generateCollision(request, scenario.snapshot, *scenario.lanes, &scenario.recorded,
-                           *predictor, options);
-}
-
 }  // namespace
 
 PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed,
@@ -48,12 +37,15 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
   one.scenario.snapshot.now = scenario.asked.now;
   one.status = scenario.answer.status;
   if (one.status.code != StatusCode::kOk) return one;
-  RecordedMoment moment =
-      momentAt(indexed.scene, scenario.asked.now, config.attack.prediction.history_frames);
-  one.status = moment.status;
-  if (one.status.code != StatusCode::kOk) return one;
+  one.request.crash = config.crash;
+  auto found = momentAt(indexed, scenario.asked.now, config.attack.prediction.history_frames);
+  if (const Status* status = std::get_if<Status>(&found)) {
+    one.status = *status;
+    return one;
+  }
+  Moment& moment = std::get<Moment>(found);
   one.scenario = {std::move(moment.snapshot),
-                  std::move(moment.recorded),
+                  std::move(*moment.recorded),
                   scenario.answer.trajectory,
                   one.request.type,
                   scenario.ego,
@@ -63,7 +55,7 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
 }
 
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
-                       std::shared_ptr<const LaneIndex> lanes, const Foresight& foresight,
+                       std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,
                        const Config& config) {
   const BoxSize& box = config.evaluation.collide.box;
   const Scene scene = toScene(clip, config.evaluation.collide, lanes->sharedMap());
@@ -72,7 +64,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
   one.clip = clip;
   one.scene = clip.scene;
   one.request = requestOf(clip, attacker == ClipAttacker::kReplay ? Mode::kReplay : Mode::kHistory,
-                          config.attack.prediction.min_tta);
+                          config.attack.prediction.min_tta, withAngleRules(config.crash));
   one.scenario = {snapshotAt(scene, clip.now(), config.attack.prediction.history_frames),
                   recordedFuture(scene, clip.now()),
                   {},
@@ -84,7 +76,9 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
     one.pattern = patternOf(one);
     return one;
   }
-  Realization answer = answerClip(clip, one.scenario, one.request, foresight, config);
+  const Moment moment{one.scenario.snapshot, one.scenario.recorded, one.scenario.lanes};
+  Realization answer =
+      generateCollision(*method.make(clip.scene), moment, one.request, config.attack.prediction);
   one.status = answer.status;
   one.scenario.attacker = std::move(answer.trajectory);
   one.pattern = answer.pattern;

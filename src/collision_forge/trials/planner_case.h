@@ -8,7 +8,7 @@
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/data/scene_source.h"
-#include "collision_forge/network/foresight.h"
+#include "collision_forge/network/method_maker.h"
 #include "collision_forge/trials/crash_scenario.h"
 
 namespace forge {
@@ -36,7 +36,7 @@ enum class ClipAttacker { kRecorded, kHistory, kReplay };
 /// A clip of COLLIDE, boxes as the set's. Ours are searched by the heading alone (withAngleRules())
 /// and declined as the configuration says.
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
-                       std::shared_ptr<const LaneIndex> lanes, const Foresight& foresight,
+                       std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,
                        const Config& config);
 
 }  // namespace forge

@@ -122,12 +122,12 @@ const char* toString(ClipAttacker attacker) {
 class ClipCases : public PlannerCases {
  public:
   ClipCases(std::vector<std::string> paths, const std::string& dataroot, ClipAttacker attacker,
-            const Config& config)
+            const std::string& method, const Config& config)
       : paths_(std::move(paths)),
         attacker_(attacker),
         config_(config),
         maps_(dataroot, config),
-        foresight_(loadForesight(config)) {
+        method_(loadMethod(method, config)) {
     for (const std::string& path : paths_) names_.push_back(fs::path(path).stem().string());
   }
 
@@ -138,13 +138,13 @@ class ClipCases : public PlannerCases {
     for (const std::string& path : paths_) {
       found = forge::fingerprint(fs::canonical(path).string(), found);
     }
-    return std::to_string(names_.size()) + " clips, attacker " + toString(attacker_) +
-           ", fingerprint " + found;
+    return std::to_string(names_.size()) + " clips, attacker " + toString(attacker_) + " by " +
+           method_.name() + ", fingerprint " + found;
   }
 
   PlannerCase at(std::size_t index) const override {
     const CollideClip clip = readCollideClip(paths_[index]);
-    PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), foresight_, config_);
+    PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), method_, config_);
     one.source = toString(attacker_);
     return one;
   }
@@ -155,7 +155,7 @@ class ClipCases : public PlannerCases {
   ClipAttacker attacker_;
   const Config& config_;
   mutable CityMaps maps_;
-  Foresight foresight_;
+  MethodMaker method_;
 };
 
 }  // namespace
@@ -179,8 +179,8 @@ std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& 
 
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
                                             const std::string& dataroot, ClipAttacker attacker,
-                                            const Config& config) {
-  return std::make_unique<ClipCases>(paths, dataroot, attacker, config);
+                                            const std::string& method, const Config& config) {
+  return std::make_unique<ClipCases>(paths, dataroot, attacker, method, config);
 }
 
 }  // namespace forge

@@ -40,6 +40,6 @@ std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& 
 /// "replay".
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
                                             const std::string& dataroot, ClipAttacker attacker,
-                                            const Config& config);
+                                            const std::string& method, const Config& config);
 
 }  // namespace forge

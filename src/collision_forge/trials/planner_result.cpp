@@ -5,7 +5,7 @@
 
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/planners/planner_factory.h"
-#include "collision_forge/study/baselines.h"
+#include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published.h"
 #include "collision_forge/study/strict.h"
 #include "collision_forge/trials/published_planner.h"
@@ -201,7 +201,7 @@ RolloutOutcome drive(const PlannerCase& one, const std::string& planner, Backgro
   const PlannerUnderTest made =
       makePlanner(planner, config.planners, one.scenario.attacker.attacker_id);
   return rollout(*made.planner, made.driving, one.scenario,
-                 {config.planners, config.attack, background, ends_at_contact});
+                 {config.planners, config.attack, config.crash.types, background, ends_at_contact});
 }
 
 /// Empty where a failure ends the drive that goes on after a contact.
@@ -270,7 +270,7 @@ PlannerTestResult judgeCase(const PlannerCase& one, const Config& config) {
   result.is_strict =
       strictOutcome(scenario.attacker,
                     {scenario.snapshot, scenario.recorded, one.request, *scenario.lanes},
-                    config.attack)
+                    config.attack.verification)
           .meetsFullDefinitions();
   result.avoidability = summaryOf(findAvoidability(scenario, config.planners.avoidability,
                                                    config.planners.planning.route, config.attack),

@@ -88,7 +88,7 @@ std::vector<PlannerVariant> variantsOf(const PlannerGrid& grid, const std::strin
     PlannerVariant variant{std::to_string(variants.size()), std::move(values), config};
     if (variants.empty()) variant.name = kDefault;
     variant.config.planners = parsePlanners(path, withPlannerValues(path, text, variant.values),
-                                            config.attack.vehicle_limits);
+                                            config.attack.verification.limits);
     variants.push_back(std::move(variant));
   }
   return variants;

@@ -16,7 +16,7 @@ struct VehicleLimits {
 
 /// config/verification.yaml
 struct VerificationOptions {
-  double time_tolerance = 0.0;
+  VehicleLimits limits;  ///< of the attacker
   double overlap_tolerance = 0.0;
   double off_road_interval = 0.0;
 };

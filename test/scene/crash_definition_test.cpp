@@ -1,4 +1,4 @@
-#include "collision_forge/scene/collision_types.h"
+#include "collision_forge/scene/crash_definition.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "collision_forge/attack/generator.h"
+#include "collision_forge/attack/search_method.h"
 
 #include <gtest/gtest.h>
 
@@ -22,12 +22,12 @@ struct Case {
                                  {pastTrack("behind", kCarSize, {-20.0, 0.2, 0.0}, 12.0),
                                   pastTrack("oncoming", kCarSize, {75.0, 3.5, M_PI}, 10.0)},
                                  map);
-  CollisionRequest request;
+  CollisionRequest request = requestFor();
   std::optional<Future> recorded;
 
   Realization result() const {
-    return generateCollision(request, snapshot, LaneIndex(map), recorded ? &*recorded : nullptr,
-                             kinematicPredictor(options), options);
+    const Moment moment{snapshot, recorded, std::make_shared<const LaneIndex>(map)};
+    return generateCollision(searchMethod(options), moment, request, options.prediction);
   }
   /// The future that an answer was verified against: the recorded one, or that one of the predicted
   /// in which the ego is where the answer's pattern has it.
@@ -308,13 +308,13 @@ class BruteForce {
     const double contact = answer_.report.contact_time;
     const double heading =
         std::abs(turn(at(samplesOf(future_.ego), contact)->yaw, at(path_, contact)->yaw));
-    const TypeDefinition& band = options_.collision_types.at(request.type);
+    const TypeDefinition& band = request.bands();
     EXPECT_GE(heading, band.min_heading - 1e-9);
     EXPECT_LE(heading, band.max_heading + 1e-9);
     const double approach = std::abs(turn(future_.ego.states.front().pose.yaw, path_[0].yaw));
     EXPECT_GE(approach, band.min_approach - 1e-9);
     EXPECT_LE(approach, band.max_approach + 1e-9);
-    EXPECT_LE(std::abs(contact - kNow - request.tta), options_.verification.time_tolerance + 1e-9);
+    EXPECT_LE(std::abs(contact - kNow - request.tta), request.crash.time_tolerance + 1e-9);
   }
 
   void checkStart(const Track& attacker) const {

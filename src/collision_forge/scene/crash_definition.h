@@ -6,7 +6,7 @@
 
 #include "collision_forge/geometry/oriented_box.h"
 #include "collision_forge/map/lane_map.h"
-#include "collision_forge/scene/collision_request.h"
+#include "collision_forge/scene/collision_type.h"
 
 namespace forge {
 
@@ -25,6 +25,17 @@ using TypeDefinitions = std::map<CollisionType, TypeDefinition>;
 enum class TypeRules { kFull, kAngle };
 const char* toString(TypeRules rules);
 std::optional<TypeRules> typeRulesFromString(const std::string& name);
+
+/// What counts as the crash that is asked for, and what an answer has to promise.
+struct CrashDefinition {
+  TypeRules rules = TypeRules::kFull;
+  TypeDefinitions types;
+  double time_tolerance = 0.0;  ///< s that the contact may come before or after the time asked for
+  double min_confidence = 0.0;  ///< an answer that promises less is declined, [0, 1]
+};
+
+/// The same with the types told by the heading at contact alone, as COLLIDE tells its types apart.
+CrashDefinition withAngleRules(CrashDefinition crash);
 
 /// The attacker's heading at first contact is within the type's band.
 bool headingFits(double relative_heading, const TypeDefinition& definition);

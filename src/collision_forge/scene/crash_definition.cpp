@@ -1,4 +1,4 @@
-#include "collision_forge/scene/collision_types.h"
+#include "collision_forge/scene/crash_definition.h"
 
 #include <cmath>
 
@@ -28,6 +28,11 @@ std::optional<TypeRules> typeRulesFromString(const std::string& name) {
     if (name == toString(rules)) return rules;
   }
   return std::nullopt;
+}
+
+CrashDefinition withAngleRules(CrashDefinition crash) {
+  crash.rules = TypeRules::kAngle;
+  return crash;
 }
 
 bool headingFits(double relative_heading, const TypeDefinition& definition) {

@@ -1,4 +1,4 @@
-#include "collision_forge/study/baselines.h"
+#include "collision_forge/study/clip_attackers.h"
 
 #include <gtest/gtest.h>
 
@@ -39,16 +39,23 @@ CollideClip quinticClip() {
   return clip;
 }
 
+AttackOptions nominalOptions() {
+  AttackOptions options = shippedOptions();
+  options.nominal = kNominal;
+  return options;
+}
+
 struct Nominal {
   CollideClip clip;
-  AttackOptions options = shippedOptions();
+  AttackOptions options = nominalOptions();
   Mode mode = Mode::kHistory;
 
   AttackerTrajectory trajectory() const {
     const Scene scene = toScene(clip, kCollide, nullptr);
+    const Future recorded = recordedFuture(scene, clip.now());
     return nominalAttacker(clip.attacker_id, snapshotAt(scene, clip.now(), 8),
-                           recordedFuture(scene, clip.now()), requestOf(clip, mode, 0.5), kNominal,
-                           options);
+                           mode == Mode::kReplay ? &recorded : nullptr,
+                           requestOf(clip, mode, 0.5, shippedCrash()), options);
   }
   /// Where the attacker is at the last frame.
   TrajectoryPoint end() const {
@@ -72,14 +79,14 @@ void expectPose(const Pose2& actual, double x, double y, double yaw) {
 
 TEST(Baselines, RequestIsTheClips) {
   CollideClip clip = straightClip(CollisionType::kLtap, 90.0, kLastFrame, 5.0, {}, 5.0);
-  CollisionRequest request = requestOf(clip, Mode::kReplay, 0.5);
+  CollisionRequest request = requestOf(clip, Mode::kReplay, 0.5, shippedCrash());
   EXPECT_EQ(request.type, CollisionType::kLtap);
   EXPECT_NEAR(request.tta, 3.0, kRounding);
   EXPECT_EQ(request.attacker, "attacker");
   EXPECT_EQ(request.mode, Mode::kReplay);
   clip = straightClip(CollisionType::kLtap, 90.0, 8, 5.0, {}, 5.0);
   clip.times.back() -= 0.1;
-  EXPECT_EQ(requestOf(clip, Mode::kReplay, 0.5).tta, 0.5);
+  EXPECT_EQ(requestOf(clip, Mode::kReplay, 0.5, shippedCrash()).tta, 0.5);
 }
 
 TEST(Baselines, RecordedAttackerHasTheMotionOfItsQuintic) {
