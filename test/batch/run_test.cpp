@@ -32,6 +32,7 @@ std::string contentOf(const std::string& path) {
 class RunTest : public testing::Test {
  protected:
   forge::Run squares() {
+    taken_.clear();
     forge::Run run;
     run.path = path_;
     run.options = {{"power", "2"}};
