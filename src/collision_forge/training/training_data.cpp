@@ -12,6 +12,7 @@
 #include "collision_forge/data/collide_scene.h"
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/nuscenes_tables.h"
+#include "collision_forge/files/fingerprint.h"
 
 namespace forge {
 namespace {
@@ -21,9 +22,7 @@ constexpr int kTimesAMoment = 4;  // instants kept of each moment
 constexpr int kClipTimes = 3;     // beside the impact
 
 std::uint64_t seedOf(const std::string& text, std::uint64_t seed) {
-  std::uint64_t hash = 0xcbf29ce484222325u ^ seed;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return hash;
+  return hashOf(text, kHashBasis ^ seed);
 }
 
 /// Instants that the recording reaches, drawn evenly from early to late.
