@@ -83,16 +83,15 @@ TEST_F(EmbeddedEgoFutures, ShippedModelKnowsDrivers) {
   const SpeedModel model = readSpeedModel(config_.speed_model);
   EXPECT_LT(fs::file_size(config_.speed_model), 1'500'000u);
   ASSERT_EQ(model.folds().size(), 5u);
-  for (const SpeedModelWeights& fold : model.folds()) {
-    const std::string left_out = fold.left_out_scenes.front();
+  for (const auto& fold : model.folds()) {
     for (const double speed : {5.0, 10.0}) {
-      const SpeedForecast forecast = model.forecast(steady(speed), 18, left_out);
+      const SpeedForecast forecast = fold->forecast(steady(speed), 18);
       ASSERT_EQ(forecast.speeds.cols(), 18);
       const Eigen::RowVectorXd mean = forecast.weights.transpose() * forecast.speeds;
       EXPECT_NEAR(mean[3], speed, 1.0);
       EXPECT_NEAR(mean[11], speed, 2.5);
     }
-    const SpeedForecast standing = model.forecast(steady(0.0), 8, left_out);
+    const SpeedForecast standing = fold->forecast(steady(0.0), 8);
     const auto stays = (standing.speeds.rowwise().sum().array() < 1.0);
     EXPECT_GT(stays.select(standing.weights, 0.0).sum(), 0.5);
     EXPECT_LT(stays.select(standing.weights, 0.0).sum(), 0.99);

@@ -112,7 +112,7 @@ TEST_F(PatternNetworkFile, NoNameIsNoNetwork) {
   EXPECT_EQ(loadPatternNetwork(Config()), nullptr);
   Config config;
   config.pattern_network = path_;
-  EXPECT_EQ(loadPatternNetwork(config)->all().size(), 2U);
+  EXPECT_EQ(loadPatternNetwork(config)->folds().size(), 1U);
 }
 
 TEST(ShippedNetworks, AreReadAndLeaveTheirFoldsOut) {

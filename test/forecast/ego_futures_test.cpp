@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/forecast/folds.h"
 #include "collision_forge/forecast/speed_profiles.h"
 
 namespace forge {
@@ -194,7 +195,7 @@ TEST(EgoFutures, ProfilesOfTheLeftOutSceneAreNotUsed) {
   options.speed.ridge = 1.0;
   const auto profiles = profilesOf(rows, options.speed);
   const auto shortest = [&](const std::string& left_out) {
-    return lastX(KinematicEgoFutures(options, profiles, left_out)
+    return lastX(KinematicEgoFutures(options, withoutScene(profiles, left_out))
                      .sample(snapshot, lanes, kHorizon, 400, 1))
         .front();
   };

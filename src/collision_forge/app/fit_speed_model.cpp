@@ -56,7 +56,7 @@ int fit(const Arguments& arguments) {
   const SpeedModel fitted =
       fitSpeedModelWithFolds(recorded, arguments.folds, config.speed_model_fit, arguments.seed);
   writeSpeedModel(fitted, arguments.out);
-  std::printf("%d intervals of %zu scenes\n", static_cast<int>(fitted.whole().gains.cols()),
+  std::printf("%d intervals of %zu scenes\n", static_cast<int>(fitted.weights().gains.cols()),
               recorded.scenes().size());
   if (arguments.folds == 0) return kExitOk;
   const SpeedModel model = readSpeedModel(arguments.out);  // as it is used, rounded

@@ -36,7 +36,7 @@ void answerAll(const Scene& scene, double seconds, const LaneIndex& lanes,
   const auto now = lastFrameTime(scene, scene.frame_times.front() + seconds);
   const Snapshot snapshot = snapshotAt(scene, *now, config.attack.prediction.history_frames);
   const Future recorded = recordedFuture(scene, *now);
-  const auto predictor = foresight.patterns(config.attack, scene.name);
+  const auto predictor = foresight.withoutScene(scene.name).patterns(config.attack);
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) {
     for (const CollisionType type : kCollisionTypes) {
       for (const double tta : arguments.ttas) {

@@ -224,9 +224,8 @@ std::shared_ptr<const SpeedForecaster> readSpeeds(const Arguments& arguments,
 int measure(const Arguments& arguments) {
   Config config = loadConfig(arguments.config);
   config.pattern_network = arguments.networks;
-  const auto networks = loadPatternNetwork(config);
+  const Foresight foresight{readSpeeds(arguments, config), loadPatternNetwork(config), {}};
   const NuScenesRoot root(arguments.dataroot, arguments.version);
-  const auto speeds = readSpeeds(arguments, config);
   LaneIndices lanes(arguments.dataroot, config);
   std::optional<AsideFile> file;
   if (!arguments.out.empty()) file.emplace(arguments.out);
@@ -240,7 +239,7 @@ int measure(const Arguments& arguments) {
     const NuScenesRecording recording = root.readScene(name);
     const LaneIndex& index = lanes.at(recording.location);
     const Scene scene = toScene(recording, config.ego_vehicle, nullptr);
-    const NetworkEgoFutures sampler(config.attack.ego_futures, networks, speeds, name);
+    const NetworkEgoFutures sampler(config.attack.ego_futures, foresight.withoutScene(name));
     const double last = scene.frame_times.back() - kHorizons[0] + 1e-6;
     for (double at = scene.frame_times.front() + arguments.stride; at <= last;
          at += arguments.stride) {

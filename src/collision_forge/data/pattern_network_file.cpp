@@ -188,10 +188,13 @@ void writePatternWeights(const std::vector<PatternWeights>& networks, const std:
   aside.commit();
 }
 
-std::shared_ptr<const PatternNetworks> loadPatternNetwork(const Config& config) {
+std::shared_ptr<const PatternNetwork> loadPatternNetwork(const Config& config) {
   if (config.pattern_network.empty()) return nullptr;
+  std::vector<PatternWeights> folds = readPatternWeights(config.pattern_network);
+  PatternWeights whole = std::move(folds.front());
+  folds.erase(folds.begin());
   try {
-    return std::make_shared<const PatternNetworks>(readPatternWeights(config.pattern_network));
+    return std::make_shared<const PatternNetwork>(std::move(whole), std::move(folds));
   } catch (const std::invalid_argument& error) {
     throw PatternNetworkFileError(config.pattern_network + ": " + error.what());
   }

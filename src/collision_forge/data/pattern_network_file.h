@@ -25,8 +25,8 @@ std::vector<PatternWeights> readPatternWeights(const std::string& path);
 /// Throws as AsideFile does.
 void writePatternWeights(const std::vector<PatternWeights>& networks, const std::string& path);
 
-/// The networks that the configuration names; null when it names none.
-std::shared_ptr<const PatternNetworks> loadPatternNetwork(const Config& config);
+/// The network that the configuration names, with its folds; null when it names none.
+std::shared_ptr<const PatternNetwork> loadPatternNetwork(const Config& config);
 
 /// These and the speeds of loadSpeedForecaster(), which throw.
 Foresight loadForesight(const Config& config);

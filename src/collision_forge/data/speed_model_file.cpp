@@ -154,8 +154,8 @@ SpeedModel readSpeedModel(const std::string& path) {
 void writeSpeedModel(const SpeedModel& model, const std::string& path) {
   AsideFile aside(path);
   std::ostream& file = aside.stream();
-  file << lineOf(model.whole()) << '\n';
-  for (const SpeedModelWeights& fold : model.folds()) file << lineOf(fold) << '\n';
+  file << lineOf(model.weights()) << '\n';
+  for (const auto& fold : model.folds()) file << lineOf(fold->weights()) << '\n';
   aside.commit();
 }
 

@@ -34,6 +34,13 @@ struct Answer {
   std::optional<double> confidence;
 };
 
+/// What may be known of a clip's scene.
+Foresight foresightOf(const Foresight& foresight, const CollideClip& clip,
+                      const EvaluationPlan& plan) {
+  if (!plan.seen_scenes) return foresight.withoutScene(clip.scene);
+  return {foresight.speeds, foresight.network, clip.type};
+}
+
 /// A clip made ready for all methods.
 class ClipCase {
  public:
@@ -43,9 +50,7 @@ class ClipCase {
         lanes_(lanes),
         config_(config),
         angle_rules_(withAngleRules(config.attack)),
-        foresight_{foresight.speeds, foresight.networks,
-                   plan.seen_scenes ? std::optional(clip.type) : std::nullopt},
-        left_out_scene_(plan.seen_scenes ? "" : clip.scene),
+        foresight_(foresightOf(foresight, clip, plan)),
         scene_(toScene(clip, config.evaluation.collide, std::move(map))),
         snapshot_(snapshotAt(scene_, clip.now(), config.attack.prediction.history_frames)),
         recorded_(recordedFuture(scene_, clip.now())),
@@ -67,7 +72,7 @@ class ClipCase {
       return driven(nominalAttacker(clip_.attacker_id, snapshot_, recorded_, request_,
                                     config_.evaluation.nominal, config_.attack));
     }
-    const Foresight foresight = needsNetworks(method) ? foresight_ : foresight_.withoutNetworks();
+    const Foresight foresight = needsNetworks(method) ? foresight_ : foresight_.withoutNetwork();
     if (method == kNetwork) return nominalPattern(foresight);
     if (withoutNetwork(method) == kSearch) return search(foresight, seed);
     if (withoutNetwork(method) == kPublishedSearch) return publishedSearch(foresight, seed);
@@ -105,7 +110,7 @@ class ClipCase {
 
   Answer nominalPattern(const Foresight& foresight) const {
     const PatternPrediction prediction =
-        foresight.patterns(angle_rules_, left_out_scene_)
+        foresight.patterns(angle_rules_)
             ->predict(snapshot_, lanes_, request_,
                       request_.mode == Mode::kReplay ? &recorded_ : nullptr);
     if (prediction.status.code != StatusCode::kOk) return {prediction.status, {}, {}, {}};
@@ -116,7 +121,7 @@ class ClipCase {
   Answer search(const Foresight& foresight, std::uint64_t seed) const {
     CollisionRequest request = request_;
     request.seed = seed;
-    const auto predictor = foresight.patterns(angle_rules_, left_out_scene_);
+    const auto predictor = foresight.patterns(angle_rules_);
     Realization found =
         generateCollision(request, snapshot_, lanes_, &recorded_, *predictor, angle_rules_);
     if (found.status.code != StatusCode::kOk) return {found.status, {}, {}, {}};
@@ -128,10 +133,9 @@ class ClipCase {
   Answer publishedSearch(const Foresight& foresight, std::uint64_t seed) const {
     CollisionRequest request = request_;
     request.seed = seed;
-    return driven(
-        publishedSearchAttacker(clip_, snapshot_, recorded_, request, lanes_,
-                                foresight.egoFutures(config_.attack.ego_futures, left_out_scene_),
-                                config_.attack, config_.evaluation));
+    return driven(publishedSearchAttacker(clip_, snapshot_, recorded_, request, lanes_,
+                                          foresight.egoFutures(config_.attack.ego_futures),
+                                          config_.attack, config_.evaluation));
   }
 
   const CollideClip& clip_;
@@ -139,7 +143,6 @@ class ClipCase {
   const Config& config_;
   AttackOptions angle_rules_;
   Foresight foresight_;
-  std::string left_out_scene_;
   Scene scene_;
   Snapshot snapshot_;
   Future recorded_;
@@ -192,7 +195,7 @@ bool needsNetworks(const std::string& method) {
 }
 
 void checkNetworks(const std::string& method, const Foresight& foresight) {
-  if (needsNetworks(method) && !foresight.networks) {
+  if (needsNetworks(method) && !foresight.network) {
     throw std::invalid_argument("method " + method +
                                 ": pattern_network in network.yaml names no networks");
   }

@@ -47,7 +47,7 @@ Scenario RequestAnswerer::answer(const SceneRequest& asked, const IndexedScene& 
       momentAt(indexed.scene, asked.now, config_.attack.prediction.history_frames);
   scenario.answer.status = moment.status;
   if (moment.status.code != StatusCode::kOk) return scenario;
-  const auto predictor = foresight_.patterns(config_.attack, asked.scene);
+  const auto predictor = foresight_.withoutScene(asked.scene).patterns(config_.attack);
   scenario.answer = generateCollision(asked.request, moment.snapshot, *indexed.lanes,
                                       &moment.recorded, *predictor, config_.attack);
   return scenario;

@@ -175,7 +175,8 @@ void evaluatePattern(const RequestCase& request_case, Mode mode, const Foresight
   CollisionRequest request = asked.request;
   request.mode = mode;
   const PatternPrediction prediction =
-      foresight.patterns(config.attack, asked.scene)
+      foresight.withoutScene(asked.scene)
+          .patterns(config.attack)
           ->predict(moment.snapshot, *indexed.lanes, request,
                     mode == Mode::kReplay ? &moment.recorded : nullptr);
   if (prediction.status.code != StatusCode::kOk) {
@@ -220,7 +221,7 @@ std::size_t rowsPerRequest(const EvaluationPlan& plan) {
 RequestEvaluator::RequestEvaluator(SceneSource& scenes, const Config& config,
                                    const Foresight& foresight, const EvaluationPlan& plan)
     : scenes_(scenes),
-      foresight_(needsNetworks(plan.method) ? foresight : foresight.withoutNetworks()),
+      foresight_(needsNetworks(plan.method) ? foresight : foresight.withoutNetwork()),
       plan_(plan),
       angle_config_(searchedWith(config, TypeRules::kAngle)),
       full_config_(searchedWith(config, TypeRules::kFull)),

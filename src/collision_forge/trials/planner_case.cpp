@@ -33,7 +33,7 @@ Realization answerClip(const CollideClip& clip, const CrashScenario& scenario,
                        const CollisionRequest& request, const Foresight& foresight,
                        const Config& config) {
   const AttackOptions options = withAngleRules(config.attack);
-  const auto predictor = foresight.patterns(options, clip.scene);
+  const auto predictor = foresight.withoutScene(clip.scene).patterns(options);
   return generateCollision(request, scenario.snapshot, *scenario.lanes, &scenario.recorded,
                            *predictor, options);
 }
