@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <map>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/speed_model_file.h"
@@ -14,6 +13,7 @@
 #include "collision_forge/forecast/ego_futures.h"
 #include "collision_forge/forecast/ego_paths.h"
 #include "collision_forge/forecast/speed_profile_collection.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
@@ -111,7 +111,7 @@ TEST_F(EmbeddedEgoFutures, OwnProfilesComeBeforeTheModel) {
 // of simulated drivers are few, hence the width of the band.
 TEST_F(EmbeddedEgoFutures, TheCentralIntervalCoversTheRecording) {
   const auto profiles = std::make_shared<const SpeedProfiles>(
-      readSpeedProfiles(kProfiles, config_.attack.ego_futures.speed));
+      readSpeedProfiles(kProfiles, config_.recorded_speeds));
   std::map<double, std::pair<int, int>> covered;  // by horizon: covered, of
   for (const std::string& name : root_.sceneNames()) {
     const Scene scene = read(name);

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/forecast/speed_model_fit.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {

@@ -7,8 +7,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/forecast/speed_forecast_check.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {

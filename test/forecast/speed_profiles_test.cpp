@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-const SpeedProfileOptions kOptions = shippedEgoFutureOptions().speed;
+const SpeedProfileOptions kOptions = shippedSpeedProfileOptions();
 
 SpeedProfiles profilesOf(std::vector<SpeedProfileRow> rows) {
   return {SpeedSituations(std::move(rows)), kOptions};

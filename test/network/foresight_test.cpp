@@ -49,7 +49,7 @@ TEST(Foresight, WithoutASceneNothingIsCopiedAndTheTypeStaysKnown) {
 TEST(Foresight, SpeedsOfASceneOnTestAreLeftOut) {
   const auto profiles = std::make_shared<const SpeedProfiles>(
       SpeedSituations({{"scene-x", 0, 3.0, {}}, {"scene-x", 1, 3.0, {}}}),
-      shippedEgoFutureOptions().speed);
+      shippedSpeedProfileOptions());
   const Foresight foresight{profiles, nullptr, {}};
   EXPECT_NE(foresight.withoutScene("scene-x").speeds, profiles);
   EXPECT_EQ(foresight.withoutScene("scene-y").speeds, profiles);

@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path
 
-LAYERS = [{'files', 'geometry'}, {'map'}, {'scene'}, {'forecast', 'verify', 'attack'}, {'network'}, {'planners', 'trials', 'drawing', 'training', 'config', 'data', 'batch', 'study', 'dataset'},
+LAYERS = [{'files', 'config', 'geometry'}, {'map'}, {'scene'}, {'forecast', 'verify', 'attack'}, {'network'}, {'planners', 'trials', 'drawing', 'training', 'data', 'batch', 'study', 'dataset', 'settings'},
           {'ros', 'rviz', 'app'}]
 LAYER_OF = {module: level for level, modules in enumerate(LAYERS) for module in modules}
 

@@ -10,7 +10,6 @@
 #include "collision_forge/app/progress_line.h"
 #include "collision_forge/app/tool_support.h"
 #include "collision_forge/batch/dispatch.h"
-#include "collision_forge/config/config_fingerprint.h"
 #include "collision_forge/data/collide_export.h"
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/dataset/balance.h"
@@ -21,6 +20,7 @@
 #include "collision_forge/drawing/draw_scenario.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/resumable_file.h"
+#include "collision_forge/settings/config_fingerprint.h"
 
 namespace {
 

@@ -3,10 +3,10 @@
 
 #include "collision_forge/app/lane_indices.h"
 #include "collision_forge/app/tool_support.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/speed_profiles_file.h"
 #include "collision_forge/forecast/speed_profile_collection.h"
+#include "collision_forge/settings/config.h"
 
 namespace {
 

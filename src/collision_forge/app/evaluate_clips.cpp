@@ -7,12 +7,12 @@
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/tool_support.h"
 #include "collision_forge/batch/dispatch.h"
-#include "collision_forge/config/config_fingerprint.h"
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/settings/config_fingerprint.h"
 
 namespace forge {
 namespace {

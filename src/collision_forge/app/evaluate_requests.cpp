@@ -10,11 +10,11 @@
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/tool_support.h"
 #include "collision_forge/batch/dispatch.h"
-#include "collision_forge/config/config_fingerprint.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/drawing/reliability_plot.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/study/request_evaluation.h"
 #include "collision_forge/study/request_report.h"
 

@@ -3,11 +3,11 @@
 #include <limits>
 
 #include "collision_forge/app/tool_support.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/speed_model_file.h"
 #include "collision_forge/data/speed_profiles_file.h"
 #include "collision_forge/forecast/speed_forecast_check.h"
 #include "collision_forge/forecast/speed_model_fit.h"
+#include "collision_forge/settings/config.h"
 
 namespace {
 
@@ -60,7 +60,7 @@ int fit(const Arguments& arguments) {
               recorded.scenes().size());
   if (arguments.folds == 0) return kExitOk;
   const SpeedModel model = readSpeedModel(arguments.out);  // as it is used, rounded
-  compare(recorded, model, SpeedProfiles(recorded, config.attack.ego_futures.speed));
+  compare(recorded, model, SpeedProfiles(recorded, config.recorded_speeds));
   return kExitOk;
 }
 

@@ -11,11 +11,11 @@
 
 #include "collision_forge/app/tool_support.h"
 #include "collision_forge/batch/dispatch.h"
-#include "collision_forge/config/config_fingerprint.h"
 #include "collision_forge/data/collide_export.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/files/resumable_file.h"
+#include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/study/request_answerer.h"
 
 namespace {

@@ -8,12 +8,12 @@
 
 #include "collision_forge/app/tool_support.h"
 #include "collision_forge/attack/generator.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/draw_scenario.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/injection.h"
+#include "collision_forge/settings/config.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/map/lane_queries.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 

@@ -8,9 +8,9 @@
 
 #include "collision_forge/app/tool_support.h"
 #include "collision_forge/attack/request_list.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/request_file.h"
+#include "collision_forge/settings/config.h"
 
 namespace {
 

@@ -4,11 +4,11 @@
 
 #include "collision_forge/app/tool_support.h"
 #include "collision_forge/attack/generator.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/settings/config.h"
 
 namespace {
 

@@ -8,7 +8,6 @@
 
 #include "collision_forge/app/lane_indices.h"
 #include "collision_forge/app/tool_support.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/speed_model_file.h"
@@ -18,6 +17,7 @@
 #include "collision_forge/forecast/ego_paths.h"
 #include "collision_forge/forecast/kinematic_prediction.h"
 #include "collision_forge/network/network_ego_futures.h"
+#include "collision_forge/settings/config.h"
 
 namespace {
 
@@ -215,16 +215,16 @@ std::shared_ptr<const SpeedForecaster> readSpeeds(const Arguments& arguments,
                                                   const Config& config) {
   if (!arguments.profiles.empty()) {
     return std::make_shared<const SpeedProfiles>(
-        readSpeedProfiles(arguments.profiles, config.attack.ego_futures.speed));
+        readSpeedProfiles(arguments.profiles, config.recorded_speeds));
   }
   if (arguments.speed_model.empty()) return nullptr;
   return std::make_shared<const SpeedModel>(readSpeedModel(arguments.speed_model));
 }
 
 int measure(const Arguments& arguments) {
-  Config config = loadConfig(arguments.config);
-  config.pattern_network = arguments.networks;
-  const Foresight foresight{readSpeeds(arguments, config), loadPatternNetwork(config), {}};
+  const Config config = loadConfig(arguments.config);
+  const Foresight foresight{
+      readSpeeds(arguments, config), loadPatternNetwork(arguments.networks), {}};
   const NuScenesRoot root(arguments.dataroot, arguments.version);
   LaneIndices lanes(arguments.dataroot, config);
   std::optional<AsideFile> file;

@@ -10,13 +10,13 @@
 #include "collision_forge/app/progress_line.h"
 #include "collision_forge/app/tool_support.h"
 #include "collision_forge/attack/request_check.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/collide_scene.h"
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/forecast/ego_futures.h"
 #include "collision_forge/network/network_ego_futures.h"
 #include "collision_forge/network/predicted_scene.h"
+#include "collision_forge/settings/config.h"
 
 namespace {
 
@@ -217,7 +217,7 @@ int measure(const Arguments& arguments) {
   if (!arguments.networks.empty()) config.pattern_network = arguments.networks;
   const Foresight foresight = loadForesight(config);
   if (!foresight.network) {
-    throw std::runtime_error("network.yaml: pattern_network names no file");
+    throw std::runtime_error("models.yaml: pattern_network names no file");
   }
   LaneIndices lanes(arguments.dataroot, config);
   ProgressLine progress("measuring");

@@ -4,9 +4,9 @@
 #include <iostream>
 
 #include "collision_forge/app/tool_support.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/settings/config.h"
 
 namespace {
 

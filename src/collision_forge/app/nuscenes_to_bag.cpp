@@ -7,10 +7,10 @@
 #include <thread>
 
 #include "collision_forge/app/tool_support.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/ros/bag_writer.h"
+#include "collision_forge/settings/config.h"
 
 namespace {
 

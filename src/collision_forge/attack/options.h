@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <iterator>
+#include <string>
 #include <vector>
 
 #include "collision_forge/forecast/options.h"
@@ -10,7 +11,9 @@
 
 namespace forge {
 
-/// config/search.yaml, section bicycle
+class Section;
+
+/// config/search.yaml, section bicycle_family
 struct BicycleOptions {
   int iterations = 0;
   double convergence = 0.0;
@@ -100,5 +103,11 @@ struct RequestListOptions {
   Attackers attackers = Attackers::kAny;
   std::uint64_t seed = 0;  ///< of every request
 };
+
+void readOptions(Section& section, RequestListOptions& options);
+
+/// Reads vehicle_limits.yaml, collision_types.yaml, prediction.yaml, search.yaml, verification.yaml
+/// and ego_futures.yaml of a folder.
+void readAttackOptions(const std::string& directory, AttackOptions& options);
 
 }  // namespace forge

@@ -5,8 +5,8 @@
 #include <mutex>
 #include <string>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_map.h"
+#include "collision_forge/data/options.h"
 #include "collision_forge/map/lane_queries.h"
 
 namespace forge {
@@ -15,8 +15,8 @@ namespace forge {
 class CityMaps {
  public:
   /// Both must outlive it.
-  CityMaps(const std::string& dataroot, const Config& config)
-      : dataroot_(dataroot), config_(config) {}
+  CityMaps(const std::string& dataroot, const DataOptions& options)
+      : dataroot_(dataroot), options_(options) {}
 
   /// Throws as readNuScenesMap() and drivingSide().
   std::shared_ptr<const LaneIndex> at(const std::string& city) {
@@ -24,15 +24,15 @@ class CityMaps {
     std::shared_ptr<const LaneIndex>& lanes = maps_[city];
     if (!lanes) {
       lanes = std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(
-          readNuScenesMap(dataroot_, city, drivingSide(config_, city),
-                          {config_.conversion.centerline_resolution})));
+          readNuScenesMap(dataroot_, city, drivingSide(options_, city),
+                          {options_.conversion.centerline_resolution})));
     }
     return lanes;
   }
 
  private:
   const std::string& dataroot_;
-  const Config& config_;
+  const DataOptions& options_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const LaneIndex>> maps_;
 };

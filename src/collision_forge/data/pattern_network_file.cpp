@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "collision_forge/data/json_line.h"
+#include "collision_forge/data/speed_model_file.h"
 #include "collision_forge/files/aside_file.h"
 
 namespace forge {
@@ -188,20 +189,20 @@ void writePatternWeights(const std::vector<PatternWeights>& networks, const std:
   aside.commit();
 }
 
-std::shared_ptr<const PatternNetwork> loadPatternNetwork(const Config& config) {
-  if (config.pattern_network.empty()) return nullptr;
-  std::vector<PatternWeights> folds = readPatternWeights(config.pattern_network);
+std::shared_ptr<const PatternNetwork> loadPatternNetwork(const std::string& path) {
+  if (path.empty()) return nullptr;
+  std::vector<PatternWeights> folds = readPatternWeights(path);
   PatternWeights whole = std::move(folds.front());
   folds.erase(folds.begin());
   try {
     return std::make_shared<const PatternNetwork>(std::move(whole), std::move(folds));
   } catch (const std::invalid_argument& error) {
-    throw PatternNetworkFileError(config.pattern_network + ": " + error.what());
+    throw PatternNetworkFileError(path + ": " + error.what());
   }
 }
 
-Foresight loadForesight(const Config& config) {
-  return {loadSpeedForecaster(config), loadPatternNetwork(config), std::nullopt};
+Foresight loadForesight(const ModelOptions& options) {
+  return {loadSpeedForecaster(options), loadPatternNetwork(options.pattern_network), std::nullopt};
 }
 
 }  // namespace forge

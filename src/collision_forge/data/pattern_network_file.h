@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/config.h"
+#include "collision_forge/data/options.h"
 #include "collision_forge/network/foresight.h"
 #include "collision_forge/network/pattern_network.h"
 
@@ -25,10 +25,11 @@ std::vector<PatternWeights> readPatternWeights(const std::string& path);
 /// Throws as AsideFile does.
 void writePatternWeights(const std::vector<PatternWeights>& networks, const std::string& path);
 
-/// The network that the configuration names, with its folds; null when it names none.
-std::shared_ptr<const PatternNetwork> loadPatternNetwork(const Config& config);
+/// The network of a file, with its folds; null when `path` is empty. Throws as
+/// readPatternWeights().
+std::shared_ptr<const PatternNetwork> loadPatternNetwork(const std::string& path);
 
-/// These and the speeds of loadSpeedForecaster(), which throw.
-Foresight loadForesight(const Config& config);
+/// This and the speeds of loadSpeedForecaster(), which throw.
+Foresight loadForesight(const ModelOptions& options);
 
 }  // namespace forge

@@ -18,11 +18,11 @@ std::vector<std::string> readSceneNames(const std::string& dataroot, const std::
 }
 
 SceneSource::SceneSource(const std::string& dataroot, const std::string& version,
-                         const std::vector<std::string>& scenes, const Config& config,
+                         const std::vector<std::string>& scenes, const DataOptions& options,
                          std::size_t kept, OnWarnings on_warnings,
                          const NuScenesProgress& on_progress)
     : dataroot_(dataroot),
-      config_(config),
+      options_(options),
       root_(dataroot, version, {scenes, on_progress}),
       kept_(kept),
       on_warnings_(std::move(on_warnings)) {}
@@ -44,7 +44,7 @@ std::shared_ptr<const IndexedScene> SceneSource::read(const std::string& name) {
   const NuScenesRecording recording = root_.readScene(name);
   const auto& lanes = lanesOf(recording.location);
   std::vector<std::string> warnings;
-  Scene scene = toScene(recording, config_.ego_vehicle, lanes->sharedMap(), &warnings);
+  Scene scene = toScene(recording, options_.ego_vehicle, lanes->sharedMap(), &warnings);
   warn(name, warnings);
   return std::make_shared<const IndexedScene>(IndexedScene{std::move(scene), lanes});
 }
@@ -54,8 +54,8 @@ const std::shared_ptr<const LaneIndex>& SceneSource::lanesOf(const std::string& 
   if (lanes) return lanes;
   std::vector<std::string> warnings;
   lanes = std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(
-      readNuScenesMap(dataroot_, location, drivingSide(config_, location),
-                      {config_.conversion.centerline_resolution}, &warnings)));
+      readNuScenesMap(dataroot_, location, drivingSide(options_, location),
+                      {options_.conversion.centerline_resolution}, &warnings)));
   warn("map " + location, warnings);
   return lanes;
 }

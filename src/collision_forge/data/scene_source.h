@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_tables.h"
+#include "collision_forge/data/options.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/scene/scene.h"
 
@@ -36,7 +36,7 @@ class SceneSource {
   /// `scenes`: the wanted ones, at least one; `kept`: how many are held at a time, at least 1.
   /// Throws NuScenesError as NuScenesRoot does.
   SceneSource(const std::string& dataroot, const std::string& version,
-              const std::vector<std::string>& scenes, const Config& config, std::size_t kept,
+              const std::vector<std::string>& scenes, const DataOptions& options, std::size_t kept,
               OnWarnings on_warnings = {}, const NuScenesProgress& on_progress = {});
 
   /// Throws NuScenesError as readScene() and readNuScenesMap() do, ConfigError for a location
@@ -49,7 +49,7 @@ class SceneSource {
   void warn(const std::string& subject, const std::vector<std::string>& warnings) const;
 
   std::string dataroot_;
-  Config config_;
+  DataOptions options_;
   NuScenesRoot root_;
   std::size_t kept_;
   OnWarnings on_warnings_;

@@ -5,7 +5,7 @@
 
 #include "collision_forge/attack/options.h"
 #include "collision_forge/attack/request_list.h"
-#include "collision_forge/config/dataset_options.h"
+#include "collision_forge/dataset/options.h"
 #include "collision_forge/scene/scene.h"
 
 namespace forge {

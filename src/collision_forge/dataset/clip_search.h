@@ -2,9 +2,9 @@
 
 #include "collision_forge/attack/realizer.h"
 #include "collision_forge/attack/request_list.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/scene/collision_types.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 

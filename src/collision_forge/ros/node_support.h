@@ -11,9 +11,9 @@
 #include <string>
 #include <variant>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/scene/scene.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 
@@ -59,10 +59,9 @@ struct CheckedRequest {
 };
 
 /// The messages converted and passed through checkRequest(), or why that failed.
-std::variant<CheckedRequest, Status> checkedRequest(const LaneMapSubscriber& map,
-                                                  const collision_forge::EncodedScene& scene,
-                                                  const collision_forge::CollisionRequest& request,
-                                                  const PredictionOptions& options);
+std::variant<CheckedRequest, Status> checkedRequest(
+    const LaneMapSubscriber& map, const collision_forge::EncodedScene& scene,
+    const collision_forge::CollisionRequest& request, const PredictionOptions& options);
 
 /// Answers a service with what `work` returns, code and message; an exception is INVALID_INPUT.
 template <typename Response, typename Work>

@@ -197,7 +197,7 @@ bool needsNetworks(const std::string& method) {
 void checkNetworks(const std::string& method, const Foresight& foresight) {
   if (needsNetworks(method) && !foresight.network) {
     throw std::invalid_argument("method " + method +
-                                ": pattern_network in network.yaml names no networks");
+                                ": pattern_network in models.yaml names no file");
   }
 }
 

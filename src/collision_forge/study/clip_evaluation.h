@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/network/foresight.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/study/result_row.h"
 
 namespace forge {

@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/network/foresight.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/trials/crash_scenario.h"
 
 namespace forge {

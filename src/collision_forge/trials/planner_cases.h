@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/scene_source.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/trials/planner_case.h"
 
 namespace forge {

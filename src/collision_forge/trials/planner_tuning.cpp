@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "collision_forge/config/planner_config.h"
+#include "collision_forge/config/section.h"
 #include "collision_forge/study/rate_table.h"
 
 namespace forge {
@@ -87,8 +87,8 @@ std::vector<PlannerVariant> variantsOf(const PlannerGrid& grid, const std::strin
   for (PlannerValues& values : combinationsOf(grid, readPlannerValues(path, text, grid))) {
     PlannerVariant variant{std::to_string(variants.size()), std::move(values), config};
     if (variants.empty()) variant.name = kDefault;
-    variant.config.planners = parsePlanners(path, withPlannerValues(path, text, variant.values),
-                                            config.attack.vehicle_limits);
+    readConfigFile(openConfigText(path, withPlannerValues(path, text, variant.values)),
+                   variant.config.planners, config.attack.vehicle_limits);
     variants.push_back(std::move(variant));
   }
   return variants;

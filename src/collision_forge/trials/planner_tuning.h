@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/config.h"
-#include "collision_forge/config/planner_grid.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/study/rate_table.h"
 #include "collision_forge/study/statistics.h"
+#include "collision_forge/trials/planner_grid.h"
 #include "collision_forge/trials/planner_result.h"
 
 namespace forge {
