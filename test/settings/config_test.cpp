@@ -144,7 +144,7 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("planners.yaml", "max_yaw_rate:", "#",
                   {"pdm.scoring.comfort.max_yaw_rate", "missing"});
   expectComplaint("planners.yaml", "bend_length:", "#", {"rule_based.bend_length", "missing"});
-  expectComplaint("planners.yaml", "rule_based:", "#", {"rule_based", "missing"});
+  expectComplaint("planners.yaml", "\nrule_based:", "\nstrive:", {"rule_based is missing"});
   expectComplaint("planners.yaml", "margin:", "#", {"idm.standard.margin", "missing"});
   expectComplaint("planners.yaml", "behind_angle:", "#", {"rollout.fault.behind_angle", "missing"});
   expectComplaint("planners.yaml", "timeout:", "#", {"external.timeout", "missing"});

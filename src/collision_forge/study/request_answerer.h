@@ -4,6 +4,7 @@
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/network/foresight.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 
