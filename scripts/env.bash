@@ -1,6 +1,7 @@
 # usage: source scripts/env.bash      (bash, after scripts/setup)
 #
-# Makes the built package known to this shell: rosrun, roslaunch, rosservice, rviz, and the tools by name.
+# Makes the built package known to this shell: rosrun, roslaunch, rosservice, rviz and forge, whose
+# words are completed.
 # /usr/bin goes first in PATH, because ROS needs the system's python3. ROS_MASTER_URI is left alone;
 # ROS_HOSTNAME is set to localhost unless ROS_HOSTNAME or ROS_IP is set, ROS_HOME to build/ros_home unless set.
 # shellcheck shell=bash
@@ -28,12 +29,19 @@ _collision_forge_environment() {
   _collision_forge_path_first /usr/bin
   # shellcheck disable=SC1091
   source "$root/devel/setup.bash" || return 1
-  _collision_forge_path_first "$root/devel/lib/collision_forge"
+  _collision_forge_path_first "$root/devel/bin"
   _collision_forge_path_first /usr/bin
   export PATH
   [[ -n ${ROS_HOSTNAME:-}${ROS_IP:-} ]] || export ROS_HOSTNAME=localhost
   export ROS_HOME=${ROS_HOME:-$root/build/ros_home}
   mkdir -p "$ROS_HOME"
 }
+
+# The words of forge, asked for when they are first needed; 124 tells bash to try again with them.
+_collision_forge_completion() {
+  # shellcheck disable=SC1090
+  source <(forge completion bash) && return 124
+}
+complete -F _collision_forge_completion forge
 
 _collision_forge_environment

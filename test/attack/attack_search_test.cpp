@@ -19,7 +19,7 @@ struct Case {
   Snapshot snapshot;
   Future future;
   std::vector<Track> egos;
-  CollisionRequest request;
+  CollisionRequest request = requestFor();
 
   Case(CollisionType type, double ego_speed, const Pose2& ego = {}) {
     request.type = type;
@@ -120,11 +120,11 @@ TEST(SearchAttacks, SameSeedSameBytesAndOtherSeedsOthers) {
 TEST(SearchAttacks, AllStartAtTheAttackerAndKeepTheLimits) {
   for (Case scene : allCases()) {
     for (scene.request.seed = 0; scene.request.seed < 5; ++scene.request.seed) {
-      const double until = kNow + scene.request.tta + scene.options.verification.time_tolerance;
+      const double until = kNow + scene.request.tta + scene.request.crash.time_tolerance;
       for (const FoundAttack& attack : scene.found()) {
         const Pose2 now = attack.attacker->states.back().pose;
         const auto broken =
-            findBrokenLimit(attack.points, now.yaw, until, scene.options.vehicle_limits);
+            findBrokenLimit(attack.points, now.yaw, until, scene.options.verification.limits);
         EXPECT_FALSE(broken) << toString(scene.request.type) << ": " << describe(*broken);
         EXPECT_EQ(attack.points.front().time, kNow);
         EXPECT_NEAR((attack.points.front().pose.position() - now.position()).norm(), 0.0, 1e-6);
@@ -209,7 +209,7 @@ TEST(SearchAttacks, SteerNoFasterThanADriverWould) {
     for (Case scene : allCases()) {
       scene.request.seed = seed;
       const double arrival = kNow + scene.request.tta;
-      const VehicleLimits& limits = scene.options.vehicle_limits;
+      const VehicleLimits& limits = scene.options.verification.limits;
       SearchOptions& search = scene.options.search;
       EXPECT_LE(fastestSteering(scene.found().at(0).points, arrival, limits), search.good_steering);
       search.steering_weight = 0.0;
@@ -310,7 +310,7 @@ TEST(SearchAttacks, PointsCoverTheToleranceWhateverTheTail) {
   scene.options.search.tail = scene.options.search.step;
   for (const FoundAttack& attack : scene.found()) {
     EXPECT_GE(attack.points.back().time,
-              kNow + scene.request.tta + scene.options.verification.time_tolerance - 1e-6)
+              kNow + scene.request.tta + scene.request.crash.time_tolerance - 1e-6)
         << "the scorer looks so far";
   }
 }

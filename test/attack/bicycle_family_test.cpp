@@ -31,7 +31,8 @@ struct Case {
     arrival.speed = end_speed;
   }
   bool drive() {
-    return BicycleFamily(options.vehicle_limits, options.bicycle).drive(start, arrival, points);
+    return BicycleFamily(options.verification.limits, options.bicycle)
+        .drive(start, arrival, points);
   }
   /// The point at the arrival, which must be at a whole step.
   const TrajectoryPoint& end() const {
@@ -45,7 +46,7 @@ struct Case {
     expectWithinLimits();
   }
   void expectWithinLimits() const {
-    VehicleLimits limits = options.vehicle_limits;
+    VehicleLimits limits = options.verification.limits;
     limits.max_forward_acceleration *= kRounding;
     limits.max_braking *= kRounding;
     limits.max_total_acceleration *= kRounding;
@@ -135,7 +136,7 @@ TEST(BicycleFamily, TurnsAroundToAHeadingThatNoArcLeadsTo) {
 TEST(BicycleFamily, DrivesWhatItsKnotsSteer) {
   Case motion({}, 6.0, 3.0, {15.0, 4.0, 0.5}, 6.0);
   ASSERT_TRUE(motion.drive());
-  const BicycleFamily family(motion.options.vehicle_limits, motion.options.bicycle);
+  const BicycleFamily family(motion.options.verification.limits, motion.options.bicycle);
   const auto knots = family.solve(motion.start, motion.arrival);
   ASSERT_TRUE(knots);
   std::vector<TrajectoryPoint> rolled;
@@ -152,7 +153,7 @@ TEST(BicycleFamily, KnotsAreLinearInBetweenAndHeldToTheLimits) {
   SteeringKnots knots;
   knots.acceleration = {0.0, 2.0, 2.0, 100.0, -100.0};
   knots.curvature = {0.0, 0.02, -0.02, 9.0, 0.0};
-  BicycleFamily(motion.options.vehicle_limits, motion.options.bicycle)
+  BicycleFamily(motion.options.verification.limits, motion.options.bicycle)
       .roll(motion.start, knots, 4.0, motion.points);
   EXPECT_NEAR(motion.points[5].acceleration, 1.0, 1e-9);
   EXPECT_NEAR(motion.points[5].curvature, 0.01, 1e-9);
@@ -187,10 +188,10 @@ TEST(BicycleFamily, NeverBreaksTheLimitsAndAlwaysArrivesOnRandomArrivals) {
 
 TEST(BicycleFamily, KeepsTighterLimitsToo) {
   Case motion({}, 6.0, 4.0, {18.0, 8.0, 1.0}, 6.0);
-  motion.options.vehicle_limits.max_curvature = 0.09;
-  motion.options.vehicle_limits.max_total_acceleration = 3.5;
-  motion.options.vehicle_limits.max_forward_acceleration = 1.5;
-  motion.options.vehicle_limits.max_braking = 2.0;
+  motion.options.verification.limits.max_curvature = 0.09;
+  motion.options.verification.limits.max_total_acceleration = 3.5;
+  motion.options.verification.limits.max_forward_acceleration = 1.5;
+  motion.options.verification.limits.max_braking = 2.0;
   motion.expectReached(0.3);
 }
 

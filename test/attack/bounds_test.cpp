@@ -7,7 +7,6 @@
 #include <string>
 
 #include "attack/test_scenes.h"
-#include "collision_forge/attack/generator.h"
 
 namespace forge {
 namespace {
@@ -66,8 +65,8 @@ class RandomRequest {
     options.search.bicycle_targets = 20;
     options.search.bicycle_rounds = 2;
     options.search.bicycle_perturbations = 20;
-    return generateCollision(request_, snapshot_, LaneIndex(map_), &recorded_,
-                             kinematicPredictor(options), options);
+    const Moment moment{snapshot_, recorded_, std::make_shared<const LaneIndex>(map_)};
+    return generateCollision(searchMethod(options), moment, request_, options.prediction);
   }
   const AgentState& now(const std::string& attacker) const {
     return std::find_if(snapshot_.agents.begin(), snapshot_.agents.end(),
@@ -105,7 +104,7 @@ class RandomRequest {
   std::shared_ptr<LaneMap> map_;
   Snapshot snapshot_;
   Future recorded_;
-  CollisionRequest request_;
+  CollisionRequest request_ = requestFor();
 };
 
 /// Holds positions and headings alone against what a car can do, by differences.

@@ -29,14 +29,14 @@ class Contenders : public testing::Test {
     const Future future;
     const std::vector<const Track*> egos;
     return contendersOf({snapshot_, future, egos, patterns, request_, lanes_}, options_,
-                        options_.vehicle_limits, kPoints);
+                        options_.verification.limits, kPoints);
   }
 
   AttackOptions options_ = shippedOptions();
   std::shared_ptr<LaneMap> map_ = twoLaneRoad();
   Snapshot snapshot_;
   LaneIndex lanes_;
-  CollisionRequest request_;
+  CollisionRequest request_ = requestFor();
 };
 
 TEST_F(Contenders, AreTheVehiclesOfThePatternsEachOnceInTheirOrder) {
@@ -69,7 +69,7 @@ TEST_F(Contenders, StartFromTheirMotionNow) {
   EXPECT_EQ(contenders[0]->start.points, kPoints);
   EXPECT_EQ(contenders[0]->start.now, snapshot_.now);
   EXPECT_EQ(contenders[1]->start.motion.acceleration, 0.0);
-  options_.vehicle_limits.max_speed = 8.0;
+  options_.verification.limits.max_speed = 8.0;
   EXPECT_EQ(of({"behind"})[0]->start.motion.speed, 8.0);
 }
 

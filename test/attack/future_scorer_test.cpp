@@ -20,7 +20,7 @@ struct Case {
   AttackOptions options = shippedOptions();
   std::vector<Track> egos;
   std::vector<Track> agents;
-  CollisionRequest request;
+  CollisionRequest request = requestFor();
   DrivingSide driving_side = DrivingSide::kRight;
   Track attacker = pastTrack("attacker", kCarSize, {}, 15.0);
   std::vector<TrajectoryPoint> points = straightDrive({}, 15.0, 8.0).points;
@@ -89,7 +89,7 @@ TEST(FutureScorer, TouchingAtNowIsNoHit) {
 }
 
 TEST(FutureScorer, HeadingsAreKeptWithAMarginToTheBand) {
-  const TypeDefinition band = shippedOptions().collision_types.at(CollisionType::kRearEnd);
+  const TypeDefinition band = shippedCrash().types.at(CollisionType::kRearEnd);
   const double narrowed = band.max_heading - shippedOptions().search.heading_margin;
   for (const double sign : {1.0, -1.0}) {
     Case scene;
@@ -123,7 +123,7 @@ TEST(FutureScorer, RulesBeyondTheHeadingHoldUnlessTheAngleAloneCounts) {
   scene.addEgo({0.0, 4.0, 0.0}, 15.0);
   for (AgentState& state : scene.egos[0].states) state.pose.y -= 0.58 * (state.time - kNow);
   EXPECT_EQ(scene.score().share, 0.0);
-  scene.options.type_rules = TypeRules::kAngle;
+  scene.request.crash.rules = TypeRules::kAngle;
   EXPECT_EQ(scene.score().share, 1.0);
 }
 
@@ -278,13 +278,13 @@ class Meeting {
   explicit Meeting(unsigned seed) : random_(seed) {
     options_ = shippedOptions();
     // What the scorer does not look at.
-    for (auto& [type, band] : options_.collision_types) band.max_approach = 2.0 * M_PI;
-    for (auto& [type, band] : options_.collision_types) band.min_approach = 0.0;
-    options_.type_rules = seed % 3 == 0 ? TypeRules::kAngle : TypeRules::kFull;
+    for (auto& [type, band] : request_.crash.types) band.max_approach = 2.0 * M_PI;
+    for (auto& [type, band] : request_.crash.types) band.min_approach = 0.0;
+    request_.crash.rules = seed % 3 == 0 ? TypeRules::kAngle : TypeRules::kFull;
     map_->driving_side = seed % 2 == 0 ? DrivingSide::kRight : DrivingSide::kLeft;
     request_.type = kCollisionTypes[seed % 5];
     request_.tta = between(1.0, 6.0);
-    const TypeDefinition& band = options_.collision_types.at(request_.type);
+    const TypeDefinition& band = request_.bands();
     const Pose2 start{between(-1000.0, 1000.0), between(-1000.0, 1000.0), between(-M_PI, M_PI)};
     const double speed = between(3.0, 15.0);
     const double ego_speed = between(0.0, 15.0);
@@ -313,9 +313,9 @@ class Meeting {
   /// verify() with every border moved inwards (slack > 0) or outwards, for the boxes and for the
   /// shrunk ones.
   bool isVerified(double slack, double margin) const {
-    AttackOptions options = options_;
-    options.verification.time_tolerance -= 0.25 * slack;
-    TypeDefinition& band = options.collision_types.at(request_.type);
+    CollisionRequest request = request_;
+    request.crash.time_tolerance -= 0.25 * slack;
+    TypeDefinition& band = request.crash.types.at(request.type);
     if (band.min_heading > 0.0) band.min_heading += 0.04 * slack;
     if (band.max_heading < 3.0) band.max_heading -= 0.04 * slack;
     AttackerTrajectory drive = drive_;
@@ -334,7 +334,7 @@ class Meeting {
     Snapshot snapshot;
     snapshot.now = kNow;
     const CollisionReport report =
-        verifyMotion(drive, {snapshot, future, request_, LaneIndex(map_)}, options);
+        verifyMotion(drive, {snapshot, future, request, LaneIndex(map_)}, options_.verification);
     return report.verified();
   }
 
@@ -346,7 +346,7 @@ class Meeting {
   std::mt19937 random_;
   AttackOptions options_;
   std::shared_ptr<LaneMap> map_ = emptyMap();
-  CollisionRequest request_;
+  CollisionRequest request_ = requestFor();
   AttackerTrajectory drive_;
   Future future_;
   std::vector<Track> others_;

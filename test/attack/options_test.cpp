@@ -7,41 +7,13 @@
 namespace forge {
 namespace {
 
-double degrees(double radians) { return radians * 180.0 / M_PI; }
-
-void expectBand(CollisionType type, double min, double nominal, double max) {
-  constexpr double kRounding = 0.01;  // degrees; the file has radians to four digits
-  const TypeDefinition& definition = shippedOptions().collision_types.at(type);
-  EXPECT_NEAR(degrees(definition.min_heading), min, kRounding) << toString(type);
-  EXPECT_NEAR(degrees(definition.nominal_heading), nominal, kRounding) << toString(type);
-  EXPECT_NEAR(degrees(definition.max_heading), max, kRounding) << toString(type);
-}
-
-TEST(CollisionTypes, HaveTheBandsOfTheProtocol) {
-  expectBand(CollisionType::kLaneChange, 10.0, 15.0, 30.0);
-  expectBand(CollisionType::kOppositeDirection, 170.0, 180.0, 180.0);
-  expectBand(CollisionType::kRearEnd, 0.0, 0.0, 10.0);
-  expectBand(CollisionType::kJunctionCrossing, 80.0, 90.0, 100.0);
-  expectBand(CollisionType::kLtap, 80.0, 90.0, 100.0);
-}
-
-TEST(CollisionTypes, ACrossingComesFromTheSideAndALeftTurnFromTheOppositeDirection) {
-  const TypeDefinition& crossing =
-      shippedOptions().collision_types.at(CollisionType::kJunctionCrossing);
-  const TypeDefinition& ltap = shippedOptions().collision_types.at(CollisionType::kLtap);
-  EXPECT_NEAR(degrees(crossing.min_approach), 45.0, 0.01);
-  EXPECT_NEAR(degrees(crossing.max_approach), 135.0, 0.01);
-  EXPECT_EQ(ltap.min_approach, crossing.max_approach);
-  EXPECT_NEAR(degrees(ltap.max_approach), 180.0, 0.01);
-}
-
 TEST(SearchOptions, MarginsLeaveRoomInEveryBand) {
   const AttackOptions options = shippedOptions();
-  for (const auto& [type, definition] : options.collision_types) {
+  for (const auto& [type, definition] : shippedCrash().types) {
     EXPECT_LT(2.0 * options.search.heading_margin, definition.max_heading - definition.min_heading)
         << toString(type);
   }
-  EXPECT_LT(options.search.time_margin, options.verification.time_tolerance);
+  EXPECT_LT(options.search.time_margin, shippedCrash().time_tolerance);
   EXPECT_LT(options.search.limit_margin, 1.0);
 }
 
@@ -59,7 +31,11 @@ TEST(SearchOptions, ConfidencePromisesNoMoreThanTheShareOfFuturesHit) {
   const std::vector<double>& curve = shippedOptions().search.confidence_curve;
   EXPECT_EQ(curve.front(), 0.0);
   EXPECT_LT(curve.back(), 1.0);
-  EXPECT_LT(shippedOptions().search.min_confidence, curve.back());
+  EXPECT_LT(shippedCrash().min_confidence, curve.back());
+}
+
+TEST(NominalOptions, LaneChangesEndAtAnAngleOfTheSet) {
+  EXPECT_NEAR(shippedOptions().nominal.lane_change_heading, 20.0 * M_PI / 180.0, 1e-4);
 }
 
 TEST(SteeringOptions, ElitesArePartOfAPopulation) {

@@ -18,7 +18,7 @@ PatternPrediction predict(CollisionType type, std::vector<Track> agents,
                           const std::shared_ptr<LaneMap>& map = emptyMap()) {
   const Snapshot snapshot =
       snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0), std::move(agents), map);
-  CollisionRequest request;
+  CollisionRequest request = requestFor();
   request.type = type;
   request.tta = kTta;
   request.attacker = attacker;
@@ -77,7 +77,7 @@ TEST(KinematicPatternPredictor, PlacesAnOppositeAttackerInFront) {
 TEST(KinematicPatternPredictor, PlacesSideAttackersOnBothSidesHeadingForTheEgo) {
   for (const CollisionType type : {CollisionType::kLaneChange, CollisionType::kJunctionCrossing}) {
     const auto prediction = predict(type, {pastTrack("a", kCarSize, {10.0, 30.0, -M_PI_2}, 1.0)});
-    const double nominal = shippedOptions().collision_types.at(type).nominal_heading;
+    const double nominal = shippedCrash().types.at(type).nominal_heading;
     int left = 0;
     int right = 0;
     for (const CollisionPattern& pattern : prediction.patterns) {
@@ -155,7 +155,7 @@ TEST(KinematicPatternPredictor, ConsidersAttackersThatApproachAsTheTypeWants) {
     return predict(type, {pastTrack("a", kCarSize, {40.0, 20.0, yaw}, 8.0)}).status.code ==
            StatusCode::kOk;
   };
-  for (const auto& [type, band] : shippedOptions().collision_types) {
+  for (const auto& [type, band] : shippedCrash().types) {
     for (const double sign : {1.0, -1.0}) {
       EXPECT_TRUE(approaching(type, sign * (band.min_approach + 1e-3))) << toString(type);
       EXPECT_TRUE(approaching(type, sign * (band.max_approach - 1e-3))) << toString(type);
@@ -170,15 +170,13 @@ TEST(KinematicPatternPredictor, ConsidersAttackersThatApproachAsTheTypeWants) {
 }
 
 TEST(KinematicPatternPredictor, ByTheAngleRulesConsidersAttackersFromAnywhere) {
-  AttackOptions options = shippedOptions();
-  options.type_rules = TypeRules::kAngle;
   const auto map = emptyMap();
   const Snapshot snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0),
                                        {pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)}, map);
-  CollisionRequest request;
-  request.type = CollisionType::kLtap;
+  CollisionRequest request = requestFor(CollisionType::kLtap);
+  request.crash.rules = TypeRules::kAngle;
   const auto prediction =
-      kinematicPredictor(options).predict(snapshot, LaneIndex(map), request, nullptr);
+      kinematicPredictor(shippedOptions()).predict(snapshot, LaneIndex(map), request, nullptr);
   EXPECT_EQ(prediction.status.code, StatusCode::kOk);
 }
 

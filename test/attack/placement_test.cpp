@@ -66,7 +66,7 @@ TEST(PlacementsOf, ATurnAcrossThePathComesFromTheSideOfOncomingTraffic) {
 }
 
 TEST(PlacementsOf, KeepTheTypeAtTheNominalHeading) {
-  const TypeDefinitions types = shippedOptions().collision_types;
+  const TypeDefinitions types = shippedCrash().types;
   for (const CollisionType type : kCollisionTypes) {
     for (const DrivingSide traffic : {DrivingSide::kRight, DrivingSide::kLeft}) {
       for (const Placement& placement : placementsOf(type, traffic)) {

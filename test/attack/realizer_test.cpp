@@ -18,7 +18,7 @@ struct Case {
   std::shared_ptr<LaneMap> map = twoLaneRoad();
   Snapshot snapshot;
   Future future;
-  CollisionRequest request;
+  CollisionRequest request = requestFor();
   CollisionPattern pattern;
 
   explicit Case(double distance = 20.0) {
@@ -56,7 +56,7 @@ TEST(Realize, ReturnsAVerifiedAttackThatHoldsWhenVerifiedAgain) {
   EXPECT_EQ(result.trajectory.size.length, kCarSize.length);
   const CollisionReport again = verify(
       result.trajectory, {attack.snapshot, attack.future, attack.request, LaneIndex(attack.map)},
-      attack.options);
+      attack.options.verification);
   EXPECT_TRUE(again.verified());
   EXPECT_EQ(again.contact_time, result.report.contact_time);
   EXPECT_EQ(again.off_road_share, result.report.off_road_share);
@@ -124,9 +124,9 @@ TEST(Realize, DeclinesAnAttackThatPromisesTooLittle) {
   Case attack;
   attack.options.search.confidence_curve = {0.0, 1.0};
   attack.sampleEgo({10.0, 10.0, 10.0, 30.0, 10.0, 30.0, 10.0, 30.0});
-  attack.options.search.min_confidence = 0.25;
+  attack.request.crash.min_confidence = 0.25;
   EXPECT_EQ(attack.result().status.code, StatusCode::kOk);
-  attack.options.search.min_confidence = 0.26;
+  attack.request.crash.min_confidence = 0.26;
   attack.expectRefusal(StatusCode::kLowConfidence, "min_confidence");
   EXPECT_TRUE(attack.result().trajectory.points.empty());
 }

@@ -40,7 +40,8 @@ std::vector<double> nowsOf(const std::vector<SceneRequest>& requests) {
 }
 
 std::vector<double> nowsOf(const Scene& scene, const RequestListOptions& options) {
-  return nowsOf(listRequests(scene, options, shippedOptions()));
+  return nowsOf(
+      listRequests(scene, options, shippedOptions().prediction, shippedCrash().time_tolerance));
 }
 
 TEST(ListRequests, AreStrideApartWithHistoryAndImpactWithinTheRecording) {
@@ -95,7 +96,8 @@ TEST(ListRequests, AskForEveryTtaAndTypeInOrder) {
   options.ttas = {2.0, 3.0};
   options.types = {CollisionType::kLtap, CollisionType::kRearEnd};
   options.seed = 17;
-  const auto requests = listRequests(tenSeconds(), options, shippedOptions());
+  const auto requests = listRequests(tenSeconds(), options, shippedOptions().prediction,
+                                     shippedCrash().time_tolerance);
   ASSERT_EQ(requests.size(), 12u);
   const std::pair<double, CollisionType> expected[] = {{2.0, CollisionType::kLtap},
                                                        {2.0, CollisionType::kRearEnd},
@@ -115,7 +117,8 @@ TEST(ListRequests, NameEachAttackerThatCan) {
   RequestListOptions options = everyTwoSeconds();
   options.attackers = Attackers::kEach;
   std::vector<std::pair<double, std::string>> asked;
-  for (const SceneRequest& request : listRequests(tenSeconds(), options, shippedOptions())) {
+  for (const SceneRequest& request : listRequests(
+           tenSeconds(), options, shippedOptions().prediction, shippedCrash().time_tolerance)) {
     asked.emplace_back(request.now, request.request.attacker.value());
   }
   const std::vector<std::pair<double, std::string>> expected = {
@@ -135,7 +138,9 @@ TEST(ListRequests, RefuseAStrideThatIsNotPositive) {
   RequestListOptions options = everyTwoSeconds();
   for (const double stride : {0.0, -1.0, std::nan("")}) {
     options.stride = stride;
-    EXPECT_THROW(listRequests(tenSeconds(), options, shippedOptions()), std::invalid_argument);
+    EXPECT_THROW(listRequests(tenSeconds(), options, shippedOptions().prediction,
+                              shippedCrash().time_tolerance),
+                 std::invalid_argument);
   }
 }
 

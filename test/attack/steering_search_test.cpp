@@ -40,11 +40,13 @@ struct Case {
     for (int i = 0; i <= steps; ++i) aim.ego.push_back(egoAt(aim.last_in_time * i / steps));
     aim.ego_size = kEgoSize;
     aim.attacker_size = kCarSize;
-    aim.band = options.collision_types.at(type);
+    aim.band = shippedCrash().types.at(type);
     aim.depth = options.search.depth;
     return aim;
   }
-  SteeringSearch search() const { return {start, aim(), options.vehicle_limits, options.steering}; }
+  SteeringSearch search() const {
+    return {start, aim(), options.verification.limits, options.steering};
+  }
   /// The nearest knots of all rounds.
   std::vector<SteeringKnots> found(std::uint64_t seed = 0) const {
     Random random(seed);
@@ -55,7 +57,7 @@ struct Case {
   }
   std::vector<TrajectoryPoint> driven(const SteeringKnots& knots) const {
     std::vector<TrajectoryPoint> points;
-    BicycleFamily(options.vehicle_limits, options.bicycle)
+    BicycleFamily(options.verification.limits, options.bicycle)
         .roll(start, knots, tta + kTolerance, points);
     return points;
   }
@@ -75,7 +77,7 @@ struct Case {
     EXPECT_NEAR(touch * start.step, tta, kTolerance + start.step);
     const Pose2& pose = points[static_cast<std::size_t>(touch)].pose;
     const double heading = std::abs(angleBetween(ego.yaw, pose.yaw));
-    const TypeDefinition& band = options.collision_types.at(type);
+    const TypeDefinition& band = shippedCrash().types.at(type);
     EXPECT_GE(heading, band.min_heading - 0.1);
     EXPECT_LE(heading, band.max_heading + 0.1);
   }

@@ -8,6 +8,7 @@
 
 #include "collision_forge/attack/options.h"
 #include "collision_forge/attack/pattern_predictor.h"
+#include "collision_forge/attack/search_method.h"
 #include "collision_forge/forecast/ego_futures.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/scene/attack.h"
@@ -30,11 +31,31 @@ inline SpeedProfileOptions shippedSpeedProfileOptions() {
   return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").recorded_speeds;
 }
 
+/// What config/ says counts as a crash.
+inline CrashDefinition shippedCrash() {
+  static const CrashDefinition crash = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").crash;
+  return crash;
+}
+
+/// Any attacker, in history mode.
+inline CollisionRequest requestFor(CollisionType type = CollisionType::kRearEnd, double tta = 4.0) {
+  CollisionRequest request;
+  request.type = type;
+  request.tta = tta;
+  request.crash = shippedCrash();
+  return request;
+}
+
 inline EgoFutureOptions shippedEgoFutureOptions() { return shippedOptions().ego_futures; }
 
 /// Without recorded speeds.
 inline KinematicPatternPredictor kinematicPredictor(const AttackOptions& options) {
-  return {options, std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr)};
+  return {options.prediction, std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr)};
+}
+
+/// The suite's own method on kinematicPredictor().
+inline SearchMethod searchMethod(const AttackOptions& options) {
+  return {options, std::make_shared<KinematicPatternPredictor>(kinematicPredictor(options))};
 }
 
 /// Straight on from `pose` at time `at`, one state each `interval` from `first` to `last`.

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "collision_forge/data/collide_set.h"
-#include "collision_forge/study/baselines.h"
+#include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published.h"
 #include "data/nuscenes_fixture.h"
 

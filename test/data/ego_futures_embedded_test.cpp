@@ -110,8 +110,8 @@ TEST_F(EmbeddedEgoFutures, OwnProfilesComeBeforeTheModel) {
 // The distance driven within the central 80 % of 64 samples, the scene on test left out. Ten scenes
 // of simulated drivers are few, hence the width of the band.
 TEST_F(EmbeddedEgoFutures, TheCentralIntervalCoversTheRecording) {
-  const auto profiles = std::make_shared<const SpeedProfiles>(
-      readSpeedProfiles(kProfiles, config_.recorded_speeds));
+  const auto profiles =
+      std::make_shared<const SpeedProfiles>(readSpeedProfiles(kProfiles, config_.recorded_speeds));
   std::map<double, std::pair<int, int>> covered;  // by horizon: covered, of
   for (const std::string& name : root_.sceneNames()) {
     const Scene scene = read(name);

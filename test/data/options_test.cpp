@@ -10,12 +10,6 @@ namespace {
 
 const char* const kShipped = COLLISION_FORGE_SOURCE_DIR "/config";
 
-TEST(DataOptions, BaseLinkIsTheRearAxle) {
-  constexpr double kRearOverhang = 0.657;  // m; Renault Zoe
-  const EgoVehicle ego = loadConfig(kShipped).ego_vehicle;
-  EXPECT_NEAR(ego.center_offset, 0.5 * ego.size.length - kRearOverhang, 1e-9);
-}
-
 TEST(DrivingSide, IsThatOfTheLocationsPrefix) {
   const Config config = loadConfig(kShipped);
   EXPECT_EQ(drivingSide(config, "boston-seaport"), DrivingSide::kRight);

@@ -44,7 +44,7 @@ class ClipSearch : public testing::Test {
   }
 
   Realization found(const SceneRequest& request) const {
-    return findClip(request, indexed_, config_);
+    return findClip(request, indexed_, config_, config_.dataset);
   }
 
   void expectRefusal(StatusCode code, const std::string& part) const {
@@ -67,7 +67,7 @@ TEST_F(ClipSearch, AClipTouchesAtTheTargetTimeAsDrawn) {
     EXPECT_TRUE(answer.report.verified());
     EXPECT_NEAR(answer.report.contact_time, kNow + kTta, config_.dataset.time_tolerance);
     const double drawn =
-        drawnHeading(request.request, config_.attack.collision_types.at(CollisionType::kRearEnd));
+        drawnHeading(request.request, config_.crash.types.at(CollisionType::kRearEnd));
     EXPECT_NEAR(std::abs(answer.report.relative_heading), drawn,
                 2.0 * config_.dataset.heading_spread);
   }
@@ -75,7 +75,7 @@ TEST_F(ClipSearch, AClipTouchesAtTheTargetTimeAsDrawn) {
 
 TEST_F(ClipSearch, TheHeadingKeepsToANarrowSpread) {
   config_.dataset.heading_spread = 0.02;
-  const TypeDefinition& type = config_.attack.collision_types.at(CollisionType::kLaneChange);
+  const TypeDefinition& type = config_.crash.types.at(CollisionType::kLaneChange);
   indexed_.scene.agents = {track("beside", kCarSize, {-8.0, 3.5, 0.0}, 9.0)};
   std::set<int> degrees;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -164,8 +164,8 @@ TEST(DrawnHeading, IsAnywhereInTheBand) {
   double least = 1.0;
   double most = 0.0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-    const CollisionRequest request{CollisionType::kRearEnd, kTta, std::nullopt, Mode::kReplay,
-                                   seed};
+    const CollisionRequest request{CollisionType::kRearEnd, kTta, std::nullopt,
+                                   Mode::kReplay,           seed, {}};
     const double heading = drawnHeading(request, type);
     sum += heading;
     least = std::min(least, heading);

@@ -31,7 +31,7 @@ TEST(DatasetOptions, SplitsAreAsLargeAsThoseOfCollide) {
 }
 
 TEST(DatasetOptions, ImpactsAreTimedMoreSharplyThanAttacks) {
-  EXPECT_LT(kOptions.time_tolerance, kShipped.attack.verification.time_tolerance);
+  EXPECT_LT(kOptions.time_tolerance, kShipped.crash.time_tolerance);
 }
 
 }  // namespace

@@ -14,9 +14,8 @@ namespace forge {
 namespace {
 
 CollisionRequest crossing() {
-  CollisionRequest request;
-  request.type = CollisionType::kJunctionCrossing;
-  request.tta = 4.0;
+  CollisionRequest request = requestFor(CollisionType::kJunctionCrossing);
+  request.crash.rules = TypeRules::kAngle;  // everybody is a candidate
   return request;
 }
 
@@ -24,18 +23,12 @@ std::shared_ptr<const PatternNetwork> networkOf(std::uint64_t seed) {
   return std::make_shared<const PatternNetwork>(randomWeights(seed));
 }
 
-AttackOptions angleRules() {
-  AttackOptions options = shippedOptions();
-  options.type_rules = TypeRules::kAngle;  // everybody is a candidate
-  return options;
-}
-
 PatternPrediction predicted(const std::shared_ptr<const PatternNetwork>& network,
                             const Future* recorded = nullptr,
                             std::optional<CollisionType> known_type = std::nullopt) {
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
-  return NetworkPatternPredictor(angleRules(), {nullptr, network, known_type})
+  return NetworkPatternPredictor(shippedOptions(), {nullptr, network, known_type})
       .predict(snapshot, lanes, crossing(), recorded);
 }
 
@@ -111,7 +104,7 @@ TEST(NetworkPatternPredictor, TellsWhenNobodyCanAttack) {
   snapshot.agents.clear();
   const LaneIndex lanes = lanesOf(snapshot);
   const PatternPrediction prediction =
-      NetworkPatternPredictor(angleRules(), {nullptr, networkOf(0), {}})
+      NetworkPatternPredictor(shippedOptions(), {nullptr, networkOf(0), {}})
           .predict(snapshot, lanes, crossing(), nullptr);
   EXPECT_EQ(prediction.status.code, StatusCode::kNoCandidate);
 }

@@ -10,7 +10,7 @@ namespace {
 const TrialOptions& planners() { return shippedConfig().planners; }
 
 TEST(PlannerOptions, TheCarKeepsTheVehicleLimits) {
-  const VehicleLimits& limits = shippedConfig().attack.vehicle_limits;
+  const VehicleLimits& limits = shippedConfig().attack.verification.limits;
   EXPECT_EQ(planners().car.max_acceleration, limits.max_forward_acceleration);
   EXPECT_EQ(planners().car.max_braking, limits.max_braking);
   EXPECT_NEAR(planners().car.max_steering, M_PI / 3.0, 1e-4);  // nuPlan's

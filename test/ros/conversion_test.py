@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""nuscenes_to_bag: what is in the bags is what is in the tables, and what it answers to bad input."""
+"""forge convert: what is in the bags is what is in the tables, and what it answers to bad input."""
 import json
 import math
 import os
@@ -271,12 +271,12 @@ class BadConversionInputTest(road.RoadTest):
     def test_wrong_command(self):
         for arguments in ([], ['--dataroot', DATAROOT], ['--nonsense'],
                           ['--dataroot', DATAROOT, '--version', VERSION, '--out', self.path('out'), '--jobs', '0']):
-            result = road.run('nuscenes_to_bag', *arguments)
+            result = road.run('convert', *arguments)
             self.assertEqual(result.returncode, 2, arguments)
             self.assertNotEqual(result.stderr, '')
 
     def test_help(self):
-        result = road.run('nuscenes_to_bag', '--help')
+        result = road.run('convert', '--help')
         self.assertEqual(result.returncode, 0)
         self.assertIn('--dataroot', result.stdout)
 

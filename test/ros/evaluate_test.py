@@ -24,9 +24,9 @@ def evaluate(collide, out, *arguments):
 
 def run_ranks(ranks, *arguments):
     """evaluate over ranks; Open MPI refuses to run for root unless it is told twice."""
-    command = ['mpirun', '--oversubscribe', '-np', ranks, road.tool('evaluate'), *arguments]
+    command = ['mpirun', '--oversubscribe', '-np', ranks, 'forge', 'evaluate', *arguments]
     return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          stdin=subprocess.DEVNULL, universal_newlines=True, timeout=road.TOOL_TIMEOUT, check=False,
+                          stdin=subprocess.DEVNULL, universal_newlines=True, timeout=road.TIMEOUT, check=False,
                           env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'))
 
 
@@ -193,7 +193,7 @@ class EvaluateRequestsTest(road.RoadTest):
     def setUpClass(cls):
         super().setUpClass()
         cls.requests = cls.folder / 'requests.jsonl'
-        result = road.run('make_requests', '--dataroot', DATAROOT, '--version', VERSION, '--out', cls.requests, '--scene',
+        result = road.run('requests', '--dataroot', DATAROOT, '--version', VERSION, '--out', cls.requests, '--scene',
                           'scene-0001', 'scene-0007', '--stride', 8, '--tta', 2, 4)
         assert result.returncode == 0, result.stderr
         cls.listed = [json.loads(line) for line in cls.requests.read_text().splitlines()]

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""make_requests and generate: what is in their files, how a run goes on after any end, threads and ranks alike."""
+"""forge requests and generate: what is in their files, how a run goes on after any end, threads and ranks alike."""
 import csv
 import json
 import math
@@ -22,11 +22,11 @@ WAIT = 60.0  # s for something to happen that takes less than one
 
 
 def make_requests(out, *arguments, dataroot=DATAROOT):
-    return road.run('make_requests', '--dataroot', dataroot, '--version', VERSION, '--out', out, *arguments)
+    return road.run('requests', '--dataroot', dataroot, '--version', VERSION, '--out', out, *arguments)
 
 
 def generate_command(requests, out, *arguments):
-    return [str(word) for word in (road.tool('generate'), *ROOT, '--requests', requests, '--out', out, *arguments)]
+    return [str(word) for word in ('forge', 'generate', *ROOT, '--requests', requests, '--out', out, *arguments)]
 
 
 def ranks_command(ranks, requests, out, *arguments):
@@ -40,7 +40,7 @@ def ranks_environment():
 
 def run(command, **options):
     return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
-                          universal_newlines=True, timeout=road.TOOL_TIMEOUT, check=False, **options)
+                          universal_newlines=True, timeout=road.TIMEOUT, check=False, **options)
 
 
 def lines_of(path):
@@ -107,7 +107,7 @@ class RequestsTest(road.RoadTest):
                                        '--tta', 4, 3, '4.0', 3), once)
 
     def test_each_attacker_has_a_request(self):
-        requests = self.requests('--scene', 'scene-0001', '--attacker', 'each', '--types', 'RE', '--tta', 4)
+        requests = self.requests('--scene', 'scene-0001', '--attackers', 'each', '--types', 'RE', '--tta', 4)
         instances = {row['token'] for row in json.loads((DATAROOT / VERSION / 'instance.json').read_text())}
         self.assertGreater(len(requests), 10)
         for request in requests:
@@ -123,7 +123,7 @@ class RequestsTest(road.RoadTest):
         result = make_requests(self.path('none.jsonl'), '--scene', 'scene-0099')
         self.assertEqual(result.returncode, 1)
         self.assertIn('scene-0099', result.stderr)
-        for arguments in (['--types', 'drift'], ['--attacker', 'all'], ['--stride', '0'],
+        for arguments in (['--types', 'drift'], ['--attackers', 'all'], ['--stride', '0'],
                           ['--stride', 'nan'], ['--tta', '-1'], ['--tta', '4', 'nan'], ['--tta', 'inf'],
                           ['--min-ego-speed', 'nan']):
             result = make_requests(self.path('none.jsonl'), *arguments)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""inject_attacker against the figures in golden.json, which it gave for the embedded data when they were looked at.
+"""forge inject against the figures in golden.json, which it gave for the embedded data when they were looked at.
 
 A change that is meant to change them: test/ros/golden_test.py --regenerate (with the package's environment sourced)."""
 import json

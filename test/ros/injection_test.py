@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""inject_attacker: what it changes in a bag and what not, and what it answers to impossible requests and bad bags."""
+"""forge inject: what it changes in a bag and what not, and what it answers to impossible requests and bad bags."""
 import math
 import os
 import resource
@@ -291,7 +291,7 @@ class ImpossibleRequestTest(road.RoadTest):
                     '--now', '6']
         for arguments in ([], complete[:-2], complete + ['--mode', 'future'], complete + ['--seed', 'many'],
                           complete[:-1] + ['soon'], complete + ['--config', self.path('nowhere')]):
-            result = road.run('inject_attacker', *arguments)
+            result = road.run('inject', *arguments)
             self.assertEqual(result.returncode, 2, '{}: {}'.format(arguments, result.stderr))
             self.assertNotEqual(result.stderr, '')
 
@@ -320,7 +320,7 @@ class ImpossibleRequestTest(road.RoadTest):
             def limit(room=room):
                 resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))
 
-            result = subprocess.run([road.tool('inject_attacker'), '--bag', str(self.bag(SCENE)), '--out', str(out),
+            result = subprocess.run(['forge', 'inject', '--bag', str(self.bag(SCENE)), '--out', str(out),
                                      '--type', 'rear_end', '--tta', '4', '--now', str(NOW)], stdout=subprocess.PIPE,
                                     stderr=subprocess.PIPE, universal_newlines=True, preexec_fn=limit,
                                     restore_signals=False, check=False)

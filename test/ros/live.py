@@ -285,13 +285,13 @@ class LiveTest(road.RoadTest):
         return self.ask_until(lambda answer: road.CODES[answer.code] == code, *arguments, **named)
 
     def assert_answer(self, answer, attacked):
-        """The answer of the service is what inject_attacker put into a bag."""
+        """The answer of the service is what forge inject put into a bag."""
         self.assert_close(answer.pattern, road.read_one(attacked, '/collision_pattern'))
         self.assert_close(answer.trajectory, road.read_one(attacked, '/attacker_trajectory'))
         self.assert_close(answer.report, road.read_one(attacked, '/collision_report'))
 
     def offline(self, collision_type, mode, seed=0, nows=(6.0, 4.0, 8.0, 10.0), ttas=(4.0, 6.0, 2.0)):
-        """The first request that inject_attacker can fulfil: now, tta and the bag."""
+        """The first request that forge inject can fulfil: now, tta and the bag."""
         out = self.path('{}_{}.bag'.format(collision_type, mode))
         for now in nows:
             for tta in ttas:
@@ -303,7 +303,7 @@ class LiveTest(road.RoadTest):
 
 
 class WholeRoadTest(LiveTest):
-    """Checks that what the suite answers and publishes is what inject_attacker makes of the same bag offline."""
+    """Checks that what the suite answers and publishes is what forge inject makes of the same bag offline."""
     HEARD = ['/encoded_scene', '/agents', '/injected_agents', '/tested_report', '/map_markers', '/scene_markers',
              '/pattern_markers', '/attack_markers']
 

@@ -39,10 +39,10 @@ class PlannerTesterTest(road.RoadTest):
     def setUpClass(cls):
         super().setUpClass()
         requests, cls.scenarios = cls.folder / 'requests.jsonl', cls.folder / 'crashes.jsonl'
-        for result in (road.run('make_requests', *ROOT, '--out', requests, '--scene', 'scene-0001', 'scene-0007',
+        for result in (road.run('requests', *ROOT, '--out', requests, '--scene', 'scene-0001', 'scene-0007',
                                 '--stride', 8, '--tta', 2, 4),
                        road.run('generate', *ROOT, '--requests', requests, '--out', cls.scenarios, '--mode', 'replay'),
-                       road.run('test_planners', *ROOT, '--scenarios', cls.scenarios, '--planners', ','.join(PLANNERS),
+                       road.run('test', *ROOT, '--scenarios', cls.scenarios, '--planners', ','.join(PLANNERS),
                                 '--out', cls.folder / 'bulk', '--worst', 0)):
             assert result.returncode == 0, result.stderr
         cls.lines = cls.scenarios.read_text().splitlines()
@@ -66,7 +66,7 @@ class PlannerTesterTest(road.RoadTest):
         return self.ask(**fields).outcome
 
     def attack(self):
-        """A trajectory of inject_attacker over the recording, and its pattern."""
+        """A trajectory of forge inject over the recording, and its pattern."""
         attacked = self.path('attacked.bag')
         if not attacked.exists():
             result = road.inject(self.bag('scene-0001'), attacked, 'rear_end', 4, 8, '--mode', 'replay')

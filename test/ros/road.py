@@ -1,4 +1,4 @@
-"""What the tests of this folder share: the package's tools, its embedded data, and bags to make, read and damage."""
+"""What the tests of this folder share: forge, the package's embedded data, and bags to make, read and damage."""
 import math
 import shutil
 import subprocess
@@ -9,7 +9,6 @@ from pathlib import Path
 
 import rosbag
 import roslib.message
-import roslib.packages
 import rospkg
 import rosunit
 from genpy import Duration, Time
@@ -18,7 +17,7 @@ PACKAGE = 'collision_forge'
 PACKAGE_FOLDER = Path(rospkg.RosPack().get_path(PACKAGE))
 DATAROOT = PACKAGE_FOLDER / 'data' / 'embedded'
 VERSION = 'v1.0-embedded'
-TOOL_TIMEOUT = 120.0  # s; a tool takes less than one
+TIMEOUT = 120.0  # s; a command takes less than one
 
 CODES = ['OK', 'UNKNOWN_TYPE', 'TTA_OUT_OF_RANGE', 'UNKNOWN_ATTACKER', 'ABSENT_ATTACKER', 'TOO_LITTLE_HISTORY',
          'NO_CANDIDATE', 'NO_ATTACK_WITHIN_BOUNDS', 'NO_SCENE', 'NO_RECORDING', 'BEYOND_RECORDING', 'INVALID_INPUT',
@@ -28,19 +27,11 @@ ATTACK_TOPICS = ['/attacker_trajectory', '/collision_pattern', '/collision_repor
 ATTACKED_TOPICS = ['/agents', '/annotation_markers']
 
 
-def tool(name):
-    """The path of one of the package's programs."""
-    found = roslib.packages.find_node(PACKAGE, name)
-    if not found:
-        raise FileNotFoundError('{} has no program {}: is it built, and its environment sourced?'.format(PACKAGE, name))
-    return found[0]
-
-
-def run(name, *arguments):
-    """Runs a tool; its exit code, stdout and stderr are in what is returned."""
-    return subprocess.run([tool(name)] + [str(argument) for argument in arguments], stdout=subprocess.PIPE,
+def run(*arguments):
+    """Runs forge; its exit code, stdout and stderr are in what is returned."""
+    return subprocess.run(['forge'] + [str(argument) for argument in arguments], stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, universal_newlines=True,
-                          timeout=TOOL_TIMEOUT, check=False)
+                          timeout=TIMEOUT, check=False)
 
 
 def copy_config(folder):
@@ -53,21 +44,21 @@ def copy_config(folder):
 
 
 def convert(out, *arguments, dataroot=DATAROOT, version=VERSION):
-    return run('nuscenes_to_bag', '--dataroot', dataroot, '--version', version, '--out', out, *arguments)
+    return run('convert', '--dataroot', dataroot, '--version', version, '--out', out, *arguments)
 
 
 def inject(bag, out, collision_type, tta, now, *arguments):
-    return run('inject_attacker', '--bag', bag, '--out', out, '--type', collision_type, '--tta', tta, '--now', now,
+    return run('inject', '--bag', bag, '--out', out, '--type', collision_type, '--tta', tta, '--now', now,
                *arguments)
 
 
 def code_of(injection):
-    """The name of the status code that a run of inject_attacker ended with."""
+    """The name of the status code that a run of forge inject ended with."""
     if injection.returncode == 0:
         return 'OK'
     if injection.returncode == 3:
         return {code.lower(): code for code in CODES}[injection.stderr.splitlines()[-1].split(':')[0].lower()]
-    raise AssertionError('inject_attacker: exit code {}: {}'.format(injection.returncode, injection.stderr))
+    raise AssertionError('forge inject: exit code {}: {}'.format(injection.returncode, injection.stderr))
 
 
 class RoadTest(unittest.TestCase):

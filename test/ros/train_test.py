@@ -25,13 +25,13 @@ class TrainTest(road.RoadTest):
         path.write_text(text)
 
     def train(self, out, *arguments, ranks=1):
-        command = [road.tool('train'), '--config', self.config, '--dataroot', DATAROOT, '--version', VERSION,
+        command = ['forge', 'train', '--config', self.config, '--dataroot', DATAROOT, '--version', VERSION,
                    '--out', out, *arguments]
         if ranks > 1:
             command = ['mpirun', '--oversubscribe', '-np', ranks, *command]
         environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
         return subprocess.run([str(word) for word in command], env=environment, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, universal_newlines=True, timeout=road.TOOL_TIMEOUT, check=False)
+                              stderr=subprocess.PIPE, universal_newlines=True, timeout=road.TIMEOUT, check=False)
 
     def trained(self, name, *arguments, ranks=1):
         out = self.folder / name

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """The whole road, live: a bag is played into the suite (nodelets in one process), and every type of collision is asked
-for in both modes. Answers, topics and injected agents are what inject_attacker makes of the same bag offline."""
+for in both modes. Answers, topics and injected agents are what forge inject makes of the same bag offline."""
 import threading
 
 import rospy

@@ -7,26 +7,8 @@
 namespace forge {
 namespace {
 
-TEST(CollisionRequest, TypeNamesAreReadBackInAnyCase) {
-  for (const CollisionType type : kCollisionTypes) {
-    EXPECT_EQ(collisionTypeFromString(toString(type)), type);
-  }
-  EXPECT_EQ(collisionTypeFromString("Rear_End"), CollisionType::kRearEnd);
-}
-
-TEST(CollisionRequest, ShortTypeNamesAreThoseOfThePaper) {
-  EXPECT_EQ(collisionTypeFromString("LC"), CollisionType::kLaneChange);
-  EXPECT_EQ(collisionTypeFromString("OD"), CollisionType::kOppositeDirection);
-  EXPECT_EQ(collisionTypeFromString("HO"), CollisionType::kOppositeDirection);
-  EXPECT_EQ(collisionTypeFromString("RE"), CollisionType::kRearEnd);
-  EXPECT_EQ(collisionTypeFromString("JC"), CollisionType::kJunctionCrossing);
-  EXPECT_EQ(collisionTypeFromString("LTAP"), CollisionType::kLtap);
-  EXPECT_EQ(collisionTypeFromString("ltap"), CollisionType::kLtap);
-}
-
-TEST(CollisionRequest, UnknownNamesAreNoTypeOrMode) {
+TEST(CollisionRequest, UnknownNamesAreNoMode) {
   for (const char* name : {"", "rear end", "rear_end ", "REAR", "unknown"}) {
-    EXPECT_FALSE(collisionTypeFromString(name)) << name;
     EXPECT_FALSE(modeFromString(name)) << name;
   }
 }

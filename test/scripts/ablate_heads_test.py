@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What scripts/ablate_heads makes of the tools' answers; stand-ins answer for the tools."""
+"""What scripts/ablate_heads makes of forge's answers; a stand-in answers for forge."""
 import csv
 import os
 import subprocess
@@ -13,9 +13,10 @@ STAND_IN = '''#!/usr/bin/python3
 import json, pathlib, sys
 words = sys.argv[1:]
 value = lambda name: words[words.index(name) + 1]
-open({calls!r}, 'a').write(' '.join([{tool!r}] + words) + '\\n')
+open({calls!r}, 'a').write(' '.join(words) + '\\n')
 config = pathlib.Path(value('--config'))
 head = (config / 'training.yaml').read_text().split('head: ')[1].split()[0]
+exec((pathlib.Path(__file__).parent / (words[0] + '.py')).read_text())
 '''
 TRAIN = '''
 if pathlib.Path({stop!r}).exists():
@@ -52,22 +53,21 @@ class AblateHeads(unittest.TestCase):
         self.root = Path(self.folder.name)
         self.calls = self.root / 'calls.txt'
         self.stop = self.root / 'stop'
-        tools = self.root / 'bin'
-        tools.mkdir()
-        for name, body in (('train', TRAIN.format(stop=str(self.stop))), ('measure_patterns', PATTERNS),
-                           ('evaluate', EVALUATE)):
-            tool = tools / name
-            tool.write_text(STAND_IN.format(calls=str(self.calls), tool=name) + body, encoding='utf-8')
-            tool.chmod(0o755)
-        self.environment = dict(os.environ, PATH='{}:{}'.format(tools, os.environ['PATH']))
+        forge = self.root / 'bin' / 'forge'
+        forge.parent.mkdir()
+        forge.write_text(STAND_IN.format(calls=str(self.calls)), encoding='utf-8')
+        forge.chmod(0o755)
+        for name, body in (('train', TRAIN.format(stop=str(self.stop))), ('measure', PATTERNS), ('evaluate', EVALUATE)):
+            (forge.parent / (name + '.py')).write_text(body, encoding='utf-8')
+        self.environment = dict(os.environ, PATH='{}:{}'.format(forge.parent, os.environ['PATH']))
 
     def ablate(self, *words):
         command = [PACKAGE / 'scripts' / 'ablate_heads', '--dataroot', 'ROOT', '--version', 'V', '--collide', 'C',
                    '--out', self.root / 'out', '--seeds', '2', *words]
         return subprocess.run(command, env=self.environment, capture_output=True, text=True, check=False)
 
-    def called(self, tool):
-        return [line for line in self.calls.read_text(encoding='utf-8').splitlines() if line.startswith(tool + ' ')]
+    def called(self, command):
+        return [line for line in self.calls.read_text(encoding='utf-8').splitlines() if line.startswith(command + ' ')]
 
     def test_tells_means_and_deviations(self):
         result = self.ablate()
@@ -84,11 +84,11 @@ class AblateHeads(unittest.TestCase):
         self.assertEqual(rows[0]['head'], 'regression')
         self.assertEqual(float(rows[0]['displacement']), 4.0)
 
-    def test_asks_the_tools_for_what_each_split_means(self):
+    def test_asks_forge_for_what_each_split_means(self):
         self.ablate('--epochs', '5', '--folds', '4')
         published, by_scene = (
-            [next(line for line in self.called(tool) if '/{}-'.format(split) in line)
-             for tool in ('train', 'measure_patterns', 'evaluate')] for split in ('published', 'by_scene'))
+            [next(line for line in self.called(command) if '/{}-'.format(split) in line)
+             for command in ('train', 'measure', 'evaluate')] for split in ('published', 'by_scene'))
         self.assertIn('--fold 0 --folds 4', published[0])
         self.assertIn('--fold 1 --folds 4', by_scene[0])
         self.assertIn('--seen-scenes', published[1])

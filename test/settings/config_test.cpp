@@ -93,9 +93,9 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
     expectComplaint(file, "\n" + section + ":", "\n" + section + ":\n  stray: 7.5",
                     {section + ".stray", "7.5", "unknown"});
   }
-  expectComplaint("collision_types.yaml", "{min_heading: 0.1745",
+  expectComplaint("crash_definition.yaml", "{min_heading: 0.1745",
                   "{stray: 7.5, min_heading: 0.1745",
-                  {"collision_types.lane_change.stray", "7.5", "unknown"});
+                  {"crash_definition.types.lane_change.stray", "7.5", "unknown"});
   for (const std::string section : {"paths", "lateral", "no_profiles"}) {
     expectComplaint("ego_futures.yaml", "\n  " + section + ":",
                     "\n  " + section + ":\n    stray: 7.5",
@@ -103,16 +103,16 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
   }
   expectComplaint("models.yaml", "\n      speed:", "\n      stray: 7.5\n      speed:",
                   {"models.recorded_speeds.feature_weights.stray", "7.5", "unknown"});
-  expectComplaint("collision_types.yaml",
-                  "  ltap:", "  u_turn: {}\n  ltap:", {"collision_types.u_turn", "unknown"});
+  expectComplaint("crash_definition.yaml", "    ltap:", "    u_turn: {}\n    ltap:",
+                  {"crash_definition.types.u_turn", "unknown"});
 }
 
 TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
   for (const char* file :
-       {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml", "collision_types.yaml",
+       {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml", "crash_definition.yaml",
         "prediction.yaml", "search.yaml", "verification.yaml", "encoding.yaml", "conversion.yaml",
         "drawing.yaml", "requests.yaml", "evaluation.yaml", "dataset.yaml", "ego_futures.yaml",
-        "speed_model_fit.yaml", "models.yaml", "training.yaml", "planners.yaml"}) {
+        "methods.yaml", "speed_model_fit.yaml", "models.yaml", "training.yaml", "planners.yaml"}) {
     expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
   }
 }
@@ -149,13 +149,13 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("planners.yaml", "behind_angle:", "#", {"rollout.fault.behind_angle", "missing"});
   expectComplaint("planners.yaml", "timeout:", "#", {"external.timeout", "missing"});
   expectComplaint("planners.yaml", "draws:", "#", {"avoidability.draws", "missing"});
-  expectComplaint("collision_types.yaml", "rules:", "#", {"collision_types.rules", "missing"});
-  expectComplaint("verification.yaml", "time_tolerance:", "#",
-                  {"verification.time_tolerance", "missing"});
-  expectComplaint("collision_types.yaml",
-                  "  ltap:", "  turn:", {"collision_types.ltap", "missing"});
-  expectComplaint("collision_types.yaml", ", nominal_heading: 0.0,", ",",
-                  {"collision_types.rear_end.nominal_heading", "missing"});
+  expectComplaint("crash_definition.yaml", "rules:", "#", {"crash_definition.rules", "missing"});
+  expectComplaint("crash_definition.yaml", "time_tolerance:", "#",
+                  {"crash_definition.time_tolerance", "missing"});
+  expectComplaint("crash_definition.yaml",
+                  "    ltap:", "    turn:", {"crash_definition.types.ltap", "missing"});
+  expectComplaint("crash_definition.yaml", ", nominal_heading: 0.0,", ",",
+                  {"crash_definition.types.rear_end.nominal_heading", "missing"});
 }
 
 TEST_F(SpoiltConfig, MissingSectionsAreNamed) {
@@ -193,8 +193,8 @@ TEST_F(SpoiltConfig, WrongTypesAreRefused) {
   expectComplaint("search.yaml", "depth: 0.25", "depth: deep",
                   {"search.depth", "deep", "not a number"});
   for (const char* rules : {"Full", "some", "[full]", "1"}) {
-    expectComplaint("collision_types.yaml", "rules: full", std::string("rules: ") + rules,
-                    {"collision_types.rules", rules, "none of full, angle"});
+    expectComplaint("crash_definition.yaml", "rules: full", std::string("rules: ") + rules,
+                    {"crash_definition.rules", rules, "none of full, angle"});
   }
   expectComplaint("ego_futures.yaml", "kept_offset: 0.3", "kept_offset: 1.3",
                   {"ego_futures.lateral.kept_offset", "1.3", "0 to 1"});
@@ -211,14 +211,16 @@ TEST_F(SpoiltConfig, WrongTypesAreRefused) {
                   {"speed_model_fit.gain_ridge", "0", "not positive"});
   expectComplaint("locations.yaml", "boston: right", "boston: middle",
                   {"locations.boston", "middle", "right"});
-  write("collision_types.yaml", "collision_types: {rules: full, lane_change: 0.2}");
-  EXPECT_NE(complaint().find("collision_types.lane_change = 0.2 is not a mapping"),
+  write("crash_definition.yaml",
+        "crash_definition: {rules: full, time_tolerance: 1, min_confidence: 0, types: "
+        "{lane_change: 0.2}}");
+  EXPECT_NE(complaint().find("crash_definition.types.lane_change = 0.2 is not a mapping"),
             std::string::npos);
 }
 
 TEST_F(SpoiltConfig, TypeRulesAreReadByName) {
-  replace("collision_types.yaml", "rules: full", "rules: angle");
-  EXPECT_EQ(loadConfig(directory_.string()).attack.type_rules, TypeRules::kAngle);
+  replace("crash_definition.yaml", "rules: full", "rules: angle");
+  EXPECT_EQ(loadConfig(directory_.string()).crash.rules, TypeRules::kAngle);
 }
 
 TEST_F(SpoiltConfig, ColorsAreThreeSharesOfOne) {
@@ -266,9 +268,8 @@ TEST_F(SpoiltConfig, NumbersThatAreNotFiniteAreRefused) {
 
 /// Every number of these files has a sign; -1 is outside all of their domains.
 TEST_F(SpoiltConfig, NegativeValuesAreRefusedWhereverTheyMakeNoSense) {
-  for (const char* file :
-       {"vehicle_limits.yaml", "prediction.yaml", "search.yaml", "verification.yaml",
-        "encoding.yaml", "collision_types.yaml", "planners.yaml"}) {
+  for (const char* file : {"vehicle_limits.yaml", "prediction.yaml", "search.yaml", "encoding.yaml",
+                           "methods.yaml", "crash_definition.yaml", "planners.yaml"}) {
     restore();
     std::stringstream content;
     content << std::ifstream(directory_ / file).rdbuf();
@@ -306,8 +307,8 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
   expectComplaint("dataset.yaml", "val_share: 0.1", "val_share: 0.31", {"dataset.val_share"});
   expectComplaint("dataset.yaml", "time_tolerance: 0.1", "time_tolerance: 0.02",
                   {"dataset.time_tolerance"});
-  expectComplaint("verification.yaml", "time_tolerance: 0.5", "time_tolerance: 0.02",
-                  {"verification.time_tolerance"});
+  expectComplaint("crash_definition.yaml", "time_tolerance: 0.5", "time_tolerance: 0.02",
+                  {"crash_definition.time_tolerance"});
   expectComplaint("requests.yaml", "[2.0,", "[-2.0,", {"requests.ttas", "-2.0"});
   expectComplaint("requests.yaml", "speed: 2.0", "speed: -1", {"requests.min_ego_speed", "-1"});
   expectComplaint("evaluation.yaml", "resamples: 1000", "resamples: 0",
@@ -354,19 +355,24 @@ TEST_F(SpoiltConfig, ValuesBeyondEachOtherOrTheirRangeAreRefused) {
                   {"prediction.max_tta", "0.4", "within 0.5"});
   expectComplaint("prediction.yaml", "min_history_frames: 2", "min_history_frames: 9",
                   {"prediction.min_history_frames", "= 9", "to 8"});
-  expectComplaint("collision_types.yaml", "max_heading: 0.5236", "max_heading: 0.1",
-                  {"collision_types.lane_change.max_heading", "0.1", "within 0.1745"});
-  expectComplaint("collision_types.yaml", "nominal_heading: 0.2618", "nominal_heading: 0.6",
-                  {"collision_types.lane_change.nominal_heading", "0.6"});
-  expectComplaint("collision_types.yaml", "max_heading: 3.1416", "max_heading: 180",
-                  {"collision_types.opposite_direction.max_heading", "180"});
-  for (const std::string share : {"limit_margin: 0.998", "good_share: 0.9", "good_off_road: 0.05",
-                                  "closeness_weight: 0.2", "min_confidence: 0.05"}) {
+  expectComplaint("crash_definition.yaml", "max_heading: 0.5236", "max_heading: 0.1",
+                  {"crash_definition.types.lane_change.max_heading", "0.1", "within 0.1745"});
+  expectComplaint("crash_definition.yaml", "nominal_heading: 0.2618", "nominal_heading: 0.6",
+                  {"crash_definition.types.lane_change.nominal_heading", "0.6"});
+  expectComplaint("crash_definition.yaml", "max_heading: 3.1416", "max_heading: 180",
+                  {"crash_definition.types.opposite_direction.max_heading", "180"});
+  for (const std::string share :
+       {"limit_margin: 0.998", "good_share: 0.9", "good_off_road: 0.05", "closeness_weight: 0.2"}) {
     const std::string key = share.substr(0, share.find(':'));
     expectComplaint("search.yaml", share, key + ": 1.1", {"search." + key, "1.1", "within 0 to 1"});
   }
-  expectComplaint("collision_types.yaml", "max_approach: 2.3562", "max_approach: 0.7",
-                  {"collision_types.junction_crossing.max_approach", "0.7", "within 0.7854"});
+  expectComplaint("crash_definition.yaml", "min_confidence: 0.05", "min_confidence: 1.1",
+                  {"crash_definition.min_confidence", "1.1", "within 0 to 1"});
+  expectComplaint("methods.yaml", "libraries: []", "libraries: [1, \"\"]",
+                  {"libraries", "is not a path"});
+  expectComplaint(
+      "crash_definition.yaml", "max_approach: 2.3562", "max_approach: 0.7",
+      {"crash_definition.types.junction_crossing.max_approach", "0.7", "within 0.7854"});
   expectComplaint("evaluation.yaml", "confidence: 0.95", "confidence: 1.1",
                   {"evaluation.statistics.confidence", "1.1"});
   expectComplaint("evaluation.yaml", "min_overlap: 0.02", "min_overlap: 2",

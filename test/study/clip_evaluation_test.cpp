@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/study/clip_methods.h"
 #include "data/collide_fixture.h"
 
 namespace forge {
@@ -14,13 +15,13 @@ const std::string kConfig = std::string(COLLISION_FORGE_SOURCE_DIR) + "/config";
 
 struct Evaluation {
   Config config = loadConfig(kConfig);
-  std::shared_ptr<const LaneMap> map = std::make_shared<const LaneMap>();
-  LaneIndex lanes{map};
+  std::shared_ptr<const LaneIndex> lanes =
+      std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>());
   EvaluationPlan plan;
   Foresight foresight;  // knows nothing
 
   std::vector<ResultRow> rows(const CollideClip& clip) const {
-    return evaluateClip(clip, lanes, map, foresight, config, plan);
+    return evaluateClip(clip, lanes, {builtInMethods(), foresight, config}, plan);
   }
   ResultRow row(const CollideClip& clip, const std::string& method) const {
     for (const ResultRow& row : rows(clip)) {
@@ -59,7 +60,8 @@ TEST(ClipEvaluation, EveryPlanHasTheBaselinesAndItsSeeds) {
   evaluation.plan.method = "search";
   EXPECT_EQ(methods(), (std::vector<std::string>{"recorded0", "constant_velocity0", "nominal0",
                                                  "search0", "search1"}));
-  for (const std::string& method : evaluationMethods()) {
+  for (const std::string& method :
+       clipMethods(builtInMethods(), nullptr, evaluation.config.evaluation).names()) {
     evaluation.plan.method = method;
     const auto found = methodsOf(evaluation.plan);
     EXPECT_NE(std::find(found.begin(), found.end(), method), found.end());
@@ -141,7 +143,6 @@ TEST(ClipEvaluation, MethodsWithNetworksNeedThem) {
     evaluation.plan.method = method;
     EXPECT_THROW(evaluation.rows(rearEnd()), std::invalid_argument) << method;
   }
-  EXPECT_FALSE(needsNetworks("search"));
 }
 
 TEST(ClipEvaluation, NetworksForeseeAndTheSearchWithoutThemStandsBeside) {
@@ -167,6 +168,7 @@ TEST(ClipEvaluation, NetworkDrivesToItsLikeliestPattern) {
   Evaluation evaluation;
   evaluation.foresight = loadForesight(evaluation.config);
   evaluation.plan.method = "network";
+  evaluation.plan.is_seeded = false;
   evaluation.plan.mode = Mode::kReplay;
   const CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
@@ -182,6 +184,7 @@ TEST(ClipEvaluation, SeenScenesTakeTheNetworkOfAllScenes) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
   clip.scene = evaluation.foresight.network->folds().back()->weights().left_out_scenes.front();
   evaluation.plan.method = "network";
+  evaluation.plan.is_seeded = false;
   const auto unseen = evaluation.row(clip, "network").contact_after;
   evaluation.plan.seen_scenes = true;
   EXPECT_NE(evaluation.row(clip, "network").contact_after, unseen);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "collision_forge/study/baselines.h"
+#include "collision_forge/study/clip_attackers.h"
 #include "data/collide_fixture.h"
 
 namespace forge {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "collision_forge/attack/generator.h"
 #include "collision_forge/data/pattern_network_file.h"
 
 namespace forge {
@@ -23,38 +22,22 @@ class RequestAnswererTest : public testing::Test {
 
   const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   SceneSource scenes_{kDataroot, "v1.0-embedded", {"scene-0001"}, config_, 1};
-  const Foresight foresight_ = loadForesight(config_);
-  RequestAnswerer answerer_{scenes_, config_, foresight_};
+  const MethodMaker method_ = loadMethod("", config_, config_.attack);
+  RequestAnswerer answerer_{scenes_, method_, config_.crash, config_.ego_vehicle};
 };
 
 TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
   const auto indexed = scenes_.at("scene-0001");
   for (const CollisionType type : kCollisionTypes) {
     const SceneRequest request = asked(type);
-    const Snapshot snapshot = snapshotAt(indexed->scene, request.now, 8);
-    const Future recorded = recordedFuture(indexed->scene, request.now);
+    const auto moment = std::get<Moment>(momentAt(*indexed, request.now, 8));
     Scenario expected{request, config_.ego_vehicle, {}};
-    const auto predictor = foresight_.patterns(config_.attack, request.scene);
-    expected.answer = generateCollision(request.request, snapshot, *indexed->lanes, &recorded,
-                                        *predictor, config_.attack);
+    CollisionRequest crash = request.request;
+    crash.crash = config_.crash;
+    expected.answer = generateCollision(*method_.makeWithoutScene(request.scene), moment, crash,
+                                        config_.attack.prediction);
     EXPECT_EQ(scenarioLine(answerer_.answer(request)), scenarioLine(expected));
   }
-}
-
-TEST_F(RequestAnswererTest, AGivenSceneIsTheNamedOne) {
-  const SceneRequest request = asked(CollisionType::kLaneChange);
-  EXPECT_EQ(scenarioLine(answerer_.answer(request, *scenes_.at("scene-0001"))),
-            scenarioLine(answerer_.answer(request)));
-}
-
-TEST_F(RequestAnswererTest, AMomentIsWhatIsKnownAtItAndWhatCame) {
-  const Scene& scene = scenes_.at("scene-0001")->scene;
-  const RecordedMoment moment = momentAt(scene, scene.frame_times.at(8) + 5e-7, 4);
-  EXPECT_EQ(moment.status.code, StatusCode::kOk);
-  EXPECT_EQ(moment.snapshot.now, scene.frame_times.at(8));
-  EXPECT_EQ(moment.snapshot.ego.states.size(), 4u);
-  EXPECT_EQ(moment.recorded.ego.states.back().time, scene.ego.states.back().time);
-  EXPECT_EQ(momentAt(scene, scene.frame_times.at(8) + 0.1, 4).status.code, StatusCode::kNoScene);
 }
 
 TEST_F(RequestAnswererTest, ReplayKnowsTheRecording) {

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/attack/request_list.h"
 #include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/study/request_answerer.h"
 #include "collision_forge/study/strict.h"
 
 namespace forge {
@@ -54,16 +56,16 @@ class RequestEvaluationTest : public testing::Test {
   }
 
   EvaluatedRequest evaluate(const SceneRequest& request) {
-    return RequestEvaluator(scenes_, config_, {}, plan_).evaluate("7", request);
+    return RequestEvaluator(scenes_, config_, {}, builtInMethods(), plan_).evaluate("7", request);
   }
 
   /// The strict outcome of an attack against the recording.
   StrictOutcome outcomeOf(const SceneRequest& request, const AttackerTrajectory& trajectory) {
-    const IndexedScene& indexed = scene(request.scene);
-    const RecordedMoment moment = momentAt(indexed.scene, request.now, 8);
-    return strictOutcome(trajectory,
-                         {moment.snapshot, moment.recorded, request.request, *indexed.lanes},
-                         config_.attack);
+    const auto moment = std::get<Moment>(momentAt(scene(request.scene), request.now, 8));
+    CollisionRequest judged = request.request;
+    judged.crash = config_.crash;
+    return strictOutcome(trajectory, {moment.snapshot, *moment.recorded, judged, *moment.lanes},
+                         config_.attack.verification);
   }
 
   Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
@@ -124,12 +126,16 @@ TEST_F(RequestEvaluationTest, SearchesAreTheAnswerersWithTheirRulesAgainstTheRec
                                         std::pair(TypeRules::kFull, "full_definitions")}) {
       for (const auto& [mode, name] :
            {std::pair(Mode::kHistory, "search_"), std::pair(Mode::kReplay, "replay_")}) {
-        Config config = config_;
-        config.attack.type_rules = rules;
-        config.attack.search.min_confidence = 0.0;
+        CrashDefinition crash = config_.crash;
+        crash.rules = rules;
+        crash.min_confidence = 0.0;
         SceneRequest in_mode = request;
         in_mode.request.mode = mode;
-        const Realization answer = RequestAnswerer(scenes_, config, {}).answer(in_mode).answer;
+        const Realization answer =
+            RequestAnswerer(scenes_, {"search", builtInMethods(), config_.attack, {}}, crash,
+                            config_.ego_vehicle)
+                .answer(in_mode)
+                .answer;
         const ResultRow& row = rowOf(evaluated, std::string(name) + column);
         EXPECT_EQ(row.status, toString(answer.status.code));
         if (answer.status.code != StatusCode::kOk) {
@@ -154,8 +160,8 @@ TEST_F(RequestEvaluationTest, ConfiguredRulesAndLeastConfidenceChangeNothing) {
   const SceneRequest request = asked(CollisionType::kRearEnd);
   const EvaluatedRequest shipped = evaluate(request);
   ASSERT_EQ(rowOf(shipped, "search_full_definitions").status, "OK");
-  config_.attack.search.min_confidence = 1.0;
-  config_.attack.type_rules = TypeRules::kAngle;
+  config_.crash.min_confidence = 1.0;
+  config_.crash.rules = TypeRules::kAngle;
   EXPECT_EQ(linesOf(evaluate(request)), linesOf(shipped));
 }
 
@@ -167,7 +173,8 @@ TEST_F(RequestEvaluationTest, BaselinesOfAnyAttackerMeetWhatOneOfTheCandidatesMe
       SceneRequest request = asked(type);
       request.request.tta = tta;
       const EvaluatedRequest any = evaluate(request);
-      const Snapshot snapshot = momentAt(scene("scene-0001").scene, request.now, 8).snapshot;
+      const Snapshot snapshot =
+          std::get<Moment>(momentAt(scene("scene-0001"), request.now, 8)).snapshot;
       for (const char* measure : {"angle_bands", "full_definitions", "contact"}) {
         for (const char* method : {"constant_velocity", "nominal"}) {
           bool by_one = false;
@@ -222,11 +229,12 @@ TEST_F(RequestEvaluationTest, OwnShareOffTheRoadIsThatOfTheRecordedTrackUpToTheC
   list.types = {CollisionType::kJunctionCrossing};
   list.ttas = {4.0, 6.0};
   list.attackers = Attackers::kEach;
-  const RequestEvaluator evaluator(scenes_, config_, {}, plan_);
+  const RequestEvaluator evaluator(scenes_, config_, {}, builtInMethods(), plan_);
   const IndexedScene& indexed = scene("scene-0007");
   int off_road = 0;
   int not_recorded = 0;
-  for (const SceneRequest& request : listRequests(indexed.scene, list, config_.attack)) {
+  for (const SceneRequest& request :
+       listRequests(indexed.scene, list, config_.attack.prediction, config_.crash.time_tolerance)) {
     const auto own =
         std::find_if(indexed.scene.agents.begin(), indexed.scene.agents.end(),
                      [&](const Track& agent) { return agent.id == *request.request.attacker; });
@@ -256,27 +264,37 @@ TEST_F(RequestEvaluationTest, OwnShareOffTheRoadIsThatOfTheRecordedTrackUpToTheC
 }
 
 TEST_F(RequestEvaluationTest, NetworkIsARowOfItsOwnAndItsSearchNamedAfterIt) {
-  const SceneRequest request =
-      listRequests(scene("scene-0001").scene, config_.requests, config_.attack).at(20);
+  const SceneRequest request = listRequests(scene("scene-0001").scene, config_.requests,
+                                            config_.attack.prediction, config_.crash.time_tolerance)
+                                   .at(20);
   const Foresight foresight = loadForesight(config_);
   plan_.method = "network";
+  plan_.is_seeded = false;
   EXPECT_EQ(requestRowMethods(plan_),
             (std::vector<std::string>{"constant_velocity", "nominal", "network"}));
-  EXPECT_EQ(RequestEvaluator(scenes_, config_, foresight, plan_).evaluate("7", request).rows.size(),
+  EXPECT_EQ(RequestEvaluator(scenes_, config_, foresight, builtInMethods(), plan_)
+                .evaluate("7", request)
+                .rows.size(),
             rowsPerRequest(plan_));
   plan_.method = "network+search";
+  plan_.is_seeded = true;
   EXPECT_EQ(requestRowMethods(plan_).at(2), "network+search_angle_bands");
-  EXPECT_EQ(RequestEvaluator(scenes_, config_, foresight, plan_).evaluate("7", request).rows.size(),
+  EXPECT_EQ(RequestEvaluator(scenes_, config_, foresight, builtInMethods(), plan_)
+                .evaluate("7", request)
+                .rows.size(),
             rowsPerRequest(plan_));
-  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, plan_), std::invalid_argument);
+  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, builtInMethods(), plan_),
+               std::invalid_argument);
 }
 
 TEST_F(RequestEvaluationTest, OtherProtocolsAndMethodsAreRefused) {
   plan_.method = "recorded";
-  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, plan_), std::invalid_argument);
+  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, builtInMethods(), plan_),
+               std::invalid_argument);
   plan_.method = "search";
   plan_.protocol = Protocol::kPublished;
-  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, plan_), std::invalid_argument);
+  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, builtInMethods(), plan_),
+               std::invalid_argument);
 }
 
 }  // namespace

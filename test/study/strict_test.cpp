@@ -15,11 +15,12 @@ struct Case {
   std::shared_ptr<LaneMap> map = emptyMap();
   Snapshot snapshot;
   Future recorded;
-  CollisionRequest request;
+  CollisionRequest request = requestFor();
   AttackerTrajectory trajectory;
 
   StrictOutcome outcome() const {
-    return strictOutcome(trajectory, {snapshot, recorded, request, LaneIndex(map)}, options);
+    return strictOutcome(trajectory, {snapshot, recorded, request, LaneIndex(map)},
+                         options.verification);
   }
 };
 
@@ -137,10 +138,10 @@ TEST(Strict, RowSaysWhatTheOutcomeSays) {
 }
 
 TEST(Strict, AngleRulesChangeTheRulesAlone) {
-  const AttackOptions angle = withAngleRules(shippedOptions());
-  EXPECT_EQ(angle.type_rules, TypeRules::kAngle);
-  EXPECT_EQ(angle.search.kept, shippedOptions().search.kept);
-  EXPECT_EQ(shippedOptions().type_rules, TypeRules::kFull);
+  const CrashDefinition angle = withAngleRules(shippedCrash());
+  EXPECT_EQ(angle.rules, TypeRules::kAngle);
+  EXPECT_EQ(angle.time_tolerance, shippedCrash().time_tolerance);
+  EXPECT_EQ(shippedCrash().rules, TypeRules::kFull);
 }
 
 }  // namespace

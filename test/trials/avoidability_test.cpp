@@ -38,7 +38,7 @@ void expectSound(const CrashScenario& scenario, const Avoidance& avoidance) {
   EXPECT_NEAR(avoidance.motion.front().time, avoidance.start, 1e-9);
   EXPECT_NEAR(avoidance.motion.back().time, scenario.end(), 1e-6);
   const auto broken = findBrokenLimit(avoidance.motion, avoidance.motion.front().pose.yaw,
-                                      scenario.end(), shippedConfig().attack.vehicle_limits);
+                                      scenario.end(), shippedConfig().attack.verification.limits);
   EXPECT_FALSE(broken) << describe(*broken);
 }
 

@@ -73,7 +73,7 @@ TEST(ContactJudgement, ALaneWithoutOutlineIsNoLaneToBeBetween) {
 }
 
 TEST(ContactJudgement, NamesTheTypeThatFits) {
-  const TypeDefinitions& types = shippedOptions().collision_types;
+  const TypeDefinitions types = shippedCrash().types;
   const auto type = [&](const Pose2& other_now, const Pose2& other, CollisionType asked) {
     return typeOf({{}, other_now, {{}, kEgoSize}, {other, kEgoSize}}, asked, types,
                   DrivingSide::kRight);

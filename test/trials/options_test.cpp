@@ -30,7 +30,7 @@ TEST(TrialOptions, AvoidanceTriesToKeepToBrakeToAccelerateAndToSteer) {
   EXPECT_EQ(accelerations.front(), 0.0);
   EXPECT_EQ(options.offsets.front(), 0.0);
   EXPECT_EQ(*std::max_element(accelerations.begin(), accelerations.end()),
-            shippedConfig().attack.vehicle_limits.max_forward_acceleration);
+            shippedConfig().attack.verification.limits.max_forward_acceleration);
   EXPECT_LT(*std::min_element(accelerations.begin(), accelerations.end()), -7.0);
   for (const double offset : options.offsets) {
     EXPECT_EQ(std::count(options.offsets.begin(), options.offsets.end(), -offset), 1) << offset;

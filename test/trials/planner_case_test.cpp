@@ -69,8 +69,8 @@ CollideClip rearEnd() {
 }
 
 PlannerCase ofClip(ClipAttacker attacker) {
-  return caseOfClip(rearEnd(), attacker, std::make_shared<const LaneIndex>(twoLaneRoad()), {},
-                    config());
+  return caseOfClip(rearEnd(), attacker, std::make_shared<const LaneIndex>(twoLaneRoad()),
+                    MethodMaker("search", builtInMethods(), config().attack, {}), config());
 }
 
 TEST(PlannerCase, AClipHasTheSetsBoxesAndAttacker) {

@@ -18,7 +18,7 @@ const std::string kShipped = COLLISION_FORGE_SOURCE_DIR "/config";
 TrialOptions parsed(const std::string& text) {
   TrialOptions options;
   readConfigFile(openConfigText("p.yaml", text), options,
-                 loadConfig(kShipped).attack.vehicle_limits);
+                 loadConfig(kShipped).attack.verification.limits);
   return options;
 }
 

@@ -20,14 +20,16 @@ const Config& config() {
 PlannerCase rearEnd() {
   const CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-14.7, 0.0, 0.0}, 10.0);
-  PlannerCase one = caseOfClip(clip, ClipAttacker::kRecorded,
-                               std::make_shared<const LaneIndex>(twoLaneRoad()), {}, config());
+  PlannerCase one =
+      caseOfClip(clip, ClipAttacker::kRecorded, std::make_shared<const LaneIndex>(twoLaneRoad()),
+                 MethodMaker("search", builtInMethods(), config().attack, {}), config());
   one.source = "recorded";
   return one;
 }
 
 PlannerTestResult tested() {
-  return testPlanners(rearEnd(), {"idm", "idm_published"}, Background::kReplay, config());
+  return testPlanners(rearEnd(), {"idm", "idm_published"}, Background::kReplay, config(),
+                      config().planners);
 }
 
 TEST(PlannerResult, EveryPlannerHasARow) {
@@ -47,7 +49,8 @@ TEST(PlannerResult, EveryPlannerHasARow) {
 TEST(PlannerResult, ACaseWithoutAnAttackIsNotTested) {
   PlannerCase one = rearEnd();
   one.status = {StatusCode::kNoCandidate, "nobody"};
-  const PlannerTestResult result = testPlanners(one, {"idm"}, Background::kReplay, config());
+  const PlannerTestResult result =
+      testPlanners(one, {"idm"}, Background::kReplay, config(), config().planners);
   EXPECT_EQ(result.status, "NO_CANDIDATE");
   EXPECT_EQ(result.message, "nobody");
   EXPECT_FALSE(result.isTested());
@@ -57,7 +60,8 @@ TEST(PlannerResult, ACaseWithoutAnAttackIsNotTested) {
 TEST(PlannerResult, AnAttackerThatTouchesTheEgoAlreadyIsUnfit) {
   PlannerCase one = rearEnd();
   one.scenario.attacker.points.front().pose = {-3.0, 0.0, 0.0};
-  const PlannerTestResult result = testPlanners(one, {"idm"}, Background::kReplay, config());
+  const PlannerTestResult result =
+      testPlanners(one, {"idm"}, Background::kReplay, config(), config().planners);
   EXPECT_EQ(result.status, "UNFIT");
   EXPECT_NE(result.message.find("touches the ego"), std::string::npos);
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: published_idm_reference.py CLIPS RESULTS: do results.csv of `test_planners --collide` and this agree on idm_published?
+"""usage: published_idm_reference.py CLIPS RESULTS: do results.csv of `forge test --collide` and this agree on idm_published?
 
 A second implementation of the published IDM and of how its collisions are counted (docs/planners.md), written apart from
 src/planners: it reads the clips of the folder CLIPS by itself, drives the ego of each along its recorded path behind the

@@ -38,7 +38,8 @@ inline std::pair<Track, Track> straightCar(const std::string& id, const Pose2& n
 }
 
 inline RolloutSetup shippedSetup(Background background = Background::kReplay) {
-  return {shippedConfig().planners, shippedConfig().attack, background};
+  return {shippedConfig().planners, shippedConfig().attack, shippedConfig().crash.types,
+          background};
 }
 
 }  // namespace forge

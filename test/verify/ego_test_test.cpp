@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "test_scenes.h"
+#include "attack/test_scenes.h"
 
 namespace forge {
 namespace {
@@ -21,12 +21,7 @@ AttackerTrajectory straightAttack() {
   return trajectory;
 }
 
-CollisionRequest rearEnd(double tta) {
-  CollisionRequest request;
-  request.type = CollisionType::kRearEnd;
-  request.tta = tta;
-  return request;
-}
+CollisionRequest rearEnd(double tta) { return requestFor(CollisionType::kRearEnd, tta); }
 
 LaneIndex emptyMap() { return LaneIndex(std::make_shared<const LaneMap>()); }
 
@@ -45,7 +40,7 @@ TEST(EgoTest, LeavesOutAgentsThatAreNoNumber) {
       {Track{"sizeless", AgentClass::kCar, {nan, 2.0}, {standing(kNow, 5.0)}},
        Track{"nowhere", AgentClass::kCar, kCarSize, {{kNow, {5.0, 0.0, nan}, {0.0, 0.0}}}}});
   for (int i = 0; i <= 40; ++i) test.addEgo(standing(kNow + 0.1 * i, 12.0));
-  const auto report = test.outcome(emptyMap(), shippedOptions());
+  const auto report = test.outcome(emptyMap(), shippedOptions().verification);
   ASSERT_TRUE(report);
   EXPECT_TRUE(report->contact);
   EXPECT_EQ(report->first_other_id, "");
@@ -55,7 +50,7 @@ TEST(EgoTest, WaitsUntilTheEgoWasDrivenToTheContact) {
   EgoTest test = testOf(1.0);
   for (double t = 0.0; t < 0.9; t += 0.1) {
     test.addEgo(standing(kNow + t, 15.0));
-    EXPECT_FALSE(test.outcome(emptyMap(), shippedOptions())) << t;
+    EXPECT_FALSE(test.outcome(emptyMap(), shippedOptions().verification)) << t;
   }
 }
 
@@ -64,9 +59,9 @@ TEST(EgoTest, ReportsTheContactOnceTheOthersAreKnownUpToIt) {
   const double contact = (15.0 - 0.5 * (kEgoSize.length + kCarSize.length)) / kSpeed;
   test.addAgents(frame(kNow));
   for (double t = 0.0; t < 1.55; t += 0.1) test.addEgo(standing(kNow + t, 15.0));
-  EXPECT_FALSE(test.outcome(emptyMap(), shippedOptions()));
+  EXPECT_FALSE(test.outcome(emptyMap(), shippedOptions().verification));
   test.addAgents(frame(kNow + 1.5));
-  const auto report = test.outcome(emptyMap(), shippedOptions());
+  const auto report = test.outcome(emptyMap(), shippedOptions().verification);
   ASSERT_TRUE(report);
   EXPECT_TRUE(report->verified());
   EXPECT_NEAR(report->contact_time, kNow + contact, 1e-3);
@@ -76,7 +71,7 @@ TEST(EgoTest, ReportsAMissWhenTheTrajectoryHasEnded) {
   EgoTest test = testOf(1.0);
   for (double t = 0.0; t < 3.05; t += 0.1) test.addEgo(standing(kNow + t, 100.0));
   test.addEgo(standing(kNow + 3.2, 100.0));
-  const auto report = test.outcome(emptyMap(), shippedOptions());
+  const auto report = test.outcome(emptyMap(), shippedOptions().verification);
   ASSERT_TRUE(report);
   EXPECT_FALSE(report->contact);
 }
@@ -88,7 +83,7 @@ TEST(EgoTest, JudgesTheStartAgainstTheRecordedHeading) {
   test.addAgents({turned});
   test.addAgents(frame(kNow + 1.5));
   for (double t = 0.0; t < 1.55; t += 0.1) test.addEgo(standing(kNow + t, 15.0));
-  const auto report = test.outcome(emptyMap(), shippedOptions());
+  const auto report = test.outcome(emptyMap(), shippedOptions().verification);
   ASSERT_TRUE(report);
   EXPECT_FALSE(report->bounds_kept);
 }
@@ -97,7 +92,7 @@ TEST(EgoTest, LeavesOutStatesThatComeLate) {
   EgoTest test = testOf(1.0);
   for (double t = 0.0; t < 3.25; t += 0.1) test.addEgo(standing(kNow + t, 100.0));
   test.addEgo(standing(kNow + 1.0, 15.0));
-  const auto report = test.outcome(emptyMap(), shippedOptions());
+  const auto report = test.outcome(emptyMap(), shippedOptions().verification);
   ASSERT_TRUE(report);
   EXPECT_FALSE(report->contact);
 }

@@ -10,7 +10,7 @@
 namespace forge {
 namespace {
 
-const VehicleLimits kLimits = shippedOptions().vehicle_limits;
+const VehicleLimits kLimits = shippedOptions().verification.limits;
 constexpr double kEnd = kNow + 2.0;
 
 /// A drive at 10 m/s with one point changed.

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-const VehicleLimits kLimits = shippedOptions().vehicle_limits;
+const VehicleLimits kLimits = shippedOptions().verification.limits;
 
 TEST(VehicleLimits, AreThoseOfARealCar) {
   EXPECT_NEAR(kLimits.max_forward_acceleration, 100.0 / 3.6 / 5.6, 0.05);  // 0-100 km/h in 5.6 s

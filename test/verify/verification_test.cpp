@@ -20,7 +20,7 @@ struct Case {
   std::shared_ptr<LaneMap> map = emptyMap();
   Snapshot snapshot;
   Future future;
-  CollisionRequest request;
+  CollisionRequest request = requestFor();
   AttackerTrajectory trajectory;
 
   Case(const Pose2& ego, double ego_speed, const Pose2& attacker, double attacker_speed) {
@@ -30,7 +30,7 @@ struct Case {
     trajectory = straightDrive(attacker, attacker_speed, 8.0);
   }
   CollisionReport report() const {
-    return verify(trajectory, {snapshot, future, request, LaneIndex(map)}, options);
+    return verify(trajectory, {snapshot, future, request, LaneIndex(map)}, options.verification);
   }
   void addStanding(const std::string& id, const Pose2& pose) {
     future.agents.push_back(futureTrack(id, kCarSize, pose, 0.0));
@@ -155,7 +155,7 @@ TEST(Verify, RelativeHeadingIsTheAttackersMinusTheEgos) {
 }
 
 TEST(Verify, TypeIsKeptWithinTheBandOnBothSides) {
-  for (const auto& [type, band] : shippedOptions().collision_types) {
+  for (const auto& [type, band] : shippedCrash().types) {
     for (const double sign : {1.0, -1.0}) {
       for (const double edge : {band.min_heading, band.max_heading}) {
         if (edge == 0.0 || edge > 3.1) continue;
@@ -163,7 +163,7 @@ TEST(Verify, TypeIsKeptWithinTheBandOnBothSides) {
         Case inside = meeting(0.4, sign * (edge + inwards));
         Case outside = meeting(0.4, sign * (edge - inwards));
         inside.request.type = outside.request.type = type;
-        for (Case* attack : {&inside, &outside}) attack->options.type_rules = TypeRules::kAngle;
+        for (Case* attack : {&inside, &outside}) attack->request.crash.rules = TypeRules::kAngle;
         EXPECT_TRUE(inside.report().type_kept) << toString(type) << " " << edge;
         EXPECT_FALSE(outside.report().type_kept) << toString(type) << " " << edge;
         EXPECT_FALSE(outside.report().verified());
@@ -179,7 +179,7 @@ TEST(Verify, TypeIsKeptWhenTheAttackerComesFromWhereTheTypeWants) {
   for (const double sign : {1.0, -1.0}) {
     Case attack = meeting(3.0, sign * M_PI_2);
     attack.request.type = CollisionType::kJunctionCrossing;
-    TypeDefinition& type = attack.options.collision_types[CollisionType::kJunctionCrossing];
+    TypeDefinition& type = attack.request.crash.types[CollisionType::kJunctionCrossing];
     EXPECT_TRUE(attack.report().type_kept);
     for (const auto& [min, max, kept] :
          std::vector<std::tuple<double, double, bool>>{{M_PI_2 - 1e-3, M_PI, true},
@@ -202,7 +202,7 @@ TEST(Verify, ByTheAngleRulesTheHeadingAtContactAloneMakesTheType) {
   Case crossing = meeting(0.0, M_PI_2);
   crossing.request.type = CollisionType::kLtap;
   EXPECT_FALSE(crossing.report().type_kept) << "it comes from the side";
-  crossing.options.type_rules = TypeRules::kAngle;
+  crossing.request.crash.rules = TypeRules::kAngle;
   EXPECT_TRUE(crossing.report().type_kept);
   crossing.request.type = CollisionType::kLaneChange;
   EXPECT_FALSE(crossing.report().type_kept);
@@ -218,7 +218,7 @@ TEST(Verify, ARearEndIsKeptWhenFrontMeetsRearAndNotBesideIt) {
   EXPECT_TRUE(beside.report().contact);
   EXPECT_NEAR(beside.report().relative_heading, 0.0, 1e-9);
   EXPECT_FALSE(beside.report().type_kept);
-  beside.options.type_rules = TypeRules::kAngle;
+  beside.request.crash.rules = TypeRules::kAngle;
   EXPECT_TRUE(beside.report().type_kept);
 }
 

@@ -4,8 +4,9 @@
 #include <memory>
 #include <sstream>
 
+#include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/collide_clip.h"
@@ -13,6 +14,7 @@
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/settings/config_fingerprint.h"
+#include "collision_forge/study/clip_methods.h"
 
 namespace forge {
 namespace {
@@ -74,12 +76,13 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const std::vector<std::string> paths = listClips(arguments, config);
   CityMaps maps(arguments.dataroot, config);
   const Foresight foresight = loadForesight(config);
-  checkNetworks(arguments.plan.method, foresight);
+  const MethodRegistry methods = loadMethods(config);
+  const MethodMaker checked(arguments.plan.method, clipMethods(methods, nullptr, config.evaluation),
+                            config.attack, foresight);
   const auto work = [&](std::size_t index) {
     const CollideClip clip = readCollideClip(paths[index]);
     const auto lanes = maps.at(clip.city);
-    return rowBytes(
-        evaluateClip(clip, *lanes, lanes->sharedMap(), foresight, config, arguments.plan));
+    return rowBytes(evaluateClip(clip, lanes, {methods, foresight, config}, arguments.plan));
   };
   const std::vector<ResultRow> rows =
       runEvaluation(arguments.out, describeRun(arguments, config, paths), arguments.jobs, work);

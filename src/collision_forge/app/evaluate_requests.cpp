@@ -7,8 +7,9 @@
 #include <set>
 #include <sstream>
 
+#include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/request_file.h"
@@ -147,7 +148,8 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   SceneSource scenes(arguments.dataroot, arguments.version, wanted.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings());
-  const RequestEvaluator evaluator(scenes, config, loadForesight(config), arguments.plan);
+  const RequestEvaluator evaluator(scenes, config, loadForesight(config), loadMethods(config),
+                                   arguments.plan);
   const auto work = [&](std::size_t index) {
     const EvaluatedRequest evaluated =
         evaluator.evaluate(wanted.lines[index], wanted.requests[index]);

@@ -9,7 +9,8 @@
 #include <memory>
 #include <set>
 
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/data/collide_export.h"
 #include "collision_forge/data/pattern_network_file.h"
@@ -18,9 +19,8 @@
 #include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/study/request_answerer.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 namespace fs = std::filesystem;
 
@@ -32,6 +32,7 @@ struct Arguments {
   std::string requests;
   std::string out;
   std::string config;
+  std::string method;
   Mode mode = Mode::kHistory;
   Format format = Format::kJsonl;
   int jobs = defaultJobs();
@@ -58,7 +59,7 @@ void prepareForInterruption(const Arguments& arguments) {
                                ? "answered is in " + arguments.out + ".part"
                                : "answered and written is in " + arguments.out;
   interruption_message =
-      "\ngenerate: interrupted; what was " + kept + ": run the same command again to go on\n";
+      "\nforge generate: interrupted; what was " + kept + ": run the same command again to go on\n";
   ::signal(SIGXFSZ, SIG_IGN);
   struct sigaction action = {};
   action.sa_handler = onInterruption;
@@ -72,6 +73,7 @@ ResumableFile::Options runOptions(const Arguments& arguments, const Config& conf
   ResumableFile::Options options = fingerprintsOf(config, arguments.config);
   options["dataroot"] = fs::canonical(arguments.dataroot).string();
   options["version"] = arguments.version;
+  if (!arguments.method.empty()) options["method"] = arguments.method;
   options["mode"] = toString(arguments.mode);
   options["requests"] = fingerprintOf(requests);
   return options;
@@ -189,7 +191,8 @@ int generate(const Arguments& arguments) {
   SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings());
-  const RequestAnswerer answerer(scenes, config, loadForesight(config));
+  const RequestAnswerer answerer(scenes, loadMethod(arguments.method, config, config.attack),
+                                 config.crash, config.ego_vehicle);
   const auto work = [&](std::size_t index) {
     try {
       return scenarioLine(answerer.answer(list.requests[index]));
@@ -213,30 +216,23 @@ int generate(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Answers a list of requests over nuScenes scenes; goes on where a run stopped.",
-               "generate");
-  app.add_option("--dataroot", arguments.dataroot, "folder with the version and maps/expansion")
-      ->required();
-  app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini")->required();
-  app.add_option("--requests", arguments.requests, "list of make_requests")->required();
-  app.add_option("--out", arguments.out,
-                 "scenarios to write, a JSON line a request; with csv-collide a folder")
-      ->required();
-  app.add_option("--format", arguments.format,
-                 "jsonl, or csv-collide: scenarios.jsonl and a clip of COLLIDE's layout an attack, "
-                 "in trajectory/val")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{
-          {"jsonl", Format::kJsonl}, {"csv-collide", Format::kCsvCollide}}))
-      ->default_str("jsonl");
-  app.add_option("--mode", arguments.mode, "history or replay")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Mode>{{"history", Mode::kHistory}, {"replay", Mode::kReplay}}))
-      ->default_str("history");
-  app.add_option("--jobs", arguments.jobs, "requests at a time, in every rank of mpirun")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  addConfigOption(app, arguments.config);
-  return runTool(app, argc, argv, [&] { return generate(arguments); });
+void addGenerate(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = line.add(kMakingCollisions, "generate",
+                           "Answers a list of requests; goes on where a run stopped.",
+                           [arguments] { return generate(*arguments); });
+  addLogs(app, arguments->dataroot, arguments->version);
+  app.add_option("--requests", arguments->requests, "list of forge requests")->required();
+  addOut(app, arguments->out,
+         "scenarios to write, a JSON line a request; with csv-collide a folder");
+  addChoice<Format>(app, "--format", arguments->format,
+                    {{"jsonl", Format::kJsonl}, {"csv-collide", Format::kCsvCollide}},
+                    "jsonl; csv-collide: scenarios.jsonl and a clip of COLLIDE's layout an attack, "
+                    "in trajectory/val");
+  addMethod(app, arguments->method);
+  addMode(app, arguments->mode);
+  addJobs(app, arguments->jobs, "requests at a time, in every rank of mpirun");
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge

@@ -2,17 +2,16 @@
 #include <iostream>
 #include <map>
 
-#include "collision_forge/app/tool_support.h"
-#include "collision_forge/attack/generator.h"
-#include "collision_forge/data/nuscenes_map.h"
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/settings/config.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 struct Arguments {
   std::string dataroot;
@@ -30,13 +29,14 @@ struct Tally {
 };
 using Tallies = std::map<std::pair<Mode, CollisionType>, Tally>;
 
-void answerAll(const Scene& scene, double seconds, const LaneIndex& lanes,
-               const Arguments& arguments, const Config& config, const Foresight& foresight,
-               std::ostream& csv, Tallies& tallies) {
-  const auto now = lastFrameTime(scene, scene.frame_times.front() + seconds);
-  const Snapshot snapshot = snapshotAt(scene, *now, config.attack.prediction.history_frames);
-  const Future recorded = recordedFuture(scene, *now);
-  const auto predictor = foresight.withoutScene(scene.name).patterns(config.attack);
+void answerAll(const IndexedScene& indexed, double seconds, const Arguments& arguments,
+               const Config& config, const MethodMaker& maker, std::ostream& csv,
+               Tallies& tallies) {
+  const Scene& scene = indexed.scene;
+  const PredictionOptions& prediction = config.attack.prediction;
+  const double now = lastFrameTime(scene, scene.frame_times.front() + seconds).value();
+  const auto moment = std::get<Moment>(momentAt(indexed, now, prediction.history_frames));
+  const auto method = maker.makeWithoutScene(scene.name);
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) {
     for (const CollisionType type : kCollisionTypes) {
       for (const double tta : arguments.ttas) {
@@ -44,14 +44,16 @@ void answerAll(const Scene& scene, double seconds, const LaneIndex& lanes,
         request.type = type;
         request.tta = tta;
         request.mode = mode;
-        const Realization attack =
-            generateCollision(request, snapshot, lanes, &recorded, *predictor, config.attack);
+        request.crash = config.crash;
+        const Realization attack = generateCollision(*method, moment, request, prediction);
         Tally& tally = tallies[{mode, type}];
         ++tally.codes[attack.status.code];
         bool confirmed = false;
         if (attack.status.code == StatusCode::kOk) {
-          confirmed = verify(attack.trajectory, {snapshot, recorded, request, lanes}, config.attack)
-                          .verified();
+          confirmed =
+              verify(attack.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
+                     config.attack.verification)
+                  .verified();
           tally.confirmed += confirmed;
         }
         csv << scene.name << ',' << seconds << ',' << toString(mode) << ',' << toString(type) << ','
@@ -86,9 +88,9 @@ void printTable(const Tallies& tallies) {
 
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  const Foresight foresight = loadForesight(config);
+  const MethodMaker method = loadMethod("", config, config.attack);
   const NuScenesRoot root(arguments.dataroot, arguments.version);
-  std::map<std::string, std::shared_ptr<const LaneMap>> maps;
+  CityMaps maps(arguments.dataroot, config);
   AsideFile file(arguments.out);
   std::ostream& csv = file.stream();
   csv << "scene,now,mode,type,tta,code,attacker,confidence,off_road_share,confirmed\n";
@@ -96,16 +98,10 @@ int measure(const Arguments& arguments) {
   boost::timer::progress_display progress(root.sceneNames().size(), std::cerr);
   for (const std::string& name : root.sceneNames()) {
     const NuScenesRecording recording = root.readScene(name);
-    auto& map = maps[recording.location];
-    if (!map) {
-      map = std::make_shared<const LaneMap>(readNuScenesMap(
-          arguments.dataroot, recording.location, drivingSide(config, recording.location),
-          {config.conversion.centerline_resolution}));
-    }
-    const Scene scene = toScene(recording, config.ego_vehicle, map);
-    const LaneIndex lanes(map);
+    const auto lanes = maps.at(recording.location);
+    const IndexedScene scene{toScene(recording, config.ego_vehicle, lanes->sharedMap()), lanes};
     for (const double now : arguments.nows) {
-      answerAll(scene, now, lanes, arguments, config, foresight, csv, tallies);
+      answerAll(scene, now, arguments, config, method, csv, tallies);
     }
     ++progress;
   }
@@ -116,16 +112,17 @@ int measure(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Asks for every type and TTA in every scene, in both modes, and tells what came.",
-               "measure_coverage");
-  app.add_option("--dataroot", arguments.dataroot, "nuScenes root")->required();
-  app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini")->required();
-  app.add_option("--out", arguments.out, "CSV to write, a row a request")->required();
-  app.add_option("--now", arguments.nows, "seconds from each scene's first frame")
+void addMeasureCoverage(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = line.add(kMeasuring, "measure coverage",
+                           "Asks for every type and TTA in every scene and tells what came.",
+                           [arguments] { return measure(*arguments); });
+  addLogs(app, arguments->dataroot, arguments->version);
+  addOut(app, arguments->out, "CSV to write, a row a request");
+  app.add_option("--now", arguments->nows, "seconds from each scene's first frame")
       ->capture_default_str();
-  app.add_option("--tta", arguments.ttas, "seconds from now to impact")->capture_default_str();
-  addConfigOption(app, arguments.config);
-  return runTool(app, argc, argv, [&] { return measure(arguments); });
+  app.add_option("--tta", arguments->ttas, "seconds from now to impact")->capture_default_str();
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge

@@ -6,8 +6,9 @@
 #include <numeric>
 #include <optional>
 
-#include "collision_forge/app/lane_indices.h"
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/speed_model_file.h"
@@ -19,9 +20,8 @@
 #include "collision_forge/network/network_ego_futures.h"
 #include "collision_forge/settings/config.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 constexpr double kHorizons[] = {2.0, 3.0, 4.0, 5.0, 6.0};  // s
 constexpr double kIntervals[] = {0.5, 0.8, 0.9};           // central ones, of probability
@@ -226,7 +226,7 @@ int measure(const Arguments& arguments) {
   const Foresight foresight{
       readSpeeds(arguments, config), loadPatternNetwork(arguments.networks), {}};
   const NuScenesRoot root(arguments.dataroot, arguments.version);
-  LaneIndices lanes(arguments.dataroot, config);
+  CityMaps lanes(arguments.dataroot, config);
   std::optional<AsideFile> file;
   if (!arguments.out.empty()) file.emplace(arguments.out);
   std::ostream nowhere(nullptr);
@@ -237,13 +237,13 @@ int measure(const Arguments& arguments) {
   boost::timer::progress_display progress(root.sceneNames().size(), std::cerr);
   for (const std::string& name : root.sceneNames()) {
     const NuScenesRecording recording = root.readScene(name);
-    const LaneIndex& index = lanes.at(recording.location);
+    const auto index = lanes.at(recording.location);
     const Scene scene = toScene(recording, config.ego_vehicle, nullptr);
     const NetworkEgoFutures sampler(config.attack.ego_futures, foresight.withoutScene(name));
     const double last = scene.frame_times.back() - kHorizons[0] + 1e-6;
     for (double at = scene.frame_times.front() + arguments.stride; at <= last;
          at += arguments.stride) {
-      measureAt(*lastFrameTime(scene, at), scene, index, sampler, config, arguments, csv, results);
+      measureAt(*lastFrameTime(scene, at), scene, *index, sampler, config, arguments, csv, results);
     }
     ++progress;
   }
@@ -256,30 +256,32 @@ int measure(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Compares sampled futures of the ego with recordings, each scene left out in turn.",
-               "measure_ego_futures");
-  app.add_option("--dataroot", arguments.dataroot, "nuScenes root")->required();
-  app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini")->required();
-  CLI::Option* profiles =
-      app.add_option("--profiles", arguments.profiles, "CSV of speed profiles; none by default");
-  app.add_option("--speed-model", arguments.speed_model, "file of fit_speed_model; none by default")
+void addMeasureEgoFutures(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = line.add(kMeasuring, "measure ego-futures",
+                           "Compares sampled futures of the ego with recordings.",
+                           [arguments] { return measure(*arguments); });
+  addLogs(app, arguments->dataroot, arguments->version);
+  CLI::Option* profiles = app.add_option("--profiles", arguments->profiles,
+                                         "CSV of forge speeds collect; none by default");
+  app.add_option("--speed-model", arguments->speed_model,
+                 "file of forge speeds fit; none by default")
       ->excludes(profiles);
-  app.add_option("--networks", arguments.networks,
+  app.add_option("--networks", arguments->networks,
                  "file of trained networks; none by default: kinematic futures");
-  app.add_option("--out", arguments.out, "CSV to write, a row a case and horizon");
-  app.add_option("--stride", arguments.stride, "seconds between the times sampled from")
+  app.add_option("--out", arguments->out, "CSV to write, a row a case and horizon");
+  app.add_option("--stride", arguments->stride, "seconds between the times sampled from")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--min-speed", arguments.min_speed, "m/s; slower egos are left out")
+  app.add_option("--min-speed", arguments->min_speed, "m/s; slower egos are left out")
       ->capture_default_str();
-  app.add_option("--horizon", arguments.horizon, "seconds sampled, 6 at least")
+  app.add_option("--horizon", arguments->horizon, "seconds sampled, 6 at least")
       ->check(CLI::Range(6.0, 60.0))
       ->capture_default_str();
-  app.add_option("--count", arguments.count, "samples")
+  app.add_option("--count", arguments->count, "samples")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  addConfigOption(app, arguments.config);
-  return runTool(app, argc, argv, [&] { return measure(arguments); });
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge

@@ -6,19 +6,21 @@
 #include <iostream>
 #include <map>
 
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/ros/topic_names.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 struct Arguments {
   collision_forge::GenerateCollision::Request request;
+  Mode mode = Mode::kHistory;
   int calls = 1000;
 };
 
 int measure(const Arguments& arguments) {
+  ros::init(ros::M_string(), "forge", ros::init_options::AnonymousName);
   ros::NodeHandle node;
   const std::string service = node.resolveName(names::kGenerateCollision);
   if (!ros::service::waitForService(service, ros::Duration(10.0))) {
@@ -30,6 +32,7 @@ int measure(const Arguments& arguments) {
   for (int i = 0; i < arguments.calls; ++i) {
     collision_forge::GenerateCollision call;
     call.request = arguments.request;
+    call.request.mode = toString(arguments.mode);
     call.request.seed = static_cast<std::uint64_t>(i);
     const auto start = std::chrono::steady_clock::now();
     if (!ros::service::call(service, call)) {
@@ -56,20 +59,20 @@ int measure(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "measure_latency", ros::init_options::AnonymousName);
-  Arguments arguments;
-  arguments.request.collision_type = "rear_end";
-  arguments.request.tta = 4.0;
-  CLI::App app("Times calls of generate_collision over TCPROS, the seed counting up.",
-               "measure_latency");
-  app.add_option("--type", arguments.request.collision_type, "collision type")
-      ->capture_default_str();
-  app.add_option("--tta", arguments.request.tta, "seconds from now to impact")
-      ->capture_default_str();
-  app.add_option("--mode", arguments.request.mode, "history or replay")->default_str("history");
-  app.add_option("--calls", arguments.calls, "number of calls")
+void addMeasureLatency(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app =
+      line.add(kMeasuring, "measure latency", "Times calls of generate_collision over TCPROS.",
+               [arguments] { return measure(*arguments); });
+  auto& request = arguments->request;
+  request.collision_type = "rear_end";
+  request.tta = 4.0;
+  app.add_option("--type", request.collision_type, "collision type")->capture_default_str();
+  app.add_option("--tta", request.tta, "seconds from now to impact")->capture_default_str();
+  addMode(app, arguments->mode);
+  app.add_option("--calls", arguments->calls, "number of calls, the seed counting up")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  return runTool(app, argc, argv, [&] { return measure(arguments); });
 }
+
+}  // namespace forge

@@ -5,11 +5,12 @@
 #include <memory>
 #include <numeric>
 
-#include "collision_forge/app/lane_indices.h"
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/app/pattern_timing.h"
-#include "collision_forge/app/progress_line.h"
-#include "collision_forge/app/tool_support.h"
 #include "collision_forge/attack/request_check.h"
+#include "collision_forge/batch/progress_line.h"
+#include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/collide_scene.h"
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
@@ -18,9 +19,8 @@
 #include "collision_forge/network/predicted_scene.h"
 #include "collision_forge/settings/config.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 struct Arguments {
   std::string collide;
@@ -219,7 +219,7 @@ int measure(const Arguments& arguments) {
   if (!foresight.network) {
     throw std::runtime_error("models.yaml: pattern_network names no file");
   }
-  LaneIndices lanes(arguments.dataroot, config);
+  CityMaps lanes(arguments.dataroot, config);
   ProgressLine progress("measuring");
   Totals totals;
   const auto paths = listCollideClips(arguments.collide, arguments.split);
@@ -233,7 +233,7 @@ int measure(const Arguments& arguments) {
     }
     const KinematicEgoFutures kinematic(config.attack.ego_futures, known.speeds);
     const NetworkEgoFutures sampler(config.attack.ego_futures, known);
-    measureClip(clip, lanes.at(clip.city), *known.network, kinematic, sampler, config, arguments,
+    measureClip(clip, *lanes.at(clip.city), *known.network, kinematic, sampler, config, arguments,
                 totals);
     progress.show(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
   }
@@ -243,21 +243,25 @@ int measure(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Compares foretold collision patterns with clips.", "measure_patterns");
-  app.add_option("--collide", arguments.collide, "folder of clips")->required();
-  app.add_option("--dataroot", arguments.dataroot, "nuScenes root, for the maps")->required();
-  app.add_option("--split", arguments.split, "of the clips")->capture_default_str();
-  app.add_option("--networks", arguments.networks, "file of networks; that of --config by default");
-  app.add_flag("--without-others", arguments.without_others,
+void addMeasurePatterns(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app =
+      line.add(kMeasuring, "measure patterns", "Compares foretold collision patterns with clips.",
+               [arguments] { return measure(*arguments); });
+  CLI::Option* collide = addCollide(app, arguments->collide)->required();
+  addDataroot(app, arguments->dataroot);
+  addSplit(app, arguments->split, collide);
+  app.add_option("--networks", arguments->networks,
+                 "file of networks; that of --config by default");
+  app.add_flag("--without-others", arguments->without_others,
                "hide all other vehicles, to see what they give away");
   CLI::Option* seen = app.add_flag(
-      "--seen-scenes", arguments.seen_scenes,
+      "--seen-scenes", arguments->seen_scenes,
       "judge by the network of all scenes, and tell it the type, as where splits share scenes");
-  app.add_flag("--unseen", arguments.unseen,
+  app.add_flag("--unseen", arguments->unseen,
                "only clips of scenes that the network that judges them was trained without")
       ->excludes(seen);
-  addConfigOption(app, arguments.config);
-  return runTool(app, argc, argv, [&] { return measure(arguments); });
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge

@@ -3,14 +3,14 @@
 #include <ctime>
 #include <iostream>
 
-#include "collision_forge/app/tool_support.h"
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/settings/config.h"
 
+namespace forge {
 namespace {
-
-using namespace forge;
 
 struct Arguments {
   std::string dataroot;
@@ -43,7 +43,7 @@ void measureScene(const IndexedScene& indexed, const Config& config, Measurement
   const PlannerOptions& options = config.planners;
   const std::unique_ptr<Planner> planner = makePlanner(measurement.name, options, "").planner;
   planner->initialize({indexed.lanes, routeOf(scene.ego, *indexed.lanes, options.planning.route),
-                       config.ego_vehicle, options.bicycle.wheelbase});
+                       config.ego_vehicle, options.car.wheelbase});
   for (const double now : scene.frame_times) {
     const Observation observation =
         observationAt(scene, now, config.attack.prediction.history_frames);
@@ -91,17 +91,18 @@ int measure(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Tells the processor time of planning steps, at every frame of recorded scenes.",
-               "measure_planners");
-  app.add_option("--dataroot", arguments.dataroot, "nuScenes root")->required();
-  app.add_option("--version", arguments.version, "folder of the tables, as v1.0-mini")->required();
-  app.add_option("--scene", arguments.scenes, "these scenes only");
-  app.add_option("--planners", arguments.planners, "whose steps")
+void addMeasurePlanners(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = line.add(kMeasuring, "measure planners",
+                           "Tells the processor time of planning steps, at every frame of scenes.",
+                           [arguments] { return measure(*arguments); });
+  addLogs(app, arguments->dataroot, arguments->version);
+  addScenes(app, arguments->scenes);
+  app.add_option("--planners", arguments->planners, "whose steps; names, separated by commas")
       ->delimiter(',')
       ->check(CLI::IsMember(plannerNames()))
       ->capture_default_str();
-  addConfigOption(app, arguments.config);
-  return runTool(app, argc, argv, [&] { return measure(arguments); });
+  addConfig(app, arguments->config);
 }
+
+}  // namespace forge

@@ -55,8 +55,8 @@ class Search {
       : input_(input),
         options_(options),
         search_(options.search),
-        slack_(options.verification.time_tolerance - options.search.time_margin),
-        limits_(scaled(options.vehicle_limits, options.search.limit_margin)),
+        slack_(input.request.crash.time_tolerance - options.search.time_margin),
+        limits_(scaled(options.verification.limits, options.search.limit_margin)),
         bicycle_(scaled(limits_, kRounding), options.bicycle),
         scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
                 input.lanes.map().driving_side, options),
@@ -115,7 +115,7 @@ class Search {
 
   /// An offset of the attacker from the ego's box, drawn from a placement's.
   Pose2 drawOffset(const Contender& contender, const Placement& placement, bool nominal) {
-    const TypeDefinition& type = options_.collision_types.at(input_.request.type);
+    const TypeDefinition& type = input_.request.bands();
     double heading = type.nominal_heading;
     double slide = 0.0;
     if (!nominal) {
@@ -216,7 +216,7 @@ class Search {
   void consider(Candidate& candidate) {
     const DriveStart& start = candidate.contender->start;
     if (!drive(candidate, start, points_)) return;
-    const double until = start.now + input_.request.tta + options_.verification.time_tolerance;
+    const double until = start.now + input_.request.tta + input_.request.crash.time_tolerance;
     if (!keepsLimits(points_, start.motion.pose.yaw, until, limits_)) return;
     candidate.score = scorer_.score(*candidate.contender->track, points_);
     candidate.objective =
@@ -323,7 +323,7 @@ class Search {
     const SteeringOptions& steering = options_.steering;
     SteeringAim aim;
     aim.ego_size = input_.snapshot.ego.size;
-    aim.band = options_.collision_types.at(input_.request.type);
+    aim.band = input_.request.bands();
     aim.first_in_time = input_.request.tta - slack_;
     aim.last_in_time = end;
     aim.depth = search_.depth;

@@ -76,12 +76,12 @@ FutureScorer::FutureScorer(const std::vector<const Track*>& egos, const std::vec
       padded_((egos.size() + kLanes - 1) / kLanes * kLanes),
       ego_size_(egos.front()->size),
       type_(request.type),
-      rules_(options.type_rules),
-      band_(options.collision_types.at(request.type)),
+      rules_(request.crash.rules),
+      band_(request.bands()),
       driving_side_(driving_side),
       overlap_margin_(options.search.overlap_margin) {
   const SearchOptions& search = options.search;
-  const double tolerance = options.verification.time_tolerance;
+  const double tolerance = request.crash.time_tolerance;
   step_ = search.step;
   steps_ = static_cast<int>(std::floor((request.tta + tolerance) / search.step)) + 1;
   first_in_time_ = (request.tta - tolerance + search.time_margin) / search.step;

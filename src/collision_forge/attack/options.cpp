@@ -4,24 +4,6 @@
 
 namespace forge {
 
-static void readOptions(Section& section, TypeDefinition& definition) {
-  definition.min_heading = section.angle("min_heading");
-  definition.max_heading = section.angle("max_heading", definition.min_heading);
-  definition.nominal_heading =
-      section.within("nominal_heading", definition.min_heading, definition.max_heading);
-  definition.min_approach = section.angle("min_approach");
-  definition.max_approach = section.angle("max_approach", definition.min_approach);
-}
-
-static void readTypes(Section section, AttackOptions& options) {
-  options.type_rules = section.choice<TypeRules>(
-      "rules", {{"full", TypeRules::kFull}, {"angle", TypeRules::kAngle}});
-  for (const CollisionType type : kCollisionTypes) {
-    section.read(toString(type), options.collision_types[type]);
-  }
-  section.finish();
-}
-
 static void readOptions(Section& section, BicycleOptions& options) {
   options.iterations = section.count("iterations", 1);
   options.convergence = section.nonNegative("convergence");
@@ -80,7 +62,14 @@ static void readOptions(Section& section, SearchOptions& options) {
   options.quick_steering = section.positive("quick_steering");
   options.closeness_weight = section.share("closeness_weight");
   options.confidence_curve = section.risingShares("confidence_curve");
-  options.min_confidence = section.share("min_confidence");
+}
+
+void readOptions(Section& section, NominalOptions& options) {
+  options.end_distance = section.positive("end_distance");
+  options.side_distance = section.positive("side_distance");
+  options.lane_change_ahead = section.nonNegative("lane_change_ahead");
+  options.lane_change_side = section.nonNegative("lane_change_side");
+  options.lane_change_heading = section.angle("lane_change_heading");
 }
 
 void readOptions(Section& section, RequestListOptions& options) {
@@ -96,13 +85,10 @@ static void readOptions(Section& file, AttackOptions& options) {
 }
 
 void readAttackOptions(const std::string& directory, AttackOptions& options) {
-  readConfigFile(directory, "vehicle_limits", options.vehicle_limits);
-  Section types = openConfigFile(directory, "collision_types.yaml");
-  readTypes(types.section("collision_types"), options);
-  types.finish();
   readConfigFile(directory, "prediction", options.prediction);
   readConfigFile(openConfigFile(directory, "search.yaml"), options);
-  readConfigFile(directory, "verification", options.verification, options.search.time_margin);
+  readConfigFile(directory, "verification", options.verification);
+  readConfigFile(directory, "vehicle_limits", options.verification.limits);
   readConfigFile(directory, "ego_futures", options.ego_futures, options.prediction.step);
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "collision_forge/forecast/options.h"
-#include "collision_forge/scene/collision_types.h"
+#include "collision_forge/scene/crash_definition.h"
 #include "collision_forge/verify/options.h"
 
 namespace forge {
@@ -74,20 +74,26 @@ struct SearchOptions {
   double quick_steering = 0.0;
   double closeness_weight = 0.0;
   std::vector<double> confidence_curve;  ///< at shares evenly spread over [0, 1]
-  double min_confidence = 0.0;
+};
+
+/// config/methods.yaml, section nominal
+struct NominalOptions {
+  double end_distance = 0.0;
+  double side_distance = 0.0;
+  double lane_change_ahead = 0.0;
+  double lane_change_side = 0.0;
+  double lane_change_heading = 0.0;
 };
 
 /// Everything that the road from a snapshot to an attacker trajectory is tuned by.
 struct AttackOptions {
-  VehicleLimits vehicle_limits;
-  TypeRules type_rules = TypeRules::kFull;
-  TypeDefinitions collision_types;
   PredictionOptions prediction;
   SearchOptions search;
   BicycleOptions bicycle;
   SteeringOptions steering;
   VerificationOptions verification;
   EgoFutureOptions ego_futures;
+  NominalOptions nominal;
 };
 
 /// For whom a list of requests asks: for any attacker, or for each possible one by its id.
@@ -105,9 +111,10 @@ struct RequestListOptions {
 };
 
 void readOptions(Section& section, RequestListOptions& options);
+void readOptions(Section& section, NominalOptions& options);
 
-/// Reads vehicle_limits.yaml, collision_types.yaml, prediction.yaml, search.yaml, verification.yaml
-/// and ego_futures.yaml of a folder.
+/// Reads prediction.yaml, search.yaml, verification.yaml, vehicle_limits.yaml and ego_futures.yaml
+/// of a folder.
 void readAttackOptions(const std::string& directory, AttackOptions& options);
 
 }  // namespace forge

@@ -24,21 +24,19 @@ double speedMismatch(const CollisionPattern& pattern, const Motion& motion, doub
 }
 
 /// True when the agent comes from where the type wants it.
-bool comesFromThere(const Track& agent, const Snapshot& snapshot, CollisionType type,
-                    const AttackOptions& options) {
-  if (options.type_rules == TypeRules::kAngle) return true;
+bool comesFromThere(const Track& agent, const Snapshot& snapshot, const CollisionRequest& request) {
+  if (request.crash.rules == TypeRules::kAngle) return true;
   const double approach =
       angleBetween(snapshot.ego.states.back().pose.yaw, agent.states.back().pose.yaw);
-  return approachFits(approach, options.collision_types.at(type));
+  return approachFits(approach, request.bands());
 }
 
 /// The candidate at the ego's pose at impact, pushed in from `side`.
 RankedPattern placedPattern(const Track& agent, const Placement& placement, const AgentState& ego,
                             const Snapshot& snapshot, const CollisionRequest& request,
-                            const AttackOptions& options) {
-  const PredictionOptions& prediction = options.prediction;
+                            const PredictionOptions& prediction) {
   const Motion motion = estimateMotion(agent, prediction.motion_frames);
-  const double nominal = options.collision_types.at(request.type).nominal_heading;
+  const double nominal = request.bands().nominal_heading;
   const double heading = wrapAngle(placement.sign < 0.0 ? -nominal : nominal);
   CollisionPattern pattern;
   pattern.type = request.type;
@@ -68,15 +66,15 @@ const Track& mostCentral(const std::vector<Track>& tracks, double time) {
 }  // namespace
 
 KinematicPatternPredictor::KinematicPatternPredictor(
-    AttackOptions options, std::shared_ptr<const EgoFutureSampler> ego_futures)
-    : options_(std::move(options)), ego_futures_(std::move(ego_futures)) {}
+    const PredictionOptions& options, std::shared_ptr<const EgoFutureSampler> ego_futures)
+    : options_(options), ego_futures_(std::move(ego_futures)) {}
 
 Future KinematicPatternPredictor::predictedFuture(const Snapshot& snapshot, const LaneIndex& lanes,
                                                   const CollisionRequest& request) const {
-  const double horizon = request.tta + options_.prediction.tail;
-  Future future = predictFuture(snapshot, lanes, horizon, options_.prediction);
+  const double horizon = request.tta + options_.tail;
+  Future future = predictFuture(snapshot, lanes, horizon, options_);
   future.ego_samples =
-      ego_futures_->sample(snapshot, lanes, horizon, options_.prediction.ego_samples, request.seed);
+      ego_futures_->sample(snapshot, lanes, horizon, options_.ego_samples, request.seed);
   if (!future.ego_samples.empty()) {
     future.ego = mostCentral(future.ego_samples, snapshot.now + request.tta);
   }
@@ -100,8 +98,8 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   for (const Track& agent : snapshot.agents) {
     if (request.attacker && agent.id != *request.attacker) continue;
     // One that was asked for has been checked, and may be anywhere.
-    if (!request.attacker && !isCandidate(agent, snapshot, options_.prediction)) continue;
-    if (!comesFromThere(agent, snapshot, request.type, options_)) continue;
+    if (!request.attacker && !isCandidate(agent, snapshot, options_)) continue;
+    if (!comesFromThere(agent, snapshot, request)) continue;
     for (const Placement& placement : placementsOf(request.type, lanes.map().driving_side)) {
       ranked.push_back(placedPattern(agent, placement, *ego, snapshot, request, options_));
     }
@@ -110,11 +108,11 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
                    [](const auto& a, const auto& b) { return a.cost < b.cost; });
   for (RankedPattern& entry : ranked) prediction.patterns.push_back(std::move(entry.pattern));
   if (prediction.patterns.empty()) {
-    prediction.status = {StatusCode::kNoCandidate,
-                         "no vehicle within candidate_radius = " +
-                             std::to_string(options_.prediction.candidate_radius) +
-                             " m, seen now and in the frame before, comes from where " +
-                             toString(request.type) + " wants it"};
+    prediction.status = {
+        StatusCode::kNoCandidate,
+        "no vehicle within candidate_radius = " + std::to_string(options_.candidate_radius) +
+            " m, seen now and in the frame before, comes from where " + toString(request.type) +
+            " wants it"};
   }
   return prediction;
 }

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "collision_forge/attack/options.h"
 #include "collision_forge/forecast/ego_futures.h"
+#include "collision_forge/forecast/options.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
@@ -35,7 +35,7 @@ class PatternPredictor {
 /// nominal heading.
 class KinematicPatternPredictor : public PatternPredictor {
  public:
-  KinematicPatternPredictor(AttackOptions options,
+  KinematicPatternPredictor(const PredictionOptions& options,
                             std::shared_ptr<const EgoFutureSampler> ego_futures);
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
@@ -45,7 +45,7 @@ class KinematicPatternPredictor : public PatternPredictor {
   Future predictedFuture(const Snapshot& snapshot, const LaneIndex& lanes,
                          const CollisionRequest& request) const;
 
-  AttackOptions options_;
+  PredictionOptions options_;
   std::shared_ptr<const EgoFutureSampler> ego_futures_;
 };
 

@@ -27,7 +27,7 @@ void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot
 /// Counts why attacks were not taken, for the message of a refusal.
 class Rejections {
  public:
-  void add(const CollisionReport& report) { ++counts_[shortcoming(report)]; }
+  void add(const CollisionReport& report) { ++counts_[shortcomingOf(report)]; }
 
   std::string summary() const {
     std::string text;
@@ -38,14 +38,6 @@ class Rejections {
   }
 
  private:
-  static std::string shortcoming(const CollisionReport& report) {
-    if (!report.contact) return "missed the ego";
-    if (!report.first_other_id.empty()) return "touched someone else first";
-    if (!report.on_time) return "made contact at the wrong time";
-    if (!report.type_kept) return "made contact in another way";
-    return "broke " + report.broken_bound;
-  }
-
   std::map<std::string, int> counts_;
 };
 
@@ -87,8 +79,8 @@ bool verifyInFutures(const FoundAttack& attack, const std::vector<const Track*>&
     // From the middle of the hits, which are in the order of the samples.
     const std::size_t hit = hits[(hits.size() / 2 + i) % hits.size()];
     future.ego = *egos[hit];
-    found.report =
-        verify(found.trajectory, {input.snapshot, future, input.request, input.lanes}, options);
+    found.report = verify(found.trajectory, {input.snapshot, future, input.request, input.lanes},
+                          options.verification);
     if (!found.report.verified()) {
       rejections.add(found.report);
       continue;
@@ -100,6 +92,14 @@ bool verifyInFutures(const FoundAttack& attack, const std::vector<const Track*>&
 }
 
 }  // namespace
+
+std::string shortcomingOf(const CollisionReport& report) {
+  if (!report.contact) return "missed the ego";
+  if (!report.first_other_id.empty()) return "touched someone else first";
+  if (!report.on_time) return "made contact at the wrong time";
+  if (!report.type_kept) return "made contact in another way";
+  return "broke " + report.broken_bound;
+}
 
 double confidenceOf(double share, const std::vector<double>& curve) {
   const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(curve.size() - 1);
@@ -129,12 +129,12 @@ Realization realize(const std::vector<CollisionPattern>& patterns, const Verific
             ? 1.0
             : confidenceOf(scorerOf(held_out).score(*attack.attacker, attack.points).share,
                            options.search.confidence_curve);
-    if (found.report.confidence < options.search.min_confidence) {
+    if (found.report.confidence < input.request.crash.min_confidence) {
       Realization declined;
       declined.status = {
           StatusCode::kLowConfidence,
           "the best attack promises " + std::to_string(found.report.confidence) +
-              ", less than min_confidence = " + std::to_string(options.search.min_confidence)};
+              ", less than min_confidence = " + std::to_string(input.request.crash.min_confidence)};
       return declined;
     }
     return found;

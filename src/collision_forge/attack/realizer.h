@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "collision_forge/attack/options.h"
@@ -15,6 +16,9 @@ struct Realization {
   AttackerTrajectory trajectory;  ///< these three with kOk only
   CollisionReport report;
 };
+
+/// Why an attack with this report is not verified, for people: "missed the ego", ...
+std::string shortcomingOf(const CollisionReport& report);
 
 /// What a share of the futures is worth as confidence: linear between the points of `curve`, which
 /// are evenly spread over shares from 0 to 1.

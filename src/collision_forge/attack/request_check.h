@@ -1,6 +1,7 @@
 #pragma once
 
-#include "collision_forge/attack/options.h"
+#include "collision_forge/forecast/options.h"
+#include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/scene.h"
 
 namespace forge {

@@ -44,22 +44,22 @@ double speedOf(const Track& ego, const PredictionOptions& options) {
 }  // namespace
 
 std::vector<SceneRequest> listRequests(const Scene& scene, const RequestListOptions& list,
-                                       const AttackOptions& options) {
+                                       const PredictionOptions& options, double time_tolerance) {
   if (!(list.stride > 0.0)) {
     throw std::invalid_argument("stride = " + std::to_string(list.stride) + " s is not positive");
   }
   std::vector<SceneRequest> requests;
   for (const double now : framesEvery(list.stride, scene.frame_times)) {
-    const Snapshot snapshot = snapshotAt(scene, now, options.prediction.history_frames);
-    if (speedOf(snapshot.ego, options.prediction) < list.min_ego_speed) continue;
+    const Snapshot snapshot = snapshotAt(scene, now, options.history_frames);
+    if (speedOf(snapshot.ego, options) < list.min_ego_speed) continue;
     const double end = std::min(scene.frame_times.back(), scene.ego.states.back().time);
     const auto attackers = attackersOf(snapshot, list.attackers);
     for (const double tta : list.ttas) {
-      if (now + tta + options.verification.time_tolerance > end) continue;
+      if (now + tta + time_tolerance > end) continue;
       for (const CollisionType type : list.types) {
         for (const auto& attacker : attackers) {
-          const CollisionRequest request{type, tta, attacker, Mode::kHistory, list.seed};
-          if (checkRequest(request, snapshot, options.prediction).code != StatusCode::kOk) continue;
+          const CollisionRequest request{type, tta, attacker, Mode::kHistory, list.seed, {}};
+          if (checkRequest(request, snapshot, options).code != StatusCode::kOk) continue;
           requests.push_back({scene.name, now, request});
         }
       }

@@ -4,24 +4,18 @@
 #include <vector>
 
 #include "collision_forge/attack/options.h"
+#include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/scene.h"
 
 namespace forge {
 
-/// A request at one instant of one scene, as it stands in a list of requests.
-struct SceneRequest {
-  std::string scene;         ///< name
-  double now = 0.0;          ///< seconds on the scene's clock; the time of a frame
-  CollisionRequest request;  ///< the mode is not part of a list
-};
-
 /// The requests that can be made of a recording: at the frames nearest to every `stride` seconds
 /// from its first on, for every TTA, type and attacker of the options. Left out are those whose
-/// impact could lie after the recording (TTA and verification.time_tolerance are within it), where
+/// impact could lie after the recording (TTA and `time_tolerance` are within it), where
 /// the ego is slower than `min_ego_speed`, and what checkRequest() refuses (too little history, an
 /// attacker that cannot). In order of now, TTA, type, then attacker as in the scene. Throws
 /// std::invalid_argument for a stride that is not positive.
 std::vector<SceneRequest> listRequests(const Scene& scene, const RequestListOptions& list,
-                                       const AttackOptions& options);
+                                       const PredictionOptions& options, double time_tolerance);
 
 }  // namespace forge

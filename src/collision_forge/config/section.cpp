@@ -134,7 +134,18 @@ std::string Section::text(const std::string& key) {
 
 std::string Section::path(const std::string& key) {
   const std::string file = text(key);
-  return file.empty() ? file : (std::filesystem::path(file_).parent_path() / file).string();
+  return file.empty() ? file : seenFromFolder(file);
+}
+
+std::vector<std::string> Section::paths(const std::string& key) {
+  const YAML::Node node = take(key);
+  if (!node.IsSequence()) fail(pathOf(key), node, "is not a list of paths");
+  std::vector<std::string> files;
+  for (const YAML::Node& entry : node) {
+    if (!entry.IsScalar() || entry.Scalar().empty()) fail(pathOf(key), entry, "is not a path");
+    files.push_back(seenFromFolder(entry.Scalar()));
+  }
+  return files;
 }
 
 void Section::refuse(const std::string& key, const std::string& problem) const {
@@ -145,6 +156,10 @@ void Section::finish() const {
   if (unread_.empty()) return;
   const std::string& key = *unread_.begin();
   fail(pathOf(key), (*node_)[key], "is an unknown key");
+}
+
+std::string Section::seenFromFolder(const std::string& file) const {
+  return std::filesystem::path(file_).parent_path() / file;
 }
 
 std::string Section::pathOf(const std::string& key) const {

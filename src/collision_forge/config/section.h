@@ -63,6 +63,8 @@ class Section {
   std::string text(const std::string& key);
   /// The path of a file that is given as seen from the configuration's folder; "" stays "".
   std::string path(const std::string& key);
+  /// None or more such paths.
+  std::vector<std::string> paths(const std::string& key);
 
   /// Throws the error of a value that the section cannot check.
   [[noreturn]] void refuse(const std::string& key, const std::string& problem) const;
@@ -74,6 +76,7 @@ class Section {
 
  private:
   std::string pathOf(const std::string& key) const;
+  std::string seenFromFolder(const std::string& file) const;
   [[noreturn]] void fail(const std::string& path, const YAML::Node& node,
                          const std::string& problem) const;
   YAML::Node take(const std::string& key);

@@ -6,12 +6,6 @@
 
 namespace forge {
 
-void readOptions(Section& section, EgoVehicle& vehicle) {
-  vehicle.size = {section.positive("length"), section.positive("width")};
-  const double half_length = 0.5 * vehicle.size.length;
-  vehicle.center_offset = section.within("center_offset", -half_length, half_length);
-}
-
 void readOptions(Section& section, ConversionOptions& options) {
   options.map_radius = section.positive("map_radius");
   options.centerline_resolution = section.positive("centerline_resolution");

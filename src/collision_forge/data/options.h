@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "collision_forge/forecast/options.h"
 #include "collision_forge/map/lane_map.h"
@@ -24,12 +25,14 @@ struct DataOptions {
   std::map<std::string, DrivingSide> locations;  ///< config/locations.yaml, by a name's prefix
 };
 
-/// config/models.yaml: what was fitted to recordings; paths are empty where there is none.
+/// config/models.yaml: what was fitted to recordings; paths are empty where there is none. What
+/// methods.yaml loads comes with it.
 struct ModelOptions {
   std::string pattern_network;
   std::string speed_model;
   std::string speed_profiles;
   SpeedProfileOptions recorded_speeds;
+  std::vector<std::string> method_libraries;  ///< see methodsWith()
 };
 
 /// config/evaluation.yaml, section collide, where each number's unit and source stand.
@@ -39,7 +42,6 @@ struct CollideOptions {
   double held_out_share = 0.0;
 };
 
-void readOptions(Section& section, EgoVehicle& vehicle);
 void readOptions(Section& section, ConversionOptions& options);
 void readOptions(Section& section, std::map<std::string, DrivingSide>& locations);
 void readOptions(Section& section, ModelOptions& options);

@@ -205,4 +205,13 @@ Foresight loadForesight(const ModelOptions& options) {
   return {loadSpeedForecaster(options), loadPatternNetwork(options.pattern_network), std::nullopt};
 }
 
+MethodRegistry loadMethods(const ModelOptions& options) {
+  return methodsWith(options.method_libraries);
+}
+
+MethodMaker loadMethod(const std::string& name, const ModelOptions& models,
+                       const AttackOptions& attack) {
+  return {name, loadMethods(models), attack, loadForesight(models)};
+}
+
 }  // namespace forge

@@ -7,6 +7,7 @@
 
 #include "collision_forge/data/options.h"
 #include "collision_forge/network/foresight.h"
+#include "collision_forge/network/method_maker.h"
 #include "collision_forge/network/pattern_network.h"
 
 namespace forge {
@@ -31,5 +32,13 @@ std::shared_ptr<const PatternNetwork> loadPatternNetwork(const std::string& path
 
 /// This and the speeds of loadSpeedForecaster(), which throw.
 Foresight loadForesight(const ModelOptions& options);
+
+/// The methods that are built in and those of its libraries. Throws as methodsWith().
+MethodRegistry loadMethods(const ModelOptions& options);
+
+/// A method of loadMethods() with loadForesight(); an empty name is the suite's own. Throws as they
+/// and MethodMaker do.
+MethodMaker loadMethod(const std::string& name, const ModelOptions& models,
+                       const AttackOptions& attack);
 
 }  // namespace forge

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/attack/request_list.h"
 #include "collision_forge/data/json_line.h"
+#include "collision_forge/scene/collision_request.h"
 
 namespace forge {
 

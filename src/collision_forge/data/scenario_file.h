@@ -3,8 +3,8 @@
 #include <string>
 
 #include "collision_forge/attack/realizer.h"
-#include "collision_forge/attack/request_list.h"
 #include "collision_forge/data/json_line.h"
+#include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/scene.h"
 
 namespace forge {

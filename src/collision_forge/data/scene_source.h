@@ -10,16 +10,9 @@
 
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/options.h"
-#include "collision_forge/map/lane_queries.h"
-#include "collision_forge/scene/scene.h"
+#include "collision_forge/scene/moment.h"
 
 namespace forge {
-
-/// A recording with the index of its whole map.
-struct IndexedScene {
-  Scene scene;
-  std::shared_ptr<const LaneIndex> lanes;
-};
 
 /// Called with a subject and what is odd about it; on any thread, one at a time.
 using OnWarnings =

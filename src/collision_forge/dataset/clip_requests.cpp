@@ -82,7 +82,7 @@ class Lister {
       const std::size_t impact = begin + static_cast<std::size_t>(*chosen);
       lengths.erase(chosen);
       const double tta = scene_.frame_times[impact] - snapshot.now;
-      const CollisionRequest request{type, tta, std::nullopt, Mode::kReplay, seed};
+      const CollisionRequest request{type, tta, std::nullopt, Mode::kReplay, seed, {}};
       if (checkRequest(request, snapshot, prediction_).code != StatusCode::kOk) continue;
       requests_.push_back({scene_.name, snapshot.now, request});
     }

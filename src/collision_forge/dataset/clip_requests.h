@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "collision_forge/attack/options.h"
-#include "collision_forge/attack/request_list.h"
 #include "collision_forge/dataset/options.h"
+#include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/scene.h"
 
 namespace forge {

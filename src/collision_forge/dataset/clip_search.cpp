@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <set>
 
-#include "collision_forge/attack/generator.h"
 #include "collision_forge/attack/pattern_predictor.h"
+#include "collision_forge/attack/search_method.h"
 #include "collision_forge/data/collide_export.h"
 #include "collision_forge/dataset/seeds.h"
 #include "collision_forge/study/clip_evaluation.h"
-#include "collision_forge/study/request_answerer.h"
 #include "collision_forge/study/strict.h"
 
 namespace forge {
@@ -20,7 +20,7 @@ constexpr int kHistoryFrames = kCollideNowFrame + 1;
 /// The patterns of vehicles that were there in every frame of the history.
 class ContinuousPatterns : public PatternPredictor {
  public:
-  explicit ContinuousPatterns(const AttackOptions& options) : patterns_(options, nullptr) {}
+  explicit ContinuousPatterns(const PredictionOptions& options) : patterns_(options, nullptr) {}
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request,
@@ -51,26 +51,28 @@ class ContinuousPatterns : public PatternPredictor {
   KinematicPatternPredictor patterns_;  // in replay mode: without a sampler of futures
 };
 
-AttackOptions clipOptions(const CollisionRequest& request, const Config& config) {
-  AttackOptions options = config.attack;
-  options.type_rules = TypeRules::kFull;
-  options.verification.time_tolerance = config.dataset.time_tolerance;
-  TypeDefinition& definition = options.collision_types.at(request.type);
-  definition =
-      narrowedAbout(definition, drawnHeading(request, definition), config.dataset.heading_spread);
-  return options;
+/// What counts in a clip: all conditions, in less time, at about the drawn heading.
+CrashDefinition clipCrash(CrashDefinition crash, const CollisionRequest& request,
+                          const DatasetOptions& options) {
+  crash.rules = TypeRules::kFull;
+  crash.time_tolerance = options.time_tolerance;
+  TypeDefinition& definition = crash.types.at(request.type);
+  definition = narrowedAbout(definition, drawnHeading(request, definition), options.heading_spread);
+  return crash;
 }
 
 /// What a protocol misses in the clip's own track, but for the limits of the motion, which a
 /// reader's quintics through recorded and driven frames cannot tell, and the similarity, which held
 /// headings spoil in turns; empty when it is borne out.
-std::string shortfall(const CollideClip& clip, const IndexedScene& indexed, const Config& config,
-                      Protocol protocol) {
+std::string shortfall(const CollideClip& clip, const IndexedScene& indexed,
+                      const StudyOptions& study, Protocol protocol) {
   static const std::set<std::string> left_out = {"angle_bands", "full_definitions", "bounds_kept",
                                                  "similar"};
-  const EvaluationPlan plan{protocol, "recorded", Mode::kReplay, 1, false};
+  EvaluationPlan plan;
+  plan.protocol = protocol;
+  plan.mode = Mode::kReplay;
   const std::vector<ResultRow> rows =
-      evaluateClip(clip, *indexed.lanes, indexed.lanes->sharedMap(), {}, config, plan);
+      evaluateClip(clip, indexed.lanes, {builtInMethods(), {}, study}, plan);
   const ResultRow& row = rows.front();
   const std::vector<Measure>& measures = measuresOf(protocol);
   std::string missed;
@@ -82,18 +84,19 @@ std::string shortfall(const CollideClip& clip, const IndexedScene& indexed, cons
 }
 
 /// What speaks against an attack that was found; empty when it makes a clip.
-std::string objection(const Scenario& scenario, const IndexedScene& indexed,
-                      const RecordedMoment& moment, const Config& config) {
-  AttackOptions options = config.attack;
-  options.verification.time_tolerance = config.dataset.time_tolerance;
+std::string objection(const Scenario& scenario, const IndexedScene& indexed, const Moment& moment,
+                      const StudyOptions& study, const DatasetOptions& options) {
+  CollisionRequest request = scenario.asked.request;
+  request.crash = study.crash;
+  request.crash.time_tolerance = options.time_tolerance;
   const StrictOutcome outcome = strictOutcome(
-      scenario.answer.trajectory,
-      {moment.snapshot, moment.recorded, scenario.asked.request, *indexed.lanes}, options);
+      scenario.answer.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
+      study.attack.verification);
   if (!outcome.meetsFullDefinitions()) return "the recording does not bear the attack out";
-  if (outcome.report.off_road_share > config.dataset.max_off_road_share) {
+  if (outcome.report.off_road_share > options.max_off_road_share) {
     char text[120];
     std::snprintf(text, sizeof(text), "leaves the road: off_road_share = %.3f is above %.3f",
-                  outcome.report.off_road_share, config.dataset.max_off_road_share);
+                  outcome.report.off_road_share, options.max_off_road_share);
     return text;
   }
   const auto clip = toCollideClip(scenario, indexed.scene, 0);
@@ -101,7 +104,7 @@ std::string objection(const Scenario& scenario, const IndexedScene& indexed,
     return std::string("no clip of COLLIDE's layout: ") + toString(*obstacle);
   }
   for (const Protocol protocol : {Protocol::kStrict, Protocol::kPublished}) {
-    const std::string missed = shortfall(std::get<CollideClip>(clip), indexed, config, protocol);
+    const std::string missed = shortfall(std::get<CollideClip>(clip), indexed, study, protocol);
     if (!missed.empty()) return missed;
   }
   return {};
@@ -125,16 +128,22 @@ double drawnHeading(const CollisionRequest& request, const TypeDefinition& defin
   return definition.min_heading + share * (definition.max_heading - definition.min_heading);
 }
 
-Realization findClip(const SceneRequest& asked, const IndexedScene& indexed, const Config& config) {
-  Scenario scenario{asked, config.ego_vehicle, {}};
-  const RecordedMoment moment = momentAt(indexed.scene, asked.now, kHistoryFrames);
-  scenario.answer.status = moment.status;
-  if (moment.status.code != StatusCode::kOk) return scenario.answer;
-  const AttackOptions options = clipOptions(asked.request, config);
-  scenario.answer = generateCollision(asked.request, moment.snapshot, *indexed.lanes,
-                                      &moment.recorded, ContinuousPatterns(options), options);
+Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
+                     const StudyOptions& study, const DatasetOptions& options) {
+  Scenario scenario{asked, study.ego_vehicle, {}};
+  const auto found = momentAt(indexed, asked.now, kHistoryFrames);
+  if (const Status* status = std::get_if<Status>(&found)) {
+    scenario.answer.status = *status;
+    return scenario.answer;
+  }
+  const Moment& moment = std::get<Moment>(found);
+  CollisionRequest request = asked.request;
+  request.crash = clipCrash(study.crash, request, options);
+  const PredictionOptions& prediction = study.attack.prediction;
+  const SearchMethod method(study.attack, std::make_shared<ContinuousPatterns>(prediction));
+  scenario.answer = generateCollision(method, moment, request, prediction);
   if (scenario.answer.status.code != StatusCode::kOk) return scenario.answer;
-  const std::string problem = objection(scenario, indexed, moment, config);
+  const std::string problem = objection(scenario, indexed, moment, study, options);
   if (problem.empty()) return scenario.answer;
   Realization refused;
   refused.status = {StatusCode::kNoAttackWithinBounds, problem};

@@ -22,21 +22,6 @@ std::optional<OrientedBox> boxOf(const Track& track, double time) {
   return boxAt(track, state->pose);
 }
 
-/// Empty outside the trajectory.
-std::optional<Pose2> poseAt(const AttackerTrajectory& trajectory, double time) {
-  const std::vector<TrajectoryPoint>& points = trajectory.points;
-  if (points.empty() || time < points.front().time || time > points.back().time) {
-    return std::nullopt;
-  }
-  const auto after = std::upper_bound(
-      points.begin(), points.end(), time,
-      [](double value, const TrajectoryPoint& point) { return value < point.time; });
-  if (after == points.end()) return points.back().pose;
-  const auto before = after - 1;
-  return interpolate(before->pose, after->pose,
-                     (time - before->time) / (after->time - before->time));
-}
-
 template <typename BoxAtTime>
 std::vector<OrientedBox> sample(double from, double to, const BoxAtTime& box_at) {
   std::vector<OrientedBox> boxes;
@@ -67,9 +52,11 @@ std::optional<OrientedBox> ScenarioMotion::attackerAt(double time) const {
   const AttackerTrajectory& trajectory = view_.trajectory;
   if (frozenAt(time)) return OrientedBox{view_.report.attacker_at_contact, trajectory.size};
   if (time > now()) {
-    const std::optional<Pose2> pose = poseAt(trajectory, time);
-    if (!pose) return std::nullopt;
-    return OrientedBox{*pose, trajectory.size};
+    const auto& points = trajectory.points;
+    if (points.empty() || time < points.front().time || time > points.back().time) {
+      return std::nullopt;
+    }
+    return OrientedBox{poseAt(trajectory, time), trajectory.size};
   }
   const Track* past = findTrack(view_.snapshot.agents, trajectory.attacker_id);
   return past == nullptr ? std::nullopt : boxOf(*past, time);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "collision_forge/attack/options.h"
 #include "collision_forge/attack/pattern_predictor.h"
 #include "collision_forge/forecast/ego_futures.h"
 #include "collision_forge/forecast/speed_forecaster.h"

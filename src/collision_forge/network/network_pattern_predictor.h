@@ -1,5 +1,6 @@
 #pragma once
 
+#include "collision_forge/attack/options.h"
 #include "collision_forge/attack/pattern_predictor.h"
 #include "collision_forge/network/foresight.h"
 

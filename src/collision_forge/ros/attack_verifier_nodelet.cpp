@@ -64,6 +64,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
       request.type = fromMessage(*pattern_).type;
       request.tta = pattern_->tta;
       request.mode = Mode::kReplay;
+      request.crash = config_.crash;
       test_.emplace(fromMessage(*trajectory_), request, config_.ego_vehicle);
       for (const AgentState& ego : egos_) test_->addEgo(ego);
       for (const Frame& frame : frames_) test_->addAgents(frame.agents);
@@ -122,7 +123,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
   void publishOutcome() {
     const auto lanes = map_->lanes();
     if (!lanes) return;
-    const auto report = test_->outcome(*lanes, config_.attack);
+    const auto report = test_->outcome(*lanes, config_.attack.verification);
     if (!report) return;
     publisher_.publish(
         toMessage(*report, trajectory_->attacker_id, trajectory_->header.stamp.toSec()));

@@ -61,7 +61,8 @@ struct CheckedRequest {
 /// The messages converted and passed through checkRequest(), or why that failed.
 std::variant<CheckedRequest, Status> checkedRequest(
     const LaneMapSubscriber& map, const collision_forge::EncodedScene& scene,
-    const collision_forge::CollisionRequest& request, const PredictionOptions& options);
+    const collision_forge::CollisionRequest& request, const PredictionOptions& options,
+    const CrashDefinition& crash);
 
 /// Answers a service with what `work` returns, code and message; an exception is INVALID_INPUT.
 template <typename Response, typename Work>

@@ -18,6 +18,7 @@ class PatternPredictorNodelet : public nodelet::Nodelet {
   void onInit() override {
     const Config config = loadNodeConfig(getPrivateNodeHandle());
     options_ = config.attack;
+    crash_ = config.crash;
     predictor_ = loadLogged("foresight", [&] { return loadForesight(config).patterns(options_); });
     ros::NodeHandle& node = getNodeHandle();
     map_ = std::make_unique<LaneMapSubscriber>(node);
@@ -32,7 +33,8 @@ class PatternPredictorNodelet : public nodelet::Nodelet {
 
   Status predict(const collision_forge::PredictPattern::Request& message,
                  collision_forge::PredictPattern::Response& response) {
-    const auto checked = checkedRequest(*map_, message.scene, message.request, options_.prediction);
+    const auto checked =
+        checkedRequest(*map_, message.scene, message.request, options_.prediction, crash_);
     if (const Status* refusal = std::get_if<Status>(&checked)) return *refusal;
     const auto& [lanes, snapshot, request] = std::get<CheckedRequest>(checked);
     std::optional<Future> recorded;
@@ -47,6 +49,7 @@ class PatternPredictorNodelet : public nodelet::Nodelet {
   }
 
   AttackOptions options_;
+  CrashDefinition crash_;
   std::unique_ptr<const PatternPredictor> predictor_;
   std::unique_ptr<LaneMapSubscriber> map_;
   std::unique_ptr<OwnThreadService> service_;

@@ -129,8 +129,9 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     const std::string& attacker_id = scenario.attacker.attacker_id;
     PlannerUnderTest made = makeByName(request.planner, options, attacker_id);
     showPlace(scenario);
-    const PlannerTrial trial = tryPlanner(made.planner ? *made.planner : *external_, made.driving,
-                                          scenario, {options, config_.attack, background});
+    const PlannerTrial trial =
+        tryPlanner(made.planner ? *made.planner : *external_, made.driving, scenario,
+                   {options, config_.attack, config_.crash.types, background});
     response.outcome = toMessage(trial, request.planner, attacker_id);
     outcomes_.publish(response.outcome);
     markers_.publish(plannerMarkers(trial, scenario, request.planner));
@@ -161,7 +162,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
       TrialOptions options;
       readConfigFile(
           openConfigText(planners_path_, withPlannerValues(planners_path_, planners_text_, values)),
-          options, config_.attack.vehicle_limits);
+          options, config_.attack.verification.limits);
       return options;
     } catch (const ConfigError& error) {
       refuse(Response::BAD_PARAMETER, error.what());

@@ -13,7 +13,9 @@ namespace forge {
 class TrajectoryRealizerNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
-    options_ = loadNodeConfig(getPrivateNodeHandle()).attack;
+    const Config config = loadNodeConfig(getPrivateNodeHandle());
+    options_ = config.attack;
+    crash_ = config.crash;
     ros::NodeHandle& node = getNodeHandle();
     map_ = std::make_unique<LaneMapSubscriber>(node);
     service_ = std::make_unique<OwnThreadService>(node, names::kRealizeTrajectory,
@@ -27,7 +29,8 @@ class TrajectoryRealizerNodelet : public nodelet::Nodelet {
 
   Status realizeInto(const collision_forge::RealizeTrajectory::Request& message,
                      collision_forge::RealizeTrajectory::Response& response) {
-    const auto checked = checkedRequest(*map_, message.scene, message.request, options_.prediction);
+    const auto checked =
+        checkedRequest(*map_, message.scene, message.request, options_.prediction, crash_);
     if (const Status* refusal = std::get_if<Status>(&checked)) return *refusal;
     const auto& [lanes, snapshot, request] = std::get<CheckedRequest>(checked);
     const Future future = fromMessage(message.future);
@@ -44,6 +47,7 @@ class TrajectoryRealizerNodelet : public nodelet::Nodelet {
   }
 
   AttackOptions options_;
+  CrashDefinition crash_;
   std::unique_ptr<LaneMapSubscriber> map_;
   std::unique_ptr<OwnThreadService> service_;
 };

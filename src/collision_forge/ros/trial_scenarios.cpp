@@ -10,7 +10,6 @@
 #include "collision_forge/data/nuscenes_json.h"
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/ros/bag_reader.h"
-#include "collision_forge/study/request_answerer.h"
 #include "collision_forge/trials/planner_case.h"
 
 namespace forge {
@@ -128,9 +127,9 @@ CrashScenario TrialScenarios::ofTrajectory(const AttackerTrajectory& trajectory,
                       "a trajectory is tested over the parameter recording, which is not set");
   }
   const double now = frameAt(recording_->scene, trajectory.points.front().time);
-  const RecordedMoment moment =
-      momentAt(recording_->scene, now, config_.attack.prediction.history_frames);
-  return {moment.snapshot,     moment.recorded,  trajectory, type,
+  const auto moment =
+      std::get<Moment>(momentAt(*recording_, now, config_.attack.prediction.history_frames));
+  return {moment.snapshot,     *moment.recorded, trajectory, type,
           config_.ego_vehicle, recording_->lanes};
 }
 

@@ -36,6 +36,10 @@ struct AttackerTrajectory {
   std::vector<TrajectoryPoint> points;
 };
 
+/// The attacker's pose at `time`, linear between the points; the first before, the last after them.
+/// The trajectory must have points.
+Pose2 poseAt(const AttackerTrajectory& trajectory, double time);
+
 /// What verification found; see verify().
 struct CollisionReport {
   bool contact = false;         ///< the attacker touches the ego after now

@@ -4,18 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "collision_forge/scene/crash_definition.h"
+
 namespace forge {
-
-enum class CollisionType { kLaneChange, kOppositeDirection, kRearEnd, kJunctionCrossing, kLtap };
-
-inline constexpr CollisionType kCollisionTypes[] = {
-    CollisionType::kLaneChange, CollisionType::kOppositeDirection, CollisionType::kRearEnd,
-    CollisionType::kJunctionCrossing, CollisionType::kLtap};
-
-/// "lane_change", "opposite_direction", "rear_end", "junction_crossing" or "ltap".
-const char* toString(CollisionType type);
-/// Takes those names and the paper's short ones (LC, OD, HO, RE, JC, LTAP), in any case.
-std::optional<CollisionType> collisionTypeFromString(const std::string& name);
 
 /// kHistory: only what was observed up to now. kReplay: the recorded future may be used.
 enum class Mode { kHistory, kReplay };
@@ -28,6 +19,17 @@ struct CollisionRequest {
   std::optional<std::string> attacker;  ///< agent id; any agent when empty
   Mode mode = Mode::kHistory;
   std::uint64_t seed = 0;
+  CrashDefinition crash;  ///< what counts as the crash; filled in where the request is answered
+
+  /// Of the request's type. Throws std::out_of_range where `crash` is not filled in.
+  const TypeDefinition& bands() const { return crash.types.at(type); }
+};
+
+/// A request at one instant of one scene, as it stands in a list of requests.
+struct SceneRequest {
+  std::string scene;         ///< name
+  double now = 0.0;          ///< seconds on the scene's clock; the time of a frame
+  CollisionRequest request;  ///< the mode is not part of a list
 };
 
 /// Outcome of a request; the numbers are those of GenerateCollision.srv.

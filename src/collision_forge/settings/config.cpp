@@ -13,11 +13,19 @@ void readTraining(Section file, Config& config) {
   file.finish();
 }
 
+void readMethods(Section file, Config& config) {
+  config.method_libraries = file.paths("libraries");
+  file.read("nominal", config.attack.nominal);
+  file.finish();
+}
+
 }  // namespace
 
 Config loadConfig(const std::string& directory) {
   Config config;
   readAttackOptions(directory, config.attack);
+  readConfigFile(directory, "crash_definition", config.crash, config.attack.search.time_margin);
+  readMethods(openConfigFile(directory, "methods.yaml"), config);
   readConfigFile(directory, "speed_model_fit", config.speed_model_fit);
   readConfigFile(directory, "models", static_cast<ModelOptions&>(config));
   readTraining(openConfigFile(directory, "training.yaml"), config);
@@ -30,7 +38,7 @@ Config loadConfig(const std::string& directory) {
   readConfigFile(directory, "evaluation", config.evaluation);
   readConfigFile(directory, "dataset", config.dataset, config.attack.search.time_margin);
   readConfigFile(openConfigFile(directory, "planners.yaml"), config.planners,
-                 config.attack.vehicle_limits);
+                 config.attack.verification.limits);
   return config;
 }
 

@@ -8,6 +8,7 @@
 #include "collision_forge/dataset/options.h"
 #include "collision_forge/drawing/options.h"
 #include "collision_forge/network/options.h"
+#include "collision_forge/scene/options.h"
 #include "collision_forge/study/options.h"
 #include "collision_forge/training/options.h"
 #include "collision_forge/trials/options.h"
@@ -15,8 +16,7 @@
 namespace forge {
 
 /// Everything that can be tuned, as read from the files of config/. Rooms are handed their part.
-struct Config : DataOptions, ModelOptions {
-  AttackOptions attack;
+struct Config : StudyOptions {
   SpeedModelFitOptions speed_model_fit;
   PatternFeatureOptions pattern_features;  ///< these three of networks to be trained
   PatternNetworkOptions pattern_layers;
@@ -24,7 +24,6 @@ struct Config : DataOptions, ModelOptions {
   EncodingOptions encoding;
   DrawingOptions drawing;
   RequestListOptions requests;
-  EvaluationOptions evaluation;
   DatasetOptions dataset;
   TrialOptions planners;
 };

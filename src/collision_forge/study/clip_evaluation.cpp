@@ -1,38 +1,26 @@
 #include "collision_forge/study/clip_evaluation.h"
 
-#include <stdexcept>
+#include <algorithm>
+#include <utility>
 
-#include "collision_forge/attack/generator.h"
+#include "collision_forge/attack/request_check.h"
 #include "collision_forge/data/collide_scene.h"
-#include "collision_forge/study/baselines.h"
+#include "collision_forge/network/method_maker.h"
+#include "collision_forge/study/clip_attackers.h"
+#include "collision_forge/study/clip_methods.h"
 #include "collision_forge/study/published.h"
-#include "collision_forge/study/published_search.h"
 #include "collision_forge/study/strict.h"
 
 namespace forge {
 namespace {
 
-const char* const kSearch = "search";
-const char* const kPublishedSearch = "published_search";
-const char* const kNetwork = "network";
-const std::string kWithNetwork = "network+";  // before the name of a search
+const std::vector<std::string> kBaselines = {"recorded", "constant_velocity", "nominal"};
 
-/// The search without the networks.
-std::string withoutNetwork(const std::string& method) {
-  return method.rfind(kWithNetwork, 0) == 0 ? method.substr(kWithNetwork.size()) : method;
+/// What counts in every clip; what comes is measured, whatever the confidence.
+CrashDefinition clipCrash(CrashDefinition crash) {
+  crash.min_confidence = 0.0;
+  return withAngleRules(std::move(crash));
 }
-
-bool isSearch(const std::string& method) {
-  return withoutNetwork(method) == kSearch || withoutNetwork(method) == kPublishedSearch;
-}
-
-/// What a method answers in one clip.
-struct Answer {
-  Status status;
-  AttackerTrajectory trajectory;  ///< these two with kOk only
-  std::vector<Pose2> frames;      ///< the attacker's pose in every frame of the clip
-  std::optional<double> confidence;
-};
 
 /// What may be known of a clip's scene.
 Foresight foresightOf(const Foresight& foresight, const CollideClip& clip,
@@ -44,48 +32,54 @@ Foresight foresightOf(const Foresight& foresight, const CollideClip& clip,
 /// A clip made ready for all methods.
 class ClipCase {
  public:
-  ClipCase(const CollideClip& clip, const LaneIndex& lanes, std::shared_ptr<const LaneMap> map,
-           const Foresight& foresight, const Config& config, const EvaluationPlan& plan)
+  ClipCase(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes,
+           const ClipEvaluationSetup& setup, const EvaluationPlan& plan)
       : clip_(clip),
-        lanes_(lanes),
-        config_(config),
-        angle_rules_(withAngleRules(config.attack)),
-        foresight_(foresightOf(foresight, clip, plan)),
-        scene_(toScene(clip, config.evaluation.collide, std::move(map))),
-        snapshot_(snapshotAt(scene_, clip.now(), config.attack.prediction.history_frames)),
-        recorded_(recordedFuture(scene_, clip.now())),
-        request_(requestOf(clip, plan.mode, config.attack.prediction.min_tta)) {
-    // What comes is measured, whatever the confidence.
-    angle_rules_.search.min_confidence = 0.0;
+        study_(setup.study),
+        methods_(clipMethods(setup.methods, &clip, setup.study.evaluation)),
+        foresight_(foresightOf(setup.foresight, clip, plan)),
+        request_(requestOf(clip, plan.mode, setup.study.attack.prediction.min_tta,
+                           clipCrash(setup.study.crash))) {
+    const Scene scene = toScene(clip, study_.evaluation.collide, lanes->sharedMap());
+    moment_ = {snapshotAt(scene, clip.now(), study_.attack.prediction.history_frames),
+               recordedFuture(scene, clip.now()), std::move(lanes)};
   }
 
-  Answer answer(const std::string& method, std::uint64_t seed) const {
-    const BoxSize& box = config_.evaluation.collide.box;
-    const SearchOptions& search_options = config_.attack.search;
-    if (method == "recorded") {
-      return {{}, recordedAttacker(clip_, box, search_options), recordedFrames(clip_), {}};
+  Realization answer(const std::string& method, std::uint64_t seed) const {
+    CollisionRequest request = request_;
+    request.seed = seed;
+    const MethodMaker maker(method, methods_, study_.attack, foresight_);
+    Realization refused;
+    if (maker.isSeeded()) {
+      refused.status = checkRequest(request, moment_.snapshot, study_.attack.prediction);
     }
-    if (method == "constant_velocity") {
-      return driven(constantVelocityAttacker(clip_, box, search_options));
-    }
-    if (method == "nominal") {
-      return driven(nominalAttacker(clip_.attacker_id, snapshot_, recorded_, request_,
-                                    config_.evaluation.nominal, config_.attack));
-    }
-    const Foresight foresight = needsNetworks(method) ? foresight_ : foresight_.withoutNetwork();
-    if (method == kNetwork) return nominalPattern(foresight);
-    if (withoutNetwork(method) == kSearch) return search(foresight, seed);
-    if (withoutNetwork(method) == kPublishedSearch) return publishedSearch(foresight, seed);
-    throw std::invalid_argument("unknown method \"" + method + "\"");
+    if (refused.status.code != StatusCode::kOk) return refused;
+    return attempt(*maker.make(), moment_, request);
   }
 
-  void judgeAsPublished(const Answer& answer, ResultRow& row) const {
-    const PublishedOutcome outcome =
-        publishedOutcome(clip_, answer.frames, config_.evaluation.published);
+  void judge(const Realization& answer, const std::string& method, Protocol protocol,
+             ResultRow& row) const {
+    if (protocol == Protocol::kStrict) {
+      const VerificationInput input{moment_.snapshot, *moment_.recorded, request_, *moment_.lanes};
+      describeOutcome(strictOutcome(answer.trajectory, input, study_.attack.verification),
+                      clip_.now(), row);
+      if (methods_.at(method).is_seeded && answer.report.contact) {
+        row.confidence = answer.report.confidence;
+      }
+    } else {
+      judgeAsPublished(
+          method == kBaselines.front() ? recordedFrames(clip_) : framesOf(clip_, answer.trajectory),
+          row);
+    }
+  }
+
+ private:
+  void judgeAsPublished(const std::vector<Pose2>& frames, ResultRow& row) const {
+    const PublishedOutcome outcome = publishedOutcome(clip_, frames, study_.evaluation.published);
     row.meets = {outcome.isHit(), outcome.similar};
     if (outcome.event == PublishedOutcome::Event::kNone) return;
     const double frame =
-        static_cast<double>(outcome.step) / config_.evaluation.published.steps_per_interval;
+        static_cast<double>(outcome.step) / study_.evaluation.published.steps_per_interval;
     row.contact_after = kCollideFrameInterval * (frame - kCollideNowFrame);
     if (outcome.isHit()) {
       row.relative_heading = outcome.relative_heading;
@@ -95,63 +89,17 @@ class ClipCase {
     }
   }
 
-  void judgeStrictly(const Answer& answer, ResultRow& row) const {
-    describeOutcome(
-        strictOutcome(answer.trajectory, {snapshot_, recorded_, request_, lanes_}, config_.attack),
-        clip_.now(), row);
-    row.confidence = answer.confidence;
-  }
-
- private:
-  Answer driven(AttackerTrajectory trajectory) const {
-    std::vector<Pose2> frames = framesOf(clip_, trajectory);
-    return {{}, std::move(trajectory), std::move(frames), {}};
-  }
-
-  Answer nominalPattern(const Foresight& foresight) const {
-    const PatternPrediction prediction =
-        foresight.patterns(angle_rules_)
-            ->predict(snapshot_, lanes_, request_,
-                      request_.mode == Mode::kReplay ? &recorded_ : nullptr);
-    if (prediction.status.code != StatusCode::kOk) return {prediction.status, {}, {}, {}};
-    return driven(
-        patternAttacker(prediction.patterns.front(), snapshot_, request_.tta, config_.attack));
-  }
-
-  Answer search(const Foresight& foresight, std::uint64_t seed) const {
-    CollisionRequest request = request_;
-    request.seed = seed;
-    const auto predictor = foresight.patterns(angle_rules_);
-    Realization found =
-        generateCollision(request, snapshot_, lanes_, &recorded_, *predictor, angle_rules_);
-    if (found.status.code != StatusCode::kOk) return {found.status, {}, {}, {}};
-    Answer answer = driven(std::move(found.trajectory));
-    answer.confidence = found.report.confidence;
-    return answer;
-  }
-
-  Answer publishedSearch(const Foresight& foresight, std::uint64_t seed) const {
-    CollisionRequest request = request_;
-    request.seed = seed;
-    return driven(publishedSearchAttacker(clip_, snapshot_, recorded_, request, lanes_,
-                                          foresight.egoFutures(config_.attack.ego_futures),
-                                          config_.attack, config_.evaluation));
-  }
-
   const CollideClip& clip_;
-  const LaneIndex& lanes_;
-  const Config& config_;
-  AttackOptions angle_rules_;
+  const StudyOptions& study_;
+  MethodRegistry methods_;
   Foresight foresight_;
-  Scene scene_;
-  Snapshot snapshot_;
-  Future recorded_;
   CollisionRequest request_;
+  Moment moment_;
 };
 
-ResultRow judge(const ClipCase& clip_case, const CollideClip& clip, const EvaluationPlan& plan,
+ResultRow rowOf(const ClipCase& clip_case, const CollideClip& clip, Protocol protocol,
                 const std::string& method, std::uint64_t seed) {
-  const Answer answer = clip_case.answer(method, seed);
+  const Realization answer = clip_case.answer(method, seed);
   ResultRow row;
   row.name = clip.name;
   row.scene = clip.scene;
@@ -160,52 +108,30 @@ ResultRow judge(const ClipCase& clip_case, const CollideClip& clip, const Evalua
   row.method = method;
   row.seed = seed;
   row.status = toString(answer.status.code);
-  row.meets.assign(measuresOf(plan.protocol).size(), false);
-  if (answer.status.code != StatusCode::kOk) {
-    row.note = answer.status.message;
-  } else if (plan.protocol == Protocol::kPublished) {
-    clip_case.judgeAsPublished(answer, row);
+  row.meets.assign(measuresOf(protocol).size(), false);
+  if (answer.status.code == StatusCode::kOk) {
+    clip_case.judge(answer, method, protocol, row);
   } else {
-    clip_case.judgeStrictly(answer, row);
+    row.note = answer.status.message;
   }
   return row;
 }
 
-/// Seeds matter to a search alone.
+/// Seeds matter to methods that draw alone.
 int seedsOf(const std::string& method, const EvaluationPlan& plan) {
-  return isSearch(method) ? plan.seeds : 1;
+  const bool is_baseline =
+      std::find(kBaselines.begin(), kBaselines.end(), method) != kBaselines.end();
+  return plan.is_seeded && !is_baseline ? plan.seeds : 1;
 }
 
 }  // namespace
 
-const std::vector<std::string>& evaluationMethods() {
-  static const std::vector<std::string> methods = {"recorded",
-                                                   "constant_velocity",
-                                                   "nominal",
-                                                   kSearch,
-                                                   kPublishedSearch,
-                                                   kNetwork,
-                                                   kWithNetwork + kSearch,
-                                                   kWithNetwork + kPublishedSearch};
-  return methods;
-}
-
-bool needsNetworks(const std::string& method) {
-  return method == kNetwork || method.rfind(kWithNetwork, 0) == 0;
-}
-
-void checkNetworks(const std::string& method, const Foresight& foresight) {
-  if (needsNetworks(method) && !foresight.network) {
-    throw std::invalid_argument("method " + method +
-                                ": pattern_network in models.yaml names no file");
-  }
-}
-
 std::vector<std::string> methodsOf(const EvaluationPlan& plan) {
-  std::vector<std::string> methods = {"recorded", "constant_velocity", "nominal"};
-  if (isSearch(plan.method)) methods.push_back(withoutNetwork(plan.method));
-  if (needsNetworks(plan.method)) methods.push_back(plan.method);
-  return methods;
+  std::vector<std::string> names = kBaselines;
+  for (const std::string& name : {withoutNetworks(plan.method), plan.method}) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
 }
 
 std::size_t rowsPerClip(const EvaluationPlan& plan) {
@@ -216,15 +142,14 @@ std::size_t rowsPerClip(const EvaluationPlan& plan) {
   return rows;
 }
 
-std::vector<ResultRow> evaluateClip(const CollideClip& clip, const LaneIndex& lanes,
-                                    std::shared_ptr<const LaneMap> map, const Foresight& foresight,
-                                    const Config& config, const EvaluationPlan& plan) {
-  checkNetworks(plan.method, foresight);
-  const ClipCase clip_case(clip, lanes, std::move(map), foresight, config, plan);
+std::vector<ResultRow> evaluateClip(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes,
+                                    const ClipEvaluationSetup& setup, const EvaluationPlan& plan) {
+  const ClipCase clip_case(clip, std::move(lanes), setup, plan);
   std::vector<ResultRow> rows;
   for (const std::string& method : methodsOf(plan)) {
     for (int seed = 0; seed < seedsOf(method, plan); ++seed) {
-      rows.push_back(judge(clip_case, clip, plan, method, static_cast<std::uint64_t>(seed)));
+      rows.push_back(
+          rowOf(clip_case, clip, plan.protocol, method, static_cast<std::uint64_t>(seed)));
     }
   }
   return rows;

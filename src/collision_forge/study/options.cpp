@@ -11,14 +11,6 @@ static void readOptions(Section& section, PublishedOptions& options) {
   options.similar_heading = section.angle("similar_heading");
 }
 
-static void readOptions(Section& section, NominalOptions& options) {
-  options.end_distance = section.positive("end_distance");
-  options.side_distance = section.positive("side_distance");
-  options.lane_change_ahead = section.nonNegative("lane_change_ahead");
-  options.lane_change_side = section.nonNegative("lane_change_side");
-  options.lane_change_heading = section.angle("lane_change_heading");
-}
-
 static void readOptions(Section& section, PublishedSearchOptions& options) {
   options.heading_tolerance = section.angle("heading_tolerance");
   options.latest = section.nonNegative("latest");
@@ -39,7 +31,6 @@ void readOptions(Section& section, EvaluationOptions& options) {
   section.read("collide", options.collide);
   section.read("published", options.published);
   options.published.box = options.collide.box;
-  section.read("nominal", options.nominal);
   section.read("published_search", options.published_search);
   section.read("statistics", options.statistics);
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "collision_forge/attack/options.h"
 #include "collision_forge/data/options.h"
 #include "collision_forge/geometry/oriented_box.h"
 
@@ -15,14 +16,6 @@ struct PublishedOptions {
   int steps_per_interval = 0;
   int steps_after = 0;
   double similar_heading = 0.0;
-};
-
-struct NominalOptions {
-  double end_distance = 0.0;
-  double side_distance = 0.0;
-  double lane_change_ahead = 0.0;
-  double lane_change_side = 0.0;
-  double lane_change_heading = 0.0;
 };
 
 struct PublishedSearchOptions {
@@ -44,9 +37,15 @@ struct StatisticsOptions {
 struct EvaluationOptions {
   CollideOptions collide;
   PublishedOptions published;
-  NominalOptions nominal;
   PublishedSearchOptions published_search;
   StatisticsOptions statistics;
+};
+
+/// What attacks are made by and judged by in a study.
+struct StudyOptions : DataOptions, ModelOptions {
+  CrashDefinition crash;
+  AttackOptions attack;
+  EvaluationOptions evaluation;
 };
 
 void readOptions(Section& section, EvaluationOptions& options);

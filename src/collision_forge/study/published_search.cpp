@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "collision_forge/attack/attack_search.h"
+#include "collision_forge/attack/baselines.h"
 #include "collision_forge/attack/pattern_predictor.h"
-#include "collision_forge/study/baselines.h"
+#include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published.h"
 
 namespace forge {
@@ -40,9 +41,9 @@ CollideClip withFuture(CollideClip clip, const Future& future, const Track& ego)
 }
 
 /// What the protocol may see, in equally likely futures.
-std::vector<CollideClip> likelyClips(CollideClip clip, const Future& future,
-                                     const AttackOptions& options, int count) {
-  clip.angle = options.collision_types.at(clip.type).nominal_heading;
+std::vector<CollideClip> likelyClips(CollideClip clip, const Future& future, double angle,
+                                     int count) {
+  clip.angle = angle;
   std::vector<CollideClip> clips;
   const std::size_t samples = future.ego_samples.size();
   const std::size_t stride = std::max<std::size_t>(1, samples / static_cast<std::size_t>(count));
@@ -68,16 +69,8 @@ double worth(const std::vector<CollideClip>& clips, const AttackerTrajectory& tr
 
 AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOptions& evaluation) {
   const PublishedSearchOptions& wanted = evaluation.published_search;
-  options.type_rules = TypeRules::kAngle;
-  for (auto& [type, definition] : options.collision_types) {
-    if (type == CollisionType::kLaneChange) {
-      definition.nominal_heading = evaluation.nominal.lane_change_heading;
-    }
-    definition.min_heading = std::max(0.0, definition.nominal_heading - wanted.heading_tolerance);
-    definition.max_heading = std::min(M_PI, definition.nominal_heading + wanted.heading_tolerance);
-  }
-  options.vehicle_limits = {kNone, kNone, kNone, kNone, kNone, 0.0, kNone, kNone};
-  options.vehicle_limits.max_speed = wanted.max_speed;
+  options.verification.limits = {kNone, kNone, kNone, kNone, kNone, 0.0, kNone, kNone};
+  options.verification.limits.max_speed = wanted.max_speed;
   SearchOptions& search = options.search;
   search.overlap_margin = wanted.overlap_margin;
   search.max_lead = wanted.max_lead;
@@ -89,33 +82,45 @@ AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOpti
   search.steering_weight = 0.0;
   search.good_steering = kNone;
   search.good_share = 1.0;
-  search.min_confidence = 0.0;
   return options;
 }
 
+CrashDefinition withPublishedObjective(CrashDefinition crash, const NominalOptions& nominal,
+                                       const PublishedSearchOptions& options) {
+  crash.rules = TypeRules::kAngle;
+  for (auto& [type, definition] : crash.types) {
+    if (type == CollisionType::kLaneChange) {
+      definition.nominal_heading = nominal.lane_change_heading;
+    }
+    definition.min_heading = std::max(0.0, definition.nominal_heading - options.heading_tolerance);
+    definition.max_heading = std::min(M_PI, definition.nominal_heading + options.heading_tolerance);
+  }
+  return crash;
+}
+
 AttackerTrajectory publishedSearchAttacker(const CollideClip& clip, const Snapshot& snapshot,
-                                           const Future& recorded, const CollisionRequest& request,
+                                           const Future* recorded, const CollisionRequest& request,
                                            const LaneIndex& lanes,
                                            std::shared_ptr<const EgoFutureSampler> ego_futures,
                                            const AttackOptions& options,
                                            const EvaluationOptions& evaluation) {
-  AttackOptions objective = withPublishedObjective(options, evaluation);
-  const KinematicPatternPredictor predictor(objective, std::move(ego_futures));
-  const PatternPrediction prediction = predictor.predict(
-      snapshot, lanes, request, request.mode == Mode::kReplay ? &recorded : nullptr);
+  const AttackOptions objective = withPublishedObjective(options, evaluation);
+  CollisionRequest any_time = request;
+  any_time.crash =
+      withPublishedObjective(request.crash, options.nominal, evaluation.published_search);
+  const KinematicPatternPredictor predictor(objective.prediction, std::move(ego_futures));
+  const PatternPrediction prediction = predictor.predict(snapshot, lanes, any_time, recorded);
   const Future& future = prediction.future;
   std::vector<const Track*> egos;
   for (const Track& sample : future.ego_samples) egos.push_back(&sample);
   if (egos.empty()) egos.push_back(&future.ego);
 
-  const std::vector<CollideClip> clips =
-      likelyClips(clip, future, objective, evaluation.published_search.futures);
+  const std::vector<CollideClip> clips = likelyClips(clip, future, any_time.bands().nominal_heading,
+                                                     evaluation.published_search.futures);
   // Contact at any time up to the latest.
-  CollisionRequest any_time = request;
   any_time.tta = 0.5 * (request.tta + evaluation.published_search.latest);
-  objective.verification.time_tolerance = any_time.tta;
-  AttackerTrajectory best =
-      nominalAttacker(clip.attacker_id, snapshot, recorded, request, evaluation.nominal, options);
+  any_time.crash.time_tolerance = any_time.tta;
+  AttackerTrajectory best = nominalAttacker(clip.attacker_id, snapshot, recorded, request, options);
   double best_worth = worth(clips, best, evaluation.published);
   for (const FoundAttack& attack :
        searchAttacks({snapshot, future, egos, prediction.patterns, any_time, lanes}, objective)) {

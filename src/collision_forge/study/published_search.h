@@ -17,13 +17,16 @@ namespace forge {
 /// kept and no answer declined.
 AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOptions& evaluation);
 
+/// What counts there as the crash: an angle about that of the set, at any time up to the latest.
+CrashDefinition withPublishedObjective(CrashDefinition crash, const NominalOptions& nominal,
+                                       const PublishedSearchOptions& options);
+
 /// The clip's attacker on that attack (of contacts at any time up to a little after the one asked
 /// for) of searchAttacks(), or on nominalAttacker(), that the
 /// published protocol would count in most of the ego's futures: hits, and similar ones a third
-/// more. `request.mode` decides whether `recorded` is looked at; the angle in the file's name
-/// never is.
+/// more. `recorded` is null in history mode; the angle in the file's name is never looked at.
 AttackerTrajectory publishedSearchAttacker(const CollideClip& clip, const Snapshot& snapshot,
-                                           const Future& recorded, const CollisionRequest& request,
+                                           const Future* recorded, const CollisionRequest& request,
                                            const LaneIndex& lanes,
                                            std::shared_ptr<const EgoFutureSampler> ego_futures,
                                            const AttackOptions& options,

@@ -5,67 +5,60 @@
 #include <stdexcept>
 
 #include "collision_forge/attack/request_check.h"
-#include "collision_forge/study/baselines.h"
 #include "collision_forge/study/strict.h"
 
 namespace forge {
 namespace {
 
-const char* const kConstantVelocity = "constant_velocity";
-const char* const kNominal = "nominal";
-const char* const kSearch = "search";
-const char* const kNetwork = "network";
-const char* const kNetworkSearch = "network+search";
+const std::vector<std::string> kBaselines = {"constant_velocity", "nominal"};
 
-/// A search of the plan.
-struct SearchKind {
-  std::string name;
-  TypeRules rules;
-  bool knows_future;
-};
-
-std::vector<SearchKind> searchesOf(const EvaluationPlan& plan) {
-  if (plan.method != kSearch && plan.method != kNetworkSearch) return {};
+std::vector<RequestEvaluator::MethodRow> methodRows(const EvaluationPlan& plan) {
+  const bool is_baseline =
+      std::find(kBaselines.begin(), kBaselines.end(), plan.method) != kBaselines.end();
+  if (is_baseline) return {};
   const bool is_replay = plan.mode == Mode::kReplay;
-  std::vector<SearchKind> kinds = {
-      {plan.method + "_angle_bands", TypeRules::kAngle, is_replay},
-      {plan.method + "_full_definitions", TypeRules::kFull, is_replay}};
+  if (!plan.is_seeded) return {{plan.method, TypeRules::kFull, is_replay, 1}};
+  std::vector<RequestEvaluator::MethodRow> rows = {
+      {plan.method + "_angle_bands", TypeRules::kAngle, is_replay, plan.seeds},
+      {plan.method + "_full_definitions", TypeRules::kFull, is_replay, plan.seeds}};
   if (!is_replay) {
-    kinds.push_back({"replay_angle_bands", TypeRules::kAngle, true});
-    kinds.push_back({"replay_full_definitions", TypeRules::kFull, true});
+    rows.push_back({"replay_angle_bands", TypeRules::kAngle, true, plan.seeds});
+    rows.push_back({"replay_full_definitions", TypeRules::kFull, true, plan.seeds});
   }
-  return kinds;
+  return rows;
 }
 
-/// The configuration that a column's search runs with; what comes is measured, whatever the
-/// confidence.
-Config searchedWith(Config config, TypeRules rules) {
-  config.attack.type_rules = rules;
-  config.attack.search.min_confidence = 0.0;
-  return config;
+/// What counts; what comes is measured, whatever the confidence.
+StudyOptions measuring(StudyOptions study) {
+  study.crash.min_confidence = 0.0;
+  return study;
+}
+
+std::vector<MethodMaker> baselinesOf(const MethodRegistry& methods, const AttackOptions& options,
+                                     const Foresight& foresight) {
+  std::vector<MethodMaker> makers;
+  for (const std::string& name : kBaselines) makers.emplace_back(name, methods, options, foresight);
+  return makers;
 }
 
 /// What every method is held against.
 struct RequestCase {
-  const SceneRequest& asked;
-  const IndexedScene& indexed;
-  const RecordedMoment& moment;
-  const Config& config;
+  const CollisionRequest& request;
+  const Moment& moment;
+  const AttackOptions& options;
 
   StrictOutcome outcomeOf(const AttackerTrajectory& trajectory) const {
-    return strictOutcome(trajectory,
-                         {moment.snapshot, moment.recorded, asked.request, *indexed.lanes},
-                         config.attack);
+    return strictOutcome(trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
+                         options.verification);
   }
 };
 
 /// Why no method can answer, if so.
 Status checkCase(const RequestCase& request_case) {
-  const auto& [asked, indexed, moment, config] = request_case;
-  if (moment.status.code != StatusCode::kOk) return moment.status;
-  const Status status = checkRequest(asked.request, moment.snapshot, config.attack.prediction);
+  const auto& [request, moment, options] = request_case;
+  const Status status = checkRequest(request, moment.snapshot, options.prediction);
   if (status.code != StatusCode::kOk) return status;
-  if (!stateAt(moment.recorded.ego, asked.now + asked.request.tta)) {
+  if (!stateAt(moment.recorded->ego, moment.snapshot.now + request.tta)) {
     return {StatusCode::kBeyondRecording, "the ego's recording ends before the impact"};
   }
   return {};
@@ -93,10 +86,10 @@ void judge(const RequestCase& request_case, const AttackerTrajectory& trajectory
   describeOutcome(outcome, request_case.moment.snapshot.now, row);
   if (!outcome.report.contact) return;
   const auto own =
-      ownMotion(trajectory.attacker_id, request_case.moment.recorded, outcome.report.contact_time);
+      ownMotion(trajectory.attacker_id, *request_case.moment.recorded, outcome.report.contact_time);
   if (!own) return;
-  row.own_off_road_share = offRoadShare(*own, outcome.report, *request_case.indexed.lanes,
-                                        request_case.config.attack.verification);
+  row.own_off_road_share = offRoadShare(*own, outcome.report, *request_case.moment.lanes,
+                                        request_case.options.verification);
 }
 
 void refuse(const Status& status, ResultRow& row) {
@@ -118,27 +111,13 @@ ResultRow emptyRow(const std::string& name, const std::string& method, const Sce
 }
 
 std::vector<std::string> possibleAttackers(const RequestCase& request_case) {
-  if (request_case.asked.request.attacker) return {*request_case.asked.request.attacker};
+  if (request_case.request.attacker) return {*request_case.request.attacker};
   std::vector<std::string> ids;
   const Snapshot& snapshot = request_case.moment.snapshot;
   for (const Track& agent : snapshot.agents) {
-    if (isCandidate(agent, snapshot, request_case.config.attack.prediction)) {
-      ids.push_back(agent.id);
-    }
+    if (isCandidate(agent, snapshot, request_case.options.prediction)) ids.push_back(agent.id);
   }
   return ids;
-}
-
-AttackerTrajectory baseline(const std::string& method, const std::string& attacker,
-                            const RequestCase& request_case, Mode mode) {
-  const auto& [asked, indexed, moment, config] = request_case;
-  if (method == kConstantVelocity) {
-    return constantVelocityAttacker(attacker, moment.snapshot, asked.request.tta, config.attack);
-  }
-  CollisionRequest request = asked.request;
-  request.mode = mode;
-  return nominalAttacker(attacker, moment.snapshot, moment.recorded, request,
-                         config.evaluation.nominal, config.attack);
 }
 
 /// How much of what is asked for an outcome meets; more is better.
@@ -149,11 +128,13 @@ int rankOf(const StrictOutcome& outcome) {
                                         : 0;
 }
 
-void evaluateBaseline(const RequestCase& request_case, Mode mode, ResultRow& row) {
+void evaluateBaseline(const AttackMethod& method, const RequestCase& request_case, ResultRow& row) {
+  CollisionRequest request = request_case.request;
   std::optional<AttackerTrajectory> best;
   StrictOutcome best_outcome;
   for (const std::string& attacker : possibleAttackers(request_case)) {
-    AttackerTrajectory trajectory = baseline(row.method, attacker, request_case, mode);
+    request.attacker = attacker;
+    AttackerTrajectory trajectory = attempt(method, request_case.moment, request).trajectory;
     const StrictOutcome outcome = request_case.outcomeOf(trajectory);
     if (best && rankOf(outcome) <= rankOf(best_outcome)) continue;
     best = std::move(trajectory);
@@ -168,121 +149,97 @@ void evaluateBaseline(const RequestCase& request_case, Mode mode, ResultRow& row
   }
 }
 
-/// One quintic to the likeliest pattern.
-void evaluatePattern(const RequestCase& request_case, Mode mode, const Foresight& foresight,
-                     ResultRow& row) {
-  const auto& [asked, indexed, moment, config] = request_case;
-  CollisionRequest request = asked.request;
-  request.mode = mode;
-  const PatternPrediction prediction =
-      foresight.withoutScene(asked.scene)
-          .patterns(config.attack)
-          ->predict(moment.snapshot, *indexed.lanes, request,
-                    mode == Mode::kReplay ? &moment.recorded : nullptr);
-  if (prediction.status.code != StatusCode::kOk) {
-    refuse(prediction.status, row);
-    return;
+/// Returns how long it took, ms.
+double evaluateMethod(const AttackMethod& method, const RequestCase& request_case,
+                      const CollisionRequest& request, bool has_confidence, ResultRow& row) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Realization answer = attempt(method, request_case.moment, request);
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+  if (answer.status.code == StatusCode::kOk) {
+    judge(request_case, answer.trajectory, request_case.outcomeOf(answer.trajectory), row);
+    if (has_confidence) row.confidence = answer.report.confidence;
+  } else {
+    refuse(answer.status, row);
   }
-  const AttackerTrajectory trajectory =
-      patternAttacker(prediction.patterns.front(), moment.snapshot, request.tta, config.attack);
-  judge(request_case, trajectory, request_case.outcomeOf(trajectory), row);
-}
-
-void evaluateAnswer(const RequestCase& request_case, const Status& status,
-                    const Realization& answer, ResultRow& row) {
-  if (status.code != StatusCode::kOk) {
-    refuse(status, row);
-    return;
-  }
-  judge(request_case, answer.trajectory, request_case.outcomeOf(answer.trajectory), row);
-  row.confidence = answer.report.confidence;
+  return time.count();
 }
 
 }  // namespace
 
-const std::vector<std::string>& requestMethods() {
-  static const std::vector<std::string> methods = {kConstantVelocity, kNominal, kSearch, kNetwork,
-                                                   kNetworkSearch};
-  return methods;
-}
-
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan) {
-  std::vector<std::string> methods = {kConstantVelocity, kNominal};
-  if (plan.method == kNetwork) methods.emplace_back(kNetwork);
-  for (const SearchKind& kind : searchesOf(plan)) methods.emplace_back(kind.name);
-  return methods;
+  std::vector<std::string> names = kBaselines;
+  for (const auto& row : methodRows(plan)) names.push_back(row.name);
+  return names;
 }
 
 std::size_t rowsPerRequest(const EvaluationPlan& plan) {
-  const std::size_t single = plan.method == kNetwork ? 3 : 2;
-  return single + searchesOf(plan).size() * static_cast<std::size_t>(plan.seeds);
+  std::size_t count = kBaselines.size();
+  for (const auto& row : methodRows(plan)) {
+    count += static_cast<std::size_t>(row.seeds);
+  }
+  return count;
 }
 
-RequestEvaluator::RequestEvaluator(SceneSource& scenes, const Config& config,
-                                   const Foresight& foresight, const EvaluationPlan& plan)
+RequestEvaluator::RequestEvaluator(SceneSource& scenes, const StudyOptions& study,
+                                   const Foresight& foresight, const MethodRegistry& methods,
+                                   const EvaluationPlan& plan)
     : scenes_(scenes),
-      foresight_(needsNetworks(plan.method) ? foresight : foresight.withoutNetwork()),
+      study_(measuring(study)),
       plan_(plan),
-      angle_config_(searchedWith(config, TypeRules::kAngle)),
-      full_config_(searchedWith(config, TypeRules::kFull)),
-      angle_answerer_(scenes, angle_config_, foresight_),
-      full_answerer_(scenes, full_config_, foresight_) {
-  checkNetworks(plan.method, foresight);
-  const auto& methods = requestMethods();
-  if (plan.protocol != Protocol::kStrict ||
-      std::find(methods.begin(), methods.end(), plan.method) == methods.end()) {
+      rows_(methodRows(plan)),
+      baselines_(baselinesOf(methods, study.attack, foresight)),
+      method_(plan.method, methods, study.attack, foresight) {
+  if (plan.protocol != Protocol::kStrict) {
     throw std::invalid_argument("requests are not evaluated by the " +
-                                std::string(toString(plan.protocol)) + " protocol, method \"" +
-                                plan.method + "\"");
+                                std::string(toString(plan.protocol)) + " protocol");
+  }
+  if (!rows_.empty() && plan.is_seeded != method_.isSeeded()) {
+    throw std::invalid_argument("is_seeded of the plan is not that of method " + plan.method);
   }
 }
 
 EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
                                             const SceneRequest& asked) const {
-  const auto indexed = scenes_.at(asked.scene);
-  const RecordedMoment moment =
-      momentAt(indexed->scene, asked.now, full_config_.attack.prediction.history_frames);
-  const RequestCase request_case{asked, *indexed, moment, full_config_};
-  const Status status = checkCase(request_case);
+  const auto found =
+      momentAt(*scenes_.at(asked.scene), asked.now, study_.attack.prediction.history_frames);
+  const Moment* moment = std::get_if<Moment>(&found);
+  CollisionRequest request = asked.request;
+  request.mode = plan_.mode;
+  request.crash = study_.crash;
+  Status status;
+  if (moment) {
+    status = checkCase({request, *moment, study_.attack});
+  } else {
+    status = std::get<Status>(found);
+  }
   EvaluatedRequest evaluated;
-  for (const char* method : {kConstantVelocity, kNominal}) {
+  const auto addRow = [&](const std::string& method) -> ResultRow& {
     ResultRow& row = evaluated.rows.emplace_back(emptyRow(name, method, asked));
-    if (status.code == StatusCode::kOk) {
-      evaluateBaseline(request_case, plan_.mode, row);
-    } else {
-      refuse(status, row);
-    }
+    if (status.code != StatusCode::kOk) refuse(status, row);
+    return row;
+  };
+  for (const MethodMaker& baseline : baselines_) {
+    ResultRow& row = addRow(baseline.name());
+    if (status.code != StatusCode::kOk) continue;
+    evaluateBaseline(*baseline.makeWithoutScene(asked.scene), {request, *moment, study_.attack},
+                     row);
   }
-  if (plan_.method == kNetwork) {
-    ResultRow& row = evaluated.rows.emplace_back(emptyRow(name, kNetwork, asked));
-    if (status.code == StatusCode::kOk) {
-      evaluatePattern(request_case, plan_.mode, foresight_, row);
-    } else {
-      refuse(status, row);
-    }
-  }
-  for (const SearchKind& kind : searchesOf(plan_)) {
-    for (int seed = 0; seed < plan_.seeds; ++seed) {
-      SceneRequest seeded = asked;
-      seeded.request.mode = kind.knows_future ? Mode::kReplay : Mode::kHistory;
-      seeded.request.seed += static_cast<std::uint64_t>(seed);
-      const TimedAnswer answer = search(kind.rules, seeded, *indexed);
-      evaluated.times.push_back({kind.name, answer.milliseconds});
-      ResultRow& row = evaluated.rows.emplace_back(emptyRow(name, kind.name, seeded));
-      evaluateAnswer(request_case, status.code == StatusCode::kOk ? answer.answer.status : status,
-                     answer.answer, row);
+  const auto method = method_.makeWithoutScene(asked.scene);
+  for (const MethodRow& kind : rows_) {
+    for (int seed = 0; seed < kind.seeds; ++seed) {
+      ResultRow& row = addRow(kind.name);
+      row.seed += static_cast<std::uint64_t>(seed);
+      if (status.code != StatusCode::kOk) continue;
+      CollisionRequest seeded = request;
+      seeded.mode = kind.knows_future ? Mode::kReplay : Mode::kHistory;
+      seeded.seed = row.seed;
+      seeded.crash.rules = kind.rules;
+      const double time = evaluateMethod(*method, {request, *moment, study_.attack}, seeded,
+                                         method_.isSeeded(), row);
+      if (method_.isSeeded()) evaluated.times.push_back({kind.name, time});
     }
   }
   return evaluated;
-}
-
-RequestEvaluator::TimedAnswer RequestEvaluator::search(TypeRules rules, const SceneRequest& asked,
-                                                       const IndexedScene& indexed) const {
-  const RequestAnswerer& answerer = rules == TypeRules::kFull ? full_answerer_ : angle_answerer_;
-  const auto begin = std::chrono::steady_clock::now();
-  Realization answer = answerer.answer(asked, indexed).answer;
-  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
-  return {std::move(answer), time.count()};
 }
 
 }  // namespace forge

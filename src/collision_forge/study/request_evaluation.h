@@ -3,21 +3,19 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/data/scene_source.h"
+#include "collision_forge/network/method_maker.h"
 #include "collision_forge/study/clip_evaluation.h"
-#include "collision_forge/study/request_answerer.h"
 #include "collision_forge/study/result_row.h"
 
 namespace forge {
 
 // Requests over logs, judged by the strict protocol (protocols/strict.h) against the recording.
 
-/// "constant_velocity", "nominal", which every plan measures beside its method, and of those of
-/// evaluationMethods() "search", "network" and "network+search".
-const std::vector<std::string>& requestMethods();
-
-/// What one row a request (the searches: one a seed) is of: the baselines, then "network", or of a
-/// search one a column of the strict protocol, and in history mode the same with the recorded
-/// future known: "search_angle_bands", "search_full_definitions" (or "network+search_..."),
+/// What one row a request (of seeded methods one a seed) is of: the baselines "constant_velocity"
+/// and "nominal", which every plan measures beside its method, then the method; of a seeded one a
+/// column of the strict protocol, and in history mode the same with the recorded future known:
+/// "search_angle_bands", "search_full_definitions" (or "network+search_..."),
 /// "replay_angle_bands", "replay_full_definitions".
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan);
 
@@ -39,9 +37,8 @@ struct EvaluatedRequest {
 /// Evaluates requests over recorded scenes. Thread-safe; the rows of a request are the same in
 /// every process.
 ///
-/// - A search is RequestAnswerer's, whatever the confidence, with the request's seed and those
-/// after
-///   it; its type rules are those of the column that it is for, in whose measures alone it counts.
+/// - A seeded method is asked whatever the confidence, with the request's seed and those after it;
+///   its type rules are those of the column that it is for, in whose measures alone it counts.
 /// - A baseline takes, if the request names no attacker, of all candidates (isCandidate()) the
 /// first
 ///   that meets the full definitions, else the angle bands, else touches the ego: an upper bound,
@@ -50,30 +47,29 @@ struct EvaluatedRequest {
 ///   before the time asked for) have its status and meet nothing.
 class RequestEvaluator {
  public:
-  /// `scenes` must outlive it. Throws std::invalid_argument for a plan of another protocol, with a
-  /// method that is not of requestMethods(), or with one that needs networks when there are none.
-  RequestEvaluator(SceneSource& scenes, const Config& config, const Foresight& foresight,
-                   const EvaluationPlan& plan);
-  RequestEvaluator(const RequestEvaluator&) = delete;
-  RequestEvaluator& operator=(const RequestEvaluator&) = delete;
+  /// What a row of the plan's method is of.
+  struct MethodRow {
+    std::string name;
+    TypeRules rules;
+    bool knows_future;
+    int seeds;
+  };
+
+  /// `scenes` must outlive it. Throws std::invalid_argument for a plan of another protocol, and as
+  /// MethodMaker does.
+  RequestEvaluator(SceneSource& scenes, const StudyOptions& study, const Foresight& foresight,
+                   const MethodRegistry& methods, const EvaluationPlan& plan);
 
   /// `name` is that of the rows. Throws as SceneSource::at() does.
   EvaluatedRequest evaluate(const std::string& name, const SceneRequest& asked) const;
 
  private:
-  struct TimedAnswer {
-    Realization answer;
-    double milliseconds = 0.0;
-  };
-  TimedAnswer search(TypeRules rules, const SceneRequest& asked, const IndexedScene& indexed) const;
-
   SceneSource& scenes_;
-  Foresight foresight_;
+  StudyOptions study_;
   EvaluationPlan plan_;
-  Config angle_config_;
-  Config full_config_;
-  RequestAnswerer angle_answerer_;
-  RequestAnswerer full_answerer_;
+  std::vector<MethodRow> rows_;
+  std::vector<MethodMaker> baselines_;
+  MethodMaker method_;
 };
 
 }  // namespace forge

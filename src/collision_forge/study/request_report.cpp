@@ -87,7 +87,7 @@ std::vector<ResultRow> rowsThatReplayMeets(const std::vector<ResultRow>& rows,
 }
 
 bool isHistorySearch(const EvaluationPlan& plan) {
-  return plan.mode == Mode::kHistory && endsWith(plan.method, "search");
+  return plan.mode == Mode::kHistory && plan.is_seeded;
 }
 
 RateTable givenReplayTable(const std::vector<ResultRow>& rows, const Column& column,

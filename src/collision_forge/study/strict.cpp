@@ -2,18 +2,15 @@
 
 namespace forge {
 
-AttackOptions withAngleRules(AttackOptions options) {
-  options.type_rules = TypeRules::kAngle;
-  return options;
-}
-
 StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const VerificationInput& input,
-                            const AttackOptions& options) {
-  AttackOptions full = options;
-  full.type_rules = TypeRules::kFull;
+                            const VerificationOptions& options) {
+  CollisionRequest request = input.request;
+  const VerificationInput asked{input.snapshot, input.future, request, input.lanes};
   StrictOutcome outcome;
-  outcome.report = verify(trajectory, input, withAngleRules(options));
-  outcome.full_type_kept = verifyMotion(trajectory, input, full).type_kept;
+  request.crash.rules = TypeRules::kAngle;
+  outcome.report = verify(trajectory, asked, options);
+  request.crash.rules = TypeRules::kFull;
+  outcome.full_type_kept = verifyMotion(trajectory, asked, options).type_kept;
   return outcome;
 }
 

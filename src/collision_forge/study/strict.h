@@ -16,16 +16,12 @@ struct StrictOutcome {
   bool meetsFullDefinitions() const { return report.verified() && full_type_kept; }
 };
 
-/// The options with a type told by the heading at contact alone, as COLLIDE tells its types apart:
-/// its clips are searched and measured so.
-AttackOptions withAngleRules(AttackOptions options);
-
 /// The strict protocol: the attacker touches the ego after now; at a relative heading of the type;
-/// at most `time_tolerance` before or after the time asked for; within a real car's limits from now
+/// at most the tolerance before or after the time asked for; within a real car's limits from now
 /// to contact; and touches nobody earlier. `input.future` is what came: recorded, not predicted.
 /// Headings are interpolated and contact is continuous, as in verify(), which decides all of it.
 StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const VerificationInput& input,
-                            const AttackOptions& options);
+                            const VerificationOptions& options);
 
 /// Fills in what the outcome says: which measures are met, when and how the boxes touch, the share
 /// off the road, and as a note the broken limit and whom the attacker touches before.

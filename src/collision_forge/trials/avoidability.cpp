@@ -104,7 +104,7 @@ class PlanDriver {
              const AttackOptions& attack)
       : path_(path),
         options_(options),
-        limits_(attack.vehicle_limits),
+        limits_(attack.verification.limits),
         total_(attack.search.limit_margin * limits_.max_total_acceleration) {}
 
   Car carAt(const Pose2& pose, double speed) const {
@@ -234,7 +234,7 @@ class Search {
         size_(scenario.ego.size),
         path_(Polyline(routeOf(scenario.recorded.ego, *scenario.lanes, route))),
         driver_(path_, options, attack),
-        plans_(listPlans(options, attack.vehicle_limits)) {
+        plans_(listPlans(options, attack.verification.limits)) {
     const OrientedBox now{scenario.recorded.ego.states.front().pose, size_};
     others_.ego = attackerTrack(scenario);
     for (const Track& agent : scenario.recorded.agents) {
@@ -337,14 +337,13 @@ class Search {
     return true;
   }
 
-  /// verifyMotion() with the ego in the attacker's place: `contact` is that with the attacker.
+  /// verifyDrive() with the ego in the attacker's place: `contact` is that with the attacker.
   CollisionReport verifyEgo(const std::vector<TrajectoryPoint>& points) const {
     const AttackerTrajectory ego{kEgoId, AgentClass::kCar, size_, points};
     Snapshot snapshot;
     snapshot.now = points.front().time;
     CollisionRequest request;
-    request.type = scenario_.type;
-    return verifyMotion(ego, {snapshot, others_, request, *scenario_.lanes}, attack_);
+    return verifyDrive(ego, {snapshot, others_, request, *scenario_.lanes}, attack_.verification);
   }
 
   double shareOff(const std::vector<TrajectoryPoint>& points, const CollisionReport& report) const {

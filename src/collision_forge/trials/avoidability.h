@@ -61,7 +61,7 @@ struct Avoidability {
 /// attacker's trajectory: the attacker drives as it does, the others as recorded. A motion has two
 /// stretches of constant acceleration along the ego's way (routeOf() its recording) or a way beside
 /// it, which it steers to as hard as grip and curvature allow; motions on the road are preferred.
-/// Every witness is verified by verifyMotion(): continuous contact and every limit. Who overlaps
+/// Every witness is verified by verifyDrive(): continuous contact and every limit. Who overlaps
 /// the ego already now is not looked at. Deterministic. Throws as checkScenario() and routeOf().
 Avoidability findAvoidability(const CrashScenario& scenario, const AvoidabilityOptions& options,
                               const RouteOptions& route, const AttackOptions& attack);

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "collision_forge/scene/collision_types.h"
+#include "collision_forge/scene/crash_definition.h"
 #include "collision_forge/trials/crash_scenario.h"
 
 namespace forge {

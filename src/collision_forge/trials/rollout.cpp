@@ -130,10 +130,10 @@ TrajectoryPoint startOf(const CrashScenario& scenario, const AttackOptions& opti
   const Motion motion = estimateMotion(scenario.snapshot.ego, options.prediction.motion_frames);
   TrajectoryPoint start{scenario.snapshot.now, motion.pose, std::max(motion.speed, 0.0),
                         motion.acceleration, 0.0};
-  if (start.speed >= options.vehicle_limits.curvature_min_speed) {
+  if (start.speed >= options.verification.limits.curvature_min_speed) {
     start.curvature =
-        std::clamp(motion.yaw_rate / start.speed, -options.vehicle_limits.max_curvature,
-                   options.vehicle_limits.max_curvature);
+        std::clamp(motion.yaw_rate / start.speed, -options.verification.limits.max_curvature,
+                   options.verification.limits.max_curvature);
   }
   return start;
 }
@@ -285,9 +285,8 @@ class Run {
     contact.cause =
         causeOf({ego_box, velocityOf(ego)}, {other_box, other_velocity}, options_.fault);
     contact.at_fault = isAtFault(contact.cause, ego_box, *scenario_.lanes, options_.fault);
-    contact.type =
-        typeOf({outcome_.driven.front().pose, startPoseOf(other), ego_box, other_box},
-               scenario_.type, setup_.attack.collision_types, scenario_.lanes->map().driving_side);
+    contact.type = typeOf({outcome_.driven.front().pose, startPoseOf(other), ego_box, other_box},
+                          scenario_.type, setup_.types, scenario_.lanes->map().driving_side);
     outcome_.contact = contact;
   }
 

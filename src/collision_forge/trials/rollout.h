@@ -16,7 +16,8 @@ namespace forge {
 /// Everything that a rollout depends on, beside scenario and planner.
 struct RolloutSetup {
   const TrialOptions& planners;
-  const AttackOptions& attack;  ///< of contacts: tolerance, collision types; of the start's motion
+  const AttackOptions& attack;   ///< of contacts: tolerance; of the start's motion
+  const TypeDefinitions& types;  ///< what contacts are told to be of
   Background background = Background::kReplay;
   /// Otherwise the ego drives on to the end, through whom it touches.
   bool ends_at_contact = true;

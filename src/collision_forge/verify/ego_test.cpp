@@ -39,7 +39,7 @@ void EgoTest::addAgents(const std::vector<Track>& agents) {
 }
 
 std::optional<CollisionReport> EgoTest::outcome(const LaneIndex& lanes,
-                                                const AttackOptions& options) const {
+                                                const VerificationOptions& options) const {
   if (ego_.states.empty()) return std::nullopt;
   Future driven;
   driven.ego = ego_;

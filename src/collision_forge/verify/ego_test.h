@@ -22,7 +22,7 @@ class EgoTest {
   /// The verification against what was driven: as soon as the attacker has touched the ego and the
   /// others are known up to then, or when the trajectory has ended; empty before.
   std::optional<CollisionReport> outcome(const LaneIndex& lanes,
-                                         const AttackOptions& options) const;
+                                         const VerificationOptions& options) const;
 
  private:
   AttackerTrajectory trajectory_;

@@ -15,8 +15,7 @@ void readOptions(Section& section, VehicleLimits& limits) {
   limits.heading_per_metre = section.nonNegative("heading_per_metre");
 }
 
-void readOptions(Section& section, VerificationOptions& options, double time_margin) {
-  options.time_tolerance = section.atLeast("time_tolerance", time_margin);
+void readOptions(Section& section, VerificationOptions& options) {
   options.overlap_tolerance = section.positive("overlap_tolerance");
   options.off_road_interval = section.positive("off_road_interval");
 }

@@ -18,13 +18,13 @@ struct VehicleLimits {
 
 /// config/verification.yaml
 struct VerificationOptions {
-  double time_tolerance = 0.0;
+  VehicleLimits limits;  ///< of the attacker
   double overlap_tolerance = 0.0;
   double off_road_interval = 0.0;
 };
 
 void readOptions(Section& section, VehicleLimits& limits);
-/// `time_margin` is that of SearchOptions, which attacks keep to the ends of the time tolerance.
-void readOptions(Section& section, VerificationOptions& options, double time_margin);
+/// Without the limits, which have a file of their own.
+void readOptions(Section& section, VerificationOptions& options);
 
 }  // namespace forge

@@ -14,18 +14,6 @@
 namespace forge {
 namespace {
 
-/// The attacker's pose at a time within its trajectory.
-Pose2 poseAt(const AttackerTrajectory& trajectory, double time) {
-  const auto& points = trajectory.points;
-  const auto after = std::lower_bound(
-      points.begin(), points.end(), time,
-      [](const TrajectoryPoint& point, double value) { return point.time < value; });
-  if (after == points.begin()) return points.front().pose;
-  if (after == points.end()) return points.back().pose;
-  const TrajectoryPoint& before = *std::prev(after);
-  return interpolate(before.pose, after->pose, (time - before.time) / (after->time - before.time));
-}
-
 /// Instants at which either of the two starts a new straight piece, from the first point to `end`.
 std::vector<double> breakpoints(const AttackerTrajectory& trajectory, const Track& track,
                                 double end) {
@@ -93,8 +81,7 @@ Vector2 velocityAt(const AttackerTrajectory& trajectory, double time) {
 }
 
 void describeContact(const AttackerTrajectory& trajectory, const VerificationInput& input,
-                     const AttackOptions& options, CollisionReport& report) {
-  const TypeDefinition& type = options.collision_types.at(input.request.type);
+                     CollisionReport& report) {
   const auto ego = stateAt(input.future.ego, report.contact_time);
   report.ego_at_contact = ego->pose;
   report.attacker_at_contact = poseAt(trajectory, report.contact_time);
@@ -104,19 +91,25 @@ void describeContact(const AttackerTrajectory& trajectory, const VerificationInp
   report.ego_side = touchedSide(ego_box, attacker_box);
   report.attacker_side = touchedSide(attacker_box, ego_box);
   report.impact_speed = (velocityAt(trajectory, report.contact_time) - ego->velocity).norm();
+}
+
+/// Whether the contact is of the type and at the time that the request is after.
+void judgeContact(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                  CollisionReport& report) {
+  const TypeDefinition& type = input.request.bands();
   report.type_kept = headingFits(report.relative_heading, type);
-  if (options.type_rules == TypeRules::kFull) {
+  if (input.request.crash.rules == TypeRules::kFull) {
     const TrajectoryPoint& start = trajectory.points.front();
     const AgentState ego_now =
         stateAt(input.future.ego, start.time).value_or(input.future.ego.states.front());
-    const Pose2 offset = relativeTo(ego->pose, report.attacker_at_contact);
+    const Pose2 offset = relativeTo(report.ego_at_contact, report.attacker_at_contact);
     report.type_kept = report.type_kept &&
                        approachFits(angleBetween(ego_now.pose.yaw, start.pose.yaw), type) &&
                        contactFits(input.request.type, offset, input.future.ego.size,
                                    trajectory.size, input.lanes.map().driving_side);
   }
   const double elapsed = report.contact_time - input.snapshot.now;
-  report.on_time = std::abs(elapsed - input.request.tta) <= options.verification.time_tolerance;
+  report.on_time = std::abs(elapsed - input.request.tta) <= input.request.crash.time_tolerance;
 }
 
 void findFirstOther(const AttackerTrajectory& trajectory, const Future& future, double end,
@@ -134,18 +127,18 @@ void findFirstOther(const AttackerTrajectory& trajectory, const Future& future, 
 
 }  // namespace
 
-CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const VerificationInput& input,
-                             const AttackOptions& options) {
+CollisionReport verifyDrive(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                            const VerificationOptions& options) {
   if (trajectory.points.empty()) throw std::invalid_argument("the trajectory has no points");
   if (input.future.ego.states.empty()) throw std::invalid_argument("the ego's future is empty");
   CollisionReport report;
   const double end = trajectory.points.back().time;
-  const double tolerance = options.verification.overlap_tolerance;
+  const double tolerance = options.overlap_tolerance;
   const auto contact = firstContactTime(trajectory, input.future.ego, end, tolerance);
   report.contact = contact && *contact > trajectory.points.front().time;
   if (report.contact) {
     report.contact_time = *contact;
-    describeContact(trajectory, input, options, report);
+    describeContact(trajectory, input, report);
   }
   const double until = report.contact ? *contact : end;
   findFirstOther(trajectory, input.future, until, tolerance, report);
@@ -156,10 +149,17 @@ CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const Verific
   const double start_yaw = attacker != input.snapshot.agents.end()
                                ? attacker->states.back().pose.yaw
                                : trajectory.points.front().pose.yaw;
-  auto broken = findBrokenLimit(trajectory.points, start_yaw, until, options.vehicle_limits);
-  if (!broken) broken = findBrokenPositions(trajectory.points, until, options.vehicle_limits);
+  auto broken = findBrokenLimit(trajectory.points, start_yaw, until, options.limits);
+  if (!broken) broken = findBrokenPositions(trajectory.points, until, options.limits);
   report.bounds_kept = !broken;
   if (broken) report.broken_bound = describe(*broken);
+  return report;
+}
+
+CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                             const VerificationOptions& options) {
+  CollisionReport report = verifyDrive(trajectory, input, options);
+  if (report.contact) judgeContact(trajectory, input, report);
   return report;
 }
 
@@ -177,9 +177,9 @@ double offRoadShare(const AttackerTrajectory& trajectory, const CollisionReport&
 }
 
 CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
-                       const AttackOptions& options) {
+                       const VerificationOptions& options) {
   CollisionReport report = verifyMotion(trajectory, input, options);
-  report.off_road_share = offRoadShare(trajectory, report, input.lanes, options.verification);
+  report.off_road_share = offRoadShare(trajectory, report, input.lanes, options);
   return report;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "collision_forge/attack/options.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
+#include "collision_forge/verify/options.h"
 
 namespace forge {
 
@@ -16,11 +16,16 @@ struct VerificationInput {
 };
 
 /// First contact of the attacker with the ego and with anybody else before, found continuously
-/// between samples (see firstContact()); type, time and limits at that contact. The ego and the
-/// others move linearly between the states of `future`. Off-road share and confidence are left at
-/// 0. Throws std::invalid_argument for a trajectory without points or a future without an ego.
+/// between samples (see firstContact()), and the limits up to it. The ego and the others move
+/// linearly between the states of `future`. Whether the contact is as asked is not judged, off-road
+/// share and confidence are left at 0. Throws std::invalid_argument for a trajectory without points
+/// or a future without an ego.
+CollisionReport verifyDrive(const AttackerTrajectory& trajectory, const VerificationInput& input,
+                            const VerificationOptions& options);
+
+/// verifyDrive(), and type and time of the contact against the request's CrashDefinition.
 CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const VerificationInput& input,
-                             const AttackOptions& options);
+                             const VerificationOptions& options);
 
 /// Mean share of the attacker's box off the drivable area, from now to the report's contact (or to
 /// the end), at poses `off_road_interval` apart; 0 when the map has no drivable area.
@@ -29,6 +34,6 @@ double offRoadShare(const AttackerTrajectory& trajectory, const CollisionReport&
 
 /// verifyMotion() and offRoadShare().
 CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
-                       const AttackOptions& options);
+                       const VerificationOptions& options);
 
 }  // namespace forge

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace forge {
+
+/// Exit codes of every command.
+enum ExitCode { kExitOk = 0, kExitError = 1, kExitUsage = 2, kExitNoAttack = 3 };
+
+/// The command line of forge: its commands, and the one that a line asks for.
+class CommandLine {
+ public:
+  /// Does a command's work and returns an exit code, or throws.
+  using Run = std::function<int()>;
+
+  CommandLine();
+
+  /// A command with its line in the table of contents, under `heading`. `name` is a word, or two,
+  /// as "measure coverage". The options that are added to what is returned are read before `run` is
+  /// called.
+  CLI::App& add(const std::string& heading, const std::string& name, const std::string& text,
+                Run run);
+
+  /// Reads a line. Empty when a command is to be run, which run() then does; else what is asked for
+  /// has been printed, or what is wrong, and this is the exit code.
+  std::optional<int> parse(int argc, const char* const* argv);
+  /// Runs the command that was read. An exception becomes a message and kExitError.
+  int run() const;
+
+  /// The name of the command that was read, as "forge measure coverage".
+  std::string name() const;
+  const CLI::App& app() const { return app_; }
+
+ private:
+  /// The innermost command that was read.
+  const CLI::App* chosen() const;
+
+  CLI::App app_;
+  std::map<const CLI::App*, Run> runs_;
+};
+
+/// All commands of a full build.
+void addCommands(CommandLine& line);
+
+/// The commands of a command: "coverage" of "measure". CLI11 has groups of options among them.
+std::vector<const CLI::App*> partsOf(const CLI::App& command);
+
+/// A script for bash that completes the words of the command line.
+std::string bashCompletion(const CLI::App& app);
+
+// Each adds a command, or a few of one name.
+void addConvert(CommandLine& line);
+void addInject(CommandLine& line);
+void addRequests(CommandLine& line);
+void addGenerate(CommandLine& line);
+void addEvaluate(CommandLine& line);
+void addTest(CommandLine& line);
+void addTune(CommandLine& line);
+void addDataset(CommandLine& line);
+void addTrain(CommandLine& line);
+void addSpeedsCollect(CommandLine& line);
+void addSpeedsFit(CommandLine& line);
+void addMeasureCoverage(CommandLine& line);
+void addMeasureEgoFutures(CommandLine& line);
+void addMeasureLatency(CommandLine& line);
+void addMeasurePatterns(CommandLine& line);
+void addMeasurePlanners(CommandLine& line);
+void addCompletion(CommandLine& line);
+
+// The headings of the table of contents.
+inline const std::string kMakingCollisions = "Make collisions";
+inline const std::string kMeasuring = "Measure";
+inline const std::string kPlanners = "Planners";
+inline const std::string kTraining = "Data sets and training";
+inline const std::string kShell = "Shell";
+
+}  // namespace forge

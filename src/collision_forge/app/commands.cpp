@@ -1,0 +1,25 @@
+#include "collision_forge/app/command_line.h"
+
+namespace forge {
+
+void addCommands(CommandLine& line) {
+  addConvert(line);
+  addInject(line);
+  addRequests(line);
+  addGenerate(line);
+  addEvaluate(line);
+  addMeasureCoverage(line);
+  addMeasureEgoFutures(line);
+  addMeasureLatency(line);
+  addMeasurePatterns(line);
+  addMeasurePlanners(line);
+  addTest(line);
+  addTune(line);
+  addDataset(line);
+  addTrain(line);
+  addSpeedsCollect(line);
+  addSpeedsFit(line);
+  addCompletion(line);
+}
+
+}  // namespace forge

@@ -1,0 +1,78 @@
+#include <iostream>
+#include <sstream>
+
+#include "collision_forge/app/command_line.h"
+
+namespace forge {
+namespace {
+
+/// The words that an option takes, "train val test"; empty for one that takes anything.
+std::string wordsOf(const CLI::Option& option) {
+  const std::string type = option.get_type_name();  // as "TEXT:{train,val,test}"
+  const std::size_t open = type.find('{');
+  if (open == std::string::npos) return "";
+  std::string words = type.substr(open + 1, type.find('}', open) - open - 1);
+  for (char& letter : words) letter = letter == ',' ? ' ' : letter;
+  return words;
+}
+
+/// Those of its groups too.
+std::vector<const CLI::Option*> optionsOf(const CLI::App& command) {
+  std::vector<const CLI::Option*> options = command.get_options();
+  for (const CLI::App* part : command.get_subcommands([](const CLI::App*) { return true; })) {
+    if (!part->get_name().empty()) continue;
+    for (const CLI::Option* option : part->get_options()) options.push_back(option);
+  }
+  return options;
+}
+
+/// What may follow a command, and what may follow its options, as branches of two `case`.
+void describe(const CLI::App& command, const std::string& name, std::ostream& next,
+              std::ostream& values) {
+  next << "    '" << name << "') words='";
+  for (const CLI::App* part : partsOf(command)) next << part->get_name() << " ";
+  for (const CLI::Option* option : optionsOf(command)) {
+    next << "--" << option->get_lnames().front() << " ";
+    if (option->get_items_expected_max() == 0) continue;  // a flag
+    values << "    '" << name << " --" << option->get_lnames().front() << "') words='"
+           << wordsOf(*option) << "' ;;\n";
+  }
+  next << "' ;;\n";
+  for (const CLI::App* part : partsOf(command)) {
+    describe(*part, name + " " + part->get_name(), next, values);
+  }
+}
+
+}  // namespace
+
+std::string bashCompletion(const CLI::App& app) {
+  std::ostringstream next;
+  std::ostringstream values;
+  describe(app, app.get_name(), next, values);
+  return "_forge_complete() {\n"
+         "  local word words='' name=forge current=${COMP_WORDS[COMP_CWORD]}\n"
+         "  for word in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do\n"
+         "    [[ $word == -* ]] && break\n"
+         "    name+=\" $word\"\n"
+         "  done\n"
+         "  case $name in\n" +
+         next.str() +
+         "  esac\n"
+         "  case \"$name ${COMP_WORDS[COMP_CWORD-1]}\" in\n" +
+         values.str() +
+         "  esac\n"
+         "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
+         "}\n"
+         "complete -o default -F _forge_complete forge\n";
+}
+
+void addCompletion(CommandLine& line) {
+  const CLI::App& app = line.app();
+  line.add(kShell, "completion bash", "Prints a script that completes forge's words in bash.",
+           [&app] {
+             std::cout << bashCompletion(app);
+             return kExitOk;
+           });
+}
+
+}  // namespace forge

@@ -1,0 +1,8 @@
+#include "collision_forge/app/command_line.h"
+
+int main(int argc, char** argv) {
+  forge::CommandLine line;
+  forge::addCommands(line);
+  const auto exit_code = line.parse(argc, argv);
+  return exit_code ? *exit_code : line.run();
+}

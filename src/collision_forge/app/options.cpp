@@ -1,0 +1,105 @@
+#include "collision_forge/app/options.h"
+
+#include <cstdio>
+
+#ifndef COLLISION_FORGE_WITHOUT_ROS
+#include <ros/package.h>
+#endif
+
+namespace forge {
+namespace {
+
+/// Empty where ROS does not know the package.
+const std::string& packageFolder() {
+#ifdef COLLISION_FORGE_WITHOUT_ROS
+  static const std::string folder;
+#else
+  static const std::string folder = ros::package::getPath("collision_forge");
+#endif
+  return folder;
+}
+
+}  // namespace
+
+void addDataroot(CLI::App& app, std::string& dataroot) {
+  app.add_option("--dataroot", dataroot, "nuScenes root: folder with maps/expansion")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+}
+
+CLI::Option* addVersion(CLI::App& app, std::string& version) {
+  return app.add_option("--version", version, "folder of the tables in --dataroot, as v1.0-mini");
+}
+
+void addLogs(CLI::App& app, std::string& dataroot, std::string& version) {
+  addDataroot(app, dataroot);
+  addVersion(app, version)->required();
+}
+
+CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes) {
+  return app.add_option("--scene", scenes, "names of scenes; all by default");
+}
+
+CLI::Option* addCollide(CLI::App& app, std::string& collide) {
+  return app.add_option("--collide", collide, "folder of clips, with trajectory/SPLIT in it")
+      ->check(CLI::ExistingDirectory);
+}
+
+CLI::Option* addSplit(CLI::App& app, std::string& split, CLI::Option* collide) {
+  return app.add_option("--split", split, "which clips of --collide")
+      ->check(CLI::IsMember({"train", "val", "test"}))
+      ->capture_default_str()
+      ->needs(collide);
+}
+
+void addLimit(CLI::App& app, std::size_t& limit, CLI::Option* collide) {
+  app.add_option("--limit", limit, "the first clips of --collide only; 0 takes all")
+      ->capture_default_str()
+      ->needs(collide);
+}
+
+void addConfig(CLI::App& app, std::string& folder) {
+  CLI::Option* option = app.add_option("--config", folder, "folder with the configuration files")
+                            ->check(CLI::ExistingDirectory);
+  if (packageFolder().empty()) {
+    option->required();
+  } else {
+    folder = packageFolder() + "/config";
+    option->capture_default_str();
+  }
+}
+
+void addOut(CLI::App& app, std::string& out, const std::string& text) {
+  app.add_option("--out", out, text)->required();
+}
+
+void addJobs(CLI::App& app, int& jobs, const std::string& text) {
+  app.add_option("--jobs", jobs, text)->check(CLI::Range(1, 256))->capture_default_str();
+}
+
+CLI::Option* addMethod(CLI::App& app, std::string& method) {
+  return app.add_option("--method", method, "how attacks are made; by default the suite's own way");
+}
+
+void addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text) {
+  app.add_option("--seed", seed, text)->capture_default_str();
+}
+
+void addMode(CLI::App& app, Mode& mode) {
+  addChoice<Mode>(app, "--mode", mode, {{"history", Mode::kHistory}, {"replay", Mode::kReplay}},
+                  "history: use only what was seen up to now; replay: use the recorded future");
+}
+
+void addBackground(CLI::App& app, Background& background) {
+  addChoice<Background>(app, "--background", background,
+                        {{"replay", Background::kReplay}, {"idm", Background::kIdm}},
+                        "the others: replay, or idm (they brake for who is in their way)");
+}
+
+void printWarnings(const std::string& subject, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    std::fprintf(stderr, "warning: %s: %s\n", subject.c_str(), warning.c_str());
+  }
+}
+
+}  // namespace forge

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "collision_forge/scene/collision_request.h"
+#include "collision_forge/trials/traffic.h"
+
+/// Options that several commands have, each defined once.
+namespace forge {
+
+/// One of a few words, each with its value; the value that `value` has is the default.
+template <typename Value>
+CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
+                       const std::vector<std::pair<std::string, Value>>& choices,
+                       const std::string& text) {
+  std::vector<std::string> words;
+  std::string default_word;
+  for (const auto& [word, meaning] : choices) {
+    words.push_back(word);
+    if (meaning == value) default_word = word;
+  }
+  const auto take = [&value, choices](const std::string& given) {
+    const auto is_given = [&](const auto& choice) { return choice.first == given; };
+    value = std::find_if(choices.begin(), choices.end(), is_given)->second;
+  };
+  return app.add_option_function<std::string>(name, take, text)
+      ->check(CLI::IsMember(words))
+      ->default_str(default_word);
+}
+
+/// --dataroot, required.
+void addDataroot(CLI::App& app, std::string& dataroot);
+/// --version, not required.
+CLI::Option* addVersion(CLI::App& app, std::string& version);
+/// --dataroot and --version, both required.
+void addLogs(CLI::App& app, std::string& dataroot, std::string& version);
+/// --scene, all by default.
+CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes);
+
+/// --collide.
+CLI::Option* addCollide(CLI::App& app, std::string& collide);
+/// --split, which needs `collide`.
+CLI::Option* addSplit(CLI::App& app, std::string& split, CLI::Option* collide);
+/// --limit, which needs `collide`.
+void addLimit(CLI::App& app, std::size_t& limit, CLI::Option* collide);
+
+/// --config, by default the package's own configuration; required where ROS does not know the
+/// package (its environment is not sourced), or in a build without ROS.
+void addConfig(CLI::App& app, std::string& folder);
+/// --out, required.
+void addOut(CLI::App& app, std::string& out, const std::string& text);
+/// --jobs, from 1 to 256.
+void addJobs(CLI::App& app, int& jobs, const std::string& text);
+/// --seed.
+void addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text);
+/// --mode, history or replay.
+void addMode(CLI::App& app, Mode& mode);
+/// --method of attack; empty: the suite's own.
+CLI::Option* addMethod(CLI::App& app, std::string& method);
+/// --background of tests of planners, replay or idm.
+void addBackground(CLI::App& app, Background& background);
+
+/// Says on stderr what is odd about something that was read.
+void printWarnings(const std::string& subject, const std::vector<std::string>& warnings);
+
+}  // namespace forge

@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <boost/timer/progress_display.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/evaluation.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/batch/dispatch.h"
+#include "collision_forge/data/collide_set.h"
+#include "collision_forge/drawing/draw_scenario.h"
+#include "collision_forge/files/aside_file.h"
+#include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/settings/config_fingerprint.h"
+#include "collision_forge/trials/planner_cases.h"
+#include "collision_forge/trials/planner_report.h"
+#include "collision_forge/trials/planner_result_lines.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string dataroot;
+  std::string version;
+  std::vector<std::string> scenarios;
+  std::string collide;
+  std::string split = "val";
+  ClipAttacker attacker = ClipAttacker::kRecorded;
+  std::size_t limit = 0;
+  std::vector<std::string> planners = {"idm", "rule_based", "pdm"};
+  Background background = Background::kReplay;
+  std::size_t worst = 3;
+  std::string out;
+  std::string config;
+  std::string method;
+  int jobs = defaultJobs();
+};
+
+std::unique_ptr<PlannerCases> openCases(const Arguments& arguments, const Config& config) {
+  if (arguments.collide.empty()) {
+    return openScenarioCases(arguments.scenarios, arguments.dataroot, arguments.version,
+                             static_cast<std::size_t>(arguments.jobs) + 1, config);
+  }
+  std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
+  if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
+  return openClipCases(paths, arguments.dataroot, arguments.attacker, arguments.method, config);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
+  return text;
+}
+
+/// What the results depend on, for the resumption of the run.
+ResumableFile::Options runOptions(const Arguments& arguments, const PlannerCases& cases,
+                                  const Config& config) {
+  ResumableFile::Options options = fingerprintsOf(config, arguments.config);
+  options["dataroot"] = fs::canonical(arguments.dataroot).string();
+  options["version"] = arguments.version;
+  options["cases"] = cases.fingerprint();
+  options["planners"] = joined(arguments.planners);
+  options["background"] = arguments.background == Background::kIdm ? "idm" : "replay";
+  return options;
+}
+
+/// How long the planners computed in this process.
+class PlanningTimes {
+ public:
+  void add(const PlannerTestResult& result) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const PlannerRow& row : result.rows) {
+      Sum& sum = sums_[row.planner];
+      sum.seconds += row.outcome.planning_seconds;
+      sum.calls += row.outcome.plans;
+    }
+  }
+
+  void print() const {
+    for (const auto& [planner, sum] : sums_) {
+      if (sum.calls == 0) continue;
+      std::printf("%s: %.3f ms a call, mean of %ld calls in this process\n", planner.c_str(),
+                  1e3 * sum.seconds / static_cast<double>(sum.calls), sum.calls);
+    }
+  }
+
+ private:
+  struct Sum {
+    double seconds = 0.0;
+    long calls = 0;
+  };
+  std::mutex mutex_;
+  std::map<std::string, Sum> sums_;
+};
+
+std::string csvOf(const std::vector<PlannerTestResult>& results) {
+  std::string text = plannerResultCsvHeader() + "\n";
+  for (const PlannerTestResult& result : results) {
+    for (const std::string& row : plannerResultCsvRows(result)) text += row + "\n";
+  }
+  return text;
+}
+
+void report(const std::vector<PlannerTestResult>& results, const Arguments& arguments,
+            const Config& config) {
+  const StatisticsOptions& statistics = config.evaluation.statistics;
+  std::string text =
+      reportTitle("Planners in closed loop", statistics) + "\n" + describeCases(results);
+  std::string csv = rateCsvHeader() + "\n";
+  for (const PlannerTable& entry : plannerTables(results, arguments.planners, statistics)) {
+    text += "\n" + toMarkdown(entry.table, entry.unit);
+    csv += toCsv(entry.table);
+    if (entry.table.measure.is_headline) {
+      drawTable(entry.table, "closed loop", arguments.out, config.drawing);
+    }
+  }
+  writeText(arguments.out + "/results.csv", csvOf(results));
+  writeText(arguments.out + "/table.csv", csv);
+  writeText(arguments.out + "/table.md", text);
+  std::cout << text;
+}
+
+/// The rollout again, as a picture: the ego is the planner's.
+ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome) {
+  const CrashScenario& scenario = one.scenario;
+  const PlannerContact& contact = *outcome.contact;
+  ScenarioView view{one.scene,         one.request.tta, one.request.mode,  scenario.snapshot,
+                    scenario.recorded, one.pattern,     scenario.attacker, {}};
+  view.contact_alone = true;
+  view.future.ego.states.clear();
+  for (const TrajectoryPoint& point : outcome.driven) {
+    view.future.ego.states.push_back({point.time, point.pose, point.speed * point.pose.heading()});
+  }
+  CollisionReport& report = view.report;
+  report.contact = true;
+  report.contact_time = contact.time;
+  report.relative_heading = contact.relative_heading;
+  report.ego_at_contact = outcome.driven.back().pose;
+  report.attacker_at_contact = stateAt(attackerTrack(scenario), contact.time)->pose;
+  report.ego_side = contact.ego_side;
+  report.attacker_side = contact.other_side;
+  report.impact_speed = contact.impact_speed;
+  report.type_kept = contact.type == one.request.type;
+  report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
+                   one.request.crash.time_tolerance;
+  return view;
+}
+
+void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& results,
+               const Arguments& arguments, const Config& config) {
+  const fs::path folder = fs::path(arguments.out) / "worst";
+  fs::create_directories(folder);
+  std::map<std::string, int> ranks;
+  for (const WorstCase& worst : worstCases(results, arguments.planners, arguments.worst)) {
+    const PlannerCase one = cases.at(worst.result);
+    const PlannerUnderTest made =
+        makePlanner(worst.planner, config.planners, one.scenario.attacker.attacker_id);
+    const RolloutOutcome outcome =
+        rollout(*made.planner, made.driving, one.scenario,
+                {config.planners, config.attack, config.crash.types, arguments.background});
+    const ScenarioView view = viewOf(one, outcome);
+    const std::string name =
+        (folder / (worst.planner + "_" + std::to_string(++ranks[worst.planner]))).string();
+    drawScenarioPng(name + ".png", view, config.drawing);
+    drawScenarioGif(name + ".gif", view, config.drawing);
+  }
+}
+
+/// Throws where there is nothing to report on.
+void checkTested(const std::vector<PlannerTestResult>& results, const std::string& path) {
+  const auto isTested = [](const PlannerTestResult& result) { return result.isTested(); };
+  if (std::any_of(results.begin(), results.end(), isTested)) return;
+  const PlannerTestResult& first = results.front();
+  throw std::runtime_error(path + ": none of the cases could be tested (" +
+                           std::to_string(results.size()) + "); the first, " + first.name + ": " +
+                           first.status + ": " + first.message);
+}
+
+int run(const Arguments& arguments) {
+  const bool is_master = isMaster();
+  const Config config = loadConfig(arguments.config);
+  const auto cases = openCases(arguments, config);
+  const std::string results = (fs::path(arguments.out) / "results.jsonl").string();
+  std::unique_ptr<PlannerResultLines> lines;
+  if (is_master) {
+    fs::create_directories(arguments.out);
+    lines = std::make_unique<PlannerResultLines>(results, runOptions(arguments, *cases, config),
+                                                 cases->names());
+  }
+  PlanningTimes times;
+  const auto work = [&](std::size_t index) {
+    const PlannerTestResult result = testCase(*cases, index, [&](const PlannerCase& one) {
+      return testPlanners(one, arguments.planners, arguments.background, config, config.planners);
+    });
+    times.add(result);
+    return plannerResultLine(result);
+  };
+  std::unique_ptr<boost::timer::progress_display> bar;
+  if (is_master) {
+    bar = std::make_unique<boost::timer::progress_display>(cases->names().size(), std::cerr);
+    *bar += lines->first();
+  }
+  const auto take = [&](std::size_t, const std::string& line) {
+    lines->take(line);
+    ++*bar;
+  };
+  dispatch(cases->names().size(), work, take, {arguments.jobs, is_master ? lines->first() : 0});
+  if (!is_master) return kExitOk;
+  lines->complete();
+  checkTested(lines->results(), results);
+  report(lines->results(), arguments, config);
+  times.print();
+  drawWorst(*cases, lines->results(), arguments, config);
+  return kExitOk;
+}
+
+}  // namespace
+
+void addTest(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app =
+      line.add(kPlanners, "test", "Drives planners through crashes; goes on where a run stopped.",
+               [arguments] { return run(*arguments); });
+  addDataroot(app, arguments->dataroot);
+  CLI::Option* version = addVersion(app, arguments->version);
+  CLI::Option_group* source = app.add_option_group("what they are driven through");
+  source->add_option("--scenarios", arguments->scenarios, "scenario files of forge generate")
+      ->needs(version);
+  CLI::Option* collide = addCollide(*source, arguments->collide);
+  source->require_option(1);
+  addSplit(app, arguments->split, collide);
+  addLimit(app, arguments->limit, collide);
+  addChoice<ClipAttacker>(app, "--drive", arguments->attacker,
+                          {{"recorded", ClipAttacker::kRecorded},
+                           {"history", ClipAttacker::kHistory},
+                           {"replay", ClipAttacker::kReplay}},
+                          "who attacks in clips: the set's own attacker as recorded, or ours in "
+                          "history or replay mode")
+      ->needs(collide);
+  addMethod(app, arguments->method)->needs(collide);
+  app.add_option("--planners", arguments->planners, "names, separated by commas")
+      ->delimiter(',')
+      ->check(CLI::IsMember(plannerNames()))
+      ->capture_default_str();
+  addBackground(app, arguments->background);
+  app.add_option("--worst", arguments->worst, "pictures a planner, of the hardest impacts")
+      ->capture_default_str();
+  addOut(app, arguments->out, "folder to write; see docs/planners.md");
+  addJobs(app, arguments->jobs, "cases at a time, in every rank of mpirun");
+  addConfig(app, arguments->config);
+}
+
+}  // namespace forge

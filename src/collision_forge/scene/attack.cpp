@@ -1,0 +1,19 @@
+#include "collision_forge/scene/attack.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace forge {
+
+Pose2 poseAt(const AttackerTrajectory& trajectory, double time) {
+  const auto& points = trajectory.points;
+  const auto after = std::lower_bound(
+      points.begin(), points.end(), time,
+      [](const TrajectoryPoint& point, double value) { return point.time < value; });
+  if (after == points.begin()) return points.front().pose;
+  if (after == points.end()) return points.back().pose;
+  const TrajectoryPoint& before = *std::prev(after);
+  return interpolate(before.pose, after->pose, (time - before.time) / (after->time - before.time));
+}
+
+}  // namespace forge

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "collision_forge/attack/method_registry.h"
+#include "collision_forge/data/collide_clip.h"
+#include "collision_forge/study/options.h"
+
+namespace forge {
+
+/// The methods that a clip of COLLIDE can be asked for: "recorded" (recordedAttacker()),
+/// "constant_velocity" (that of the clip), those of `methods`, and "published_search" and
+/// "network+published_search" (publishedSearchAttacker()). The methods made of it read `clip`,
+/// which must outlive them; a null clip serves for the names alone.
+MethodRegistry clipMethods(const MethodRegistry& methods, const CollideClip* clip,
+                           const EvaluationOptions& evaluation);
+
+}  // namespace forge

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "collision_forge/training/training_data.h"
+
+namespace forge {
+
+/// What a network is trained on, how, and where the run is written.
+struct TrainingRun {
+  TrainingSources sources;
+  std::string out;     ///< folder of the run
+  std::string config;  ///< folder with the configuration files
+  std::string device = "cpu";
+  int fold = 0;  ///< part of the scenes that is left out, from 1; 0: none
+  int folds = 5;
+  int threads = 1;     ///< that train
+  int stop_after = 0;  ///< epoch; 0: the last
+  std::uint64_t seed = 0;
+};
+
+}  // namespace forge
+
+/// Trains the collision-pattern network; under mpirun over all ranks; goes on where a run of the
+/// same stopped. Writes weights, metrics,
+/// curves and its state to run.out, and throws std::runtime_error for what is wrong. Found by this
+/// name in the library, which brings libtorch along and is loaded when it is needed alone.
+extern "C" void forgeTrainPatternNetwork(const forge::TrainingRun& run);

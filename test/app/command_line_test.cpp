@@ -1,0 +1,223 @@
+#include "collision_forge/app/command_line.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace forge {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kDataroot = std::string(COLLISION_FORGE_SOURCE_DIR) + "/data/embedded";
+const std::string kConfig = std::string(COLLISION_FORGE_SOURCE_DIR) + "/config";
+const std::string kFile = std::string(COLLISION_FORGE_SOURCE_DIR) + "/package.xml";
+const std::string kLogs =
+    " --dataroot " + kDataroot + " --version v1.0-embedded --config " + kConfig;
+
+/// What comes of a line: the exit code where no command is run, and what is printed.
+struct Reading {
+  std::optional<int> exit_code;
+  std::string name;
+  std::string out;
+  std::string err;
+};
+
+/// A full command line, which has read `words`.
+class Forge {
+ public:
+  Forge() { addCommands(line_); }
+
+  Reading read(const std::string& words) {
+    std::istringstream stream(words);
+    std::vector<std::string> split = {"forge"};
+    for (std::string word; stream >> word;) split.push_back(word);
+    std::vector<const char*> arguments;
+    for (const std::string& word : split) arguments.push_back(word.c_str());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    Reading reading;
+    reading.exit_code = line_.parse(static_cast<int>(arguments.size()), arguments.data());
+    reading.name = line_.name();
+    reading.out = testing::internal::GetCapturedStdout();
+    reading.err = testing::internal::GetCapturedStderr();
+    return reading;
+  }
+
+  const CLI::App& app() const { return line_.app(); }
+
+ private:
+  CommandLine line_;
+};
+
+Reading read(const std::string& words) { return Forge().read(words); }
+
+/// A line for every command that lacks nothing.
+const std::map<std::string, std::string> kComplete = {
+    {"convert", kLogs + " --out bags"},
+    {"inject", " --bag a.bag --type ltap --tta 4 --now 4 --out b.bag --config " + kConfig},
+    {"requests", kLogs + " --out requests.jsonl"},
+    {"generate", kLogs + " --requests requests.jsonl --out scenarios.jsonl"},
+    {"evaluate", kLogs + " --requests " + kFile + " --out out"},
+    {"test", kLogs + " --scenarios scenarios.jsonl --out out"},
+    {"tune", kLogs + " --train a.jsonl --test b.jsonl --out out"},
+    {"dataset", kLogs + " --out out"},
+    {"train", kLogs + " --out out"},
+    {"speeds collect", kLogs + " --out profiles.csv"},
+    {"speeds fit", " --profiles profiles.csv --out model.jsonl --config " + kConfig},
+    {"measure coverage", kLogs + " --out coverage.csv"},
+    {"measure ego-futures", kLogs},
+    {"measure latency", ""},
+    {"measure patterns",
+     " --collide " + kDataroot + " --dataroot " + kDataroot + " --config " + kConfig},
+    {"measure planners", kLogs},
+    {"completion bash", ""},
+};
+
+TEST(CommandLine, HelpHasALineForEveryCommand) {
+  const Reading help = read("--help");
+  EXPECT_EQ(help.exit_code, kExitOk);
+  for (const auto& [name, options] : kComplete) {
+    EXPECT_THAT(help.out, HasSubstr("\n  " + name + " ")) << name;
+  }
+}
+
+TEST(CommandLine, HelpNamesNoCommandThatIsNot) {
+  const std::string out = read("--help").out;
+  const std::string contents = out.substr(out.find("Make collisions:"));
+  std::istringstream lines(contents);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line.front() != ' ') continue;
+    const std::string name = line.substr(2, line.find("  ", 2) - 2);
+    EXPECT_EQ(kComplete.count(name), 1u) << line;
+  }
+}
+
+TEST(CommandLine, EveryCommandHasHelpOfItsOwn) {
+  for (const auto& [name, options] : kComplete) {
+    const Reading help = read(name + " --help");
+    EXPECT_EQ(help.exit_code, kExitOk) << name;
+    EXPECT_THAT(help.out, HasSubstr("Usage: forge " + name)) << name;
+  }
+}
+
+TEST(CommandLine, CompleteLinesAreRead) {
+  for (const auto& [name, options] : kComplete) {
+    const Reading reading = read(name + options);
+    EXPECT_EQ(reading.exit_code, std::nullopt) << name << ": " << reading.err;
+    EXPECT_EQ(reading.name, "forge " + name);
+  }
+}
+
+TEST(CommandLine, WhatIsRequiredIsMissed) {
+  for (const auto& [name, options] : kComplete) {
+    const std::size_t last = options.rfind(" --out");
+    if (last == std::string::npos) continue;
+    const std::string rest = options.substr(0, last) + options.substr(options.find(' ', last + 7));
+    const bool is_last = options.find(' ', last + 7) == std::string::npos;
+    const Reading reading = read(name + (is_last ? options.substr(0, last) : rest));
+    EXPECT_EQ(reading.exit_code, kExitUsage) << name;
+    EXPECT_THAT(reading.err, HasSubstr("forge " + name + ": --out is required")) << name;
+  }
+}
+
+TEST(CommandLine, ALineWithoutACommandIsWrong) {
+  EXPECT_EQ(read("").exit_code, kExitUsage);
+  EXPECT_EQ(read("measure").exit_code, kExitUsage);
+  const Reading unknown = read("fabricate");
+  EXPECT_EQ(unknown.exit_code, kExitUsage);
+  EXPECT_THAT(unknown.err, HasSubstr("fabricate"));
+}
+
+TEST(CommandLine, WrongValuesAreNamedWithTheirOption) {
+  for (const auto& [line, named] : std::map<std::string, std::string>{
+           {"generate" + kComplete.at("generate") + " --mode live", "--mode"},
+           {"generate" + kComplete.at("generate") + " --jobs 0", "--jobs"},
+           {"generate" + kComplete.at("generate") + " --jobs 257", "--jobs"},
+           {"generate" + kComplete.at("generate") + " --format csv", "csv-collide"},
+           {"requests" + kComplete.at("requests") + " --attackers all", "--attackers"},
+           {"requests" + kComplete.at("requests") + " --tta nan", "--tta"},
+           {"requests" + kComplete.at("requests") + " --types drift", "--types"},
+           {"test" + kComplete.at("test") + " --background still", "--background"},
+           {"test" + kComplete.at("test") + " --planners idm,none", "--planners"},
+           {"evaluate" + kComplete.at("evaluate") + " --seeds 0", "--seeds"},
+           {"train" + kComplete.at("train") + " --fold 6", "--fold"},
+           {"convert --dataroot /nowhere --version v --out bags", "/nowhere"},
+           {"inject" + kComplete.at("inject") + " --nonsense", "--nonsense"}}) {
+    const Reading reading = read(line);
+    EXPECT_EQ(reading.exit_code, kExitUsage) << line;
+    EXPECT_THAT(reading.err, HasSubstr(named)) << line;
+  }
+}
+
+TEST(CommandLine, OptionsOfClipsAndOfLogsExcludeEachOther) {
+  const std::string clips = "evaluate --dataroot " + kDataroot + " --config " + kConfig +
+                            " --out out --collide " + kDataroot;
+  EXPECT_EQ(read(clips).exit_code, std::nullopt);
+  EXPECT_EQ(read(clips + " --requests " + kFile + " --version v").exit_code, kExitUsage);
+  EXPECT_EQ(read(clips + " --scene scene-0001").exit_code, kExitUsage);
+  EXPECT_EQ(read("evaluate" + kComplete.at("evaluate") + " --by-scene").exit_code, kExitUsage);
+  EXPECT_EQ(read("evaluate" + kComplete.at("evaluate") + " --split val").exit_code, kExitUsage);
+  EXPECT_EQ(read("test" + kComplete.at("test") + " --collide " + kDataroot).exit_code, kExitUsage);
+  EXPECT_EQ(read("test" + kComplete.at("test") + " --drive replay").exit_code, kExitUsage);
+  EXPECT_EQ(read("test" + kLogs + " --out out").exit_code, kExitUsage);
+}
+
+TEST(CommandLine, MethodsAndProtocolsOfClipsAreRefusedForRequests) {
+  const std::string line = "evaluate" + kComplete.at("evaluate");
+  EXPECT_EQ(read(line + " --method search").exit_code, std::nullopt);
+  EXPECT_THAT(read(line + " --method recorded").err, HasSubstr("recorded is of clips alone"));
+  EXPECT_THAT(read(line + " --protocol published").err, HasSubstr("published is of clips alone"));
+}
+
+TEST(CommandLine, HelpTellsDefaults) {
+  EXPECT_THAT(read("generate --help").out,
+              AllOf(HasSubstr("{history,replay}=history"), HasSubstr("{jsonl,csv-collide}=jsonl")));
+  EXPECT_THAT(read("test --help").out,
+              AllOf(HasSubstr("{replay,idm}=replay"),
+                    HasSubstr("{recorded,history,replay}=recorded"), HasSubstr("=val")));
+  EXPECT_THAT(read("requests --help").out, HasSubstr("{any,each}=any"));
+}
+
+TEST(CommandLine, WordsOfDefaultsAreAcceptedAsValues) {
+  EXPECT_EQ(read("generate" + kComplete.at("generate") + " --mode history").exit_code,
+            std::nullopt);
+  EXPECT_EQ(read("generate" + kComplete.at("generate") + " --mode replay").exit_code, std::nullopt);
+}
+
+TEST(CommandLine, AnErrorBeginsWithTheNameOfTheCommand) {
+  CommandLine line;
+  line.add("Heading", "group fails", "Fails.",
+           []() -> int { throw std::runtime_error("no luck"); });
+  const char* const words[] = {"forge", "group", "fails"};
+  ASSERT_EQ(line.parse(3, words), std::nullopt);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(line.run(), kExitError);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "forge group fails: no luck\n");
+}
+
+TEST(CommandLine, TheExitCodeOfACommandIsHandedOn) {
+  CommandLine line;
+  line.add("Heading", "refuses", "Refuses.", [] { return kExitNoAttack; });
+  line.add("Heading", "works", "Works.", [] { return kExitOk; });
+  const char* const words[] = {"forge", "refuses"};
+  ASSERT_EQ(line.parse(2, words), std::nullopt);
+  EXPECT_EQ(line.run(), kExitNoAttack);
+}
+
+TEST(BashCompletion, KnowsCommandsOptionsAndValues) {
+  const Forge forge;
+  const std::string script = bashCompletion(forge.app());
+  EXPECT_THAT(script, HasSubstr("complete -o default -F _forge_complete forge\n"));
+  EXPECT_THAT(script, HasSubstr("'forge generate --mode') words='history replay'"));
+  EXPECT_THAT(script, HasSubstr("'forge generate --requests') words=''"));
+  EXPECT_THAT(script, HasSubstr("'forge measure') words='coverage "));
+  EXPECT_THAT(script, HasSubstr("--scenarios"));
+  EXPECT_THAT(script, Not(HasSubstr("'forge convert --force')")));
+}
+
+}  // namespace
+}  // namespace forge

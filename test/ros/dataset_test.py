@@ -1,0 +1,173 @@
+#!/usr/bin/python3
+"""forge dataset: what its folder holds, that evaluate reads it, how a run goes on, threads and ranks alike."""
+import csv
+import json
+import os
+import re
+import subprocess
+import time
+
+import jsonschema
+
+import road
+from road import DATAROOT, PACKAGE_FOLDER, VERSION
+
+SCHEMA = PACKAGE_FOLDER / 'docs' / 'scenario.schema.json'
+SCENES = ['scene-0001', 'scene-0002', 'scene-0007']
+# For a small set and pictures of it.
+CHANGES = {'begin_stride': 1.0, 'opposite_direction': 1, 'junction_crossing': 3, 'ltap': 1, 'sheet_columns': 2,
+           'sheet_rows': 1}
+SPLITS = ['train', 'val', 'test']
+
+
+def command(out, *arguments):
+    return [str(word) for word in ('forge', 'dataset', '--dataroot', DATAROOT, '--version', VERSION,
+                                   '--scene', *SCENES, '--out', out, *arguments)]
+
+
+def run(words, **options):
+    return subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
+                          universal_newlines=True, timeout=road.TIMEOUT, check=False, **options)
+
+
+def content(folder):
+    """Every file under a folder with its bytes."""
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob('*') if path.is_file()}
+
+
+def lines_of(path):
+    return [json.loads(line) for line in path.read_text().splitlines()]
+
+
+class BuildDatasetTest(road.RoadTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.config = road.copy_config(cls.folder / 'config')
+        dataset = cls.config / 'dataset.yaml'
+        text = dataset.read_text()
+        for key, value in CHANGES.items():
+            text, count = re.subn(r'\b{}: [\d.]+'.format(key), '{}: {}'.format(key, value), text)
+            assert count == 1, key
+        dataset.write_text(text)
+        cls.out = cls.folder / 'set'
+        result = run(command(cls.out, '--config', cls.config, '--jobs', 1))
+        assert result.returncode == 0, result.stderr
+        cls.printed = result.stdout
+        cls.expected = content(cls.out)
+
+    def clips(self):
+        return {split: sorted((self.out / 'trajectory' / split).glob('*.csv')) for split in SPLITS}
+
+    def test_store_and_clips_hold_the_same_verified_attacks(self):
+        schema = json.loads(SCHEMA.read_text())
+        scenes = {}
+        for split, clips in self.clips().items():
+            scenarios = lines_of(self.out / 'scenarios' / (split + '.jsonl'))
+            self.assertEqual(len(scenarios), len(clips))
+            self.assertGreater(len(clips), 0)
+            for scenario in scenarios:
+                jsonschema.validate(scenario, schema)
+                self.assertTrue(scenario['report']['verified'])
+                self.assertLessEqual(abs(scenario['report']['contact_t'] - scenario['request']['tta']), 0.1 + 1e-6)
+                self.assertLessEqual(scenario['report']['off_road_share'], 0.2)
+            scenes[split] = {scenario['scene'] for scenario in scenarios}
+        self.assertEqual(sum(map(len, scenes.values())), len(set.union(*scenes.values())), 'a scene in two splits')
+
+    def test_attackers_keep_their_recorded_history(self):
+        tables = DATAROOT / VERSION
+        times = {row['token']: row['timestamp'] for row in json.loads((tables / 'sample.json').read_text())}
+        recorded = {(row['instance_token'], times[row['sample_token']]): row['translation']
+                    for row in json.loads((tables / 'sample_annotation.json').read_text())}
+        for clip in sum(self.clips().values(), []):
+            attacker = clip.stem.split('_')[-1]
+            with open(clip) as file:
+                rows = [row for row in csv.DictReader(file) if row['TRACK_ID'] == attacker]
+            self.assertEqual(len(rows), int(clip.stem.split('_')[-3].split('-')[-1]) + 1)
+            for row in rows[:8]:
+                x, y, _ = recorded[attacker, int(row['TIMESTAMP'])]
+                self.assertAlmostEqual(float(row['X']), x, places=6)
+                self.assertAlmostEqual(float(row['Y']), y, places=6)
+
+    def test_statistics_count_the_clips(self):
+        with open(self.out / 'statistics.csv') as file:
+            rows = list(csv.DictReader(file))
+        for group in ('type', 'tta', 'location'):
+            for split, clips in self.clips().items():
+                self.assertEqual(sum(int(row[split]) for row in rows if row['group'] == group), len(clips), group)
+        self.assertEqual(self.printed, (self.out / 'statistics.md').read_text())
+        for row in rows:
+            if row['group'] == 'type':
+                self.assertGreaterEqual(float(row['share']), 0.15)
+                self.assertTrue((self.out / 'sheets' / (row['value'] + '.png')).exists())
+
+    def test_evaluate_reads_it_and_finds_the_hits(self):
+        for protocol, column in (('published', 'collision'), ('strict', 'contact')):
+            out = self.path(protocol)
+            result = road.run('evaluate', '--collide', self.out, '--dataroot', DATAROOT, '--split', 'val',
+                              '--protocol', protocol, '--method', 'recorded', '--out', out)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            with open(out / 'results.csv') as file:
+                rows = [row for row in csv.DictReader(line for line in file if not line.startswith('#'))
+                        if row['method'] == 'recorded']
+            self.assertEqual(len(rows), len(self.clips()['val']))
+            for row in rows:
+                self.assertEqual(row[column], '1', row)
+
+    def test_threads_and_ranks_give_the_same_bytes(self):
+        threads = self.path('threads')
+        result = run(command(threads, '--config', self.config, '--jobs', 3))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(content(threads), self.expected)
+        ranks = self.path('ranks')
+        result = run(['mpirun', '--oversubscribe', '-np', '2'] + command(ranks, '--config', self.config),
+                     env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(content(ranks), self.expected)
+
+    def test_a_killed_run_goes_on_when_asked(self):
+        out = self.path('killed')
+        words = command(out, '--config', self.config, '--jobs', 1)
+        process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        part = out / 'attempts.jsonl.part'
+        deadline = time.monotonic() + 60.0
+        while (not part.exists() or part.read_bytes().count(b'\n') < 5) and time.monotonic() < deadline:
+            time.sleep(0.01)
+        process.kill()
+        process.wait()
+        self.assertTrue(part.exists(), 'ended before it was killed')
+        refused = run(words)
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn('--resume', refused.stderr)
+        other = run(words + ['--resume', '--seed', '1'])
+        self.assertEqual(other.returncode, 1)
+        self.assertIn('begun with', other.stderr)
+        result = run(words + ['--resume'])
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('were tried before', result.stderr)
+        self.assertEqual(content(out), self.expected)
+
+    def test_another_seed_makes_another_set(self):
+        out = self.path('seed')
+        result = run(command(out, '--config', self.config, '--seed', 1))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertNotEqual((out / 'attempts.jsonl').read_bytes(), self.expected['attempts.jsonl'])
+
+    def test_bad_input_is_refused(self):
+        full = self.path('full')
+        full.mkdir()
+        (full / 'notes.txt').write_text('mine')
+        for words, complaint in ((command(full), 'other files'),
+                                 (command(self.path('a'), '--scene', 'scene-0099'), 'scene-0099'),
+                                 ([word.replace(VERSION, 'v9') for word in command(self.path('b'))], 'v9')):
+            result = run(words)
+            self.assertEqual(result.returncode, 1, words)
+            self.assertIn(complaint, result.stderr)
+        self.assertEqual(content(full), {'notes.txt': b'mine'})
+        self.assertEqual(run(command(self.path('c'), '--jobs', '0')).returncode, 2)
+        self.assertEqual(road.run('dataset', '--dataroot', self.path('none'), '--version', VERSION,
+                                  '--out', self.path('d')).returncode, 2)
+
+
+if __name__ == '__main__':
+    road.main()

@@ -1,0 +1,247 @@
+#!/usr/bin/python3
+"""forge test: on scenarios over embedded logs and on clips made here, how it goes on, and what it does with bad input."""
+import csv
+import json
+import os
+import struct
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+import road
+from road import DATAROOT, VERSION
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / 'protocols'))
+import collide_clips  # noqa: E402
+import published_idm_reference  # noqa: E402
+
+PNG = b'\x89PNG'
+ROOT = ('--dataroot', DATAROOT, '--version', VERSION)
+
+
+def lines_of(out):
+    return [json.loads(line) for line in (out / 'results.jsonl').read_text().splitlines()]
+
+
+def png_rows(path, count):
+    """The first rows of pixels of a picture of cairo's, 8 bits RGB, each as bytes."""
+    data = path.read_bytes()
+    width, compressed, at = struct.unpack('>I', data[16:20])[0], b'', 8
+    while at < len(data):
+        size, kind = struct.unpack('>I4s', data[at:at + 8])
+        if kind == b'IDAT':
+            compressed += data[at + 8:at + 8 + size]
+        at += 12 + size
+    packed, rows, above = zlib.decompress(compressed), [], bytes(3 * width)
+    for start in range(0, count * (3 * width + 1), 3 * width + 1):
+        row = bytearray(packed[start + 1:start + 1 + 3 * width])
+        for i, value in enumerate(row):
+            left, corner = (row[i - 3], above[i - 3]) if i >= 3 else (0, 0)
+            nearest = min((left, above[i], corner), key=lambda near: abs(left + above[i] - corner - near))
+            row[i] = (value + (0, left, above[i], (left + above[i]) // 2, nearest)[packed[start]]) % 256
+        above = bytes(row)
+        rows.append(above)
+    return rows
+
+
+class TestPlannersTest(road.RoadTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        requests = cls.folder / 'requests.jsonl'
+        cls.scenarios = cls.folder / 'crashes.jsonl'
+        for result in (road.run('requests', *ROOT, '--out', requests, '--scene', 'scene-0001', 'scene-0007',
+                                '--stride', 8, '--tta', 2, 4),
+                       road.run('generate', *ROOT, '--requests', requests, '--out', cls.scenarios, '--mode', 'replay')):
+            assert result.returncode == 0, result.stderr
+        cls.expected = cls.folder / 'expected'
+        cls.result = cls.run_on(cls.scenarios, cls.expected)
+        assert cls.result.returncode == 0, cls.result.stderr
+
+    @staticmethod
+    def run_on(scenarios, out, *arguments):
+        return road.run('test', *ROOT, '--scenarios', scenarios, '--planners', 'idm,idm_published', '--out', out,
+                        *arguments)
+
+    def assert_same(self, out, names=('results.jsonl', 'results.csv', 'table.csv', 'table.md', 'collision.png')):
+        for name in names:
+            self.assertEqual((out / name).read_bytes(), (self.expected / name).read_bytes(), name)
+
+    def test_every_scenario_has_a_line_and_every_planner_a_row(self):
+        scenarios = [json.loads(line) for line in self.scenarios.read_text().splitlines()]
+        results = lines_of(self.expected)
+        self.assertEqual([result['name'] for result in results],
+                         ['crashes:{}'.format(number + 1) for number in range(len(scenarios))])
+        tested = 0
+        for scenario, result in zip(scenarios, results):
+            self.assertEqual(result['status'], scenario['status']['code'])
+            self.assertEqual(result['scene'], scenario['scene'])
+            if result['status'] == 'OK':
+                tested += 1
+                self.assertEqual([row['planner'] for row in result['planners']], ['idm', 'idm_published'])
+        self.assertGreater(tested, 3)
+        with open(str(self.expected / 'results.csv')) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), len(results) + tested)
+
+    def test_report_is_printed_written_and_drawn(self):
+        table = (self.expected / 'table.md').read_text()
+        self.assertTrue(self.result.stdout.startswith(table))
+        self.assertIn('Collisions with the attacker, of avoidable crashes, %', table)
+        self.assertIn('idm_published: ', self.result.stdout)
+        for name in ('collision.png', 'collision_avoidable.png', 'avoidable.png'):
+            self.assertEqual((self.expected / name).read_bytes()[:4], PNG)
+        with open(str(self.expected / 'table.csv')) as file:
+            measures = {row['measure'] for row in csv.DictReader(file)}
+        self.assertLessEqual({'collision', 'avoidable', 'impact_speed', 'failure'}, measures)
+
+    def test_worst_cases_are_drawn(self):
+        hits = {row['planner'] for result in lines_of(self.expected) if result['avoidability']['avoidable']
+                for row in result['planners'] if row['contact'] and row['contact']['attacker']}
+        self.assertTrue(hits)
+        for planner in hits:
+            self.assertEqual((self.expected / 'worst' / (planner + '_1.png')).read_bytes()[:4], PNG)
+            self.assertEqual((self.expected / 'worst' / (planner + '_1.gif')).read_bytes()[:4], b'GIF8')
+
+    def test_pictures_of_rollouts_have_no_verdict(self):
+        """Whether an attack on the planner's ego is verified is not known: its place in the header is blank."""
+        verdict, first, last, pixel = 70, 30, 48, 3  # pixels of a verdict, the rows that it takes, bytes a pixel
+        for path in (self.expected / 'worst').glob('*.png'):
+            rows = png_rows(path, last)
+            self.assertEqual({value for row in rows[first:] for value in row[-pixel * verdict:]}, {255}, path)
+            self.assertGreater(len({value for row in rows[first:] for value in row}), 1, 'the request is written there')
+
+    def test_threads_do_not_change_a_byte(self):
+        out = self.path('out')
+        self.assertEqual(self.run_on(self.scenarios, out, '--jobs', 3, '--worst', 0).returncode, 0)
+        self.assert_same(out)
+
+    def test_ranks_do_not_change_a_byte(self):
+        out = self.path('out')
+        command = ['mpirun', '--oversubscribe', '-np', 2, 'forge', 'test', *ROOT, '--scenarios', self.scenarios,
+                   '--planners', 'idm,idm_published', '--out', out, '--worst', 0]
+        result = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                stdin=subprocess.DEVNULL, universal_newlines=True, timeout=road.TIMEOUT, check=False,
+                                env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assert_same(out)
+
+    def test_interrupted_run_is_gone_on_with(self):
+        out = self.path('out')
+        self.assertEqual(self.run_on(self.scenarios, out, '--worst', 0).returncode, 0)
+        lines = (out / 'results.jsonl').read_text().splitlines(keepends=True)
+        (out / 'results.jsonl').unlink()
+        (out / 'results.jsonl.part').write_text(''.join(lines[:3]) + lines[3][:20])
+        result = self.run_on(self.scenarios, out, '--worst', 0)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assert_same(out)
+
+    def test_another_run_does_not_go_on(self):
+        out = self.path('out')
+        self.assertEqual(self.run_on(self.scenarios, out, '--worst', 0).returncode, 0)
+        result = self.run_on(self.scenarios, out, '--background', 'idm', '--worst', 0)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('background', result.stderr)
+        self.assert_same(out)
+
+    def test_bad_lines_are_cases_of_their_own(self):
+        scenarios, out = self.path('bad.jsonl'), self.path('out')
+        attack = next(line for line in self.scenarios.read_text().splitlines() if '"code":"OK"' in line)
+        parsed = json.loads(attack)
+        touching = json.loads(attack)
+        ego = next(result for result in lines_of(self.expected) if result['status'] == 'OK')
+        touching['attacker']['trajectory'][0].update(self.ego_pose(parsed))
+        scenarios.write_text('\n'.join([
+            attack.replace('"version":1', '"version":7'),
+            attack.replace(parsed['scene'], 'scene-9999'),
+            attack.replace('"now":', '"now":1'),
+            json.dumps(touching),
+            attack,
+            attack[:100]]) + '\n')
+        result = self.run_on(scenarios, out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        results = lines_of(out)
+        self.assertEqual([result['status'] for result in results],
+                         ['UNREADABLE', 'UNREADABLE', 'NO_SCENE', 'UNFIT', 'OK', 'UNREADABLE'])
+        for result, word in zip(results, ('version', 'scene-9999', 'frame', 'touches the ego', '', 'line 6')):
+            self.assertIn(word, result['message'])
+        self.assertEqual(results[4]['planners'], ego['planners'])
+        with open(str(out / 'results.csv')) as file:
+            rows = {row['name']: row for row in csv.DictReader(file)}
+        for result in results:
+            if result['status'] == 'UNREADABLE':
+                for field in ('source', 'scene', 'type', 'tta', 'now'):
+                    self.assertIsNone(result[field])
+                    self.assertEqual(rows[result['name']].get(field, ''), '')
+        table = (out / 'table.md').read_text()
+        self.assertIn('- not tested, UNREADABLE: 3', table)
+        self.assertNotIn('idm / ', table, 'all cases are of one source')
+
+    def test_nothing_to_test_is_an_error(self):
+        scenarios, out = self.path('bad.jsonl'), self.path('out')
+        scenarios.write_text('{}\n[]\n')
+        for _ in range(2):
+            result = self.run_on(scenarios, out)
+            self.assertEqual(result.returncode, 1, result.stdout)
+            for word in ('results.jsonl', 'none of the cases could be tested (2)', 'bad:1', 'format'):
+                self.assertIn(word, result.stderr)
+            self.assertEqual(len(lines_of(out)), 2)
+            self.assertFalse((out / 'table.md').exists())
+
+    @staticmethod
+    def ego_pose(scenario):
+        """Where the ego's middle is now, from the embedded tables."""
+        recording = collide_clips.Recording(DATAROOT / VERSION, scenario['scene'])
+        frame = min(range(len(recording.timestamps)),
+                    key=lambda i: abs(recording.timestamps[i] * 1e-6 - scenario['now']))
+        x, y, yaw = recording.tracks['ego'][frame]
+        return {'x': x, 'y': y, 'yaw': yaw}
+
+    def test_wrong_command_lines(self):
+        out = self.path('out')
+        self.assertEqual(self.run_on(self.scenarios, out, '--planners', 'magic').returncode, 2)
+        self.assertEqual(road.run('test', *ROOT, '--out', out).returncode, 2)
+        self.assertEqual(road.run('test', *ROOT, '--scenarios', self.scenarios, '--collide', self.folder, '--out',
+                                  out).returncode, 2)
+        result = self.run_on(self.folder / 'nothing.jsonl', out)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('nothing.jsonl', result.stderr)
+        self.assertFalse(out.exists())
+
+
+class TestPlannersOnClipsTest(road.RoadTest):
+    def run_on(self, collide, out, *arguments):
+        return road.run('test', '--dataroot', DATAROOT, '--collide', collide, '--out', out, '--worst', 0,
+                        *arguments)
+
+    def test_embedded_clips_with_every_attacker(self):
+        collide = self.path('collide')
+        for scene, first, last in (('scene-0005', 12, 23), ('scene-0010', 14, 23)):
+            collide_clips.write_embedded_clip(collide / 'trajectory' / 'val', DATAROOT / VERSION, scene, first, last)
+        for attacker in ('recorded', 'history', 'replay'):
+            out = self.path(attacker)
+            result = self.run_on(collide, out, '--drive', attacker, '--planners', 'idm')
+            self.assertEqual(result.returncode, 0, result.stderr)
+            results = lines_of(out)
+            self.assertEqual(len(results), 2)
+            self.assertEqual({entry['source'] for entry in results}, {attacker})
+            if attacker == 'recorded':
+                self.assertEqual([entry['status'] for entry in results], ['OK', 'OK'])
+                self.assertTrue(all(entry['strict'] for entry in results))
+
+    def test_published_idm_agrees_with_another_implementation(self):
+        collide, out = self.path('collide'), self.path('out')
+        clips = collide / 'trajectory' / 'val'
+        collide_clips.write_random_clips(clips, 300, 'embedded-right', 3)
+        result = self.run_on(collide, out, '--planners', 'idm_published', '--jobs', 2)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        counts = published_idm_reference.rates(clips, out / 'results.csv')
+        number, here, there = counts['all']
+        self.assertGreater(here, 30)
+        self.assertLess(here, number - 30)
+        self.assertLessEqual(abs(here - there), published_idm_reference.ALLOWED * number)
+
+
+if __name__ == '__main__':
+    road.main()

@@ -1,0 +1,184 @@
+#!/usr/bin/python3
+"""forge tune: on scenarios over embedded logs, how it goes on, and what it does with bad input."""
+import csv
+import json
+import os
+import re
+import subprocess
+
+import road
+from road import DATAROOT, VERSION
+
+ROOT = ('--dataroot', DATAROOT, '--version', VERSION)
+GRID = 'idm:\n  idm.standard.max_acceleration: [1.0, 4.0]\n  idm.standard.min_gap: [1.0, 4.0]\n'
+CHART = 'tuned_collision.png'
+FILES = ('train.jsonl', 'test.jsonl', 'variants.csv', 'table.csv', 'table.md', CHART, 'planners.yaml')
+
+
+def lines_of(path):
+    return [json.loads(line) for line in path.read_text().splitlines()]
+
+
+def is_collision(row):
+    contact = row['contact']
+    return row['failure'] != 'none' or bool(contact and (contact['attacker'] or contact['at_fault']))
+
+
+class TunePlannerTest(road.RoadTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.grid = cls.folder / 'grid.yaml'
+        cls.grid.write_text(GRID)
+        cls.train, cls.test = (cls.crashes(name, scene) for name, scene in (('a', 'scene-0001'), ('b', 'scene-0007')))
+        cls.expected = cls.folder / 'expected'
+        cls.result = cls.tune(cls.expected)
+        assert cls.result.returncode == 0, cls.result.stderr
+
+    @classmethod
+    def crashes(cls, name, scene):
+        requests, scenarios = cls.folder / (name + '_requests.jsonl'), cls.folder / (name + '.jsonl')
+        for result in (road.run('requests', *ROOT, '--out', requests, '--scene', scene, '--stride', 8, '--tta', 2, 4),
+                       road.run('generate', *ROOT, '--requests', requests, '--out', scenarios, '--mode', 'replay')):
+            assert result.returncode == 0, result.stderr
+        return scenarios
+
+    @classmethod
+    def words(cls, out, *arguments, grid=None, train=None, test=None):
+        return ('tune', *ROOT, '--planner', 'idm', '--grid', grid or cls.grid, '--train', train or cls.train,
+                '--test', test or cls.test, '--out', out, *arguments)
+
+    @classmethod
+    def tune(cls, out, *arguments, **files):
+        return road.run(*cls.words(out, *arguments, **files))
+
+    def assert_same(self, out):
+        for name in FILES:
+            self.assertEqual((out / name).read_bytes(), (self.expected / name).read_bytes(), name)
+
+    def variants(self):
+        with open(str(self.expected / 'variants.csv')) as file:
+            return list(csv.DictReader(file))
+
+    def test_the_best_has_the_fewest_collisions_then_the_most_progress(self):
+        counted = [result['planners'] for result in lines_of(self.expected / 'train.jsonl')
+                   if result['avoidability']['avoidable']]
+        self.assertGreater(len(counted), 1)
+        variants = self.variants()
+        self.assertEqual([variant['variant'] for variant in variants], ['default', '1', '2', '3'])
+        scores = []
+        for index, variant in enumerate(variants):
+            rows = [rows[index] for rows in counted]
+            self.assertEqual({row['planner'] for row in rows}, {variant['variant']})
+            collisions = sum(is_collision(row) for row in rows)
+            self.assertEqual(variant['avoidable'], str(len(counted)))
+            self.assertAlmostEqual(float(variant['collision']), collisions / len(rows), delta=1e-4)
+            scores.append((collisions, -sum(row['progress'] for row in rows)))
+        best = scores.index(min(scores))
+        self.assertEqual([variant['best'] for variant in variants], ['1' if i == best else '0' for i in range(4)])
+
+    def test_other_scenarios_have_no_rows_in_training_and_two_in_the_test(self):
+        for result in lines_of(self.expected / 'train.jsonl'):
+            if not result['avoidability']['avoidable']:
+                self.assertEqual(result['planners'], [])
+        tested = [result for result in lines_of(self.expected / 'test.jsonl') if result['status'] == 'OK']
+        self.assertGreater(len(tested), 1)
+        for result in tested:
+            self.assertEqual([row['planner'] for row in result['planners']], ['default', 'tuned'])
+
+    def test_planners_yaml_drives_as_tuned(self):
+        best = next(variant for variant in self.variants() if variant['best'] == '1')
+        tuned = (self.expected / 'planners.yaml').read_text()
+        written = re.search(r'max_acceleration: (\S+) ', tuned).group(1)
+        self.assertEqual(float(written), float(best['idm.standard.max_acceleration']))
+        for name, planners in (('default', None), ('tuned', tuned)):
+            config, out = road.copy_config(self.path(name + '_config')), self.path(name)
+            if planners:
+                (config / 'planners.yaml').write_text(planners)
+            result = road.run('test', *ROOT, '--scenarios', self.test, '--planners', 'idm', '--out', out, '--worst',
+                              0, '--config', config)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            driven = [row for line in lines_of(out / 'results.jsonl') for row in line['planners']]
+            expected = [dict(row, planner='idm') for line in lines_of(self.expected / 'test.jsonl')
+                        for row in line['planners'] if row['planner'] == name]
+            self.assertEqual(driven, expected)
+
+    def test_report_is_printed_and_written(self):
+        self.assertEqual((self.expected / CHART).read_bytes()[:4], b'\x89PNG')
+        table = (self.expected / 'table.md').read_text()
+        self.assertEqual(self.result.stdout, table)
+        for words in ('| idm.standard.min_gap | 1 | ', '| tuned - default |', 'Collisions with the attacker, of avoidable'):
+            self.assertIn(words, table)
+        with open(str(self.expected / 'table.csv')) as file:
+            rows = list(csv.DictReader(file))
+        self.assertLessEqual({'tuned_collision', 'collision_avoidable', 'progress'}, {row['measure'] for row in rows})
+
+    def test_threads_do_not_change_a_byte(self):
+        out = self.path('out')
+        self.assertEqual(self.tune(out, '--jobs', 3).returncode, 0)
+        self.assert_same(out)
+
+    def mpirun(self, *words):
+        command = ['mpirun', '--oversubscribe', '-np', 2, 'forge', *words]
+        return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              stdin=subprocess.DEVNULL, universal_newlines=True, timeout=road.TIMEOUT, check=False,
+                              env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'))
+
+    def test_ranks_do_not_change_a_byte(self):
+        out = self.path('out')
+        result = self.mpirun(*self.words(out))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assert_same(out)
+
+    def test_interrupted_run_is_gone_on_with(self):
+        for name in ('train.jsonl', 'test.jsonl'):
+            out = self.path(name)
+            out.mkdir()
+            for file in (name, name + '.options', 'train.jsonl', 'train.jsonl.options'):
+                (out / file).write_bytes((self.expected / file).read_bytes())
+            lines = (out / name).read_text().splitlines(keepends=True)
+            (out / name).unlink()
+            (out / (name + '.part')).write_text(''.join(lines[:2]) + lines[2][:20])
+            result = self.tune(out)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assert_same(out)
+            self.assertFalse((out / (name + '.part')).exists())
+
+    def test_another_grid_does_not_go_on(self):
+        out, grid = self.path('out'), self.path('grid.yaml')
+        self.assertEqual(self.tune(out).returncode, 0)
+        grid.write_text(GRID.replace('4.0', '5.0'))
+        result = self.tune(out, grid=grid)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('grid', result.stderr)
+        self.assert_same(out)
+
+    def test_shared_scenes_are_refused(self):
+        out, mixed = self.path('out'), self.path('mixed.jsonl')
+        mixed.write_text(self.test.read_text() + self.train.read_text())
+        result = self.tune(out, test=mixed)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('scene-0001', result.stderr)
+        self.assertFalse(out.exists())
+
+    def test_bad_grids_are_refused(self):
+        out, grid = self.path('out'), self.path('grid.yaml')
+        for text, word in (('pdm:\n  pdm.idm.min_gap: [1.0]\n', 'idm is missing'),
+                           ('idm:\n  idm.standard.gap: [1.0]\n', 'no key idm.standard.gap'),
+                           ('idm:\n  idm.standard.min_gap: [-1.0]\n', 'min_gap = -1')):
+            grid.write_text(text)
+            result = self.tune(out, grid=grid)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn(word, result.stderr)
+            self.assertFalse(out.exists())
+
+    def test_training_without_an_avoidable_crash_ends_all_ranks(self):
+        out, train = self.path('out'), self.path('bad.jsonl')
+        train.write_text('no scenario\n')
+        result = self.mpirun(*self.words(out, train=train))
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn('no avoidable crash', result.stderr)
+
+
+if __name__ == '__main__':
+    road.main()
