@@ -114,11 +114,10 @@ TEST(CommandLine, CompleteLinesAreRead) {
 
 TEST(CommandLine, WhatIsRequiredIsMissed) {
   for (const auto& [name, options] : kComplete) {
-    const std::size_t last = options.rfind(" --out");
-    if (last == std::string::npos) continue;
-    const std::string rest = options.substr(0, last) + options.substr(options.find(' ', last + 7));
-    const bool is_last = options.find(' ', last + 7) == std::string::npos;
-    const Reading reading = read(name + (is_last ? options.substr(0, last) : rest));
+    const std::size_t out = options.find(" --out ");
+    if (out == std::string::npos) continue;
+    const std::size_t after = std::min(options.find(' ', out + 7), options.size());
+    const Reading reading = read(name + options.substr(0, out) + options.substr(after));
     EXPECT_EQ(reading.exit_code, kExitUsage) << name;
     EXPECT_THAT(reading.err, HasSubstr("forge " + name + ": --out is required")) << name;
   }

@@ -115,6 +115,7 @@ TEST_F(ResumableFileTest, OtherOptionsAreRefusedOnceThereAreLines) {
   EXPECT_EQ(complaint({{"mode", "replay"}}), "") << "nothing to lose yet";
   std::ofstream(part_) << "one\n";
   EXPECT_EQ(complaint({{"mode", "replay"}}), "");
+  EXPECT_THAT(complaint({}), HasSubstr("mode = replay"));
   EXPECT_THAT(complaint(), AllOf(HasSubstr(part_), HasSubstr("mode = replay, now mode = history")));
   EXPECT_EQ(contentOf(part_), "one\n");
 }
@@ -162,12 +163,42 @@ TEST_F(ResumableFileTest, AFolderThatIsNotThereIsNamed) {
   }
 }
 
-TEST(Fingerprint, IsFnv1a) {
-  // Published test vectors of FNV-1a, 64 bits.
-  EXPECT_EQ(fingerprint(""), "cbf29ce484222325");
-  EXPECT_EQ(fingerprint("a"), "af63dc4c8601ec8c");
-  EXPECT_EQ(fingerprint("foobar"), "85944171f73967e8");
-  EXPECT_EQ(fingerprint("bar", fingerprint("foo")), "85944171f73967e8");
+TEST_F(ResumableFileTest, AnItemOfSeveralLinesIsCutOffWhole) {
+  const ItemLayout layout = {"header", 2};
+  {
+    ResumableFile file(path_, kOptions, layout);
+    resumed(file);
+    EXPECT_EQ(contentOf(part_), "header\n");
+    file.append("one\n1");
+    file.append("two\n2");
+  }
+  const std::string whole = contentOf(part_);
+  EXPECT_EQ(whole, "header\none\n1\ntwo\n2\n");
+  for (std::size_t length = 0; length <= whole.size(); ++length) {
+    std::ofstream(part_) << whole.substr(0, length);
+    ResumableFile file(path_, kOptions, layout);
+    const std::size_t items = resumed(file).size();
+    EXPECT_EQ(items, length < 13 ? 0u : length < 19 ? 1u : 2u) << length;
+    EXPECT_EQ(contentOf(part_), whole.substr(0, 7 + 6 * items)) << length;
+  }
+}
+
+TEST_F(ResumableFileTest, AnotherHeaderIsRefused) {
+  { ResumableFile(path_, kOptions).append("one"); }
+  ResumableFile file(path_, kOptions, {"header", 1});
+  EXPECT_THROW(resumed(file), std::runtime_error);
+  EXPECT_EQ(contentOf(part_), "one\n");
+}
+
+TEST_F(ResumableFileTest, ACompleteFileIsReadToo) {
+  {
+    ResumableFile file(path_, kOptions);
+    resumed(file);
+    file.append("one");
+    file.complete();
+  }
+  ResumableFile again(path_, kOptions);
+  EXPECT_THAT(resumed(again), ElementsAre("one"));
 }
 
 }  // namespace

@@ -49,20 +49,20 @@ class TrainTest(road.RoadTest):
         self.assertEqual(len(losses), 3)
         self.assertLess(losses[-1], losses[0] - 0.1)
         again = self.trained('ranks_again', '--stop-after', 2, ranks=2)
-        self.trained('ranks_again', '--resume', ranks=2)
+        self.trained('ranks_again', ranks=2)
         for name in ('weights.bin', 'metrics.csv'):
             self.assertEqual((out / name).read_bytes(), (again / name).read_bytes(), name)
 
     def test_other_ranks_do_not_go_on(self):
         out = self.trained('two', '--stop-after', 1, ranks=2)
-        result = self.train(out, '--resume')
+        result = self.train(out)
         self.assertEqual(result.returncode, 1)
         self.assertIn('"ranks = 2", not "ranks = 1"', result.stderr)
 
     def test_a_stopped_run_ends_the_same(self):
         whole = self.trained('whole')
         stopped = self.trained('stopped', '--stop-after', 1)
-        self.trained('stopped', '--resume')
+        self.trained('stopped')
         for name in ('weights.bin', 'metrics.csv'):
             self.assertEqual((whole / name).read_bytes(), (stopped / name).read_bytes(), name)
 
@@ -82,7 +82,7 @@ class TrainTest(road.RoadTest):
 
     def assert_refused(self, result, message):
         self.assertEqual(result.returncode, 1, result.stderr)
-        complaints = [line for line in result.stderr.splitlines() if line.startswith('train: ')]
+        complaints = [line for line in result.stderr.splitlines() if line.startswith('forge train: ')]
         self.assertEqual(result.stderr.splitlines()[-1:], complaints, result.stderr)
         self.assertIn(message, complaints[0])
 
@@ -90,9 +90,9 @@ class TrainTest(road.RoadTest):
         out = self.trained('damaged', '--stop-after', 1)
         state = out / 'state.pt'
         (out / 'state.pt.part').symlink_to('/dev/full')  # a disk without space
-        self.assert_refused(self.train(out, '--resume'), '{}: cannot be written'.format(state))
+        self.assert_refused(self.train(out), '{}: cannot be written'.format(state))
         state.write_bytes(state.read_bytes()[:1000])
-        self.assert_refused(self.train(out, '--resume'), '{}: cannot be read as the state'.format(state))
+        self.assert_refused(self.train(out), '{}: cannot be read as the state'.format(state))
 
 
 if __name__ == '__main__':

@@ -36,8 +36,7 @@ TEST(CrashDefinition, HaveTheBandsOfTheProtocol) {
 }
 
 TEST(CrashDefinition, ACrossingComesFromTheSideAndALeftTurnFromTheOppositeDirection) {
-  const TypeDefinition& crossing =
-      kShipped.crash.types.at(CollisionType::kJunctionCrossing);
+  const TypeDefinition& crossing = kShipped.crash.types.at(CollisionType::kJunctionCrossing);
   const TypeDefinition& ltap = kShipped.crash.types.at(CollisionType::kLtap);
   EXPECT_NEAR(degrees(crossing.min_approach), 45.0, 0.01);
   EXPECT_NEAR(degrees(crossing.max_approach), 135.0, 0.01);

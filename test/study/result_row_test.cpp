@@ -122,5 +122,26 @@ TEST(ResultRow, ProtocolsHaveNamesAndMeasures) {
   EXPECT_FALSE(protocolFromString("loose"));
 }
 
+TEST(ReadResultRows, GivesTheRowsOfOneItem) {
+  const std::string line = toCsv(sampleRow());
+  const auto rows =
+      readResultRows("here", line + "\n" + line, Protocol::kPublished, sampleRow().name);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(toCsv(rows[1]), line);
+}
+
+TEST(ReadResultRows, NamesTheLineThatIsNotOfTheItem) {
+  const std::string line = toCsv(sampleRow());
+  for (const auto& [lines, name] :
+       {std::pair{line, std::string("another")}, std::pair{line + "\nx", sampleRow().name}}) {
+    try {
+      readResultRows("results.csv: line 2", lines, Protocol::kPublished, name);
+      FAIL() << lines;
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(std::string(error.what()).find("results.csv: line 2: \""), 0u) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace forge

@@ -34,7 +34,7 @@ CommandLine::CommandLine()
           "forge COMMAND --help tells the options of a command.",
           "forge") {
   app_.formatter(std::make_shared<ContentsFormatter>());
-  app_.require_subcommand(1);
+  app_.require_subcommand(0, 1);  // parse() asks for one, after words that are none
   app_.failure_message([this](const CLI::App*, const CLI::Error& error) {
     return name() + ": " + error.what() + "\ntry: " + name() + " --help\n";
   });
@@ -49,7 +49,7 @@ CLI::App& CommandLine::add(const std::string& heading, const std::string& name,
     const auto found =
         app_.get_subcommands([&](CLI::App* app) { return app->get_name() == first; });
     parent = found.empty() ? app_.add_subcommand(first)->group(heading) : found.front();
-    parent->require_subcommand(1);
+    parent->require_subcommand(0, 1);
   }
   CLI::App* command = parent->add_subcommand(name.substr(space + 1), text);
   if (parent == &app_) command->group(heading);
@@ -60,6 +60,7 @@ CLI::App& CommandLine::add(const std::string& heading, const std::string& name,
 std::optional<int> CommandLine::parse(int argc, const char* const* argv) {
   try {
     app_.parse(argc, argv);
+    if (runs_.count(chosen()) == 0) throw CLI::RequiredError("a command");
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     return app_.exit(error) == 0 ? kExitOk : kExitUsage;

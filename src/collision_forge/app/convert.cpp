@@ -1,14 +1,13 @@
-#include <atomic>
-#include <boost/timer/progress_display.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
-#include <mutex>
-#include <thread>
+#include <memory>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/progress_line.h"
+#include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/ros/bag_writer.h"
@@ -31,42 +30,10 @@ std::filesystem::path bagPath(const Arguments& arguments, const std::string& sce
   return std::filesystem::path(arguments.out) / (scene + ".bag");
 }
 
-/// Scenes whose bag is not there yet; a bag has its name only when it is complete.
-std::vector<std::string> missingScenes(const Arguments& arguments,
-                                       const std::vector<std::string>& scenes) {
-  std::vector<std::string> missing;
-  for (const std::string& scene : scenes) {
-    if (arguments.force || !std::filesystem::exists(bagPath(arguments, scene))) {
-      missing.push_back(scene);
-    }
-  }
-  return missing;
+/// True for a scene that has its bag: a bag has its name only when it is complete.
+bool isConverted(const Arguments& arguments, const std::string& scene) {
+  return !arguments.force && std::filesystem::exists(bagPath(arguments, scene));
 }
-
-/// The maps of the places driven in, each read once. Thread-safe.
-class Maps {
- public:
-  Maps(const Arguments& arguments, const Config& config) : arguments_(arguments), config_(config) {}
-
-  std::shared_ptr<const LaneMap> at(const std::string& location) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    auto& map = maps_[location];
-    if (!map) {
-      std::vector<std::string> warnings;
-      map = std::make_shared<const LaneMap>(
-          readNuScenesMap(arguments_.dataroot, location, drivingSide(config_, location),
-                          {config_.conversion.centerline_resolution}, &warnings));
-      printWarnings("map " + location, warnings);
-    }
-    return map;
-  }
-
- private:
-  const Arguments& arguments_;
-  const Config& config_;
-  std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<const LaneMap>> maps_;
-};
 
 /// The map around everything that was recorded.
 LaneMap mapAround(const NuScenesRecording& recording, const LaneMap& map, double radius) {
@@ -81,11 +48,8 @@ LaneMap mapAround(const NuScenesRecording& recording, const LaneMap& map, double
 
 /// A progress bar over the bytes of the tables.
 NuScenesProgress showReading() {
-  std::shared_ptr<boost::timer::progress_display> bar;
-  return [bar](std::uint64_t done, std::uint64_t total) mutable {
-    if (!bar) bar = std::make_shared<boost::timer::progress_display>(total, std::cerr);
-    *bar += done - bar->count();
-  };
+  const auto line = std::make_shared<ProgressLine>("tables");
+  return [line](std::uint64_t done, std::uint64_t total) { line->show(done, total); };
 }
 
 int convert(const Arguments& arguments) {
@@ -93,39 +57,40 @@ int convert(const Arguments& arguments) {
   std::filesystem::create_directories(arguments.out);
   std::cerr << "reading " << arguments.dataroot << "/" << arguments.version << "\n";
   const NuScenesRoot root(arguments.dataroot, arguments.version, {arguments.scenes, showReading()});
-  const std::vector<std::string> scenes = missingScenes(arguments, root.sceneNames());
-  std::cerr << scenes.size() << " scenes to convert, " << root.sceneNames().size() - scenes.size()
-            << " converted before\n";
-  if (scenes.empty()) return kExitOk;
-
-  Maps maps(arguments, config);
-  boost::timer::progress_display progress(scenes.size(), std::cerr);
-  std::mutex mutex;
-  std::vector<std::string> failures;
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < scenes.size(); i = next++) {
-      std::string failure;
-      try {
-        const NuScenesRecording recording = root.readScene(scenes[i]);
-        writeBag(bagPath(arguments, scenes[i]), recording,
-                 mapAround(recording, *maps.at(recording.location), config.conversion.map_radius));
-      } catch (const std::exception& error) {
-        failure = scenes[i] + ": " + error.what();
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      ++progress;
-      if (!failure.empty()) failures.push_back(failure);
+  const std::vector<std::string> scenes = root.sceneNames();
+  const auto before = static_cast<std::size_t>(
+      std::count_if(scenes.begin(), scenes.end(),
+                    [&](const std::string& scene) { return isConverted(arguments, scene); }));
+  if (isMaster()) {
+    std::cerr << scenes.size() - before << " scenes to convert, " << before
+              << " converted before\n";
+  }
+  CityMaps maps(arguments.dataroot, config, isMaster() ? OnWarnings(printWarnings) : OnWarnings());
+  const auto convertScene = [&](std::size_t index) -> std::string {
+    const std::string& scene = scenes[index];
+    if (isConverted(arguments, scene)) return "";
+    try {
+      const NuScenesRecording recording = root.readScene(scene);
+      writeBag(bagPath(arguments, scene), recording,
+               mapAround(recording, *maps.at(recording.location)->sharedMap(),
+                         config.conversion.map_radius));
+      return "";
+    } catch (const std::exception& error) {
+      return scene + ": " + error.what();
     }
   };
-  std::vector<std::thread> workers;
-  for (int i = 1; i < arguments.jobs; ++i) workers.emplace_back(work);
-  work();
-  for (std::thread& worker : workers) worker.join();
-
-  for (const std::string& failure : failures) std::cerr << "not converted: " << failure << "\n";
-  std::cerr << scenes.size() - failures.size() << " bags written to " << arguments.out << "\n";
-  return failures.empty() ? kExitOk : kExitError;
+  ProgressLine progress("scenes");
+  std::size_t failures = 0;
+  const auto take = [&](std::size_t index, const std::string& failure) {
+    progress.show(index + 1, scenes.size());
+    if (failure.empty()) return;
+    ++failures;
+    std::cerr << "not converted: " << failure << "\n";
+  };
+  dispatch(scenes.size(), convertScene, take, {arguments.jobs, 0});
+  if (!isMaster()) return kExitOk;
+  std::cerr << scenes.size() - before - failures << " bags written to " << arguments.out << "\n";
+  return failures == 0 ? kExitOk : kExitError;
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <memory>
-#include <sstream>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
@@ -28,37 +26,26 @@ std::vector<std::string> listClips(const EvaluationArguments& arguments, const C
   return paths;
 }
 
-std::vector<std::string> describe(const EvaluationArguments& arguments, const Config& config) {
-  std::vector<std::string> lines;
-  for (const auto& [name, print] : fingerprintsOf(config, arguments.config)) {
-    lines.push_back(name + " = " + print);
-  }
-  const auto add = [&lines](const char* key, const auto& value) {
-    std::ostringstream line;
-    line << key << " = " << value;
-    lines.push_back(line.str());
-  };
-  add("collide", arguments.collide);
-  add("dataroot", arguments.dataroot);
-  add("split", arguments.split);
-  add("by-scene", arguments.by_scene ? "yes" : "no");
-  add("seen-scenes", arguments.plan.seen_scenes ? "yes" : "no");
-  add("protocol", toString(arguments.plan.protocol));
-  add("method", arguments.plan.method);
-  add("mode", toString(arguments.plan.mode));
-  add("seeds", arguments.plan.seeds);
-  add("limit", arguments.limit);
-  return lines;
+ResumableFile::Options runOptions(const EvaluationArguments& arguments, const Config& config) {
+  ResumableFile::Options options = inputsOf(config, arguments.config, arguments.dataroot, "");
+  options["collide"] = std::filesystem::canonical(arguments.collide).string();
+  options["split"] = arguments.split;
+  options["by-scene"] = arguments.by_scene ? "yes" : "no";
+  options["seen-scenes"] = arguments.plan.seen_scenes ? "yes" : "no";
+  options["protocol"] = toString(arguments.plan.protocol);
+  options["method"] = arguments.plan.method;
+  options["mode"] = toString(arguments.plan.mode);
+  options["seeds"] = std::to_string(arguments.plan.seeds);
+  options["limit"] = std::to_string(arguments.limit);
+  return options;
 }
 
-ResultFile::Run describeRun(const EvaluationArguments& arguments, const Config& config,
-                            const std::vector<std::string>& paths) {
-  ResultFile::Run run{
-      arguments.plan.protocol, {}, rowsPerClip(arguments.plan), describe(arguments, config)};
+std::vector<std::string> namesOf(const std::vector<std::string>& paths) {
+  std::vector<std::string> names;
   for (const std::string& path : paths) {
-    run.items.push_back(std::filesystem::path(path).stem().string());
+    names.push_back(std::filesystem::path(path).stem().string());
   }
-  return run;
+  return names;
 }
 
 /// What is measured, on one line.
@@ -79,13 +66,14 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const MethodRegistry methods = loadMethods(config);
   const MethodMaker checked(arguments.plan.method, clipMethods(methods, nullptr, config.evaluation),
                             config.attack, foresight);
-  const auto work = [&](std::size_t index) {
+  const auto rows_of = [&](std::size_t index) {
     const CollideClip clip = readCollideClip(paths[index]);
     const auto lanes = maps.at(clip.city);
-    return rowBytes(evaluateClip(clip, lanes, {methods, foresight, config}, arguments.plan));
+    return evaluateClip(clip, lanes, {methods, foresight, config}, arguments.plan);
   };
   const std::vector<ResultRow> rows =
-      runEvaluation(arguments.out, describeRun(arguments, config, paths), arguments.jobs, work);
+      runEvaluation({arguments.out, runOptions(arguments, config), arguments.plan.protocol, "clips",
+                     namesOf(paths), rowsPerClip(arguments.plan), arguments.jobs, rows_of});
   if (!is_master) return kExitOk;
   const StatisticsOptions& statistics = config.evaluation.statistics;
   const std::string title = headline(arguments, paths.size());

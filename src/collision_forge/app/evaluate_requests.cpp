@@ -3,9 +3,10 @@
 #include <cstdio>
 #include <iostream>
 #include <map>
+#include <mutex>
 #include <numeric>
 #include <set>
-#include <sstream>
+#include <utility>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
@@ -57,32 +58,23 @@ WantedRequests readWanted(const EvaluationArguments& arguments) {
   return wanted;
 }
 
-std::vector<std::string> describe(const EvaluationArguments& arguments, const Config& config,
+ResumableFile::Options runOptions(const EvaluationArguments& arguments, const Config& config,
                                   const WantedRequests& wanted) {
-  std::vector<std::string> lines;
-  for (const auto& [name, print] : fingerprintsOf(config, arguments.config)) {
-    lines.push_back(name + " = " + print);
-  }
-  lines.push_back("dataroot = " + arguments.dataroot);
-  lines.push_back("version = " + arguments.version);
-  lines.push_back("requests = " + fingerprintOf(wanted.requests));
-  lines.push_back("method = " + arguments.plan.method);
-  lines.push_back(std::string("mode = ") + toString(arguments.plan.mode));
-  lines.push_back("seeds = " + std::to_string(arguments.plan.seeds));
-  return lines;
+  ResumableFile::Options options =
+      inputsOf(config, arguments.config, arguments.dataroot, arguments.version);
+  options["requests"] = fingerprintOf(wanted.requests);
+  options["method"] = arguments.plan.method;
+  options["mode"] = toString(arguments.plan.mode);
+  options["seeds"] = std::to_string(arguments.plan.seeds);
+  return options;
 }
 
-/// Milliseconds of the searches of this run, by method.
+/// Milliseconds of the searches of this process, by method.
 class SearchTimes {
  public:
-  static std::string toLine(const SearchTime& time) {
-    return time.method + " " + std::to_string(time.milliseconds) + "\n";
-  }
-  void add(const std::string& line) {
-    std::istringstream parts(line);
-    SearchTime time;
-    parts >> time.method >> time.milliseconds;
-    times_[time.method].push_back(time.milliseconds);
+  void add(const std::vector<SearchTime>& times) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const SearchTime& time : times) times_[time.method].push_back(time.milliseconds);
   }
 
   void print() {
@@ -91,12 +83,13 @@ class SearchTimes {
       const double mean = std::accumulate(times.begin(), times.end(), 0.0) / times.size();
       std::printf(
           "%s: %.1f ms a request on one core in the mean, median %.1f ms, 95 %% quantile "
-          "%.1f ms (%zu searches of this run)\n",
+          "%.1f ms (%zu searches of this process)\n",
           method.c_str(), mean, quantile(times, 0.5), quantile(times, 0.95), times.size());
     }
   }
 
  private:
+  std::mutex mutex_;
   std::map<std::string, std::vector<double>> times_;
 };
 
@@ -150,18 +143,15 @@ int evaluateRequests(const EvaluationArguments& arguments) {
                      is_master ? OnWarnings(printWarnings) : OnWarnings());
   const RequestEvaluator evaluator(scenes, config, loadForesight(config), loadMethods(config),
                                    arguments.plan);
-  const auto work = [&](std::size_t index) {
-    const EvaluatedRequest evaluated =
-        evaluator.evaluate(wanted.lines[index], wanted.requests[index]);
-    std::string bytes = rowBytes(evaluated.rows);
-    for (const SearchTime& time : evaluated.times) bytes += SearchTimes::toLine(time);
-    return bytes;
-  };
   SearchTimes times;
-  const ResultFile::Run run{Protocol::kStrict, wanted.lines, rowsPerRequest(arguments.plan),
-                            describe(arguments, config, wanted)};
+  const auto rows_of = [&](std::size_t index) {
+    EvaluatedRequest evaluated = evaluator.evaluate(wanted.lines[index], wanted.requests[index]);
+    times.add(evaluated.times);
+    return std::move(evaluated.rows);
+  };
   const std::vector<ResultRow> rows = runEvaluation(
-      arguments.out, run, arguments.jobs, work, [&](const std::string& line) { times.add(line); });
+      {arguments.out, runOptions(arguments, config, wanted), Protocol::kStrict, "requests",
+       wanted.lines, rowsPerRequest(arguments.plan), arguments.jobs, rows_of});
   if (!is_master) return kExitOk;
   report(arguments, config, rows, wanted);
   times.print();

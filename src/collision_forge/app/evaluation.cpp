@@ -1,51 +1,39 @@
 #include "collision_forge/app/evaluation.h"
 
-#include <boost/timer/progress_display.hpp>
 #include <cmath>
-#include <iostream>
-#include <memory>
-#include <sstream>
+#include <filesystem>
+#include <utility>
 
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/run.h"
 
 namespace forge {
 
-std::string rowBytes(const std::vector<ResultRow>& rows) {
-  std::string bytes;
-  for (const ResultRow& row : rows) bytes += toCsv(row) + "\n";
-  return bytes;
-}
-
-std::vector<ResultRow> runEvaluation(const std::string& folder, const ResultFile::Run& run,
-                                     int jobs, const std::function<std::string(std::size_t)>& work,
-                                     const std::function<void(const std::string&)>& take_rest) {
-  std::unique_ptr<ResultFile> file;
-  std::unique_ptr<boost::timer::progress_display> progress;
-  std::size_t done = 0;
-  if (isMaster()) {
-    file = std::make_unique<ResultFile>(folder, run);
-    file->open();
-    done = file->itemsDone();
-    progress = std::make_unique<boost::timer::progress_display>(run.items.size(), std::cerr);
-    *progress += done;
-  }
-  const auto take = [&](std::size_t, const std::string& bytes) {
-    std::vector<ResultRow> rows;
-    std::istringstream lines(bytes);
-    for (std::string line; std::getline(lines, line);) {
-      if (rows.size() < run.rows_per_item) {
-        rows.push_back(rowFromCsv(line, run.protocol).value());
-      } else {
-        take_rest(line);
-      }
+std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation) {
+  std::vector<ResultRow> rows;
+  Run run;
+  run.path = evaluation.folder + "/results.csv";
+  run.options = evaluation.options;
+  run.layout = {csvHeader(evaluation.protocol), evaluation.rows_per_item};
+  run.items = evaluation.of;
+  run.count = evaluation.items.size();
+  run.jobs = evaluation.jobs;
+  run.work = [&](std::size_t index) {
+    std::string lines;
+    for (const ResultRow& row : evaluation.rowsOf(index)) {
+      lines += (lines.empty() ? "" : "\n") + toCsv(row);
     }
-    file->add(rows);
-    ++*progress;
+    return lines;
   };
-  dispatch(run.items.size(), work, take, {jobs, done});
-  if (!file) return {};
-  file->finish();
-  return file->rows();
+  run.take = [&](std::size_t index, const std::string& where, const std::string& lines) {
+    for (ResultRow& row :
+         readResultRows(where, lines, evaluation.protocol, evaluation.items[index])) {
+      rows.push_back(std::move(row));
+    }
+  };
+  if (isMaster()) std::filesystem::create_directories(evaluation.folder);
+  carryOut(run);
+  return rows;
 }
 
 std::string reportTitle(const std::string& title, const StatisticsOptions& statistics) {

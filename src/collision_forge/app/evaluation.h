@@ -6,9 +6,10 @@
 
 #include "collision_forge/drawing/bar_chart.h"
 #include "collision_forge/drawing/options.h"
+#include "collision_forge/files/resumable_file.h"
 #include "collision_forge/study/clip_evaluation.h"
 #include "collision_forge/study/rate_table.h"
-#include "collision_forge/study/result_file.h"
+#include "collision_forge/study/result_row.h"
 
 /// What evaluate does, in both its forms: over clips of COLLIDE and over requests on logs.
 namespace forge {
@@ -33,15 +34,20 @@ struct EvaluationArguments {
 int evaluateClips(const EvaluationArguments& arguments);
 int evaluateRequests(const EvaluationArguments& arguments);
 
-/// Evaluates the items that FOLDER/results.csv has no rows of yet, on all threads and ranks, and
-/// returns all rows; none but on the master. `work(index)` gives an item's rows as rowBytes() has
-/// them; lines after these go to `take_rest`. Throws as ResultFile and dispatch() do.
-std::vector<ResultRow> runEvaluation(const std::string& folder, const ResultFile::Run& run,
-                                     int jobs, const std::function<std::string(std::size_t)>& work,
-                                     const std::function<void(const std::string&)>& take_rest = {});
+/// Items that give as many rows each.
+struct EvaluationRun {
+  std::string folder;  ///< of results.csv
+  ResumableFile::Options options;
+  Protocol protocol = Protocol::kStrict;
+  std::string of;                  ///< what the items are, as "clips"
+  std::vector<std::string> items;  ///< their names, which the rows bear
+  std::size_t rows_per_item = 1;
+  int jobs = 1;
+  std::function<std::vector<ResultRow>(std::size_t index)> rowsOf;
+};
 
-/// Between processes an item's rows travel as lines.
-std::string rowBytes(const std::vector<ResultRow>& rows);
+/// The rows of all items, on the master; none elsewhere. Throws as carryOut().
+std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation);
 
 /// The first line of a report.
 std::string reportTitle(const std::string& title, const StatisticsOptions& statistics);

@@ -1,12 +1,11 @@
-#include <boost/timer/progress_display.hpp>
 #include <iostream>
 #include <map>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/data/city_maps.h"
-#include "collision_forge/data/nuscenes_tables.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/data/scene_source.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/settings/config.h"
 
@@ -89,21 +88,19 @@ void printTable(const Tallies& tallies) {
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const MethodMaker method = loadMethod("", config, config.attack);
-  const NuScenesRoot root(arguments.dataroot, arguments.version);
-  CityMaps maps(arguments.dataroot, config);
+  SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1);
+  const std::vector<std::string> names = scenes.names();
   AsideFile file(arguments.out);
   std::ostream& csv = file.stream();
   csv << "scene,now,mode,type,tta,code,attacker,confidence,off_road_share,confirmed\n";
   Tallies tallies;
-  boost::timer::progress_display progress(root.sceneNames().size(), std::cerr);
-  for (const std::string& name : root.sceneNames()) {
-    const NuScenesRecording recording = root.readScene(name);
-    const auto lanes = maps.at(recording.location);
-    const IndexedScene scene{toScene(recording, config.ego_vehicle, lanes->sharedMap()), lanes};
+  ProgressLine progress("scenes");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto scene = scenes.at(names[i]);
     for (const double now : arguments.nows) {
-      answerAll(scene, now, arguments, config, method, csv, tallies);
+      answerAll(*scene, now, arguments, config, method, csv, tallies);
     }
-    ++progress;
+    progress.show(i + 1, names.size());
   }
   file.commit();
   printTable(tallies);

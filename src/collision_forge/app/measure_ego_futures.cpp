@@ -1,4 +1,3 @@
-#include <boost/timer/progress_display.hpp>
 #include <chrono>
 #include <iostream>
 #include <limits>
@@ -8,9 +7,9 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/data/city_maps.h"
-#include "collision_forge/data/nuscenes_tables.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/data/scene_source.h"
 #include "collision_forge/data/speed_model_file.h"
 #include "collision_forge/data/speed_profiles_file.h"
 #include "collision_forge/files/aside_file.h"
@@ -225,8 +224,8 @@ int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const Foresight foresight{
       readSpeeds(arguments, config), loadPatternNetwork(arguments.networks), {}};
-  const NuScenesRoot root(arguments.dataroot, arguments.version);
-  CityMaps lanes(arguments.dataroot, config);
+  SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1);
+  const std::vector<std::string> names = scenes.names();
   std::optional<AsideFile> file;
   if (!arguments.out.empty()) file.emplace(arguments.out);
   std::ostream nowhere(nullptr);
@@ -234,18 +233,18 @@ int measure(const Arguments& arguments) {
   csv << "scene,now,horizon,constant_velocity,lane_following,mean,along,across,medoid,best,pit,"
          "crps\n";
   Results results;
-  boost::timer::progress_display progress(root.sceneNames().size(), std::cerr);
-  for (const std::string& name : root.sceneNames()) {
-    const NuScenesRecording recording = root.readScene(name);
-    const auto index = lanes.at(recording.location);
-    const Scene scene = toScene(recording, config.ego_vehicle, nullptr);
-    const NetworkEgoFutures sampler(config.attack.ego_futures, foresight.withoutScene(name));
+  ProgressLine progress("scenes");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto indexed = scenes.at(names[i]);
+    const Scene& scene = indexed->scene;
+    const NetworkEgoFutures sampler(config.attack.ego_futures, foresight.withoutScene(names[i]));
     const double last = scene.frame_times.back() - kHorizons[0] + 1e-6;
     for (double at = scene.frame_times.front() + arguments.stride; at <= last;
          at += arguments.stride) {
-      measureAt(*lastFrameTime(scene, at), scene, *index, sampler, config, arguments, csv, results);
+      measureAt(*lastFrameTime(scene, at), scene, *indexed->lanes, sampler, config, arguments, csv,
+                results);
     }
-    ++progress;
+    progress.show(i + 1, names.size());
   }
   if (file) file->commit();
   printErrors(results);

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <boost/timer/progress_display.hpp>
 #include <ctime>
 #include <iostream>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/settings/config.h"
@@ -71,17 +71,15 @@ void print(Measurement& measurement) {
 
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  const std::vector<std::string> names = arguments.scenes.empty()
-                                             ? readSceneNames(arguments.dataroot, arguments.version)
-                                             : arguments.scenes;
-  SceneSource scenes(arguments.dataroot, arguments.version, names, config, 1);
+  SceneSource scenes(arguments.dataroot, arguments.version, arguments.scenes, config, 1);
+  const std::vector<std::string> names = scenes.names();
   std::vector<Measurement> measurements;
   for (const std::string& planner : arguments.planners) measurements.push_back({planner, {}, {}});
-  boost::timer::progress_display progress(names.size(), std::cerr);
-  for (const std::string& name : names) {
-    const std::shared_ptr<const IndexedScene> scene = scenes.at(name);
+  ProgressLine progress("scenes");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::shared_ptr<const IndexedScene> scene = scenes.at(names[i]);
     for (Measurement& measurement : measurements) measureScene(*scene, config, measurement);
-    ++progress;
+    progress.show(i + 1, names.size());
   }
   std::cout << "| planner | steps | agents p50 | agents max | p50 ms | p99 ms | max ms |\n"
                "|---|---|---|---|---|---|---|\n";

@@ -1,6 +1,9 @@
 #include "collision_forge/app/options.h"
 
 #include <cstdio>
+#include <filesystem>
+
+#include "collision_forge/settings/config_fingerprint.h"
 
 #ifndef COLLISION_FORGE_WITHOUT_ROS
 #include <ros/package.h>
@@ -94,6 +97,14 @@ void addBackground(CLI::App& app, Background& background) {
   addChoice<Background>(app, "--background", background,
                         {{"replay", Background::kReplay}, {"idm", Background::kIdm}},
                         "the others: replay, or idm (they brake for who is in their way)");
+}
+
+ResumableFile::Options inputsOf(const Config& config, const std::string& config_folder,
+                                const std::string& dataroot, const std::string& version) {
+  ResumableFile::Options options = fingerprintsOf(config, config_folder);
+  options["dataroot"] = std::filesystem::canonical(dataroot).string();
+  if (!version.empty()) options["version"] = version;
+  return options;
 }
 
 void printWarnings(const std::string& subject, const std::vector<std::string>& warnings) {

@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "collision_forge/files/resumable_file.h"
 #include "collision_forge/scene/collision_request.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/trials/traffic.h"
 
 /// Options that several commands have, each defined once.
@@ -64,6 +66,10 @@ void addMode(CLI::App& app, Mode& mode);
 CLI::Option* addMethod(CLI::App& app, std::string& method);
 /// --background of tests of planners, replay or idm.
 void addBackground(CLI::App& app, Background& background);
+
+/// What every result over logs depends on: configuration, models, --dataroot and --version.
+ResumableFile::Options inputsOf(const Config& config, const std::string& config_folder,
+                                const std::string& dataroot, const std::string& version);
 
 /// Says on stderr what is odd about something that was read.
 void printWarnings(const std::string& subject, const std::vector<std::string>& warnings);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/timer/progress_display.hpp>
 #include <cmath>
 #include <iostream>
 #include <optional>
@@ -9,6 +8,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/attack/request_list.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/settings/config.h"
@@ -69,14 +69,15 @@ int makeRequests(const Arguments& arguments) {
   const NuScenesRoot root(arguments.dataroot, arguments.version, {arguments.scenes, {}});
   const std::vector<std::string> names = root.sceneNames();
   std::vector<SceneRequest> requests;
-  boost::timer::progress_display progress(names.size(), std::cerr);
+  ProgressLine progress("scenes");
+  std::size_t done = 0;
   for (const std::string& name : names) {
     const Scene scene = toScene(root.readScene(name), config.ego_vehicle, nullptr);
     for (SceneRequest& request :
          listRequests(scene, options, config.attack.prediction, config.crash.time_tolerance)) {
       requests.push_back(std::move(request));
     }
-    ++progress;
+    progress.show(++done, names.size());
   }
   if (requests.empty()) {
     throw std::runtime_error("no request can be made of these scenes with these options");

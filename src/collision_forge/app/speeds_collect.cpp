@@ -1,10 +1,9 @@
-#include <boost/timer/progress_display.hpp>
 #include <iostream>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/data/city_maps.h"
-#include "collision_forge/data/nuscenes_tables.h"
+#include "collision_forge/batch/progress_line.h"
+#include "collision_forge/data/scene_source.h"
 #include "collision_forge/data/speed_profiles_file.h"
 #include "collision_forge/forecast/speed_profile_collection.h"
 #include "collision_forge/settings/config.h"
@@ -21,20 +20,19 @@ struct Arguments {
 
 int collect(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  const NuScenesRoot root(arguments.dataroot, arguments.version);
-  CityMaps lanes(arguments.dataroot, config);
+  SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1);
+  const std::vector<std::string> names = scenes.names();
   std::vector<SpeedProfileRow> rows;
-  boost::timer::progress_display progress(root.sceneNames().size(), std::cerr);
-  for (const std::string& name : root.sceneNames()) {
-    const NuScenesRecording recording = root.readScene(name);
-    const auto index = lanes.at(recording.location);
-    const Scene scene = toScene(recording, config.ego_vehicle, nullptr);
-    const auto collected = collectSpeedProfiles(scene, *index, config.attack.ego_futures.paths);
+  ProgressLine progress("scenes");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto indexed = scenes.at(names[i]);
+    const auto collected =
+        collectSpeedProfiles(indexed->scene, *indexed->lanes, config.attack.ego_futures.paths);
     rows.insert(rows.end(), collected.begin(), collected.end());
-    ++progress;
+    progress.show(i + 1, names.size());
   }
   writeSpeedProfiles(rows, arguments.out);
-  std::cout << rows.size() << " rows of " << root.sceneNames().size() << " scenes\n";
+  std::cout << rows.size() << " rows of " << names.size() << " scenes\n";
   return kExitOk;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/timer/progress_display.hpp>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -20,7 +19,7 @@
 #include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/trials/planner_cases.h"
 #include "collision_forge/trials/planner_report.h"
-#include "collision_forge/trials/planner_result_lines.h"
+#include "collision_forge/trials/planner_run.h"
 
 namespace forge {
 namespace {
@@ -60,12 +59,11 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// What the results depend on, for the resumption of the run.
+/// What the results depend on.
 ResumableFile::Options runOptions(const Arguments& arguments, const PlannerCases& cases,
                                   const Config& config) {
-  ResumableFile::Options options = fingerprintsOf(config, arguments.config);
-  options["dataroot"] = fs::canonical(arguments.dataroot).string();
-  options["version"] = arguments.version;
+  ResumableFile::Options options =
+      inputsOf(config, arguments.config, arguments.dataroot, arguments.version);
   options["cases"] = cases.fingerprint();
   options["planners"] = joined(arguments.planners);
   options["background"] = arguments.background == Background::kIdm ? "idm" : "replay";
@@ -184,41 +182,27 @@ void checkTested(const std::vector<PlannerTestResult>& results, const std::strin
                            first.status + ": " + first.message);
 }
 
-int run(const Arguments& arguments) {
-  const bool is_master = isMaster();
+int drive(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const auto cases = openCases(arguments, config);
-  const std::string results = (fs::path(arguments.out) / "results.jsonl").string();
-  std::unique_ptr<PlannerResultLines> lines;
-  if (is_master) {
-    fs::create_directories(arguments.out);
-    lines = std::make_unique<PlannerResultLines>(results, runOptions(arguments, *cases, config),
-                                                 cases->names());
-  }
+  Run run;
+  run.path = (fs::path(arguments.out) / "results.jsonl").string();
+  run.options = runOptions(arguments, *cases, config);
+  run.jobs = arguments.jobs;
+  if (isMaster()) fs::create_directories(arguments.out);
   PlanningTimes times;
-  const auto work = [&](std::size_t index) {
-    const PlannerTestResult result = testCase(*cases, index, [&](const PlannerCase& one) {
-      return testPlanners(one, arguments.planners, arguments.background, config, config.planners);
-    });
+  const auto test = [&](const PlannerCase& one) {
+    const PlannerTestResult result =
+        testPlanners(one, arguments.planners, arguments.background, config, config.planners);
     times.add(result);
-    return plannerResultLine(result);
+    return result;
   };
-  std::unique_ptr<boost::timer::progress_display> bar;
-  if (is_master) {
-    bar = std::make_unique<boost::timer::progress_display>(cases->names().size(), std::cerr);
-    *bar += lines->first();
-  }
-  const auto take = [&](std::size_t, const std::string& line) {
-    lines->take(line);
-    ++*bar;
-  };
-  dispatch(cases->names().size(), work, take, {arguments.jobs, is_master ? lines->first() : 0});
-  if (!is_master) return kExitOk;
-  lines->complete();
-  checkTested(lines->results(), results);
-  report(lines->results(), arguments, config);
+  const std::vector<PlannerTestResult> results = testCases(run, *cases, test);
+  if (!isMaster()) return kExitOk;
+  checkTested(results, run.path);
+  report(results, arguments, config);
   times.print();
-  drawWorst(*cases, lines->results(), arguments, config);
+  drawWorst(*cases, results, arguments, config);
   return kExitOk;
 }
 
@@ -228,7 +212,7 @@ void addTest(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app =
       line.add(kPlanners, "test", "Drives planners through crashes; goes on where a run stopped.",
-               [arguments] { return run(*arguments); });
+               [arguments] { return drive(*arguments); });
   addDataroot(app, arguments->dataroot);
   CLI::Option* version = addVersion(app, arguments->version);
   CLI::Option_group* source = app.add_option_group("what they are driven through");

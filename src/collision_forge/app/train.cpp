@@ -4,21 +4,28 @@
 
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/training/training_run.h"
 
 namespace forge {
 namespace {
 
-int train(const TrainingRun& run) {
+int train(TrainingRun& run) {
+  const Config config = loadConfig(run.config);
+  run.options = config;
+  run.drawing = config.drawing;
 #ifdef COLLISION_FORGE_WITHOUT_ROS
   forgeTrainPatternNetwork(run);
 #else
   // libtorch takes seconds to load, which no other command needs to wait for.
   void* library = dlopen("libcollision_forge_training.so", RTLD_NOW);
-  if (library == nullptr) throw std::runtime_error(dlerror());
+  if (library == nullptr) {
+    throw std::runtime_error(std::string("this build has no training: ") + dlerror());
+  }
   void* function = dlsym(library, "forgeTrainPatternNetwork");
   if (function == nullptr) throw std::runtime_error(dlerror());
   reinterpret_cast<decltype(&forgeTrainPatternNetwork)>(function)(run);

@@ -46,6 +46,8 @@ static void readOptions(Section& section, SearchOptions& options) {
   options.lane_paths = section.count("lane_paths", 0);
   options.ego_poses = section.count("ego_poses", 1);
   options.draws = section.count("draws", 1);
+  options.homed = section.count("homed", 0);
+  options.corrections = section.count("corrections", 0);
   options.max_lead = section.nonNegative("max_lead");
   options.kept = section.count("kept", 1);
   options.rounds = section.count("rounds", 0);
@@ -61,6 +63,10 @@ static void readOptions(Section& section, SearchOptions& options) {
   options.steering_weight = section.nonNegative("steering_weight");
   options.quick_steering = section.positive("quick_steering");
   options.closeness_weight = section.share("closeness_weight");
+  options.pattern_weight = section.nonNegative("pattern_weight");
+  options.near_pattern = section.positive("near_pattern");
+  options.exact_distance = section.positive("exact_distance");
+  options.exact_heading = section.positive("exact_heading");
   options.confidence_curve = section.risingShares("confidence_curve");
 }
 

@@ -1,38 +1,33 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
-#include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/options.h"
 #include "collision_forge/map/lane_queries.h"
 
 namespace forge {
 
+/// Called with a subject and what is odd about it; on any thread, one at a time.
+using OnWarnings =
+    std::function<void(const std::string& subject, const std::vector<std::string>& warnings)>;
+
 /// The maps of a nuScenes root, each read when it is first asked for. Thread-safe.
 class CityMaps {
  public:
-  /// Both must outlive it.
-  CityMaps(const std::string& dataroot, const DataOptions& options)
-      : dataroot_(dataroot), options_(options) {}
+  CityMaps(const std::string& dataroot, const DataOptions& options, OnWarnings on_warnings = {});
 
   /// Throws as readNuScenesMap() and drivingSide().
-  std::shared_ptr<const LaneIndex> at(const std::string& city) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    std::shared_ptr<const LaneIndex>& lanes = maps_[city];
-    if (!lanes) {
-      lanes = std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(
-          readNuScenesMap(dataroot_, city, drivingSide(options_, city),
-                          {options_.conversion.centerline_resolution})));
-    }
-    return lanes;
-  }
+  std::shared_ptr<const LaneIndex> at(const std::string& city);
 
  private:
-  const std::string& dataroot_;
-  const DataOptions& options_;
+  std::string dataroot_;
+  DataOptions options_;
+  OnWarnings on_warnings_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const LaneIndex>> maps_;
 };

@@ -6,22 +6,12 @@
 #include <stdexcept>
 
 #include "collision_forge/data/collide_clip.h"
+#include "collision_forge/files/fingerprint.h"
 
 namespace forge {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// FNV-1a, 64 bits, then the finalizer of splitmix64, so that the upper bits depend on all of it.
-std::uint64_t hashOf(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char character : text) {
-    hash = (hash ^ static_cast<unsigned char>(character)) * 0x100000001b3u;
-  }
-  hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
-  hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
-  return hash ^ (hash >> 31);
-}
 
 bool byFileName(const std::string& a, const std::string& b) {
   return fs::path(a).filename() < fs::path(b).filename();
@@ -30,7 +20,7 @@ bool byFileName(const std::string& a, const std::string& b) {
 }  // namespace
 
 bool isHeldOutScene(const std::string& scene, double share) {
-  return static_cast<double>(hashOf(scene) >> 11) * 0x1p-53 < share;
+  return static_cast<double>(mixed(hashOf(scene)) >> 11) * 0x1p-53 < share;
 }
 
 std::vector<std::string> listCollideClips(const std::string& directory, const std::string& split) {

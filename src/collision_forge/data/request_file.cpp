@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "collision_forge/files/aside_file.h"
-#include "collision_forge/files/resumable_file.h"
+#include "collision_forge/files/fingerprint.h"
 
 namespace forge {
 

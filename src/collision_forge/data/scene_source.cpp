@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "collision_forge/data/nuscenes_json.h"
-#include "collision_forge/data/nuscenes_map.h"
 
 namespace forge {
 
@@ -21,11 +20,11 @@ SceneSource::SceneSource(const std::string& dataroot, const std::string& version
                          const std::vector<std::string>& scenes, const DataOptions& options,
                          std::size_t kept, OnWarnings on_warnings,
                          const NuScenesProgress& on_progress)
-    : dataroot_(dataroot),
-      options_(options),
+    : ego_vehicle_(options.ego_vehicle),
       root_(dataroot, version, {scenes, on_progress}),
       kept_(kept),
-      on_warnings_(std::move(on_warnings)) {}
+      on_warnings_(std::move(on_warnings)),
+      maps_(dataroot, options, on_warnings_) {}
 
 std::shared_ptr<const IndexedScene> SceneSource::at(const std::string& name) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -42,26 +41,11 @@ std::shared_ptr<const IndexedScene> SceneSource::at(const std::string& name) {
 
 std::shared_ptr<const IndexedScene> SceneSource::read(const std::string& name) {
   const NuScenesRecording recording = root_.readScene(name);
-  const auto& lanes = lanesOf(recording.location);
+  const auto lanes = maps_.at(recording.location);
   std::vector<std::string> warnings;
-  Scene scene = toScene(recording, options_.ego_vehicle, lanes->sharedMap(), &warnings);
-  warn(name, warnings);
+  Scene scene = toScene(recording, ego_vehicle_, lanes->sharedMap(), &warnings);
+  if (on_warnings_ && !warnings.empty()) on_warnings_(name, warnings);
   return std::make_shared<const IndexedScene>(IndexedScene{std::move(scene), lanes});
-}
-
-const std::shared_ptr<const LaneIndex>& SceneSource::lanesOf(const std::string& location) {
-  auto& lanes = lanes_[location];
-  if (lanes) return lanes;
-  std::vector<std::string> warnings;
-  lanes = std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(
-      readNuScenesMap(dataroot_, location, drivingSide(options_, location),
-                      {options_.conversion.centerline_resolution}, &warnings)));
-  warn("map " + location, warnings);
-  return lanes;
-}
-
-void SceneSource::warn(const std::string& subject, const std::vector<std::string>& warnings) const {
-  if (on_warnings_ && !warnings.empty()) on_warnings_(subject, warnings);
 }
 
 }  // namespace forge

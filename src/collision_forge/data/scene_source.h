@@ -1,22 +1,17 @@
 #pragma once
 
-#include <functional>
 #include <list>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
+#include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/options.h"
 #include "collision_forge/scene/moment.h"
 
 namespace forge {
-
-/// Called with a subject and what is odd about it; on any thread, one at a time.
-using OnWarnings =
-    std::function<void(const std::string& subject, const std::vector<std::string>& warnings)>;
 
 /// The names of all scenes of a root, in the table's order. Throws NuScenesError.
 std::vector<std::string> readSceneNames(const std::string& dataroot, const std::string& version);
@@ -26,11 +21,14 @@ std::vector<std::string> readSceneNames(const std::string& dataroot, const std::
 /// scene once. Thread-safe.
 class SceneSource {
  public:
-  /// `scenes`: the wanted ones, at least one; `kept`: how many are held at a time, at least 1.
+  /// `scenes`: the wanted ones, all if empty; `kept`: how many are held at a time, at least 1.
   /// Throws NuScenesError as NuScenesRoot does.
   SceneSource(const std::string& dataroot, const std::string& version,
               const std::vector<std::string>& scenes, const DataOptions& options, std::size_t kept,
               OnWarnings on_warnings = {}, const NuScenesProgress& on_progress = {});
+
+  /// Of the wanted scenes, in the table's order.
+  std::vector<std::string> names() const { return root_.sceneNames(); }
 
   /// Throws NuScenesError as readScene() and readNuScenesMap() do, ConfigError for a location
   /// without a driving side.
@@ -38,17 +36,14 @@ class SceneSource {
 
  private:
   std::shared_ptr<const IndexedScene> read(const std::string& name);
-  const std::shared_ptr<const LaneIndex>& lanesOf(const std::string& location);
-  void warn(const std::string& subject, const std::vector<std::string>& warnings) const;
 
-  std::string dataroot_;
-  DataOptions options_;
+  EgoVehicle ego_vehicle_;
   NuScenesRoot root_;
   std::size_t kept_;
   OnWarnings on_warnings_;
+  CityMaps maps_;
   std::mutex mutex_;
   std::list<std::shared_ptr<const IndexedScene>> scenes_;  // used last first
-  std::map<std::string, std::shared_ptr<const LaneIndex>> lanes_;
 };
 
 }  // namespace forge

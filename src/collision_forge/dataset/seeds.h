@@ -5,9 +5,6 @@
 
 namespace forge {
 
-/// Mixes all bits (the finalizer of splitmix64).
-std::uint64_t mixed(std::uint64_t bits);
-
 /// A seed that follows from a text and another seed: the mixed FNV-1a hash of 64 bits.
 std::uint64_t seedOf(const std::string& text, std::uint64_t seed);
 

@@ -40,6 +40,12 @@ void writeOptions(const std::string& path, const ResumableFile::Options& options
   file.commit();
 }
 
+/// Empty where there is none.
+std::string valueOf(const ResumableFile::Options& options, const std::string& name) {
+  const auto found = options.find(name);
+  return found == options.end() ? "" : found->second;
+}
+
 /// Refuses to go on with `what`, which was begun with other options than these.
 void checkOptions(const std::string& path, const std::string& what,
                   const ResumableFile::Options& options) {
@@ -49,18 +55,24 @@ void checkOptions(const std::string& path, const std::string& what,
     throw std::runtime_error(what + ": is there, but not " + optionsPath(path) +
                              ", which says what it was made with" + remedy);
   }
-  ResumableFile::Options before = readOptions(optionsPath(path));
-  for (const auto& [name, value] : options) {
-    if (before[name] == value) continue;
-    throw std::runtime_error(what + ": was begun with " + name + " = " + before[name] + ", now " +
-                             name + " = " + value + remedy);
+  const ResumableFile::Options before = readOptions(optionsPath(path));
+  ResumableFile::Options all = options;
+  all.insert(before.begin(), before.end());
+  for (const auto& entry : all) {
+    const std::string& name = entry.first;
+    const std::string was = valueOf(before, name);
+    const std::string is = valueOf(options, name);
+    if (was == is) continue;
+    throw std::runtime_error(what + ": was begun with " + name + " = " + was + ", now " + name +
+                             " = " + is + remedy);
   }
 }
 
 }  // namespace
 
-ResumableFile::ResumableFile(const std::string& path, const Options& options)
-    : path_(path), part_(path + ".part") {
+ResumableFile::ResumableFile(const std::string& path, const Options& options,
+                             const ItemLayout& layout)
+    : path_(path), part_(path + ".part"), layout_(layout) {
   if (fs::exists(path_)) {
     checkOptions(path_, path_, options);
     is_complete_ = true;
@@ -85,24 +97,47 @@ ResumableFile::~ResumableFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-std::size_t ResumableFile::resume(
-    const std::function<void(const std::string& where, const std::string& line)>& on_line) {
-  std::ifstream file(part_);
-  std::size_t lines = 0;
-  std::int64_t size = 0;
-  for (std::string line; std::getline(file, line) && !file.eof();) {
-    ++lines;
-    on_line(part_ + ": line " + std::to_string(lines), line);
-    size += static_cast<std::int64_t>(line.size()) + 1;
-  }
-  if (file.bad()) failWith(part_, "cannot be read");
-  if (::ftruncate(descriptor_, size) != 0) failWith(part_, "cannot be cut to its complete lines");
-  size_ = size;
-  return lines;
+void ResumableFile::checkHeader(const std::string& path, const std::string& line) const {
+  if (line == layout_.header) return;
+  throw std::runtime_error(path + ": line 1: \"" + line + "\" is another header");
 }
 
-void ResumableFile::append(const std::string& line) {
-  const std::string bytes = line + "\n";
+std::size_t ResumableFile::resume(
+    const std::function<void(const std::string& where, const std::string& lines)>& on_item) {
+  const std::string& path = is_complete_ ? path_ : part_;
+  std::ifstream file(path);
+  std::size_t items = 0;
+  std::size_t line_number = 0;
+  std::size_t lines = 0;  // of the item
+  std::string item;
+  std::int64_t size = 0;
+  for (std::string line; std::getline(file, line) && !file.eof();) {
+    if (++line_number == 1 && !layout_.header.empty()) {
+      checkHeader(path, line);
+      size += static_cast<std::int64_t>(line.size()) + 1;
+      continue;
+    }
+    item += (lines == 0 ? "" : "\n") + line;
+    if (++lines < layout_.lines_per_item) continue;
+    on_item(path + ": line " + std::to_string(line_number + 1 - lines), item);
+    size += static_cast<std::int64_t>(item.size()) + 1;
+    ++items;
+    lines = 0;
+    item.clear();
+  }
+  if (file.bad()) failWith(path, "cannot be read");
+  if (!is_complete_) cutTo(size);
+  return items;
+}
+
+void ResumableFile::cutTo(std::int64_t size) {
+  if (::ftruncate(descriptor_, size) != 0) failWith(part_, "cannot be cut to its complete items");
+  size_ = size;
+  if (size == 0 && !layout_.header.empty()) append(layout_.header);
+}
+
+void ResumableFile::append(const std::string& lines) {
+  const std::string bytes = lines + "\n";
   for (std::size_t written = 0; written < bytes.size();) {
     const ssize_t count = ::write(descriptor_, bytes.data() + written, bytes.size() - written);
     if (count < 0 && errno == EINTR) continue;
@@ -121,16 +156,6 @@ void ResumableFile::append(const std::string& line) {
 void ResumableFile::complete() {
   if (::fsync(descriptor_) != 0) failWith(part_, "cannot be written");
   if (std::rename(part_.c_str(), path_.c_str()) != 0) failWith(path_, "cannot be written");
-}
-
-std::string fingerprint(const std::string& text, const std::string& before) {
-  constexpr std::uint64_t kOffset = 0xcbf29ce484222325;
-  constexpr std::uint64_t kPrime = 0x100000001b3;
-  std::uint64_t hash = before.empty() ? kOffset : std::stoull(before, nullptr, 16);
-  for (const unsigned char byte : text) hash = (hash ^ byte) * kPrime;
-  char digits[17];
-  std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(hash));
-  return digits;
 }
 
 }  // namespace forge

@@ -8,19 +8,24 @@
 
 namespace forge {
 
-/// A file of lines that is written over several runs, if need be: lines go to PATH.part, which is
-/// moved to PATH when complete. PATH.options, which stays, holds what the lines were made with, so
-/// that no run goes on with lines of another. Every line is written at once: a process that is
-/// killed loses at most the line that it is writing.
+struct ItemLayout {
+  std::string header;  ///< first line of the file; empty: none
+  std::size_t lines_per_item = 1;
+};
+
+/// A file of items, each of a line or a few, that is written over several runs, if need be: items
+/// go to PATH.part, which is moved to PATH when complete. PATH.options, which stays, holds what
+/// they were made with, so that no run goes on with items of another. Every item is written at
+/// once: a process that is killed loses at most the item that it is writing.
 class ResumableFile {
  public:
-  /// What the lines are made with, by name; neither names nor values hold line ends.
+  /// What the items are made with, by name; neither names nor values hold line ends.
   using Options = std::map<std::string, std::string>;
 
   /// Opens PATH.part, new or from a run before. Throws std::runtime_error naming the file when it
   /// cannot be opened, when another process is writing it, and when PATH or PATH.part was begun
   /// with other options: which, and what they were.
-  ResumableFile(const std::string& path, const Options& options);
+  ResumableFile(const std::string& path, const Options& options, const ItemLayout& layout = {});
   ~ResumableFile();
   ResumableFile(const ResumableFile&) = delete;
   ResumableFile& operator=(const ResumableFile&) = delete;
@@ -28,28 +33,30 @@ class ResumableFile {
   /// True when PATH was completed by a run before: there is nothing to write.
   bool isComplete() const { return is_complete_; }
 
-  /// Hands the complete lines of PATH.part to `on_line` in order, with where they stand
+  /// Hands the complete items of PATH or PATH.part to `on_item` in order, with where they stand
   /// ("PATH.part: line 1"), cuts off an incomplete last one, and returns their number. To be called
-  /// once, before append(). What `on_line` throws leaves the file as it was.
+  /// once, before append(). Throws std::runtime_error for another header; that, and what `on_item`
+  /// throws, leaves the file as it was.
   std::size_t resume(
-      const std::function<void(const std::string& where, const std::string& line)>& on_line);
+      const std::function<void(const std::string& where, const std::string& lines)>& on_item);
 
-  /// Writes a line; `line` holds no line end. Throws std::runtime_error when it cannot be written
-  /// (a full disk, a limit): the lines before it stay.
-  void append(const std::string& line);
+  /// Writes an item, its lines without the last line end. Throws std::runtime_error when it cannot
+  /// be written (a full disk, a limit): the items before it stay.
+  void append(const std::string& lines);
 
   /// Moves PATH.part to PATH once it is on the disk.
   void complete();
 
  private:
+  void checkHeader(const std::string& path, const std::string& line) const;
+  void cutTo(std::int64_t size);
+
   std::string path_;
   std::string part_;
+  ItemLayout layout_;
   int descriptor_ = -1;
-  std::int64_t size_ = 0;  // bytes of complete lines
+  std::int64_t size_ = 0;  // bytes of complete items
   bool is_complete_ = false;
 };
-
-/// FNV-1a of 64 bits in hexadecimal, to tell whether texts are the same; `before` continues one.
-std::string fingerprint(const std::string& text, const std::string& before = "");
 
 }  // namespace forge

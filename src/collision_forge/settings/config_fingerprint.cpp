@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "collision_forge/files/resumable_file.h"
+#include "collision_forge/files/fingerprint.h"
 
 namespace forge {
 namespace {

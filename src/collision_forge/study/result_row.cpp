@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
 namespace forge {
 namespace {
@@ -130,6 +132,20 @@ std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol) 
   }
   if (row.relative_heading) *row.relative_heading *= kDegree;
   return row;
+}
+
+std::vector<ResultRow> readResultRows(const std::string& where, const std::string& lines,
+                                      Protocol protocol, const std::string& name) {
+  std::vector<ResultRow> rows;
+  std::istringstream stream(lines);
+  for (std::string line; std::getline(stream, line);) {
+    auto row = rowFromCsv(line, protocol);
+    if (!row || row->name != name) {
+      throw std::runtime_error(where + ": \"" + line + "\" is not the row expected there");
+    }
+    rows.push_back(std::move(*row));
+  }
+  return rows;
 }
 
 }  // namespace forge

@@ -54,4 +54,9 @@ std::string toCsv(const ResultRow& row);
 /// The row of a line as toCsv() writes it; empty for any other line (one that was cut off).
 std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol);
 
+/// The rows of an item of that name, a line each. Throws std::runtime_error for lines that are none
+/// of its rows; `where` says where they stand.
+std::vector<ResultRow> readResultRows(const std::string& where, const std::string& lines,
+                                      Protocol protocol, const std::string& name);
+
 }  // namespace forge

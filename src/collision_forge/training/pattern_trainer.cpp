@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/files/fingerprint.h"
 #include "collision_forge/training/pattern_module.h"
 
 namespace forge {
@@ -165,13 +166,14 @@ struct PatternTrainer::State {
   /// Every rank tells a fingerprint of its weights, and hears those of the others.
   void checkRanks() const {
     std::vector<double> prints(static_cast<std::size_t>(ranks.size), 0.0);
-    std::uint32_t print = 0x811c9dc5u;  // FNV-1a
+    std::uint64_t hash = kHashBasis;
     for (const torch::Tensor& parameter : module->parameters()) {
       const RowMatrix matrix = toMatrix(parameter);
-      const auto* bytes = reinterpret_cast<const unsigned char*>(matrix.data());
-      const auto count = static_cast<std::size_t>(matrix.size()) * sizeof(float);
-      for (std::size_t i = 0; i < count; ++i) print = (print ^ bytes[i]) * 0x01000193u;
+      hash = hashOf({reinterpret_cast<const char*>(matrix.data()),
+                     static_cast<std::size_t>(matrix.size()) * sizeof(float)},
+                    hash);
     }
+    const auto print = static_cast<double>(mixed(hash) >> 11);  // what a double holds
     prints[static_cast<std::size_t>(ranks.rank)] = print;
     ranks.sum(prints);
     for (const double other : prints) {

@@ -9,7 +9,7 @@
 
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/files/resumable_file.h"
+#include "collision_forge/files/fingerprint.h"
 
 namespace forge {
 namespace {

@@ -1,0 +1,35 @@
+#include "collision_forge/batch/interruption.h"
+
+#include <unistd.h>
+
+namespace forge {
+namespace {
+
+std::string message_now;  // made beforehand: a signal handler may not allocate
+
+/// Writes the message and lets the signal end the process.
+void onInterruption(int signal) {
+  [[maybe_unused]] const ssize_t count =
+      ::write(STDERR_FILENO, message_now.data(), message_now.size());
+  ::raise(signal);
+}
+
+}  // namespace
+
+InterruptionNotice::InterruptionNotice(const std::string& message) {
+  message_now = message;
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    struct sigaction action = {};
+    action.sa_handler = kSignals[i] == SIGXFSZ ? SIG_IGN : onInterruption;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    ::sigaction(kSignals[i], &action, &before_[i]);
+  }
+}
+
+InterruptionNotice::~InterruptionNotice() {
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    ::sigaction(kSignals[i], &before_[i], nullptr);
+  }
+}
+
+}  // namespace forge

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <signal.h>
+
+#include <array>
+#include <string>
+
+namespace forge {
+
+/// While it lives, SIGINT, SIGTERM and SIGHUP write a message to stderr before they end the
+/// process, and a limit on the size of files is an error of write(). One at a time in a process.
+class InterruptionNotice {
+ public:
+  explicit InterruptionNotice(const std::string& message);
+  ~InterruptionNotice();
+  InterruptionNotice(const InterruptionNotice&) = delete;
+  InterruptionNotice& operator=(const InterruptionNotice&) = delete;
+
+ private:
+  static constexpr std::array<int, 4> kSignals = {SIGXFSZ, SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, kSignals.size()> before_;
+};
+
+}  // namespace forge
