@@ -16,11 +16,8 @@
 namespace forge {
 
 /// Everything that can be tuned, as read from the files of config/. Rooms are handed their part.
-struct Config : StudyOptions {
+struct Config : LearningOptions {
   SpeedModelFitOptions speed_model_fit;
-  PatternFeatureOptions pattern_features;  ///< these three of networks to be trained
-  PatternNetworkOptions pattern_layers;
-  TrainingOptions training;
   EncodingOptions encoding;
   DrawingOptions drawing;
   RequestListOptions requests;
