@@ -8,9 +8,9 @@
 #include "collision_forge/dataset/options.h"
 #include "collision_forge/drawing/options.h"
 #include "collision_forge/network/options.h"
-#include "collision_forge/network/training_options.h"
 #include "collision_forge/scene/options.h"
 #include "collision_forge/study/options.h"
+#include "collision_forge/training/options.h"
 #include "collision_forge/trials/options.h"
 
 namespace forge {
