@@ -30,19 +30,25 @@ refuse_arguments() {
 
 # ---- packages ----
 
-listed_packages() { sed 's/#.*//' "$REPO_ROOT/scripts/packages.txt" | xargs -n 1; }
+# listed_packages forge|all: those of the first part of the list, or all.
+listed_packages() {
+  local last='$' # line
+  [[ $1 == all ]] || last='/^# ==== rest/'
+  sed -n "1,${last}{s/#.*//;p}" "$REPO_ROOT/scripts/packages.txt" | xargs -n 1
+}
 
 missing_packages() {
   local installed
   installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p' | sort -u)
-  comm -23 <(listed_packages | sort -u) <(printf '%s\n' "$installed")
+  comm -23 <(listed_packages "$1" | sort -u) <(printf '%s\n' "$installed")
 }
 
+# install_packages forge|all
 install_packages() {
   { command -v dpkg-query && command -v apt-get; } > /dev/null ||
     die "this is no Debian: install what scripts/packages.txt lists in your system's way"
   local missing as_root=()
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "$1")
   [[ ${#missing[@]} -gt 0 ]] || return 0
   if [[ $EUID -ne 0 ]]; then
     command -v sudo > /dev/null || die "neither root nor sudo; as root: apt-get install ${missing[*]}"
@@ -55,6 +61,9 @@ install_packages() {
 }
 
 # ---- build ----
+
+# ccache answers for files with precompiled headers only if it may overlook these.
+export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros,include_file_mtime,include_file_ctime}
 
 # ROS and catkin run on the system's python3, whichever python the caller has first in PATH.
 use_system_python() {
@@ -71,7 +80,7 @@ parallel_jobs() {
   echo $((by_memory < 1 ? 1 : by_memory < cores ? by_memory : cores))
 }
 
-cached() { sed -n "s/^$1:[A-Z]*=//p" "$BUILD_DIR/CMakeCache.txt"; }
+cached() { sed -n "s/^$1:[A-Z]*=//p" "$BUILD_DIR/CMakeCache.txt" 2> /dev/null || true; }
 
 # True for a folder that was configured elsewhere, in another way, or without success.
 build_folder_is_stale() {
@@ -81,6 +90,7 @@ build_folder_is_stale() {
     $(cached CATKIN_DEVEL_PREFIX) != "$DEVEL_DIR" || ! -e $BUILD_DIR/build.ninja ]]
 }
 
+# configure OPTION...: with these options of CMake beside those of every build.
 configure() {
   if build_folder_is_stale; then
     say "removing build/ and devel/: configured for another folder, in another way, or not to the end"
@@ -91,7 +101,7 @@ configure() {
   say "configuring $BUILD_DIR"
   cmake -S "$REPO_ROOT" -B "$BUILD_DIR" -G Ninja -DCATKIN_DEVEL_PREFIX="$DEVEL_DIR" \
     -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
-    -DCMAKE_CXX_COMPILER_LAUNCHER="$(command -v ccache || true)" > "$log" 2>&1 || {
+    -DCMAKE_CXX_COMPILER_LAUNCHER="$(command -v ccache || true)" "$@" > "$log" 2>&1 || {
     cat "$log" >&2
     die "cmake failed (its output is above and in $log)"
   }
@@ -104,11 +114,24 @@ build() {
   cmake --build "$BUILD_DIR" -j "$jobs" --target "$@" >&2 || die "the build failed"
 }
 
-# prepare TARGET...: from a bare machine to built targets.
-prepare() {
-  install_packages
+# prepare_forge: from a bare machine to the program forge. A folder that everything is built in stays that.
+prepare_forge() {
+  local only=ON
+  if ! build_folder_is_stale && [[ $(cached COLLISION_FORGE_PROGRAM_ONLY) == OFF ]]; then only=OFF; fi
+  install_packages forge
   use_system_python
-  configure
+  configure -DCOLLISION_FORGE_PROGRAM_ONLY="$only"
+  build forge
+}
+
+# prepare_all [OPTION_OF_CMAKE...] -- TARGET...: from a bare machine to these targets, with everything configured.
+prepare_all() {
+  local options=()
+  while [[ $1 != -- ]]; do options+=("$1") && shift; done
+  shift
+  install_packages all
+  use_system_python
+  configure -DCOLLISION_FORGE_PROGRAM_ONLY=OFF "${options[@]}"
   build "$@"
 }
 

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/attack/placement.h"
 #include "collision_forge/verify/limits.h"
 
 namespace forge {
@@ -20,6 +21,7 @@ struct Case {
   Future future;
   std::vector<Track> egos;
   CollisionRequest request = requestFor();
+  bool exact = false;
 
   Case(CollisionType type, double ego_speed, const Pose2& ego = {}) {
     request.type = type;
@@ -32,18 +34,36 @@ struct Case {
     snapshot.agents.push_back(pastTrack(id, kCarSize, pose, speed));
     future.agents.push_back(futureTrack(id, kCarSize, pose, speed));
   }
+  /// Where the ego, at its middle speed, is when the time is up.
+  OrientedBox egoAtImpact() const {
+    return {stateAt(egos[egos.size() / 2], kNow + request.tta)->pose, kEgoSize};
+  }
+  CollisionPattern pattern(const std::string& attacker, const Pose2& offset, double speed) const {
+    return {request.type, attacker, kNow + request.tta, egoAtImpact(), offset, speed};
+  }
+  /// At the sides where the type's attackers stand.
+  std::vector<CollisionPattern> patternsOf(const Track& agent) const {
+    const double nominal = request.bands().nominal_heading;
+    std::vector<CollisionPattern> patterns;
+    for (const Placement& placement : placementsOf(request.type, map->driving_side)) {
+      const double heading = wrapAngle(placement.sign < 0.0 ? -nominal : nominal);
+      patterns.push_back(pattern(
+          agent.id, attackerOffset(kEgoSize, kCarSize, placement.side, heading, 0.0, 0.0), 8.0));
+    }
+    return patterns;
+  }
   std::vector<CollisionPattern> patterns() const {
     std::vector<CollisionPattern> patterns;
     for (const Track& agent : snapshot.agents) {
-      patterns.emplace_back();
-      patterns.back().attacker_id = agent.id;
+      for (CollisionPattern& pattern : patternsOf(agent)) patterns.push_back(std::move(pattern));
     }
     return patterns;
   }
   std::vector<FoundAttack> found(const std::vector<CollisionPattern>& patterns) const {
     std::vector<const Track*> pointers;
     for (const Track& ego : egos) pointers.push_back(&ego);
-    return searchAttacks({snapshot, future, pointers, patterns, request, LaneIndex(map)}, options);
+    return searchAttacks({snapshot, future, pointers, patterns, request, LaneIndex(map), exact},
+                         options);
   }
   std::vector<FoundAttack> found() const { return found(patterns()); }
 };
@@ -145,10 +165,13 @@ TEST(SearchAttacks, ComeBestFirstWithTheScoresOfTheirMotions) {
     EXPECT_LE(attacks.size(), 2 * static_cast<std::size_t>(scene.options.search.kept))
         << "of each family";
     for (std::size_t i = 0; i < attacks.size(); ++i) {
-      const FutureScore score = scorer.score(*attacks[i].attacker, attacks[i].points);
+      const FutureScore score = scorer.score(*attacks[i].attacker, attacks[i].points, 2);
       EXPECT_EQ(attacks[i].score.share, score.share);
       EXPECT_NEAR(attacks[i].score.closeness, score.closeness, 1e-9);
       EXPECT_GT(attacks[i].score.share, 0.0);
+      EXPECT_EQ(attacks[i].hits.size(), std::lround(score.share * 5.0));
+      EXPECT_EQ(attacks[i].miss.distance,
+                (score.contact.position() - attacks[i].aim->attacker_offset.position()).norm());
       if (i > 0) {
         EXPECT_LE(attacks[i].objective, attacks[i - 1].objective);
       }
@@ -265,12 +288,12 @@ TEST(SearchAttacks, FindNothingWithoutPatterns) { EXPECT_TRUE(rearEnd().found({}
 TEST(SearchAttacks, TryTheFirstAttackersOfThePatternsAlone) {
   Case scene = rearEnd();
   scene.add("far", {-150.0, 0.0, 0.0}, 10.0);
-  std::vector<CollisionPattern> patterns = scene.patterns();
-  std::swap(patterns[0], patterns[1]);
-  EXPECT_FALSE(scene.found(patterns).empty());
+  const std::vector<CollisionPattern> behind = scene.patternsOf(scene.snapshot.agents[0]);
+  const std::vector<CollisionPattern> far = scene.patternsOf(scene.snapshot.agents[1]);
+  EXPECT_FALSE(scene.found({far[0], behind[0]}).empty());
   scene.options.search.max_attackers = 1;
-  EXPECT_TRUE(scene.found(patterns).empty());
-  EXPECT_FALSE(scene.found({patterns[1], patterns[1], patterns[0]}).empty());
+  EXPECT_TRUE(scene.found({far[0], behind[0]}).empty());
+  EXPECT_FALSE(scene.found({behind[0], behind[1], far[0]}).empty());
 }
 
 TEST(SearchAttacks, TheBicycleFindsWhatNoQuinticCan) {
@@ -303,6 +326,90 @@ TEST(SearchAttacks, MoreRoundsFindNoWorse) {
     ASSERT_FALSE(perturbed.empty());
     EXPECT_GE(perturbed[0].objective, drawn[0].objective);
   }
+}
+
+/// A car that overtakes on the right half of the left lane, in a scene without uncertainty.
+Case overtaken() {
+  Case scene(CollisionType::kLaneChange, 8.0);
+  scene.add("beside", {-16.0, 3.5, 0.0}, 10.0);
+  scene.egos = {futureTrack(kEgoId, kEgoSize, {}, 8.0)};
+  return scene;
+}
+
+/// The attacker's front right corner at the ego's left rear corner.
+Pose2 atLeftRearCorner(double heading) {
+  const Vector2 corner(0.5 * kCarSize.length, -0.5 * kCarSize.width);
+  const Pose2 turned = compose({0.0, 0.0, heading}, {corner.x(), corner.y(), 0.0});
+  return {-0.5 * kEgoSize.length - turned.x + 0.2, 0.5 * kEgoSize.width - turned.y, heading};
+}
+
+TEST(SearchAttacks, ComeToThePatternThatIsAskedForThoughItIsNoPlacementOfTheType) {
+  Case scene = overtaken();
+  scene.request.seed = 3;
+  for (const double heading : {-0.2, -0.26, -0.35}) {
+    const auto attacks = scene.found({scene.pattern("beside", atLeftRearCorner(heading), 11.0)});
+    ASSERT_FALSE(attacks.empty()) << heading;
+    EXPECT_LT(attacks[0].miss.distance, 0.3) << heading;
+    EXPECT_LT(attacks[0].miss.heading, 0.05) << heading;
+  }
+}
+
+TEST(SearchAttacks, NameThePatternThatTheyComeFrom) {
+  Case scene = overtaken();
+  const std::vector<CollisionPattern> patterns = {
+      scene.pattern("beside", atLeftRearCorner(-0.26), 11.0),
+      scene.pattern("beside", attackerOffset(kEgoSize, kCarSize, Side::kLeft, -0.26, 0.5, 0.0),
+                    11.0)};
+  const auto attacks = scene.found(patterns);
+  ASSERT_FALSE(attacks.empty());
+  for (const FoundAttack& attack : attacks) {
+    ASSERT_TRUE(attack.aim == &patterns[0] || attack.aim == &patterns[1]);
+    const Pose2& asked = attack.aim->attacker_offset;
+    EXPECT_EQ(attack.miss.distance, (attack.score.contact.position() - asked.position()).norm());
+    EXPECT_EQ(attack.miss.heading, std::abs(angleBetween(asked.yaw, attack.score.contact.yaw)));
+  }
+}
+
+TEST(SearchAttacks, OfOneDrawDriveToThePatternsBoxItself) {
+  // The only arrival drawn is the pattern's own: nothing moves it, nothing follows it.
+  Case scene = overtaken();
+  SearchOptions& search = scene.options.search;
+  search.draws = 1;
+  search.homed = search.rounds = search.bicycle_targets = search.bicycle_rounds = 0;
+  scene.options.steering.rounds = 0;
+  search.lane_paths = 0;
+  const CollisionPattern pattern = scene.pattern("beside", atLeftRearCorner(-0.26), 11.0);
+  const auto attacks = scene.found({pattern});
+  ASSERT_EQ(attacks.size(), 1U);
+  const Pose2 there = compose(pattern.ego.center, pattern.attacker_offset);
+  double nearest = 1e9;
+  for (const TrajectoryPoint& point : attacks[0].points) {
+    if (std::abs(point.time - pattern.time) > 1e-6) continue;
+    nearest = (point.pose.position() - there.position()).norm();
+  }
+  EXPECT_LT(nearest, 0.01) << "the boxes of the pattern touch as they are";
+}
+
+TEST(SearchAttacks, TakeTheFutureInWhichTheEgoIsWhereThePatternHasIt) {
+  Case scene = rearEnd();
+  for (std::size_t i = 0; i < scene.egos.size(); ++i) {
+    std::vector<CollisionPattern> patterns = scene.patternsOf(scene.snapshot.agents[0]);
+    for (CollisionPattern& pattern : patterns) {
+      pattern.ego.center = stateAt(scene.egos[i], pattern.time)->pose;
+    }
+    const auto attacks = scene.found(patterns);
+    ASSERT_FALSE(attacks.empty());
+    EXPECT_EQ(attacks[0].score.share, 1.0);
+    EXPECT_EQ(attacks[0].hits[0], &scene.egos[i]);
+  }
+}
+
+TEST(SearchAttacks, ExactlyPayForAMissMoreThanForAnythingElse) {
+  Case scene = overtaken();
+  scene.exact = true;
+  const auto attacks = scene.found({scene.pattern("beside", atLeftRearCorner(-0.3), 11.0)});
+  ASSERT_FALSE(attacks.empty());
+  EXPECT_TRUE(isExact(attacks[0].miss, scene.options.search));
 }
 
 TEST(SearchAttacks, PointsCoverTheToleranceWhateverTheTail) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/attack/placement.h"
 
 namespace forge {
 namespace {
@@ -26,12 +27,17 @@ class Contenders : public testing::Test {
   std::vector<std::unique_ptr<Contender>> of(const std::vector<std::string>& attackers) {
     std::vector<CollisionPattern> patterns(attackers.size());
     for (std::size_t i = 0; i < attackers.size(); ++i) patterns[i].attacker_id = attackers[i];
+    return of(patterns, {&slow_});
+  }
+  std::vector<std::unique_ptr<Contender>> of(const std::vector<CollisionPattern>& patterns,
+                                             const std::vector<const Track*>& egos) {
     const Future future;
-    const std::vector<const Track*> egos;
     return contendersOf({snapshot_, future, egos, patterns, request_, lanes_}, options_,
                         options_.verification.limits, kPoints);
   }
 
+  const Track slow_ = futureTrack(kEgoId, kEgoSize, {}, 5.0);
+  const Track fast_ = futureTrack(kEgoId, kEgoSize, {}, 10.0);
   AttackOptions options_ = shippedOptions();
   std::shared_ptr<LaneMap> map_ = twoLaneRoad();
   Snapshot snapshot_;
@@ -71,6 +77,31 @@ TEST_F(Contenders, StartFromTheirMotionNow) {
   EXPECT_EQ(contenders[1]->start.motion.acceleration, 0.0);
   options_.verification.limits.max_speed = 8.0;
   EXPECT_EQ(of({"behind"})[0]->start.motion.speed, 8.0);
+}
+
+TEST_F(Contenders, AimAtTheirPatternsInTheirOrder) {
+  std::vector<CollisionPattern> patterns(3);
+  patterns[0] = {CollisionType::kRearEnd, "behind", kNow + 4.0, {}, {-6.0, 0.3, 0.1}, 9.0};
+  patterns[1] = {CollisionType::kRearEnd, "standing", kNow + 4.0, {}, {5.0, 0.0, 0.0}, 9.0};
+  patterns[2] = {CollisionType::kRearEnd, "behind", kNow + 4.0, {}, {0.0, 2.0, -0.3}, 9.0};
+  const auto contenders = of(patterns, {&slow_});
+  ASSERT_EQ(contenders.size(), 2U);
+  ASSERT_EQ(contenders[0]->aims.size(), 2U);
+  EXPECT_EQ(contenders[0]->aims[0].pattern, &patterns[0]);
+  EXPECT_EQ(contenders[0]->aims[1].pattern, &patterns[2]);
+  ASSERT_EQ(contenders[1]->aims.size(), 1U);
+  EXPECT_EQ(contenders[1]->aims[0].pattern, &patterns[1]);
+  const Pose2 touching = touchingOffset(kEgoSize, kCarSize, patterns[2].attacker_offset);
+  EXPECT_EQ(contenders[0]->aims[1].touching.y, touching.y);
+}
+
+TEST_F(Contenders, AimAtTheFutureInWhichTheEgoComesNearestToThePattern) {
+  std::vector<CollisionPattern> patterns(2);
+  patterns[0] = {CollisionType::kRearEnd, "behind", kNow + 4.0, {{38.0, 2.0, 0.1}, kEgoSize}, {}};
+  patterns[1] = {CollisionType::kRearEnd, "behind", kNow + 4.0, {{22.0, 2.0, 0.1}, kEgoSize}, {}};
+  const auto contenders = of(patterns, {&slow_, &fast_});
+  EXPECT_EQ(contenders[0]->aims[0].ego, 1U) << "40 m in 4 s";
+  EXPECT_EQ(contenders[0]->aims[1].ego, 0U) << "20 m";
 }
 
 }  // namespace

@@ -66,6 +66,24 @@ TEST(FutureScorer, ShareIsThatOfTheFuturesThatAreHit) {
   EXPECT_EQ(rearEnds({9.0}).score().share, 0.0);
 }
 
+TEST(FutureScorer, TellsTheContactInThePreferredFutureOrTheMiddleOneThatIsHit) {
+  // Egos that meet the attacker off their middles, each at another place.
+  Case scene = rearEnds({4.0, 2.0, 4.0, 4.0});
+  for (std::size_t i = 0; i < scene.egos.size(); ++i) {
+    for (AgentState& state : scene.egos[i].states) state.pose.y = 0.1 * static_cast<double>(i);
+  }
+  const auto score = [&](std::size_t preferred) {
+    return scene.scorer().score(scene.attacker, scene.points, preferred);
+  };
+  for (const std::size_t preferred : {0U, 2U, 3U}) {
+    EXPECT_EQ(score(preferred).met, preferred);
+    EXPECT_NEAR(score(preferred).contact.y, -0.1 * static_cast<double>(preferred), 1e-5);
+    EXPECT_NEAR(score(preferred).contact.x, -kAlong, 1e-4);
+    EXPECT_NEAR(score(preferred).contact.yaw, 0.0, 1e-5);
+  }
+  EXPECT_EQ(score(1).met, 2U) << "of 0, 2 and 3";
+}
+
 TEST(FutureScorer, ContactTooEarlyOrTooLateIsNoHit) {
   // On time within 0.5 s, less a margin.
   Case scene = rearEnds({3.57, 3.63, 4.37, 4.43});

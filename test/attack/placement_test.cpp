@@ -117,6 +117,28 @@ TEST(AttackerOffset, OverlapsByTheDepthAlongThePushForAnyBoxes) {
   }
 }
 
+TEST(TouchingOffset, IsOnTheLineToTheEgosMiddleWhereTheBoxesJustTouch) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int i = 0; i < 2000; ++i) {
+    const Pose2 asked{8.0 * unit(random), 8.0 * unit(random), M_PI * unit(random)};
+    const Pose2 offset = touchingOffset(kEgo, kAttacker, asked);
+    EXPECT_EQ(offset.yaw, asked.yaw);
+    EXPECT_NEAR(offset.x * asked.y, offset.y * asked.x, 1e-9);
+    EXPECT_GT(offset.position().dot(asked.position()), 0.0);
+    for (const auto& [factor, touches] : {std::pair(1.0 - 1e-6, true), {1.0 + 1e-6, false}}) {
+      const Pose2 there{factor * offset.x, factor * offset.y, offset.yaw};
+      EXPECT_EQ(overlaps({{}, kEgo}, {there, kAttacker}), touches) << i;
+    }
+  }
+}
+
+TEST(TouchingOffset, OfAnAttackerInTheVeryMiddleIsWhereItComesFrom) {
+  const Pose2 offset = touchingOffset(kEgo, kAttacker, {0.0, 0.0, -M_PI_2});
+  EXPECT_NEAR(offset.x, 0.0, 1e-9);
+  EXPECT_NEAR(offset.y, 0.5 * (kEgo.width + kAttacker.length), 1e-9);
+}
+
 TEST(AttackerOffset, SlidesAsAShareOfHalfTheSideThatIsHit) {
   for (const double slide : {-1.0, -0.3, 0.0, 0.8, 1.0}) {
     EXPECT_NEAR(attackerOffset(kEgo, kAttacker, Side::kLeft, -0.3, slide, 0.1).x, 2.0 * slide,

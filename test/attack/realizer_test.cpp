@@ -20,6 +20,7 @@ struct Case {
   Future future;
   CollisionRequest request = requestFor();
   CollisionPattern pattern;
+  bool exact = false;
 
   explicit Case(double distance = 20.0) {
     snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0),
@@ -38,7 +39,7 @@ struct Case {
     }
   }
   Realization result() const {
-    return realize({pattern}, {snapshot, future, request, LaneIndex(map)}, options);
+    return realize({pattern}, {snapshot, future, request, LaneIndex(map)}, options, exact);
   }
   void expectRefusal(StatusCode code, const std::string& reason) const {
     const Status status = result().status;
@@ -62,21 +63,49 @@ TEST(Realize, ReturnsAVerifiedAttackThatHoldsWhenVerifiedAgain) {
   EXPECT_EQ(again.off_road_share, result.report.off_road_share);
 }
 
-TEST(Realize, GivesThePatternThatTheAttackMakesAtItsContact) {
-  const Realization result = Case().result();
+TEST(Realize, NamesThePatternAimedAtAndHowFarTheContactIsFromIt) {
+  const Case attack;
+  const Realization result = attack.result();
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
-  EXPECT_EQ(result.pattern.type, CollisionType::kRearEnd);
-  EXPECT_EQ(result.pattern.attacker_id, "attacker");
-  EXPECT_EQ(result.pattern.time, result.report.contact_time);
-  EXPECT_EQ(result.pattern.ego.size.length, kEgoSize.length);
-  const Pose2 attacker = compose(result.pattern.ego.center, result.pattern.attacker_offset);
-  EXPECT_NEAR((attacker.position() - result.report.attacker_at_contact.position()).norm(), 0.0,
-              1e-9);
-  EXPECT_NEAR(result.pattern.ego.center.x, 10.0 * (result.pattern.time - kNow), 1e-6);
-  for (const TrajectoryPoint& point : result.trajectory.points) {
-    if (std::abs(point.time - result.pattern.time) > 0.1) continue;
-    EXPECT_NEAR(result.pattern.attacker_speed, point.speed, 1.0);
+  EXPECT_EQ(result.aim.attacker_id, "attacker");
+  EXPECT_EQ(result.aim.time, attack.pattern.time);
+  EXPECT_EQ(result.aim.attacker_offset.x, attack.pattern.attacker_offset.x);
+  const Pose2 met = relativeTo(result.report.ego_at_contact, result.report.attacker_at_contact);
+  EXPECT_NEAR(result.miss.distance, std::hypot(met.x - result.aim.attacker_offset.x, met.y), 1e-9);
+  EXPECT_NEAR(result.miss.heading, std::abs(met.yaw), 1e-9);
+}
+
+TEST(Realize, MeetsTheEgoWhereThePatternWantsIt) {
+  Case attack;
+  for (const double slide : {-0.8, 0.0, 0.8}) {
+    attack.pattern.attacker_offset =
+        attackerOffset(kEgoSize, kCarSize, Side::kRear, 0.0, slide, 0.0);
+    const Realization result = attack.result();
+    ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
+    EXPECT_LT(result.miss.distance, 0.2) << slide;
+    EXPECT_EQ(result.report.ego_side, Side::kRear);
   }
+}
+
+TEST(Realize, ExactlyAnswersWithThePatternAskedFor) {
+  Case attack;
+  attack.exact = true;
+  attack.pattern.attacker_offset = attackerOffset(kEgoSize, kCarSize, Side::kRear, 0.1, 0.5, 0.0);
+  const Realization result = attack.result();
+  ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
+  EXPECT_LE(result.miss.distance, attack.options.search.exact_distance);
+  EXPECT_LE(result.miss.heading, attack.options.search.exact_heading);
+}
+
+TEST(Realize, ExactlyRefusesAPatternThatNobodyCanCome) {
+  // From behind nobody comes to the ego's front in time.
+  Case attack;
+  attack.pattern.attacker_offset = attackerOffset(kEgoSize, kCarSize, Side::kRear, 0.0, 0.0, 0.0);
+  attack.pattern.attacker_offset.y += 30.0;
+  EXPECT_EQ(attack.result().status.code, StatusCode::kOk) << "an attack there is";
+  attack.exact = true;
+  attack.expectRefusal(StatusCode::kNoAttackWithinBounds, "missed the pattern");
+  EXPECT_TRUE(attack.result().trajectory.points.empty());
 }
 
 TEST(Realize, DrivesFromNowPastTheTimeAskedFor) {
@@ -146,6 +175,8 @@ TEST(Realize, SameSeedSameAnswerAndOtherSeedsOthers) {
   const Realization second = attack.result();
   EXPECT_EQ(first.report.contact_time, second.report.contact_time);
   EXPECT_EQ(first.trajectory.points.at(20).pose.x, second.trajectory.points.at(20).pose.x);
+  // Who can drive to the pattern itself does so whatever the seed: nobody comes to this one.
+  attack.pattern.attacker_offset = attackerOffset(kEgoSize, kCarSize, Side::kLeft, 0.0, 0.0, 0.0);
   bool differs = false;
   for (std::uint64_t seed = 1; seed < 5; ++seed) {
     attack.request.seed = seed;

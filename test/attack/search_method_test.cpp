@@ -30,20 +30,20 @@ struct Case {
     return generateCollision(searchMethod(options), moment, request, options.prediction);
   }
   /// The future that an answer was verified against: the recorded one, or that one of the predicted
-  /// in which the ego is where the answer's pattern has it.
+  /// in which the ego is where the answer's report has it.
   Future futureOf(const Realization& answer) const {
     if (request.mode == Mode::kReplay) return *recorded;
     Future future =
         kinematicPredictor(options).predict(snapshot, LaneIndex(map), request, nullptr).future;
     for (const Track& sample : future.ego_samples) {
-      const auto state = stateAt(sample, answer.pattern.time);
+      const auto state = stateAt(sample, answer.report.contact_time);
       if (!state) continue;
-      const Pose2 apart = relativeTo(state->pose, answer.pattern.ego.center);
+      const Pose2 apart = relativeTo(state->pose, answer.report.ego_at_contact);
       if (apart.position().norm() > 1e-6 || std::abs(apart.yaw) > 1e-6) continue;
       future.ego = sample;
       return future;
     }
-    ADD_FAILURE() << "the ego of the pattern is in no predicted future";
+    ADD_FAILURE() << "the ego of the report is in no predicted future";
     return future;
   }
   void expectRefusal(StatusCode code, const std::vector<std::string>& parts) const {

@@ -65,11 +65,35 @@ TEST(NetworkPatternPredictor, TypeTellsTheEgosPlaceInKnownScenesAlone) {
   EXPECT_NEAR(placeOf(std::nullopt).x, without_type.x, 1e-6);
 }
 
-TEST(NetworkPatternPredictor, AddsOnePatternToEachAttackers) {
+TEST(NetworkPatternPredictor, ReplacesTheNearestPatternOfEachAttacker) {
   const PatternPrediction without = predicted(nullptr);
   const PatternPrediction with = predicted(networks(0));
-  EXPECT_EQ(with.patterns.size(), without.patterns.size() + 3);
+  ASSERT_EQ(with.patterns.size(), without.patterns.size());
   EXPECT_EQ(attackersOf(with).size(), 3U);
+  const auto ofAttacker = [](const PatternPrediction& prediction, const std::string& id) {
+    std::vector<CollisionPattern> patterns;
+    for (const CollisionPattern& pattern : prediction.patterns) {
+      if (pattern.attacker_id == id) patterns.push_back(pattern);
+    }
+    return patterns;
+  };
+  for (const std::string& id : attackersOf(with)) {
+    const auto before = ofAttacker(without, id);
+    const auto after = ofAttacker(with, id);
+    double least = 1e9;
+    std::size_t replaced = before.size();
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const double apart =
+          cornerMiss(missBetween(after[0].attacker_offset, before[i].attacker_offset), kCarSize);
+      if (apart < least) replaced = i;
+      least = std::min(least, apart);
+    }
+    EXPECT_GT(least, 0.0) << "the first is the network's";
+    for (std::size_t i = 0, rest = 1; i < before.size(); ++i) {
+      if (i == replaced) continue;
+      EXPECT_EQ(after[rest++].attacker_offset.x, before[i].attacker_offset.x);
+    }
+  }
 }
 
 TEST(NetworkPatternPredictor, RanksAsTheNetworkJudges) {

@@ -5,118 +5,13 @@ import math
 import live
 import road
 import rospy
-from geometry_msgs.msg import Point32, Pose2D, TransformStamped
 from live import ask, until
-from rosgraph_msgs.msg import Clock
-from tf2_msgs.msg import TFMessage
+from made_up import HISTORY, PERIOD, SPEED, MadeUpTest, agent, drive, lane_map, traffic
 
-from collision_forge.msg import Agent, AgentArray, AttackerTrajectory, Lane, LaneMap, PolygonWithHoles
-
-SPEED = 10.0    # m/s of the ego, eastwards along y = 0
-PERIOD = 0.5    # s between frames
-HISTORY = 8     # frames that the encoder keeps
-LENGTH = 300.0  # m of road to either side
+from collision_forge.msg import Attack
 
 
-def lane_map():
-    """A straight road from west to east with a lane each way, driven on the right."""
-    message = LaneMap(location='made-up-right')
-    message.header.frame_id = 'map'
-    for name, y, yaw in (('east', 0.0, 0.0), ('west', 3.5, math.pi)):
-        steps = [-LENGTH + 2.0 * step for step in range(int(LENGTH) + 1)]
-        line = [Pose2D(x, y, yaw) for x in (steps if yaw == 0.0 else reversed(steps))]
-        message.lanes.append(Lane(id=name, centerline=line))
-    area = PolygonWithHoles()
-    for x, y in ((-LENGTH, -2.0), (LENGTH, -2.0), (LENGTH, 5.5), (-LENGTH, 5.5)):
-        area.exterior.points.append(Point32(x, y, 0.0))
-    message.drivable_area.append(area)
-    return message
-
-
-def agent(name, x, y=0.0, yaw=0.0, agent_class=Agent.CAR):
-    message = Agent(id=name, agent_class=agent_class)
-    message.size.x, message.size.y, message.size.z = 4.6, 1.9, 1.5
-    message.pose.position.x, message.pose.position.y, message.pose.position.z = x, y, 0.75
-    message.pose.orientation.z, message.pose.orientation.w = math.sin(0.5 * yaw), math.cos(0.5 * yaw)
-    return message
-
-
-def traffic(seconds):
-    """Somebody behind, somebody coming towards, and somebody who walks."""
-    return [agent('behind', -20.0 + 11.0 * seconds), agent('oncoming', 140.0 - 9.0 * seconds, 3.5, math.pi),
-            agent('walker', 30.0 + seconds, -5.0, 0.0, Agent.PEDESTRIAN)]
-
-
-def drive(frames, agents=traffic, speed=SPEED):
-    """(seconds, x of the ego, agents) of every frame."""
-    return [(i * PERIOD, speed * i * PERIOD, agents(i * PERIOD)) for i in range(frames)]
-
-
-class BadInputTest(live.LiveTest):
-    RECORDING = False
-    HEARD = ['/encoded_scene', '/injected_agents']
-
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-        cls.publishers = {topic: rospy.Publisher(topic, message, queue_size=1000, latch=topic == '/lane_map')
-                          for topic, message in (('/clock', Clock), ('/tf', TFMessage), ('/agents', AgentArray),
-                                                 ('/lane_map', LaneMap))}
-        for topic, publisher in cls.publishers.items():
-            until(lambda: publisher.get_num_connections() > 0, 'a subscriber of ' + topic)
-        for topic, listener in cls.heard.items():
-            until(lambda: listener.subscriber.get_num_connections() > 0, 'a publisher of ' + topic)
-        cls.start = 10000.0  # s; every scene starts before the one before: a replay that is restarted
-
-    def setUp(self):
-        super().setUp()
-        type(self).start -= 100.0
-
-    def publish_transform(self, time, x):
-        transform = TransformStamped()
-        transform.header.stamp, transform.header.frame_id, transform.child_frame_id = time, 'map', 'base_link'
-        transform.transform.translation.x, transform.transform.rotation.w = x, 1.0
-        self.publishers['/tf'].publish(TFMessage([transform]))
-
-    def publish(self, frames):
-        """Frames and the ego's poses at their times, with one pose before them all."""
-        start = rospy.Time(self.start)
-        self.publishers['/clock'].publish(Clock(start - rospy.Duration(1)))
-        self.publish_transform(start - rospy.Duration(1), frames[0][1])
-        for seconds, x, agents in frames:
-            time = start + rospy.Duration(seconds)
-            self.publishers['/clock'].publish(Clock(time))
-            self.publish_transform(time, x)
-            message = AgentArray(agents=agents)
-            message.header.stamp, message.header.frame_id = time, 'map'
-            self.publishers['/agents'].publish(message)
-
-    def show(self, frames, left_out=0):
-        """Publishes until the encoder has had all frames: what comes while it sees time go backwards is lost."""
-        self.publishers['/lane_map'].publish(lane_map())
-        end = rospy.Time(self.start) + rospy.Duration(frames[-1][0])
-        expected = min(len(frames) - left_out, HISTORY)
-        listener = self.heard['/encoded_scene']
-
-        def shown():
-            listener.clear()
-            self.publish(frames)
-            try:
-                return listener.wait(lambda scene: scene.header.stamp == end and len(scene.ego.states) == expected,
-                                     timeout=2.0)
-            except AssertionError:
-                return None
-        return until(shown, lambda: '{} frames; last: {:.3000}'.format(expected, str(listener.last())))
-
-    def assert_works(self):
-        """Whatever came before, a good scene is answered."""
-        type(self).start -= 50.0
-        scene = self.show(drive(6))
-        answer = self.ask_until(lambda answer: answer.code == 0 and answer.pattern.header.stamp == scene.header.stamp,
-                                'rear_end', 4.0)
-        self.assertEqual(answer.pattern.attacker_id, 'behind')
-        self.assertTrue(answer.report.verified)
-        self.assertLess(abs((answer.report.contact_time - scene.header.stamp).to_sec() - 4.0), 0.5)
+class BadInputTest(MadeUpTest):
 
     # In this order: the first tests need a suite that has heard nothing yet.
 
@@ -147,7 +42,7 @@ class BadInputTest(live.LiveTest):
     def test_opposite_direction(self):
         self.show(drive(8))
         answer = self.ask_for_code('OK', 'opposite_direction', 4.0)
-        self.assertEqual(answer.pattern.attacker_id, 'oncoming')
+        self.assertEqual(answer.attack.pattern.attacker_id, 'oncoming')
 
     def test_first_frame(self):
         self.show(drive(1))
@@ -188,7 +83,7 @@ class BadInputTest(live.LiveTest):
             return lambda seconds: [a for a in traffic(seconds) if a.id != 'behind' or seconds / PERIOD in frames]
         self.show(drive(6, there(0, 1, 2, 3, 4)))
         self.assertIn('not there now', self.ask_for_code('ABSENT_ATTACKER', attacker='behind').message)
-        self.assertNotEqual(ask('rear_end', 4.0).pattern.attacker_id, 'behind')
+        self.assertNotEqual(ask('rear_end', 4.0).attack.pattern.attacker_id, 'behind')
         self.show(drive(12, there(0, 1, 2, 3)))
         self.ask_for_code('UNKNOWN_ATTACKER', attacker='behind')
         self.show(drive(6, there(5)))
@@ -203,7 +98,7 @@ class BadInputTest(live.LiveTest):
 
     def test_nobody_there(self):
         scene = self.show(drive(6, lambda seconds: []))
-        self.assertEqual(scene.agents, [])
+        self.assertEqual(scene.snapshot.agents, [])
         self.assertEqual(tuple(scene.agent_features.shape), (1, HISTORY, 8))
         self.ask_for_code('NO_CANDIDATE')
         self.assert_works()
@@ -218,7 +113,7 @@ class BadInputTest(live.LiveTest):
             broken[3].size.x = math.nan
             return broken + traffic(seconds)
         scene = self.show(drive(6, agents))
-        self.assertEqual([track.id for track in scene.agents], ['behind', 'oncoming', 'walker'])
+        self.assertEqual([track.id for track in scene.snapshot.agents], ['behind', 'oncoming', 'walker'])
         self.assertFalse(any(math.isnan(value) for value in scene.agent_features.data))
         self.ask_for_code('OK', 'rear_end', 4.0)
         self.ask_for_code('UNKNOWN_ATTACKER', attacker='nan_0')
@@ -231,7 +126,7 @@ class BadInputTest(live.LiveTest):
             flat[1].size.y = 0.0
             flat[2].size.x = -4.0
             return flat
-        self.assertEqual(self.show(drive(6, agents)).agents, [])
+        self.assertEqual(self.show(drive(6, agents)).snapshot.agents, [])
         self.ask_for_code('NO_CANDIDATE')
         self.assert_works()
 
@@ -240,7 +135,7 @@ class BadInputTest(live.LiveTest):
         frames = drive(6)
         frames[4][2].append(agent('alien', 10.0, agent_class=42))
         scene = self.show(frames, left_out=1)
-        self.assertEqual([round(state.stamp.to_sec() - self.start, 3) for state in scene.ego.states],
+        self.assertEqual([round(state.stamp.to_sec() - self.start, 3) for state in scene.snapshot.ego.states],
                          [0.0, 0.5, 1.0, 1.5, 2.5])
         self.assertIn('agent_class = 42', self.suite.output())
         self.ask_for_code('OK', 'rear_end', 4.0)
@@ -249,10 +144,10 @@ class BadInputTest(live.LiveTest):
         """Published by somebody else: the suite says so, and goes on."""
         self.show(drive(6))
         answer = self.ask_for_code('OK', 'rear_end', 4.0)
-        answer.trajectory.points[3].speed = math.nan
-        publisher = rospy.Publisher('/attacker_trajectory', AttackerTrajectory, queue_size=1, latch=True)
+        answer.attack.trajectory.points[3].speed = math.nan
+        publisher = rospy.Publisher('/attack', Attack, queue_size=1, latch=True)
         self.addCleanup(publisher.unregister)
-        publisher.publish(answer.trajectory)
+        publisher.publish(answer.attack)
         until(lambda: self.suite.output().count('attack left out: attacker behind: points[3] is not finite') >= 2,
               'the injector and the verifier to leave it out')
         self.assert_works()
@@ -262,7 +157,8 @@ class BadInputTest(live.LiveTest):
         frames = drive(6)
         frames[4] = (frames[4][0], math.nan, frames[4][2])
         scene = self.show(frames)
-        self.assertAlmostEqual(scene.ego.states[4].pose.x - scene.ego.states[3].pose.x, SPEED * PERIOD, places=6)
+        states = scene.snapshot.ego.states
+        self.assertAlmostEqual(states[4].pose.x - states[3].pose.x, SPEED * PERIOD, places=6)
         self.ask_for_code('OK', 'rear_end', 4.0)
 
     def test_ego_that_never_moves(self):
@@ -275,20 +171,20 @@ class BadInputTest(live.LiveTest):
                               ('OK', 'NO_CANDIDATE', 'NO_ATTACK_WITHIN_BOUNDS', 'LOW_CONFIDENCE'))
                 self.assertEqual(answer.message == '', answer.code == 0)
                 if answer.code == 0:
-                    self.assertTrue(answer.report.verified)
+                    self.assertTrue(answer.attack.report.verified)
             type(self).start -= 20.0
         self.assert_works()
 
     def test_agent_twice_in_every_frame(self):
         scene = self.show(drive(6, lambda seconds: traffic(seconds) + traffic(seconds)))
-        self.assertEqual([track.id for track in scene.agents], ['behind', 'oncoming', 'walker'])
+        self.assertEqual([track.id for track in scene.snapshot.agents], ['behind', 'oncoming', 'walker'])
         self.ask_for_code('OK', 'rear_end', 4.0)
 
     def test_frames_that_come_again(self):
         """A frame that is not after the last one starts the history anew."""
         self.show(drive(6))
-        self.assertEqual(len(self.show(drive(6)).ego.states), 6)
-        self.assertEqual(len(self.show(drive(3)).ego.states), 3)
+        self.assertEqual(len(self.show(drive(6)).snapshot.ego.states), 6)
+        self.assertEqual(len(self.show(drive(3)).snapshot.ego.states), 3)
 
 
 if __name__ == '__main__':

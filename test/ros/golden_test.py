@@ -24,7 +24,7 @@ def answer(request, folder):
     code = road.code_of(result)
     if code != 'OK':
         return {'code': code}
-    report = road.read_one(out, '/collision_report')
+    report = road.read_one(out, '/attack').report
     return {'code': code, 'attacker_id': report.attacker_id,
             'contact_after': round((report.contact_time - report.header.stamp).to_sec(), 3),
             'relative_heading': round(report.relative_heading, 4)}

@@ -28,7 +28,7 @@ class InjectionTest(road.RoadTest):
         cls.drawing = cls.folder / 'attack'
         cls.result = road.inject(cls.source, cls.attacked, 'rear_end', 4.0, NOW, '--seed', 5, '--draw', cls.drawing)
         assert cls.result.returncode == 0, cls.result.stderr
-        cls.trajectory = road.read_one(cls.attacked, '/attacker_trajectory')
+        cls.trajectory = road.read_one(cls.attacked, '/attack').trajectory
         cls.attacker = cls.trajectory.attacker_id
         cls.now = cls.trajectory.header.stamp
         cls.end = cls.trajectory.points[-1].stamp
@@ -126,7 +126,7 @@ class InjectionTest(road.RoadTest):
         self.assertEqual(first.stamp, self.now)
         self.assertAlmostEqual(first.pose.position.x, attacker.pose.position.x, places=6)
         self.assertAlmostEqual(first.pose.position.y, attacker.pose.position.y, places=6)
-        report = road.read_one(self.attacked, '/collision_report')
+        report = road.read_one(self.attacked, '/attack').report
         self.assertTrue(report.verified)
         x, y, yaw, _ = self.expected_state(report.contact_time)
         self.assertAlmostEqual(report.attacker_at_contact.x, x, places=3)
@@ -171,20 +171,20 @@ class InjectionTest(road.RoadTest):
         other = self.path('out.bag')
         result = road.inject(self.source, other, 'rear_end', 4.0, NOW, '--seed', 6)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertNotEqual(road.read_one(other, '/attacker_trajectory'), self.trajectory)
+        self.assertNotEqual(road.read_one(other, '/attack').trajectory, self.trajectory)
 
     def test_now_between_frames_is_the_frame_before(self):
         other = self.path('out.bag')
         result = road.inject(self.source, other, 'rear_end', 4.0, NOW + 0.4, '--seed', 5)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(road.read_one(other, '/attacker_trajectory'), self.trajectory)
+        self.assertEqual(road.read_one(other, '/attack').trajectory, self.trajectory)
 
     def test_chosen_attacker_attacks(self):
         attackers = set()
         for collision_type in TYPES:
             result = road.inject(self.source, self.path('out.bag'), collision_type, 4.0, NOW)
             if road.code_of(result) == 'OK':
-                attackers.add((collision_type, road.read_one(self.path('out.bag'), '/collision_report').attacker_id))
+                attackers.add((collision_type, road.read_one(self.path('out.bag'), '/attack').report.attacker_id))
         self.assertGreater(len({attacker for _, attacker in attackers}), 1)
         answered = 0
         for collision_type, attacker in attackers:
@@ -192,7 +192,7 @@ class InjectionTest(road.RoadTest):
             result = road.inject(self.source, out, collision_type, 4.0, NOW, '--attacker', attacker)
             self.assertIn(road.code_of(result), ('OK', 'LOW_CONFIDENCE'), result.stderr)
             if road.code_of(result) == 'OK':
-                self.assertEqual(road.read_one(out, '/attacker_trajectory').attacker_id, attacker)
+                self.assertEqual(road.read_one(out, '/attack').trajectory.attacker_id, attacker)
                 answered += 1
         self.assertGreater(answered, 1)
 
@@ -462,7 +462,7 @@ class BadBagTest(road.RoadTest):
         self.assertIn('warning', result.stderr)
         self.assertIn('not a number', result.stderr)
         if road.code_of(result) == 'OK':
-            self.assertNotIn(road.read_one(self.path('out.bag'), '/collision_report').attacker_id, broken)
+            self.assertNotIn(road.read_one(self.path('out.bag'), '/attack').report.attacker_id, broken)
 
     def test_all_agents_not_numbers(self):
         def change(topic, message):
@@ -517,8 +517,8 @@ class BadBagTest(road.RoadTest):
         self.assertIn('warning', result.stderr)
         reference = self.path('reference.bag')
         self.assertEqual(road.code_of(road.inject(self.bag(SCENE), reference, 'rear_end', 4.0, NOW)), 'OK')
-        self.assertEqual(road.read_one(self.path('out.bag'), '/attacker_trajectory'),
-                         road.read_one(reference, '/attacker_trajectory'))
+        self.assertEqual(road.read_one(self.path('out.bag'), '/attack').trajectory,
+                         road.read_one(reference, '/attack').trajectory)
 
     def test_attacker_twice_in_a_frame(self):
         def change(topic, message):
@@ -527,7 +527,7 @@ class BadBagTest(road.RoadTest):
             return message
         result = self.inject(self.changed(change))
         self.assertEqual(road.code_of(result), 'OK', result.stderr)
-        attacker = road.read_one(self.path('out.bag'), '/collision_report').attacker_id
+        attacker = road.read_one(self.path('out.bag'), '/attack').report.attacker_id
         poses = set()
         for message, _ in road.read(self.path('out.bag'), '/agents')[-14:-12]:
             poses |= {(message.header.stamp, agent.pose.position.x) for agent in message.agents if agent.id == attacker}
@@ -550,7 +550,7 @@ class BadBagTest(road.RoadTest):
                 code = road.code_of(result)
                 self.assertIn(code, ('OK', 'NO_CANDIDATE', 'NO_ATTACK_WITHIN_BOUNDS'), result.stderr)
                 if code == 'OK':
-                    self.assertTrue(road.read_one(self.path('out.bag'), '/collision_report').verified)
+                    self.assertTrue(road.read_one(self.path('out.bag'), '/attack').report.verified)
 
     def test_map_without_lanes_and_ground(self):
         def change(topic, message):

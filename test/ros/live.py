@@ -13,7 +13,7 @@ import rospy
 from rosgraph_msgs.msg import Clock
 
 import road
-from collision_forge.msg import AgentArray, AttackerTrajectory, CollisionPattern, CollisionReport, EncodedScene
+from collision_forge.msg import AgentArray, Attack, AttackMethods, CollisionReport, EncodedScene
 from collision_forge.srv import GenerateCollision
 from visualization_msgs.msg import MarkerArray
 
@@ -26,25 +26,21 @@ NODES = {
     'pattern_predictor': ([], ['/lane_map'], ['/predict_pattern']),
     'trajectory_realizer': ([], ['/lane_map'], ['/realize_trajectory']),
     'attack_verifier': (['/tested_report'],
-                        ['/agents', '/attacker_trajectory', '/collision_pattern', '/lane_map', '/odom'], []),
+                        ['/agents', '/attack', '/lane_map', '/odom'], []),
     'planner_tester': (['/planner_markers', '/planner_outcome', '/planning_state', '/tested_map'],
-                       ['/attacker_trajectory', '/collision_pattern', '/planned_trajectory'], ['/test_planner']),
-    'collision_generator': (['/attacker_trajectory', '/collision_pattern', '/collision_report', '/predicted_patterns'],
-                            ['/encoded_scene'], ['/generate_collision']),
-    'attacker_injector': (['/injected_agents'], ['/agents', '/attacker_trajectory'], []),
+                       ['/attack', '/planned_trajectory'], ['/test_planner']),
+    'collision_generator': (['/attack', '/attack_methods', '/predicted_patterns'], ['/encoded_scene', '/lane_map'],
+                            ['/generate_collision']),
+    'attacker_injector': (['/injected_agents'], ['/agents', '/attack'], []),
     'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers'],
-                         ['/attacker_trajectory', '/collision_pattern', '/collision_report', '/encoded_scene',
-                          '/lane_map', '/predicted_patterns'], []),
+                         ['/attack', '/encoded_scene', '/lane_map', '/predicted_patterns'], []),
 }
 MANAGER = 'collision_forge_manager'
 PLAYED = ['/agents', '/lane_map', '/odom', '/tf']  # what the suite hears of a bag
 
-# Topics on which the parts of an answer are published.
-ANSWERED = {'/collision_pattern': 'pattern', '/attacker_trajectory': 'trajectory', '/collision_report': 'report'}
-
 TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/encoded_scene': EncodedScene,
-         '/attacker_trajectory': AttackerTrajectory, '/collision_pattern': CollisionPattern,
-         '/collision_report': CollisionReport, '/tested_report': CollisionReport, '/attack_markers': MarkerArray,
+         '/attack': Attack, '/attack_methods': AttackMethods, '/tested_report': CollisionReport,
+         '/attack_markers': MarkerArray,
          '/map_markers': MarkerArray, '/pattern_markers': MarkerArray, '/scene_markers': MarkerArray}
 
 
@@ -96,6 +92,7 @@ class Suite:
 
     def __init__(self, folder, **arguments):
         self.nodelets = arguments.get('nodelets', 'true') == 'true'
+        self.nodes = [node for node in NODES if node != 'pattern_predictor' or arguments.get('predictor') != 'false']
         self.log = folder / 'roslaunch.log'
         with open(str(self.log), 'w') as log:
             self.process = subprocess.Popen(
@@ -111,10 +108,10 @@ class Suite:
     def missing(self):
         assert self.process.poll() is None, 'roslaunch ended: ' + self.output()
         if not self.nodelets:
-            return missing_of(NODES) or unconnected_of(NODES)
+            return missing_of(self.nodes) or unconnected_of(self.nodes)
         # A node that loads a nodelet ties itself to the manager when it is done.
-        bonds = [node for node in NODES if ('/' + MANAGER + '/bond', node) not in graph()[1]]
-        return missing_of(NODES, lambda node: MANAGER) + ['{} is loaded'.format(node) for node in bonds]
+        bonds = [node for node in self.nodes if ('/' + MANAGER + '/bond', node) not in graph()[1]]
+        return missing_of(self.nodes, lambda node: MANAGER) + ['{} is loaded'.format(node) for node in bonds]
 
     def wait_until_ready(self):
         until(lambda: not self.missing(), lambda: '{}\n{}'.format(self.missing(), self.output()), timeout=60.0)
@@ -233,8 +230,9 @@ class Listener:
         self.subscriber.unregister()
 
 
-def ask(collision_type='rear_end', tta=4.0, attacker='', mode='history', seed=0):
-    return rospy.ServiceProxy('/generate_collision', GenerateCollision)(collision_type, tta, attacker, mode, seed)
+def ask(collision_type='rear_end', tta=4.0, attacker='', mode='history', seed=0, method=''):
+    return rospy.ServiceProxy('/generate_collision', GenerateCollision)(
+        collision_type, tta, attacker, mode, seed, method)
 
 
 class LiveTest(road.RoadTest):
@@ -286,9 +284,7 @@ class LiveTest(road.RoadTest):
 
     def assert_answer(self, answer, attacked):
         """The answer of the service is what forge inject put into a bag."""
-        self.assert_close(answer.pattern, road.read_one(attacked, '/collision_pattern'))
-        self.assert_close(answer.trajectory, road.read_one(attacked, '/attacker_trajectory'))
-        self.assert_close(answer.report, road.read_one(attacked, '/collision_report'))
+        self.assert_close(answer.attack, road.read_one(attacked, '/attack'))
 
     def offline(self, collision_type, mode, seed=0, nows=(6.0, 4.0, 8.0, 10.0), ttas=(4.0, 6.0, 2.0)):
         """The first request that forge inject can fulfil: now, tta and the bag."""
@@ -311,25 +307,24 @@ class WholeRoadTest(LiveTest):
         """Answered live as offline; returns the answer and the attacked bag."""
         now, tta, attacked = self.offline(collision_type, mode, seed)
         end = self.play_to(now).header.stamp
-        answer = self.ask_until(lambda answer: answer.code == 0 and answer.pattern.header.stamp == end, collision_type,
+        answer = self.ask_until(lambda answer: answer.code == 0 and answer.attack.pattern.header.stamp == end, collision_type,
                                 tta, mode=mode, seed=seed)
         self.assertEqual(answer.message, '')
         self.assert_answer(answer, attacked)
-        self.assertTrue(answer.report.verified)
+        self.assertTrue(answer.attack.report.verified)
         return answer, attacked
 
     def assert_published(self, answer):
         """Whoever subscribes later gets the answer, too."""
-        for topic, part in ANSWERED.items():
-            listener = Listener(topic)
-            message = listener.wait(lambda message: message.header.stamp == answer.pattern.header.stamp)
-            self.assert_close(message, getattr(answer, part), tolerance=0.0)
-            self.assertEqual(listener.latched, [True])
-            listener.close()
+        listener = Listener('/attack')
+        message = listener.wait(lambda message: message.header.stamp == answer.attack.header.stamp)
+        self.assert_close(message, answer.attack, tolerance=0.0)
+        self.assertEqual(listener.latched, [True])
+        listener.close()
 
     def assert_played_on(self, answer, attacked):
         """The replay goes on: the attacker is replaced in injected_agents, and tested_report tells what happened."""
-        now, end = answer.trajectory.points[0].stamp, answer.trajectory.points[-1].stamp
+        now, end = answer.attack.trajectory.points[0].stamp, answer.attack.trajectory.points[-1].stamp
         self.heard['/attack_markers'].wait(
             lambda markers: len(markers.markers) > 1 and markers.markers[-1].header.stamp == now)
         for topic in ('/injected_agents', '/tested_report'):

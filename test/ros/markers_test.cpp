@@ -86,8 +86,8 @@ collision_forge::AgentTrack track(const std::string& id, std::uint8_t agent_clas
   return track;
 }
 
-collision_forge::EncodedScene scene() {
-  collision_forge::EncodedScene scene;
+collision_forge::SceneSnapshot scene() {
+  collision_forge::SceneSnapshot scene;
   scene.header = header(10.0);
   scene.ego = track("ego", collision_forge::Agent::CAR, 0.0);
   scene.agents = {track("0123456789abcdef", collision_forge::Agent::CAR, 10.0),
@@ -96,17 +96,10 @@ collision_forge::EncodedScene scene() {
 }
 
 /// An attack from the right: contact 3 s from now at the origin.
-struct Attack {
-  collision_forge::CollisionPattern pattern;
-  collision_forge::AttackerTrajectory trajectory;
-  collision_forge::CollisionReport report;
-
-  MarkerArray markers() const { return attackMarkers(pattern, trajectory, report); }
-};
-
-Attack attack() {
-  Attack attack;
-  attack.pattern.header = attack.trajectory.header = attack.report.header = header(10.0);
+collision_forge::Attack attack() {
+  collision_forge::Attack attack;
+  attack.header = attack.pattern.header = attack.trajectory.header = attack.report.header =
+      header(10.0);
   attack.pattern.collision_type = "junction_crossing";
   attack.pattern.ego_size = attack.trajectory.size = carSize();
   attack.pattern.attacker_offset = pose2d(3.2, 0.0, M_PI / 2);
@@ -255,7 +248,7 @@ TEST(SceneMarkers, NameOnlyWhatCanAttackAndKeepTheNameShort) {
 }
 
 TEST(SceneMarkers, ShowNoBoxOfAnAgentThatLeft) {
-  collision_forge::EncodedScene encoded = scene();
+  collision_forge::SceneSnapshot encoded = scene();
   encoded.agents[0].states.pop_back();
   const MarkerArray array = sceneMarkers(encoded);
   expectValid(array, 10.0);
@@ -264,7 +257,7 @@ TEST(SceneMarkers, ShowNoBoxOfAnAgentThatLeft) {
 }
 
 TEST(SceneMarkers, LeaveOutBoxesWithoutExtent) {
-  collision_forge::EncodedScene encoded = scene();
+  collision_forge::SceneSnapshot encoded = scene();
   encoded.agents[0].size.x = 0.0;
   encoded.agents[1].states.back().pose.theta = kNan;
   const MarkerArray array = sceneMarkers(encoded);
@@ -273,7 +266,7 @@ TEST(SceneMarkers, LeaveOutBoxesWithoutExtent) {
 }
 
 TEST(SceneMarkers, OfNothingDeleteWhatWas) {
-  collision_forge::EncodedScene empty;
+  collision_forge::SceneSnapshot empty;
   empty.header = header(3.0);
   const MarkerArray array = sceneMarkers(empty);
   expectValid(array, 3.0);
@@ -281,7 +274,7 @@ TEST(SceneMarkers, OfNothingDeleteWhatWas) {
 }
 
 TEST(AttackMarkers, HoldAGhostEveryHalfSecondUpToContact) {
-  const MarkerArray array = attack().markers();
+  const MarkerArray array = attackMarkers(attack());
   expectValid(array, 10.0);
   const auto ghosts = inNamespace(array, "attacker_ghosts");
   ASSERT_EQ(ghosts.size(), 7U);
@@ -291,14 +284,14 @@ TEST(AttackMarkers, HoldAGhostEveryHalfSecondUpToContact) {
 }
 
 TEST(AttackMarkers, PutTheContactWhereTheBoxesTouch) {
-  const auto contact = inNamespace(attack().markers(), "contact");
+  const auto contact = inNamespace(attackMarkers(attack()), "contact");
   ASSERT_EQ(contact.size(), 1U);
   EXPECT_NEAR(contact[0].pose.position.x, 2.3, 0.06);
   EXPECT_LE(std::abs(contact[0].pose.position.y), 0.96);
 }
 
 TEST(AttackMarkers, SayWhatTheReportSays) {
-  const auto text = inNamespace(attack().markers(), "report");
+  const auto text = inNamespace(attackMarkers(attack()), "report");
   ASSERT_EQ(text.size(), 1U);
   EXPECT_EQ(text[0].text,
             "junction_crossing\ncontact in 3.00 s\nheading +90 deg\nfront to ego's left\nimpact "
@@ -306,17 +299,17 @@ TEST(AttackMarkers, SayWhatTheReportSays) {
 }
 
 TEST(AttackMarkers, WarnOfAnAttackThatIsNotVerified) {
-  Attack unverified = attack();
+  collision_forge::Attack unverified = attack();
   unverified.report.verified = false;
-  const auto text = inNamespace(unverified.markers(), "report");
+  const auto text = inNamespace(attackMarkers(unverified), "report");
   ASSERT_EQ(text.size(), 1U);
   EXPECT_NE(text[0].text.find("NOT VERIFIED"), std::string::npos);
 }
 
 TEST(AttackMarkers, ShowTheWholePathAndThePatternWithoutContact) {
-  Attack missed = attack();
+  collision_forge::Attack missed = attack();
   missed.report.contact = missed.report.verified = false;
-  const MarkerArray array = missed.markers();
+  const MarkerArray array = attackMarkers(missed);
   expectValid(array, 10.0);
   EXPECT_TRUE(inNamespace(array, "contact").empty());
   EXPECT_EQ(inNamespace(array, "attacker_ghosts").size(), 9U);
@@ -327,15 +320,15 @@ TEST(AttackMarkers, ShowTheWholePathAndThePatternWithoutContact) {
 }
 
 TEST(AttackMarkers, OfEmptyMessagesAreValid) {
-  Attack empty;
-  empty.trajectory.header = header(4.0);
-  expectValid(empty.markers(), 4.0);
+  collision_forge::Attack empty;
+  empty.header = header(4.0);
+  expectValid(attackMarkers(empty), 4.0);
 }
 
 /// `count` patterns of agents "a0", "a1" ..., five metres left of each other, all in the scene.
-std::pair<collision_forge::PredictedPatterns, collision_forge::EncodedScene> predicted(int count) {
+std::pair<collision_forge::PredictedPatterns, collision_forge::SceneSnapshot> predicted(int count) {
   collision_forge::PredictedPatterns patterns;
-  collision_forge::EncodedScene scene;
+  collision_forge::SceneSnapshot scene;
   patterns.header = scene.header = header(1.0);
   for (int i = 0; i < count; ++i) {
     collision_forge::CollisionPattern pattern;

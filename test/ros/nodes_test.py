@@ -81,7 +81,7 @@ class SeparateNodesTest(live.WholeRoadTest):
         self.assertIn(NODES[name][2][0], ask('lane_change', tta, seed=1).message)
         self.suite.process.send_signal(signal.SIGCONT)
         again = self.ask_for_code('OK', 'lane_change', tta, seed=1)
-        self.assertEqual(again.trajectory.points, answer.trajectory.points)
+        self.assertEqual(again.attack.trajectory.points, answer.attack.trajectory.points)
         self.assert_answer(again, attacked)
 
     def check_frozen(self, name):

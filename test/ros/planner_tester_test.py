@@ -12,7 +12,7 @@ import rospy
 
 import live
 import road
-from collision_forge.msg import AttackerTrajectory, CollisionPattern, LaneMap, PlannerOutcome, PlannerParameter
+from collision_forge.msg import Attack, LaneMap, PlannerOutcome, PlannerParameter
 from collision_forge.srv import TestPlanner, TestPlannerRequest, TestPlannerResponse
 from live import until
 from road import DATAROOT, VERSION
@@ -66,12 +66,12 @@ class PlannerTesterTest(road.RoadTest):
         return self.ask(**fields).outcome
 
     def attack(self):
-        """A trajectory of forge inject over the recording, and its pattern."""
+        """An attack of forge inject over the recording."""
         attacked = self.path('attacked.bag')
         if not attacked.exists():
             result = road.inject(self.bag('scene-0001'), attacked, 'rear_end', 4, 8, '--mode', 'replay')
             self.assertEqual(result.returncode, 0, result.stderr)
-        return [road.read_one(attacked, topic) for topic in ('/attacker_trajectory', '/collision_pattern')]
+        return road.read_one(attacked, '/attack')
 
     def run_external(self, *command):
         """Runs a planner in a node of its own until the test ends."""
@@ -147,18 +147,17 @@ class PlannerTesterTest(road.RoadTest):
         self.outcome(scenario=str(number), planner='idm', background='idm')
 
     def test_trajectories_are_tested_over_the_recording(self):
-        trajectory, pattern = self.attack()
+        attack = self.attack()
+        trajectory = attack.trajectory
         outcome = self.outcome(trajectory=trajectory, collision_type='RE', planner='idm')
         self.assertEqual(outcome.header.stamp, trajectory.header.stamp)
         self.assertEqual(outcome.attacker_id, trajectory.attacker_id)
         self.ask('UNKNOWN_TYPE', trajectory=trajectory, collision_type='magic', planner='idm')
         self.ask('NO_SCENARIO', planner='idm')
-        publishers = [rospy.Publisher(*topic, latch=True, queue_size=1) for topic in (
-            ('/attacker_trajectory', AttackerTrajectory), ('/collision_pattern', CollisionPattern))]
-        for publisher, message in zip(publishers, (trajectory, pattern)):
-            self.addCleanup(publisher.unregister)
-            publisher.publish(message)
-            until(lambda: publisher.get_num_connections() > 0, 'planner_tester to hear')
+        publisher = rospy.Publisher('/attack', Attack, latch=True, queue_size=1)
+        self.addCleanup(publisher.unregister)
+        publisher.publish(attack)
+        until(lambda: publisher.get_num_connections() > 0, 'planner_tester to hear')
         newest = []
 
         def is_answered():
@@ -212,7 +211,7 @@ class PlannerTesterTest(road.RoadTest):
     def test_bad_lines(self):
         line = self.lines[self.tested[0] - 1]
         scene = json.loads(line)['scene']
-        for code, scenario, word in (('UNREADABLE', line.replace('"version":1', '"version":7'), 'version'),
+        for code, scenario, word in (('UNREADABLE', line.replace('"version":2', '"version":7'), 'version'),
                                      ('UNREADABLE', line.replace(scene, 'scene-9999'), 'scene-9999'),
                                      ('UNREADABLE', line[:100], 'scenario'),
                                      ('NO_SCENE', line.replace('"now":', '"now":1'), 'frame'),
@@ -230,7 +229,7 @@ class PlannerTesterTest(road.RoadTest):
         self.assertIn(result['message'], answer.message)
 
     def test_bad_trajectories(self):
-        trajectory, _ = self.attack()
+        trajectory = self.attack().trajectory
 
         def changed(change):
             message = copy.deepcopy(trajectory)

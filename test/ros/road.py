@@ -23,7 +23,7 @@ CODES = ['OK', 'UNKNOWN_TYPE', 'TTA_OUT_OF_RANGE', 'UNKNOWN_ATTACKER', 'ABSENT_A
          'NO_CANDIDATE', 'NO_ATTACK_WITHIN_BOUNDS', 'NO_SCENE', 'NO_RECORDING', 'BEYOND_RECORDING', 'INVALID_INPUT',
          'NODE_UNAVAILABLE', 'LOW_CONFIDENCE']  # GenerateCollision.srv, by number
 
-ATTACK_TOPICS = ['/attacker_trajectory', '/collision_pattern', '/collision_report', '/tested_report']
+ATTACK_TOPICS = ['/attack', '/tested_report']
 ATTACKED_TOPICS = ['/agents', '/annotation_markers']
 
 

@@ -46,13 +46,13 @@ class JunctionTest(live.WholeRoadTest):
     def test_encoded_scene_is_that_of_the_ego_and_the_agents(self):
         scene = self.play_to(5.0)
         recorded = self.heard['/agents'].wait(lambda message: message.header.stamp == scene.header.stamp)
-        now = {track.id: track for track in scene.agents if track.states[-1].stamp == scene.header.stamp}
+        now = {track.id: track for track in scene.snapshot.agents if track.states[-1].stamp == scene.header.stamp}
         self.assertEqual(sorted(now), sorted(agent.id for agent in recorded.agents))
         for agent in recorded.agents:
             self.assertAlmostEqual(now[agent.id].states[-1].pose.x, agent.pose.position.x, places=6)
             self.assertAlmostEqual(now[agent.id].states[-1].pose.y, agent.pose.position.y, places=6)
-        rows, frames = 1 + len(scene.agents), 8
-        self.assertEqual((scene.ego.id, len(scene.ego.states)), ('ego', frames))
+        rows, frames = 1 + len(scene.snapshot.agents), 8
+        self.assertEqual((scene.snapshot.ego.id, len(scene.snapshot.ego.states)), ('ego', frames))
         self.assertEqual(scene.agent_features.shape, (rows, frames, 8))
         self.assertEqual(scene.agent_mask.shape, (rows, frames))
         self.assertEqual(len(scene.agent_features.data), rows * frames * 8)
@@ -77,21 +77,21 @@ class JunctionTest(live.WholeRoadTest):
         predicted = self.heard['/pattern_markers']
         for markers in (listener, predicted):
             markers.wait(lambda markers: len(markers.markers) > 1 and
-                         markers.markers[-1].header.stamp == answer.pattern.header.stamp)
+                         markers.markers[-1].header.stamp == answer.attack.pattern.header.stamp)
         self.play_to(1.0)
         until(lambda: len(listener.all()[-1].markers) <= 1, 'the attack markers to go')
         until(lambda: len(predicted.all()[-1].markers) <= 1, 'the predicted patterns to go')
 
     def test_restarted_replay_starts_history_anew(self):
-        self.assertEqual(len(self.play_to(8.0).ego.states), 8)
+        self.assertEqual(len(self.play_to(8.0).snapshot.ego.states), 8)
         scene = self.play_to(1.5)
-        self.assertEqual([round((state.stamp - self.player.start).to_sec(), 3) for state in scene.ego.states],
+        self.assertEqual([round((state.stamp - self.player.start).to_sec(), 3) for state in scene.snapshot.ego.states],
                          [0.0, 0.5, 1.0, 1.5])
-        for track in scene.agents:
+        for track in scene.snapshot.agents:
             self.assertLessEqual(track.states[-1].stamp, scene.header.stamp)
             self.assertGreaterEqual(track.states[0].stamp, self.player.start)
         now, tta, attacked = self.offline('rear_end', 'history', nows=(1.5,))
-        answer = self.ask_until(lambda answer: answer.code == 0 and answer.pattern.header.stamp == scene.header.stamp,
+        answer = self.ask_until(lambda answer: answer.code == 0 and answer.attack.pattern.header.stamp == scene.header.stamp,
                                 'rear_end', tta)
         self.assertEqual(now, 1.5)
         self.assert_answer(answer, attacked)
@@ -101,7 +101,7 @@ class JunctionTest(live.WholeRoadTest):
         first = self.assert_played_on(answer, attacked)
         self.play_to(1.0)
         self.heard['/tested_report'].clear()
-        self.player.play_to((answer.trajectory.points[-1].stamp - self.player.start).to_sec())
+        self.player.play_to((answer.attack.trajectory.points[-1].stamp - self.player.start).to_sec())
         self.assert_close(self.heard['/tested_report'].wait(), first)
 
     def test_first_frame_is_too_little_history(self):
@@ -131,9 +131,9 @@ class JunctionTest(live.WholeRoadTest):
 
         def is_tested():
             tests.append(rospy.ServiceProxy('/test_planner', TestPlanner)(TestPlannerRequest(planner='idm')))
-            return tests[-1].code == 0 and tests[-1].outcome.header.stamp == answer.pattern.header.stamp
+            return tests[-1].code == 0 and tests[-1].outcome.header.stamp == answer.attack.pattern.header.stamp
         until(is_tested, lambda: tests[-1].message)
-        self.assertEqual(tests[-1].outcome.attacker_id, answer.pattern.attacker_id)
+        self.assertEqual(tests[-1].outcome.attacker_id, answer.attack.pattern.attacker_id)
         self.assertEqual(tests[-1].outcome.failure, 'none')
 
     def test_killed_manager(self):
@@ -153,7 +153,7 @@ class JunctionTest(live.WholeRoadTest):
                 attacked.rename(kept)
                 requests[(collision_type, tta, '', 'history', seed)] = kept
         scene = self.play_to(6.0)
-        self.ask_until(lambda answer: answer.pattern.header.stamp == scene.header.stamp, *next(iter(requests)))
+        self.ask_until(lambda answer: answer.attack.pattern.header.stamp == scene.header.stamp, *next(iter(requests)))
         answers = {}
 
         def call(request):

@@ -26,7 +26,7 @@ def arc(speed, acceleration=0.0, curvature=0.0, slip=0.0):
 
 
 def scenario(points):
-    return {'format': 'collision_forge/scenario', 'version': 1, 'scene': 'scene-0001', 'now': 100.5,
+    return {'format': 'collision_forge/scenario', 'version': 2, 'scene': 'scene-0001', 'now': 100.5,
             'request': {'type': 'ltap', 'tta': 3, 'attacker': None, 'mode': 'replay', 'seed': 7},
             'attacker': points and {'id': 'a', 'trajectory': points}, 'report': points and {'contact_t': CONTACT}}
 

@@ -1,84 +1,130 @@
 #!/usr/bin/python3
-"""usage: check_layering.py SOURCE_DIR: do the includes under src/ keep the layers of the architecture?
+"""usage: check_layering.py SOURCE_DIR: do the includes keep to the table of rooms in docs/architecture.md?
 
-1. A module includes itself and modules below it (LAYERS, lowest first).
-2. ROS is included only in src/ros, src/rviz and src/tools.
-3. torch is included only in src/network, and no file outside it includes a header that brings torch along.
-4. MPI is included only in src/batch.
+The table is the first one under the heading HEADING. Of its columns `room`, `includes` and `libraries` are read.
+1. Every C++ file under src/ is src/collision_forge/ROOM/NAME, and ROOM is in the table.
+2. A room includes itself and the rooms that its row names, and every room that its row names.
+3. A row names rows above it only, so that there is no cycle.
+4. A library of LIBRARIES is included only by rooms whose row names it, and no header of ours carries it further.
 """
+import itertools
 import re
 import sys
 from pathlib import Path
 
-LAYERS = [{'files', 'geometry'}, {'map'}, {'scene'}, {'forecast', 'verify', 'attack'}, {'network'}, {'planners', 'trials', 'drawing', 'training', 'config', 'data', 'batch', 'study', 'dataset'},
-          {'ros', 'rviz', 'app'}]
-LAYER_OF = {module: level for level, modules in enumerate(LAYERS) for module in modules}
-
-ROS_MODULES = {'ros', 'rviz', 'tools'}
-ROS_INCLUDE = re.compile(
-    r'(ros|rosbag|roscpp|rosconsole|nodelet|pluginlib|rviz|tf|tf2|tf2_\w+|std_srvs|\w+_msgs|collision_forge)/')
-TORCH_INCLUDE = re.compile(r'(torch|ATen|c10|caffe2)/')
-MPI_INCLUDE = re.compile(r'mpi\.h$')
+DOCUMENT = 'docs/architecture.md'
+HEADING = '## The rooms of src/collision_forge'
+NOTHING = 'nothing'
+LIBRARIES = {
+    'ROS': r'(ros|rosbag|rosconsole|nodelet|pluginlib|rviz|tf2?|tf2_\w+|std_srvs|\w+_msgs)/|collision_forge/[A-Z]\w*\.h$',
+    'torch': r'(torch|ATen|c10|caffe2)/',
+    'MPI': r'mpi\.h$',
+    'yaml-cpp': r'yaml-cpp/',
+    'RapidJSON': r'rapidjson/(?!fwd\.h)',
+    'CLI11': r'CLI/',
+    'cairo': r'cairo',
+    'giflib': r'gif_lib\.h$',
+    'Qt': r'(Qt\w+/)?Q[A-Z]\w+$',
+}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
+def cells(line):
+    return [cell.strip() for cell in line.strip()[1:-1].split('|')]
+
+
+def names(cell):
+    return [name for name in re.split(r'[,\s]+', cell.replace('`', '').replace('/', '')) if name and name != NOTHING]
+
+
+def read_table(text):
+    """{room: (rooms it may include, libraries it may include)}, in the order of the table."""
+    section = text.partition(HEADING + '\n')[2].partition('\n## ')[0]
+    table = itertools.takewhile(lambda line: line.startswith('|'),
+                                itertools.dropwhile(lambda line: not line.startswith('|'), section.splitlines()))
+    rows = [cells(line) for line in table]
+    if not rows:
+        return {}
+    room, includes, libraries = (rows[0].index(title) for title in ('room', 'includes', 'libraries'))
+    return {names(row[room])[0]: (names(row[includes]), names(row[libraries])) for row in rows[2:]}
+
+
 def read_includes(src):
-    """Every file under src with what it includes, both as paths relative to src."""
+    """Every C++ file under src with what it includes, both as paths relative to src."""
     return {str(path.relative_to(src)): INCLUDE.findall(path.read_text(encoding='utf-8'))
             for path in sorted(src.rglob('*')) if path.suffix in ('.cpp', '.h')}
 
 
-def module_of(file):
-    return Path(file).parts[0]
+def room_of(file):
+    """None for a file that lies in no room."""
+    parts = Path(file).parts
+    return parts[1] if len(parts) == 3 and parts[0] == 'collision_forge' else None
 
 
-def may_include_ros(file):
-    return module_of(file) in ROS_MODULES
+def table_violations(table):
+    known = []
+    for room, (rooms, libraries) in table.items():
+        for other in rooms:
+            if other not in known:
+                yield '{}: row {} names {}, which is no row above it'.format(DOCUMENT, room, other)
+        for library in libraries:
+            if library not in LIBRARIES:
+                yield '{}: row {} names {}, which is none of {}'.format(DOCUMENT, room, library, ', '.join(LIBRARIES))
+        known.append(room)
 
 
-def shows_torch(file, includes, seen=()):
-    """True if the file or one of ours that it includes, however far, includes torch."""
-    return any(TORCH_INCLUDE.match(included) or
-               (included in includes and included not in seen and
-                shows_torch(included, includes, seen + (file,)))
-               for included in includes[file])
+def brings(included, library, includes, seen):
+    """True if a header is of the library, or of ours and includes one that is, however far."""
+    if included not in includes:
+        return re.match(LIBRARIES[library], included) is not None
+    if included in seen:
+        return False
+    seen.add(included)
+    return any(brings(further, library, includes, seen) for further in includes[included])
 
 
-def violations_in_file(file, includes):
-    module = module_of(file)
+def file_violations(file, includes, table):
+    room = room_of(file)
+    if room not in table:
+        yield 'lies in no room of ' + DOCUMENT
+        return
+    rooms, libraries = table[room]
     for included in includes[file]:
-        if included in includes:  # a file of ours
-            other = module_of(included)
-            if other != module and LAYER_OF.get(other, 0) > LAYER_OF.get(module, -1):
-                yield '{} is above {}'.format(other, module)
-            if module != 'network' and other == 'network' and shows_torch(included, includes):
-                yield '{} brings torch out of src/network'.format(included)
-        elif ROS_INCLUDE.match(included) and not may_include_ros(file):
-            yield '{}: ROS has no place in {}'.format(included, module)
-        elif TORCH_INCLUDE.match(included) and module != 'network':
-            yield '{}: torch has no place outside src/network'.format(included)
-        elif MPI_INCLUDE.match(included) and module != 'batch':
-            yield '{}: MPI has no place outside src/batch'.format(included)
+        if included in includes and room_of(included) not in [room] + rooms:
+            yield '{}: {} may not include {}'.format(included, room, room_of(included))
+        for library in LIBRARIES:
+            if library not in libraries and brings(included, library, includes, set()):
+                yield '{}: {} has no place in {}'.format(included, library, room)
 
 
-def unknown_modules(includes):
-    return sorted({module_of(file) for file in includes} - set(LAYER_OF))
+def unused(includes, table):
+    """What rows name and no file of their room includes."""
+    used = {(room_of(file), room_of(included)) for file in includes for included in includes[file]
+            if included in includes}
+    used |= {(room_of(file), library) for file in includes for included in includes[file]
+             for library in LIBRARIES if included not in includes and re.match(LIBRARIES[library], included)}
+    for room, (rooms, libraries) in table.items():
+        for name in rooms + libraries:
+            if (room, name) not in used:
+                yield '{}: row {} names {}, which it does not include'.format(DOCUMENT, room, name)
 
 
-def violations(src):
-    includes = read_includes(src)
+def violations(source_dir):
+    table = read_table(Path(source_dir, DOCUMENT).read_text(encoding='utf-8'))
+    if not table:
+        return ['no table under "{}" in {}'.format(HEADING, DOCUMENT)]
+    includes = read_includes(Path(source_dir, 'src'))
     if not includes:
-        return ['no C++ file in {}'.format(src)]
-    found = ['src/{} has no place in LAYERS of {}'.format(module, Path(__file__).name)
-             for module in unknown_modules(includes)]
+        return ['no C++ file in {}/src'.format(source_dir)]
+    found = list(table_violations(table))
     for file in includes:
-        found += ['src/{}: {}'.format(file, violation) for violation in violations_in_file(file, includes)]
-    return found
+        found += ['src/{}: {}'.format(file, violation) for violation in file_violations(file, includes, table)]
+    return found + list(unused(includes, table))
 
 
 def main(source_dir):
-    found = violations(Path(source_dir, 'src'))
-    print('\n'.join(found) or 'all includes keep the layers')
+    found = violations(source_dir)
+    print('\n'.join(found) or 'all includes keep to the table')
     return 1 if found else 0
 
 

@@ -31,7 +31,7 @@ Scenario answered() {
   scenario.ego = {kEgoSize, 1.385};
   scenario.answer.trajectory = straightDrive({40.0, 0.0, M_PI}, 5.0, 6.0);
   scenario.answer.trajectory.attacker_id = "other";
-  scenario.answer.pattern.time = kNow + 3.0;
+  scenario.answer.aim.time = kNow + 3.0;
   return scenario;
 }
 

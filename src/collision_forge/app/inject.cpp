@@ -111,17 +111,16 @@ int inject(const Arguments& arguments) {
   const PredictionOptions& prediction = config.attack.prediction;
   const Moment moment{snapshotAt(scene, now, prediction.history_frames), recordedFuture(scene, now),
                       std::make_shared<const LaneIndex>(scene.map)};
-  const auto method = loadMethod(arguments.method, config).make();
-  const Realization attack = generateCollision(*method, moment, request, prediction);
+  const MethodMaker maker = loadMethod(arguments.method, config);
+  const Realization attack = generateCollision(*maker.make(), moment, request, prediction);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);
   CollisionReport tested =
       verify(attack.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
              config.attack.verification);
   tested.confidence = attack.report.confidence;
   const std::string& attacker = attack.trajectory.attacker_id;
-  injectIntoBag(arguments.bag, arguments.out,
-                {toMessage(attack.pattern, now), toMessage(attack.trajectory),
-                 toMessage(attack.report, attacker, now), toMessage(tested, attacker, now)});
+  injectIntoBag(arguments.bag, arguments.out, toMessage(attack, maker.name(), now),
+                toMessage(tested, attacker, now));
   std::cout << toString(request.type) << " by " << attacker
             << ", now = " << now - scene.frame_times.front() << " s, confidence "
             << attack.report.confidence << "\n";
@@ -129,8 +128,8 @@ int inject(const Arguments& arguments) {
   printReport("against the recording", tested, now);
   std::cout << "wrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {
-    const ScenarioView view{scene.name,       request.tta,    request.mode,      moment.snapshot,
-                            *moment.recorded, attack.pattern, attack.trajectory, tested};
+    const ScenarioView view{scene.name,       request.tta, request.mode,      moment.snapshot,
+                            *moment.recorded, attack.aim,  attack.trajectory, tested};
     drawScenarioPng(arguments.draw + ".png", view, config.drawing);
     drawScenarioGif(arguments.draw + ".gif", view, config.drawing);
     std::cout << "wrote " << arguments.draw << ".png\nwrote " << arguments.draw << ".gif\n";

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
@@ -18,7 +19,9 @@ int train(const TrainingRun& run) {
 #else
   // libtorch takes seconds to load, which no other command needs to wait for.
   void* library = dlopen("libcollision_forge_training.so", RTLD_NOW);
-  if (library == nullptr) throw std::runtime_error(dlerror());
+  if (library == nullptr) {
+    throw std::runtime_error(std::string("this build has no training: ") + dlerror());
+  }
   void* function = dlsym(library, "forgeTrainPatternNetwork");
   if (function == nullptr) throw std::runtime_error(dlerror());
   reinterpret_cast<decltype(&forgeTrainPatternNetwork)>(function)(run);

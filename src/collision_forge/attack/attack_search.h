@@ -17,8 +17,13 @@ struct FoundAttack {
   std::vector<TrajectoryPoint> points;  ///< from now to tta + tail
   FutureScore score;
   double off_road = 0.0;  ///< mean share of the box off the drivable area, to the arrival
-  /// What the search maximises: share, closeness, off_road, effort and steering weighed.
+  /// What the search maximises: share, closeness, off_road, effort, steering and miss weighed.
   double objective = 0.0;
+  const CollisionPattern* aim = nullptr;  ///< of those given, the one that it came from
+  PatternMiss miss;                       ///< of score.contact from the aim
+  /// The futures in which all conditions hold: score.met first, then round from there. Preferred is
+  /// the one in which the ego comes nearest to the aim's box.
+  std::vector<const Track*> hits;
 };
 
 /// What the search is given.
@@ -26,16 +31,21 @@ struct SearchInput {
   const Snapshot& snapshot;
   const Future& future;                   ///< of the others
   const std::vector<const Track*>& egos;  ///< equally likely futures of the ego, at least one
-  const std::vector<CollisionPattern>& patterns;  ///< whom to try, most promising first
+  const std::vector<CollisionPattern>& patterns;  ///< to be realised, most promising first
   const CollisionRequest& request;
   const LaneIndex& lanes;
+  bool exact = false;  ///< nothing counts as much as a contact at the pattern
 };
 
-/// Searches arrivals (contact offset, side, relative heading, speed, start and end acceleration,
-/// time) and families of motion for attacks whose conditions hold in most of the ego's futures:
-/// random arrivals around every placement of the type, perturbations of the best, then the bicycle
-/// where no quintic is good enough. Best first; only attacks with a share above 0. The draws follow
-/// from the request's seed.
+/// True within SearchOptions::exact_distance and exact_heading.
+bool isExact(const PatternMiss& miss, const SearchOptions& options);
+
+/// Searches arrivals (contact offset, relative heading, speed, start and end acceleration, time)
+/// and families of motion for attacks whose conditions hold in most of the ego's futures: the
+/// arrivals that the patterns tell, others around them and along the sides that they touch, the
+/// best ones moved nearer to their pattern, perturbations of the best, then the bicycle where no
+/// quintic is good enough. Best first; only attacks with a share above 0. The draws follow from the
+/// request's seed.
 std::vector<FoundAttack> searchAttacks(const SearchInput& input, const AttackOptions& options);
 
 }  // namespace forge

@@ -66,8 +66,10 @@ AttackerTrajectory drivenTo(const Pose2& pose, double tta, const Track& attacker
 }
 
 /// The answer that drives this; what a verification against the expected future says is in it.
+/// Whoever aims at no pattern aims at the contact that comes of it.
 Realization drivenAnswer(AttackerTrajectory trajectory, const Moment& moment,
-                         const CollisionRequest& request, const AttackOptions& options) {
+                         const CollisionRequest& request, const AttackOptions& options,
+                         const CollisionPattern* aim = nullptr) {
   const PredictionOptions& prediction = options.prediction;
   const Future future = moment.recorded ? *moment.recorded
                                         : predictFuture(moment.snapshot, *moment.lanes,
@@ -75,6 +77,16 @@ Realization drivenAnswer(AttackerTrajectory trajectory, const Moment& moment,
   Realization answer;
   answer.report =
       verify(trajectory, {moment.snapshot, future, request, *moment.lanes}, options.verification);
+  const CollisionReport& report = answer.report;
+  const Pose2 met = relativeTo(report.ego_at_contact, report.attacker_at_contact);
+  answer.aim = aim ? *aim
+                   : CollisionPattern{request.type,
+                                      trajectory.attacker_id,
+                                      report.contact_time,
+                                      {report.ego_at_contact, moment.snapshot.ego.size},
+                                      met,
+                                      trajectory.points.back().speed};
+  answer.miss = missBetween(answer.aim.attacker_offset, met);
   answer.trajectory = std::move(trajectory);
   return answer;
 }
@@ -175,7 +187,7 @@ Realization PatternQuinticMethod::answer(const Moment& moment,
   if (prediction.status.code != StatusCode::kOk) return refusal(prediction.status);
   const CollisionPattern& pattern = prediction.patterns.front();
   return drivenAnswer(patternAttacker(pattern, moment.snapshot, request.tta, options_), moment,
-                      request, options_);
+                      request, options_, &pattern);
 }
 
 }  // namespace forge

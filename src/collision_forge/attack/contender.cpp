@@ -1,6 +1,10 @@
 #include "collision_forge/attack/contender.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
+
+#include "collision_forge/attack/placement.h"
 
 namespace forge {
 namespace {
@@ -31,20 +35,56 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
   return entry;
 }
 
+/// The future in which the ego comes nearest to the pattern's box at the pattern's time.
+std::size_t nearestFuture(const std::vector<const Track*>& egos, const CollisionPattern& pattern) {
+  const auto apart = [&](const Track* ego) {
+    const Pose2 pose = stateAt(*ego, pattern.time).value_or(ego->states.back()).pose;
+    return cornerMiss(missBetween(pattern.ego.center, pose), ego->size);
+  };
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < egos.size(); ++i) {
+    const double distance = apart(egos[i]);
+    if (distance < least) nearest = i;
+    least = std::min(least, distance);
+  }
+  return nearest;
+}
+
+bool haveOneEgo(const CollisionPattern& a, const CollisionPattern& b) {
+  return a.time == b.time && a.ego.center.x == b.ego.center.x && a.ego.center.y == b.ego.center.y &&
+         a.ego.center.yaw == b.ego.center.yaw;
+}
+
 }  // namespace
 
 std::vector<std::unique_ptr<Contender>> contendersOf(const SearchInput& input,
                                                      const AttackOptions& options,
                                                      const VehicleLimits& limits, int points) {
   std::vector<std::unique_ptr<Contender>> contenders;
+  Aim aim;
   for (const CollisionPattern& pattern : input.patterns) {
-    if (static_cast<int>(contenders.size()) >= options.search.max_attackers) break;
-    const auto same = [&](const auto& other) { return other->track->id == pattern.attacker_id; };
-    if (std::any_of(contenders.begin(), contenders.end(), same)) continue;
-    for (const Track& agent : input.snapshot.agents) {
-      if (agent.id != pattern.attacker_id) continue;
-      contenders.push_back(contenderOf(agent, input, options, limits, points));
+    auto entry = std::find_if(contenders.begin(), contenders.end(), [&](const auto& other) {
+      return other->track->id == pattern.attacker_id;
+    });
+    if (entry == contenders.end()) {
+      if (static_cast<int>(contenders.size()) >= options.search.max_attackers) continue;
+      const auto& agents = input.snapshot.agents;
+      const auto agent = std::find_if(agents.begin(), agents.end(), [&](const Track& track) {
+        return track.id == pattern.attacker_id;
+      });
+      if (agent == agents.end()) continue;
+      contenders.push_back(contenderOf(*agent, input, options, limits, points));
+      entry = std::prev(contenders.end());
     }
+    // Most patterns have the same ego.
+    if (!aim.pattern || !haveOneEgo(*aim.pattern, pattern)) {
+      aim.ego = nearestFuture(input.egos, pattern);
+    }
+    aim.pattern = &pattern;
+    aim.touching =
+        touchingOffset(input.snapshot.ego.size, (*entry)->track->size, pattern.attacker_offset);
+    (*entry)->aims.push_back(aim);
   }
   return contenders;
 }

@@ -9,16 +9,24 @@
 
 namespace forge {
 
+/// A pattern that is aimed at.
+struct Aim {
+  const CollisionPattern* pattern = nullptr;
+  std::size_t ego = 0;  ///< the future whose pose at the pattern's time is nearest to its ego's box
+  Pose2 touching;       ///< the pattern's offset, moved so that the boxes just touch
+};
+
 /// One vehicle that may attack, and the ways it may drive.
 struct Contender {
   const Track* track = nullptr;
+  std::vector<Aim> aims;  ///< its patterns, the most promising first
   DriveStart start;
   std::vector<ReferencePath> paths;                         ///< along lanes
   std::vector<std::unique_ptr<TrajectoryFamily>> quintics;  ///< free, then one a path
 };
 
 /// The vehicles of the patterns, the most promising first and at most SearchOptions::max_attackers.
-/// `points` are asked of their motions. The snapshot must outlive them.
+/// `points` are asked of their motions. Snapshot and patterns must outlive them.
 std::vector<std::unique_ptr<Contender>> contendersOf(const SearchInput& input,
                                                      const AttackOptions& options,
                                                      const VehicleLimits& limits, int points);

@@ -249,8 +249,18 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
   }
 }
 
-FutureScore FutureScorer::score(const Track& attacker,
-                                const std::vector<TrajectoryPoint>& points) const {
+/// The future whose contact is told; there has to be one that is hit.
+std::size_t FutureScorer::metIn(const std::vector<Outcome>& outcomes, std::size_t preferred) {
+  if (outcomes[preferred].hit) return preferred;
+  auto left = std::count_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return o.hit; });
+  left /= 2;
+  const auto middle = std::find_if(outcomes.begin(), outcomes.end(),
+                                   [&left](const auto& o) { return o.hit && left-- == 0; });
+  return static_cast<std::size_t>(middle - outcomes.begin());
+}
+
+FutureScore FutureScorer::score(const Track& attacker, const std::vector<TrajectoryPoint>& points,
+                                std::size_t preferred) const {
   thread_local std::vector<Outcome> outcomes;
   evaluate(attacker, points, outcomes);
   FutureScore score;
@@ -266,6 +276,11 @@ FutureScore FutureScorer::score(const Track& attacker,
           std::max({0.0, first_in_time_ - outcome.contact, outcome.contact - last_in_time_});
       score.closeness += std::exp(-off / kCloseHeading - late * step_ / kCloseTime);
     }
+  }
+  if (score.share > 0.0) {
+    score.met = metIn(outcomes, preferred);
+    const Met met = metAt(outcomes[score.met].contact, score.met, points);
+    score.contact = relativeTo(met.ego, met.attacker);
   }
   score.share /= static_cast<double>(count_);
   score.closeness /= static_cast<double>(count_);

@@ -14,6 +14,9 @@ namespace forge {
 struct FutureScore {
   double share = 0.0;      ///< of the futures in which all conditions hold, [0, 1]
   double closeness = 0.0;  ///< of the other futures, how near they came to it, mean, [0, 1]
+  // With a share above 0:
+  std::size_t met = 0;  ///< one of the futures in which all conditions hold, as index
+  Pose2 contact;        ///< the attacker seen from the ego at the contact there
 };
 
 /// Scores thousands of motions of attackers: the poses of all futures are laid out by time step.
@@ -33,7 +36,10 @@ class FutureScorer {
   int steps() const { return steps_; }
 
   /// `points` every SearchOptions::step from now, at least steps().
-  FutureScore score(const Track& attacker, const std::vector<TrajectoryPoint>& points) const;
+  /// `met` is `preferred` if all conditions hold there, else the middle one of those in which they
+  /// do.
+  FutureScore score(const Track& attacker, const std::vector<TrajectoryPoint>& points,
+                    std::size_t preferred = 0) const;
 
   /// The futures in which all conditions hold, as indices into `egos`.
   std::vector<std::size_t> hits(const Track& attacker,
@@ -41,6 +47,7 @@ class FutureScorer {
 
  private:
   struct Outcome;
+  static std::size_t metIn(const std::vector<Outcome>& outcomes, std::size_t preferred);
   void evaluate(const Track& attacker, const std::vector<TrajectoryPoint>& points,
                 std::vector<Outcome>& outcomes) const;
   Pose2 local(const Pose2& pose) const;                     // seen from origin_'s position

@@ -55,6 +55,8 @@ struct SearchOptions {
   int lane_paths = 0;
   int ego_poses = 0;
   int draws = 0;
+  int homed = 0;
+  int corrections = 0;
   double max_lead = 0.0;
   int kept = 0;
   int rounds = 0;
@@ -70,6 +72,10 @@ struct SearchOptions {
   double steering_weight = 0.0;
   double quick_steering = 0.0;
   double closeness_weight = 0.0;
+  double pattern_weight = 0.0;
+  double near_pattern = 0.0;
+  double exact_distance = 0.0;
+  double exact_heading = 0.0;
   std::vector<double> confidence_curve;  ///< at shares evenly spread over [0, 1]
 };
 

@@ -11,6 +11,8 @@
 namespace forge {
 namespace {
 
+constexpr double kStraight = 1e-3;  // sine of a heading straight on or back, as files round it
+
 struct RankedPattern {
   CollisionPattern pattern;
   double cost = 0.0;
@@ -31,24 +33,28 @@ bool comesFromThere(const Track& agent, const Snapshot& snapshot, const Collisio
   return approachFits(approach, request.bands());
 }
 
-/// The candidate at the ego's pose at impact, pushed in from `side`.
-RankedPattern placedPattern(const Track& agent, const Placement& placement, const AgentState& ego,
+/// The candidate at the ego's pose at impact, heading so, pushed in from `side`.
+RankedPattern placedPattern(const Track& agent, Side side, double heading, const AgentState& ego,
                             const Snapshot& snapshot, const CollisionRequest& request,
                             const PredictionOptions& prediction) {
   const Motion motion = estimateMotion(agent, prediction.motion_frames);
-  const double nominal = request.bands().nominal_heading;
-  const double heading = wrapAngle(placement.sign < 0.0 ? -nominal : nominal);
   CollisionPattern pattern;
   pattern.type = request.type;
   pattern.attacker_id = agent.id;
   pattern.time = snapshot.now + request.tta;
   pattern.ego = boxAt(snapshot.ego, ego.pose);
-  pattern.attacker_offset =
-      attackerOffset(snapshot.ego.size, agent.size, placement.side, heading, 0.0, 0.0);
+  pattern.attacker_offset = attackerOffset(snapshot.ego.size, agent.size, side, heading, 0.0, 0.0);
   pattern.attacker_speed = request.type == CollisionType::kRearEnd
                                ? ego.velocity.norm() + prediction.rear_end_closing_speed
                                : std::max(motion.speed, prediction.min_impact_speed);
   return {pattern, speedMismatch(pattern, motion, request.tta)};
+}
+
+/// The type's nominal heading at a placement, or both where it may be either.
+std::vector<double> headingsAt(const Placement& placement, double nominal) {
+  if (placement.sign != 0.0) return {wrapAngle(placement.sign * nominal)};
+  if (std::abs(std::sin(nominal)) < kStraight) return {wrapAngle(nominal)};
+  return {nominal, -nominal};
 }
 
 /// The track whose place at `time` is nearest to the mean of all.
@@ -94,6 +100,7 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
                              std::to_string(request.tta) + " s from now"};
     return prediction;
   }
+  const double nominal = request.bands().nominal_heading;
   std::vector<RankedPattern> ranked;
   for (const Track& agent : snapshot.agents) {
     if (request.attacker && agent.id != *request.attacker) continue;
@@ -101,7 +108,10 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
     if (!request.attacker && !isCandidate(agent, snapshot, options_)) continue;
     if (!comesFromThere(agent, snapshot, request)) continue;
     for (const Placement& placement : placementsOf(request.type, lanes.map().driving_side)) {
-      ranked.push_back(placedPattern(agent, placement, *ego, snapshot, request, options_));
+      for (const double heading : headingsAt(placement, nominal)) {
+        ranked.push_back(
+            placedPattern(agent, placement.side, heading, *ego, snapshot, request, options_));
+      }
     }
   }
   std::stable_sort(ranked.begin(), ranked.end(),

@@ -1,9 +1,14 @@
 #include "collision_forge/attack/placement.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace forge {
 namespace {
+
+constexpr double kParallel = 1e-9;  // cosine; along such an axis nothing parts
+constexpr double kMiddle = 1e-6;    // m from the ego's middle: in no direction from it
 
 Vector2 outward(Side side) {
   switch (side) {
@@ -38,25 +43,39 @@ std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side
   return {};
 }
 
+double partingDistance(const BoxSize& ego, const BoxSize& attacker, const Pose2& from,
+                       const Vector2& direction) {
+  const OrientedBox ego_box{{}, ego};
+  // They part along the first of the sides' axes on which their shadows do.
+  double parting = std::numeric_limits<double>::infinity();
+  for (const AxisGap& side : axisGaps(ego_box, {{0.0, 0.0, from.yaw}, attacker})) {
+    const double reach = -side.gap;
+    const double rate = side.axis.dot(direction);
+    if (std::abs(rate) < kParallel) continue;
+    parting =
+        std::min(parting, (reach - std::copysign(1.0, rate) * side.axis.dot(from.position())) /
+                              std::abs(rate));
+  }
+  return parting;
+}
+
 Pose2 attackerOffset(const BoxSize& ego, const BoxSize& attacker, Side side, double heading,
                      double slide, double depth) {
   const bool along_x = side == Side::kFront || side == Side::kRear;
   const double half_side = 0.5 * (along_x ? ego.width : ego.length);
-  const Vector2 along = along_x ? Vector2(0.0, slide * half_side) : Vector2(slide * half_side, 0.0);
-  const OrientedBox ego_box{{}, ego};
-  const auto at = [&](double push) {
-    const Vector2 position = along + push * outward(side);
-    return Pose2{position.x(), position.y(), heading};
-  };
-  // Bisect between the middle of the side (overlapping) and clear of both circles (apart).
-  double inside = 0.0;
-  double outside = circumradius(ego) + circumradius(attacker) + std::abs(slide) * half_side;
-  constexpr int kHalvings = 40;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (inside + outside);
-    (overlaps(ego_box, {at(middle), attacker}) ? inside : outside) = middle;
-  }
-  return at(inside - depth);
+  const Pose2 from{along_x ? 0.0 : slide * half_side, along_x ? slide * half_side : 0.0, heading};
+  const double push = partingDistance(ego, attacker, from, outward(side)) - depth;
+  const Vector2 position = from.position() + push * outward(side);
+  return {position.x(), position.y(), heading};
+}
+
+Pose2 touchingOffset(const BoxSize& ego, const BoxSize& attacker, const Pose2& offset) {
+  const double distance = offset.position().norm();
+  const Vector2 direction =
+      distance > kMiddle ? Vector2(offset.position() / distance) : Vector2(-offset.heading());
+  const Vector2 position =
+      partingDistance(ego, attacker, {0.0, 0.0, offset.yaw}, direction) * direction;
+  return {position.x(), position.y(), offset.yaw};
 }
 
 }  // namespace forge

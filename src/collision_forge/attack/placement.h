@@ -22,11 +22,20 @@ struct Placement {
 /// left-hand traffic), or in front, heading away from there. The first ones are COLLIDE's.
 std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side);
 
+/// How far along `direction` (a unit vector in the ego box's frame) the attacker's box can go from
+/// `from` until the boxes, which overlap there, only just touch; metres.
+double partingDistance(const BoxSize& ego, const BoxSize& attacker, const Pose2& from,
+                       const Vector2& direction);
+
 /// Box middle and heading of the attacker in the ego box's frame such that, pushed in from `side`,
 /// the boxes overlap by `depth` metres along the push. `slide` in [-1, 1] moves the attacker along
 /// the side that is hit, as a share of half that side (positive is forward, or left for front and
 /// rear).
 Pose2 attackerOffset(const BoxSize& ego, const BoxSize& attacker, Side side, double heading,
                      double slide, double depth);
+
+/// The offset nearest to an attacker's along the line to the ego's middle at which the boxes only
+/// just touch, at the same heading. An attacker in the very middle is where it comes from.
+Pose2 touchingOffset(const BoxSize& ego, const BoxSize& attacker, const Pose2& offset);
 
 }  // namespace forge

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "collision_forge/attack/attack_search.h"
@@ -29,16 +30,25 @@ class Rejections {
  public:
   void add(const CollisionReport& report) { ++counts_[shortcomingOf(report)]; }
 
+  /// Of an attack that holds, but is not exactly the pattern.
+  void add(const PatternMiss& miss) {
+    ++counts_["missed the pattern"];
+    if (!nearest_ || miss.distance < nearest_->distance) nearest_ = miss;
+  }
+
   std::string summary() const {
     std::string text;
     for (const auto& [reason, count] : counts_) {
       text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
     }
-    return text;
+    if (!nearest_) return text;
+    return text + ", the nearest by " + std::to_string(nearest_->distance) + " m and " +
+           std::to_string(nearest_->heading) + " rad";
   }
 
  private:
   std::map<std::string, int> counts_;
+  std::optional<PatternMiss> nearest_;
 };
 
 /// Every second sample, from `first` on; the known ego without samples.
@@ -51,44 +61,38 @@ std::vector<const Track*> everySecond(const Future& future, std::size_t first) {
   return egos;
 }
 
-/// The pattern that an attack makes at its contact with the ego.
-CollisionPattern patternOf(const FoundAttack& attack, const CollisionReport& report,
-                           const VerificationInput& input) {
-  CollisionPattern pattern;
-  pattern.type = input.request.type;
-  pattern.attacker_id = attack.attacker->id;
-  pattern.time = report.contact_time;
-  pattern.ego = {report.ego_at_contact, input.snapshot.ego.size};
-  pattern.attacker_offset = relativeTo(report.ego_at_contact, report.attacker_at_contact);
-  for (const TrajectoryPoint& point : attack.points) {
-    pattern.attacker_speed = point.speed;
-    if (point.time >= report.contact_time) break;
-  }
-  return pattern;
-}
-
 /// Verifies the attack in the futures that it should hit, until one bears it out.
-bool verifyInFutures(const FoundAttack& attack, const std::vector<const Track*>& egos,
-                     const std::vector<std::size_t>& hits, const VerificationInput& input,
+bool verifyInFutures(const FoundAttack& attack, const VerificationInput& input,
                      const AttackOptions& options, Rejections& rejections, Realization& found) {
   constexpr std::size_t kTries = 4;
   const Track& agent = *attack.attacker;
+  found.aim = *attack.aim;
   found.trajectory = {agent.id, agent.agent_class, agent.size, attack.points};
   Future future = input.future;
-  for (std::size_t i = 0; i < std::min(kTries, hits.size()); ++i) {
-    // From the middle of the hits, which are in the order of the samples.
-    const std::size_t hit = hits[(hits.size() / 2 + i) % hits.size()];
-    future.ego = *egos[hit];
+  for (std::size_t i = 0; i < std::min(kTries, attack.hits.size()); ++i) {
+    future.ego = *attack.hits[i];
     found.report = verify(found.trajectory, {input.snapshot, future, input.request, input.lanes},
                           options.verification);
     if (!found.report.verified()) {
       rejections.add(found.report);
       continue;
     }
-    found.pattern = patternOf(attack, found.report, input);
+    found.miss =
+        missBetween(found.aim.attacker_offset,
+                    relativeTo(found.report.ego_at_contact, found.report.attacker_at_contact));
     return true;
   }
   return false;
+}
+
+/// The score on the futures that were held back, as confidence.
+double confidenceIn(const VerificationInput& input, const FoundAttack& attack,
+                    const AttackOptions& options) {
+  if (input.future.ego_samples.empty()) return 1.0;
+  const FutureScorer held_out(everySecond(input.future, 1), input.future.agents, input.request,
+                              input.snapshot.now, input.lanes.map().driving_side, options);
+  return confidenceOf(held_out.score(*attack.attacker, attack.points).share,
+                      options.search.confidence_curve);
 }
 
 }  // namespace
@@ -108,27 +112,21 @@ double confidenceOf(double share, const std::vector<double>& curve) {
 }
 
 Realization realize(const std::vector<CollisionPattern>& patterns, const VerificationInput& input,
-                    const AttackOptions& options) {
+                    const AttackOptions& options, bool exact) {
   checkPatterns(patterns, input.snapshot);
   const std::vector<const Track*> searched = everySecond(input.future, 0);
-  const std::vector<const Track*> held_out = everySecond(input.future, 1);
   const std::vector<FoundAttack> attacks = searchAttacks(
-      {input.snapshot, input.future, searched, patterns, input.request, input.lanes}, options);
-  const auto scorerOf = [&](const std::vector<const Track*>& egos) {
-    return FutureScorer(egos, input.future.agents, input.request, input.snapshot.now,
-                        input.lanes.map().driving_side, options);
-  };
-  const FutureScorer searched_scorer = scorerOf(searched);
+      {input.snapshot, input.future, searched, patterns, input.request, input.lanes, exact},
+      options);
   Rejections rejections;
   Realization found;
   for (const FoundAttack& attack : attacks) {
-    const auto hits = searched_scorer.hits(*attack.attacker, attack.points);
-    if (!verifyInFutures(attack, searched, hits, input, options, rejections, found)) continue;
-    found.report.confidence =
-        input.future.ego_samples.empty()
-            ? 1.0
-            : confidenceOf(scorerOf(held_out).score(*attack.attacker, attack.points).share,
-                           options.search.confidence_curve);
+    if (!verifyInFutures(attack, input, options, rejections, found)) continue;
+    if (exact && !isExact(found.miss, options.search)) {
+      rejections.add(found.miss);
+      continue;
+    }
+    found.report.confidence = confidenceIn(input, attack, options);
     if (found.report.confidence < input.request.crash.min_confidence) {
       Realization declined;
       declined.status = {
@@ -139,11 +137,12 @@ Realization realize(const std::vector<CollisionPattern>& patterns, const Verific
     }
     return found;
   }
-  found.status = {StatusCode::kNoAttackWithinBounds,
-                  "no attack by " + std::to_string(patterns.size()) +
-                      " patterns holds within the limits; best ones: " +
-                      (attacks.empty() ? "none" : rejections.summary())};
-  return found;
+  Realization refused;
+  refused.status = {StatusCode::kNoAttackWithinBounds,
+                    "no attack by " + std::to_string(patterns.size()) +
+                        " patterns holds within the limits; best ones: " +
+                        (attacks.empty() ? "none" : rejections.summary())};
+  return refused;
 }
 
 }  // namespace forge

@@ -121,6 +121,8 @@ SearchOptions readSearch(Section section, CrashDefinition& crash) {
   options.lane_paths = section.count("lane_paths", 0);
   options.ego_poses = section.count("ego_poses", 1);
   options.draws = section.count("draws", 1);
+  options.homed = section.count("homed", 0);
+  options.corrections = section.count("corrections", 0);
   options.max_lead = section.nonNegative("max_lead");
   options.kept = section.count("kept", 1);
   options.rounds = section.count("rounds", 0);
@@ -136,6 +138,10 @@ SearchOptions readSearch(Section section, CrashDefinition& crash) {
   options.steering_weight = section.nonNegative("steering_weight");
   options.quick_steering = section.positive("quick_steering");
   options.closeness_weight = section.within("closeness_weight", 0.0, 1.0);
+  options.pattern_weight = section.nonNegative("pattern_weight");
+  options.near_pattern = section.positive("near_pattern");
+  options.exact_distance = section.positive("exact_distance");
+  options.exact_heading = section.positive("exact_heading");
   options.confidence_curve = section.risingShares("confidence_curve");
   crash.min_confidence = section.within("min_confidence", 0.0, 1.0);
   section.finish();

@@ -1,6 +1,9 @@
 #include "collision_forge/data/json_line.h"
 
+#include <rapidjson/document.h>
 #include <rapidjson/error/en.h>
+#include <rapidjson/stringbuffer.h>
+#include <rapidjson/writer.h>
 
 #include <charconv>
 #include <cmath>
@@ -145,30 +148,44 @@ std::string JsonObject::pathOf(const std::string& key) const {
   return path_.empty() ? key : path_ + "." + key;
 }
 
-JsonLine::JsonLine(std::string where, const std::string& text) : where_(std::move(where)) {
-  document_.Parse<kParseFlags>(text.data(), text.size());
-  if (!document_.HasParseError()) return;
+JsonLine::JsonLine(std::string where, const std::string& text)
+    : where_(std::move(where)), document_(std::make_shared<rapidjson::Document>()) {
+  document_->Parse<kParseFlags>(text.data(), text.size());
+  if (!document_->HasParseError()) return;
   throw JsonLineError(where_ + ": invalid JSON at byte " +
-                      std::to_string(document_.GetErrorOffset()) + ": " +
-                      rapidjson::GetParseError_En(document_.GetParseError()));
+                      std::to_string(document_->GetErrorOffset()) + ": " +
+                      rapidjson::GetParseError_En(document_->GetParseError()));
 }
+
+JsonObject JsonLine::root() const { return {where_, "", *document_}; }
+
+struct JsonLineWriter::Output {
+  rapidjson::StringBuffer buffer;
+  rapidjson::Writer<rapidjson::StringBuffer> writer{buffer};
+};
+
+JsonLineWriter::JsonLineWriter() : output_(std::make_unique<Output>()) {}
+
+JsonLineWriter::~JsonLineWriter() = default;
+
+std::string JsonLineWriter::line() const { return output_->buffer.GetString(); }
 
 void JsonLineWriter::beginObject(const char* key) {
-  if (key != nullptr) writer_.Key(key);
-  writer_.StartObject();
+  if (key != nullptr) output_->writer.Key(key);
+  output_->writer.StartObject();
 }
 
-void JsonLineWriter::endObject() { writer_.EndObject(); }
+void JsonLineWriter::endObject() { output_->writer.EndObject(); }
 
 void JsonLineWriter::beginArray(const char* key) {
-  writer_.Key(key);
-  writer_.StartArray();
+  output_->writer.Key(key);
+  output_->writer.StartArray();
 }
 
-void JsonLineWriter::endArray() { writer_.EndArray(); }
+void JsonLineWriter::endArray() { output_->writer.EndArray(); }
 
 void JsonLineWriter::text(const char* key, const std::string& value) {
-  writer_.Key(key);
+  output_->writer.Key(key);
   write(value);
 }
 
@@ -179,7 +196,7 @@ void JsonLineWriter::texts(const char* key, const std::vector<std::string>& valu
 }
 
 void JsonLineWriter::number(const char* key, double value) {
-  writer_.Key(key);
+  output_->writer.Key(key);
   write(key, value);
 }
 
@@ -190,7 +207,7 @@ void JsonLineWriter::numbers(const char* key, const std::vector<double>& values)
 }
 
 void JsonLineWriter::write(const std::string& value) {
-  writer_.String(value.data(), static_cast<rapidjson::SizeType>(value.size()));
+  output_->writer.String(value.data(), static_cast<rapidjson::SizeType>(value.size()));
 }
 
 void JsonLineWriter::write(const char* key, double value) {
@@ -200,22 +217,23 @@ void JsonLineWriter::write(const char* key, double value) {
   }
   char digits[32];
   const std::to_chars_result end = std::to_chars(digits, digits + sizeof(digits), value);
-  writer_.RawValue(digits, static_cast<std::size_t>(end.ptr - digits), rapidjson::kNumberType);
+  output_->writer.RawValue(digits, static_cast<std::size_t>(end.ptr - digits),
+                           rapidjson::kNumberType);
 }
 
 void JsonLineWriter::count(const char* key, std::uint64_t value) {
-  writer_.Key(key);
-  writer_.Uint64(value);
+  output_->writer.Key(key);
+  output_->writer.Uint64(value);
 }
 
 void JsonLineWriter::flag(const char* key, bool value) {
-  writer_.Key(key);
-  writer_.Bool(value);
+  output_->writer.Key(key);
+  output_->writer.Bool(value);
 }
 
 void JsonLineWriter::null(const char* key) {
-  writer_.Key(key);
-  writer_.Null();
+  output_->writer.Key(key);
+  output_->writer.Null();
 }
 
 }  // namespace forge

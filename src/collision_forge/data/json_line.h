@@ -1,10 +1,9 @@
 #pragma once
 
-#include <rapidjson/document.h>
-#include <rapidjson/stringbuffer.h>
-#include <rapidjson/writer.h>
+#include <rapidjson/fwd.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -59,17 +58,20 @@ class JsonLine {
   /// Throws JsonLineError for what is no JSON in UTF-8, with the byte in the line.
   JsonLine(std::string where, const std::string& text);
 
-  JsonObject root() const { return {where_, "", document_}; }
+  JsonObject root() const;
 
  private:
   std::string where_;
-  rapidjson::Document document_;
+  std::shared_ptr<rapidjson::Document> document_;
 };
 
 /// Writes one line of JSON without spaces. Numbers are the shortest text that reads back as the
 /// same number, so the same values are the same bytes everywhere.
 class JsonLineWriter {
  public:
+  JsonLineWriter();
+  ~JsonLineWriter();
+
   void beginObject(const char* key = nullptr);
   void endObject();
   void beginArray(const char* key);
@@ -85,14 +87,14 @@ class JsonLineWriter {
   void null(const char* key);
 
   /// Without a line end.
-  std::string line() const { return buffer_.GetString(); }
+  std::string line() const;
 
  private:
   void write(const std::string& value);
   void write(const char* key, double value);
 
-  rapidjson::StringBuffer buffer_;
-  rapidjson::Writer<rapidjson::StringBuffer> writer_{buffer_};
+  struct Output;
+  std::unique_ptr<Output> output_;
 };
 
 }  // namespace forge

@@ -6,7 +6,7 @@ namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/scenario";
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;  // 1: pattern was the contact, not what was aimed at
 constexpr double kMicroseconds = 1e6;  // in a second
 
 double fromNow(double time, double now) {
@@ -73,12 +73,15 @@ void writeAttacker(JsonLineWriter& writer, const AttackerTrajectory& trajectory,
   writer.endObject();
 }
 
-void writePattern(JsonLineWriter& writer, const CollisionPattern& pattern, double now) {
+void writePattern(JsonLineWriter& writer, const CollisionPattern& pattern, const PatternMiss& miss,
+                  double now) {
   writer.beginObject("pattern");
   writer.number("t", fromNow(pattern.time, now));
   writePose(writer, "ego", pattern.ego.center);
   writePose(writer, "attacker_offset", pattern.attacker_offset);
   writer.number("attacker_speed", pattern.attacker_speed);
+  writer.number("miss_distance", miss.distance);
+  writer.number("miss_heading", miss.heading);
   writer.endObject();
 }
 
@@ -108,7 +111,7 @@ void writeAttack(JsonLineWriter& writer, const Realization& answer, double now) 
     return;
   }
   writeAttacker(writer, answer.trajectory, now);
-  writePattern(writer, answer.pattern, now);
+  writePattern(writer, answer.aim, answer.miss, now);
   writer.number("confidence", answer.report.confidence);
   writeReport(writer, answer.report, now);
 }
@@ -172,12 +175,13 @@ AttackerTrajectory readAttacker(JsonObject object, double now) {
   return trajectory;
 }
 
-CollisionPattern readPattern(JsonObject object, double now) {
+CollisionPattern readPattern(JsonObject object, double now, PatternMiss& miss) {
   CollisionPattern pattern;
   pattern.time = now + object.number("t");
   pattern.ego.center = readPose(object.object("ego"));
   pattern.attacker_offset = readPose(object.object("attacker_offset"));
   pattern.attacker_speed = object.number("attacker_speed");
+  miss = {object.number("miss_distance"), object.number("miss_heading")};
   object.finish();
   return pattern;
 }
@@ -225,7 +229,7 @@ void checkFormat(JsonObject& object) {
     object.fail("format", std::string("is not ") + kFormat);
   }
   if (object.number("version") != kVersion) {
-    object.fail("version", "is not " + std::to_string(kVersion));
+    object.fail("version", "is not " + std::to_string(kVersion) + "; generate the file anew");
   }
 }
 
@@ -240,10 +244,10 @@ void readAttack(JsonObject& object, const Scenario& scenario, Realization& answe
     return;
   }
   answer.trajectory = readAttacker(object.object("attacker"), now);
-  answer.pattern = readPattern(object.object("pattern"), now);
-  answer.pattern.type = scenario.asked.request.type;
-  answer.pattern.attacker_id = answer.trajectory.attacker_id;
-  answer.pattern.ego.size = scenario.ego.size;
+  answer.aim = readPattern(object.object("pattern"), now, answer.miss);
+  answer.aim.type = scenario.asked.request.type;
+  answer.aim.attacker_id = answer.trajectory.attacker_id;
+  answer.aim.ego.size = scenario.ego.size;
   answer.report = readReport(object.object("report"), now);
   answer.report.confidence = object.number("confidence");
 }

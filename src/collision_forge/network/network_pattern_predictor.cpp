@@ -1,6 +1,7 @@
 #include "collision_forge/network/network_pattern_predictor.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -33,6 +34,17 @@ std::vector<std::size_t> ranked(const std::vector<CandidateAnswer>& answers) {
     return answers[a].score > answers[b].score;
   });
   return order;
+}
+
+/// The pattern whose offset comes nearest.
+std::vector<CollisionPattern>::iterator nearestTo(const Pose2& offset,
+                                                  std::vector<CollisionPattern>& patterns,
+                                                  const BoxSize& attacker) {
+  const auto apart = [&](const CollisionPattern& pattern) {
+    return cornerMiss(missBetween(offset, pattern.attacker_offset), attacker);
+  };
+  return std::min_element(patterns.begin(), patterns.end(),
+                          [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
 }
 
 /// The ego's pose at impact in its frame now.
@@ -70,18 +82,14 @@ PatternPrediction NetworkPatternPredictor::predict(const Snapshot& snapshot, con
       scene.judge(attackers, ego, request.tta, request.type);
   std::vector<CollisionPattern> patterns;
   for (const std::size_t i : ranked(answers)) {
-    bool first = true;
-    for (const CollisionPattern& pattern : prediction.patterns) {
-      if (pattern.attacker_id != attackers[i]->id) continue;
-      if (first) {
-        CollisionPattern foretold = pattern;
-        foretold.ego = boxAt(snapshot.ego, compose(scene.ways().ego.state.pose, ego));
-        foretold.attacker_offset = answers[i].offset;
-        patterns.push_back(std::move(foretold));
-        first = false;
-      }
-      patterns.push_back(pattern);
-    }
+    std::vector<CollisionPattern> own;
+    std::copy_if(prediction.patterns.begin(), prediction.patterns.end(), std::back_inserter(own),
+                 [&](const auto& pattern) { return pattern.attacker_id == attackers[i]->id; });
+    const auto nearest = nearestTo(answers[i].offset, own, attackers[i]->size);
+    nearest->ego = boxAt(snapshot.ego, compose(scene.ways().ego.state.pose, ego));
+    nearest->attacker_offset = answers[i].offset;
+    std::rotate(own.begin(), nearest, nearest + 1);
+    patterns.insert(patterns.end(), own.begin(), own.end());
   }
   prediction.patterns = std::move(patterns);
   return prediction;

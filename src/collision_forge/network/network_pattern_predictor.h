@@ -10,8 +10,9 @@
 namespace forge {
 
 /// The network's ranking of the candidates, and as each one's first pattern the network's offset at
-/// the ego's most central pose at impact (in replay mode the recorded one). Who is a candidate, the
-/// other patterns and the motion that they assume are KinematicPatternPredictor's.
+/// the ego's most central pose at impact (in replay mode the recorded one), in place of the pattern
+/// that it comes nearest to. Who is a candidate, the other patterns and the motion that they assume
+/// are KinematicPatternPredictor's.
 class NetworkPatternPredictor : public PatternPredictor {
  public:
   /// Without networks (null) it is a KinematicPatternPredictor. A scene on test is judged by the

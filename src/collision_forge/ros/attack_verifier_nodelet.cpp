@@ -1,6 +1,5 @@
 #include <collision_forge/AgentArray.h>
-#include <collision_forge/AttackerTrajectory.h>
-#include <collision_forge/CollisionPattern.h>
+#include <collision_forge/Attack.h>
 #include <collision_forge/CollisionReport.h>
 #include <nav_msgs/Odometry.h>
 #include <nodelet/nodelet.h>
@@ -35,37 +34,25 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     map_ = std::make_unique<LaneMapSubscriber>(node);
     publisher_ = node.advertise<collision_forge::CollisionReport>(names::kTestedReport, 1, true);
     subscribers_ = {
-        node.subscribe(names::kCollisionPattern, 1, &AttackVerifierNodelet::receivePattern, this),
-        node.subscribe(names::kAttackerTrajectory, 1, &AttackVerifierNodelet::receiveTrajectory,
-                       this),
+        node.subscribe(names::kAttack, 1, &AttackVerifierNodelet::receiveAttack, this),
         node.subscribe(names::kOdometry, kQueue, &AttackVerifierNodelet::receiveOdometry, this),
         node.subscribe(names::kAgents, kQueue, &AttackVerifierNodelet::receiveAgents, this)};
   }
 
-  void receivePattern(const collision_forge::CollisionPattern& message) {
-    pattern_ = message;
+  void receiveAttack(const collision_forge::Attack& message) {
+    attack_ = message;
     startTest();
   }
 
-  void receiveTrajectory(const collision_forge::AttackerTrajectory& message) {
-    trajectory_ = message;
-    startTest();
-  }
-
-  /// Pattern and trajectory of one request come one after the other.
   void startTest() {
     test_.reset();
-    if (!pattern_ || !trajectory_ || pattern_->attacker_id != trajectory_->attacker_id ||
-        pattern_->header.stamp != trajectory_->header.stamp) {
-      return;
-    }
     try {
       CollisionRequest request;
-      request.type = fromMessage(*pattern_).type;
-      request.tta = pattern_->tta;
+      request.type = fromMessage(attack_->pattern).type;
+      request.tta = attack_->pattern.tta;
       request.mode = Mode::kReplay;
       request.crash = config_.crash;
-      test_.emplace(fromMessage(*trajectory_), request, config_.ego_vehicle);
+      test_.emplace(fromMessage(attack_->trajectory), request, config_.ego_vehicle);
       for (const AgentState& ego : egos_) test_->addEgo(ego);
       for (const Frame& frame : frames_) test_->addAgents(frame.agents);
     } catch (const std::exception& error) {
@@ -84,7 +71,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
       egos_.clear();
       dropFramesAfter(ego.time + kAhead);
       test_.reset();
-      if (trajectory_ && ego.time <= trajectory_->header.stamp.toSec()) startTest();
+      if (attack_ && ego.time <= attack_->header.stamp.toSec()) startTest();
     }
     keepNewest(egos_, ego);
     if (!test_) return;
@@ -126,14 +113,13 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     const auto report = test_->outcome(*lanes, config_.attack.verification);
     if (!report) return;
     publisher_.publish(
-        toMessage(*report, trajectory_->attacker_id, trajectory_->header.stamp.toSec()));
+        toMessage(*report, attack_->trajectory.attacker_id, attack_->header.stamp.toSec()));
     test_.reset();
   }
 
   Config config_;
   std::unique_ptr<LaneMapSubscriber> map_;
-  std::optional<collision_forge::CollisionPattern> pattern_;
-  std::optional<collision_forge::AttackerTrajectory> trajectory_;
+  std::optional<collision_forge::Attack> attack_;
   std::deque<AgentState> egos_;  // the newest, as an answer is later than its "now"
   std::deque<Frame> frames_;     // the same of everybody else
   std::optional<EgoTest> test_;

@@ -20,20 +20,20 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
   void onInit() override {
     ros::NodeHandle& node = getNodeHandle();
     publisher_ = node.advertise<collision_forge::AgentArray>(names::kInjectedAgents, kQueue);
-    trajectory_subscriber_ = node.subscribe(names::kAttackerTrajectory, 1,
-                                            &AttackerInjectorNodelet::receiveTrajectory, this);
+    attack_subscriber_ =
+        node.subscribe(names::kAttack, 1, &AttackerInjectorNodelet::receiveAttack, this);
     agents_subscriber_ =
         node.subscribe(names::kAgents, kQueue, &AttackerInjectorNodelet::receiveAgents, this);
   }
 
-  void receiveTrajectory(const collision_forge::AttackerTrajectory& message) {
+  void receiveAttack(const collision_forge::Attack& message) {
     try {
-      static_cast<void>(fromMessage(message));  // as the injector will for every frame
+      static_cast<void>(fromMessage(message.trajectory));  // as the injector will for every frame
     } catch (const MessageError& error) {
       NODELET_ERROR_STREAM("attack left out: " << error.what());
       return;
     }
-    injector_.emplace(message);
+    injector_.emplace(message.trajectory);
     if (last_) injector_->remember(*last_);
   }
 
@@ -45,7 +45,7 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
   std::optional<AttackerInjector> injector_;
   collision_forge::AgentArray::ConstPtr last_;  // tells the injector the attacker's height
   ros::Publisher publisher_;
-  ros::Subscriber trajectory_subscriber_;
+  ros::Subscriber attack_subscriber_;
   ros::Subscriber agents_subscriber_;
 };
 

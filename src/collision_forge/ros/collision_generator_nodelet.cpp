@@ -1,50 +1,45 @@
+#include <collision_forge/AttackMethods.h>
 #include <collision_forge/EncodedScene.h>
 #include <collision_forge/GenerateCollision.h>
-#include <collision_forge/PredictPattern.h>
-#include <collision_forge/PredictedPatterns.h>
-#include <collision_forge/RealizeTrajectory.h>
 #include <nodelet/nodelet.h>
 #include <pluginlib/class_list_macros.hpp>
 
-#include <chrono>
 #include <cmath>
-#include <future>
 #include <mutex>
 #include <optional>
 
-#include "collision_forge/attack/request_check.h"
+#include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/service_search.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 
-/// The front door: answers generate_collision by way of predict_pattern and realize_trajectory and
-/// publishes what came out. Replay mode needs the private parameter `recording`, the bag on replay.
+/// The front door: answers generate_collision and publishes the attack. The default method goes by
+/// way of predict_pattern and realize_trajectory, all others run here. Replay mode needs the
+/// private parameter `recording`, the bag on replay.
 class CollisionGeneratorNodelet : public nodelet::Nodelet {
  private:
   using Request = collision_forge::GenerateCollision::Request;
   using Response = collision_forge::GenerateCollision::Response;
-  static constexpr std::chrono::seconds kAnswerTimeout{10};  // hundreds of times the usual
 
   void onInit() override {
     ros::NodeHandle& node = getNodeHandle();
-    const Config config = loadNodeConfig(getPrivateNodeHandle());
-    options_ = config.attack;
-    loadRecording(config.ego_vehicle);
-    predicted_publisher_ =
-        node.advertise<collision_forge::PredictedPatterns>(names::kPredictedPatterns, 1, true);
-    pattern_publisher_ =
-        node.advertise<collision_forge::CollisionPattern>(names::kCollisionPattern, 1, true);
-    trajectory_publisher_ =
-        node.advertise<collision_forge::AttackerTrajectory>(names::kAttackerTrajectory, 1, true);
-    report_publisher_ =
-        node.advertise<collision_forge::CollisionReport>(names::kCollisionReport, 1, true);
+    config_ = loadNodeConfig(getPrivateNodeHandle());
+    loadLogged("methods", [&] {
+      methods_ = loadMethods(config_);
+      foresight_ = loadForesight(config_);
+    });
+    default_method_ = defaultMethod(foresight_.networks != nullptr);
+    loadRecording(config_.ego_vehicle);
+    map_ = std::make_unique<LaneMapSubscriber>(node);
+    search_ = std::make_unique<ServiceSearch>(node);
+    attacks_ = node.advertise<collision_forge::Attack>(names::kAttack, 1, true);
+    publishMethods(node);
     scene_subscriber_ =
         node.subscribe(names::kEncodedScene, 1, &CollisionGeneratorNodelet::receive, this);
-    predict_name_ = node.resolveName(names::kPredictPattern);
-    realize_name_ = node.resolveName(names::kRealizeTrajectory);
     service_ = std::make_unique<OwnThreadService>(node, names::kGenerateCollision,
                                                   &CollisionGeneratorNodelet::answer, this);
   }
@@ -61,22 +56,31 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     for (const std::string& warning : warnings) NODELET_WARN_STREAM(path << ": " << warning);
   }
 
+  void publishMethods(ros::NodeHandle& node) {
+    collision_forge::AttackMethods message;
+    message.default_method = default_method_;
+    for (const MethodRegistry::Entry& entry : methods_.entries()) {
+      message.names.push_back(entry.name);
+      message.descriptions.push_back(entry.description);
+    }
+    methods_publisher_ =
+        node.advertise<collision_forge::AttackMethods>(names::kAttackMethods, 1, true);
+    methods_publisher_.publish(message);
+  }
+
   void receive(const collision_forge::EncodedScene::ConstPtr& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
     scene_ = message;
   }
 
   bool answer(Request& message, Response& response) {
-    const Status status = generate(message, response);
-    response.code = static_cast<std::uint8_t>(status.code);
-    response.message = status.message;
-    if (status.code != StatusCode::kOk) {
-      NODELET_INFO_STREAM(toString(status.code) << ": " << status.message);
-      return true;
+    answerWith(response, [&] { return generate(message, response.attack); });
+    if (response.code == Response::OK) {
+      attacks_.publish(response.attack);
+    } else {
+      NODELET_INFO_STREAM(toString(static_cast<StatusCode>(response.code))
+                          << ": " << response.message);
     }
-    pattern_publisher_.publish(response.pattern);
-    trajectory_publisher_.publish(response.trajectory);
-    report_publisher_.publish(response.report);
     return true;
   }
 
@@ -85,9 +89,8 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     return scene_;
   }
 
-  Status generate(const Request& message, Response& response) {
-    collision_forge::PredictPattern predict;
-    collision_forge::CollisionRequest& asked = predict.request.request;
+  Status generate(const Request& message, collision_forge::Attack& attack) {
+    collision_forge::CollisionRequest asked;
     asked.collision_type = message.collision_type;
     asked.tta = message.tta;
     asked.attacker_id = message.attacker_id;
@@ -95,46 +98,45 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     asked.seed = message.seed;
     const auto parsed = fromMessage(asked);
     if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
-    const auto& request = std::get<CollisionRequest>(parsed);
-
+    CollisionRequest request = std::get<CollisionRequest>(parsed);
+    request.crash = config_.crash;
+    const std::string method = message.method.empty() ? default_method_ : message.method;
+    if (!methods_.has(method)) {
+      return {StatusCode::kInvalidInput,
+              "method = \"" + method + "\" is none of the topic attack_methods"};
+    }
     const auto scene = newestScene();
     if (!scene) {
       return {StatusCode::kNoScene,
               "no encoded_scene yet: agents, lane_map and /tf must be published"};
     }
-    const Status check = checkRequest(request, fromMessage(*scene), options_.prediction);
-    if (check.code != StatusCode::kOk) return check;
+    std::optional<Future> recorded;
     if (request.mode == Mode::kReplay) {
-      const Status status =
-          fillRecorded(scene->header.stamp.toSec(), predict.request.recorded_future);
+      const Status status = findRecorded(scene->header.stamp.toSec(), recorded);
       if (status.code != StatusCode::kOk) return status;
     }
-    predict.request.scene = *scene;
-    return predictAndRealize(predict, response);
+    if (method == default_method_) {
+      const Status status = search_->generate(scene->snapshot, asked, recorded, attack);
+      attack.method = method;
+      return status;
+    }
+    return generateHere(method, scene->snapshot, request, std::move(recorded), attack);
   }
 
-  Status predictAndRealize(collision_forge::PredictPattern& predict, Response& response) {
-    if (!callService(predict_name_, predict)) return unavailable(predict_name_);
-    if (predict.response.code != Response::OK) return statusOf(predict.response);
-
-    collision_forge::PredictedPatterns predicted;
-    predicted.header = predict.request.scene.header;
-    predicted.patterns = predict.response.patterns;
-    predicted_publisher_.publish(predicted);
-    collision_forge::RealizeTrajectory realize;
-    realize.request.scene = std::move(predict.request.scene);
-    realize.request.request = predict.request.request;
-    realize.request.patterns = std::move(predict.response.patterns);
-    realize.request.future = std::move(predict.response.future);
-    if (!callService(realize_name_, realize)) return unavailable(realize_name_);
-    if (realize.response.code != Response::OK) return statusOf(realize.response);
-    response.pattern = std::move(realize.response.pattern);
-    response.trajectory = std::move(realize.response.trajectory);
-    response.report = std::move(realize.response.report);
-    return {};
+  Status generateHere(const std::string& name, const collision_forge::SceneSnapshot& scene,
+                      const CollisionRequest& request, std::optional<Future> recorded,
+                      collision_forge::Attack& attack) const {
+    const auto lanes = map_->lanes();
+    if (!lanes) return {StatusCode::kNoScene, "no usable lane_map has come yet"};
+    const Moment moment{fromMessage(scene), std::move(recorded), lanes};
+    const auto method = MethodMaker(name, methods_, config_.attack, foresight_).make();
+    const Realization found =
+        generateCollision(*method, moment, request, config_.attack.prediction);
+    if (found.status.code == StatusCode::kOk) attack = toMessage(found, name, moment.snapshot.now);
+    return found.status;
   }
 
-  Status fillRecorded(double now, collision_forge::Future& future) const {
+  Status findRecorded(double now, std::optional<Future>& recorded) const {
     if (!recording_) {
       return {StatusCode::kNoRecording,
               "mode = replay needs the parameter recording, the bag on replay"};
@@ -146,49 +148,22 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
                                             "\" has no frame at now = " + std::to_string(now) +
                                             " s: is another bag playing?"};
     }
-    future = toMessage(recordedFuture(*recording_, *frame));
+    recorded = recordedFuture(*recording_, *frame);
     return {};
   }
 
-  /// True when the service has answered within kAnswerTimeout.
-  template <typename Service>
-  static bool callOnce(const std::string& name, Service& service) {
-    // A persistent client, because shutting it down ends a call that is under way.
-    ros::ServiceClient client = ros::NodeHandle().serviceClient<Service>(name, true);
-    auto answer = std::async(std::launch::async, [&] { return client.call(service); });
-    if (answer.wait_for(kAnswerTimeout) == std::future_status::timeout) client.shutdown();
-    return answer.get();
-  }
-
-  /// roscpp loses a connection now and then (seen: 1 call in 20,000). The nodes behind answer the
-  /// same again, so a call that failed at once is tried once more.
-  template <typename Service>
-  static bool callService(const std::string& name, Service& service) {
-    const auto start = std::chrono::steady_clock::now();
-    if (callOnce(name, service)) return true;
-    return std::chrono::steady_clock::now() - start < kAnswerTimeout && callOnce(name, service);
-  }
-
-  static Status unavailable(const std::string& service) {
-    return {StatusCode::kNodeUnavailable, "the node behind " + service + " does not answer"};
-  }
-
-  template <typename ServiceResponse>
-  static Status statusOf(const ServiceResponse& response) {
-    return {static_cast<StatusCode>(response.code), response.message};
-  }
-
-  AttackOptions options_;
+  Config config_;
+  MethodRegistry methods_;
+  Foresight foresight_;
+  std::string default_method_;
   std::optional<Scene> recording_;
+  std::unique_ptr<LaneMapSubscriber> map_;
+  std::unique_ptr<ServiceSearch> search_;
   std::mutex mutex_;
-  collision_forge::EncodedScene::ConstPtr scene_;
-  std::string predict_name_;
-  std::string realize_name_;
+  collision_forge::EncodedScene::ConstPtr scene_;  // the newest, behind the mutex
   ros::Subscriber scene_subscriber_;
-  ros::Publisher predicted_publisher_;
-  ros::Publisher pattern_publisher_;
-  ros::Publisher trajectory_publisher_;
-  ros::Publisher report_publisher_;
+  ros::Publisher attacks_;
+  ros::Publisher methods_publisher_;
   std::unique_ptr<OwnThreadService> service_;
 };
 

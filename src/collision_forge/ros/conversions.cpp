@@ -239,7 +239,7 @@ collision_forge::Future toMessage(const Future& future) {
   return message;
 }
 
-Snapshot fromMessage(const collision_forge::EncodedScene& message) {
+Snapshot fromMessage(const collision_forge::SceneSnapshot& message) {
   Snapshot snapshot;
   snapshot.now = message.header.stamp.toSec();
   snapshot.ego = fromMessage(message.ego);
@@ -247,12 +247,19 @@ Snapshot fromMessage(const collision_forge::EncodedScene& message) {
   return snapshot;
 }
 
-collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEncoding& encoding) {
-  collision_forge::EncodedScene message;
+collision_forge::SceneSnapshot toMessage(const Snapshot& snapshot) {
+  collision_forge::SceneSnapshot message;
   message.header.frame_id = names::kMapFrame;
   message.header.stamp = stampOf(snapshot.now);
   message.ego = toMessage(snapshot.ego);
   for (const Track& agent : snapshot.agents) message.agents.push_back(toMessage(agent));
+  return message;
+}
+
+collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEncoding& encoding) {
+  collision_forge::EncodedScene message;
+  message.snapshot = toMessage(snapshot);
+  message.header = message.snapshot.header;
   message.agent_features = toMessage(encoding.agent_features);
   message.agent_mask = toMessage(encoding.agent_mask);
   message.lane_features = toMessage(encoding.lane_features);
@@ -349,6 +356,20 @@ collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajecto
   message.agent_class = static_cast<std::uint8_t>(trajectory.agent_class);
   message.size = toMessage(trajectory.size);
   for (const TrajectoryPoint& point : trajectory.points) message.points.push_back(toMessage(point));
+  return message;
+}
+
+collision_forge::Attack toMessage(const Realization& answer, const std::string& method,
+                                  double now) {
+  collision_forge::Attack message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stampOf(now);
+  message.method = method;
+  message.pattern = toMessage(answer.aim, now);
+  message.miss_distance = answer.miss.distance;
+  message.miss_heading = answer.miss.heading;
+  message.trajectory = toMessage(answer.trajectory);
+  message.report = toMessage(answer.report, answer.trajectory.attacker_id, now);
   return message;
 }
 

@@ -2,6 +2,7 @@
 
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/AgentTrack.h>
+#include <collision_forge/Attack.h>
 #include <collision_forge/AttackerTrajectory.h>
 #include <collision_forge/CollisionPattern.h>
 #include <collision_forge/CollisionReport.h>
@@ -21,6 +22,7 @@
 #include <variant>
 #include <vector>
 
+#include "collision_forge/attack/realizer.h"
 #include "collision_forge/network/scene_encoding.h"
 #include "collision_forge/planners/planner.h"
 #include "collision_forge/scene/attack.h"
@@ -59,7 +61,8 @@ Future fromMessage(const collision_forge::Future& message);
 collision_forge::Future toMessage(const Future& future);
 
 /// The snapshot in an encoded scene, without a map.
-Snapshot fromMessage(const collision_forge::EncodedScene& message);
+Snapshot fromMessage(const collision_forge::SceneSnapshot& message);
+collision_forge::SceneSnapshot toMessage(const Snapshot& snapshot);
 collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEncoding& encoding);
 
 /// The request, or why there is none: UNKNOWN_TYPE or INVALID_INPUT. An empty mode is history.
@@ -76,6 +79,9 @@ collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajecto
 
 collision_forge::CollisionReport toMessage(const CollisionReport& report,
                                            const std::string& attacker_id, double now);
+
+/// An answer with kOk. `now`: of the snapshot.
+collision_forge::Attack toMessage(const Realization& answer, const std::string& method, double now);
 
 /// What an external planner is told; `test` and `interval` as in the message.
 collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,

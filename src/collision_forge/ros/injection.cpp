@@ -30,13 +30,6 @@ TrajectoryPoint pointAt(const AttackerTrajectory& trajectory, double time) {
   return point;
 }
 
-void writeAttack(NewBag& bag, const ros::Time& time, const AttackMessages& attack) {
-  bag.writeLatched(bagTopic(names::kCollisionPattern), time, attack.pattern);
-  bag.writeLatched(bagTopic(names::kAttackerTrajectory), time, attack.trajectory);
-  bag.writeLatched(bagTopic(names::kCollisionReport), time, attack.report);
-  bag.writeLatched(bagTopic(names::kTestedReport), time, attack.tested_report);
-}
-
 /// Every frame of agents with the attack in it, by the time at which it was recorded.
 std::map<ros::Time, collision_forge::AgentArray> injectedFrames(
     const rosbag::Bag& bag, const collision_forge::AttackerTrajectory& trajectory) {
@@ -99,18 +92,24 @@ collision_forge::AgentArray AttackerInjector::inject(collision_forge::AgentArray
   return agents;
 }
 
-void injectIntoBag(const std::string& in, const std::string& out, const AttackMessages& attack) {
+void injectIntoBag(const std::string& in, const std::string& out,
+                   const collision_forge::Attack& attack,
+                   const collision_forge::CollisionReport& tested_report) {
   try {
     const rosbag::Bag source(in, rosbag::bagmode::Read);
     NewBag target(out);
     const ros::Time now = attack.trajectory.header.stamp;
     const auto frames = injectedFrames(source, attack.trajectory);
     bool added = false;
+    const auto write_attack = [&] {
+      target.writeLatched(bagTopic(names::kAttack), now, attack);
+      target.writeLatched(bagTopic(names::kTestedReport), now, tested_report);
+    };
     for (const rosbag::MessageInstance& instance : rosbag::View(source)) {
       const std::string& topic = instance.getTopic();
       const ros::Time time = instance.getTime();
       if (!added && time > now) {
-        writeAttack(target, now, attack);
+        write_attack();
         added = true;
       }
       // Messages of the same time come in any order: markers may come before the agents they show.
@@ -129,7 +128,7 @@ void injectIntoBag(const std::string& in, const std::string& out, const AttackMe
       }
       target.write(topic, time, instance, instance.getConnectionHeader());
     }
-    if (!added) writeAttack(target, now, attack);
+    if (!added) write_attack();
     target.commit();
   } catch (const rosbag::BagException& error) {
     throw BagError(in + " to " + out + ": " + error.what());

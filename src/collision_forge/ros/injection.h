@@ -1,8 +1,7 @@
 #pragma once
 
 #include <collision_forge/AgentArray.h>
-#include <collision_forge/AttackerTrajectory.h>
-#include <collision_forge/CollisionPattern.h>
+#include <collision_forge/Attack.h>
 #include <collision_forge/CollisionReport.h>
 
 #include <string>
@@ -31,17 +30,12 @@ class AttackerInjector {
   bool is_remembered_ = false;
 };
 
-/// What a generated collision adds to a bag.
-struct AttackMessages {
-  collision_forge::CollisionPattern pattern;
-  collision_forge::AttackerTrajectory trajectory;
-  collision_forge::CollisionReport report;         ///< at generation
-  collision_forge::CollisionReport tested_report;  ///< against the recorded future
-};
-
 /// Copies the bag at `in` to `out`: the attacker's recorded future in /agents and
-/// /annotation_markers is replaced, the four messages are added (latched, at the trajectory's
-/// start), every other message is copied byte for byte with its connection. Throws BagError.
-void injectIntoBag(const std::string& in, const std::string& out, const AttackMessages& attack);
+/// /annotation_markers is replaced, the attack and the report against the recorded
+/// future are added (latched, at the trajectory's start), every other message is copied byte for
+/// byte with its connection. Throws BagError.
+void injectIntoBag(const std::string& in, const std::string& out,
+                   const collision_forge::Attack& attack,
+                   const collision_forge::CollisionReport& tested_report);
 
 }  // namespace forge

@@ -178,7 +178,7 @@ MarkerArray mapMarkers(const collision_forge::LaneMap& map) {
   return markers.take();
 }
 
-MarkerArray sceneMarkers(const collision_forge::EncodedScene& scene) {
+MarkerArray sceneMarkers(const collision_forge::SceneSnapshot& scene) {
   MarkerList markers(scene.header);
   for (const auto& agent : scene.agents) {
     addTrack("agents", agent, scene.header.stamp, colors::agentColor(agent.agent_class), markers);
@@ -188,7 +188,7 @@ MarkerArray sceneMarkers(const collision_forge::EncodedScene& scene) {
 }
 
 MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
-                           const collision_forge::EncodedScene& scene) {
+                           const collision_forge::SceneSnapshot& scene) {
   MarkerList markers(predicted.header);
   float alpha = kPatternAlpha;
   for (std::size_t i = 0; i < std::min(kShownPatterns, predicted.patterns.size()); ++i) {
@@ -209,10 +209,11 @@ MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
   return markers.take();
 }
 
-MarkerArray attackMarkers(const collision_forge::CollisionPattern& pattern,
-                          const collision_forge::AttackerTrajectory& trajectory,
-                          const collision_forge::CollisionReport& report) {
-  MarkerList markers(trajectory.header);
+MarkerArray attackMarkers(const collision_forge::Attack& attack) {
+  const auto& pattern = attack.pattern;
+  const auto& trajectory = attack.trajectory;
+  const auto& report = attack.report;
+  MarkerList markers(attack.header);
   const OrientedBox pattern_ego{fromMessage(pattern.ego), sizeOf(pattern.ego_size)};
   const OrientedBox pattern_attacker{
       compose(pattern_ego.center, fromMessage(pattern.attacker_offset)), sizeOf(trajectory.size)};

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <collision_forge/AgentArray.h>
-#include <collision_forge/AttackerTrajectory.h>
-#include <collision_forge/CollisionPattern.h>
-#include <collision_forge/CollisionReport.h>
-#include <collision_forge/EncodedScene.h>
+#include <collision_forge/Attack.h>
 #include <collision_forge/LaneMap.h>
 #include <collision_forge/PredictedPatterns.h>
+#include <collision_forge/SceneSnapshot.h>
 #include <visualization_msgs/MarkerArray.h>
 
 /// Messages as RViz shows them. Frame and stamp are those of the message's header; every array
@@ -17,18 +15,16 @@ namespace forge {
 visualization_msgs::MarkerArray mapMarkers(const collision_forge::LaneMap& map);
 
 /// The ego and the agents present now: box, past trail, and the start of its id on what can attack.
-visualization_msgs::MarkerArray sceneMarkers(const collision_forge::EncodedScene& scene);
+visualization_msgs::MarkerArray sceneMarkers(const collision_forge::SceneSnapshot& scene);
 
 /// The first patterns as pairs of ghosts, the ego's and the attacker's box at impact, the fainter
 /// the less promising. Attackers have their size in `scene`; who is not there is left out.
 visualization_msgs::MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
-                                               const collision_forge::EncodedScene& scene);
+                                               const collision_forge::SceneSnapshot& scene);
 
 /// The attacker's way to the contact with a ghost every half second, the pattern's two boxes, both
 /// vehicles at contact, and what the report says in words.
-visualization_msgs::MarkerArray attackMarkers(const collision_forge::CollisionPattern& pattern,
-                                              const collision_forge::AttackerTrajectory& trajectory,
-                                              const collision_forge::CollisionReport& report);
+visualization_msgs::MarkerArray attackMarkers(const collision_forge::Attack& attack);
 
 /// A box and the start of its id for everybody.
 visualization_msgs::MarkerArray annotationMarkers(const collision_forge::AgentArray& agents);

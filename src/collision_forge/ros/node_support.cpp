@@ -37,7 +37,7 @@ void LaneMapSubscriber::receive(const collision_forge::LaneMap& message) {
 }
 
 std::variant<CheckedRequest, Status> checkedRequest(
-    const LaneMapSubscriber& map, const collision_forge::EncodedScene& scene,
+    const LaneMapSubscriber& map, const collision_forge::SceneSnapshot& scene,
     const collision_forge::CollisionRequest& request, const PredictionOptions& options,
     const CrashDefinition& crash) {
   const auto parsed = fromMessage(request);

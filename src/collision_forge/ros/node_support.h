@@ -1,8 +1,8 @@
 #pragma once
 
 #include <collision_forge/CollisionRequest.h>
-#include <collision_forge/EncodedScene.h>
 #include <collision_forge/LaneMap.h>
+#include <collision_forge/SceneSnapshot.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
@@ -60,7 +60,7 @@ struct CheckedRequest {
 
 /// The messages converted and passed through checkRequest(), or why that failed.
 std::variant<CheckedRequest, Status> checkedRequest(
-    const LaneMapSubscriber& map, const collision_forge::EncodedScene& scene,
+    const LaneMapSubscriber& map, const collision_forge::SceneSnapshot& scene,
     const collision_forge::CollisionRequest& request, const PredictionOptions& options,
     const CrashDefinition& crash);
 

@@ -1,5 +1,4 @@
-#include <collision_forge/AttackerTrajectory.h>
-#include <collision_forge/CollisionPattern.h>
+#include <collision_forge/Attack.h>
 #include <collision_forge/PlannerOutcome.h>
 #include <collision_forge/TestPlanner.h>
 #include <nodelet/nodelet.h>
@@ -70,10 +69,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     outcomes_ = node.advertise<collision_forge::PlannerOutcome>(names::kPlannerOutcome, 1, true);
     markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kPlannerMarkers, 1, true);
     maps_ = node.advertise<collision_forge::LaneMap>(names::kTestedMap, 1, true);
-    subscribers_ = {
-        node.subscribe(names::kCollisionPattern, 1, &PlannerTesterNodelet::receivePattern, this),
-        node.subscribe(names::kAttackerTrajectory, 1, &PlannerTesterNodelet::receiveTrajectory,
-                       this)};
+    subscribers_ = {node.subscribe(names::kAttack, 1, &PlannerTesterNodelet::receiveAttack, this)};
     service_ = std::make_unique<OwnThreadService>(node, names::kTestPlanner,
                                                   &PlannerTesterNodelet::answer, this);
   }
@@ -95,14 +91,9 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     }
   }
 
-  void receivePattern(const collision_forge::CollisionPatternConstPtr& message) {
+  void receiveAttack(const collision_forge::AttackConstPtr& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    pattern_ = message;
-  }
-
-  void receiveTrajectory(const collision_forge::AttackerTrajectoryConstPtr& message) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    trajectory_ = message;
+    attack_ = message;
   }
 
   bool answer(Request& request, Response& response) {
@@ -194,17 +185,17 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
   collision_forge::AttackerTrajectory trajectoryOf(const Request& request) {
     if (!request.trajectory.points.empty()) return request.trajectory;
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!trajectory_ || trajectory_->points.empty()) {
+    if (!attack_ || attack_->trajectory.points.empty()) {
       refuse(Response::NO_SCENARIO,
-             "neither scenario nor trajectory is given, and no attacker_trajectory has come yet");
+             "neither scenario nor trajectory is given, and no attack has come yet");
     }
-    return *trajectory_;
+    return attack_->trajectory;
   }
 
-  /// Empty where the newest pattern is of another attack.
+  /// Empty where the newest attack is another one.
   std::string newestTypeOf(const ros::Time& now) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return pattern_ && pattern_->header.stamp == now ? pattern_->collision_type : "";
+    return attack_ && attack_->header.stamp == now ? attack_->pattern.collision_type : "";
   }
 
   /// The map around the test, and a frame at the ego for RViz to look at.
@@ -232,9 +223,8 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
   std::string planners_text_;
   std::unique_ptr<TrialScenarios> scenarios_;
   std::unique_ptr<ExternalPlanner> external_;
-  std::mutex mutex_;  // of the next two
-  collision_forge::CollisionPatternConstPtr pattern_;
-  collision_forge::AttackerTrajectoryConstPtr trajectory_;
+  std::mutex mutex_;
+  collision_forge::AttackConstPtr attack_;  // the newest, behind the mutex
   tf2_ros::StaticTransformBroadcaster frames_;
   ros::Publisher outcomes_;
   ros::Publisher markers_;

@@ -1,3 +1,4 @@
+#include <collision_forge/EncodedScene.h>
 #include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -22,9 +23,7 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
         node.subscribe(names::kLaneMap, 1, &SceneVisualizerNodelet::onMap, this),
         node.subscribe(names::kEncodedScene, 1, &SceneVisualizerNodelet::onScene, this),
         node.subscribe(names::kPredictedPatterns, 1, &SceneVisualizerNodelet::onPredicted, this),
-        node.subscribe(names::kCollisionPattern, 1, &SceneVisualizerNodelet::onPattern, this),
-        node.subscribe(names::kAttackerTrajectory, 1, &SceneVisualizerNodelet::onTrajectory, this),
-        node.subscribe(names::kCollisionReport, 1, &SceneVisualizerNodelet::onReport, this)};
+        node.subscribe(names::kAttack, 1, &SceneVisualizerNodelet::onAttack, this)};
   }
 
   void onMap(const collision_forge::LaneMapConstPtr& map) {
@@ -33,43 +32,20 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
 
   void onScene(const collision_forge::EncodedSceneConstPtr& scene) {
     scene_ = scene;
-    scene_markers_.publish(sceneMarkers(*scene));
+    scene_markers_.publish(sceneMarkers(scene->snapshot));
     clearFutureAttack(*scene);
   }
 
   /// Of the newest scene, as requests are.
   void onPredicted(const collision_forge::PredictedPatternsConstPtr& predicted) {
     if (!scene_) return;
-    pattern_markers_.publish(patternMarkers(*predicted, *scene_));
+    pattern_markers_.publish(patternMarkers(*predicted, scene_->snapshot));
     patterns_start_ = predicted->header.stamp;
   }
 
-  void onPattern(const collision_forge::CollisionPatternConstPtr& pattern) {
-    pattern_ = pattern;
-    showAttack();
-  }
-
-  void onTrajectory(const collision_forge::AttackerTrajectoryConstPtr& trajectory) {
-    trajectory_ = trajectory;
-    showAttack();
-  }
-
-  void onReport(const collision_forge::CollisionReportConstPtr& report) {
-    report_ = report;
-    showAttack();
-  }
-
-  /// Waits until pattern, trajectory and report are those of one request.
-  void showAttack() {
-    if (!pattern_ || !trajectory_ || !report_) return;
-    const auto belongs = [this](const auto& message) {
-      return message.header.stamp == trajectory_->header.stamp &&
-             message.attacker_id == trajectory_->attacker_id;
-    };
-    if (!belongs(*pattern_) || !belongs(*report_)) return;
-    attack_markers_.publish(attackMarkers(*pattern_, *trajectory_, *report_));
-    attack_start_ = trajectory_->header.stamp;
-    forgetMessages();
+  void onAttack(const collision_forge::Attack& attack) {
+    attack_markers_.publish(attackMarkers(attack));
+    attack_start_ = attack.header.stamp;
   }
 
   /// A scene from before the attack was made means that the recording started anew.
@@ -81,13 +57,6 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
     if (scene.header.stamp >= attack_start_) return;
     attack_markers_.publish(noMarkers(scene.header));
     attack_start_ = ros::Time();
-    forgetMessages();
-  }
-
-  void forgetMessages() {
-    pattern_.reset();
-    trajectory_.reset();
-    report_.reset();
   }
 
   ros::Publisher map_markers_;
@@ -95,9 +64,6 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
   ros::Publisher pattern_markers_;
   ros::Publisher attack_markers_;
   collision_forge::EncodedSceneConstPtr scene_;
-  collision_forge::CollisionPatternConstPtr pattern_;
-  collision_forge::AttackerTrajectoryConstPtr trajectory_;
-  collision_forge::CollisionReportConstPtr report_;
   ros::Time patterns_start_;  ///< "now" of the patterns that are shown; zero: none
   ros::Time attack_start_;    ///< "now" of the attack that is shown; zero: none
   std::vector<ros::Subscriber> subscribers_;

@@ -13,11 +13,10 @@ inline constexpr char kTf[] = "/tf";
 inline constexpr char kStaticTf[] = "/tf_static";
 
 // Made by the suite.
-inline constexpr char kEncodedScene[] = "encoded_scene";              // EncodedScene
-inline constexpr char kPredictedPatterns[] = "predicted_patterns";    // PredictedPatterns, latched
-inline constexpr char kCollisionPattern[] = "collision_pattern";      // CollisionPattern, latched
-inline constexpr char kAttackerTrajectory[] = "attacker_trajectory";  // AttackerTrajectory, latched
-inline constexpr char kCollisionReport[] = "collision_report";        // CollisionReport, latched
+inline constexpr char kEncodedScene[] = "encoded_scene";            // EncodedScene
+inline constexpr char kPredictedPatterns[] = "predicted_patterns";  // PredictedPatterns, latched
+inline constexpr char kAttack[] = "attack";                         // Attack, latched
+inline constexpr char kAttackMethods[] = "attack_methods";          // AttackMethods, latched
 inline constexpr char kTestedReport[] = "tested_report";  // CollisionReport, latched: as it came
 inline constexpr char kInjectedAgents[] = "injected_agents";  // AgentArray
 inline constexpr char kMapMarkers[] = "map_markers";          // MarkerArray, latched

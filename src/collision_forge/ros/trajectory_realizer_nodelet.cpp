@@ -37,12 +37,9 @@ class TrajectoryRealizerNodelet : public nodelet::Nodelet {
     std::vector<CollisionPattern> patterns;
     for (const auto& pattern : message.patterns) patterns.push_back(fromMessage(pattern));
     const Realization realization =
-        realize(patterns, {snapshot, future, request, *lanes}, options_);
+        realize(patterns, {snapshot, future, request, *lanes}, options_, message.exact);
     if (realization.status.code != StatusCode::kOk) return realization.status;
-    const std::string& attacker = realization.trajectory.attacker_id;
-    response.pattern = toMessage(realization.pattern, snapshot.now);
-    response.trajectory = toMessage(realization.trajectory);
-    response.report = toMessage(realization.report, attacker, snapshot.now);
+    response.attack = toMessage(realization, "", snapshot.now);
     return realization.status;
   }
 

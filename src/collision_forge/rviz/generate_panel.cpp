@@ -27,6 +27,7 @@ namespace {
 using collision_forge::GenerateCollision;
 
 constexpr char kAnyAttacker[] = "any";
+constexpr char kDefaultMethod[] = "default";
 constexpr int kShortestAttackerField = 12;  // letters
 constexpr int kResultLines = 7;
 
@@ -36,9 +37,10 @@ constexpr char kTtaKey[] = "Time To Accident";
 constexpr char kAttackerKey[] = "Attacker";
 constexpr char kModeKey[] = "Mode";
 constexpr char kSeedKey[] = "Seed";
+constexpr char kMethodKey[] = "Method";
 
 QString successText(const GenerateCollision::Response& response) {
-  const auto& report = response.report;
+  const auto& report = response.attack.report;
   const double contact_time = (report.contact_time - report.header.stamp).toSec();
   return QString(
              "<b>%1</b> by %2<table>"
@@ -47,7 +49,7 @@ QString successText(const GenerateCollision::Response& response) {
              "<tr><td>Sides</td><td align=right>%5 to ego's %6</td></tr>"
              "<tr><td>Impact speed</td><td align=right>%7 m/s</td></tr>"
              "<tr><td>Confidence</td><td align=right>%8</td></tr></table>")
-      .arg(QString::fromStdString(response.pattern.collision_type),
+      .arg(QString::fromStdString(response.attack.pattern.collision_type),
            QString::fromStdString(report.attacker_id).toHtmlEscaped())
       .arg(contact_time, 0, 'f', 2)
       .arg(report.relative_heading * 180 / M_PI, 0, 'f', 0)
@@ -63,7 +65,7 @@ QString failureText(const GenerateCollision::Response& response) {
       .arg(QString::fromStdString(response.message).toHtmlEscaped());
 }
 
-QStringList attackersIn(const collision_forge::EncodedScene& scene) {
+QStringList attackersIn(const collision_forge::SceneSnapshot& scene) {
   QStringList ids;
   for (const auto& agent : scene.agents) {
     const bool is_known = agent.agent_class <= collision_forge::Agent::STATIC_OBJECT;
@@ -90,13 +92,15 @@ GeneratePanel::GeneratePanel(QWidget* parent) : rviz::Panel(parent) {
   createLayout();
   connect(generate_, &QPushButton::clicked, this, &GeneratePanel::generate);
   connect(&answer_, &QFutureWatcherBase::finished, this, &GeneratePanel::showAnswer);
-  for (QComboBox* box : {type_, attacker_, mode_}) {
+  for (QComboBox* box : {type_, attacker_, mode_, method_}) {
     connect(box, &QComboBox::currentTextChanged, this, &rviz::Panel::configChanged);
   }
   connect(tta_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
           &rviz::Panel::configChanged);
   connect(seed_, qOverload<int>(&QSpinBox::valueChanged), this, &rviz::Panel::configChanged);
   // RViz handles ROS callbacks in the thread of the GUI.
+  methods_subscriber_ =
+      node_.subscribe(names::kAttackMethods, 1, &GeneratePanel::showMethods, this);
   scene_subscriber_ = node_.subscribe(names::kEncodedScene, 1, &GeneratePanel::showScene, this);
 }
 
@@ -116,6 +120,8 @@ void GeneratePanel::createFields() {
   attacker_->addItem(kAnyAttacker);
   mode_ = new QComboBox;
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) mode_->addItem(toString(mode));
+  method_ = new QComboBox;
+  method_->addItem(kDefaultMethod);
   seed_ = new QSpinBox;
   seed_->setRange(0, std::numeric_limits<int>::max());
   generate_ = new QPushButton("Generate");
@@ -132,6 +138,7 @@ void GeneratePanel::createLayout() {
   form->addRow("Time to accident", tta_);
   form->addRow("Attacker", attacker_);
   form->addRow("Mode", mode_);
+  form->addRow("Method", method_);
   form->addRow("Seed", seed_);
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
@@ -146,6 +153,9 @@ GenerateCollision::Request GeneratePanel::request() const {
   const QString attacker = attacker_->currentText().trimmed();
   if (attacker != kAnyAttacker) request.attacker_id = attacker.toStdString();
   request.mode = mode_->currentText().toStdString();
+  if (method_->currentText() != kDefaultMethod) {
+    request.method = method_->currentText().toStdString();
+  }
   request.seed = static_cast<std::uint64_t>(seed_->value());
   return request;
 }
@@ -174,13 +184,22 @@ void GeneratePanel::showAnswer() {
 }
 
 void GeneratePanel::showScene(const collision_forge::EncodedSceneConstPtr& scene) {
-  const QStringList ids = attackersIn(*scene);
+  const QStringList ids = attackersIn(scene->snapshot);
   if (ids == itemsOf(*attacker_) || attacker_->view()->isVisible()) return;
   const QSignalBlocker no_change_of_settings(attacker_);
   const QString chosen = attacker_->currentText();
   attacker_->clear();
   attacker_->addItems(ids);
   attacker_->setCurrentText(chosen);
+}
+
+void GeneratePanel::showMethods(const collision_forge::AttackMethods& methods) {
+  const QSignalBlocker no_change_of_settings(method_);
+  const QString chosen = method_->currentText();
+  method_->clear();
+  method_->addItem(kDefaultMethod);
+  for (const std::string& name : methods.names) method_->addItem(QString::fromStdString(name));
+  method_->setCurrentText(chosen);
 }
 
 void GeneratePanel::load(const rviz::Config& config) {
@@ -192,6 +211,11 @@ void GeneratePanel::load(const rviz::Config& config) {
   load_text(kTypeKey, type_);
   load_text(kAttackerKey, attacker_);
   load_text(kModeKey, mode_);
+  QString method;
+  if (config.mapGetString(kMethodKey, &method)) {
+    if (method_->findText(method) < 0) method_->addItem(method);
+    method_->setCurrentText(method);
+  }
   float tta = 0;
   if (config.mapGetFloat(kTtaKey, &tta)) tta_->setValue(tta);
   int seed = 0;
@@ -204,6 +228,7 @@ void GeneratePanel::save(rviz::Config config) const {
   config.mapSetValue(kTtaKey, tta_->value());
   config.mapSetValue(kAttackerKey, attacker_->currentText());
   config.mapSetValue(kModeKey, mode_->currentText());
+  config.mapSetValue(kMethodKey, method_->currentText());
   config.mapSetValue(kSeedKey, seed_->value());
 }
 

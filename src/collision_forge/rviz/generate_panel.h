@@ -1,5 +1,6 @@
 #pragma once
 
+#include <collision_forge/AttackMethods.h>
 #include <collision_forge/EncodedScene.h>
 #include <collision_forge/GenerateCollision.h>
 #include <ros/ros.h>
@@ -37,17 +38,20 @@ class GeneratePanel : public rviz::Panel {
   collision_forge::GenerateCollision::Request request() const;
   void generate();
   void showAnswer();
+  void showMethods(const collision_forge::AttackMethods& methods);
   void showScene(const collision_forge::EncodedSceneConstPtr& scene);
 
   QComboBox* type_ = nullptr;
   QDoubleSpinBox* tta_ = nullptr;
   QComboBox* attacker_ = nullptr;
   QComboBox* mode_ = nullptr;
+  QComboBox* method_ = nullptr;
   QSpinBox* seed_ = nullptr;
   QPushButton* generate_ = nullptr;
   QLabel* result_ = nullptr;
 
   ros::NodeHandle node_;
+  ros::Subscriber methods_subscriber_;
   ros::Subscriber scene_subscriber_;
   QFutureWatcher<Answer> answer_;  ///< of the call in flight
   QThreadPool

@@ -1,9 +1,19 @@
 #include "collision_forge/scene/attack.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace forge {
+
+PatternMiss missBetween(const Pose2& asked, const Pose2& found) {
+  return {(found.position() - asked.position()).norm(),
+          std::abs(angleBetween(asked.yaw, found.yaw))};
+}
+
+double cornerMiss(const PatternMiss& miss, const BoxSize& attacker) {
+  return miss.distance + circumradius(attacker) * miss.heading;
+}
 
 Pose2 poseAt(const AttackerTrajectory& trajectory, double time) {
   const auto& points = trajectory.points;

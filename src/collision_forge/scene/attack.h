@@ -19,6 +19,18 @@ struct CollisionPattern {
   double attacker_speed = 0;  ///< m/s along its heading at impact
 };
 
+/// How far a contact is from the pattern that was aimed at, both seen from the ego's box.
+struct PatternMiss {
+  double distance = 0.0;  ///< m between the attacker's box middles
+  double heading = 0.0;   ///< rad between its headings, [0, pi]
+};
+
+/// Between the attacker's offset that was asked for and that at the contact.
+PatternMiss missBetween(const Pose2& asked, const Pose2& found);
+
+/// At most so far is any corner of the attacker's box from where it was asked to be, metres.
+double cornerMiss(const PatternMiss& miss, const BoxSize& attacker);
+
 /// One sample of the attacker's motion. Global map frame; the pose is the box centre.
 struct TrajectoryPoint {
   double time = 0.0;  ///< seconds, same clock as the snapshot
@@ -63,6 +75,15 @@ struct CollisionReport {
   bool verified() const {
     return contact && type_kept && on_time && bounds_kept && first_other_id.empty();
   }
+};
+
+/// A verified attack, or why there is none.
+struct Realization {
+  Status status;
+  CollisionPattern aim;  ///< the pattern that it came from; these four with kOk only
+  PatternMiss miss;      ///< of the report's contact from the aim
+  AttackerTrajectory trajectory;
+  CollisionReport report;
 };
 
 }  // namespace forge

@@ -50,7 +50,7 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
                   one.request.type,
                   scenario.ego,
                   indexed.lanes};
-  one.pattern = scenario.answer.pattern;
+  one.pattern = scenario.answer.aim;
   return one;
 }
 
@@ -81,7 +81,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
       generateCollision(*method.make(clip.scene), moment, one.request, config.attack.prediction);
   one.status = answer.status;
   one.scenario.attacker = std::move(answer.trajectory);
-  one.pattern = answer.pattern;
+  one.pattern = answer.aim;
   return one;
 }
 

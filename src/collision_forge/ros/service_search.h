@@ -1,0 +1,35 @@
+#pragma once
+
+#include <collision_forge/Attack.h>
+#include <collision_forge/CollisionRequest.h>
+#include <collision_forge/SceneSnapshot.h>
+#include <ros/ros.h>
+
+#include <optional>
+#include <string>
+
+#include "collision_forge/scene/collision_request.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+/// The suite's own method over services: predict_pattern says where ego and attacker may stand,
+/// realize_trajectory drives there. Either may be answered by a node outside this package.
+class ServiceSearch {
+ public:
+  /// Publishes the patterns of every request on predicted_patterns.
+  explicit ServiceSearch(ros::NodeHandle& node);
+
+  /// Fills `attack` with kOk only. Whether the request can be met at all is checked by those who
+  /// answer the services; kNodeUnavailable when one does not answer.
+  Status generate(const collision_forge::SceneSnapshot& scene,
+                  const collision_forge::CollisionRequest& request,
+                  const std::optional<Future>& recorded, collision_forge::Attack& attack) const;
+
+ private:
+  std::string predict_name_;
+  std::string realize_name_;
+  ros::Publisher patterns_;
+};
+
+}  // namespace forge

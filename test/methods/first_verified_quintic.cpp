@@ -1,0 +1,44 @@
+// A method that another package could add: of all predicted patterns the first to which one quintic
+// leads that verify() bears out. Named in methods.yaml, the live node, forge and the panel have it.
+#include "collision_forge/attack/baselines.h"
+#include "collision_forge/attack/method_registry.h"
+
+namespace forge {
+namespace {
+
+class FirstVerifiedQuintic : public AttackMethod {
+ public:
+  explicit FirstVerifiedQuintic(const MethodSetup& setup)
+      : options_(setup.options), predictor_(setup.kinematic.patterns) {}
+
+  Realization answer(const Moment& moment, const CollisionRequest& request) const override {
+    const PatternPrediction predicted =
+        predictor_->predict(moment.snapshot, *moment.lanes, request,
+                            moment.recorded ? &*moment.recorded : nullptr);
+    Realization answer;
+    answer.status = predicted.status;
+    for (const CollisionPattern& pattern : predicted.patterns) {
+      answer.trajectory = patternAttacker(pattern, moment.snapshot, request.tta, options_);
+      answer.aim = pattern;
+      answer.report =
+          verify(answer.trajectory, {moment.snapshot, predicted.future, request, *moment.lanes},
+                 options_.verification);
+      if (answer.report.verified()) break;
+    }
+    return answer;
+  }
+
+ private:
+  AttackOptions options_;
+  std::shared_ptr<const PatternPredictor> predictor_;
+};
+
+}  // namespace
+}  // namespace forge
+
+extern "C" void addCollisionForgeMethods(forge::MethodRegistry& methods) {
+  methods.add({"first_verified_quintic", "one quintic to each pattern until one is verified", false,
+               [](const forge::MethodSetup& setup) {
+                 return std::make_unique<forge::FirstVerifiedQuintic>(setup);
+               }});
+}

@@ -1,0 +1,129 @@
+#!/usr/bin/python3
+"""A method of a shared library (test/methods) is known wherever methods are: to forge, to the live node, to the panel."""
+import csv
+import json
+import tempfile
+from pathlib import Path
+
+import rospkg
+
+import live
+import road
+from road import DATAROOT, VERSION
+
+METHOD = 'first_verified_quintic'
+ROOT = ('--dataroot', DATAROOT, '--version', VERSION)
+SCENE = 'scene-0001'
+
+
+def library():
+    """What test/CMakeLists.txt builds of the method, beside the suite's own libraries."""
+    return Path(rospkg.get_ros_package_path().split(':')[0], '..', 'lib', 'libfirst_verified_quintic.so').resolve()
+
+
+def config_with_method(folder):
+    """The configuration with the library of the method in it."""
+    road.copy_config(folder)
+    (folder / 'methods.yaml').write_text('libraries: [{}]\n'.format(library()))
+    return folder
+
+
+class MethodOfALibraryTest(road.RoadTest):
+    """In the commands of forge."""
+    SCENES = [SCENE]
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.config = config_with_method(cls.folder / 'config')
+        cls.requests = cls.folder / 'requests.jsonl'
+        cls.scenarios = cls.folder / 'scenarios.jsonl'
+        cls.run_all('requests', *ROOT, '--scene', SCENE, '--stride', 4, '--out', cls.requests)
+        cls.run_all('generate', *ROOT, '--config', cls.config, '--method', METHOD, '--mode', 'replay',
+                    '--requests', cls.requests, '--out', cls.scenarios)
+
+    @staticmethod
+    def run_all(*arguments):
+        result = road.run(*arguments)
+        assert result.returncode == 0, result.stderr
+        return result
+
+    def methods_in(self, out):
+        with open(str(out / 'results.csv')) as file:
+            return {row['method'] for row in csv.DictReader(line for line in file if not line.startswith('#'))}
+
+    def test_generate_answers_by_it(self):
+        codes = [json.loads(line)['status']['code'] for line in self.scenarios.read_text().splitlines()]
+        self.assertIn('OK', codes)
+        self.assertIn('NO_ATTACK_WITHIN_BOUNDS', codes, 'what is not verified is refused')
+
+    def test_evaluate_measures_it_on_logs(self):
+        out = self.path('logs')
+        self.run_all('evaluate', *ROOT, '--config', self.config, '--method', METHOD, '--requests', self.requests,
+                     '--out', out)
+        self.assertIn(METHOD, self.methods_in(out))
+
+    def test_evaluate_measures_it_on_clips(self):
+        clips, out = self.path('clips'), self.path('rates')
+        self.run_all('generate', *ROOT, '--config', self.config, '--method', METHOD, '--mode', 'replay',
+                     '--requests', self.requests, '--format', 'csv-collide', '--out', clips)
+        self.run_all('evaluate', '--dataroot', DATAROOT, '--config', self.config, '--method', METHOD,
+                     '--collide', clips, '--out', out)
+        self.assertIn(METHOD, self.methods_in(out))
+
+    def test_planners_are_tested_on_its_attacks(self):
+        out = self.path('planners')
+        self.run_all('test', *ROOT, '--config', self.config, '--scenarios', self.scenarios, '--planners', 'idm',
+                     '--worst', 0, '--out', out)
+        self.assertIn('idm', (out / 'table.md').read_text())
+
+    def test_inject_attacks_by_it(self):
+        found = [json.loads(line) for line in self.scenarios.read_text().splitlines()]
+        attack = next(line for line in found if line['status']['code'] == 'OK')
+        start = road.read(self.bag(SCENE), '/agents')[0][0].header.stamp.to_sec()
+        request = attack['request']
+        result = road.inject(self.bag(SCENE), self.path('out.bag'), request['type'], request['tta'],
+                             attack['now'] - start + 1e-3, '--mode', 'replay', '--method', METHOD, '--config', self.config)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(road.read_one(self.path('out.bag'), '/attack').method, METHOD)
+
+    def test_an_unknown_method_is_a_wrong_command_line(self):
+        result = road.run('evaluate', *ROOT, '--method', METHOD, '--requests', self.requests, '--out', self.path('no'))
+        self.assertEqual(result.returncode, 2)
+        self.assertIn('network+search', result.stderr)
+
+
+class LiveMethodTest(live.LiveTest):
+    """In the live suite, and on the topic that the panel lists methods by."""
+    SCENES = [SCENE]
+    HEARD = ['/encoded_scene', '/attack_methods', '/attack']
+
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory(prefix='collision_forge_test_')
+        cls.addClassCleanup(temporary.cleanup)
+        cls.ARGUMENTS = {'config_dir': config_with_method(Path(temporary.name, 'config'))}
+        super().setUpClass()
+
+    def test_it_can_be_chosen(self):
+        methods = self.heard['/attack_methods'].wait()
+        self.assertIn(METHOD, methods.names)
+        self.assertIn(methods.default_method, methods.names)
+
+    def test_it_answers_the_service(self):
+        self.play_to(10.0)
+        codes = {road.CODES[live.ask(kind, tta, mode='replay', method=METHOD).code]
+                 for kind in ('rear_end', 'lane_change', 'opposite_direction') for tta in (2.0, 3.0, 4.0)}
+        self.assertLessEqual(codes, {'OK', 'NO_ATTACK_WITHIN_BOUNDS', 'NO_CANDIDATE'})
+        self.assertIn('OK', codes)
+        self.assertEqual(self.heard['/attack'].wait().method, METHOD)
+
+    def test_methods_that_are_not_there_are_refused(self):
+        self.play_to(10.0)
+        answer = live.ask('rear_end', 4.0, method='magic')
+        self.assertEqual(road.CODES[answer.code], 'INVALID_INPUT')
+        self.assertIn('magic', answer.message)
+
+
+if __name__ == '__main__':
+    live.main('method_test')

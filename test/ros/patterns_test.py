@@ -1,0 +1,86 @@
+#!/usr/bin/python3
+"""Patterns are realised: what a predictor in a node of its own asks for is what comes."""
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+import live
+import road
+import rospy
+from corner_predictor import left_rear_corner
+from made_up import MadeUpTest, agent, drive
+
+from collision_forge.msg import Future
+from collision_forge.srv import PredictPattern, RealizeTrajectory, RealizeTrajectoryRequest
+
+NEAR = 0.3  # m
+
+
+def beside(seconds):
+    """Somebody in the left lane, a little behind and faster."""
+    return [agent('beside', -22.0 + 11.0 * seconds, 3.5)]
+
+
+def seen_from(base, pose):
+    """x, y and heading."""
+    dx, dy = pose.x - base.x, pose.y - base.y
+    cosine, sine = math.cos(base.theta), math.sin(base.theta)
+    return dx * cosine + dy * sine, dy * cosine - dx * sine, math.remainder(pose.theta - base.theta, math.tau)
+
+
+class PatternsTest(MadeUpTest):
+    ARGUMENTS = {'predictor': 'false'}
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        predictor = subprocess.Popen([sys.executable, str(Path(__file__).parent / 'corner_predictor.py')])
+        cls.addClassCleanup(predictor.wait)
+        cls.addClassCleanup(predictor.terminate)
+        rospy.wait_for_service('predict_pattern', live.TIMEOUT)
+
+    def corner_miss(self, attack, size):
+        """m between the attacker's right front corner and the ego's left rear one at the contact."""
+        x, y, heading = seen_from(attack.report.ego_at_contact, attack.report.attacker_at_contact)
+        along, across = 0.5 * attack.trajectory.size.x, -0.5 * attack.trajectory.size.y
+        corner = (x + along * math.cos(heading) - across * math.sin(heading),
+                  y + along * math.sin(heading) + across * math.cos(heading))
+        return math.dist(corner, (-0.5 * size.x, 0.5 * size.y))
+
+    def test_contact_is_at_the_corner_that_is_asked_for(self):
+        scene = self.show(drive(8, beside)).snapshot
+        attack = self.ask_for_code('OK', 'lane_change', 4.0).attack
+        self.assertTrue(attack.report.verified)
+        self.assertLess(self.corner_miss(attack, scene.ego.size), NEAR)
+        asked = left_rear_corner(scene.ego.size, attack.trajectory.size)
+        self.assertAlmostEqual(attack.pattern.attacker_offset.x, asked.x, places=6)
+        x, y, heading = seen_from(attack.report.ego_at_contact, attack.report.attacker_at_contact)
+        self.assertAlmostEqual(attack.miss_distance, math.dist((x, y), (asked.x, asked.y)), places=6)
+        self.assertAlmostEqual(attack.miss_heading, abs(heading - asked.theta), places=6)
+
+    def realize_exactly(self, change):
+        """The answer of realize_trajectory for the predictor's pattern, changed."""
+        scene = self.show(drive(8, beside)).snapshot
+        request = RealizeTrajectoryRequest(scene=scene, exact=True)
+        request.request.collision_type, request.request.tta, request.request.mode = 'lane_change', 4.0, 'history'
+        predicted = rospy.ServiceProxy('predict_pattern', PredictPattern)(scene, request.request, Future())
+        request.patterns, request.future = predicted.patterns, predicted.future
+        change(request.patterns[0])
+        return rospy.ServiceProxy('realize_trajectory', RealizeTrajectory)(request)
+
+    def test_exactly_is_within_the_tolerance(self):
+        answer = self.realize_exactly(lambda pattern: None)
+        self.assertEqual(road.CODES[answer.code], 'OK', answer.message)
+        self.assertLess(answer.attack.miss_distance, NEAR)
+
+    def test_exactly_where_nobody_can_come_is_refused_with_the_distance(self):
+        def across(pattern):
+            pattern.attacker_offset.y = -pattern.attacker_offset.y  # the right side, but heading to the right
+        answer = self.realize_exactly(across)
+        self.assertEqual(road.CODES[answer.code], 'NO_ATTACK_WITHIN_BOUNDS')
+        self.assertTrue(answer.message)
+
+
+if __name__ == '__main__':
+    live.main('patterns_test')
