@@ -168,7 +168,7 @@ TEST(CommandLine, OptionsOfClipsAndOfLogsExcludeEachOther) {
 TEST(CommandLine, MethodsAndProtocolsOfClipsAreRefusedForRequests) {
   const std::string line = "evaluate" + kComplete.at("evaluate");
   EXPECT_EQ(read(line + " --method search").exit_code, std::nullopt);
-  EXPECT_THAT(read(line + " --method recorded").err, HasSubstr("recorded is of clips alone"));
+  EXPECT_THAT(read(line + " --method recorded").err, HasSubstr("\"recorded\" is none of search,"));
   EXPECT_THAT(read(line + " --protocol published").err, HasSubstr("published is of clips alone"));
 }
 

@@ -207,7 +207,7 @@ class GenerateTest(road.RoadTest):
     def test_the_schema_refuses_what_is_no_scenario(self):
         validator = jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text()))
         good = next(line for line in lines_of(self.expected) if '"code":"OK"' in line)
-        for change in (lambda row: row.pop('ego'), lambda row: row.update(extra=1), lambda row: row.update(version=2),
+        for change in (lambda row: row.pop('ego'), lambda row: row.update(extra=1), lambda row: row.update(version=1),
                        lambda row: row['status'].update(code='FINE'), lambda row: row.update(attacker=None),
                        lambda row: row.update(confidence=1.5), lambda row: row['request'].update(type='drift'),
                        lambda row: row['attacker']['trajectory'][0].pop('kappa'),

@@ -12,7 +12,7 @@ from pathlib import Path
 import road
 from road import DATAROOT, VERSION
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / 'protocols'))
+sys.path += [str(Path(__file__).resolve().parent.parent / room) for room in ('study', 'trials')]
 import collide_clips  # noqa: E402
 import published_idm_reference  # noqa: E402
 

@@ -1,5 +1,6 @@
 #include "collision_forge/app/command_line.h"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <utility>
@@ -68,6 +69,7 @@ std::optional<int> CommandLine::parse(int argc, const char* const* argv) {
 }
 
 int CommandLine::run() const {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is told like a full disk
   try {
     return runs_.at(chosen())();
   } catch (const std::exception& error) {

@@ -20,7 +20,7 @@ InterruptionNotice::InterruptionNotice(const std::string& message) {
   message_now = message;
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     struct sigaction action = {};
-    action.sa_handler = kSignals[i] == SIGXFSZ ? SIG_IGN : onInterruption;
+    action.sa_handler = onInterruption;
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     ::sigaction(kSignals[i], &action, &before_[i]);
   }

@@ -8,7 +8,7 @@
 namespace forge {
 
 /// While it lives, SIGINT, SIGTERM and SIGHUP write a message to stderr before they end the
-/// process, and a limit on the size of files is an error of write(). One at a time in a process.
+/// process. One at a time in a process.
 class InterruptionNotice {
  public:
   explicit InterruptionNotice(const std::string& message);
@@ -17,7 +17,7 @@ class InterruptionNotice {
   InterruptionNotice& operator=(const InterruptionNotice&) = delete;
 
  private:
-  static constexpr std::array<int, 4> kSignals = {SIGXFSZ, SIGINT, SIGTERM, SIGHUP};
+  static constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
   std::array<struct sigaction, kSignals.size()> before_;
 };
 
