@@ -9,11 +9,11 @@
 #include "collision_forge/attack/options.h"
 #include "collision_forge/attack/pattern_predictor.h"
 #include "collision_forge/attack/search_method.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/forecast/ego_futures.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 
@@ -25,6 +25,10 @@ inline constexpr BoxSize kCarSize{4.6, 1.9};
 inline AttackOptions shippedOptions() {
   static const AttackOptions options = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").attack;
   return options;
+}
+
+inline SpeedProfileOptions shippedSpeedProfileOptions() {
+  return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").recorded_speeds;
 }
 
 /// What config/ says counts as a crash.

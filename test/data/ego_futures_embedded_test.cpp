@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <map>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/speed_model_file.h"
@@ -14,6 +13,7 @@
 #include "collision_forge/forecast/ego_futures.h"
 #include "collision_forge/forecast/ego_paths.h"
 #include "collision_forge/forecast/speed_profile_collection.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
@@ -83,16 +83,15 @@ TEST_F(EmbeddedEgoFutures, ShippedModelKnowsDrivers) {
   const SpeedModel model = readSpeedModel(config_.speed_model);
   EXPECT_LT(fs::file_size(config_.speed_model), 1'500'000u);
   ASSERT_EQ(model.folds().size(), 5u);
-  for (const SpeedModelWeights& fold : model.folds()) {
-    const std::string left_out = fold.left_out_scenes.front();
+  for (const auto& fold : model.folds()) {
     for (const double speed : {5.0, 10.0}) {
-      const SpeedForecast forecast = model.forecast(steady(speed), 18, left_out);
+      const SpeedForecast forecast = fold->forecast(steady(speed), 18);
       ASSERT_EQ(forecast.speeds.cols(), 18);
       const Eigen::RowVectorXd mean = forecast.weights.transpose() * forecast.speeds;
       EXPECT_NEAR(mean[3], speed, 1.0);
       EXPECT_NEAR(mean[11], speed, 2.5);
     }
-    const SpeedForecast standing = model.forecast(steady(0.0), 8, left_out);
+    const SpeedForecast standing = fold->forecast(steady(0.0), 8);
     const auto stays = (standing.speeds.rowwise().sum().array() < 1.0);
     EXPECT_GT(stays.select(standing.weights, 0.0).sum(), 0.5);
     EXPECT_LT(stays.select(standing.weights, 0.0).sum(), 0.99);
@@ -111,8 +110,8 @@ TEST_F(EmbeddedEgoFutures, OwnProfilesComeBeforeTheModel) {
 // The distance driven within the central 80 % of 64 samples, the scene on test left out. Ten scenes
 // of simulated drivers are few, hence the width of the band.
 TEST_F(EmbeddedEgoFutures, TheCentralIntervalCoversTheRecording) {
-  const auto profiles = std::make_shared<const SpeedProfiles>(
-      readSpeedProfiles(kProfiles, config_.attack.ego_futures.speed));
+  const auto profiles =
+      std::make_shared<const SpeedProfiles>(readSpeedProfiles(kProfiles, config_.recorded_speeds));
   std::map<double, std::pair<int, int>> covered;  // by horizon: covered, of
   for (const std::string& name : root_.sceneNames()) {
     const Scene scene = read(name);

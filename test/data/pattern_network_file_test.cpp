@@ -103,16 +103,12 @@ TEST_F(PatternNetworkFile, UnknownHeadsAreRefused) {
 
 TEST_F(PatternNetworkFile, AbsentIsRefused) {
   EXPECT_THROW(readPatternWeights(path_ + ".not"), PatternNetworkFileError);
-  Config config;
-  config.pattern_network = path_ + ".not";
-  EXPECT_THROW(loadPatternNetwork(config), PatternNetworkFileError);
+  EXPECT_THROW(loadPatternNetwork(path_ + ".not"), PatternNetworkFileError);
 }
 
 TEST_F(PatternNetworkFile, NoNameIsNoNetwork) {
-  EXPECT_EQ(loadPatternNetwork(Config()), nullptr);
-  Config config;
-  config.pattern_network = path_;
-  EXPECT_EQ(loadPatternNetwork(config)->all().size(), 2U);
+  EXPECT_EQ(loadPatternNetwork(""), nullptr);
+  EXPECT_EQ(loadPatternNetwork(path_)->folds().size(), 1U);
 }
 
 TEST(ShippedNetworks, AreReadAndLeaveTheirFoldsOut) {

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/forecast/speed_model_fit.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
@@ -77,17 +77,18 @@ TEST_F(SpeedModelFile, WhatIsWrittenIsReadToFiveDigits) {
   writeSpeedModel(written, path_);
   EXPECT_FALSE(fs::exists(path_ + ".part"));
   const SpeedModel read = readSpeedModel(path_);
-  EXPECT_TRUE(read.whole().left_out_scenes.empty());
+  EXPECT_TRUE(read.weights().left_out_scenes.empty());
   ASSERT_EQ(read.folds().size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(read.folds()[i].left_out_scenes, written.folds()[i].left_out_scenes);
+    EXPECT_EQ(read.folds()[i]->weights().left_out_scenes,
+              written.folds()[i]->weights().left_out_scenes);
   }
   const auto same = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
     return a.rows() == b.rows() && a.cols() == b.cols() &&
            ((a - b).array().abs() <= 5.1e-5 * b.array().abs()).all();
   };
-  const SpeedModelWeights& a = read.folds()[1];
-  const SpeedModelWeights& b = written.folds()[1];
+  const SpeedModelWeights& a = read.folds()[1]->weights();
+  const SpeedModelWeights& b = written.folds()[1]->weights();
   EXPECT_TRUE(same(a.feature_weights, b.feature_weights));
   EXPECT_TRUE(same(a.lowest, b.lowest));
   EXPECT_TRUE(same(a.highest, b.highest));

@@ -44,7 +44,7 @@ class ClipSearch : public testing::Test {
   }
 
   Realization found(const SceneRequest& request) const {
-    return findClip(request, indexed_, config_);
+    return findClip(request, indexed_, config_, config_.dataset);
   }
 
   void expectRefusal(StatusCode code, const std::string& part) const {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/forecast/folds.h"
 #include "collision_forge/forecast/speed_profiles.h"
 
 namespace forge {
@@ -17,7 +18,8 @@ constexpr int kCount = 64;
 const EgoFutureOptions kOptions = shippedEgoFutureOptions();
 
 std::shared_ptr<const SpeedForecaster> profilesOf(
-    const std::vector<SpeedProfileRow>& rows, const SpeedProfileOptions& options = kOptions.speed) {
+    const std::vector<SpeedProfileRow>& rows,
+    const SpeedProfileOptions& options = shippedSpeedProfileOptions()) {
   return std::make_shared<SpeedProfiles>(SpeedSituations(rows), options);
 }
 
@@ -190,11 +192,11 @@ TEST(EgoFutures, ProfilesOfTheLeftOutSceneAreNotUsed) {
   const Snapshot snapshot =
       snapshotOf(pastTrack(kEgoId, kEgoSize, {-100, 0, 0}, 10.0), {}, twoLaneRoad());
   const LaneIndex lanes(twoLaneRoad());
-  EgoFutureOptions options = kOptions;
-  options.speed.ridge = 1.0;
-  const auto profiles = profilesOf(rows, options.speed);
+  SpeedProfileOptions options = shippedSpeedProfileOptions();
+  options.ridge = 1.0;
+  const auto profiles = profilesOf(rows, options);
   const auto shortest = [&](const std::string& left_out) {
-    return lastX(KinematicEgoFutures(options, profiles, left_out)
+    return lastX(KinematicEgoFutures(kOptions, withoutScene(profiles, left_out))
                      .sample(snapshot, lanes, kHorizon, 400, 1))
         .front();
   };

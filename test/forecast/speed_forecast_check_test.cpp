@@ -17,11 +17,14 @@ class SameGains : public SpeedForecaster {
   SameGains(Eigen::VectorXd gains, Eigen::VectorXd weights, int known = 100)
       : gains_(std::move(gains)), weights_(std::move(weights)), known_(known) {}
 
-  SpeedForecast forecast(const DrivingSituation& situation, int intervals,
-                         const std::string& left_out_scene) const override {
-    left_out_.push_back(left_out_scene);
+  SpeedForecast forecast(const DrivingSituation& situation, int intervals) const override {
     const Eigen::VectorXd speeds = gains_.array() + situation.past_speeds[0];
     return {speeds.replicate(1, std::min(intervals, known_)), weights_};
+  }
+
+  std::shared_ptr<const SpeedForecaster> withoutScene(const std::string& scene) const override {
+    left_out_.push_back(scene);
+    return nullptr;
   }
 
   const std::vector<std::string>& leftOut() const { return left_out_; }

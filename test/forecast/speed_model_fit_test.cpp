@@ -7,8 +7,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/forecast/speed_forecast_check.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
@@ -84,7 +84,7 @@ TEST(FitSpeedModel, RecoversALinearDriver) {
   const SpeedModel model(fitSpeedModel(recorded, {}, options, 0));
   for (const double speed : {4.0, 8.0, 12.0}) {
     for (const double turn : {0.0, 0.4, 0.8}) {
-      const SpeedForecast forecast = model.forecast(linearSituation(speed, turn), 18, "");
+      const SpeedForecast forecast = model.forecast(linearSituation(speed, turn), 18);
       ASSERT_EQ(forecast.speeds.cols(), 18);
       const Eigen::RowVectorXd mean = meanOf(forecast);
       for (int i = 0; i < 18; ++i) {
@@ -124,7 +124,7 @@ TEST(FitSpeedModel, SpreadDependsOnTheSituation) {
   const auto spreadAt = [&](double speed) {
     DrivingSituation situation;
     situation.past_speeds.fill(speed);
-    const SpeedForecast forecast = model.forecast(situation, 6, "");
+    const SpeedForecast forecast = model.forecast(situation, 6);
     const Eigen::MatrixXd differences = forecast.speeds.rowwise() - meanOf(forecast);
     return std::sqrt(forecast.weights.dot(differences.col(3).cwiseAbs2()));
   };
@@ -146,7 +146,7 @@ TEST(FitSpeedModel, ShortProfilesHaveTheirSay) {
   const SpeedModel model(fitSpeedModel(SpeedSituations(rows), {}, kOptions, 0));
   DrivingSituation situation;
   situation.past_speeds = {14.4, 14.6, 14.8, 15.0, 15.2};
-  const SpeedForecast forecast = model.forecast(situation, 18, "");
+  const SpeedForecast forecast = model.forecast(situation, 18);
   ASSERT_EQ(forecast.speeds.cols(), 18);
   EXPECT_NEAR(meanOf(forecast)[3], 14.4 - 0.8, 0.15);
 }
@@ -154,7 +154,7 @@ TEST(FitSpeedModel, ShortProfilesHaveTheirSay) {
 TEST(FitSpeedModel, IntervalsThatTooFewProfilesLastAreLeftAway) {
   const SpeedSituations recorded(linearDrivers(30, 8, 0.1, 1));
   const SpeedModel model(fitSpeedModel(recorded, {}, kOptions, 0));
-  EXPECT_EQ(model.forecast(linearSituation(8.0, 0.0), 18, "").speeds.cols(), 6);  // 60 rows
+  EXPECT_EQ(model.forecast(linearSituation(8.0, 0.0), 18).speeds.cols(), 6);  // 60 rows
 }
 
 /// Drivers who stand, eight of ten for good; where the bend turns by 1 rad they all set off.
@@ -173,7 +173,7 @@ TEST(FitSpeedModel, WhoStandsMostlyStays) {
   const auto staying = [&](double turn) {
     DrivingSituation situation;
     situation.ahead.bend_turn = turn;
-    const SpeedForecast forecast = model.forecast(situation, 18, "");
+    const SpeedForecast forecast = model.forecast(situation, 18);
     EXPECT_GE(forecast.speeds.minCoeff(), 0.0);
     return (forecast.speeds.rowwise().sum().array() < 0.5).select(forecast.weights, 0.0).sum();
   };
@@ -195,7 +195,7 @@ TEST(FitSpeedModel, SpeedsAreNeverNegative) {
     for (std::size_t i = 0; i < 5; ++i) {
       situation.past_speeds[i] = speed + 0.8 * static_cast<double>(i);
     }
-    EXPECT_GE(model.forecast(situation, 18, "").speeds.minCoeff(), 0.0) << speed;
+    EXPECT_GE(model.forecast(situation, 18).speeds.minCoeff(), 0.0) << speed;
   }
 }
 
@@ -215,10 +215,11 @@ TEST(FitSpeedModel, LeftOutScenesHaveNoSay) {
 TEST(FitSpeedModel, FoldsLeaveEachSceneOutOnce) {
   const SpeedSituations recorded(linearDrivers(43, 25, 0.2, 6));
   const SpeedModel model = fitSpeedModelWithFolds(recorded, 4, kOptions, 1);
-  EXPECT_TRUE(model.whole().left_out_scenes.empty());
+  EXPECT_TRUE(model.weights().left_out_scenes.empty());
   ASSERT_EQ(model.folds().size(), 4u);
   std::set<std::string> left_out;
-  for (const SpeedModelWeights& fold : model.folds()) {
+  for (const auto& model_fold : model.folds()) {
+    const SpeedModelWeights& fold = model_fold->weights();
     EXPECT_GE(fold.left_out_scenes.size(), 10u);
     EXPECT_LE(fold.left_out_scenes.size(), 11u);
     left_out.insert(fold.left_out_scenes.begin(), fold.left_out_scenes.end());

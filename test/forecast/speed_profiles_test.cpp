@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-const SpeedProfileOptions kOptions = shippedEgoFutureOptions().speed;
+const SpeedProfileOptions kOptions = shippedSpeedProfileOptions();
 
 SpeedProfiles profilesOf(std::vector<SpeedProfileRow> rows) {
   return {SpeedSituations(std::move(rows)), kOptions};
@@ -39,7 +39,7 @@ DrivingSituation driving(double speed, double gain) {
 }
 
 TEST(SpeedProfiles, WhatDriversKeptDoingIsExpected) {
-  const SpeedForecast forecast = steadyDrivers().forecast(driving(8.0, 0.1), 10, "");
+  const SpeedForecast forecast = steadyDrivers().forecast(driving(8.0, 0.1), 10);
   ASSERT_EQ(forecast.speeds.cols(), 10);
   EXPECT_NEAR(forecast.weights.sum(), 1.0, 1e-12);
   EXPECT_GT(forecast.weights.minCoeff(), 0.0);
@@ -48,7 +48,7 @@ TEST(SpeedProfiles, WhatDriversKeptDoingIsExpected) {
 }
 
 TEST(SpeedProfiles, SpeedsNotRecordedAreExtrapolatedFromGains) {
-  const SpeedForecast forecast = steadyDrivers().forecast(driving(14.0, 0.0), 6, "");
+  const SpeedForecast forecast = steadyDrivers().forecast(driving(14.0, 0.0), 6);
   const Eigen::RowVectorXd mean = forecast.weights.transpose() * forecast.speeds;
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(mean[i], 14.0, 1.0) << i;
 }
@@ -61,16 +61,17 @@ TEST(SpeedProfiles, ALeftOutSceneHasNoSay) {
   addScene(rows, "also_keeps", 60, 10.0, 0.0);
   const SpeedProfiles profiles = profilesOf(rows);
   const DrivingSituation situation = driving(10.0, 0.0);
-  const SpeedForecast with = profiles.forecast(situation, 5, "");
-  const SpeedForecast without = profiles.forecast(situation, 5, "stops");
+  const SpeedForecast with = profiles.forecast(situation, 5);
+  const SpeedForecast without = profiles.withoutScene("stops")->forecast(situation, 5);
   EXPECT_LT(with.speeds.minCoeff(), 9.0);
   EXPECT_GT(without.speeds.minCoeff(), 9.99);
+  EXPECT_EQ(profiles.withoutScene("elsewhere"), nullptr);
 }
 
 TEST(SpeedProfiles, SpeedsAreNeverNegative) {
   std::vector<SpeedProfileRow> rows;
   for (int i = 0; i < 20; ++i) addScene(rows, std::to_string(i), 20, 10.0, -0.5 - 0.02 * i);
-  const SpeedForecast forecast = profilesOf(rows).forecast(driving(2.0, -0.6), 10, "");
+  const SpeedForecast forecast = profilesOf(rows).forecast(driving(2.0, -0.6), 10);
   ASSERT_EQ(forecast.speeds.cols(), 10);
   EXPECT_EQ(forecast.speeds.minCoeff(), 0.0);
   EXPECT_LT(forecast.speeds.maxCoeff(), 3.0);
@@ -82,7 +83,7 @@ TEST(SpeedProfiles, OnlyProfilesThatLastAreUsed) {
   for (int i = 0; i < 20; ++i) addScene(rows, "long" + std::to_string(i), 21, 9.0, 0.0);
   const SpeedProfiles profiles = profilesOf(rows);
   // 20 rows last 20 intervals, fewer than a quarter of the 520; those of 130 last 14.
-  const SpeedForecast forecast = profiles.forecast(driving(9.0, 0.0), 20, "");
+  const SpeedForecast forecast = profiles.forecast(driving(9.0, 0.0), 20);
   EXPECT_EQ(forecast.speeds.cols(), 14);
   EXPECT_NEAR(forecast.speeds.minCoeff(), 9.0, 0.01);
 }
@@ -91,14 +92,14 @@ TEST(SpeedProfiles, AGapEndsAProfile) {
   std::vector<SpeedProfileRow> rows;
   for (int i = 0; i < 10; ++i) addScene(rows, std::to_string(i), 12, 5.0, 0.0);
   for (SpeedProfileRow& row : rows) row.frame *= 2;
-  EXPECT_EQ(profilesOf(rows).forecast(driving(5.0, 0.0), 4, "").speeds.cols(), 0);
+  EXPECT_EQ(profilesOf(rows).forecast(driving(5.0, 0.0), 4).speeds.cols(), 0);
 }
 
 TEST(SpeedProfiles, TooFewProfilesAnswerNothing) {
-  EXPECT_EQ(profilesOf({}).forecast(driving(5.0, 0.0), 4, "").speeds.cols(), 0);
+  EXPECT_EQ(profilesOf({}).forecast(driving(5.0, 0.0), 4).speeds.cols(), 0);
   std::vector<SpeedProfileRow> rows;
   addScene(rows, "one", 7, 5.0, 0.0);
-  EXPECT_EQ(profilesOf(rows).forecast(driving(5.0, 0.0), 4, "").speeds.cols(), 0);
+  EXPECT_EQ(profilesOf(rows).forecast(driving(5.0, 0.0), 4).speeds.cols(), 0);
 }
 
 }  // namespace

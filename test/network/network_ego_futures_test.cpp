@@ -13,8 +13,8 @@ namespace {
 constexpr double kHorizon = 6.0;  // s
 constexpr int kCount = 128;
 
-std::shared_ptr<const PatternNetworks> networksOf(std::vector<PatternWeights> weights) {
-  return std::make_shared<const PatternNetworks>(std::move(weights));
+std::shared_ptr<const PatternNetwork> networkOf(PatternWeights weights) {
+  return std::make_shared<const PatternNetwork>(std::move(weights));
 }
 
 /// Spreads of half the anchors' spacing, offsets of none: a sharp network.
@@ -25,12 +25,11 @@ PatternWeights modestWeights() {
   return weights;
 }
 
-std::vector<Track> sampled(const std::shared_ptr<const PatternNetworks>& networks,
+std::vector<Track> sampled(const std::shared_ptr<const PatternNetwork>& network,
                            const Snapshot& snapshot, std::uint64_t seed = 0,
-                           const std::string& left_out = "",
                            std::optional<CollisionType> known_type = std::nullopt) {
   const LaneIndex lanes = lanesOf(snapshot);
-  return NetworkEgoFutures(shippedEgoFutureOptions(), networks, nullptr, left_out, known_type)
+  return NetworkEgoFutures(shippedEgoFutureOptions(), {nullptr, network, known_type})
       .sample(snapshot, lanes, kHorizon, kCount, seed);
 }
 
@@ -56,7 +55,7 @@ TEST(NetworkEgoFutures, AreKinematicWithoutANetwork) {
 
 TEST(NetworkEgoFutures, StartNowAndReachTheHorizon) {
   const Snapshot snapshot = junctionSnapshot();
-  const auto tracks = sampled(networksOf({modestWeights()}), snapshot);
+  const auto tracks = sampled(networkOf(modestWeights()), snapshot);
   ASSERT_EQ(tracks.size(), static_cast<std::size_t>(kCount));
   for (const Track& track : tracks) {
     EXPECT_EQ(track.states.front().time, kNow);
@@ -67,10 +66,10 @@ TEST(NetworkEgoFutures, StartNowAndReachTheHorizon) {
 
 TEST(NetworkEgoFutures, FollowFromTheSeed) {
   const Snapshot snapshot = junctionSnapshot();
-  const auto networks = networksOf({modestWeights()});
-  const auto a = sampled(networks, snapshot, 1);
-  const auto b = sampled(networks, snapshot, 1);
-  const auto c = sampled(networks, snapshot, 2);
+  const auto network = networkOf(modestWeights());
+  const auto a = sampled(network, snapshot, 1);
+  const auto b = sampled(network, snapshot, 1);
+  const auto c = sampled(network, snapshot, 2);
   bool differs = false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].states.back().pose.x, b[i].states.back().pose.x);
@@ -96,11 +95,10 @@ void expectSpread(const std::vector<Track>& tracks, const std::vector<EgoCompone
 TEST(NetworkEgoFutures, DistancesAreSpreadAsTheNetworkSays) {
   Snapshot snapshot = junctionSnapshot();
   snapshot.map = emptyMap();  // one way alone
-  const auto networks = networksOf({modestWeights()});
+  const auto network = networkOf(modestWeights());
   const LaneIndex lanes = lanesOf(snapshot);
-  const PredictedScene scene(networks->all()[0], snapshot, lanes, kHorizon,
-                             shippedEgoFutureOptions());
-  expectSpread(sampled(networks, snapshot), scene.egoAfter(4.0, std::nullopt));
+  const PredictedScene scene(*network, snapshot, lanes, kHorizon, shippedEgoFutureOptions());
+  expectSpread(sampled(network, snapshot), scene.egoAfter(4.0, std::nullopt));
 }
 
 TEST(NetworkEgoFutures, DistancesAreThoseOfTheTypeThatIsKnown) {
@@ -108,46 +106,29 @@ TEST(NetworkEgoFutures, DistancesAreThoseOfTheTypeThatIsKnown) {
   snapshot.map = emptyMap();
   PatternWeights weights = modestWeights();
   weights.layers["request"].matrix *= 200.0F;  // the type weighs
-  const auto networks = networksOf({weights});
+  const auto network = networkOf(weights);
   const LaneIndex lanes = lanesOf(snapshot);
-  const PredictedScene scene(networks->all()[0], snapshot, lanes, kHorizon,
-                             shippedEgoFutureOptions());
+  const PredictedScene scene(*network, snapshot, lanes, kHorizon, shippedEgoFutureOptions());
   const auto with_type = scene.egoAfter(4.0, CollisionType::kRearEnd);
   ASSERT_GT(std::abs(medianPose(with_type).x - medianPose(scene.egoAfter(4.0, std::nullopt)).x),
             1.0);
-  expectSpread(sampled(networks, snapshot, 0, "", CollisionType::kRearEnd), with_type);
+  expectSpread(sampled(network, snapshot, 0, CollisionType::kRearEnd), with_type);
 }
 
 TEST(NetworkEgoFutures, NeverDriveBackwards) {
   const Snapshot snapshot = junctionSnapshot();
-  for (const Track& track : sampled(networksOf({randomWeights(5)}), snapshot)) {
+  for (const Track& track : sampled(networkOf(randomWeights(5)), snapshot)) {
     for (const AgentState& state : track.states) {
       EXPECT_GE(state.velocity.dot(state.pose.heading()), -0.1);
     }
   }
 }
 
-TEST(NetworkEgoFutures, AskTheNetworkThatLeftTheSceneOut) {
-  const Snapshot snapshot = junctionSnapshot();
-  PatternWeights fold = randomWeights(7);
-  fold.left_out_scenes = {"scene-x"};
-  const auto both = networksOf({modestWeights(), fold});
-  const auto alone = sampled(networksOf({fold}), snapshot);
-  const auto chosen = sampled(both, snapshot, 0, "scene-x");
-  const auto other = sampled(both, snapshot, 0, "scene-y");
-  bool differs = false;
-  for (std::size_t i = 0; i < alone.size(); ++i) {
-    EXPECT_EQ(alone[i].states.back().pose.x, chosen[i].states.back().pose.x);
-    differs = differs || alone[i].states.back().pose.x != other[i].states.back().pose.x;
-  }
-  EXPECT_TRUE(differs);
-}
-
 TEST(NetworkEgoFutures, RefuseBadArguments) {
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
-  const NetworkEgoFutures futures(shippedEgoFutureOptions(), networksOf({randomWeights()}),
-                                  nullptr);
+  const NetworkEgoFutures futures(shippedEgoFutureOptions(),
+                                  {nullptr, networkOf(randomWeights()), {}});
   EXPECT_THROW(futures.sample(snapshot, lanes, 0.0, 1, 0), std::invalid_argument);
   EXPECT_THROW(futures.sample(snapshot, lanes, 1.0, -1, 0), std::invalid_argument);
   EXPECT_TRUE(futures.sample(snapshot, lanes, 1.0, 0, 0).empty());

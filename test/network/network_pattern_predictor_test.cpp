@@ -19,18 +19,16 @@ CollisionRequest crossing() {
   return request;
 }
 
-std::shared_ptr<const PatternNetworks> networks(std::uint64_t seed) {
-  return std::make_shared<const PatternNetworks>(std::vector<PatternWeights>{randomWeights(seed)});
+std::shared_ptr<const PatternNetwork> networkOf(std::uint64_t seed) {
+  return std::make_shared<const PatternNetwork>(randomWeights(seed));
 }
 
-PatternPrediction predicted(const std::shared_ptr<const PatternNetworks>& networks,
+PatternPrediction predicted(const std::shared_ptr<const PatternNetwork>& network,
                             const Future* recorded = nullptr,
                             std::optional<CollisionType> known_type = std::nullopt) {
-  const AttackOptions options = shippedOptions();
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
-  const auto futures = std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr);
-  return NetworkPatternPredictor(options, futures, networks, "", known_type)
+  return NetworkPatternPredictor(shippedOptions(), {nullptr, network, known_type})
       .predict(snapshot, lanes, crossing(), recorded);
 }
 
@@ -50,10 +48,10 @@ TEST(NetworkPatternPredictor, IsKinematicWithoutANetwork) {
 }
 
 TEST(NetworkPatternPredictor, TypeTellsTheEgosPlaceInKnownScenesAlone) {
-  const auto chosen = networks(0);
+  const auto chosen = networkOf(0);
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
-  const PredictedScene scene(chosen->all()[0], snapshot, lanes, 4.0, shippedEgoFutureOptions());
+  const PredictedScene scene(*chosen, snapshot, lanes, 4.0, shippedEgoFutureOptions());
   const Pose2 with_type = medianPose(scene.egoAfter(4.0, CollisionType::kJunctionCrossing));
   const Pose2 without_type = medianPose(scene.egoAfter(4.0, std::nullopt));
   ASSERT_GT((with_type.position() - without_type.position()).norm(), 1e-3);
@@ -67,7 +65,7 @@ TEST(NetworkPatternPredictor, TypeTellsTheEgosPlaceInKnownScenesAlone) {
 
 TEST(NetworkPatternPredictor, ReplacesTheNearestPatternOfEachAttacker) {
   const PatternPrediction without = predicted(nullptr);
-  const PatternPrediction with = predicted(networks(0));
+  const PatternPrediction with = predicted(networkOf(0));
   ASSERT_EQ(with.patterns.size(), without.patterns.size());
   EXPECT_EQ(attackersOf(with).size(), 3U);
   const auto ofAttacker = [](const PatternPrediction& prediction, const std::string& id) {
@@ -97,10 +95,10 @@ TEST(NetworkPatternPredictor, ReplacesTheNearestPatternOfEachAttacker) {
 }
 
 TEST(NetworkPatternPredictor, RanksAsTheNetworkJudges) {
-  const auto chosen = networks(0);
+  const auto chosen = networkOf(0);
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
-  const PredictedScene scene(chosen->all()[0], snapshot, lanes, 4.0, shippedEgoFutureOptions());
+  const PredictedScene scene(*chosen, snapshot, lanes, 4.0, shippedEgoFutureOptions());
   const Pose2 ego = medianPose(scene.egoAfter(4.0, std::nullopt));
   std::vector<const Track*> vehicles;
   for (const Track& agent : snapshot.agents) vehicles.push_back(&agent);
@@ -120,7 +118,7 @@ TEST(NetworkPatternPredictor, TakesTheRecordedEgoInReplay) {
   const Snapshot snapshot = junctionSnapshot();
   Future recorded;
   recorded.ego = futureTrack(kEgoId, kEgoSize, {-30.0, -1.75, 0.0}, 5.0);
-  const PatternPrediction prediction = predicted(networks(0), &recorded);
+  const PatternPrediction prediction = predicted(networkOf(0), &recorded);
   ASSERT_FALSE(prediction.patterns.empty());
   EXPECT_NEAR(prediction.patterns[0].ego.center.x, -10.0, 1e-9);
 }
@@ -129,10 +127,9 @@ TEST(NetworkPatternPredictor, TellsWhenNobodyCanAttack) {
   Snapshot snapshot = junctionSnapshot();
   snapshot.agents.clear();
   const LaneIndex lanes = lanesOf(snapshot);
-  const AttackOptions options = shippedOptions();
-  const auto futures = std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr);
-  const PatternPrediction prediction = NetworkPatternPredictor(options, futures, networks(0))
-                                           .predict(snapshot, lanes, crossing(), nullptr);
+  const PatternPrediction prediction =
+      NetworkPatternPredictor(shippedOptions(), {nullptr, networkOf(0), {}})
+          .predict(snapshot, lanes, crossing(), nullptr);
   EXPECT_EQ(prediction.status.code, StatusCode::kNoCandidate);
 }
 

@@ -151,18 +151,18 @@ TEST(LogDensity, IntegratesToOne) {
   EXPECT_NEAR(sum, 1.0, 1e-3);
 }
 
-TEST(PatternNetworks, ScenesOnTestAreJudgedByTheNetworkWithoutThem) {
+TEST(PatternNetwork, HasAFoldForEachSceneThatOneLeftOut) {
   PatternWeights first = randomWeights(1);
   first.left_out_scenes = {"scene-a", "scene-b"};
   PatternWeights second = randomWeights(2);
   second.left_out_scenes = {"scene-c"};
-  const PatternNetworks networks({randomWeights(0), first, second});
-  EXPECT_EQ(&networks.forScene("scene-b"), &networks.all()[1]);
-  EXPECT_EQ(&networks.forScene("scene-c"), &networks.all()[2]);
-  EXPECT_EQ(&networks.forScene("elsewhere"), &networks.all()[0]);
+  const PatternNetwork network(randomWeights(0), {first, second});
+  EXPECT_EQ(network.withoutScene("scene-b"), network.folds()[0]);
+  EXPECT_EQ(network.withoutScene("scene-c"), network.folds()[1]);
+  EXPECT_EQ(network.folds()[1]->weights().left_out_scenes, second.left_out_scenes);
+  EXPECT_EQ(network.withoutScene("elsewhere"), nullptr);
   second.left_out_scenes = {"scene-a"};
-  EXPECT_THROW(PatternNetworks({randomWeights(0), first, second}), std::invalid_argument);
-  EXPECT_THROW(PatternNetworks({}), std::invalid_argument);
+  EXPECT_THROW(PatternNetwork(randomWeights(0), {first, second}), std::invalid_argument);
 }
 
 }  // namespace

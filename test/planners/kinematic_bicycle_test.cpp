@@ -10,7 +10,7 @@ namespace forge {
 namespace {
 
 KinematicBicycleOptions withoutLags() {
-  KinematicBicycleOptions options = shippedConfig().planners.bicycle;
+  KinematicBicycleOptions options = shippedConfig().planners.car;
   options.acceleration_lag = 0.0;
   options.steering_lag = 0.0;
   return options;
@@ -81,7 +81,7 @@ TEST(KinematicBicycle, KeepsItsLimits) {
 }
 
 TEST(KinematicBicycle, PointsAndStatesAreTheSameMotion) {
-  const KinematicBicycle bicycle(shippedConfig().planners.bicycle);
+  const KinematicBicycle bicycle(shippedConfig().planners.car);
   const BicycleState state{{3.0, 4.0, 0.5}, 5.0, -1.0, 0.2};
   const TrajectoryPoint point = bicycle.pointOf(state, 7.0, 1.385);
   EXPECT_EQ(point.time, 7.0);

@@ -10,7 +10,7 @@
 namespace forge {
 namespace {
 
-const KinematicBicycleOptions& bicycleOptions() { return shippedConfig().planners.bicycle; }
+const KinematicBicycleOptions& bicycleOptions() { return shippedConfig().planners.car; }
 const LqrOptions& lqrOptions() { return shippedConfig().planners.lqr; }
 
 /// Poses every 0.1 s on a circle of `curvature` (0: a line) from the origin, at `speed`.

@@ -16,12 +16,12 @@ bool comfortable(const std::function<BicycleState(double)>& state_at,
                  const PdmComfortOptions& options = comfortOptions()) {
   PdmMotion motion;
   for (int i = 0; i <= 40; ++i) motion.states.push_back(state_at(0.1 * i));
-  const KinematicBicycle bicycle(shippedConfig().planners.bicycle);
+  const KinematicBicycle bicycle(shippedConfig().planners.car);
   return isComfortable(motion, bicycle, 0.1, options);
 }
 
 double steeringFor(double curvature) {
-  return std::atan(curvature * shippedConfig().planners.bicycle.wheelbase);
+  return std::atan(curvature * shippedConfig().planners.car.wheelbase);
 }
 
 TEST(Slopes, AreThoseOfALine) {

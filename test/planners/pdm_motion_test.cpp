@@ -25,7 +25,7 @@ TEST(PdmMotion, FollowsPosesFromWhereTheCarIs) {
 }
 
 TEST(PdmMotion, BoxesAreAheadOfTheRearAxle) {
-  const KinematicBicycle bicycle(shippedConfig().planners.bicycle);
+  const KinematicBicycle bicycle(shippedConfig().planners.car);
   const PdmMotion motion =
       simulateBraking({{0.0, 0.0, 0.5 * M_PI}, 5.0, 0.0, 0.0}, 4.0, 10, bicycle, 0.1, kEgo);
   EXPECT_NEAR(motion.boxes[0].center.y, 1.5, 1e-12);
@@ -33,7 +33,7 @@ TEST(PdmMotion, BoxesAreAheadOfTheRearAxle) {
 }
 
 TEST(PdmMotion, BrakingEndsAtAStandstill) {
-  const KinematicBicycle bicycle(shippedConfig().planners.bicycle);
+  const KinematicBicycle bicycle(shippedConfig().planners.car);
   const PdmMotion motion =
       simulateBraking({{0.0, 0.0, 0.0}, 5.0, 0.0, 0.1}, 4.05, 80, bicycle, 0.1, kEgo);
   ASSERT_EQ(motion.states.size(), 81U);

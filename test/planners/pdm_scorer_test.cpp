@@ -38,7 +38,7 @@ class PdmScoring : public testing::Test {
   const EgoVehicle ego_ = shippedConfig().ego_vehicle;
   const std::shared_ptr<const LaneIndex> lanes_ = threeLaneRoad();
   const SampledWay way_{Polyline(routeAlong(*lanes_, 0))};
-  const KinematicBicycle bicycle_{shippedConfig().planners.bicycle};
+  const KinematicBicycle bicycle_{shippedConfig().planners.car};
   std::optional<PdmForecast> forecast_;
   std::optional<PdmScorer> scorer_;
 };

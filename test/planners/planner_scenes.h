@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "attack/test_scenes.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/planners/planner.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 
@@ -69,7 +69,7 @@ inline DrivingTask taskOn(std::shared_ptr<const LaneIndex> lanes, std::size_t la
   task.route = routeAlong(*lanes, lane);
   task.lanes = std::move(lanes);
   task.ego = shippedConfig().ego_vehicle;
-  task.wheelbase = shippedConfig().planners.bicycle.wheelbase;
+  task.wheelbase = shippedConfig().planners.car.wheelbase;
   return task;
 }
 

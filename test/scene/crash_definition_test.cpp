@@ -130,16 +130,5 @@ TEST(ContactFits, OppositeDirectionAndCrossingMeetInAnyWay) {
   }
 }
 
-TEST(TypeRules, NamesAreReadBackExactly) {
-  for (const TypeRules rules : {TypeRules::kFull, TypeRules::kAngle}) {
-    EXPECT_EQ(typeRulesFromString(toString(rules)), rules);
-  }
-  EXPECT_STREQ(toString(TypeRules::kFull), "full");
-  EXPECT_STREQ(toString(TypeRules::kAngle), "angle");
-  for (const char* name : {"", "Full", "full ", "none"}) {
-    EXPECT_FALSE(typeRulesFromString(name)) << name;
-  }
-}
-
 }  // namespace
 }  // namespace forge

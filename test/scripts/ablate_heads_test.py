@@ -98,7 +98,7 @@ class AblateHeads(unittest.TestCase):
         config = self.root / 'out' / 'by_scene-regression-1' / 'config'
         self.assertIn('epochs: 5\n', (config / 'training.yaml').read_text(encoding='utf-8'))
         self.assertIn(str(self.root / 'out' / 'by_scene-regression-1' / 'run' / 'weights.bin'),
-                      (config / 'network.yaml').read_text(encoding='utf-8'))
+                      (config / 'models.yaml').read_text(encoding='utf-8'))
 
     def test_goes_on_where_it_was_stopped(self):
         self.assertEqual(self.ablate('--seeds', '1').returncode, 0)

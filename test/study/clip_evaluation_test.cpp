@@ -159,7 +159,7 @@ TEST(ClipEvaluation, NetworksForeseeAndTheSearchWithoutThemStandsBeside) {
   EXPECT_EQ(without.status, "OK");
   EXPECT_EQ(with.status, "OK");
   EXPECT_NE(with.contact_after, without.contact_after);
-  evaluation.foresight = evaluation.foresight.withoutNetworks();
+  evaluation.foresight = evaluation.foresight.withoutNetwork();
   evaluation.plan.method = "search";
   EXPECT_EQ(evaluation.row(clip, "search").contact_after, without.contact_after);
 }
@@ -182,7 +182,7 @@ TEST(ClipEvaluation, SeenScenesTakeTheNetworkOfAllScenes) {
   Evaluation evaluation;
   evaluation.foresight = loadForesight(evaluation.config);
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
-  clip.scene = evaluation.foresight.networks->all().back().weights().left_out_scenes.front();
+  clip.scene = evaluation.foresight.network->folds().back()->weights().left_out_scenes.front();
   evaluation.plan.method = "network";
   evaluation.plan.is_seeded = false;
   const auto unseen = evaluation.row(clip, "network").contact_after;

@@ -22,7 +22,7 @@ class RequestAnswererTest : public testing::Test {
 
   const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   SceneSource scenes_{kDataroot, "v1.0-embedded", {"scene-0001"}, config_, 1};
-  const MethodMaker method_ = loadMethod("", config_);
+  const MethodMaker method_ = loadMethod("", config_, config_.attack);
   RequestAnswerer answerer_{scenes_, method_, config_.crash, config_.ego_vehicle};
 };
 
@@ -34,8 +34,8 @@ TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
     Scenario expected{request, config_.ego_vehicle, {}};
     CollisionRequest crash = request.request;
     crash.crash = config_.crash;
-    expected.answer =
-        generateCollision(*method_.make(request.scene), moment, crash, config_.attack.prediction);
+    expected.answer = generateCollision(*method_.makeWithoutScene(request.scene), moment, crash,
+                                        config_.attack.prediction);
     EXPECT_EQ(scenarioLine(answerer_.answer(request)), scenarioLine(expected));
   }
 }

@@ -28,7 +28,8 @@ PlannerCase rearEnd() {
 }
 
 PlannerTestResult tested() {
-  return testPlanners(rearEnd(), {"idm", "idm_published"}, Background::kReplay, config());
+  return testPlanners(rearEnd(), {"idm", "idm_published"}, Background::kReplay, config(),
+                      config().planners);
 }
 
 TEST(PlannerResult, EveryPlannerHasARow) {
@@ -48,7 +49,8 @@ TEST(PlannerResult, EveryPlannerHasARow) {
 TEST(PlannerResult, ACaseWithoutAnAttackIsNotTested) {
   PlannerCase one = rearEnd();
   one.status = {StatusCode::kNoCandidate, "nobody"};
-  const PlannerTestResult result = testPlanners(one, {"idm"}, Background::kReplay, config());
+  const PlannerTestResult result =
+      testPlanners(one, {"idm"}, Background::kReplay, config(), config().planners);
   EXPECT_EQ(result.status, "NO_CANDIDATE");
   EXPECT_EQ(result.message, "nobody");
   EXPECT_FALSE(result.isTested());
@@ -58,7 +60,8 @@ TEST(PlannerResult, ACaseWithoutAnAttackIsNotTested) {
 TEST(PlannerResult, AnAttackerThatTouchesTheEgoAlreadyIsUnfit) {
   PlannerCase one = rearEnd();
   one.scenario.attacker.points.front().pose = {-3.0, 0.0, 0.0};
-  const PlannerTestResult result = testPlanners(one, {"idm"}, Background::kReplay, config());
+  const PlannerTestResult result =
+      testPlanners(one, {"idm"}, Background::kReplay, config(), config().planners);
   EXPECT_EQ(result.status, "UNFIT");
   EXPECT_NE(result.message.find("touches the ego"), std::string::npos);
 }

@@ -24,7 +24,7 @@ std::vector<PlannerVariant> variants(const PlannerGrid& grid) {
   std::ifstream file(kConfig + "/planners.yaml");
   std::ostringstream text;
   text << file.rdbuf();
-  return variantsOf(grid, "planners.yaml", text.str(), config());
+  return variantsOf(grid, "planners.yaml", text.str(), config().attack.verification.limits);
 }
 
 enum class End { kFree, kAttacker, kAtFault, kInnocent, kFailure };
@@ -100,12 +100,12 @@ TEST(Variants, HaveTheirValuesInTheirConfiguration) {
       variants({{"pdm.idm.min_gap", {1.0, 4.0}}, {"pdm.scoring.ttc_weight", {2.5, 5.0}}});
   ASSERT_EQ(found.size(), 4u);
   EXPECT_EQ(found[0].name, "default");
-  EXPECT_EQ(found[0].config.planners.pdm.idm.min_gap, 1.0);
-  EXPECT_EQ(found[0].config.planners.pdm.scoring.ttc_weight, 5.0);
+  EXPECT_EQ(found[0].options.pdm.idm.min_gap, 1.0);
+  EXPECT_EQ(found[0].options.pdm.scoring.ttc_weight, 5.0);
   EXPECT_EQ(found[2].name, "2");
-  EXPECT_EQ(found[2].config.planners.pdm.idm.min_gap, 4.0);
-  EXPECT_EQ(found[2].config.planners.pdm.scoring.ttc_weight, 2.5);
-  EXPECT_EQ(found[2].config.planners.pdm.idm.max_acceleration, 1.5);
+  EXPECT_EQ(found[2].options.pdm.idm.min_gap, 4.0);
+  EXPECT_EQ(found[2].options.pdm.scoring.ttc_weight, 2.5);
+  EXPECT_EQ(found[2].options.pdm.idm.max_acceleration, 1.5);
 }
 
 TEST(Variants, ThatThePlannerCannotHaveAreRefusedByKeyAndValue) {
@@ -180,7 +180,7 @@ TEST(Comparison, ShowsBothAndTheChangeCaseByCase) {
 TEST(TestVariants, GivesEachItsRow) {
   const auto both = variants({{"idm.standard.max_acceleration", {5.0}}});
   const PlannerTestResult found =
-      testVariants(rearEnd(), "idm", both, true, Background::kReplay, config());
+      testVariants(rearEnd(), "idm", both, true, Background::kReplay, config(), config().planners);
   ASSERT_EQ(found.rows.size(), 2u);
   EXPECT_EQ(found.rows[0].planner, "default");
   EXPECT_EQ(found.rows[1].planner, "1");
@@ -192,15 +192,19 @@ TEST(TestVariants, GivesEachItsRow) {
 TEST(TestVariants, LeavesOutWhatCannotBeAvoidedOnRequest) {
   PlannerCase one = rearEnd();
   const auto only = variants({{"idm.standard.min_gap", {1.0}}});
-  Config helpless = config();
+  TrialOptions helpless = config().planners;
   // Nothing but going on as before may be tried, and that is hit from behind.
-  helpless.planners.avoidability.accelerations = {0.0};
-  helpless.planners.avoidability.offsets = {0.0};
-  helpless.planners.avoidability.draws = 0;
-  EXPECT_TRUE(testVariants(one, "idm", only, true, Background::kReplay, helpless).rows.empty());
-  EXPECT_EQ(testVariants(one, "idm", only, false, Background::kReplay, helpless).rows.size(), 1u);
+  helpless.avoidability.accelerations = {0.0};
+  helpless.avoidability.offsets = {0.0};
+  helpless.avoidability.draws = 0;
+  EXPECT_TRUE(
+      testVariants(one, "idm", only, true, Background::kReplay, config(), helpless).rows.empty());
+  EXPECT_EQ(
+      testVariants(one, "idm", only, false, Background::kReplay, config(), helpless).rows.size(),
+      1u);
   one.status = {StatusCode::kNoCandidate, "nobody"};
-  const auto untested = testVariants(one, "idm", only, false, Background::kReplay, config());
+  const auto untested =
+      testVariants(one, "idm", only, false, Background::kReplay, config(), config().planners);
   EXPECT_EQ(untested.status, "NO_CANDIDATE");
   EXPECT_TRUE(untested.rows.empty());
 }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "collision_forge/config/config.h"
+#include "collision_forge/settings/config.h"
 #include "data/collide_fixture.h"
 
 namespace forge {

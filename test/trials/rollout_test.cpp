@@ -148,7 +148,7 @@ TEST(Rollout, ShowsThePlannerTheStatesOfNowAndTheTask) {
   });
   drive(planner, scenario);
   EXPECT_GE(planner.task().route.size(), 2u);
-  EXPECT_EQ(planner.task().wheelbase, shippedConfig().planners.bicycle.wheelbase);
+  EXPECT_EQ(planner.task().wheelbase, shippedConfig().planners.car.wheelbase);
   EXPECT_EQ(planner.task().ego.size.length, kEgoSize.length);
 }
 

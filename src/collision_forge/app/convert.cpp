@@ -7,11 +7,11 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/progress_line.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/ros/bag_writer.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {

@@ -115,8 +115,8 @@ int buildDataset(const Arguments& arguments) {
   run.jobs = arguments.jobs;
   run.work = [&](std::size_t index) {
     const SceneRequest& asked = requests[index];
-    return scenarioLine(
-        {asked, config.ego_vehicle, findClip(asked, *scenes.at(asked.scene), config)});
+    return scenarioLine({asked, config.ego_vehicle,
+                         findClip(asked, *scenes.at(asked.scene), config, config.dataset)});
   };
   run.take = [&](std::size_t index, const std::string& where, const std::string& line) {
     attempts.push_back(readAttempt(where, line, requests[index]));
@@ -126,7 +126,8 @@ int buildDataset(const Arguments& arguments) {
   warnOfMissingTypes(attempts);
   const auto chosen = chooseClips(attempts, config.dataset.balance, arguments.seed);
   if (chosen.empty()) throw std::runtime_error(arguments.out + ": none of the clips is valid");
-  std::cout << writeDataset(arguments.out, arguments.attempts(), attempts, chosen, config, scenes);
+  std::cout << writeDataset(arguments.out, arguments.attempts(), attempts, chosen, config.dataset,
+                            config.drawing, scenes);
   return kExitOk;
 }
 

@@ -11,6 +11,7 @@
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/study/clip_methods.h"
 
 namespace forge {

@@ -16,6 +16,7 @@
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/drawing/reliability_plot.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/study/request_evaluation.h"
 #include "collision_forge/study/request_report.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "collision_forge/drawing/bar_chart.h"
-#include "collision_forge/drawing/drawing_options.h"
+#include "collision_forge/drawing/options.h"
 #include "collision_forge/files/resumable_file.h"
 #include "collision_forge/study/clip_evaluation.h"
 #include "collision_forge/study/rate_table.h"

@@ -116,8 +116,8 @@ int generate(const Arguments& arguments) {
   SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings());
-  const RequestAnswerer answerer(scenes, loadMethod(arguments.method, config), config.crash,
-                                 config.ego_vehicle);
+  const RequestAnswerer answerer(scenes, loadMethod(arguments.method, config, config.attack),
+                                 config.crash, config.ego_vehicle);
   Run run;
   run.path = arguments.scenarios();
   run.options = runOptions(arguments, config, list.requests);

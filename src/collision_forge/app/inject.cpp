@@ -8,12 +8,12 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/draw_scenario.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/injection.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
@@ -111,7 +111,7 @@ int inject(const Arguments& arguments) {
   const PredictionOptions& prediction = config.attack.prediction;
   const Moment moment{snapshotAt(scene, now, prediction.history_frames), recordedFuture(scene, now),
                       std::make_shared<const LaneIndex>(scene.map)};
-  const MethodMaker maker = loadMethod(arguments.method, config);
+  const MethodMaker maker = loadMethod(arguments.method, config, config.attack);
   const Realization attack = generateCollision(*maker.make(), moment, request, prediction);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);
   CollisionReport tested =

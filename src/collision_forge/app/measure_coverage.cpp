@@ -4,10 +4,10 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/progress_line.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
@@ -35,7 +35,7 @@ void answerAll(const IndexedScene& indexed, double seconds, const Arguments& arg
   const PredictionOptions& prediction = config.attack.prediction;
   const double now = lastFrameTime(scene, scene.frame_times.front() + seconds).value();
   const auto moment = std::get<Moment>(momentAt(indexed, now, prediction.history_frames));
-  const auto method = maker.make(scene.name);
+  const auto method = maker.makeWithoutScene(scene.name);
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) {
     for (const CollisionType type : kCollisionTypes) {
       for (const double tta : arguments.ttas) {
@@ -87,7 +87,7 @@ void printTable(const Tallies& tallies) {
 
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  const MethodMaker method = loadMethod("", config);
+  const MethodMaker method = loadMethod("", config, config.attack);
   SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1);
   const std::vector<std::string> names = scenes.names();
   AsideFile file(arguments.out);

@@ -8,7 +8,6 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/progress_line.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/data/speed_model_file.h"
@@ -18,6 +17,7 @@
 #include "collision_forge/forecast/ego_paths.h"
 #include "collision_forge/forecast/kinematic_prediction.h"
 #include "collision_forge/network/network_ego_futures.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
@@ -214,7 +214,7 @@ std::shared_ptr<const SpeedForecaster> readSpeeds(const Arguments& arguments,
                                                   const Config& config) {
   if (!arguments.profiles.empty()) {
     return std::make_shared<const SpeedProfiles>(
-        readSpeedProfiles(arguments.profiles, config.attack.ego_futures.speed));
+        readSpeedProfiles(arguments.profiles, config.recorded_speeds));
   }
   if (arguments.speed_model.empty()) return nullptr;
   return std::make_shared<const SpeedModel>(readSpeedModel(arguments.speed_model));

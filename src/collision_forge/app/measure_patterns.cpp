@@ -10,7 +10,6 @@
 #include "collision_forge/app/pattern_timing.h"
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/batch/progress_line.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/collide_scene.h"
 #include "collision_forge/data/collide_set.h"
@@ -18,6 +17,7 @@
 #include "collision_forge/forecast/ego_futures.h"
 #include "collision_forge/network/network_ego_futures.h"
 #include "collision_forge/network/predicted_scene.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
@@ -215,25 +215,26 @@ void print(const Totals& totals) {
 int measure(const Arguments& arguments) {
   Config config = loadConfig(arguments.config);
   if (!arguments.networks.empty()) config.pattern_network = arguments.networks;
-  const auto networks = loadPatternNetwork(config);
-  if (!networks) throw std::runtime_error("network.yaml: pattern_network names no file");
-  const auto speeds = loadSpeedForecaster(config);
+  const Foresight foresight = loadForesight(config);
+  if (!foresight.network) {
+    throw std::runtime_error("models.yaml: pattern_network names no file");
+  }
   CityMaps lanes(arguments.dataroot, config);
   ProgressLine progress("measuring");
   Totals totals;
   const auto paths = listCollideClips(arguments.collide, arguments.split);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const CollideClip clip = readCollideClip(paths[i]);
-    const std::string scene = arguments.seen_scenes ? "" : clip.scene;
-    const PatternNetwork& network = networks->forScene(scene);
-    const auto& left_out = network.weights().left_out_scenes;
+    const Foresight known = arguments.seen_scenes ? foresight : foresight.withoutScene(clip.scene);
+    const auto& left_out = known.network->weights().left_out_scenes;
     if (arguments.unseen &&
         std::find(left_out.begin(), left_out.end(), clip.scene) == left_out.end()) {
       continue;
     }
-    const KinematicEgoFutures kinematic(config.attack.ego_futures, speeds, scene);
-    const NetworkEgoFutures sampler(config.attack.ego_futures, networks, speeds, scene);
-    measureClip(clip, *lanes.at(clip.city), network, kinematic, sampler, config, arguments, totals);
+    const KinematicEgoFutures kinematic(config.attack.ego_futures, known.speeds);
+    const NetworkEgoFutures sampler(config.attack.ego_futures, known);
+    measureClip(clip, *lanes.at(clip.city), *known.network, kinematic, sampler, config, arguments,
+                totals);
     progress.show(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
   }
   print(totals);

@@ -5,9 +5,9 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/progress_line.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
@@ -43,7 +43,7 @@ void measureScene(const IndexedScene& indexed, const Config& config, Measurement
   const PlannerOptions& options = config.planners;
   const std::unique_ptr<Planner> planner = makePlanner(measurement.name, options, "").planner;
   planner->initialize({indexed.lanes, routeOf(scene.ego, *indexed.lanes, options.planning.route),
-                       config.ego_vehicle, options.bicycle.wheelbase});
+                       config.ego_vehicle, options.car.wheelbase});
   for (const double now : scene.frame_times) {
     const Observation observation =
         observationAt(scene, now, config.attack.prediction.history_frames);

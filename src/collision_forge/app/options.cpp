@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "collision_forge/config/config_fingerprint.h"
+#include "collision_forge/settings/config_fingerprint.h"
 
 #ifndef COLLISION_FORGE_WITHOUT_ROS
 #include <ros/package.h>

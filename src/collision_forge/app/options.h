@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/files/resumable_file.h"
 #include "collision_forge/scene/collision_request.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/trials/traffic.h"
 
 /// Options that several commands have, each defined once.

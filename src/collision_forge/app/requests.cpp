@@ -9,9 +9,9 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/attack/request_list.h"
 #include "collision_forge/batch/progress_line.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/request_file.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {

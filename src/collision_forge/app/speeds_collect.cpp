@@ -3,10 +3,10 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/progress_line.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/data/speed_profiles_file.h"
 #include "collision_forge/forecast/speed_profile_collection.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {

@@ -4,11 +4,11 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/speed_model_file.h"
 #include "collision_forge/data/speed_profiles_file.h"
 #include "collision_forge/forecast/speed_forecast_check.h"
 #include "collision_forge/forecast/speed_model_fit.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
@@ -56,11 +56,11 @@ int fit(const Arguments& arguments) {
   const SpeedModel fitted =
       fitSpeedModelWithFolds(recorded, arguments.folds, config.speed_model_fit, arguments.seed);
   writeSpeedModel(fitted, arguments.out);
-  std::printf("%d intervals of %zu scenes\n", static_cast<int>(fitted.whole().gains.cols()),
+  std::printf("%d intervals of %zu scenes\n", static_cast<int>(fitted.weights().gains.cols()),
               recorded.scenes().size());
   if (arguments.folds == 0) return kExitOk;
   const SpeedModel model = readSpeedModel(arguments.out);  // as it is used, rounded
-  compare(recorded, model, SpeedProfiles(recorded, config.attack.ego_futures.speed));
+  compare(recorded, model, SpeedProfiles(recorded, config.recorded_speeds));
   return kExitOk;
 }
 

@@ -16,6 +16,7 @@
 #include "collision_forge/drawing/draw_scenario.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/trials/planner_cases.h"
 #include "collision_forge/trials/planner_report.h"
 #include "collision_forge/trials/planner_run.h"
@@ -192,7 +193,7 @@ int drive(const Arguments& arguments) {
   PlanningTimes times;
   const auto test = [&](const PlannerCase& one) {
     const PlannerTestResult result =
-        testPlanners(one, arguments.planners, arguments.background, config);
+        testPlanners(one, arguments.planners, arguments.background, config, config.planners);
     times.add(result);
     return result;
   };

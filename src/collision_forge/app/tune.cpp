@@ -13,6 +13,7 @@
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/fingerprint.h"
 #include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/trials/planner_cases.h"
 #include "collision_forge/trials/planner_report.h"
 #include "collision_forge/trials/planner_run.h"
@@ -75,7 +76,7 @@ Tuning openTuning(const Arguments& arguments, const Config& config) {
   return {arguments,
           config,
           file,
-          variantsOf(grid, file.path, file.text, config),
+          variantsOf(grid, file.path, file.text, config.attack.verification.limits),
           openCases(arguments.train, arguments, config),
           openCases(arguments.test, arguments, config)};
 }
@@ -110,22 +111,22 @@ Run partRun(const Tuning& tuning, const std::string& name, const PlannerCases& c
 
 /// Drives every variant through the training cases; results on the master.
 std::vector<PlannerTestResult> driveVariants(const Tuning& tuning) {
-  return testCases(partRun(tuning, "train", *tuning.train), *tuning.train,
-                   [&](const PlannerCase& one) {
-                     return testVariants(one, tuning.arguments.planner, tuning.variants, true,
-                                         tuning.arguments.background, tuning.config);
-                   });
+  return testCases(
+      partRun(tuning, "train", *tuning.train), *tuning.train, [&](const PlannerCase& one) {
+        return testVariants(one, tuning.arguments.planner, tuning.variants, true,
+                            tuning.arguments.background, tuning.config, tuning.config.planners);
+      });
 }
 
 /// Drives default and tuned planner through the held-out cases; results on the master.
 std::vector<PlannerTestResult> compare(const Tuning& tuning, std::size_t best) {
   std::vector<PlannerVariant> pair = {tuning.variants.front(), tuning.variants[best]};
   pair.back().name = "tuned";
-  return testCases(partRun(tuning, "test", *tuning.test), *tuning.test,
-                   [&](const PlannerCase& one) {
-                     return testVariants(one, tuning.arguments.planner, pair, false,
-                                         tuning.arguments.background, tuning.config);
-                   });
+  return testCases(
+      partRun(tuning, "test", *tuning.test), *tuning.test, [&](const PlannerCase& one) {
+        return testVariants(one, tuning.arguments.planner, pair, false, tuning.arguments.background,
+                            tuning.config, tuning.config.planners);
+      });
 }
 
 /// The index of the best variant; writes how all did.

@@ -26,7 +26,7 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
   const double reach =
       tta * std::min(limits.max_speed, motion.speed + 0.5 * limits.max_forward_acceleration * tta);
   entry->paths = pathsAhead(input.lanes, agent.states.back().pose, reach + kBeyondReach,
-                            prediction.lane_max_distance, prediction.lane_max_heading,
+                            prediction.on_lane_distance, prediction.on_lane_heading,
                             static_cast<std::size_t>(options.search.lane_paths));
   entry->quintics.push_back(std::make_unique<QuinticFamily>());
   for (const ReferencePath& path : entry->paths) {

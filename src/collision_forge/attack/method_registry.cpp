@@ -91,7 +91,7 @@ std::string withoutNetworks(const std::string& method) {
 
 const MethodForesight& networksOf(const MethodSetup& setup) {
   if (!setup.networks) {
-    throw std::invalid_argument("pattern_network in network.yaml names no networks");
+    throw std::invalid_argument("pattern_network in models.yaml names no file");
   }
   return *setup.networks;
 }

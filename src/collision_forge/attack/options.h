@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <iterator>
+#include <string>
 #include <vector>
 
 #include "collision_forge/forecast/options.h"
@@ -10,7 +11,9 @@
 
 namespace forge {
 
-/// config/search.yaml, section bicycle
+class Section;
+
+/// config/search.yaml, section bicycle_family
 struct BicycleOptions {
   int iterations = 0;
   double convergence = 0.0;
@@ -79,7 +82,7 @@ struct SearchOptions {
   std::vector<double> confidence_curve;  ///< at shares evenly spread over [0, 1]
 };
 
-/// config/evaluation.yaml, section nominal
+/// config/methods.yaml, section nominal
 struct NominalOptions {
   double end_distance = 0.0;
   double side_distance = 0.0;
@@ -112,5 +115,12 @@ struct RequestListOptions {
   Attackers attackers = Attackers::kAny;
   std::uint64_t seed = 0;  ///< of every request
 };
+
+void readOptions(Section& section, RequestListOptions& options);
+void readOptions(Section& section, NominalOptions& options);
+
+/// Reads prediction.yaml, search.yaml, verification.yaml, vehicle_limits.yaml and ego_futures.yaml
+/// of a folder.
+void readAttackOptions(const std::string& directory, AttackOptions& options);
 
 }  // namespace forge

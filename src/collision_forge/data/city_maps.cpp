@@ -6,8 +6,8 @@
 
 namespace forge {
 
-CityMaps::CityMaps(const std::string& dataroot, const Config& config, OnWarnings on_warnings)
-    : dataroot_(dataroot), config_(config), on_warnings_(std::move(on_warnings)) {}
+CityMaps::CityMaps(const std::string& dataroot, const DataOptions& options, OnWarnings on_warnings)
+    : dataroot_(dataroot), options_(options), on_warnings_(std::move(on_warnings)) {}
 
 std::shared_ptr<const LaneIndex> CityMaps::at(const std::string& city) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -15,8 +15,8 @@ std::shared_ptr<const LaneIndex> CityMaps::at(const std::string& city) {
   if (lanes) return lanes;
   std::vector<std::string> warnings;
   lanes = std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(
-      readNuScenesMap(dataroot_, city, drivingSide(config_, city),
-                      {config_.conversion.centerline_resolution}, &warnings)));
+      readNuScenesMap(dataroot_, city, drivingSide(options_, city),
+                      {options_.conversion.centerline_resolution}, &warnings)));
   if (on_warnings_ && !warnings.empty()) on_warnings_("map " + city, warnings);
   return lanes;
 }

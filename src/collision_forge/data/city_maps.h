@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/config.h"
+#include "collision_forge/data/options.h"
 #include "collision_forge/map/lane_queries.h"
 
 namespace forge {
@@ -19,14 +19,14 @@ using OnWarnings =
 /// The maps of a nuScenes root, each read when it is first asked for. Thread-safe.
 class CityMaps {
  public:
-  CityMaps(const std::string& dataroot, const Config& config, OnWarnings on_warnings = {});
+  CityMaps(const std::string& dataroot, const DataOptions& options, OnWarnings on_warnings = {});
 
   /// Throws as readNuScenesMap() and drivingSide().
   std::shared_ptr<const LaneIndex> at(const std::string& city);
 
  private:
   std::string dataroot_;
-  Config config_;
+  DataOptions options_;
   OnWarnings on_warnings_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const LaneIndex>> maps_;

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "collision_forge/config/evaluation_options.h"
 #include "collision_forge/data/collide_clip.h"
+#include "collision_forge/data/options.h"
 #include "collision_forge/scene/scene.h"
 
 namespace forge {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "collision_forge/data/json_line.h"
+#include "collision_forge/data/speed_model_file.h"
 #include "collision_forge/files/aside_file.h"
 
 namespace forge {
@@ -188,23 +189,29 @@ void writePatternWeights(const std::vector<PatternWeights>& networks, const std:
   aside.commit();
 }
 
-std::shared_ptr<const PatternNetworks> loadPatternNetwork(const Config& config) {
-  if (config.pattern_network.empty()) return nullptr;
+std::shared_ptr<const PatternNetwork> loadPatternNetwork(const std::string& path) {
+  if (path.empty()) return nullptr;
+  std::vector<PatternWeights> folds = readPatternWeights(path);
+  PatternWeights whole = std::move(folds.front());
+  folds.erase(folds.begin());
   try {
-    return std::make_shared<const PatternNetworks>(readPatternWeights(config.pattern_network));
+    return std::make_shared<const PatternNetwork>(std::move(whole), std::move(folds));
   } catch (const std::invalid_argument& error) {
-    throw PatternNetworkFileError(config.pattern_network + ": " + error.what());
+    throw PatternNetworkFileError(path + ": " + error.what());
   }
 }
 
-Foresight loadForesight(const Config& config) {
-  return {loadSpeedForecaster(config), loadPatternNetwork(config), std::nullopt};
+Foresight loadForesight(const ModelOptions& options) {
+  return {loadSpeedForecaster(options), loadPatternNetwork(options.pattern_network), std::nullopt};
 }
 
-MethodRegistry loadMethods(const Config& config) { return methodsWith(config.method_libraries); }
+MethodRegistry loadMethods(const ModelOptions& options) {
+  return methodsWith(options.method_libraries);
+}
 
-MethodMaker loadMethod(const std::string& name, const Config& config) {
-  return {name, loadMethods(config), config.attack, loadForesight(config)};
+MethodMaker loadMethod(const std::string& name, const ModelOptions& models,
+                       const AttackOptions& attack) {
+  return {name, loadMethods(models), attack, loadForesight(models)};
 }
 
 }  // namespace forge

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/config.h"
+#include "collision_forge/data/options.h"
 #include "collision_forge/network/foresight.h"
 #include "collision_forge/network/method_maker.h"
 #include "collision_forge/network/pattern_network.h"
@@ -26,17 +26,19 @@ std::vector<PatternWeights> readPatternWeights(const std::string& path);
 /// Throws as AsideFile does.
 void writePatternWeights(const std::vector<PatternWeights>& networks, const std::string& path);
 
-/// The networks that the configuration names; null when it names none.
-std::shared_ptr<const PatternNetworks> loadPatternNetwork(const Config& config);
+/// The network of a file, with its folds; null when `path` is empty. Throws as
+/// readPatternWeights().
+std::shared_ptr<const PatternNetwork> loadPatternNetwork(const std::string& path);
 
-/// These and the speeds of loadSpeedForecaster(), which throw.
-Foresight loadForesight(const Config& config);
+/// This and the speeds of loadSpeedForecaster(), which throw.
+Foresight loadForesight(const ModelOptions& options);
 
-/// The methods that the configuration knows. Throws as methodsWith().
-MethodRegistry loadMethods(const Config& config);
+/// The methods that are built in and those of its libraries. Throws as methodsWith().
+MethodRegistry loadMethods(const ModelOptions& options);
 
 /// A method of loadMethods() with loadForesight(); an empty name is the suite's own. Throws as they
 /// and MethodMaker do.
-MethodMaker loadMethod(const std::string& name, const Config& config);
+MethodMaker loadMethod(const std::string& name, const ModelOptions& models,
+                       const AttackOptions& attack);
 
 }  // namespace forge

@@ -17,14 +17,14 @@ std::vector<std::string> readSceneNames(const std::string& dataroot, const std::
 }
 
 SceneSource::SceneSource(const std::string& dataroot, const std::string& version,
-                         const std::vector<std::string>& scenes, const Config& config,
+                         const std::vector<std::string>& scenes, const DataOptions& options,
                          std::size_t kept, OnWarnings on_warnings,
                          const NuScenesProgress& on_progress)
-    : ego_vehicle_(config.ego_vehicle),
+    : ego_vehicle_(options.ego_vehicle),
       root_(dataroot, version, {scenes, on_progress}),
       kept_(kept),
       on_warnings_(std::move(on_warnings)),
-      maps_(dataroot, config, on_warnings_) {}
+      maps_(dataroot, options, on_warnings_) {}
 
 std::shared_ptr<const IndexedScene> SceneSource::at(const std::string& name) {
   const std::lock_guard<std::mutex> lock(mutex_);

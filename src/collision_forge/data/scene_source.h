@@ -8,6 +8,7 @@
 
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/nuscenes_tables.h"
+#include "collision_forge/data/options.h"
 #include "collision_forge/scene/moment.h"
 
 namespace forge {
@@ -23,7 +24,7 @@ class SceneSource {
   /// `scenes`: the wanted ones, all if empty; `kept`: how many are held at a time, at least 1.
   /// Throws NuScenesError as NuScenesRoot does.
   SceneSource(const std::string& dataroot, const std::string& version,
-              const std::vector<std::string>& scenes, const Config& config, std::size_t kept,
+              const std::vector<std::string>& scenes, const DataOptions& options, std::size_t kept,
               OnWarnings on_warnings = {}, const NuScenesProgress& on_progress = {});
 
   /// Of the wanted scenes, in the table's order.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "collision_forge/data/json_line.h"
+#include "collision_forge/data/speed_profiles_file.h"
 #include "collision_forge/files/aside_file.h"
 
 namespace forge {
@@ -154,9 +155,18 @@ SpeedModel readSpeedModel(const std::string& path) {
 void writeSpeedModel(const SpeedModel& model, const std::string& path) {
   AsideFile aside(path);
   std::ostream& file = aside.stream();
-  file << lineOf(model.whole()) << '\n';
-  for (const SpeedModelWeights& fold : model.folds()) file << lineOf(fold) << '\n';
+  file << lineOf(model.weights()) << '\n';
+  for (const auto& fold : model.folds()) file << lineOf(fold->weights()) << '\n';
   aside.commit();
+}
+
+std::shared_ptr<const SpeedForecaster> loadSpeedForecaster(const ModelOptions& options) {
+  if (!options.speed_profiles.empty()) {
+    return std::make_shared<const SpeedProfiles>(
+        readSpeedProfiles(options.speed_profiles, options.recorded_speeds));
+  }
+  if (options.speed_model.empty()) return nullptr;
+  return std::make_shared<const SpeedModel>(readSpeedModel(options.speed_model));
 }
 
 }  // namespace forge

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
+#include "collision_forge/data/options.h"
 #include "collision_forge/forecast/speed_model.h"
 
 namespace forge {
@@ -18,5 +20,9 @@ SpeedModel readSpeedModel(const std::string& path);
 
 /// Writes the same, numbers rounded to five digits. Throws as AsideFile does.
 void writeSpeedModel(const SpeedModel& model, const std::string& path);
+
+/// The recorded profiles that are named, else the model; null when neither is. Throws
+/// SpeedProfilesFileError and SpeedModelFileError.
+std::shared_ptr<const SpeedForecaster> loadSpeedForecaster(const ModelOptions& options);
 
 }  // namespace forge

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision_forge/config/dataset_options.h"
+#include "collision_forge/dataset/options.h"
 
 namespace forge {
 

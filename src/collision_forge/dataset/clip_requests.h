@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "collision_forge/attack/options.h"
-#include "collision_forge/config/dataset_options.h"
+#include "collision_forge/dataset/options.h"
 #include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/scene.h"
 

@@ -52,28 +52,27 @@ class ContinuousPatterns : public PatternPredictor {
 };
 
 /// What counts in a clip: all conditions, in less time, at about the drawn heading.
-CrashDefinition clipCrash(const CollisionRequest& request, const Config& config) {
-  CrashDefinition crash = config.crash;
+CrashDefinition clipCrash(CrashDefinition crash, const CollisionRequest& request,
+                          const DatasetOptions& options) {
   crash.rules = TypeRules::kFull;
-  crash.time_tolerance = config.dataset.time_tolerance;
+  crash.time_tolerance = options.time_tolerance;
   TypeDefinition& definition = crash.types.at(request.type);
-  definition =
-      narrowedAbout(definition, drawnHeading(request, definition), config.dataset.heading_spread);
+  definition = narrowedAbout(definition, drawnHeading(request, definition), options.heading_spread);
   return crash;
 }
 
 /// What a protocol misses in the clip's own track, but for the limits of the motion, which a
 /// reader's quintics through recorded and driven frames cannot tell, and the similarity, which held
 /// headings spoil in turns; empty when it is borne out.
-std::string shortfall(const CollideClip& clip, const IndexedScene& indexed, const Config& config,
-                      Protocol protocol) {
+std::string shortfall(const CollideClip& clip, const IndexedScene& indexed,
+                      const StudyOptions& study, Protocol protocol) {
   static const std::set<std::string> left_out = {"angle_bands", "full_definitions", "bounds_kept",
                                                  "similar"};
   EvaluationPlan plan;
   plan.protocol = protocol;
   plan.mode = Mode::kReplay;
   const std::vector<ResultRow> rows =
-      evaluateClip(clip, indexed.lanes, {builtInMethods(), {}, config}, plan);
+      evaluateClip(clip, indexed.lanes, {builtInMethods(), {}, study}, plan);
   const ResultRow& row = rows.front();
   const std::vector<Measure>& measures = measuresOf(protocol);
   std::string missed;
@@ -86,18 +85,18 @@ std::string shortfall(const CollideClip& clip, const IndexedScene& indexed, cons
 
 /// What speaks against an attack that was found; empty when it makes a clip.
 std::string objection(const Scenario& scenario, const IndexedScene& indexed, const Moment& moment,
-                      const Config& config) {
+                      const StudyOptions& study, const DatasetOptions& options) {
   CollisionRequest request = scenario.asked.request;
-  request.crash = config.crash;
-  request.crash.time_tolerance = config.dataset.time_tolerance;
+  request.crash = study.crash;
+  request.crash.time_tolerance = options.time_tolerance;
   const StrictOutcome outcome = strictOutcome(
       scenario.answer.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
-      config.attack.verification);
+      study.attack.verification);
   if (!outcome.meetsFullDefinitions()) return "the recording does not bear the attack out";
-  if (outcome.report.off_road_share > config.dataset.max_off_road_share) {
+  if (outcome.report.off_road_share > options.max_off_road_share) {
     char text[120];
     std::snprintf(text, sizeof(text), "leaves the road: off_road_share = %.3f is above %.3f",
-                  outcome.report.off_road_share, config.dataset.max_off_road_share);
+                  outcome.report.off_road_share, options.max_off_road_share);
     return text;
   }
   const auto clip = toCollideClip(scenario, indexed.scene, 0);
@@ -105,7 +104,7 @@ std::string objection(const Scenario& scenario, const IndexedScene& indexed, con
     return std::string("no clip of COLLIDE's layout: ") + toString(*obstacle);
   }
   for (const Protocol protocol : {Protocol::kStrict, Protocol::kPublished}) {
-    const std::string missed = shortfall(std::get<CollideClip>(clip), indexed, config, protocol);
+    const std::string missed = shortfall(std::get<CollideClip>(clip), indexed, study, protocol);
     if (!missed.empty()) return missed;
   }
   return {};
@@ -129,8 +128,9 @@ double drawnHeading(const CollisionRequest& request, const TypeDefinition& defin
   return definition.min_heading + share * (definition.max_heading - definition.min_heading);
 }
 
-Realization findClip(const SceneRequest& asked, const IndexedScene& indexed, const Config& config) {
-  Scenario scenario{asked, config.ego_vehicle, {}};
+Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
+                     const StudyOptions& study, const DatasetOptions& options) {
+  Scenario scenario{asked, study.ego_vehicle, {}};
   const auto found = momentAt(indexed, asked.now, kHistoryFrames);
   if (const Status* status = std::get_if<Status>(&found)) {
     scenario.answer.status = *status;
@@ -138,12 +138,12 @@ Realization findClip(const SceneRequest& asked, const IndexedScene& indexed, con
   }
   const Moment& moment = std::get<Moment>(found);
   CollisionRequest request = asked.request;
-  request.crash = clipCrash(request, config);
-  const PredictionOptions& prediction = config.attack.prediction;
-  const SearchMethod method(config.attack, std::make_shared<ContinuousPatterns>(prediction));
+  request.crash = clipCrash(study.crash, request, options);
+  const PredictionOptions& prediction = study.attack.prediction;
+  const SearchMethod method(study.attack, std::make_shared<ContinuousPatterns>(prediction));
   scenario.answer = generateCollision(method, moment, request, prediction);
   if (scenario.answer.status.code != StatusCode::kOk) return scenario.answer;
-  const std::string problem = objection(scenario, indexed, moment, config);
+  const std::string problem = objection(scenario, indexed, moment, study, options);
   if (problem.empty()) return scenario.answer;
   Realization refused;
   refused.status = {StatusCode::kNoAttackWithinBounds, problem};

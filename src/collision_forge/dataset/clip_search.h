@@ -1,10 +1,11 @@
 #pragma once
 
 #include "collision_forge/attack/realizer.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/scene_source.h"
+#include "collision_forge/dataset/options.h"
 #include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/crash_definition.h"
+#include "collision_forge/study/options.h"
 
 namespace forge {
 
@@ -28,6 +29,7 @@ double drawnHeading(const CollisionRequest& request, const TypeDefinition& defin
 ///   time, and nobody touched before.
 ///
 /// Else it has the search's code, or kNoAttackWithinBounds with the reason in the message.
-Realization findClip(const SceneRequest& asked, const IndexedScene& indexed, const Config& config);
+Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
+                     const StudyOptions& study, const DatasetOptions& options);
 
 }  // namespace forge

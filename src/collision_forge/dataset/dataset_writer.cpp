@@ -35,9 +35,9 @@ ScenarioView viewOf(const Scenario& scenario, const Scene& scene) {
 /// Writes all that is made of the chosen attempts.
 class DatasetWriter {
  public:
-  DatasetWriter(const std::string& folder, const std::string& path, const Config& config,
-                SceneSource& scenes)
-      : folder_(folder), path_(path), config_(config), scenes_(scenes) {}
+  DatasetWriter(const std::string& folder, const std::string& path, const DatasetOptions& options,
+                const DrawingOptions& drawing, SceneSource& scenes)
+      : folder_(folder), path_(path), options_(options), drawing_(drawing), scenes_(scenes) {}
 
   std::string write(const std::vector<Attempt>& attempts, const std::vector<std::size_t>& chosen) {
     deal(attempts, chosen);
@@ -56,12 +56,12 @@ class DatasetWriter {
   void deal(const std::vector<Attempt>& attempts, const std::vector<std::size_t>& chosen) {
     std::vector<std::string> names;
     for (const std::size_t index : chosen) names.push_back(attempts[index].asked.scene);
-    splits_ = splitByScene(names, config_.dataset.split);
+    splits_ = splitByScene(names, options_.split);
     std::map<CollisionType, std::vector<std::size_t>> of_type;
     for (const std::size_t index : chosen) {
       of_type[attempts[index].asked.request.type].push_back(index);
     }
-    const int pictures = config_.dataset.sheet_columns * config_.dataset.sheet_rows;
+    const int pictures = options_.sheet_columns * options_.sheet_rows;
     for (const auto& [type, indices] : of_type) {
       const auto count = std::min(static_cast<std::size_t>(pictures), indices.size());
       for (std::size_t i = 0; i < count; ++i) shown_.insert(indices[i * indices.size() / count]);
@@ -116,7 +116,7 @@ class DatasetWriter {
     fs::create_directories(folder);
     for (const auto& [type, views] : views_) {
       drawScenarioSheet((folder / (std::string(toString(type)) + ".png")).string(), views,
-                        config_.dataset.sheet_columns, config_.drawing);
+                        options_.sheet_columns, drawing_);
     }
   }
 
@@ -135,7 +135,8 @@ class DatasetWriter {
 
   const std::string& folder_;
   const std::string& path_;
-  const Config& config_;
+  const DatasetOptions& options_;
+  const DrawingOptions& drawing_;
   SceneSource& scenes_;
   std::map<std::string, std::string> splits_;
   std::set<std::size_t> shown_;
@@ -148,9 +149,9 @@ class DatasetWriter {
 
 std::string writeDataset(const std::string& folder, const std::string& path,
                          const std::vector<Attempt>& attempts,
-                         const std::vector<std::size_t>& chosen, const Config& config,
-                         SceneSource& scenes) {
-  return DatasetWriter(folder, path, config, scenes).write(attempts, chosen);
+                         const std::vector<std::size_t>& chosen, const DatasetOptions& options,
+                         const DrawingOptions& drawing, SceneSource& scenes) {
+  return DatasetWriter(folder, path, options, drawing, scenes).write(attempts, chosen);
 }
 
 }  // namespace forge

@@ -3,9 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/dataset/attempts.h"
+#include "collision_forge/dataset/options.h"
+#include "collision_forge/drawing/options.h"
 
 namespace forge {
 
@@ -14,7 +15,7 @@ namespace forge {
 /// attempts.jsonl, with a line an attempt. Throws std::runtime_error for what cannot be written.
 std::string writeDataset(const std::string& folder, const std::string& path,
                          const std::vector<Attempt>& attempts,
-                         const std::vector<std::size_t>& chosen, const Config& config,
-                         SceneSource& scenes);
+                         const std::vector<std::size_t>& chosen, const DatasetOptions& options,
+                         const DrawingOptions& drawing, SceneSource& scenes);
 
 }  // namespace forge

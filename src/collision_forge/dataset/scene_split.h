@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/dataset_options.h"
+#include "collision_forge/dataset/options.h"
 
 namespace forge {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/drawing/drawing_options.h"
+#include "collision_forge/drawing/options.h"
 
 namespace forge {
 

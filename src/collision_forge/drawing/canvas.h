@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/drawing/drawing_options.h"
+#include "collision_forge/drawing/options.h"
 #include "collision_forge/drawing/viewport.h"
 
 typedef struct _cairo cairo_t;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "collision_forge/drawing/canvas.h"
-#include "collision_forge/drawing/drawing_options.h"
+#include "collision_forge/drawing/options.h"
 
 namespace forge {
 

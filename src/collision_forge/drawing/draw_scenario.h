@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/drawing/drawing_options.h"
+#include "collision_forge/drawing/options.h"
 #include "collision_forge/drawing/scenario_view.h"
 
 namespace forge {

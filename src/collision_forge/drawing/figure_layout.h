@@ -1,6 +1,6 @@
 #pragma once
 
-#include "collision_forge/drawing/drawing_options.h"
+#include "collision_forge/drawing/options.h"
 #include "collision_forge/drawing/viewport.h"
 
 namespace forge {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "collision_forge/drawing/bar_chart.h"
-#include "collision_forge/drawing/drawing_options.h"
+#include "collision_forge/drawing/options.h"
 
 namespace forge {
 

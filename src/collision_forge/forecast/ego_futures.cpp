@@ -9,9 +9,8 @@
 namespace forge {
 
 KinematicEgoFutures::KinematicEgoFutures(const EgoFutureOptions& options,
-                                         std::shared_ptr<const SpeedForecaster> speeds,
-                                         std::string left_out_scene)
-    : options_(options), speeds_(std::move(speeds)), left_out_scene_(std::move(left_out_scene)) {}
+                                         std::shared_ptr<const SpeedForecaster> speeds)
+    : options_(options), speeds_(std::move(speeds)) {}
 
 std::vector<Track> KinematicEgoFutures::sample(const Snapshot& snapshot, const LaneIndex& lanes,
                                                double horizon, int count,
@@ -29,8 +28,7 @@ std::vector<Track> KinematicEgoFutures::sample(const Snapshot& snapshot, const L
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (shares[i] == 0) continue;
     const DrivingSituation situation{ego.past_speeds, wayAhead(paths[i], ego, snapshot)};
-    const SpeedForecast forecast =
-        forecastSpeeds(speeds_.get(), situation, horizon, left_out_scene_, options_);
+    const SpeedForecast forecast = forecastSpeeds(speeds_.get(), situation, horizon, options_);
     const auto profiles = drawProfiles(forecast, shares[i], engine);
     const auto offsets = drawDifferences(shares[i], options_.offset_spread, engine);
     const auto turns = drawDifferences(shares[i], options_.turn_rate_spread, engine);

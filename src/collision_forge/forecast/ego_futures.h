@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "collision_forge/forecast/options.h"
@@ -33,10 +32,8 @@ class EgoFutureSampler {
 class KinematicEgoFutures : public EgoFutureSampler {
  public:
   /// Null, or a forecast without columns: the present acceleration, with a spread, fades instead.
-  /// What was recorded in `left_out_scene` is not used.
   KinematicEgoFutures(const EgoFutureOptions& options,
-                      std::shared_ptr<const SpeedForecaster> speeds,
-                      std::string left_out_scene = "");
+                      std::shared_ptr<const SpeedForecaster> speeds);
 
   std::vector<Track> sample(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
                             int count, std::uint64_t seed) const override;
@@ -44,7 +41,6 @@ class KinematicEgoFutures : public EgoFutureSampler {
  private:
   EgoFutureOptions options_;
   std::shared_ptr<const SpeedForecaster> speeds_;
-  std::string left_out_scene_;
 };
 
 }  // namespace forge

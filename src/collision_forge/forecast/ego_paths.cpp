@@ -256,8 +256,8 @@ std::vector<EgoPath> egoPaths(const EgoNow& ego, const LaneIndex& lanes, double 
   const double same_length = sameLength(ego);
   const double reach = reachOf(ego, horizon);
   std::vector<EgoPath> paths;
-  const auto matches =
-      lanes.lanesNear(ego.state.pose, options.lane_max_distance, options.lane_max_heading);
+  const auto matches = lanes.lanesNear(ego.state.pose, options.reachable_lane_distance,
+                                       options.reachable_lane_heading);
   const auto lane_count = std::min(matches.size(), static_cast<std::size_t>(options.max_lanes));
   for (std::size_t i = 0; i < lane_count; ++i) {
     for (const LanePath& way :

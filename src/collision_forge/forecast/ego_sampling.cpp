@@ -63,11 +63,10 @@ std::vector<int> shareOut(const std::vector<double>& weights, int count, std::mt
 }
 
 SpeedForecast forecastSpeeds(const SpeedForecaster* speeds, const DrivingSituation& situation,
-                             double horizon, const std::string& left_out_scene,
-                             const EgoFutureOptions& options) {
+                             double horizon, const EgoFutureOptions& options) {
   const int intervals = static_cast<int>(std::ceil(horizon / kProfileStep - 1e-9));
   SpeedForecast forecast;
-  if (speeds) forecast = speeds->forecast(situation, intervals, left_out_scene);
+  if (speeds) forecast = speeds->forecast(situation, intervals);
   if (forecast.speeds.cols() == 0) {
     forecast = fadingAccelerations(situation.past_speeds, intervals, options);
   }

@@ -3,11 +3,10 @@
 #include <array>
 #include <memory>
 #include <random>
-#include <string>
 #include <vector>
 
-#include "collision_forge/forecast/options.h"
 #include "collision_forge/forecast/ego_paths.h"
+#include "collision_forge/forecast/options.h"
 #include "collision_forge/forecast/speed_forecaster.h"
 #include "collision_forge/scene/track.h"
 
@@ -36,8 +35,7 @@ std::vector<int> shareOut(const std::vector<double>& weights, int count, std::mt
 /// What `speeds` foretells for the next `horizon` seconds; the present acceleration, with a spread,
 /// fades where it is null or knows nothing.
 SpeedForecast forecastSpeeds(const SpeedForecaster* speeds, const DrivingSituation& situation,
-                             double horizon, const std::string& left_out_scene,
-                             const EgoFutureOptions& options);
+                             double horizon, const EgoFutureOptions& options);
 
 /// Rows of the forecast, spread evenly by the distance that they drive in 4 s.
 std::vector<Eigen::Index> drawProfiles(const SpeedForecast& forecast, int count,

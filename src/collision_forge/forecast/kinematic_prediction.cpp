@@ -54,7 +54,7 @@ Track predictTrack(const Track& past, const Snapshot& snapshot, const LaneIndex&
   }
   if (followsLanes(past.agent_class) && motion.speed > 0.0) {
     const auto matches =
-        lanes.lanesNear(motion.pose, options.lane_max_distance, options.lane_max_heading);
+        lanes.lanesNear(motion.pose, options.on_lane_distance, options.on_lane_heading);
     if (!matches.empty()) {
       const double reach = motion.speed * horizon + options.lane_return_distance;
       const Polyline path =

@@ -4,6 +4,8 @@
 
 namespace forge {
 
+class Section;
+
 /// config/prediction.yaml
 struct PredictionOptions {
   int history_frames = 0;
@@ -15,8 +17,8 @@ struct PredictionOptions {
   double step = 0.0;
   double tail = 0.0;
   int ego_samples = 0;
-  double lane_max_distance = 0.0;
-  double lane_max_heading = 0.0;
+  double on_lane_distance = 0.0;
+  double on_lane_heading = 0.0;
   double standstill_speed = 0.0;
   double lane_return_distance = 0.0;
   double rear_end_closing_speed = 0.0;
@@ -26,7 +28,7 @@ struct PredictionOptions {
 inline constexpr int kSpeedFeatures = 10;
 using FeatureWeights = std::array<double, kSpeedFeatures>;
 
-/// config/ego_futures.yaml, section speed
+/// config/models.yaml, section recorded_speeds
 struct SpeedProfileOptions {
   int neighbors = 0;
   double ridge = 0.0;
@@ -53,8 +55,8 @@ struct SpeedModelFitOptions {
 
 /// config/ego_futures.yaml, section paths
 struct EgoPathOptions {
-  double lane_max_distance = 0.0;
-  double lane_max_heading = 0.0;
+  double reachable_lane_distance = 0.0;
+  double reachable_lane_heading = 0.0;
   int max_lanes = 0;
   int max_paths_per_lane = 0;
   double near_deviation_cost = 0.0;
@@ -68,9 +70,8 @@ struct EgoPathOptions {
 
 /// config/ego_futures.yaml
 struct EgoFutureOptions {
-  double step = 0.0;
+  double step = 0.0;  ///< that of PredictionOptions
   EgoPathOptions paths;
-  SpeedProfileOptions speed;
   double lane_return_time = 0.0;
   double lane_return_min_distance = 0.0;
   double kept_offset = 0.0;
@@ -79,5 +80,11 @@ struct EgoFutureOptions {
   double acceleration_fading = 0.0;
   double acceleration_spread = 0.0;
 };
+
+void readOptions(Section& section, PredictionOptions& options);
+void readOptions(Section& section, SpeedProfileOptions& options);
+void readOptions(Section& section, SpeedModelFitOptions& options);
+/// `step` is that of PredictionOptions: all futures have states at the same intervals.
+void readOptions(Section& section, EgoFutureOptions& options, double step);
 
 }  // namespace forge

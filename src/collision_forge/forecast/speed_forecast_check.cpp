@@ -64,7 +64,9 @@ std::vector<ForecastErrors> checkForecasts(const SpeedSituations& recorded,
   for (Eigen::Index row = 0; row < recorded.size(); ++row) {
     if (!(recorded.speed(row) >= min_speed && recorded.speed(row) < max_speed)) continue;
     const std::string& scene = recorded.scenes()[static_cast<std::size_t>(recorded.sceneOf(row))];
-    const SpeedForecast forecast = forecaster.forecast(recorded.situation(row), longest, scene);
+    const auto other = forecaster.withoutScene(scene);
+    const SpeedForecast forecast =
+        (other ? *other : forecaster).forecast(recorded.situation(row), longest);
     for (ForecastErrors& sums : errors) {
       const int intervals = static_cast<int>(std::lround(sums.horizon / kProfileStep));
       if (recorded.lasts(row) < intervals || forecast.speeds.cols() < intervals) continue;

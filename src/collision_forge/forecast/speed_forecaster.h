@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <string>
 
 namespace forge {
@@ -44,9 +45,12 @@ class SpeedForecaster {
   virtual ~SpeedForecaster() = default;
 
   /// The speeds over the next `intervals`, or over as many as are known; no columns when nothing is
-  /// known. What was recorded in `left_out_scene` has no say.
-  virtual SpeedForecast forecast(const DrivingSituation& situation, int intervals,
-                                 const std::string& left_out_scene) const = 0;
+  /// known.
+  virtual SpeedForecast forecast(const DrivingSituation& situation, int intervals) const = 0;
+
+  /// The same drivers without what was recorded in that scene, which must not judge itself; null
+  /// when this knows no other way. Cheap.
+  virtual std::shared_ptr<const SpeedForecaster> withoutScene(const std::string& scene) const = 0;
 };
 
 }  // namespace forge

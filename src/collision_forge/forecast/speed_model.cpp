@@ -86,37 +86,27 @@ Eigen::MatrixXd basisOf(const Eigen::ArrayXXd& features, const SpeedModelWeights
   return basis;
 }
 
-SpeedModel::SpeedModel(SpeedModelWeights whole, std::vector<SpeedModelWeights> folds)
-    : whole_(std::move(whole)), folds_(std::move(folds)) {
-  checkWeights(whole_);
-  for (std::size_t i = 0; i < folds_.size(); ++i) {
-    checkWeights(folds_[i]);
-    for (const std::string& scene : folds_[i].left_out_scenes) {
-      if (!fold_of_.emplace(scene, i).second) {
-        throw std::invalid_argument("left_out_scenes has " + scene + " twice");
-      }
-    }
-  }
+SpeedModel::SpeedModel(SpeedModelWeights weights, std::vector<SpeedModelWeights> folds)
+    : weights_(std::move(weights)), folds_(std::move(folds)) {
+  checkWeights(weights_);
 }
 
-SpeedForecast SpeedModel::forecast(const DrivingSituation& situation, int intervals,
-                                   const std::string& left_out_scene) const {
-  const auto fold = fold_of_.find(left_out_scene);
-  const SpeedModelWeights& weights = fold == fold_of_.end() ? whole_ : folds_[fold->second];
-  const Eigen::Index known = std::min<Eigen::Index>(intervals, weights.gains.cols());
+SpeedForecast SpeedModel::forecast(const DrivingSituation& situation, int intervals) const {
+  const Eigen::Index known = std::min<Eigen::Index>(intervals, weights_.gains.cols());
   const double speed = situation.past_speeds[0];
-  const Eigen::MatrixXd basis = basisOf(featuresOf(situation).transpose(), weights);
-  if (speed < weights.standing_speed && weights.standing.rows() > 0) {
+  const Eigen::MatrixXd basis = basisOf(featuresOf(situation).transpose(), weights_);
+  if (speed < weights_.standing_speed && weights_.standing.rows() > 0) {
     const Eigen::RowVectorXd shares =
-        basis.leftCols(weights.standing_shares.rows()) * weights.standing_shares;
-    return gaining(weights.standing.leftCols(known), shares.transpose().cwiseMax(kMinShare), speed);
+        basis.leftCols(weights_.standing_shares.rows()) * weights_.standing_shares;
+    return gaining(weights_.standing.leftCols(known), shares.transpose().cwiseMax(kMinShare),
+                   speed);
   }
-  const Eigen::RowVectorXd expected = basis * weights.gains.leftCols(known);
+  const Eigen::RowVectorXd expected = basis * weights_.gains.leftCols(known);
   const Eigen::RowVectorXd spreads =
-      (basis * weights.log_spreads.leftCols(known)).array().exp().matrix();
+      (basis * weights_.log_spreads.leftCols(known)).array().exp().matrix();
   const Eigen::MatrixXd differences =
-      weights.residuals.profiles.leftCols(known) * spreads.asDiagonal();
-  return gaining(differences.rowwise() + expected, weights.residuals.weights, speed);
+      weights_.residuals.profiles.leftCols(known) * spreads.asDiagonal();
+  return gaining(differences.rowwise() + expected, weights_.residuals.weights, speed);
 }
 
 }  // namespace forge

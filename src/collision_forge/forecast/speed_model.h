@@ -1,10 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
+#include "collision_forge/forecast/folds.h"
 #include "collision_forge/forecast/speed_forecaster.h"
 
 namespace forge {
@@ -46,19 +47,19 @@ class SpeedModel : public SpeedForecaster {
  public:
   /// `folds` are models of the same drivers that left some scenes out each; no scene is left out
   /// twice. Throws std::invalid_argument otherwise and as checkWeights().
-  explicit SpeedModel(SpeedModelWeights whole, std::vector<SpeedModelWeights> folds = {});
+  explicit SpeedModel(SpeedModelWeights weights, std::vector<SpeedModelWeights> folds = {});
 
-  const SpeedModelWeights& whole() const { return whole_; }
-  const std::vector<SpeedModelWeights>& folds() const { return folds_; }
+  const SpeedModelWeights& weights() const { return weights_; }
+  const std::vector<std::shared_ptr<const SpeedModel>>& folds() const { return folds_.models(); }
 
-  /// By the fold that left `left_out_scene` out, or by the whole model when none did.
-  SpeedForecast forecast(const DrivingSituation& situation, int intervals,
-                         const std::string& left_out_scene) const override;
+  SpeedForecast forecast(const DrivingSituation& situation, int intervals) const override;
+  std::shared_ptr<const SpeedForecaster> withoutScene(const std::string& scene) const override {
+    return folds_.withoutScene(scene);
+  }
 
  private:
-  SpeedModelWeights whole_;
-  std::vector<SpeedModelWeights> folds_;
-  std::unordered_map<std::string, std::size_t> fold_of_;
+  SpeedModelWeights weights_;
+  Folds<SpeedModel> folds_;
 };
 
 }  // namespace forge

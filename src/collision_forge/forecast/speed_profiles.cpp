@@ -14,14 +14,14 @@ constexpr std::size_t kRowsANeighbor = 4;  // a small collection is not averaged
 }  // namespace
 
 SpeedProfiles::SpeedProfiles(SpeedSituations recorded, const SpeedProfileOptions& options)
-    : recorded_(std::move(recorded)), options_(options) {}
+    : recorded_(std::make_shared<const SpeedSituations>(std::move(recorded))), options_(options) {}
 
-SpeedProfiles::Extent SpeedProfiles::extentOf(int intervals, int left_out) const {
+SpeedProfiles::Extent SpeedProfiles::extentOf(int intervals) const {
   std::vector<std::size_t> ending(static_cast<std::size_t>(intervals) + 1, 0);
   std::size_t usable = 0;
-  for (Eigen::Index row = 0; row < recorded_.size(); ++row) {
-    if (recorded_.sceneOf(row) == left_out) continue;
-    ++ending[static_cast<std::size_t>(std::min(recorded_.lasts(row), intervals))];
+  for (Eigen::Index row = 0; row < recorded_->size(); ++row) {
+    if (recorded_->sceneOf(row) == left_out_) continue;
+    ++ending[static_cast<std::size_t>(std::min(recorded_->lasts(row), intervals))];
     ++usable;
   }
   const auto neighbors = static_cast<std::size_t>(options_.neighbors);
@@ -35,8 +35,8 @@ SpeedProfiles::Extent SpeedProfiles::extentOf(int intervals, int left_out) const
 }
 
 SpeedProfiles::Neighbors SpeedProfiles::nearest(const Eigen::ArrayXd& features,
-                                                const Extent& extent, int left_out) const {
-  const Eigen::ArrayXXd& recorded = recorded_.features();
+                                                const Extent& extent) const {
+  const Eigen::ArrayXXd& recorded = recorded_->features();
   Eigen::ArrayXd distances = Eigen::ArrayXd::Zero(recorded.rows());
   for (Eigen::Index column = 0; column < recorded.cols(); ++column) {
     const double weight = options_.feature_weights[static_cast<std::size_t>(column)];
@@ -46,7 +46,7 @@ SpeedProfiles::Neighbors SpeedProfiles::nearest(const Eigen::ArrayXd& features,
   Neighbors neighbors;
   neighbors.reserve(static_cast<std::size_t>(recorded.rows()));
   for (Eigen::Index row = 0; row < recorded.rows(); ++row) {
-    if (recorded_.lasts(row) < extent.intervals || recorded_.sceneOf(row) == left_out) continue;
+    if (recorded_->lasts(row) < extent.intervals || recorded_->sceneOf(row) == left_out_) continue;
     neighbors.emplace_back(distances[row], row);
   }
   const auto end = neighbors.begin() + static_cast<std::ptrdiff_t>(extent.neighbors);
@@ -56,13 +56,19 @@ SpeedProfiles::Neighbors SpeedProfiles::nearest(const Eigen::ArrayXd& features,
   return neighbors;
 }
 
-SpeedForecast SpeedProfiles::forecast(const DrivingSituation& situation, int intervals,
-                                      const std::string& left_out_scene) const {
-  const int left_out = recorded_.sceneNumber(left_out_scene);
-  const Extent extent = extentOf(intervals, left_out);
+std::shared_ptr<const SpeedForecaster> SpeedProfiles::withoutScene(const std::string& scene) const {
+  const int number = recorded_->sceneNumber(scene);
+  if (number < 0) return nullptr;
+  auto other = std::make_shared<SpeedProfiles>(*this);
+  other->left_out_ = number;
+  return other;
+}
+
+SpeedForecast SpeedProfiles::forecast(const DrivingSituation& situation, int intervals) const {
+  const Extent extent = extentOf(intervals);
   if (extent.intervals == 0) return {};
   const Eigen::ArrayXd features = featuresOf(situation);
-  const Neighbors neighbors = nearest(features, extent, left_out);
+  const Neighbors neighbors = nearest(features, extent);
 
   const auto count = static_cast<Eigen::Index>(neighbors.size());
   const double reach = std::max(neighbors.back().first, std::numeric_limits<double>::min());
@@ -73,8 +79,8 @@ SpeedForecast SpeedProfiles::forecast(const DrivingSituation& situation, int int
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& [distance, row] = neighbors[static_cast<std::size_t>(i)];
     forecast.weights[i] = std::max(1.0 - distance / reach, 1e-6);
-    design.row(i) << 1.0, (recorded_.features().row(row) - features.transpose()).matrix();
-    for (int j = 0; j < extent.intervals; ++j) gains(i, j) = recorded_.gain(row, j);
+    design.row(i) << 1.0, (recorded_->features().row(row) - features.transpose()).matrix();
+    for (int j = 0; j < extent.intervals; ++j) gains(i, j) = recorded_->gain(row, j);
   }
   forecast.weights /= forecast.weights.sum();
 

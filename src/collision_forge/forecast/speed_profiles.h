@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,12 +21,12 @@ class SpeedProfiles : public SpeedForecaster {
  public:
   SpeedProfiles(SpeedSituations recorded, const SpeedProfileOptions& options);
 
-  const std::vector<SpeedProfileRow>& rows() const { return recorded_.rows(); }
+  const std::vector<SpeedProfileRow>& rows() const { return recorded_->rows(); }
 
   /// Only profiles that last are used: `intervals`, or as many as enough profiles last when these
   /// are fewer. No columns when there are too few profiles for any interval.
-  SpeedForecast forecast(const DrivingSituation& situation, int intervals,
-                         const std::string& left_out_scene) const override;
+  SpeedForecast forecast(const DrivingSituation& situation, int intervals) const override;
+  std::shared_ptr<const SpeedForecaster> withoutScene(const std::string& scene) const override;
 
  private:
   using Neighbors = std::vector<std::pair<double, Eigen::Index>>;  // squared distance, row
@@ -34,11 +35,12 @@ class SpeedProfiles : public SpeedForecaster {
     std::size_t neighbors = 0;
   };
 
-  Extent extentOf(int intervals, int left_out) const;
-  Neighbors nearest(const Eigen::ArrayXd& features, const Extent& extent, int left_out) const;
+  Extent extentOf(int intervals) const;
+  Neighbors nearest(const Eigen::ArrayXd& features, const Extent& extent) const;
 
-  SpeedSituations recorded_;
+  std::shared_ptr<const SpeedSituations> recorded_;
   SpeedProfileOptions options_;
+  int left_out_ = -1;  ///< number of the scene that has no say
 };
 
 }  // namespace forge

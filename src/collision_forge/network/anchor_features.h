@@ -3,10 +3,10 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "collision_forge/forecast/options.h"
 #include "collision_forge/forecast/ego_paths.h"
+#include "collision_forge/forecast/options.h"
 #include "collision_forge/map/lane_queries.h"
-#include "collision_forge/network/network_options.h"
+#include "collision_forge/network/options.h"
 #include "collision_forge/network/row_matrix.h"
 #include "collision_forge/scene/scene.h"
 

@@ -5,16 +5,17 @@
 
 namespace forge {
 
-std::shared_ptr<const EgoFutureSampler> Foresight::egoFutures(
-    const EgoFutureOptions& options, const std::string& left_out_scene) const {
-  return std::make_shared<NetworkEgoFutures>(options, networks, speeds, left_out_scene, known_type);
+Foresight Foresight::withoutScene(const std::string& scene) const {
+  return {forge::withoutScene(speeds, scene), forge::withoutScene(network, scene), known_type};
 }
 
-std::unique_ptr<const PatternPredictor> Foresight::patterns(
-    const AttackOptions& options, const std::string& left_out_scene) const {
-  return std::make_unique<NetworkPatternPredictor>(options,
-                                                   egoFutures(options.ego_futures, left_out_scene),
-                                                   networks, left_out_scene, known_type);
+std::shared_ptr<const EgoFutureSampler> Foresight::egoFutures(
+    const EgoFutureOptions& options) const {
+  return std::make_shared<NetworkEgoFutures>(options, *this);
+}
+
+std::unique_ptr<const PatternPredictor> Foresight::patterns(const AttackOptions& options) const {
+  return std::make_unique<NetworkPatternPredictor>(options, *this);
 }
 
 }  // namespace forge

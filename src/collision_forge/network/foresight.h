@@ -15,19 +15,18 @@ namespace forge {
 /// What futures and patterns are foreseen by: fitted and trained models. Cheap to copy; may be used
 /// from many threads.
 struct Foresight {
-  std::shared_ptr<const SpeedForecaster> speeds;    ///< null: the present acceleration fades
-  std::shared_ptr<const PatternNetworks> networks;  ///< null: no learning
-  /// The request's type, where the networks were trained on clips of the very scene. What they know
+  std::shared_ptr<const SpeedForecaster> speeds;  ///< null: the present acceleration fades
+  std::shared_ptr<const PatternNetwork> network;  ///< null: no learning
+  /// The request's type, where the network was trained on clips of the very scene. What it knows
   /// by heart of it, the type brings up; in other scenes it misleads what tells the ego's place.
   std::optional<CollisionType> known_type;
 
-  Foresight withoutNetworks() const { return {speeds, nullptr, std::nullopt}; }
+  Foresight withoutNetwork() const { return {speeds, nullptr, std::nullopt}; }
+  /// For a scene on test: models that know nothing of it, where there are any.
+  Foresight withoutScene(const std::string& scene) const;
 
-  /// Neither model uses what was recorded in `left_out_scene`.
-  std::shared_ptr<const EgoFutureSampler> egoFutures(const EgoFutureOptions& options,
-                                                     const std::string& left_out_scene = "") const;
-  std::unique_ptr<const PatternPredictor> patterns(const AttackOptions& options,
-                                                   const std::string& left_out_scene = "") const;
+  std::shared_ptr<const EgoFutureSampler> egoFutures(const EgoFutureOptions& options) const;
+  std::unique_ptr<const PatternPredictor> patterns(const AttackOptions& options) const;
 };
 
 }  // namespace forge

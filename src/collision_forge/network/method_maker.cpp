@@ -6,10 +6,8 @@
 namespace forge {
 namespace {
 
-MethodForesight foresightOf(const AttackOptions& options, const Foresight& foresight,
-                            const std::string& left_out_scene) {
-  return {foresight.egoFutures(options.ego_futures, left_out_scene),
-          foresight.patterns(options, left_out_scene)};
+MethodForesight foresightOf(const AttackOptions& options, const Foresight& foresight) {
+  return {foresight.egoFutures(options.ego_futures), foresight.patterns(options)};
 }
 
 }  // namespace
@@ -18,7 +16,7 @@ MethodMaker::MethodMaker(const std::string& name, const MethodRegistry& methods,
                          const AttackOptions& options, Foresight foresight)
     : options_(options),
       foresight_(std::move(foresight)),
-      entry_(methods.at(name.empty() ? defaultMethod(foresight_.networks != nullptr) : name)) {
+      entry_(methods.at(name.empty() ? defaultMethod(foresight_.network != nullptr) : name)) {
   try {
     make();
   } catch (const std::invalid_argument& error) {
@@ -26,10 +24,9 @@ MethodMaker::MethodMaker(const std::string& name, const MethodRegistry& methods,
   }
 }
 
-std::unique_ptr<const AttackMethod> MethodMaker::make(const std::string& left_out_scene) const {
-  MethodSetup setup{
-      options_, foresightOf(options_, foresight_.withoutNetworks(), left_out_scene), {}};
-  if (foresight_.networks) setup.networks = foresightOf(options_, foresight_, left_out_scene);
+std::unique_ptr<const AttackMethod> MethodMaker::makeOf(const Foresight& foresight) const {
+  MethodSetup setup{options_, foresightOf(options_, foresight.withoutNetwork()), {}};
+  if (foresight.network) setup.networks = foresightOf(options_, foresight);
   return entry_.make(setup);
 }
 

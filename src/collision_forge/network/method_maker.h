@@ -21,10 +21,15 @@ class MethodMaker {
   bool isSeeded() const { return entry_.is_seeded; }
   const AttackOptions& options() const { return options_; }
 
-  /// Neither model of the method uses what was recorded in `left_out_scene`.
-  std::unique_ptr<const AttackMethod> make(const std::string& left_out_scene = "") const;
+  std::unique_ptr<const AttackMethod> make() const { return makeOf(foresight_); }
+  /// For a scene on test: a method that knows nothing of it, where its models can.
+  std::unique_ptr<const AttackMethod> makeWithoutScene(const std::string& scene) const {
+    return makeOf(foresight_.withoutScene(scene));
+  }
 
  private:
+  std::unique_ptr<const AttackMethod> makeOf(const Foresight& foresight) const;
+
   AttackOptions options_;
   Foresight foresight_;
   MethodRegistry::Entry entry_;

@@ -174,29 +174,19 @@ class StretchedForecast {
 
 }  // namespace
 
-NetworkEgoFutures::NetworkEgoFutures(const EgoFutureOptions& options,
-                                     std::shared_ptr<const PatternNetworks> networks,
-                                     std::shared_ptr<const SpeedForecaster> speeds,
-                                     std::string left_out_scene,
-                                     std::optional<CollisionType> known_type)
-    : options_(options),
-      networks_(std::move(networks)),
-      speeds_(std::move(speeds)),
-      left_out_scene_(std::move(left_out_scene)),
-      known_type_(known_type),
-      kinematic_(options, speeds_, left_out_scene_) {}
+NetworkEgoFutures::NetworkEgoFutures(const EgoFutureOptions& options, Foresight foresight)
+    : options_(options), foresight_(std::move(foresight)), kinematic_(options, foresight_.speeds) {}
 
 std::vector<Track> NetworkEgoFutures::sample(const Snapshot& snapshot, const LaneIndex& lanes,
                                              double horizon, int count, std::uint64_t seed) const {
   checkSampleArguments(horizon, count);
-  if (count == 0 || !networks_) return kinematic_.sample(snapshot, lanes, horizon, count, seed);
-  const PatternNetwork& network = networks_->forScene(left_out_scene_);
-  if (network.weights().features.head != EgoHead::kRegionProposal) {
+  const PatternNetwork* network = foresight_.network.get();
+  if (count == 0 || !network || network->weights().features.head != EgoHead::kRegionProposal) {
     return kinematic_.sample(snapshot, lanes, horizon, count, seed);
   }
-  const PredictedScene scene(network, snapshot, lanes, horizon, options_);
+  const PredictedScene scene(*network, snapshot, lanes, horizon, options_);
   const EgoNow& ego = scene.ways().ego;
-  const Distributions distributions = distributionsOf(scene, horizon, known_type_);
+  const Distributions distributions = distributionsOf(scene, horizon, foresight_.known_type);
   std::mt19937_64 engine(seed);
   const std::vector<int> shares = shareOut(wayWeights(distributions), count, engine);
   std::vector<Track> tracks;
@@ -206,8 +196,8 @@ std::vector<Track> NetworkEgoFutures::sample(const Snapshot& snapshot, const Lan
     const EgoPath& path = scene.ways().paths[i];
     const DrivingSituation situation{ego.past_speeds, scene.ways().ahead[i]};
     const StretchedForecast stretched(
-        forecastSpeeds(speeds_.get(), situation, horizon, left_out_scene_, options_), ego,
-        distributions, i);
+        forecastSpeeds(foresight_.speeds.get(), situation, horizon, options_), ego, distributions,
+        i);
     const auto profiles = drawProfiles(stretched.forecast(), shares[i], engine);
     const auto offsets = drawDifferences(shares[i], options_.offset_spread, engine);
     const auto turns = drawDifferences(shares[i], options_.turn_rate_spread, engine);

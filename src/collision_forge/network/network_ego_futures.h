@@ -1,10 +1,7 @@
 #pragma once
 
-#include <memory>
-#include <string>
-
 #include "collision_forge/forecast/ego_futures.h"
-#include "collision_forge/network/pattern_network.h"
+#include "collision_forge/network/foresight.h"
 
 namespace forge {
 
@@ -15,22 +12,14 @@ namespace forge {
 /// network, or with one whose anchors lie on no ways.
 class NetworkEgoFutures : public EgoFutureSampler {
  public:
-  /// `networks` may be null. `known_type`: see Foresight. Neither a network nor a forecast that
-  /// knows `left_out_scene` is used.
-  NetworkEgoFutures(const EgoFutureOptions& options,
-                    std::shared_ptr<const PatternNetworks> networks,
-                    std::shared_ptr<const SpeedForecaster> speeds, std::string left_out_scene = "",
-                    std::optional<CollisionType> known_type = std::nullopt);
+  NetworkEgoFutures(const EgoFutureOptions& options, Foresight foresight);
 
   std::vector<Track> sample(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
                             int count, std::uint64_t seed) const override;
 
  private:
   EgoFutureOptions options_;
-  std::shared_ptr<const PatternNetworks> networks_;
-  std::shared_ptr<const SpeedForecaster> speeds_;
-  std::string left_out_scene_;
-  std::optional<CollisionType> known_type_;
+  Foresight foresight_;
   KinematicEgoFutures kinematic_;
 };
 

@@ -59,24 +59,19 @@ Pose2 egoAtImpact(const PredictedScene& scene, const CollisionRequest& request,
 
 }  // namespace
 
-NetworkPatternPredictor::NetworkPatternPredictor(
-    const AttackOptions& options, std::shared_ptr<const EgoFutureSampler> ego_futures,
-    std::shared_ptr<const PatternNetworks> networks, std::string left_out_scene,
-    std::optional<CollisionType> known_type)
+NetworkPatternPredictor::NetworkPatternPredictor(const AttackOptions& options, Foresight foresight)
     : options_(options),
-      kinematic_(options.prediction, std::move(ego_futures)),
-      networks_(std::move(networks)),
-      left_out_scene_(std::move(left_out_scene)),
-      known_type_(known_type) {}
+      foresight_(std::move(foresight)),
+      kinematic_(options.prediction, foresight_.egoFutures(options.ego_futures)) {}
 
 PatternPrediction NetworkPatternPredictor::predict(const Snapshot& snapshot, const LaneIndex& lanes,
                                                    const CollisionRequest& request,
                                                    const Future* recorded) const {
   PatternPrediction prediction = kinematic_.predict(snapshot, lanes, request, recorded);
-  if (!networks_ || prediction.patterns.empty()) return prediction;
-  const PredictedScene scene(networks_->forScene(left_out_scene_), snapshot, lanes, request.tta,
+  if (!foresight_.network || prediction.patterns.empty()) return prediction;
+  const PredictedScene scene(*foresight_.network, snapshot, lanes, request.tta,
                              options_.ego_futures);
-  const Pose2 ego = egoAtImpact(scene, request, recorded, snapshot.now, known_type_);
+  const Pose2 ego = egoAtImpact(scene, request, recorded, snapshot.now, foresight_.known_type);
   const std::vector<const Track*> attackers = attackersOf(prediction.patterns, snapshot);
   const std::vector<CandidateAnswer> answers =
       scene.judge(attackers, ego, request.tta, request.type);

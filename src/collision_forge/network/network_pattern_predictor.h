@@ -1,11 +1,8 @@
 #pragma once
 
-#include <memory>
-#include <string>
-
 #include "collision_forge/attack/options.h"
 #include "collision_forge/attack/pattern_predictor.h"
-#include "collision_forge/network/pattern_network.h"
+#include "collision_forge/network/foresight.h"
 
 namespace forge {
 
@@ -15,24 +12,17 @@ namespace forge {
 /// are KinematicPatternPredictor's.
 class NetworkPatternPredictor : public PatternPredictor {
  public:
-  /// Without networks (null) it is a KinematicPatternPredictor. A scene on test is judged by the
-  /// network that was trained without `left_out_scene`. The ego's place is told without the type,
+  /// Without a network it is a KinematicPatternPredictor. The ego's place is told without the type,
   /// unless it is known (Foresight::known_type).
-  NetworkPatternPredictor(const AttackOptions& options,
-                          std::shared_ptr<const EgoFutureSampler> ego_futures,
-                          std::shared_ptr<const PatternNetworks> networks,
-                          std::string left_out_scene = "",
-                          std::optional<CollisionType> known_type = std::nullopt);
+  NetworkPatternPredictor(const AttackOptions& options, Foresight foresight);
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request, const Future* recorded) const override;
 
  private:
   AttackOptions options_;
+  Foresight foresight_;
   KinematicPatternPredictor kinematic_;
-  std::shared_ptr<const PatternNetworks> networks_;
-  std::string left_out_scene_;
-  std::optional<CollisionType> known_type_;
 };
 
 }  // namespace forge

@@ -160,7 +160,8 @@ void checkWeights(const PatternWeights& weights) {
   }
 }
 
-PatternNetwork::PatternNetwork(PatternWeights weights) : weights_(std::move(weights)) {
+PatternNetwork::PatternNetwork(PatternWeights weights, std::vector<PatternWeights> folds)
+    : weights_(std::move(weights)), folds_(std::move(folds)) {
   checkWeights(weights_);
 }
 
@@ -306,25 +307,6 @@ double logDensity(const std::vector<EgoComponent>& components, const Vector2& po
                                                 logLogistic(offset.y, component.across));
   }
   return std::log(std::max(density, 1e-30));
-}
-
-PatternNetworks::PatternNetworks(std::vector<PatternWeights> weights) {
-  if (weights.empty()) throw std::invalid_argument("there is no network");
-  for (PatternWeights& entry : weights) {
-    if (!networks_.empty()) {
-      for (const std::string& scene : entry.left_out_scenes) {
-        if (!fold_of_.emplace(scene, networks_.size()).second) {
-          throw std::invalid_argument("left_out_scenes has " + scene + " twice");
-        }
-      }
-    }
-    networks_.emplace_back(std::move(entry));
-  }
-}
-
-const PatternNetwork& PatternNetworks::forScene(const std::string& name) const {
-  const auto fold = fold_of_.find(name);
-  return networks_[fold == fold_of_.end() ? 0 : fold->second];
 }
 
 }  // namespace forge

@@ -2,9 +2,9 @@
 
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
+#include "collision_forge/forecast/folds.h"
 #include "collision_forge/network/anchor_features.h"
 #include "collision_forge/network/pattern_weights.h"
 #include "collision_forge/network/request_features.h"
@@ -31,10 +31,18 @@ struct CandidateAnswer {
 /// The network as a function of features, on one core; the same numbers as training has. Immutable.
 class PatternNetwork {
  public:
-  /// Throws as checkWeights().
-  explicit PatternNetwork(PatternWeights weights);
+  /// `folds` were trained like it, but left some scenes out each; no scene is left out twice.
+  /// Throws std::invalid_argument otherwise and as checkWeights().
+  explicit PatternNetwork(PatternWeights weights, std::vector<PatternWeights> folds = {});
 
   const PatternWeights& weights() const { return weights_; }
+  const std::vector<std::shared_ptr<const PatternNetwork>>& folds() const {
+    return folds_.models();
+  }
+  /// The fold that left the scene out; null when none did.
+  std::shared_ptr<const PatternNetwork> withoutScene(const std::string& scene) const {
+    return folds_.withoutScene(scene);
+  }
 
   /// Throws std::invalid_argument for features of another size or with a number that is not finite.
   Eigen::VectorXf encode(const SceneFeatures& features) const;
@@ -47,6 +55,7 @@ class PatternNetwork {
 
  private:
   PatternWeights weights_;
+  Folds<PatternNetwork> folds_;
 };
 
 /// The pose with the least expected distance, headed as what is expected there.
@@ -54,20 +63,5 @@ Pose2 medianPose(const std::vector<EgoComponent>& components);
 
 /// Logarithm of the density (1/m2) at a position.
 double logDensity(const std::vector<EgoComponent>& components, const Vector2& position);
-
-/// A network for all scenes, and for a scene on test the one that was trained without it.
-class PatternNetworks {
- public:
-  /// The first is for all scenes. Throws std::invalid_argument for none, and for a scene that two
-  /// of the others left out.
-  explicit PatternNetworks(std::vector<PatternWeights> weights);
-
-  const PatternNetwork& forScene(const std::string& name) const;
-  const std::vector<PatternNetwork>& all() const { return networks_; }
-
- private:
-  std::vector<PatternNetwork> networks_;
-  std::unordered_map<std::string, std::size_t> fold_of_;
-};
 
 }  // namespace forge

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/network/network_options.h"
+#include "collision_forge/network/options.h"
 #include "collision_forge/network/row_matrix.h"
 
 namespace forge {

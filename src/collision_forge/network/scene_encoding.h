@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "collision_forge/map/lane_queries.h"
-#include "collision_forge/network/encoding_options.h"
+#include "collision_forge/network/options.h"
 #include "collision_forge/scene/scene.h"
 
 namespace forge {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "collision_forge/map/lane_queries.h"
-#include "collision_forge/network/network_options.h"
+#include "collision_forge/network/options.h"
 #include "collision_forge/network/row_matrix.h"
 #include "collision_forge/scene/scene.h"
 

@@ -5,7 +5,7 @@
 
 namespace forge {
 
-/// config/planners.yaml, section bicycle, where each number's unit and source stand; the greatest
+/// config/planners.yaml, section car, where each number's unit and source stand; the greatest
 /// acceleration and braking are those of config/vehicle_limits.yaml.
 struct KinematicBicycleOptions {
   double wheelbase = 0.0;

@@ -14,7 +14,8 @@ using MakePlanner = std::unique_ptr<Planner> (*)(const PlannerOptions&, const st
 struct Entry {
   const char* name;
   MakePlanner make;
-  bool is_exact;
+  double (*interval)(const PlannerOptions&);
+  bool is_exact = false;
 };
 
 const Entry kEntries[] = {
@@ -22,29 +23,29 @@ const Entry kEntries[] = {
      [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
        return std::make_unique<IdmPlanner>(options.idm);
      },
-     false},
+     [](const PlannerOptions& options) { return options.planning.interval; }},
     {"idm_published",
      [](const PlannerOptions& options, const std::string& attacker) -> std::unique_ptr<Planner> {
        return std::make_unique<PublishedIdmPlanner>(options.published_idm, attacker);
      },
-     true},
+     [](const PlannerOptions& options) { return options.published_idm.step; }, true},
     {"pdm",
      [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
-       return std::make_unique<PdmPlanner>(options.pdm, options.route_centerline, options.bicycle,
+       return std::make_unique<PdmPlanner>(options.pdm, options.route_centerline, options.car,
                                            options.lqr);
      },
-     false},
+     [](const PlannerOptions& options) { return options.planning.interval; }},
     {"rule_based",
      [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
        return std::make_unique<RuleBasedPlanner>(options.rule_based, options.route_centerline);
      },
-     false},
+     [](const PlannerOptions& options) { return options.rule_based.step; }},
     {"rule_based_tuned",
      [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
        return std::make_unique<RuleBasedPlanner>(options.tuned_rule_based,
                                                  options.route_centerline);
      },
-     false},
+     [](const PlannerOptions& options) { return options.tuned_rule_based.step; }},
 };
 
 std::string knownNames() {
@@ -68,8 +69,7 @@ PlannerUnderTest makePlanner(const std::string& name, const PlannerOptions& opti
                              const std::string& attacker_id) {
   for (const Entry& entry : kEntries) {
     if (name != entry.name) continue;
-    const double interval = options.planning.intervals.at(name);
-    return {entry.make(options, attacker_id), {interval, entry.is_exact}};
+    return {entry.make(options, attacker_id), {entry.interval(options), entry.is_exact}};
   }
   throw std::invalid_argument("unknown planner \"" + name + "\"; known are " + knownNames());
 }

@@ -4,11 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/planners/options.h"
 #include "collision_forge/planners/planner.h"
-#include "collision_forge/planners/planner_options.h"
-#include "collision_forge/trials/rollout.h"
 
 namespace forge {
+
+/// How a planner is called and its plans are driven.
+struct Driving {
+  double interval = 0.0;  ///< s between two calls; a multiple of the rollout's step
+  /// The ego goes where the plan says, whatever a car can do; otherwise the bicycle follows it.
+  bool is_exact = false;
+};
 
 /// A planner with how it is called and driven.
 struct PlannerUnderTest {

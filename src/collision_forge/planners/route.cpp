@@ -9,7 +9,7 @@ namespace {
 /// The lane that the last pose drives on, from beside it on; straight on off the lanes.
 std::vector<Vector2> wayAhead(const Pose2& last, const LaneIndex& lanes,
                               const RouteOptions& options) {
-  const auto matches = lanes.lanesNear(last, options.lane_max_distance, options.lane_max_heading);
+  const auto matches = lanes.lanesNear(last, options.end_lane_distance, options.end_lane_heading);
   if (matches.empty()) return {last.position() + options.length_ahead * last.heading()};
   const LaneMatch& nearest = matches.front();
   return lanes.pathAhead(nearest.lane, nearest.projection.arc_length, options.length_ahead)

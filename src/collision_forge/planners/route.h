@@ -12,8 +12,8 @@ struct RouteOptions {
   double spacing = 0.0;
   double length_ahead = 0.0;
   double join_distance = 0.0;
-  double lane_max_distance = 0.0;
-  double lane_max_heading = 0.0;
+  double end_lane_distance = 0.0;
+  double end_lane_heading = 0.0;
 };
 
 /// The way that a recorded ego is meant to take: its recorded positions at least `spacing` apart,

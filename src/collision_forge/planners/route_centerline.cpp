@@ -24,7 +24,7 @@ Choices choicesAt(const LaneIndex& lanes, const Pose2& place,
                   const RouteCenterlineOptions& options) {
   Choices choices;
   for (const LaneMatch& match :
-       lanes.lanesNear(place, options.lane_max_distance, options.lane_max_heading)) {
+       lanes.lanesNear(place, options.route_lane_distance, options.route_lane_heading)) {
     const double lateral = relativeTo(place, match.projection.pose).y;
     choices.push_back({match.lane, lateral, match.projection.distance, 0});
   }

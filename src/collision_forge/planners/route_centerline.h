@@ -10,8 +10,8 @@ namespace forge {
 /// config/planners.yaml, section route_centerline, where each number's unit and source stand.
 struct RouteCenterlineOptions {
   double spacing = 0.0;
-  double lane_max_distance = 0.0;
-  double lane_max_heading = 0.0;
+  double route_lane_distance = 0.0;
+  double route_lane_heading = 0.0;
   double lane_change_cost = 0.0;
   double off_lane_cost = 0.0;
   double lane_change_length = 0.0;

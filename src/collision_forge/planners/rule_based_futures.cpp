@@ -40,7 +40,7 @@ std::vector<LaneMatch> drivenLanes(const LaneIndex& lanes, const Pose2& agent,
                                    const RuleBasedOptions& options) {
   std::vector<LaneMatch> driven;
   for (const LaneMatch& match :
-       lanes.lanesNear(agent, options.lane_max_distance, options.lane_max_heading)) {
+       lanes.lanesNear(agent, options.on_lane_distance, options.on_lane_heading)) {
     const bool is_known = std::any_of(driven.begin(), driven.end(), [&](const LaneMatch& nearer) {
       return follow(lanes, nearer.lane, match.lane);
     });

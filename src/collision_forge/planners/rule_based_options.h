@@ -18,8 +18,8 @@ struct RuleBasedOptions {
   double interaction_radius = 0.0;
   std::vector<double> speed_shares;
   double acceleration_share = 0.0;
-  double lane_max_distance = 0.0;
-  double lane_max_heading = 0.0;
+  double on_lane_distance = 0.0;
+  double on_lane_heading = 0.0;
   int max_paths = 0;
   double bend_length = 0.0;
   double sample_spacing = 0.0;

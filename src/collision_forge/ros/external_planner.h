@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <deque>
 
+#include "collision_forge/planners/options.h"
 #include "collision_forge/planners/planner.h"
-#include "collision_forge/trials/rollout_options.h"
 
 namespace forge {
 

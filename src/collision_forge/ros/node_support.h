@@ -11,9 +11,9 @@
 #include <string>
 #include <variant>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/scene/scene.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 

@@ -11,8 +11,7 @@
 #include <mutex>
 #include <sstream>
 
-#include "collision_forge/config/planner_config.h"
-#include "collision_forge/config/planner_grid.h"
+#include "collision_forge/config/section.h"
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/ros/bag_file.h"
@@ -22,6 +21,7 @@
 #include "collision_forge/ros/planner_markers.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/ros/trial_scenarios.h"
+#include "collision_forge/trials/planner_grid.h"
 
 namespace forge {
 namespace {
@@ -114,7 +114,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
   }
 
   void test(const Request& request, Response& response) {
-    const PlannerOptions options = optionsWith(request.parameters);
+    const TrialOptions options = optionsWith(request.parameters);
     const Background background = backgroundOf(request.background);
     const CrashScenario scenario = scenarioOf(request);
     const std::string& attacker_id = scenario.attacker.attacker_id;
@@ -142,8 +142,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     }
   }
 
-  PlannerOptions optionsWith(
-      const std::vector<collision_forge::PlannerParameter>& parameters) const {
+  TrialOptions optionsWith(const std::vector<collision_forge::PlannerParameter>& parameters) const {
     PlannerValues values;
     for (const auto& parameter : parameters) {
       if (!values.emplace(parameter.name, parameter.value).second) {
@@ -151,9 +150,11 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
       }
     }
     try {
-      return parsePlanners(planners_path_,
-                           withPlannerValues(planners_path_, planners_text_, values),
-                           config_.attack.verification.limits);
+      TrialOptions options;
+      readConfigFile(
+          openConfigText(planners_path_, withPlannerValues(planners_path_, planners_text_, values)),
+          options, config_.attack.verification.limits);
+      return options;
     } catch (const ConfigError& error) {
       refuse(Response::BAD_PARAMETER, error.what());
     }

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/scene_source.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/trials/crash_scenario.h"
 
 namespace forge {

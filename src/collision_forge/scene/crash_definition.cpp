@@ -21,15 +21,6 @@ bool meetsLengthwise(const Pose2& offset, const BoxSize& ego, const BoxSize& att
 
 }  // namespace
 
-const char* toString(TypeRules rules) { return rules == TypeRules::kFull ? "full" : "angle"; }
-
-std::optional<TypeRules> typeRulesFromString(const std::string& name) {
-  for (const TypeRules rules : {TypeRules::kFull, TypeRules::kAngle}) {
-    if (name == toString(rules)) return rules;
-  }
-  return std::nullopt;
-}
-
 CrashDefinition withAngleRules(CrashDefinition crash) {
   crash.rules = TypeRules::kAngle;
   return crash;

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
-#include <string>
 
 #include "collision_forge/geometry/oriented_box.h"
 #include "collision_forge/map/lane_map.h"
@@ -10,7 +8,7 @@
 
 namespace forge {
 
-/// One entry of config/collision_types.yaml: bands of |relative heading|, radians.
+/// One of the types of config/crash_definition.yaml: bands of |relative heading|, radians.
 struct TypeDefinition {
   double min_heading = 0.0;  ///< at first contact
   double max_heading = 0.0;
@@ -23,10 +21,9 @@ using TypeDefinitions = std::map<CollisionType, TypeDefinition>;
 /// What makes a crash one of a type: kFull all that is said below, kAngle the heading at first
 /// contact alone.
 enum class TypeRules { kFull, kAngle };
-const char* toString(TypeRules rules);
-std::optional<TypeRules> typeRulesFromString(const std::string& name);
 
-/// What counts as the crash that is asked for, and what an answer has to promise.
+/// What counts as the crash that is asked for, and what an answer has to promise:
+/// config/crash_definition.yaml, unless a request says otherwise.
 struct CrashDefinition {
   TypeRules rules = TypeRules::kFull;
   TypeDefinitions types;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/evaluation_options.h"
+#include "collision_forge/study/options.h"
 #include "collision_forge/study/statistics.h"
 
 namespace forge {

@@ -22,41 +22,46 @@ CrashDefinition clipCrash(CrashDefinition crash) {
   return withAngleRules(std::move(crash));
 }
 
+/// What may be known of a clip's scene.
+Foresight foresightOf(const Foresight& foresight, const CollideClip& clip,
+                      const EvaluationPlan& plan) {
+  if (!plan.seen_scenes) return foresight.withoutScene(clip.scene);
+  return {foresight.speeds, foresight.network, clip.type};
+}
+
 /// A clip made ready for all methods.
 class ClipCase {
  public:
   ClipCase(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes,
            const ClipEvaluationSetup& setup, const EvaluationPlan& plan)
       : clip_(clip),
-        config_(setup.config),
-        methods_(clipMethods(setup.methods, &clip, setup.config.evaluation)),
-        foresight_{setup.foresight.speeds, setup.foresight.networks,
-                   plan.seen_scenes ? std::optional(clip.type) : std::nullopt},
-        left_out_scene_(plan.seen_scenes ? "" : clip.scene),
-        request_(requestOf(clip, plan.mode, setup.config.attack.prediction.min_tta,
-                           clipCrash(setup.config.crash))) {
-    const Scene scene = toScene(clip, config_.evaluation.collide, lanes->sharedMap());
-    moment_ = {snapshotAt(scene, clip.now(), config_.attack.prediction.history_frames),
+        study_(setup.study),
+        methods_(clipMethods(setup.methods, &clip, setup.study.evaluation)),
+        foresight_(foresightOf(setup.foresight, clip, plan)),
+        request_(requestOf(clip, plan.mode, setup.study.attack.prediction.min_tta,
+                           clipCrash(setup.study.crash))) {
+    const Scene scene = toScene(clip, study_.evaluation.collide, lanes->sharedMap());
+    moment_ = {snapshotAt(scene, clip.now(), study_.attack.prediction.history_frames),
                recordedFuture(scene, clip.now()), std::move(lanes)};
   }
 
   Realization answer(const std::string& method, std::uint64_t seed) const {
     CollisionRequest request = request_;
     request.seed = seed;
-    const MethodMaker maker(method, methods_, config_.attack, foresight_);
+    const MethodMaker maker(method, methods_, study_.attack, foresight_);
     Realization refused;
     if (maker.isSeeded()) {
-      refused.status = checkRequest(request, moment_.snapshot, config_.attack.prediction);
+      refused.status = checkRequest(request, moment_.snapshot, study_.attack.prediction);
     }
     if (refused.status.code != StatusCode::kOk) return refused;
-    return attempt(*maker.make(left_out_scene_), moment_, request);
+    return attempt(*maker.make(), moment_, request);
   }
 
   void judge(const Realization& answer, const std::string& method, Protocol protocol,
              ResultRow& row) const {
     if (protocol == Protocol::kStrict) {
       const VerificationInput input{moment_.snapshot, *moment_.recorded, request_, *moment_.lanes};
-      describeOutcome(strictOutcome(answer.trajectory, input, config_.attack.verification),
+      describeOutcome(strictOutcome(answer.trajectory, input, study_.attack.verification),
                       clip_.now(), row);
       if (methods_.at(method).is_seeded && answer.report.contact) {
         row.confidence = answer.report.confidence;
@@ -70,11 +75,11 @@ class ClipCase {
 
  private:
   void judgeAsPublished(const std::vector<Pose2>& frames, ResultRow& row) const {
-    const PublishedOutcome outcome = publishedOutcome(clip_, frames, config_.evaluation.published);
+    const PublishedOutcome outcome = publishedOutcome(clip_, frames, study_.evaluation.published);
     row.meets = {outcome.isHit(), outcome.similar};
     if (outcome.event == PublishedOutcome::Event::kNone) return;
     const double frame =
-        static_cast<double>(outcome.step) / config_.evaluation.published.steps_per_interval;
+        static_cast<double>(outcome.step) / study_.evaluation.published.steps_per_interval;
     row.contact_after = kCollideFrameInterval * (frame - kCollideNowFrame);
     if (outcome.isHit()) {
       row.relative_heading = outcome.relative_heading;
@@ -85,10 +90,9 @@ class ClipCase {
   }
 
   const CollideClip& clip_;
-  const Config& config_;
+  const StudyOptions& study_;
   MethodRegistry methods_;
   Foresight foresight_;
-  std::string left_out_scene_;
   CollisionRequest request_;
   Moment moment_;
 };

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "collision_forge/attack/method_registry.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/network/foresight.h"
+#include "collision_forge/study/options.h"
 #include "collision_forge/study/result_row.h"
 
 namespace forge {
@@ -36,7 +36,7 @@ std::size_t rowsPerClip(const EvaluationPlan& plan);
 struct ClipEvaluationSetup {
   const MethodRegistry& methods;  ///< beside those of clipMethods()
   const Foresight& foresight;
-  const Config& config;
+  const StudyOptions& study;
 };
 
 /// A row a method, of one that is seeded a row a seed. Methods and the strict protocol take the

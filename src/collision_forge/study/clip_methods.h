@@ -1,8 +1,8 @@
 #pragma once
 
 #include "collision_forge/attack/method_registry.h"
-#include "collision_forge/config/evaluation_options.h"
 #include "collision_forge/data/collide_clip.h"
+#include "collision_forge/study/options.h"
 
 namespace forge {
 

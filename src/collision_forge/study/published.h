@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/evaluation_options.h"
 #include "collision_forge/data/collide_clip.h"
+#include "collision_forge/study/options.h"
 
 namespace forge {
 

@@ -3,12 +3,12 @@
 #include <memory>
 
 #include "collision_forge/attack/options.h"
-#include "collision_forge/config/evaluation_options.h"
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/forecast/ego_futures.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
+#include "collision_forge/study/options.h"
 
 namespace forge {
 

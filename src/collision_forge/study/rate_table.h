@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "collision_forge/config/evaluation_options.h"
+#include "collision_forge/study/options.h"
 #include "collision_forge/study/result_row.h"
 #include "collision_forge/study/statistics.h"
 

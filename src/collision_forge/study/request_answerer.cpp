@@ -18,8 +18,8 @@ Scenario RequestAnswerer::answer(const SceneRequest& asked) const {
   }
   CollisionRequest request = asked.request;
   request.crash = crash_;
-  scenario.answer =
-      generateCollision(*method_.make(asked.scene), std::get<Moment>(found), request, options);
+  scenario.answer = generateCollision(*method_.makeWithoutScene(asked.scene),
+                                      std::get<Moment>(found), request, options);
   return scenario;
 }
 

@@ -29,9 +29,9 @@ std::vector<RequestEvaluator::MethodRow> methodRows(const EvaluationPlan& plan) 
 }
 
 /// What counts; what comes is measured, whatever the confidence.
-Config measuring(Config config) {
-  config.crash.min_confidence = 0.0;
-  return config;
+StudyOptions measuring(StudyOptions study) {
+  study.crash.min_confidence = 0.0;
+  return study;
 }
 
 std::vector<MethodMaker> baselinesOf(const MethodRegistry& methods, const AttackOptions& options,
@@ -180,15 +180,15 @@ std::size_t rowsPerRequest(const EvaluationPlan& plan) {
   return count;
 }
 
-RequestEvaluator::RequestEvaluator(SceneSource& scenes, const Config& config,
+RequestEvaluator::RequestEvaluator(SceneSource& scenes, const StudyOptions& study,
                                    const Foresight& foresight, const MethodRegistry& methods,
                                    const EvaluationPlan& plan)
     : scenes_(scenes),
-      config_(measuring(config)),
+      study_(measuring(study)),
       plan_(plan),
       rows_(methodRows(plan)),
-      baselines_(baselinesOf(methods, config.attack, foresight)),
-      method_(plan.method, methods, config.attack, foresight) {
+      baselines_(baselinesOf(methods, study.attack, foresight)),
+      method_(plan.method, methods, study.attack, foresight) {
   if (plan.protocol != Protocol::kStrict) {
     throw std::invalid_argument("requests are not evaluated by the " +
                                 std::string(toString(plan.protocol)) + " protocol");
@@ -201,14 +201,14 @@ RequestEvaluator::RequestEvaluator(SceneSource& scenes, const Config& config,
 EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
                                             const SceneRequest& asked) const {
   const auto found =
-      momentAt(*scenes_.at(asked.scene), asked.now, config_.attack.prediction.history_frames);
+      momentAt(*scenes_.at(asked.scene), asked.now, study_.attack.prediction.history_frames);
   const Moment* moment = std::get_if<Moment>(&found);
   CollisionRequest request = asked.request;
   request.mode = plan_.mode;
-  request.crash = config_.crash;
+  request.crash = study_.crash;
   Status status;
   if (moment) {
-    status = checkCase({request, *moment, config_.attack});
+    status = checkCase({request, *moment, study_.attack});
   } else {
     status = std::get<Status>(found);
   }
@@ -221,9 +221,10 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
   for (const MethodMaker& baseline : baselines_) {
     ResultRow& row = addRow(baseline.name());
     if (status.code != StatusCode::kOk) continue;
-    evaluateBaseline(*baseline.make(asked.scene), {request, *moment, config_.attack}, row);
+    evaluateBaseline(*baseline.makeWithoutScene(asked.scene), {request, *moment, study_.attack},
+                     row);
   }
-  const auto method = method_.make(asked.scene);
+  const auto method = method_.makeWithoutScene(asked.scene);
   for (const MethodRow& kind : rows_) {
     for (int seed = 0; seed < kind.seeds; ++seed) {
       ResultRow& row = addRow(kind.name);
@@ -233,7 +234,7 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
       seeded.mode = kind.knows_future ? Mode::kReplay : Mode::kHistory;
       seeded.seed = row.seed;
       seeded.crash.rules = kind.rules;
-      const double time = evaluateMethod(*method, {request, *moment, config_.attack}, seeded,
+      const double time = evaluateMethod(*method, {request, *moment, study_.attack}, seeded,
                                          method_.isSeeded(), row);
       if (method_.isSeeded()) evaluated.times.push_back({kind.name, time});
     }

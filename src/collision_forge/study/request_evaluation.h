@@ -57,7 +57,7 @@ class RequestEvaluator {
 
   /// `scenes` must outlive it. Throws std::invalid_argument for a plan of another protocol, and as
   /// MethodMaker does.
-  RequestEvaluator(SceneSource& scenes, const Config& config, const Foresight& foresight,
+  RequestEvaluator(SceneSource& scenes, const StudyOptions& study, const Foresight& foresight,
                    const MethodRegistry& methods, const EvaluationPlan& plan);
 
   /// `name` is that of the rows. Throws as SceneSource::at() does.
@@ -65,7 +65,7 @@ class RequestEvaluator {
 
  private:
   SceneSource& scenes_;
-  Config config_;
+  StudyOptions study_;
   EvaluationPlan plan_;
   std::vector<MethodRow> rows_;
   std::vector<MethodMaker> baselines_;

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "collision_forge/config/evaluation_options.h"
 #include "collision_forge/study/calibration.h"
 #include "collision_forge/study/clip_evaluation.h"
+#include "collision_forge/study/options.h"
 #include "collision_forge/study/rate_table.h"
 
 namespace forge {

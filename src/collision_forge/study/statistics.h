@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/evaluation_options.h"
 #include "collision_forge/scene/collision_request.h"
+#include "collision_forge/study/options.h"
 
 namespace forge {
 

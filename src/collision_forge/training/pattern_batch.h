@@ -4,7 +4,8 @@
 
 #include <vector>
 
-#include "collision_forge/network/network_options.h"
+#include "collision_forge/network/options.h"
+#include "collision_forge/network/training_options.h"
 #include "collision_forge/training/training_draw.h"
 
 namespace forge {

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "collision_forge/network/network_options.h"
+#include "collision_forge/network/options.h"
 #include "collision_forge/network/pattern_weights.h"
 #include "collision_forge/training/pattern_batch.h"
 

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/network/network_options.h"
+#include "collision_forge/network/options.h"
 #include "collision_forge/network/pattern_weights.h"
+#include "collision_forge/network/training_options.h"
 #include "collision_forge/training/training_sample.h"
 
 namespace forge {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/config.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/training/training_sample.h"
 
 namespace forge {

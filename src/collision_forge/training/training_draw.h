@@ -3,7 +3,8 @@
 #include <random>
 #include <vector>
 
-#include "collision_forge/network/network_options.h"
+#include "collision_forge/network/options.h"
+#include "collision_forge/network/training_options.h"
 #include "collision_forge/training/training_sample.h"
 
 namespace forge {

@@ -9,10 +9,10 @@
 #include <sstream>
 
 #include "collision_forge/batch/progress_line.h"
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/line_chart.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/training/pattern_trainer.h"
 
 #ifndef COLLISION_FORGE_WITHOUT_MPI

@@ -30,15 +30,15 @@ CollisionPattern patternOf(const PlannerCase& one) {
 }  // namespace
 
 PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed,
-                           const Config& config) {
+                           const StudyOptions& study) {
   PlannerCase one;
   one.scene = scenario.asked.scene;
   one.request = scenario.asked.request;
   one.scenario.snapshot.now = scenario.asked.now;
   one.status = scenario.answer.status;
   if (one.status.code != StatusCode::kOk) return one;
-  one.request.crash = config.crash;
-  auto found = momentAt(indexed, scenario.asked.now, config.attack.prediction.history_frames);
+  one.request.crash = study.crash;
+  auto found = momentAt(indexed, scenario.asked.now, study.attack.prediction.history_frames);
   if (const Status* status = std::get_if<Status>(&found)) {
     one.status = *status;
     return one;
@@ -56,29 +56,29 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
 
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                        std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,
-                       const Config& config) {
-  const BoxSize& box = config.evaluation.collide.box;
-  const Scene scene = toScene(clip, config.evaluation.collide, lanes->sharedMap());
+                       const StudyOptions& study) {
+  const BoxSize& box = study.evaluation.collide.box;
+  const Scene scene = toScene(clip, study.evaluation.collide, lanes->sharedMap());
   PlannerCase one;
   one.name = clip.name;
   one.clip = clip;
   one.scene = clip.scene;
   one.request = requestOf(clip, attacker == ClipAttacker::kReplay ? Mode::kReplay : Mode::kHistory,
-                          config.attack.prediction.min_tta, withAngleRules(config.crash));
-  one.scenario = {snapshotAt(scene, clip.now(), config.attack.prediction.history_frames),
+                          study.attack.prediction.min_tta, withAngleRules(study.crash));
+  one.scenario = {snapshotAt(scene, clip.now(), study.attack.prediction.history_frames),
                   recordedFuture(scene, clip.now()),
                   {},
                   clip.type,
-                  {box, config.ego_vehicle.center_offset},
+                  {box, study.ego_vehicle.center_offset},
                   std::move(lanes)};
   if (attacker == ClipAttacker::kRecorded) {
-    one.scenario.attacker = recordedAttacker(clip, box, config.attack.search);
+    one.scenario.attacker = recordedAttacker(clip, box, study.attack.search);
     one.pattern = patternOf(one);
     return one;
   }
   const Moment moment{one.scenario.snapshot, one.scenario.recorded, one.scenario.lanes};
-  Realization answer =
-      generateCollision(*method.make(clip.scene), moment, one.request, config.attack.prediction);
+  Realization answer = generateCollision(*method.makeWithoutScene(clip.scene), moment, one.request,
+                                         study.attack.prediction);
   one.status = answer.status;
   one.scenario.attacker = std::move(answer.trajectory);
   one.pattern = answer.aim;

@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/network/method_maker.h"
+#include "collision_forge/study/options.h"
 #include "collision_forge/trials/crash_scenario.h"
 
 namespace forge {
@@ -28,7 +28,7 @@ struct PlannerCase {
 /// A line of a scenario file over its scene. Declined answers keep their status; kNoScene where
 /// the scene has no frame at its time.
 PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed,
-                           const Config& config);
+                           const StudyOptions& study);
 
 /// Who attacks in a clip of COLLIDE: the set's own attacker, or ours on the set's request.
 enum class ClipAttacker { kRecorded, kHistory, kReplay };
@@ -37,6 +37,6 @@ enum class ClipAttacker { kRecorded, kHistory, kReplay };
 /// and declined as the configuration says.
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                        std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,
-                       const Config& config);
+                       const StudyOptions& study);
 
 }  // namespace forge

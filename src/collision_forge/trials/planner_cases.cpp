@@ -47,8 +47,8 @@ std::optional<std::string> sceneOf(const ScenarioText& line) {
 class ScenarioCases : public PlannerCases {
  public:
   ScenarioCases(const std::vector<std::string>& paths, const std::string& dataroot,
-                const std::string& version, std::size_t scenes_kept, const Config& config)
-      : config_(config) {
+                const std::string& version, std::size_t scenes_kept, const StudyOptions& study)
+      : study_(study) {
     for (const std::string& path : paths) {
       int number = 0;
       for (ScenarioText& line : readLines(path)) {
@@ -63,7 +63,7 @@ class ScenarioCases : public PlannerCases {
     known_.insert(known.begin(), known.end());
     const std::vector<std::string> wanted = wantedScenes();
     if (!wanted.empty()) {
-      scenes_ = std::make_unique<SceneSource>(dataroot, version, wanted, config, scenes_kept);
+      scenes_ = std::make_unique<SceneSource>(dataroot, version, wanted, study, scenes_kept);
     }
   }
 
@@ -82,7 +82,7 @@ class ScenarioCases : public PlannerCases {
       throw std::runtime_error(line.where + ": scene = \"" + scenario.asked.scene +
                                "\" is not in the data");
     }
-    PlannerCase one = caseOfScenario(scenario, *scenes_->at(scenario.asked.scene), config_);
+    PlannerCase one = caseOfScenario(scenario, *scenes_->at(scenario.asked.scene), study_);
     one.name = names_[index];
     one.source = line.source;
     return one;
@@ -100,7 +100,7 @@ class ScenarioCases : public PlannerCases {
     return wanted;
   }
 
-  const Config& config_;
+  const StudyOptions& study_;
   std::vector<ScenarioText> lines_;
   std::vector<std::string> names_;
   std::set<std::string> known_;
@@ -122,12 +122,12 @@ const char* toString(ClipAttacker attacker) {
 class ClipCases : public PlannerCases {
  public:
   ClipCases(std::vector<std::string> paths, const std::string& dataroot, ClipAttacker attacker,
-            const std::string& method, const Config& config)
+            const std::string& method, const StudyOptions& study)
       : paths_(std::move(paths)),
         attacker_(attacker),
-        config_(config),
-        maps_(dataroot, config),
-        method_(loadMethod(method, config)) {
+        study_(study),
+        maps_(dataroot, study),
+        method_(loadMethod(method, study, study.attack)) {
     for (const std::string& path : paths_) names_.push_back(fs::path(path).stem().string());
   }
 
@@ -144,7 +144,7 @@ class ClipCases : public PlannerCases {
 
   PlannerCase at(std::size_t index) const override {
     const CollideClip clip = readCollideClip(paths_[index]);
-    PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), method_, config_);
+    PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), method_, study_);
     one.source = toString(attacker_);
     return one;
   }
@@ -153,7 +153,7 @@ class ClipCases : public PlannerCases {
   std::vector<std::string> paths_;
   std::vector<std::string> names_;
   ClipAttacker attacker_;
-  const Config& config_;
+  const StudyOptions& study_;
   mutable CityMaps maps_;
   MethodMaker method_;
 };
@@ -173,14 +173,14 @@ std::set<std::string> readScenes(const std::vector<std::string>& paths) {
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
                                                 const std::string& dataroot,
                                                 const std::string& version, std::size_t scenes_kept,
-                                                const Config& config) {
-  return std::make_unique<ScenarioCases>(paths, dataroot, version, scenes_kept, config);
+                                                const StudyOptions& study) {
+  return std::make_unique<ScenarioCases>(paths, dataroot, version, scenes_kept, study);
 }
 
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
                                             const std::string& dataroot, ClipAttacker attacker,
-                                            const std::string& method, const Config& config) {
-  return std::make_unique<ClipCases>(paths, dataroot, attacker, method, config);
+                                            const std::string& method, const StudyOptions& study) {
+  return std::make_unique<ClipCases>(paths, dataroot, attacker, method, study);
 }
 
 }  // namespace forge

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/config.h"
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/scene_source.h"
+#include "collision_forge/study/options.h"
 #include "collision_forge/trials/planner_case.h"
 
 namespace forge {
@@ -34,12 +34,12 @@ std::set<std::string> readScenes(const std::vector<std::string>& paths);
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
                                                 const std::string& dataroot,
                                                 const std::string& version, std::size_t scenes_kept,
-                                                const Config& config);
+                                                const StudyOptions& study);
 
 /// Clips of COLLIDE, named as their files; the source is the attacker's: "recorded", "history" or
 /// "replay".
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
                                             const std::string& dataroot, ClipAttacker attacker,
-                                            const std::string& method, const Config& config);
+                                            const std::string& method, const StudyOptions& study);
 
 }  // namespace forge

@@ -197,27 +197,26 @@ PlannerRow readRow(JsonObject& object, double now) {
 }
 
 RolloutOutcome drive(const PlannerCase& one, const std::string& planner, Background background,
-                     bool ends_at_contact, const Config& config) {
-  const PlannerUnderTest made =
-      makePlanner(planner, config.planners, one.scenario.attacker.attacker_id);
+                     bool ends_at_contact, const StudyOptions& study, const TrialOptions& trials) {
+  const PlannerUnderTest made = makePlanner(planner, trials, one.scenario.attacker.attacker_id);
   return rollout(*made.planner, made.driving, one.scenario,
-                 {config.planners, config.attack, config.crash.types, background, ends_at_contact});
+                 {trials, study.attack, study.crash.types, background, ends_at_contact});
 }
 
 /// Empty where a failure ends the drive that goes on after a contact.
 std::optional<bool> isPublishedHit(const PlannerCase& one, const std::string& planner,
-                                   Background background, const Config& config) {
+                                   Background background, const StudyOptions& study,
+                                   const TrialOptions& trials) {
   CollideClip driven;
   if (planner == "idm_published") {
-    driven = withPublishedIdm(*one.clip, config.planners.published_idm,
-                              config.planners.planning.route.length_ahead);
+    driven = withPublishedIdm(*one.clip, trials.published_idm, trials.planning.route.length_ahead);
   } else {
-    const RolloutOutcome outcome = drive(one, planner, background, false, config);
+    const RolloutOutcome outcome = drive(one, planner, background, false, study, trials);
     if (outcome.failure != PlannerFailure::kNone) return std::nullopt;
     driven = withEgo(*one.clip, outcome.driven);
   }
   return publishedOutcome(driven, framesOf(driven, one.scenario.attacker),
-                          config.evaluation.published)
+                          study.evaluation.published)
       .isHit();
 }
 
@@ -258,7 +257,8 @@ PlannerTestResult untested(const PlannerCase& one, const std::string& status,
   return result;
 }
 
-PlannerTestResult judgeCase(const PlannerCase& one, const Config& config) {
+PlannerTestResult judgeCase(const PlannerCase& one, const StudyOptions& study,
+                            const TrialOptions& trials) {
   PlannerTestResult result = untested(one, toString(one.status.code), one.status.message);
   if (one.status.code != StatusCode::kOk) return result;
   try {
@@ -270,30 +270,31 @@ PlannerTestResult judgeCase(const PlannerCase& one, const Config& config) {
   result.is_strict =
       strictOutcome(scenario.attacker,
                     {scenario.snapshot, scenario.recorded, one.request, *scenario.lanes},
-                    config.attack.verification)
+                    study.attack.verification)
           .meetsFullDefinitions();
-  result.avoidability = summaryOf(findAvoidability(scenario, config.planners.avoidability,
-                                                   config.planners.planning.route, config.attack),
-                                  scenario.snapshot.now);
+  result.avoidability = summaryOf(
+      findAvoidability(scenario, trials.avoidability, trials.planning.route, study.attack),
+      scenario.snapshot.now);
   return result;
 }
 
 PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Background background,
-                       const Config& config) {
-  PlannerRow row{planner, drive(one, planner, background, true, config), {}};
+                       const StudyOptions& study, const TrialOptions& trials) {
+  PlannerRow row{planner, drive(one, planner, background, true, study, trials), {}};
   row.outcome.driven.clear();
   if (one.clip && row.outcome.failure == PlannerFailure::kNone) {
-    row.published_hit = isPublishedHit(one, planner, background, config);
+    row.published_hit = isPublishedHit(one, planner, background, study, trials);
   }
   return row;
 }
 
 PlannerTestResult testPlanners(const PlannerCase& one, const std::vector<std::string>& planners,
-                               Background background, const Config& config) {
-  PlannerTestResult result = judgeCase(one, config);
+                               Background background, const StudyOptions& study,
+                               const TrialOptions& trials) {
+  PlannerTestResult result = judgeCase(one, study, trials);
   if (!result.isTested()) return result;
   for (const std::string& name : planners) {
-    result.rows.push_back(testPlanner(one, name, background, config));
+    result.rows.push_back(testPlanner(one, name, background, study, trials));
   }
   return result;
 }

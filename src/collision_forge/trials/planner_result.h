@@ -56,16 +56,18 @@ PlannerTestResult untested(const PlannerCase& one, const std::string& status,
 
 /// Tells what a case is without a planner: its status and, with OK, whether it is strict and
 /// avoidable. A case that checkScenario() refuses is "UNFIT".
-PlannerTestResult judgeCase(const PlannerCase& one, const Config& config);
+PlannerTestResult judgeCase(const PlannerCase& one, const StudyOptions& study,
+                            const TrialOptions& trials);
 
 /// Drives a planner through a case that judgeCase() finds OK. Throws std::invalid_argument for an
 /// unknown planner.
 PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Background background,
-                       const Config& config);
+                       const StudyOptions& study, const TrialOptions& trials);
 
 /// Drives every planner through the case as judgeCase() finds it. Throws as testPlanner().
 PlannerTestResult testPlanners(const PlannerCase& one, const std::vector<std::string>& planners,
-                               Background background, const Config& config);
+                               Background background, const StudyOptions& study,
+                               const TrialOptions& trials);
 
 /// One line of results.jsonl, without a line end; times from now, as docs/planners.md has it.
 std::string plannerResultLine(const PlannerTestResult& result);

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "collision_forge/config/planner_config.h"
+#include "collision_forge/config/section.h"
 #include "collision_forge/study/rate_table.h"
 
 namespace forge {
@@ -82,13 +82,13 @@ std::vector<PlannerValues> combinationsOf(const PlannerGrid& grid, const Planner
 }
 
 std::vector<PlannerVariant> variantsOf(const PlannerGrid& grid, const std::string& path,
-                                       const std::string& text, const Config& config) {
+                                       const std::string& text, const VehicleLimits& limits) {
   std::vector<PlannerVariant> variants;
   for (PlannerValues& values : combinationsOf(grid, readPlannerValues(path, text, grid))) {
-    PlannerVariant variant{std::to_string(variants.size()), std::move(values), config};
+    PlannerVariant variant{std::to_string(variants.size()), std::move(values), {}};
     if (variants.empty()) variant.name = kDefault;
-    variant.config.planners = parsePlanners(path, withPlannerValues(path, text, variant.values),
-                                            config.attack.verification.limits);
+    readConfigFile(openConfigText(path, withPlannerValues(path, text, variant.values)),
+                   variant.options, limits);
     variants.push_back(std::move(variant));
   }
   return variants;
@@ -104,11 +104,12 @@ void checkHeldOut(const std::set<std::string>& train, const std::set<std::string
 
 PlannerTestResult testVariants(const PlannerCase& one, const std::string& planner,
                                const std::vector<PlannerVariant>& variants, bool only_avoidable,
-                               Background background, const Config& config) {
-  PlannerTestResult result = judgeCase(one, config);
+                               Background background, const StudyOptions& study,
+                               const TrialOptions& trials) {
+  PlannerTestResult result = judgeCase(one, study, trials);
   if (!result.isTested() || (only_avoidable && !result.avoidability.is_avoidable)) return result;
   for (const PlannerVariant& variant : variants) {
-    result.rows.push_back(testPlanner(one, planner, background, variant.config));
+    result.rows.push_back(testPlanner(one, planner, background, study, variant.options));
     result.rows.back().planner = variant.name;
   }
   return result;

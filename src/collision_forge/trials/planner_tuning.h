@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/config/config.h"
-#include "collision_forge/config/planner_grid.h"
 #include "collision_forge/study/rate_table.h"
 #include "collision_forge/study/statistics.h"
+#include "collision_forge/trials/planner_grid.h"
 #include "collision_forge/trials/planner_result.h"
 
 namespace forge {
@@ -18,26 +17,27 @@ namespace forge {
 struct PlannerVariant {
   std::string name;      ///< "default" with those of planners.yaml, else its number
   PlannerValues values;  ///< of all keys of the grid
-  Config config;         ///< with these values
+  TrialOptions options;  ///< with these values
 };
 
 /// The defaults first, then every other combination of the grid's values; the last key changes
 /// fastest. Throws std::invalid_argument for more than 10,000.
 std::vector<PlannerValues> combinationsOf(const PlannerGrid& grid, const PlannerValues& defaults);
 
-/// A variant a combination, of planners.yaml with this text. Throws ConfigError, naming `path`, for
-/// a key or value that the file cannot have.
+/// A variant a combination, of planners.yaml with this text; `limits` are those of the ego. Throws
+/// ConfigError, naming `path`, for a key or value that the file cannot have.
 std::vector<PlannerVariant> variantsOf(const PlannerGrid& grid, const std::string& path,
-                                       const std::string& text, const Config& config);
+                                       const std::string& text, const VehicleLimits& limits);
 
 /// Throws std::runtime_error naming the first scene that is in both.
 void checkHeldOut(const std::set<std::string>& train, const std::set<std::string>& test);
 
-/// A row a variant, of one planner; the case is judged by `config`, the untuned. With
+/// A row a variant, of one planner; the case is judged by `trials`, the untuned. With
 /// `only_avoidable` no rows where the crash is not avoidable: nobody is tuned on it.
 PlannerTestResult testVariants(const PlannerCase& one, const std::string& planner,
                                const std::vector<PlannerVariant>& variants, bool only_avoidable,
-                               Background background, const Config& config);
+                               Background background, const StudyOptions& study,
+                               const TrialOptions& trials);
 
 /// What tuning makes rare: a contact with the attacker, a first contact with somebody else that the
 /// planner is to blame for, a failure. Otherwise it would pay to hit others before the attacker.

@@ -83,8 +83,8 @@ class EgoDriver {
         is_exact_(driving.is_exact),
         center_offset_(ego.center_offset),
         step_(options.lqr.step),
-        bicycle_(options.bicycle),
-        tracker_(options.lqr, options.bicycle.wheelbase),
+        bicycle_(options.car),
+        tracker_(options.lqr, options.car.wheelbase),
         state_(bicycle_.stateOf(start, ego.center_offset)) {}
 
   const TrajectoryPoint& point() const { return point_; }
@@ -162,7 +162,7 @@ class Run {
         options_(setup.planners.rollout),
         task_{scenario.lanes,
               routeOf(scenario.recorded.ego, *scenario.lanes, setup.planners.planning.route),
-              scenario.ego, setup.planners.bicycle.wheelbase},
+              scenario.ego, setup.planners.car.wheelbase},
         traffic_(scenario, setup.background, setup.planners.idm, setup.planners.planning.history),
         ego_(startOf(scenario, setup.attack), driving, scenario.ego, setup.planners) {
     const OrientedBox box{ego_.point().pose, scenario.ego.size};

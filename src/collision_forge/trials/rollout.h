@@ -6,22 +6,16 @@
 
 #include "collision_forge/attack/options.h"
 #include "collision_forge/planners/planner.h"
-#include "collision_forge/planners/planner_options.h"
+#include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/trials/crash_scenario.h"
+#include "collision_forge/trials/options.h"
 #include "collision_forge/trials/traffic.h"
 
 namespace forge {
 
-/// How a planner is called and its plans are driven.
-struct Driving {
-  double interval = 0.0;  ///< s between two calls; a multiple of the rollout's step
-  /// The ego goes where the plan says, whatever a car can do; otherwise the bicycle follows it.
-  bool is_exact = false;
-};
-
 /// Everything that a rollout depends on, beside scenario and planner.
 struct RolloutSetup {
-  const PlannerOptions& planners;
+  const TrialOptions& planners;
   const AttackOptions& attack;   ///< of contacts: tolerance; of the start's motion
   const TypeDefinitions& types;  ///< what contacts are told to be of
   Background background = Background::kReplay;

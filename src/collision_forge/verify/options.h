@@ -2,6 +2,8 @@
 
 namespace forge {
 
+class Section;
+
 /// config/vehicle_limits.yaml, where each number's unit and source stand.
 struct VehicleLimits {
   double max_forward_acceleration = 0.0;
@@ -20,5 +22,9 @@ struct VerificationOptions {
   double overlap_tolerance = 0.0;
   double off_road_interval = 0.0;
 };
+
+void readOptions(Section& section, VehicleLimits& limits);
+/// Without the limits, which have a file of their own.
+void readOptions(Section& section, VerificationOptions& options);
 
 }  // namespace forge

@@ -1,0 +1,32 @@
+#include "collision_forge/network/training_options.h"
+
+#include "collision_forge/config/section.h"
+
+namespace forge {
+
+void readOptions(Section& section, TrainingOptions& options, double max_tta) {
+  constexpr double kMaxDropout = 0.9;
+  options.epochs = section.count("epochs", 1);
+  options.batch = section.count("batch", 1);
+  options.times = section.count("times", 1);
+  options.learning_rate = section.positive("learning_rate");
+  options.weight_decay = section.nonNegative("weight_decay");
+  options.dropout = section.within("dropout", 0.0, kMaxDropout);
+  options.context_dropout = section.share("context_dropout");
+  options.max_gradient = section.positive("max_gradient");
+  options.heading_weight = section.nonNegative("heading_weight");
+  options.offset_weight = section.nonNegative("offset_weight");
+  options.selection_weight = section.nonNegative("selection_weight");
+  options.clip_weight = section.positive("clip_weight");
+  options.hidden_history_share = section.share("hidden_history_share");
+  options.mirrored_share = section.share("mirrored_share");
+  options.validation_share = section.share("validation_share");
+  options.max_tta = max_tta;
+  options.min_vehicle_speed = section.nonNegative("min_vehicle_speed");
+  options.vehicle_stride = section.positive("vehicle_stride");
+  options.noise_along = section.nonNegative("noise_along");
+  options.noise_along_exponent = section.positive("noise_along_exponent");
+  options.noise_across = section.nonNegative("noise_across");
+}
+
+}  // namespace forge

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "collision_forge/scene/crash_definition.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+class Section;
+
+void readOptions(Section& section, EgoVehicle& vehicle);
+/// Attacks keep `time_margin` to the ends of the time tolerance.
+void readOptions(Section& section, CrashDefinition& crash, double time_margin);
+
+}  // namespace forge

@@ -1,0 +1,45 @@
+#include "collision_forge/settings/config.h"
+
+#include "collision_forge/config/section.h"
+
+namespace forge {
+namespace {
+
+void readTraining(Section file, Config& config) {
+  const PredictionOptions& prediction = config.attack.prediction;
+  file.read("features", config.pattern_features, prediction.history_frames);
+  file.read("network", config.pattern_layers);
+  file.read("training", config.training, prediction.max_tta);
+  file.finish();
+}
+
+void readMethods(Section file, Config& config) {
+  config.method_libraries = file.paths("libraries");
+  file.read("nominal", config.attack.nominal);
+  file.finish();
+}
+
+}  // namespace
+
+Config loadConfig(const std::string& directory) {
+  Config config;
+  readAttackOptions(directory, config.attack);
+  readConfigFile(directory, "crash_definition", config.crash, config.attack.search.time_margin);
+  readMethods(openConfigFile(directory, "methods.yaml"), config);
+  readConfigFile(directory, "speed_model_fit", config.speed_model_fit);
+  readConfigFile(directory, "models", static_cast<ModelOptions&>(config));
+  readTraining(openConfigFile(directory, "training.yaml"), config);
+  readConfigFile(directory, "ego_vehicle", config.ego_vehicle);
+  readConfigFile(directory, "encoding", config.encoding);
+  readConfigFile(directory, "conversion", config.conversion);
+  readConfigFile(directory, "locations", config.locations);
+  readConfigFile(directory, "drawing", config.drawing);
+  readConfigFile(directory, "requests", config.requests);
+  readConfigFile(directory, "evaluation", config.evaluation);
+  readConfigFile(directory, "dataset", config.dataset, config.attack.search.time_margin);
+  readConfigFile(openConfigFile(directory, "planners.yaml"), config.planners,
+                 config.attack.verification.limits);
+  return config;
+}
+
+}  // namespace forge

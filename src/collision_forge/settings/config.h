@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "collision_forge/attack/options.h"
+#include "collision_forge/config/config_error.h"
+#include "collision_forge/data/options.h"
+#include "collision_forge/dataset/options.h"
+#include "collision_forge/drawing/options.h"
+#include "collision_forge/network/options.h"
+#include "collision_forge/network/training_options.h"
+#include "collision_forge/scene/options.h"
+#include "collision_forge/study/options.h"
+#include "collision_forge/trials/options.h"
+
+namespace forge {
+
+/// Everything that can be tuned, as read from the files of config/. Rooms are handed their part.
+struct Config : StudyOptions {
+  SpeedModelFitOptions speed_model_fit;
+  PatternFeatureOptions pattern_features;  ///< these three of networks to be trained
+  PatternNetworkOptions pattern_layers;
+  TrainingOptions training;
+  EncodingOptions encoding;
+  DrawingOptions drawing;
+  RequestListOptions requests;
+  DatasetOptions dataset;
+  TrialOptions planners;
+};
+
+/// Reads the files of config/ in `directory`. Throws ConfigError for a missing, unknown or
+/// malformed key.
+Config loadConfig(const std::string& directory);
+
+}  // namespace forge

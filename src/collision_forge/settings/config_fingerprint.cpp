@@ -1,0 +1,49 @@
+#include "collision_forge/settings/config_fingerprint.h"
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "collision_forge/files/fingerprint.h"
+
+namespace forge {
+namespace {
+
+std::string fingerprintOfFile(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  if (!file) throw std::runtime_error(path.string() + ": cannot be read");
+  return "fingerprint " + fingerprint(content.str());
+}
+
+/// True for files of config/ that no result depends on.
+bool isIndifferent(const std::string& name) {
+  static const std::set<std::string> names = {"drawing.yaml",  "encoding.yaml",
+                                              "requests.yaml", "speed_model_fit.yaml",
+                                              "training.yaml", "tuning.yaml"};
+  return names.count(name) > 0;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> fingerprintsOf(const Config& config,
+                                                  const std::string& directory) {
+  std::map<std::string, std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".yaml" || isIndifferent(name)) continue;
+    found["config/" + name] = fingerprintOfFile(entry.path());
+  }
+  const std::map<std::string, std::string> models = {{"speed_profiles", config.speed_profiles},
+                                                     {"speed_model", config.speed_model},
+                                                     {"pattern_network", config.pattern_network}};
+  for (const auto& [name, path] : models) {
+    if (!path.empty()) found[name] = fingerprintOfFile(path);
+  }
+  return found;
+}
+
+}  // namespace forge

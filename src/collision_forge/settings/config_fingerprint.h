@@ -1,0 +1,18 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "collision_forge/settings/config.h"
+
+namespace forge {
+
+/// What results depend on in a configuration read from `directory`, to tell whether a run may go
+/// on: the fingerprint() of every .yaml file ("config/NAME") but those that are for drawing, lists
+/// of requests, encoding, fitting and tuning alone, and of the files of models that it names
+/// ("speed_profiles", "speed_model", "pattern_network"). Throws std::runtime_error for a file that
+/// cannot be read.
+std::map<std::string, std::string> fingerprintsOf(const Config& config,
+                                                  const std::string& directory);
+
+}  // namespace forge

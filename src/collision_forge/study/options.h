@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+
+#include "collision_forge/attack/options.h"
+#include "collision_forge/data/options.h"
+#include "collision_forge/geometry/oriented_box.h"
+
+namespace forge {
+
+// config/evaluation.yaml, where each number's unit and source stand.
+
+struct PublishedOptions {
+  BoxSize box;  ///< of CollideOptions
+  double min_overlap = 0.0;
+  int steps_per_interval = 0;
+  int steps_after = 0;
+  double similar_heading = 0.0;
+};
+
+struct PublishedSearchOptions {
+  double heading_tolerance = 0.0;
+  double latest = 0.0;
+  double overlap_margin = 0.0;
+  double max_lead = 0.0;
+  double max_speed = 0.0;
+  int kept = 0;
+  int futures = 0;
+};
+
+struct StatisticsOptions {
+  int resamples = 0;
+  double confidence = 0.0;
+  std::uint64_t seed = 0;
+};
+
+struct EvaluationOptions {
+  CollideOptions collide;
+  PublishedOptions published;
+  PublishedSearchOptions published_search;
+  StatisticsOptions statistics;
+};
+
+/// What attacks are made by and judged by in a study.
+struct StudyOptions : DataOptions, ModelOptions {
+  CrashDefinition crash;
+  AttackOptions attack;
+  EvaluationOptions evaluation;
+};
+
+void readOptions(Section& section, EvaluationOptions& options);
+
+}  // namespace forge

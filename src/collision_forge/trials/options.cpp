@@ -1,0 +1,45 @@
+#include "collision_forge/trials/options.h"
+
+#include <limits>
+
+#include "collision_forge/config/section.h"
+
+namespace forge {
+
+static void readOptions(Section& section, FaultOptions& options) {
+  options.standstill_speed = section.nonNegative("standstill_speed");
+  options.behind_angle = section.angle("behind_angle");
+  options.front_tolerance = section.nonNegative("front_tolerance");
+  options.off_road_share = section.share("off_road_share");
+  options.lane_radius = section.nonNegative("lane_radius");
+}
+
+static void readOptions(Section& section, RolloutOptions& options) {
+  options.step = section.atLeast("step", kMinTimeStep);
+  options.hard_braking = section.positive("hard_braking");
+  section.read("fault", options.fault);
+}
+
+static void readOptions(Section& section, AvoidabilityOptions& options,
+                        const VehicleLimits& limits) {
+  constexpr double kWidest = 20.0;  // m; no road is wider to either side
+  options.interval = section.atLeast("interval", kMinTimeStep);
+  options.step = section.atLeast("step", kMinTimeStep);
+  options.accelerations =
+      section.numbers("accelerations", -limits.max_braking, limits.max_forward_acceleration);
+  options.offsets = section.numbers("offsets", -kWidest, kWidest);
+  options.durations = section.numbers("durations", 0.0, std::numeric_limits<double>::infinity());
+  options.return_time = section.positive("return_time");
+  options.min_return_distance = section.positive("min_return_distance");
+  options.margin = section.nonNegative("margin");
+  options.draws = section.count("draws", 0);
+  options.seed = static_cast<std::uint64_t>(section.count("seed", 0));
+}
+
+void readOptions(Section& file, TrialOptions& options, const VehicleLimits& limits) {
+  readOptions(file, static_cast<PlannerOptions&>(options), limits);
+  file.read("rollout", options.rollout);
+  file.read("avoidability", options.avoidability, limits);
+}
+
+}  // namespace forge

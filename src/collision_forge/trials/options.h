@@ -1,0 +1,26 @@
+#pragma once
+
+#include "collision_forge/planners/options.h"
+#include "collision_forge/trials/avoidability.h"
+#include "collision_forge/trials/contact_judgement.h"
+
+namespace forge {
+
+/// config/planners.yaml, section rollout, where each number's unit and source stand.
+struct RolloutOptions {
+  double step = 0.0;
+  double hard_braking = 0.0;
+  FaultOptions fault;
+};
+
+/// config/planners.yaml: the planners, and how they are tried.
+struct TrialOptions : PlannerOptions {
+  RolloutOptions rollout;
+  AvoidabilityOptions avoidability;
+};
+
+/// Reads all of planners.yaml; `limits` are those of the ego. Throws ConfigError for a missing,
+/// unknown or malformed key.
+void readOptions(Section& file, TrialOptions& options, const VehicleLimits& limits);
+
+}  // namespace forge

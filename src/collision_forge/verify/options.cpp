@@ -1,0 +1,23 @@
+#include "collision_forge/verify/options.h"
+
+#include "collision_forge/config/section.h"
+
+namespace forge {
+
+void readOptions(Section& section, VehicleLimits& limits) {
+  limits.max_forward_acceleration = section.positive("max_forward_acceleration");
+  limits.max_braking = section.positive("max_braking");
+  limits.max_total_acceleration = section.positive("max_total_acceleration");
+  limits.max_curvature = section.positive("max_curvature");
+  limits.max_speed = section.positive("max_speed");
+  limits.curvature_min_speed = section.nonNegative("curvature_min_speed");
+  limits.heading_slack = section.nonNegative("heading_slack");
+  limits.heading_per_metre = section.nonNegative("heading_per_metre");
+}
+
+void readOptions(Section& section, VerificationOptions& options) {
+  options.overlap_tolerance = section.positive("overlap_tolerance");
+  options.off_road_interval = section.positive("off_road_interval");
+}
+
+}  // namespace forge

@@ -1,0 +1,54 @@
+#include "collision_forge/settings/config_fingerprint.h"
+
+#include <gtest/gtest.h>
+
+#include "data/nuscenes_fixture.h"
+
+namespace forge {
+namespace {
+
+using Fingerprints = std::map<std::string, std::string>;
+
+TEST(FingerprintsOf, NameEveryYamlFileThatResultsDependOn) {
+  const TemporaryFolder folder;
+  folder.write("b.yaml", "a");
+  folder.write("a.yaml", "foobar");
+  folder.write("drawing.yaml", "a");
+  folder.write("training.yaml", "a");
+  folder.write("tuning.yaml", "a");
+  folder.write("notes.txt", "a");
+  EXPECT_EQ(fingerprintsOf({}, folder.path()),
+            (Fingerprints{{"config/a.yaml", "fingerprint 85944171f73967e8"},
+                          {"config/b.yaml", "fingerprint af63dc4c8601ec8c"}}));
+}
+
+TEST(FingerprintsOf, NameTheBytesOfModels) {
+  const TemporaryFolder folder;
+  const TemporaryFolder models;
+  models.write("speeds.jsonl", "a");
+  models.write("network.bin", "foobar");
+  Config config;
+  config.speed_model = models.path() + "/speeds.jsonl";
+  config.pattern_network = models.path() + "/network.bin";
+  EXPECT_EQ(fingerprintsOf(config, folder.path()),
+            (Fingerprints{{"speed_model", "fingerprint af63dc4c8601ec8c"},
+                          {"pattern_network", "fingerprint 85944171f73967e8"}}));
+}
+
+TEST(FingerprintsOf, ChangeWithTheFile) {
+  const TemporaryFolder folder;
+  folder.write("a.yaml", "x: 1\n");
+  const auto before = fingerprintsOf({}, folder.path());
+  folder.write("a.yaml", "x: 2\n");
+  EXPECT_NE(fingerprintsOf({}, folder.path()), before);
+}
+
+TEST(FingerprintsOf, RefuseAModelThatIsNotThere) {
+  const TemporaryFolder folder;
+  Config config;
+  config.speed_model = folder.path() + "/absent.jsonl";
+  EXPECT_THROW(fingerprintsOf(config, folder.path()), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace forge
