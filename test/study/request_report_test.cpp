@@ -107,6 +107,7 @@ TEST(RequestReport, ReplayPlansHaveNeitherCeilingNorCalibration) {
   EXPECT_TRUE(requestCalibrations(sampleRows(), plan, kOptions).empty());
   EvaluationPlan nominal = searchPlan();
   nominal.method = "nominal";
+  nominal.is_seeded = false;
   EXPECT_TRUE(requestCalibrations(sampleRows(), nominal, kOptions).empty());
 }
 
