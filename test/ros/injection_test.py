@@ -67,7 +67,8 @@ class InjectionTest(road.RoadTest):
             self.assertEqual(time, self.now, topic)
             self.assertEqual(message.header.stamp, self.now, topic)
             self.assertEqual(message.header.frame_id, 'map', topic)
-            self.assertEqual(message.attacker_id, self.attacker, topic)
+            report = message.report if topic == '/attack' else message
+            self.assertEqual(report.attacker_id, self.attacker, topic)
 
     def expected_state(self, stamp):
         """Where the trajectory has the attacker: x, y, yaw and speed."""

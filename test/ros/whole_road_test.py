@@ -105,7 +105,7 @@ class JunctionTest(live.WholeRoadTest):
         self.assert_close(self.heard['/tested_report'].wait(), first)
 
     def test_first_frame_is_too_little_history(self):
-        self.assertEqual(len(self.play_to(0.0).ego.states), 1)
+        self.assertEqual(len(self.play_to(0.0).snapshot.ego.states), 1)
         answer = self.ask_for_code('TOO_LITTLE_HISTORY')
         self.assertIn('1 frames', answer.message)
 
