@@ -222,7 +222,7 @@ class BadConversionInputTest(road.RoadTest):
 
     def test_no_such_folder(self):
         result = road.convert(self.path('out'), dataroot=self.path('nowhere'))
-        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertEqual(result.returncode, 2, result.stderr)
         self.assertIn(str(self.path('nowhere')), result.stderr)
 
     def test_missing_table(self):
