@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "collision_forge/config/config_error.h"
 #include "collision_forge/data/nuscenes_map.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {

@@ -116,7 +116,7 @@ TEST_F(EmbeddedEgoFutures, TheCentralIntervalCoversTheRecording) {
   for (const std::string& name : root_.sceneNames()) {
     const Scene scene = read(name);
     const LaneIndex lanes(scene.map);
-    const KinematicEgoFutures sampler(config_.attack.ego_futures, profiles, name);
+    const KinematicEgoFutures sampler(config_.attack.ego_futures, profiles->withoutScene(name));
     for (std::size_t i = 4; i < scene.frame_times.size(); i += 2) {
       const double now = scene.frame_times[i];
       const Snapshot snapshot = snapshotAt(scene, now, 8);

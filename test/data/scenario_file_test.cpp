@@ -21,7 +21,7 @@ Scenario attack() {
   scenario.ego = {{4.084, 1.73}, 1.385};
   Realization& answer = scenario.answer;
   answer.aim = {CollisionType::kRearEnd, "a1", kNow + 4.0, {{40.0, 1.0, 0.5}, {4.084, 1.73}},
-                    {-4.3, 0.25, 0.125},     12.5};
+                {-4.3, 0.25, 0.125},     12.5};
   answer.miss = {0.25, 0.0625};
   answer.trajectory = {"a1", AgentClass::kCar, {4.6, 1.9}, {}};
   answer.trajectory.points = {{kNow, {1.0, 2.0, 0.25}, 9.0, 0.5, 0.01},

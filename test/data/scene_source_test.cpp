@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <thread>
 
+#include "collision_forge/config/config_error.h"
+#include "collision_forge/settings/config.h"
+
 namespace forge {
 namespace {
 

@@ -23,6 +23,7 @@ SceneRequest sampleRequest(CollisionType type, double tta) {
 std::string lineOf(const SceneRequest& asked) {
   Scenario scenario;
   scenario.asked = asked;
+  scenario.ego = {{4.0, 1.7}, 1.3};
   scenario.answer.status = {StatusCode::kNoCandidate, "nobody"};
   return scenarioLine(scenario);
 }

@@ -48,7 +48,8 @@ class ExamplePackage(unittest.TestCase):
     def test_forge_generates_with_its_method(self):
         config = self.folder / 'install' / 'share' / 'collision_forge' / 'config'
         library = self.folder / 'build' / 'devel' / 'lib' / 'libexample_method.so'
-        (config / 'methods.yaml').write_text('libraries: ["{}"]\n'.format(library))
+        methods = config / 'methods.yaml'
+        methods.write_text(methods.read_text().replace('libraries: []', 'libraries: ["{}"]'.format(library)))
         requests, scenarios = self.folder / 'requests.jsonl', self.folder / 'scenarios.jsonl'
         self.forge('requests', *ROOT, '--out', requests, '--config', config)
         self.forge('generate', *ROOT, '--requests', requests, '--out', scenarios, '--config', config, '--mode', 'replay',

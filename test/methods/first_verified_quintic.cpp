@@ -12,9 +12,8 @@ class FirstVerifiedQuintic : public AttackMethod {
       : options_(setup.options), predictor_(setup.kinematic.patterns) {}
 
   Realization answer(const Moment& moment, const CollisionRequest& request) const override {
-    const PatternPrediction predicted =
-        predictor_->predict(moment.snapshot, *moment.lanes, request,
-                            moment.recorded ? &*moment.recorded : nullptr);
+    const PatternPrediction predicted = predictor_->predict(
+        moment.snapshot, *moment.lanes, request, moment.recorded ? &*moment.recorded : nullptr);
     Realization answer;
     answer.status = predicted.status;
     for (const CollisionPattern& pattern : predicted.patterns) {

@@ -11,8 +11,8 @@ const EgoVehicle kEgo{{4.0, 1.8}, 1.5};
 
 TEST(PdmMotion, FollowsPosesFromWhereTheCarIs) {
   const PlannerOptions& options = shippedConfig().planners;
-  const KinematicBicycle bicycle(options.bicycle);
-  LqrTracker tracker(options.lqr, options.bicycle.wheelbase);
+  const KinematicBicycle bicycle(options.car);
+  LqrTracker tracker(options.lqr, options.car.wheelbase);
   std::vector<Pose2> poses;
   for (int i = 0; i <= 80; ++i) poses.push_back({0.8 * i, 0.0, 0.0});
   const BicycleState start{{0.0, 0.5, 0.0}, 8.0, 0.0, 0.0};

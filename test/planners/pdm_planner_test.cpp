@@ -11,7 +11,7 @@ namespace {
 
 PdmPlanner plannerOn(const DrivingTask& task) {
   const PlannerOptions& options = shippedConfig().planners;
-  PdmPlanner planner(options.pdm, options.route_centerline, options.bicycle, options.lqr);
+  PdmPlanner planner(options.pdm, options.route_centerline, options.car, options.lqr);
   planner.initialize(task);
   return planner;
 }
@@ -140,7 +140,7 @@ TEST(PdmPlanner, TheSameTaskAndObservationsGiveTheSameTrajectories) {
 
 TEST(PdmPlanner, RefusesATaskWithoutLanesOrRoute) {
   const PlannerOptions& options = shippedConfig().planners;
-  PdmPlanner planner(options.pdm, options.route_centerline, options.bicycle, options.lqr);
+  PdmPlanner planner(options.pdm, options.route_centerline, options.car, options.lqr);
   EXPECT_THROW(planner.initialize({}), std::invalid_argument);
   DrivingTask task = taskOn(threeLaneRoad());
   task.route = {{1.0, 1.0}};

@@ -24,7 +24,8 @@ def library():
 def config_with_method(folder):
     """The configuration with the library of the method in it."""
     road.copy_config(folder)
-    (folder / 'methods.yaml').write_text('libraries: [{}]\n'.format(library()))
+    methods = folder / 'methods.yaml'
+    methods.write_text(methods.read_text().replace('libraries: []', 'libraries: [{}]'.format(library())))
     return folder
 
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/attack/baselines.h"
 #include "collision_forge/attack/quintic.h"
 #include "collision_forge/data/collide_scene.h"
 #include "data/collide_fixture.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/study/clip_methods.h"
 #include "data/collide_fixture.h"
 

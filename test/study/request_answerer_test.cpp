@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "collision_forge/attack/request_list.h"
 #include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/study/request_answerer.h"
 #include "collision_forge/study/strict.h"
 

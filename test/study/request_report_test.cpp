@@ -13,7 +13,7 @@ using testing::ElementsAre;
 const StatisticsOptions kOptions{100, 0.95, 1};
 
 EvaluationPlan searchPlan(Mode mode = Mode::kHistory) {
-  return {Protocol::kStrict, "search", mode, 1};
+  return {Protocol::kStrict, "search", true, mode, 1};
 }
 
 /// A row that meets the angle bands, or the full definitions as well, and has contact if so.
@@ -107,6 +107,7 @@ TEST(RequestReport, ReplayPlansHaveNeitherCeilingNorCalibration) {
   EXPECT_TRUE(requestCalibrations(sampleRows(), plan, kOptions).empty());
   EvaluationPlan nominal = searchPlan();
   nominal.method = "nominal";
+  nominal.is_seeded = false;
   EXPECT_TRUE(requestCalibrations(sampleRows(), nominal, kOptions).empty());
 }
 

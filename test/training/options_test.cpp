@@ -1,4 +1,4 @@
-#include "collision_forge/network/training_options.h"
+#include "collision_forge/training/options.h"
 
 #include <gtest/gtest.h>
 

@@ -221,12 +221,11 @@ std::shared_ptr<const SpeedForecaster> readSpeeds(const Arguments& arguments,
 }
 
 int measure(const Arguments& arguments) {
-  Config config = loadConfig(arguments.config);
-  config.pattern_network = arguments.networks;
-  const auto networks = loadPatternNetwork(config);
+  const Config config = loadConfig(arguments.config);
+  const Foresight foresight{
+      readSpeeds(arguments, config), loadPatternNetwork(arguments.networks), {}};
   SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1);
   const std::vector<std::string> names = scenes.names();
-  const auto speeds = readSpeeds(arguments, config);
   std::optional<AsideFile> file;
   if (!arguments.out.empty()) file.emplace(arguments.out);
   std::ostream nowhere(nullptr);
@@ -238,7 +237,7 @@ int measure(const Arguments& arguments) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto indexed = scenes.at(names[i]);
     const Scene& scene = indexed->scene;
-    const NetworkEgoFutures sampler(config.attack.ego_futures, networks, speeds, names[i]);
+    const NetworkEgoFutures sampler(config.attack.ego_futures, foresight.withoutScene(names[i]));
     const double last = scene.frame_times.back() - kHorizons[0] + 1e-6;
     for (double at = scene.frame_times.front() + arguments.stride; at <= last;
          at += arguments.stride) {

@@ -8,12 +8,16 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/training/training_run.h"
 
 namespace forge {
 namespace {
 
-int train(const TrainingRun& run) {
+int train(TrainingRun& run) {
+  const Config config = loadConfig(run.config);
+  run.options = config;
+  run.drawing = config.drawing;
 #ifdef COLLISION_FORGE_WITHOUT_ROS
   forgeTrainPatternNetwork(run);
 #else

@@ -6,7 +6,7 @@ namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/scenario";
-constexpr int kVersion = 2;  // 1: pattern was the contact, not what was aimed at
+constexpr int kVersion = 2;            // 1: pattern was the contact, not what was aimed at
 constexpr double kMicroseconds = 1e6;  // in a second
 
 double fromNow(double time, double now) {

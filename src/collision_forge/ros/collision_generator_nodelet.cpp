@@ -32,7 +32,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
       methods_ = loadMethods(config_);
       foresight_ = loadForesight(config_);
     });
-    default_method_ = defaultMethod(foresight_.networks != nullptr);
+    default_method_ = defaultMethod(foresight_.network != nullptr);
     loadRecording(config_.ego_vehicle);
     map_ = std::make_unique<LaneMapSubscriber>(node);
     search_ = std::make_unique<ServiceSearch>(node);

@@ -5,14 +5,6 @@
 namespace forge {
 namespace {
 
-void readTraining(Section file, Config& config) {
-  const PredictionOptions& prediction = config.attack.prediction;
-  file.read("features", config.pattern_features, prediction.history_frames);
-  file.read("network", config.pattern_layers);
-  file.read("training", config.training, prediction.max_tta);
-  file.finish();
-}
-
 void readMethods(Section file, Config& config) {
   config.method_libraries = file.paths("libraries");
   file.read("nominal", config.attack.nominal);
@@ -28,7 +20,7 @@ Config loadConfig(const std::string& directory) {
   readMethods(openConfigFile(directory, "methods.yaml"), config);
   readConfigFile(directory, "speed_model_fit", config.speed_model_fit);
   readConfigFile(directory, "models", static_cast<ModelOptions&>(config));
-  readTraining(openConfigFile(directory, "training.yaml"), config);
+  readConfigFile(openConfigFile(directory, "training.yaml"), static_cast<LearningOptions&>(config));
   readConfigFile(directory, "ego_vehicle", config.ego_vehicle);
   readConfigFile(directory, "encoding", config.encoding);
   readConfigFile(directory, "conversion", config.conversion);

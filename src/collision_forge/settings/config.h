@@ -8,19 +8,16 @@
 #include "collision_forge/dataset/options.h"
 #include "collision_forge/drawing/options.h"
 #include "collision_forge/network/options.h"
-#include "collision_forge/network/training_options.h"
 #include "collision_forge/scene/options.h"
 #include "collision_forge/study/options.h"
+#include "collision_forge/training/options.h"
 #include "collision_forge/trials/options.h"
 
 namespace forge {
 
 /// Everything that can be tuned, as read from the files of config/. Rooms are handed their part.
-struct Config : StudyOptions {
+struct Config : LearningOptions {
   SpeedModelFitOptions speed_model_fit;
-  PatternFeatureOptions pattern_features;  ///< these three of networks to be trained
-  PatternNetworkOptions pattern_layers;
-  TrainingOptions training;
   EncodingOptions encoding;
   DrawingOptions drawing;
   RequestListOptions requests;

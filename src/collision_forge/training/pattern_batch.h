@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "collision_forge/network/options.h"
-#include "collision_forge/network/training_options.h"
+#include "collision_forge/training/options.h"
 #include "collision_forge/training/training_draw.h"
 
 namespace forge {

@@ -10,7 +10,7 @@
 
 #include "collision_forge/network/options.h"
 #include "collision_forge/network/pattern_weights.h"
-#include "collision_forge/network/training_options.h"
+#include "collision_forge/training/options.h"
 #include "collision_forge/training/training_sample.h"
 
 namespace forge {

@@ -41,29 +41,31 @@ std::vector<double> drawTtas(const Track& ego, double now, double longest, int c
 }
 
 TimedSample timedSample(const EgoWays& ways, const LaneIndex& lanes, const Track& ego, double now,
-                        double tta, const Config& config, const PatternFeatureOptions& features) {
+                        double tta, const LearningOptions& options,
+                        const PatternFeatureOptions& features) {
   const Pose2 there = stateAt(ego, now + tta)->pose;
-  return {tta, anchorFeatures(ways, lanes, tta, config.attack.ego_futures, features),
+  return {tta, anchorFeatures(ways, lanes, tta, options.attack.ego_futures, features),
           relativeTo(ways.ego.state.pose, there)};
 }
 
 /// Empty for a moment without enough past or without future.
 std::optional<TrainingSample> momentSample(const Scene& scene, double now, const LaneIndex& lanes,
-                                           const Config& config, std::mt19937_64& engine) {
-  const PatternFeatureOptions& features = config.pattern_features;
+                                           const LearningOptions& options,
+                                           std::mt19937_64& engine) {
+  const PatternFeatureOptions& features = options.pattern_features;
   const Snapshot observed = observedSnapshot(snapshotAt(scene, now, features.history_frames), {});
   if (observed.ego.states.size() < 2 || !newestAt(observed.ego, now)) return std::nullopt;
   const std::vector<double> ttas =
-      drawTtas(scene.ego, now, config.training.max_tta, kTimesAMoment, engine);
+      drawTtas(scene.ego, now, options.training.max_tta, kTimesAMoment, engine);
   if (ttas.empty()) return std::nullopt;
   TrainingSample sample;
   sample.scene = scene.name;
   sample.features = sceneFeatures(observed, lanes, features);
-  const EgoWays ways = egoWays(observed, lanes, config.training.max_tta, config.attack.ego_futures,
-                               features.max_ways);
+  const EgoWays ways = egoWays(observed, lanes, options.training.max_tta,
+                               options.attack.ego_futures, features.max_ways);
   sample.ego_speed = ways.ego.past_speeds[0];
   for (const double tta : ttas) {
-    sample.times.push_back(timedSample(ways, lanes, scene.ego, now, tta, config, features));
+    sample.times.push_back(timedSample(ways, lanes, scene.ego, now, tta, options, features));
   }
   return sample;
 }
@@ -86,26 +88,27 @@ Scene seenFrom(const Scene& scene, std::size_t vehicle) {
   return other;
 }
 
-void collectScene(const Scene& scene, const LaneIndex& lanes, const Config& config,
+void collectScene(const Scene& scene, const LaneIndex& lanes, const LearningOptions& options,
                   std::uint64_t seed, std::vector<TrainingSample>& samples) {
   std::mt19937_64 engine(seedOf(scene.name, seed));
   const auto keep = [&](std::optional<TrainingSample> sample) {
     if (sample) samples.push_back(std::move(*sample));
   };
   for (const double now : scene.frame_times) {
-    keep(momentSample(scene, now, lanes, config, engine));
+    keep(momentSample(scene, now, lanes, options, engine));
   }
   for (std::size_t i = 0; i < scene.agents.size(); ++i) {
     const Track& vehicle = scene.agents[i];
-    if (!canAttack(vehicle.agent_class) || meanSpeed(vehicle) < config.training.min_vehicle_speed) {
+    if (!canAttack(vehicle.agent_class) ||
+        meanSpeed(vehicle) < options.training.min_vehicle_speed) {
       continue;
     }
     const Scene other = seenFrom(scene, i);
     double next = -1e300;
     for (const double now : scene.frame_times) {
       if (now < next - 0.1 || !stateAt(vehicle, now)) continue;
-      next = now + config.training.vehicle_stride;
-      keep(momentSample(other, now, lanes, config, engine));
+      next = now + options.training.vehicle_stride;
+      keep(momentSample(other, now, lanes, options, engine));
     }
   }
 }
@@ -121,7 +124,7 @@ std::vector<std::string> clipPaths(const TrainingSources& sources) {
 
 std::optional<AttackSample> attackOf(const CollideClip& clip, const Scene& scene,
                                      const Snapshot& observed, const EgoWays& ways,
-                                     const Config& config) {
+                                     const LearningOptions& options) {
   AttackSample attack;
   attack.type = clip.type;
   attack.tta = clip.tta();
@@ -129,7 +132,7 @@ std::optional<AttackSample> attackOf(const CollideClip& clip, const Scene& scene
   attack.ego = relativeTo(ways.ego.state.pose, ego);
   bool found = false;
   for (const Track& agent : observed.agents) {
-    if (!isCandidate(agent, observed, config.attack.prediction)) continue;
+    if (!isCandidate(agent, observed, options.attack.prediction)) continue;
     if (agent.id == clip.attacker_id) {
       attack.attacker = attack.candidates.size();
       found = true;
@@ -171,16 +174,16 @@ std::set<std::string> scenesOfFold(std::vector<std::string> names, int fold, int
 }
 
 std::optional<TrainingSample> clipSample(const std::string& path, const LaneIndex& lanes,
-                                         const Config& config,
+                                         const LearningOptions& options,
                                          const PatternFeatureOptions& features, int others,
                                          std::uint64_t seed) {
   const CollideClip clip = readCollideClip(path);
-  const Scene scene = toScene(clip, config.evaluation.collide, nullptr);
+  const Scene scene = toScene(clip, options.evaluation.collide, nullptr);
   const Snapshot observed =
       observedSnapshot(snapshotAt(scene, clip.now(), features.history_frames), {});
-  const double longest = std::max(config.training.max_tta, clip.tta());
+  const double longest = std::max(options.training.max_tta, clip.tta());
   const EgoWays ways =
-      egoWays(observed, lanes, longest, config.attack.ego_futures, features.max_ways);
+      egoWays(observed, lanes, longest, options.attack.ego_futures, features.max_ways);
   TrainingSample sample;
   sample.scene = clip.scene;
   sample.features = sceneFeatures(observed, lanes, features);
@@ -190,18 +193,19 @@ std::optional<TrainingSample> clipSample(const std::string& path, const LaneInde
     const std::size_t frames = clip.times.size() - 1 - kCollideNowFrame;
     const std::size_t frame = kCollideNowFrame + 1 + engine() % frames;
     sample.times.push_back(timedSample(ways, lanes, scene.ego, clip.now(),
-                                       clip.times[frame] - clip.now(), config, features));
+                                       clip.times[frame] - clip.now(), options, features));
   }
   sample.times.push_back(
-      timedSample(ways, lanes, scene.ego, clip.now(), clip.tta(), config, features));
-  sample.attack = attackOf(clip, scene, observed, ways, config);
+      timedSample(ways, lanes, scene.ego, clip.now(), clip.tta(), options, features));
+  sample.attack = attackOf(clip, scene, observed, ways, options);
   return sample;
 }
 
 std::vector<TrainingSample> collectTrainingSamples(
-    const TrainingSources& sources, const Config& config, const std::set<std::string>& left_out,
-    std::uint64_t seed, const std::function<void(std::size_t, std::size_t)>& on_item) {
-  CityMaps lanes(sources.dataroot, config);
+    const TrainingSources& sources, const LearningOptions& options,
+    const std::set<std::string>& left_out, std::uint64_t seed,
+    const std::function<void(std::size_t, std::size_t)>& on_item) {
+  CityMaps lanes(sources.dataroot, options);
   std::vector<std::string> names;
   std::optional<NuScenesRoot> root;
   if (!sources.version.empty()) {
@@ -224,13 +228,13 @@ std::vector<TrainingSample> collectTrainingSamples(
   const auto collectItem = [&](std::size_t item) {
     if (item < names.size()) {
       const NuScenesRecording recording = root->readScene(names[item]);
-      collectScene(toScene(recording, config.ego_vehicle, nullptr), *lanes.at(recording.location),
-                   config, seed, parts[item]);
+      collectScene(toScene(recording, options.ego_vehicle, nullptr), *lanes.at(recording.location),
+                   options, seed, parts[item]);
       return;
     }
     const std::string& path = clips[item - names.size()];
-    const auto sample = clipSample(path, *lanes.at(parseCollideName(path).city), config,
-                                   config.pattern_features, kClipTimes, seed);
+    const auto sample = clipSample(path, *lanes.at(parseCollideName(path).city), options,
+                                   options.pattern_features, kClipTimes, seed);
     if (sample) parts[item].push_back(*sample);
   };
   const auto work = [&] {

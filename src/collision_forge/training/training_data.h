@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/settings/config.h"
+#include "collision_forge/training/options.h"
 #include "collision_forge/training/training_sample.h"
 
 namespace forge {
@@ -31,13 +31,14 @@ std::set<std::string> scenesOfFold(std::vector<std::string> names, int fold, int
 /// of each clip, in the order of the scenes whatever the number of jobs. Nothing of the scenes in
 /// `left_out` is read. `on_item` counts logs and clips done; sceneCount() of them.
 std::vector<TrainingSample> collectTrainingSamples(
-    const TrainingSources& sources, const Config& config, const std::set<std::string>& left_out,
-    std::uint64_t seed, const std::function<void(std::size_t, std::size_t)>& on_item);
+    const TrainingSources& sources, const LearningOptions& options,
+    const std::set<std::string>& left_out, std::uint64_t seed,
+    const std::function<void(std::size_t, std::size_t)>& on_item);
 
 /// The sample of a clip at its now: the impact, and `others` earlier instants after now. `lanes` of
 /// the clip's city.
 std::optional<TrainingSample> clipSample(const std::string& path, const LaneIndex& lanes,
-                                         const Config& config,
+                                         const LearningOptions& options,
                                          const PatternFeatureOptions& features, int others,
                                          std::uint64_t seed);
 

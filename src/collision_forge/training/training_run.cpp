@@ -12,7 +12,6 @@
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/line_chart.h"
 #include "collision_forge/files/aside_file.h"
-#include "collision_forge/settings/config.h"
 #include "collision_forge/training/pattern_trainer.h"
 
 #ifndef COLLISION_FORGE_WITHOUT_MPI
@@ -161,8 +160,8 @@ void drawCurves(const std::string& path, const std::string& metrics,
 /// What the run folder tells of the epochs, and the network of the best.
 class RunRecord {
  public:
-  RunRecord(const TrainingRun& run, const Config& config, int epochs_done)
-      : folder_(run.out), config_(config), metrics_(kMetricsHeader) {
+  RunRecord(const TrainingRun& run, int epochs_done)
+      : folder_(run.out), drawing_(run.drawing), metrics_(kMetricsHeader) {
     if (epochs_done > 0) metrics_ = keptMetrics(folder_ + "/metrics.csv", epochs_done, best_);
   }
 
@@ -177,39 +176,39 @@ class RunRecord {
       writePatternWeights({weights}, folder_ + "/weights.bin");
     }
     writeText(folder_ + "/metrics.csv", metrics_);
-    drawCurves(folder_ + "/curves.png", metrics_, config_.drawing);
+    drawCurves(folder_ + "/curves.png", metrics_, drawing_);
     trainer.save(folder_ + "/state.pt");
     std::cout << line << std::flush;
   }
 
  private:
   std::string folder_;
-  const Config& config_;
+  const DrawingOptions& drawing_;
   std::string metrics_;
   double best_ = std::numeric_limits<double>::infinity();
 };
 
 /// Epoch after epoch on what was read; rank 0 alone writes and tells.
 void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::string>& left_out,
-             const TrainingRun& run, const Config& config, bool is_first, PatternTrainer& trainer) {
-  const Split split = splitByScene(samples, config.training.validation_share, run.seed);
+             const TrainingRun& run, bool is_first, PatternTrainer& trainer) {
+  const Split split = splitByScene(samples, run.options.training.validation_share, run.seed);
   if (split.training.empty()) throw std::runtime_error("there is nothing to train on");
   if (is_first) {
     std::cout << samples.size() << " moments, " << split.validation.size()
               << " of them to tell the best epoch; " << left_out.size() << " scenes left out\n";
   }
-  RunRecord record(run, config, trainer.epochsDone());
+  RunRecord record(run, trainer.epochsDone());
   ProgressLine progress("training");
   const int first = trainer.epochsDone();
-  int stop = config.training.epochs;
+  int stop = run.options.training.epochs;
   if (run.stop_after > 0) stop = std::min(stop, run.stop_after);
   while (trainer.epochsDone() < stop) {
     const int epoch = trainer.epochsDone();
     const auto show = [&](std::size_t done) {
       const double share = double(done) / double(split.training.size());
-      progress.show(
-          (epoch - first + share) / (stop - first),
-          "epoch " + std::to_string(epoch + 1) + " of " + std::to_string(config.training.epochs));
+      progress.show((epoch - first + share) / (stop - first),
+                    "epoch " + std::to_string(epoch + 1) + " of " +
+                        std::to_string(run.options.training.epochs));
     };
     const TrainingLosses training = trainer.trainEpoch(
         samples, split.training, is_first ? std::function<void(std::size_t)>(show) : nullptr);
@@ -231,21 +230,21 @@ std::set<std::string> leftOutScenes(const TrainingRun& run) {
 }
 
 void trainNetwork(const TrainingRun& run) {
-  const Config config = loadConfig(run.config);
+  const LearningOptions& options = run.options;
   const std::set<std::string> left_out = leftOutScenes(run);
   const TrainingRanks ranks = launchedRanks();
   const bool is_first = ranks.rank == 0;
   if (is_first) openRun(run, ranks.size);
-  PatternTrainer trainer(config.pattern_features, config.pattern_layers, config.training,
+  PatternTrainer trainer(options.pattern_features, options.pattern_layers, options.training,
                          run.device, run.threads, run.seed);
   trainer.trainTogether(ranks);
   if (fs::exists(statePath(run))) trainer.load(statePath(run));
   ProgressLine reading("reading");
   const std::vector<TrainingSample> samples = collectTrainingSamples(
-      run.sources, config, left_out, run.seed, [&](std::size_t done, std::size_t all) {
+      run.sources, options, left_out, run.seed, [&](std::size_t done, std::size_t all) {
         if (is_first) reading.show(double(done) / double(all));
       });
-  trainOn(samples, left_out, run, config, is_first, trainer);
+  trainOn(samples, left_out, run, is_first, trainer);
 #ifndef COLLISION_FORGE_WITHOUT_MPI
   Ranks::get().settle();
 #endif

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "collision_forge/drawing/options.h"
 #include "collision_forge/training/training_data.h"
 
 namespace forge {
@@ -11,7 +12,9 @@ namespace forge {
 struct TrainingRun {
   TrainingSources sources;
   std::string out;     ///< folder of the run
-  std::string config;  ///< folder with the configuration files
+  std::string config;  ///< folder with the configuration files, for these two
+  LearningOptions options;
+  DrawingOptions drawing;
   std::string device = "cpu";
   int fold = 0;  ///< part of the scenes that is left out, from 1; 0: none
   int folds = 5;

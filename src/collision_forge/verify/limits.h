@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/verify/options.h"
 #include "collision_forge/scene/attack.h"
+#include "collision_forge/verify/options.h"
 
 namespace forge {
 

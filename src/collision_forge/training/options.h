@@ -1,8 +1,9 @@
 #pragma once
 
-namespace forge {
+#include "collision_forge/network/options.h"
+#include "collision_forge/study/options.h"
 
-class Section;
+namespace forge {
 
 /// config/training.yaml, section training, where each number's unit stands.
 struct TrainingOptions {
@@ -29,7 +30,15 @@ struct TrainingOptions {
   double noise_across = 0.0;
 };
 
-/// `max_tta` is that of PredictionOptions.
-void readOptions(Section& section, TrainingOptions& options, double max_tta);
+/// What a network is trained by: config/training.yaml, a member a section, and what its samples are
+/// made with.
+struct LearningOptions : StudyOptions {
+  PatternFeatureOptions pattern_features;
+  PatternNetworkOptions pattern_layers;
+  TrainingOptions training;
+};
+
+/// Reads training.yaml, when `attack` is known.
+void readOptions(Section& file, LearningOptions& options);
 
 }  // namespace forge

@@ -1,10 +1,10 @@
-#include "collision_forge/network/training_options.h"
+#include "collision_forge/training/options.h"
 
 #include "collision_forge/config/section.h"
 
 namespace forge {
 
-void readOptions(Section& section, TrainingOptions& options, double max_tta) {
+static void readOptions(Section& section, TrainingOptions& options, double max_tta) {
   constexpr double kMaxDropout = 0.9;
   options.epochs = section.count("epochs", 1);
   options.batch = section.count("batch", 1);
@@ -27,6 +27,13 @@ void readOptions(Section& section, TrainingOptions& options, double max_tta) {
   options.noise_along = section.nonNegative("noise_along");
   options.noise_along_exponent = section.positive("noise_along_exponent");
   options.noise_across = section.nonNegative("noise_across");
+}
+
+void readOptions(Section& file, LearningOptions& options) {
+  const PredictionOptions& prediction = options.attack.prediction;
+  file.read("features", options.pattern_features, prediction.history_frames);
+  file.read("network", options.pattern_layers);
+  file.read("training", options.training, prediction.max_tta);
 }
 
 }  // namespace forge
