@@ -2,10 +2,9 @@
 """A method of a shared library (test/methods) is known wherever methods are: to forge, to the live node, to the panel."""
 import csv
 import json
+import shutil
 import tempfile
 from pathlib import Path
-
-import rospkg
 
 import live
 import road
@@ -17,8 +16,8 @@ SCENE = 'scene-0001'
 
 
 def library():
-    """What test/CMakeLists.txt builds of the method, beside the suite's own libraries."""
-    return Path(rospkg.get_ros_package_path().split(':')[0], '..', 'lib', 'libfirst_verified_quintic.so').resolve()
+    """What test/ros/CMakeLists.txt builds of the method, beside the suite's own libraries."""
+    return Path(shutil.which('forge')).resolve().parent.parent / 'lib' / 'libfirst_verified_quintic.so'
 
 
 def config_with_method(folder):

@@ -48,11 +48,10 @@ class PatternsTest(MadeUpTest):
                   y + along * math.sin(heading) + across * math.cos(heading))
         return math.dist(corner, (-0.5 * size.x, 0.5 * size.y))
 
-    def test_contact_is_at_the_corner_that_is_asked_for(self):
+    def test_attack_names_the_pattern_and_how_far_the_contact_is_from_it(self):
         scene = self.show(drive(8, beside)).snapshot
         attack = self.ask_for_code('OK', 'lane_change', 4.0).attack
         self.assertTrue(attack.report.verified)
-        self.assertLess(self.corner_miss(attack, scene.ego.size), NEAR)
         asked = left_rear_corner(scene.ego.size, attack.trajectory.size)
         self.assertAlmostEqual(attack.pattern.attacker_offset.x, asked.x, places=6)
         x, y, heading = seen_from(attack.report.ego_at_contact, attack.report.attacker_at_contact)
@@ -69,10 +68,11 @@ class PatternsTest(MadeUpTest):
         change(request.patterns[0])
         return rospy.ServiceProxy('realize_trajectory', RealizeTrajectory)(request)
 
-    def test_exactly_is_within_the_tolerance(self):
+    def test_contact_is_at_the_corner_that_is_asked_for_exactly(self):
         answer = self.realize_exactly(lambda pattern: None)
         self.assertEqual(road.CODES[answer.code], 'OK', answer.message)
         self.assertLess(answer.attack.miss_distance, NEAR)
+        self.assertLess(self.corner_miss(answer.attack, answer.attack.pattern.ego_size), NEAR)
 
     def test_exactly_where_nobody_can_come_is_refused_with_the_distance(self):
         def across(pattern):
