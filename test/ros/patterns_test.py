@@ -57,6 +57,7 @@ class PatternsTest(MadeUpTest):
         x, y, heading = seen_from(attack.report.ego_at_contact, attack.report.attacker_at_contact)
         self.assertAlmostEqual(attack.miss_distance, math.dist((x, y), (asked.x, asked.y)), places=6)
         self.assertAlmostEqual(attack.miss_heading, abs(heading - asked.theta), places=6)
+        self.assertLess(self.corner_miss(attack, scene.ego.size), NEAR)
 
     def realize_exactly(self, change):
         """The answer of realize_trajectory for the predictor's pattern, changed."""

@@ -158,8 +158,14 @@ class Search {
     candidate.miss_cost = 1.0;
     if (candidate.score.share == 0.0) return;
     candidate.miss = missBetween(candidate.aim->pattern->attacker_offset, candidate.score.contact);
-    const double miss = cornerMiss(candidate.miss, candidate.contender->track->size);
+    const double miss = beyondTolerance(candidate);
     candidate.miss_cost = miss / (miss + search_.near_pattern);
+  }
+
+  /// How far the contact is from the pattern beyond what the pattern allows for, m.
+  double beyondTolerance(const Candidate& candidate) const {
+    const double miss = cornerMiss(candidate.miss, candidate.contender->track->size);
+    return std::max(0.0, miss - (input_.exact ? 0.0 : candidate.aim->pattern->tolerance));
   }
 
   /// What steering counts: nothing while quick_steering is not exceeded, 1 when it is by far.
@@ -182,7 +188,8 @@ class Search {
       return !kept.empty() && kept.front().score.share >= search_.good_share &&
              kept.front().off_road <= search_.good_off_road &&
              kept.front().steering <= search_.good_steering &&
-             (!input_.exact || isExact(kept.front().miss, search_));
+             (input_.exact ? isExact(kept.front().miss, search_)
+                           : beyondTolerance(kept.front()) <= search_.exact_distance);
     };
     return good(quintics_) || good(bicycles_);
   }

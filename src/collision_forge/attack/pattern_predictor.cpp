@@ -47,6 +47,7 @@ RankedPattern placedPattern(const Track& agent, Side side, double heading, const
   pattern.attacker_speed = request.type == CollisionType::kRearEnd
                                ? ego.velocity.norm() + prediction.rear_end_closing_speed
                                : std::max(motion.speed, prediction.min_impact_speed);
+  pattern.tolerance = prediction.pattern_tolerance;
   return {pattern, speedMismatch(pattern, motion, request.tta)};
 }
 

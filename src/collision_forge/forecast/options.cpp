@@ -20,6 +20,7 @@ void readOptions(Section& section, PredictionOptions& options) {
   options.lane_return_distance = section.positive("lane_return_distance");
   options.rear_end_closing_speed = section.positive("rear_end_closing_speed");
   options.min_impact_speed = section.nonNegative("min_impact_speed");
+  options.pattern_tolerance = section.nonNegative("pattern_tolerance");
 }
 
 static void readOptions(Section& section, FeatureWeights& weights) {

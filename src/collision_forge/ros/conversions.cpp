@@ -301,6 +301,7 @@ CollisionPattern fromMessage(const collision_forge::CollisionPattern& message) {
   pattern.ego = {fromMessage(message.ego), fromMessage(message.ego_size)};
   pattern.attacker_offset = fromMessage(message.attacker_offset);
   pattern.attacker_speed = message.attacker_speed;
+  pattern.tolerance = message.tolerance;
   return pattern;
 }
 
@@ -315,6 +316,7 @@ collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, dou
   message.ego_size = toMessage(pattern.ego.size);
   message.attacker_offset = toPose2dMessage(pattern.attacker_offset);
   message.attacker_speed = pattern.attacker_speed;
+  message.tolerance = pattern.tolerance;
   return message;
 }
 

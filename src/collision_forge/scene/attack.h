@@ -17,6 +17,7 @@ struct CollisionPattern {
   OrientedBox ego;            ///< the ego's box then, global map frame
   Pose2 attacker_offset;      ///< the attacker's box centre in the ego box's frame (dx, dy, dtheta)
   double attacker_speed = 0;  ///< m/s along its heading at impact
+  double tolerance = 0.0;     ///< m: a contact with every corner of the attacker so near is as good
 };
 
 /// How far a contact is from the pattern that was aimed at, both seen from the ego's box.
