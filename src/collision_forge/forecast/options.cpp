@@ -21,6 +21,7 @@ void readOptions(Section& section, PredictionOptions& options) {
   options.rear_end_closing_speed = section.positive("rear_end_closing_speed");
   options.min_impact_speed = section.nonNegative("min_impact_speed");
   options.pattern_tolerance = section.nonNegative("pattern_tolerance");
+  options.network_pattern_tolerance = section.nonNegative("network_pattern_tolerance");
 }
 
 static void readOptions(Section& section, FeatureWeights& weights) {

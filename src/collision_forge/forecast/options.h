@@ -24,6 +24,7 @@ struct PredictionOptions {
   double rear_end_closing_speed = 0.0;
   double min_impact_speed = 0.0;
   double pattern_tolerance = 0.0;
+  double network_pattern_tolerance = 0.0;
 };
 
 inline constexpr int kSpeedFeatures = 10;

@@ -83,6 +83,7 @@ PatternPrediction NetworkPatternPredictor::predict(const Snapshot& snapshot, con
     const auto nearest = nearestTo(answers[i].offset, own, attackers[i]->size);
     nearest->ego = boxAt(snapshot.ego, compose(scene.ways().ego.state.pose, ego));
     nearest->attacker_offset = answers[i].offset;
+    nearest->tolerance = options_.prediction.network_pattern_tolerance;
     std::rotate(own.begin(), nearest, nearest + 1);
     patterns.insert(patterns.end(), own.begin(), own.end());
   }
