@@ -49,6 +49,7 @@ struct Case {
       const double heading = wrapAngle(placement.sign < 0.0 ? -nominal : nominal);
       patterns.push_back(pattern(
           agent.id, attackerOffset(kEgoSize, kCarSize, placement.side, heading, 0.0, 0.0), 8.0));
+      patterns.back().tolerance = options.prediction.pattern_tolerance;
     }
     return patterns;
   }
@@ -352,6 +353,19 @@ TEST(SearchAttacks, ComeToThePatternThatIsAskedForThoughItIsNoPlacementOfTheType
     EXPECT_LT(attacks[0].miss.distance, 0.3) << heading;
     EXPECT_LT(attacks[0].miss.heading, 0.05) << heading;
   }
+}
+
+TEST(SearchAttacks, KeepToAPatternAsCloselyAsItIsMeant) {
+  Case scene = overtaken();
+  double precise = 0.0;
+  double loose = 0.0;
+  for (scene.request.seed = 0; scene.request.seed < 5; ++scene.request.seed) {
+    CollisionPattern pattern = scene.pattern("beside", atLeftRearCorner(-0.26), 11.0);
+    precise += scene.found({pattern}).at(0).miss.distance;
+    pattern.tolerance = kEgoSize.length;
+    loose += scene.found({pattern}).at(0).miss.distance;
+  }
+  EXPECT_LT(precise, 0.5 * loose);
 }
 
 TEST(SearchAttacks, NameThePatternThatTheyComeFrom) {
