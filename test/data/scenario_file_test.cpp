@@ -17,7 +17,7 @@ constexpr double kNow = 1531883530.949817;  // s
 
 Scenario attack() {
   Scenario scenario;
-  scenario.asked = {"scene-0001", kNow, {CollisionType::kRearEnd, 4.0, "a1", Mode::kReplay, 7}};
+  scenario.asked = {"scene-0001", kNow, {CollisionType::kRearEnd, 4.0, "a1", Mode::kReplay, 7, {}}};
   scenario.ego = {{4.084, 1.73}, 1.385};
   Realization& answer = scenario.answer;
   answer.aim = {CollisionType::kRearEnd, "a1", kNow + 4.0, {{40.0, 1.0, 0.5}, {4.084, 1.73}},

@@ -40,7 +40,7 @@ class ClipSearch : public testing::Test {
   }
 
   SceneRequest asked(CollisionType type = CollisionType::kRearEnd, std::uint64_t seed = 1) const {
-    return {"scene-0007", kNow, {type, kTta, std::nullopt, Mode::kReplay, seed}};
+    return {"scene-0007", kNow, {type, kTta, std::nullopt, Mode::kReplay, seed, {}}};
   }
 
   Realization found(const SceneRequest& request) const {

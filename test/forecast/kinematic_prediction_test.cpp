@@ -122,25 +122,5 @@ TEST(PredictFuture, StartsFromTheRecordedPoseBeforeAndBesideALanesVertices) {
   }
 }
 
-TEST(ScaledInTime, DrivesTheSamePathAtAMultipleOfTheSpeed) {
-  const Track track = futureTrack("a", kCarSize, {0.0, 0.0, 0.4}, 10.0);
-  for (const double factor : {0.5, 1.0, 1.25}) {
-    const Track scaled = scaledInTime(track, kNow, factor);
-    EXPECT_EQ(scaled.id, "a");
-    EXPECT_EQ(scaled.size.width, kCarSize.width);
-    const AgentState state = stateAt(scaled, kNow + 4.0).value();
-    expectPose(state.pose, compose({0.0, 0.0, 0.4}, {40.0 * factor, 0.0, 0.0}), 1e-9);
-    EXPECT_NEAR(state.velocity.norm(), 10.0 * factor, 1e-9);
-    expectPose(scaled.states.front().pose, track.states.front().pose, 1e-12);
-  }
-}
-
-TEST(ScaledInTime, EndsWhereTheTrackEnds) {
-  const Track track = futureTrack("a", kCarSize, {}, 10.0);
-  EXPECT_NEAR(scaledInTime(track, kNow, 1.25).states.back().time, kNow + 8.0, 1e-9);
-  EXPECT_NEAR(scaledInTime(track, kNow, 1.25).states.back().pose.x, 100.0, 1e-9);
-  EXPECT_NEAR(scaledInTime(track, kNow, 0.5).states.back().time, kNow + 10.0, 1e-9);
-}
-
 }  // namespace
 }  // namespace forge

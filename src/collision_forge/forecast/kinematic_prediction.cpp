@@ -81,14 +81,4 @@ Future predictFuture(const Snapshot& snapshot, const LaneIndex& lanes, double ho
   return future;
 }
 
-Track scaledInTime(const Track& track, double now, double factor) {
-  Track scaled{track.id, track.agent_class, track.size, {}};
-  for (const AgentState& state : track.states) {
-    const auto source = stateAt(track, now + factor * (state.time - now));
-    if (!source) continue;
-    scaled.states.push_back({state.time, source->pose, factor * source->velocity});
-  }
-  return scaled;
-}
-
 }  // namespace forge

@@ -13,8 +13,4 @@ namespace forge {
 Future predictFuture(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
                      const PredictionOptions& options);
 
-/// The same path driven at `factor` times the speed: the state at now + t is that of
-/// now + factor * t, as far as the track goes.
-Track scaledInTime(const Track& track, double now, double factor);
-
 }  // namespace forge

@@ -31,13 +31,6 @@ const char* toString(AgentClass agent_class) {
   return "unknown";
 }
 
-std::optional<AgentClass> agentClassFromString(const std::string& name) {
-  for (const auto& [value, text] : kClassNames) {
-    if (name == text) return value;
-  }
-  return std::nullopt;
-}
-
 bool canAttack(AgentClass agent_class) {
   switch (agent_class) {
     case AgentClass::kCar:

@@ -24,8 +24,6 @@ enum class AgentClass {
 
 /// Lower-case name as in messages and files, for instance "construction_vehicle".
 const char* toString(AgentClass agent_class);
-/// Empty for an unknown name.
-std::optional<AgentClass> agentClassFromString(const std::string& name);
 /// Cars, trucks, buses, construction and emergency vehicles: what can be made to attack.
 bool canAttack(AgentClass agent_class);
 

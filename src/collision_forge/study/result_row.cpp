@@ -57,13 +57,6 @@ const char* toString(Protocol protocol) {
   return protocol == Protocol::kPublished ? "published" : "strict";
 }
 
-std::optional<Protocol> protocolFromString(const std::string& name) {
-  for (const Protocol protocol : {Protocol::kPublished, Protocol::kStrict}) {
-    if (name == toString(protocol)) return protocol;
-  }
-  return std::nullopt;
-}
-
 const std::vector<Measure>& measuresOf(Protocol protocol) {
   static const std::vector<Measure> published = {
       {"collision", "Collision rate", std::nullopt, true},

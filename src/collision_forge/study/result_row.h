@@ -9,10 +9,9 @@
 
 namespace forge {
 
-/// How a clip is judged: protocols/published.h or protocols/strict.h.
+/// How a clip is judged: study/published.h or study/strict.h.
 enum class Protocol { kPublished, kStrict };
 const char* toString(Protocol protocol);
-std::optional<Protocol> protocolFromString(const std::string& name);
 
 /// Something that one attack meets or does not, and that the tables have a rate of.
 struct Measure {
