@@ -25,7 +25,7 @@ class Told : public AttackMethod {
 
 CollisionReport verifiedReport() {
   CollisionReport report;
-  report.contact = report.type_kept = report.on_time = report.bounds_kept = true;
+  report.contact = report.type_kept = report.on_time = report.limits_kept = true;
   return report;
 }
 
@@ -56,7 +56,7 @@ TEST(GenerateCollision, LetsVerifiedAttacksPassAlone) {
   CollisionReport late = verifiedReport();
   late.on_time = false;
   const Realization refused = generateCollision(Told(late), moment(), request, options);
-  EXPECT_EQ(refused.status.code, StatusCode::kNoAttackWithinBounds);
+  EXPECT_EQ(refused.status.code, StatusCode::kNoAttackWithinLimits);
   EXPECT_NE(refused.status.message.find("wrong time"), std::string::npos) << refused.status.message;
   EXPECT_TRUE(refused.trajectory.attacker_id.empty());
 }

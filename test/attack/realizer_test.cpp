@@ -104,7 +104,7 @@ TEST(Realize, ExactlyRefusesAPatternThatNobodyCanCome) {
   attack.pattern.attacker_offset.y += 30.0;
   EXPECT_EQ(attack.result().status.code, StatusCode::kOk) << "an attack there is";
   attack.exact = true;
-  attack.expectRefusal(StatusCode::kNoAttackWithinBounds, "missed the pattern");
+  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "missed the pattern");
   EXPECT_TRUE(attack.result().trajectory.points.empty());
 }
 
@@ -202,14 +202,14 @@ TEST(Realize, TakesAnotherAttackerWhereTheFirstIsHopeless) {
 
 TEST(Realize, RefusesWhatCannotBeDriven) {
   Case attack(190.0);
-  attack.expectRefusal(StatusCode::kNoAttackWithinBounds, "1 patterns");
-  attack.expectRefusal(StatusCode::kNoAttackWithinBounds, "none");
+  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "1 patterns");
+  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "none");
 }
 
 TEST(Realize, RefusesWhenSomebodyIsInTheWay) {
   Case attack;
   attack.future.agents = {futureTrack("wall", {4.0, 80.0}, {-5.0, 0.0, 0.0}, 0.0)};
-  attack.expectRefusal(StatusCode::kNoAttackWithinBounds, "1 patterns");
+  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "1 patterns");
 }
 
 TEST(Realize, CountsWhyTheBestAttacksDoNotVerify) {
@@ -221,7 +221,7 @@ TEST(Realize, CountsWhyTheBestAttacksDoNotVerify) {
        AgentClass::kStaticObject,
        {100.0, 20.0},
        {{kNow + 2.02, somewhere, Vector2::Zero()}, {kNow + 2.08, somewhere, Vector2::Zero()}}}};
-  attack.expectRefusal(StatusCode::kNoAttackWithinBounds, "touched someone else first");
+  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "touched someone else first");
   EXPECT_EQ(attack.result().status.message.find("none"), std::string::npos);
 }
 
@@ -229,7 +229,7 @@ TEST(Realize, RefusesNoPatterns) {
   const Case attack;
   const LaneIndex lanes(attack.map);
   const VerificationInput input{attack.snapshot, attack.future, attack.request, lanes};
-  EXPECT_EQ(realize({}, input, attack.options).status.code, StatusCode::kNoAttackWithinBounds);
+  EXPECT_EQ(realize({}, input, attack.options).status.code, StatusCode::kNoAttackWithinLimits);
 }
 
 TEST(Realize, RefusesPatternsThatMakeNoSense) {

@@ -140,7 +140,7 @@ TEST(GenerateCollision, RefusesWhatNobodyCanDrive) {
   Case scene;
   scene.request.tta = 0.5;
   scene.request.type = CollisionType::kLaneChange;
-  scene.expectRefusal(StatusCode::kNoAttackWithinBounds, {"4 patterns"});
+  scene.expectRefusal(StatusCode::kNoAttackWithinLimits, {"4 patterns"});
 }
 
 TEST(GenerateCollision, RefusesAReplayWithoutARecording) {

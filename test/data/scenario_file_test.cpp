@@ -27,7 +27,7 @@ Scenario attack() {
   answer.trajectory.points = {{kNow, {1.0, 2.0, 0.25}, 9.0, 0.5, 0.01},
                               {kNow + 0.1, {1.9, 2.0, 0.3}, 9.05, -0.5, -0.02}};
   CollisionReport& report = answer.report;
-  report.contact = report.type_kept = report.on_time = report.bounds_kept = true;
+  report.contact = report.type_kept = report.on_time = report.limits_kept = true;
   report.contact_time = kNow + 3.875;
   report.relative_heading = 0.0625;
   report.ego_at_contact = {39.0, 1.0, 0.5};
@@ -50,7 +50,7 @@ const char* const kAttackLine =
     R"("relative_heading":0.0625,"ego_at_contact":{"x":39,"y":1,"yaw":0.5},)"
     R"("attacker_at_contact":{"x":34.5,"y":1.25,"yaw":0.5625},"ego_side":"rear","attacker_side":"front",)"
     R"("impact_speed":4.5,"type_kept":true,)"
-    R"("on_time":true,"bounds_kept":true,"broken_bound":null,"first_other":null,"off_road_share":0.75},)"
+    R"("on_time":true,"limits_kept":true,"broken_limit":null,"first_other":null,"off_road_share":0.75},)"
     R"("ego":{"length":4.084,"width":1.73,"center_offset":1.385}})";
 
 Scenario refusal() {

@@ -119,20 +119,20 @@ TEST_F(ClipSearch, AnAttackOffTheRoadIsRefused) {
   auto map = twoLaneRoad();
   map->drivable_area = {rectangle(100.0, -1.75, 200.0, 5.25)};
   setMap(map);
-  expectRefusal(StatusCode::kNoAttackWithinBounds, "leaves the road");
+  expectRefusal(StatusCode::kNoAttackWithinLimits, "leaves the road");
 }
 
 TEST_F(ClipSearch, AnAttackWithoutAClipIsRefused) {
   auto map = twoLaneRoad();
   map->location = "old_town";
   setMap(map);
-  expectRefusal(StatusCode::kNoAttackWithinBounds, "no clip of COLLIDE's layout");
+  expectRefusal(StatusCode::kNoAttackWithinLimits, "no clip of COLLIDE's layout");
 }
 
 TEST_F(ClipSearch, AnAttackThatAReaderDoesNotSeeIsRefused) {
   // A reader takes the long bus for a car, 6.65 m shorter at its front.
   indexed_.scene.agents = {track("behind", {18.0, 2.5}, {-22.0, 0.0, 0.0}, 9.0)};
-  expectRefusal(StatusCode::kNoAttackWithinBounds, "protocol misses of the clip");
+  expectRefusal(StatusCode::kNoAttackWithinLimits, "protocol misses of the clip");
 }
 
 TEST_F(ClipSearch, AnUnknownFrameAndAnImpactAfterTheRecordingAreAnswered) {

@@ -97,7 +97,7 @@ TEST_F(DrawPng, WithoutContactThereIsNoMark) {
 
 TEST_F(DrawPng, WithTheContactAloneNothingElseOfTheReportIsSaid) {
   const auto otherwise = [](CollisionReport report) {
-    report.bounds_kept = !report.bounds_kept;
+    report.limits_kept = !report.limits_kept;
     report.first_other_id = "truck";
     report.off_road_share = 0.52;
     report.confidence = 0.25;

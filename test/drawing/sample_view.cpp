@@ -75,7 +75,7 @@ ScenarioView sampleView() {
   view.report.contact_time = kContactTime;
   view.report.ego_at_contact = {10.0, 0.0, 0.0};
   view.report.attacker_at_contact = {5.5, 0.0, 0.0};
-  view.report.type_kept = view.report.on_time = view.report.bounds_kept = true;
+  view.report.type_kept = view.report.on_time = view.report.limits_kept = true;
   return view;
 }
 

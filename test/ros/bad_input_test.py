@@ -94,7 +94,7 @@ class BadInputTest(MadeUpTest):
     def test_attacker_out_of_reach(self):
         self.show(drive(6, lambda seconds: [agent('behind', -200.0 + 11.0 * seconds)]))
         self.assertIn('80', self.ask_for_code('NO_CANDIDATE').message)
-        self.ask_for_code('NO_ATTACK_WITHIN_BOUNDS', attacker='behind')
+        self.ask_for_code('NO_ATTACK_WITHIN_LIMITS', attacker='behind')
 
     def test_nobody_there(self):
         scene = self.show(drive(6, lambda seconds: []))
@@ -168,7 +168,7 @@ class BadInputTest(MadeUpTest):
             for collision_type in ('lane_change', 'opposite_direction', 'rear_end', 'junction_crossing', 'ltap'):
                 answer = ask(collision_type, 4.0)
                 self.assertIn(road.CODES[answer.code],
-                              ('OK', 'NO_CANDIDATE', 'NO_ATTACK_WITHIN_BOUNDS', 'LOW_CONFIDENCE'))
+                              ('OK', 'NO_CANDIDATE', 'NO_ATTACK_WITHIN_LIMITS', 'LOW_CONFIDENCE'))
                 self.assertEqual(answer.message == '', answer.code == 0)
                 if answer.code == 0:
                     self.assertTrue(answer.attack.report.verified)

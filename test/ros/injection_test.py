@@ -226,7 +226,7 @@ class ImpossibleRequestTest(road.RoadTest):
     def test_bounds_of_tta_are_within_range(self):
         for tta in (0.5, 9.0):
             result = road.inject(self.bag(SCENE), self.path('out.bag'), 'rear_end', tta, NOW)
-            self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_BOUNDS', 'LOW_CONFIDENCE'), result.stderr)
+            self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_LIMITS', 'LOW_CONFIDENCE'), result.stderr)
 
     def test_unknown_attacker(self):
         self.assert_refused('UNKNOWN_ATTACKER', ['nobody'], 'rear_end', 4.0, NOW, '--attacker', 'nobody')
@@ -268,11 +268,11 @@ class ImpossibleRequestTest(road.RoadTest):
 
     def test_history_mode_needs_no_future(self):
         result = road.inject(self.bag(SCENE), self.path('out.bag'), 'rear_end', 6.0, 18.0, '--mode', 'history')
-        self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_BOUNDS', 'NO_CANDIDATE'), result.stderr)
+        self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_LIMITS', 'NO_CANDIDATE'), result.stderr)
 
     def test_out_of_reach(self):
         """Half a second is not enough to turn round."""
-        self.assert_refused('NO_ATTACK_WITHIN_BOUNDS', [], 'opposite_direction', 0.5, 2.0)
+        self.assert_refused('NO_ATTACK_WITHIN_LIMITS', [], 'opposite_direction', 0.5, 2.0)
 
     def test_errors(self):
         """Exit code 1: the request or a file cannot be understood."""
@@ -549,7 +549,7 @@ class BadBagTest(road.RoadTest):
             for mode in ('history', 'replay'):
                 result = road.inject(bag, self.path('out.bag'), collision_type, 4.0, NOW, '--mode', mode)
                 code = road.code_of(result)
-                self.assertIn(code, ('OK', 'NO_CANDIDATE', 'NO_ATTACK_WITHIN_BOUNDS'), result.stderr)
+                self.assertIn(code, ('OK', 'NO_CANDIDATE', 'NO_ATTACK_WITHIN_LIMITS'), result.stderr)
                 if code == 'OK':
                     self.assertTrue(road.read_one(self.path('out.bag'), '/attack').report.verified)
 
@@ -560,7 +560,7 @@ class BadBagTest(road.RoadTest):
                 message.drivable_area = []
             return message
         result = self.inject(self.changed(change))
-        self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_BOUNDS', 'LOW_CONFIDENCE'), result.stderr)
+        self.assertIn(road.code_of(result), ('OK', 'NO_ATTACK_WITHIN_LIMITS', 'LOW_CONFIDENCE'), result.stderr)
 
     def test_map_that_is_not_a_number(self):
         def change(topic, message):

@@ -342,7 +342,7 @@ class WholeRoadTest(LiveTest):
         offline = road.read_one(attacked, '/tested_report')
         self.assertEqual(tested.header.stamp, offline.header.stamp)
         self.assertEqual((tested.attacker_id, tested.contact), (offline.attacker_id, offline.contact))
-        self.assertEqual(tested.bounds_kept, offline.bounds_kept)
+        self.assertEqual(tested.limits_kept, offline.limits_kept)
         if offline.contact:
             self.assertLess(abs((tested.contact_time - offline.contact_time).to_sec()), 0.02)
             self.assertLess(abs(road.angle_between(tested.relative_heading, offline.relative_heading)), 0.01)

@@ -55,7 +55,7 @@ class MethodOfALibraryTest(road.RoadTest):
     def test_generate_answers_by_it(self):
         codes = [json.loads(line)['status']['code'] for line in self.scenarios.read_text().splitlines()]
         self.assertIn('OK', codes)
-        self.assertIn('NO_ATTACK_WITHIN_BOUNDS', codes, 'what is not verified is refused')
+        self.assertIn('NO_ATTACK_WITHIN_LIMITS', codes, 'what is not verified is refused')
 
     def test_evaluate_measures_it_on_logs(self):
         out = self.path('logs')
@@ -114,7 +114,7 @@ class LiveMethodTest(live.LiveTest):
         self.play_to(10.0)
         codes = {road.CODES[live.ask(kind, tta, mode='replay', method=METHOD).code]
                  for kind in ('rear_end', 'lane_change', 'opposite_direction') for tta in (2.0, 3.0, 4.0)}
-        self.assertLessEqual(codes, {'OK', 'NO_ATTACK_WITHIN_BOUNDS', 'NO_CANDIDATE'})
+        self.assertLessEqual(codes, {'OK', 'NO_ATTACK_WITHIN_LIMITS', 'NO_CANDIDATE'})
         self.assertIn('OK', codes)
         self.assertEqual(self.heard['/attack'].wait().method, METHOD)
 

@@ -79,7 +79,7 @@ class PatternsTest(MadeUpTest):
         def across(pattern):
             pattern.attacker_offset.y = -pattern.attacker_offset.y  # the right side, but heading to the right
         answer = self.realize_exactly(across)
-        self.assertEqual(road.CODES[answer.code], 'NO_ATTACK_WITHIN_BOUNDS')
+        self.assertEqual(road.CODES[answer.code], 'NO_ATTACK_WITHIN_LIMITS')
         self.assertTrue(answer.message)
 
 

@@ -102,11 +102,11 @@ TEST(ClipEvaluation, ApproachTellsTheTwoStrictColumnsApart) {
   EXPECT_FALSE(meets(row, Protocol::kStrict, "type_full"));
 }
 
-TEST(ClipEvaluation, NotesNameTheBrokenBoundAndWhomTheAttackerTouches) {
+TEST(ClipEvaluation, NotesNameTheBrokenLimitAndWhomTheAttackerTouches) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 11, 30.0, {-14.7, 0.0, 0.0}, 35.0);
   clip.tracks.push_back(straightClipTrack("third", {-10.0, 1.0, 0.0}, 30.5, 11));
   const ResultRow row = Evaluation().row(clip, "recorded");
-  EXPECT_FALSE(meets(row, Protocol::kStrict, "bounds_kept"));
+  EXPECT_FALSE(meets(row, Protocol::kStrict, "limits_kept"));
   EXPECT_FALSE(meets(row, Protocol::kStrict, "nobody_before"));
   EXPECT_EQ(row.note, "max_speed 35.000 > 25.000; touches third");
 }
@@ -199,7 +199,7 @@ TEST(ClipEvaluation, SearchWithoutAnAnswerMeetsNothing) {
     const CollideClip clip =
         straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-500.0, 0.0, 0.0}, 10.0);
     const ResultRow row = evaluation.row(clip, "search");
-    EXPECT_EQ(row.status, "NO_ATTACK_WITHIN_BOUNDS");
+    EXPECT_EQ(row.status, "NO_ATTACK_WITHIN_LIMITS");
     EXPECT_EQ(row.meets, std::vector<bool>(measuresOf(protocol).size(), false));
     EXPECT_NE(row.note.find("limits"), std::string::npos);
   }

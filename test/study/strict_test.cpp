@@ -43,7 +43,7 @@ TEST(Strict, CrossingFromTheSideMeetsEverything) {
   EXPECT_TRUE(outcome.report.contact);
   EXPECT_TRUE(outcome.report.type_kept);
   EXPECT_TRUE(outcome.report.on_time);
-  EXPECT_TRUE(outcome.report.bounds_kept);
+  EXPECT_TRUE(outcome.report.limits_kept);
   EXPECT_TRUE(outcome.report.first_other_id.empty());
   EXPECT_TRUE(outcome.meetsAngleBands());
   EXPECT_TRUE(outcome.meetsFullDefinitions());
@@ -94,11 +94,11 @@ TEST(Strict, SomebodyWhomTheEgoTouchesDoesNotMatter) {
   EXPECT_TRUE(c.outcome().meetsAngleBands());
 }
 
-TEST(Strict, BrokenBoundFails) {
+TEST(Strict, BrokenLimitFails) {
   Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
   c.trajectory.points[10].curvature = 0.21;
   const StrictOutcome outcome = c.outcome();
-  EXPECT_FALSE(outcome.report.bounds_kept);
+  EXPECT_FALSE(outcome.report.limits_kept);
   EXPECT_FALSE(outcome.meetsAngleBands());
   EXPECT_FALSE(outcome.meetsFullDefinitions());
 }

@@ -85,7 +85,7 @@ TEST(EgoTest, JudgesTheStartAgainstTheRecordedHeading) {
   for (double t = 0.0; t < 1.55; t += 0.1) test.addEgo(standing(kNow + t, 15.0));
   const auto report = test.outcome(emptyMap(), shippedOptions().verification);
   ASSERT_TRUE(report);
-  EXPECT_FALSE(report->bounds_kept);
+  EXPECT_FALSE(report->limits_kept);
 }
 
 TEST(EgoTest, LeavesOutStatesThatComeLate) {

@@ -374,20 +374,20 @@ TEST(Verify, FindsAContactInTheLastInstantOfATrack) {
 TEST(Verify, ChecksLimitsUpToTheContact) {
   Case attack = rearEnd();
   attack.trajectory.points[50].acceleration = 9.0;
-  EXPECT_TRUE(attack.report().bounds_kept);
+  EXPECT_TRUE(attack.report().limits_kept);
   attack.trajectory.points[20].acceleration = 6.0;
   const CollisionReport report = attack.report();
-  EXPECT_FALSE(report.bounds_kept);
-  EXPECT_EQ(report.broken_bound, "max_forward_acceleration 6.000 > 5.000");
+  EXPECT_FALSE(report.limits_kept);
+  EXPECT_EQ(report.broken_limit, "max_forward_acceleration 6.000 > 5.000");
   EXPECT_FALSE(report.verified());
 }
 
 TEST(Verify, ChecksTheFirstHeadingAgainstTheRecordedOne) {
   Case attack = rearEnd();
   attack.snapshot.agents[0].states.back().pose.yaw = 0.3;
-  EXPECT_FALSE(attack.report().bounds_kept);
+  EXPECT_FALSE(attack.report().limits_kept);
   attack.snapshot.agents.clear();
-  EXPECT_TRUE(attack.report().bounds_kept);
+  EXPECT_TRUE(attack.report().limits_kept);
 }
 
 TEST(Verify, OffRoadShareIsTheMeanFromNowToTheContact) {

@@ -55,7 +55,7 @@ void printReport(const char* subject, const CollisionReport& report, double now)
             << report.relative_heading * kDegrees << " degrees, attacker's "
             << toString(report.attacker_side) << " to ego's " << toString(report.ego_side)
             << ", impact speed " << report.impact_speed << " m/s, "
-            << (report.bounds_kept ? "bounds kept" : report.broken_bound)
+            << (report.limits_kept ? "limits kept" : report.broken_limit)
             << (report.first_other_id.empty() ? ""
                                               : ", touches " + report.first_other_id + " first")
             << ", " << 100.0 * report.off_road_share << " % off road\n";

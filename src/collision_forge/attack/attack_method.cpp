@@ -28,7 +28,7 @@ Realization generateCollision(const AttackMethod& method, const Moment& moment,
   }
   Realization answer = attempt(method, moment, request);
   if (answer.status.code != StatusCode::kOk || answer.report.verified()) return answer;
-  return refused(StatusCode::kNoAttackWithinBounds,
+  return refused(StatusCode::kNoAttackWithinLimits,
                  "the method's attack " + shortcomingOf(answer.report));
 }
 

@@ -102,7 +102,7 @@ std::string shortcomingOf(const CollisionReport& report) {
   if (!report.first_other_id.empty()) return "touched someone else first";
   if (!report.on_time) return "made contact at the wrong time";
   if (!report.type_kept) return "made contact in another way";
-  return "broke " + report.broken_bound;
+  return "broke " + report.broken_limit;
 }
 
 double confidenceOf(double share, const std::vector<double>& curve) {
@@ -138,7 +138,7 @@ Realization realize(const std::vector<CollisionPattern>& patterns, const Verific
     return found;
   }
   Realization refused;
-  refused.status = {StatusCode::kNoAttackWithinBounds,
+  refused.status = {StatusCode::kNoAttackWithinLimits,
                     "no attack by " + std::to_string(patterns.size()) +
                         " patterns holds within the limits; best ones: " +
                         (attacks.empty() ? "none" : rejections.summary())};

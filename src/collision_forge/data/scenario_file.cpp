@@ -98,8 +98,8 @@ void writeReport(JsonLineWriter& writer, const CollisionReport& report, double n
   writer.number("impact_speed", report.impact_speed);
   writer.flag("type_kept", report.type_kept);
   writer.flag("on_time", report.on_time);
-  writer.flag("bounds_kept", report.bounds_kept);
-  writeTextOrNull(writer, "broken_bound", report.broken_bound);
+  writer.flag("limits_kept", report.limits_kept);
+  writeTextOrNull(writer, "broken_limit", report.broken_limit);
   writeTextOrNull(writer, "first_other", report.first_other_id);
   writer.number("off_road_share", report.off_road_share);
   writer.endObject();
@@ -206,8 +206,8 @@ CollisionReport readReport(JsonObject object, double now) {
   report.impact_speed = object.number("impact_speed");
   report.type_kept = object.flag("type_kept");
   report.on_time = object.flag("on_time");
-  report.bounds_kept = object.flag("bounds_kept");
-  report.broken_bound = object.textOrNull("broken_bound").value_or("");
+  report.limits_kept = object.flag("limits_kept");
+  report.broken_limit = object.textOrNull("broken_limit").value_or("");
   report.first_other_id = object.textOrNull("first_other").value_or("");
   report.off_road_share = object.number("off_road_share");
   if (is_verified != report.verified()) {

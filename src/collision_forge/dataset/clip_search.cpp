@@ -66,7 +66,7 @@ CrashDefinition clipCrash(CrashDefinition crash, const CollisionRequest& request
 /// headings spoil in turns; empty when it is borne out.
 std::string shortfall(const CollideClip& clip, const IndexedScene& indexed,
                       const StudyOptions& study, Protocol protocol) {
-  static const std::set<std::string> left_out = {"angle_bands", "full_definitions", "bounds_kept",
+  static const std::set<std::string> left_out = {"angle_bands", "full_definitions", "limits_kept",
                                                  "similar"};
   EvaluationPlan plan;
   plan.protocol = protocol;
@@ -146,7 +146,7 @@ Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
   const std::string problem = objection(scenario, indexed, moment, study, options);
   if (problem.empty()) return scenario.answer;
   Realization refused;
-  refused.status = {StatusCode::kNoAttackWithinBounds, problem};
+  refused.status = {StatusCode::kNoAttackWithinLimits, problem};
   return refused;
 }
 

@@ -28,7 +28,7 @@ double drawnHeading(const CollisionRequest& request, const TypeDefinition& defin
 ///   boxes of one size: a hit in the published protocol, and in the strict one contact, type and
 ///   time, and nobody touched before.
 ///
-/// Else it has the search's code, or kNoAttackWithinBounds with the reason in the message.
+/// Else it has the search's code, or kNoAttackWithinLimits with the reason in the message.
 Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
                      const StudyOptions& study, const DatasetOptions& options);
 

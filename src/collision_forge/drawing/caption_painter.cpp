@@ -56,9 +56,9 @@ std::vector<ReportRow> reportRows(const ScenarioView& view, const DrawingOptions
     rows.push_back({"Contact", "none", options.failed_color});
   }
   if (view.contact_alone) return rows;
-  rows.push_back({"Bounds kept", report.bounds_kept ? "yes" : "no", verdict(report.bounds_kept)});
-  if (!report.broken_bound.empty()) {
-    rows.push_back({"", report.broken_bound, options.failed_color});
+  rows.push_back({"Limits kept", report.limits_kept ? "yes" : "no", verdict(report.limits_kept)});
+  if (!report.broken_limit.empty()) {
+    rows.push_back({"", report.broken_limit, options.failed_color});
   }
   const bool nobody = report.first_other_id.empty();
   rows.push_back(

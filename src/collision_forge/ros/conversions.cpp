@@ -394,8 +394,8 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
   }
   message.type_kept = report.type_kept;
   message.on_time = report.on_time;
-  message.bounds_kept = report.bounds_kept;
-  message.broken_bound = report.broken_bound;
+  message.limits_kept = report.limits_kept;
+  message.broken_limit = report.broken_limit;
   message.first_other_id = report.first_other_id;
   if (!report.first_other_id.empty()) message.first_other_time = stampOf(report.first_other_time);
   message.off_road_share = report.off_road_share;

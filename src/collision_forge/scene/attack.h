@@ -65,8 +65,8 @@ struct CollisionReport {
   double impact_speed = 0.0;          ///< m/s, norm of the relative velocity at contact
   bool type_kept = false;       ///< relative heading within the type's bands, at contact and now
   bool on_time = false;         ///< |contact time - requested time| within tolerance
-  bool bounds_kept = false;     ///< every vehicle limit kept from now to contact
-  std::string broken_bound;     ///< name, value and limit of the worst broken one; empty if kept
+  bool limits_kept = false;     ///< every vehicle limit kept from now to contact
+  std::string broken_limit;     ///< name, value and limit of the worst broken one; empty if kept
   std::string first_other_id;   ///< whom the attacker touches before the ego; empty if nobody
   double first_other_time = 0;  ///< seconds, same clock; valid with first_other_id
   double off_road_share = 0.0;  ///< mean share of the box off the drivable area, now to contact
@@ -74,7 +74,7 @@ struct CollisionReport {
 
   /// All conditions at once: what alone may be called a success.
   bool verified() const {
-    return contact && type_kept && on_time && bounds_kept && first_other_id.empty();
+    return contact && type_kept && on_time && limits_kept && first_other_id.empty();
   }
 };
 

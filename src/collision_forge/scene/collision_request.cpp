@@ -39,8 +39,8 @@ const char* toString(StatusCode code) {
       return "TOO_LITTLE_HISTORY";
     case StatusCode::kNoCandidate:
       return "NO_CANDIDATE";
-    case StatusCode::kNoAttackWithinBounds:
-      return "NO_ATTACK_WITHIN_BOUNDS";
+    case StatusCode::kNoAttackWithinLimits:
+      return "NO_ATTACK_WITHIN_LIMITS";
     case StatusCode::kNoScene:
       return "NO_SCENE";
     case StatusCode::kNoRecording:

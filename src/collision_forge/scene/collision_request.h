@@ -41,7 +41,7 @@ enum class StatusCode : std::uint8_t {
   kAbsentAttacker = 4,   ///< the agent is known, but not there now, or cannot attack
   kTooLittleHistory = 5,
   kNoCandidate = 6,           ///< nobody in reach comes from where the type wants it
-  kNoAttackWithinBounds = 7,  ///< candidates exist, none can be driven into the ego as asked
+  kNoAttackWithinLimits = 7,  ///< candidates exist, none can be driven into the ego as asked
   kNoScene = 8,               ///< no agents, map or ego pose received yet
   kNoRecording = 9,           ///< replay mode without a recording
   kBeyondRecording = 10,      ///< replay mode and the recording ends before the impact

@@ -68,7 +68,7 @@ const std::vector<Measure>& measuresOf(Protocol protocol) {
       {"type_angle_bands", "Type, angle bands", std::nullopt, false},
       {"type_full", "Type, full definitions", std::nullopt, false},
       {"on_time", "On time", std::nullopt, false},
-      {"bounds_kept", "Bounds kept", std::nullopt, false},
+      {"limits_kept", "Limits kept", std::nullopt, false},
       {"nobody_before", "Nobody touched before", std::nullopt, false}};
   return protocol == Protocol::kPublished ? published : strict;
 }

@@ -316,7 +316,7 @@ class Search {
       if (leaves_road && off_road) continue;
       if (!obstacles.areClearOf(points, wide)) continue;
       const CollisionReport report = verifyEgo(points);
-      if (report.contact || !report.first_other_id.empty() || !report.bounds_kept) continue;
+      if (report.contact || !report.first_other_id.empty() || !report.limits_kept) continue;
       Avoidance avoidance{plan_kind, start, points, shareOff(points, report)};
       if (!leaves_road) return avoidance;
       off_road = std::move(avoidance);

@@ -151,8 +151,8 @@ CollisionReport verifyDrive(const AttackerTrajectory& trajectory, const Verifica
                                : trajectory.points.front().pose.yaw;
   auto broken = findBrokenLimit(trajectory.points, start_yaw, until, options.limits);
   if (!broken) broken = findBrokenPositions(trajectory.points, until, options.limits);
-  report.bounds_kept = !broken;
-  if (broken) report.broken_bound = describe(*broken);
+  report.limits_kept = !broken;
+  if (broken) report.broken_limit = describe(*broken);
   return report;
 }
 

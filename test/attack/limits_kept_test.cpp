@@ -210,7 +210,7 @@ class LimitChecker {
   std::vector<std::string> broken_;
 };
 
-TEST(Bounds, EveryAttackKeepsTheVehicleLimitsByItsPositionsAndHeadings) {
+TEST(LimitsKept, EveryAttackKeepsTheVehicleLimitsByItsPositionsAndHeadings) {
   std::array<int, 5> answered{};
   for (std::uint32_t seed = 0; seed < 2000; ++seed) {
     const RandomRequest random(seed);

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What scripts/check_bounds must find in a scenario file, and what it must let pass."""
+"""What scripts/check_limits must find in a scenario file, and what it must let pass."""
 import json
 import math
 import subprocess
@@ -38,7 +38,7 @@ def spoilt(key, index, change):
     return points
 
 
-class CheckBounds(unittest.TestCase):
+class CheckLimits(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -47,7 +47,7 @@ class CheckBounds(unittest.TestCase):
 
     def run_on(self, text, *arguments):
         self.file.write_text(text)
-        return subprocess.run([str(PACKAGE / 'scripts' / 'check_bounds'), str(self.file)] + list(arguments),
+        return subprocess.run([str(PACKAGE / 'scripts' / 'check_limits'), str(self.file)] + list(arguments),
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=False)
 
     def check(self, *trajectories):
