@@ -112,13 +112,9 @@ class Search {
     }
   }
 
-  /// The pattern's own arrival at two speeds, then ones near it or, the more often the more loosely
-  /// the pattern is meant, anywhere.
+  /// The pattern's own arrival at two speeds, then in turns near it and anywhere.
   AimedArrival drawn(const Contender& contender, const Aim& aim, int draw, bool steady) {
-    const double looseness = toleranceOf(aim) / input_.snapshot.ego.size.length;
-    if (draw >= 2 && random_.uniform(0.0, 1.0) < looseness) {
-      return sampler_.wide(contender, aim, steady);
-    }
+    if (draw >= 2 && draw % 2 == 1) return sampler_.wide(contender, aim, steady);
     AimedArrival aimed = sampler_.own(contender, aim, draw != 1);
     if (draw >= 2) sampler_.move(aimed, 1.0);
     return aimed;
@@ -166,12 +162,10 @@ class Search {
     candidate.miss_cost = miss / (miss + search_.near_pattern);
   }
 
-  double toleranceOf(const Aim& aim) const { return input_.exact ? 0.0 : aim.pattern->tolerance; }
-
   /// How far the contact is from the pattern beyond what the pattern allows for, m.
   double beyondTolerance(const Candidate& candidate) const {
     const double miss = cornerMiss(candidate.miss, candidate.contender->track->size);
-    return std::max(0.0, miss - toleranceOf(*candidate.aim));
+    return std::max(0.0, miss - (input_.exact ? 0.0 : candidate.aim->pattern->tolerance));
   }
 
   /// What steering counts: nothing while quick_steering is not exceeded, 1 when it is by far.
@@ -230,8 +224,7 @@ class Search {
       for (int i = 0; i < search_.corrections && candidate.score.share > 0.0; ++i) {
         const Pose2& wanted = candidate.aim->touching;
         const Pose2& met = candidate.score.contact;
-        const double miss = cornerMiss(missBetween(wanted, met), candidate.contender->track->size);
-        if (miss < std::max(kHome, toleranceOf(*candidate.aim))) break;
+        if (cornerMiss(missBetween(wanted, met), candidate.contender->track->size) < kHome) break;
         sampler_.shift(candidate.aimed,
                        {wanted.x - met.x, wanted.y - met.y, angleBetween(met.yaw, wanted.yaw)});
         if (candidate.family || solve(candidate)) consider(candidate);
