@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """usage: published_reference.py CLIPS RESULTS: do results.csv of `evaluate --protocol published` and this agree?
 
-A second implementation of the published protocol (docs/protocols.md), written apart from src/protocols: it reads the
+A second implementation of the published protocol (docs/protocols.md), written apart from study/published.cpp: it reads the
 clips of the folder CLIPS by itself, judges the set's own attackers and those that keep their velocity, prints both
 implementations' rates, and names every clip in which they differ. Exit code 1 if there is one."""
 import csv

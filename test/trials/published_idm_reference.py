@@ -2,7 +2,7 @@
 """usage: published_idm_reference.py CLIPS RESULTS: do results.csv of `forge test --collide` and this agree on idm_published?
 
 A second implementation of the published IDM and of how its collisions are counted (docs/planners.md), written apart from
-src/planners: it reads the clips of the folder CLIPS by itself, drives the ego of each along its recorded path behind the
+trials/published_planner.cpp: it reads the clips of the folder CLIPS by itself, drives the ego of each along its recorded path behind the
 set's own attacker from frame 0 on, judges it by published_reference, and prints both implementations' rates by type. Exit code 1 if a
 rate differs by more than two points."""
 import csv
