@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 
 #include "attack/test_scenes.h"
@@ -239,6 +240,22 @@ TEST(Realize, RefusesPatternsThatMakeNoSense) {
   Case past;
   past.pattern.time = kNow;
   EXPECT_THROW(past.result(), std::invalid_argument);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (double CollisionPattern::*number :
+       {&CollisionPattern::attacker_speed, &CollisionPattern::tolerance}) {
+    Case broken;
+    broken.pattern.*number = nan;
+    EXPECT_THROW(broken.result(), std::invalid_argument);
+  }
+  Case aside;
+  aside.pattern.attacker_offset.y = nan;
+  EXPECT_THROW(aside.result(), std::invalid_argument);
+  Case nowhere;
+  nowhere.pattern.ego.center.yaw = nan;
+  EXPECT_THROW(nowhere.result(), std::invalid_argument);
+  Case negative;
+  negative.pattern.tolerance = -0.5;
+  EXPECT_THROW(negative.result(), std::invalid_argument);
 }
 
 TEST(ConfidenceOf, IsLinearBetweenThePointsOfTheCurve) {

@@ -38,7 +38,6 @@ struct Candidate {
   SteeringKnots knots;
   FutureScore score;
   PatternMiss miss;  // with a share above 0
-  double miss_cost = 1.0;
   double off_road = 0.0;
   double steering = 0.0;  // fastest, 1/(m s)
   double objective = 0.0;
@@ -135,10 +134,9 @@ class Search {
     const double until = start.now + input_.request.tta + input_.request.crash.time_tolerance;
     if (!keepsLimits(points_, start.motion.pose.yaw, until, limits_)) return;
     candidate.score = scorer_.score(*candidate.contender->track, points_, candidate.aim->ego);
-    compareWithAim(candidate);
     candidate.objective = candidate.score.share +
                           search_.closeness_weight * candidate.score.closeness -
-                          (input_.exact ? 1.0 : search_.pattern_weight) * candidate.miss_cost;
+                          (input_.exact ? 1.0 : search_.pattern_weight) * missCost(candidate);
     std::vector<Candidate>& kept = candidate.family ? quintics_ : bicycles_;
     const bool full = static_cast<int>(kept.size()) >= search_.kept;
     if (full && candidate.objective < kept.back().objective) return;
@@ -154,12 +152,13 @@ class Search {
     if (static_cast<int>(kept.size()) > search_.kept) kept.pop_back();
   }
 
-  void compareWithAim(Candidate& candidate) const {
-    candidate.miss_cost = 1.0;
-    if (candidate.score.share == 0.0) return;
+  /// Compares the contact with the aim. What that counts: nothing within the pattern's tolerance, 1
+  /// by far, or without a contact.
+  double missCost(Candidate& candidate) const {
+    if (candidate.score.share == 0.0) return 1.0;
     candidate.miss = missBetween(candidate.aim->pattern->attacker_offset, candidate.score.contact);
     const double miss = beyondTolerance(candidate);
-    candidate.miss_cost = miss / (miss + search_.near_pattern);
+    return miss / (miss + search_.near_pattern);
   }
 
   /// How far the contact is from the pattern beyond what the pattern allows for, m.

@@ -1,6 +1,7 @@
 #include "collision_forge/attack/realizer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -21,6 +22,16 @@ void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot
     }
     if (!(pattern.time > snapshot.now)) {
       throw std::invalid_argument("the pattern's time is not after now");
+    }
+    if (!pattern.ego.center.isFinite() || !pattern.attacker_offset.isFinite() ||
+        !std::isfinite(pattern.attacker_speed)) {
+      throw std::invalid_argument("the pattern of attacker_id \"" + pattern.attacker_id +
+                                  "\" has an ego, an attacker_offset or an attacker_speed that is "
+                                  "not finite");
+    }
+    if (!(pattern.tolerance >= 0.0)) {
+      throw std::invalid_argument("the pattern's tolerance = " + std::to_string(pattern.tolerance) +
+                                  " is not 0 m or more");
     }
   }
 }

@@ -22,7 +22,8 @@ double confidenceOf(double share, const std::vector<double>& curve);
 /// the ego is known, and the confidence is 1. `exact`: its contact is at one of the patterns
 /// (isExact()), or there is no answer. Same input and seed, same answer. Declines with
 /// kLowConfidence below `min_confidence`. Throws std::invalid_argument for a pattern whose attacker
-/// is not in the snapshot, or whose time is not after now.
+/// is not in the snapshot, whose time is not after now, or with a number that is not finite or a
+/// tolerance below 0.
 Realization realize(const std::vector<CollisionPattern>& patterns, const VerificationInput& input,
                     const AttackOptions& options, bool exact = false);
 
