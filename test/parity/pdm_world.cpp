@@ -1,6 +1,6 @@
 #include "parity/pdm_world.h"
 
-#include <set>
+#include <cmath>
 
 namespace forge {
 
@@ -8,14 +8,10 @@ ParityMap::ParityMap(const ParityFixture& maps, const std::string& name)
     : map_(maps.at(name.c_str())) {}
 
 PdmMap ParityMap::pdmMap(const std::string& route) const {
-  std::set<std::string> roads;
-  for (const auto& road : memberOf(memberOf(map_, "routes"), route.c_str()).GetArray()) {
-    roads.insert(road.GetString());
-  }
   std::vector<PdmArea> areas;
-  for (const auto& lane : memberOf(map_, "lanes").GetObject()) {
-    areas.push_back({outlineOf(memberOf(lane.value, "polygon")),
-                     roads.count(textOf(lane.value, "roadblock")) > 0});
+  for (const auto& entry : memberOf(map_, "lanes").GetObject()) {
+    areas.push_back(
+        {outlineOf(memberOf(entry.value, "polygon")), isOnRoute(entry.name.GetString(), route)});
   }
   for (const auto& park : memberOf(map_, "carparks").GetObject()) {
     areas.push_back({outlineOf(park.value), false});
@@ -28,17 +24,60 @@ PdmMap ParityMap::pdmMap(const std::string& route) const {
 }
 
 PdmPath ParityMap::pathAlong(const rapidjson::Value& lanes) const {
+  std::vector<std::string> names;
+  for (const auto& name : lanes.GetArray()) names.push_back(name.GetString());
+  return pathAlong(names);
+}
+
+PdmPath ParityMap::pathAlong(const std::vector<std::string>& lanes) const {
   std::vector<Pose2> nodes;
-  for (const auto& lane : lanes.GetArray()) {
-    const rapidjson::Value& value = memberOf(memberOf(map_, "lanes"), lane.GetString());
-    for (const auto& node : memberOf(value, "centerline").GetArray()) nodes.push_back(poseOf(node));
+  for (const std::string& name : lanes) {
+    for (const auto& node : memberOf(lane(name), "centerline").GetArray()) {
+      nodes.push_back(poseOf(node));
+    }
   }
   return PdmPath(nodes);
 }
 
+std::vector<std::string> ParityMap::lanesFrom(const Pose2& pose, const std::string& route) const {
+  std::string nearest;
+  double least = HUGE_VAL;
+  for (const auto& entry : memberOf(map_, "lanes").GetObject()) {
+    const std::string name = entry.name.GetString();
+    if (!isOnRoute(name, route)) continue;
+    const PdmPath path = pathAlong(std::vector<std::string>{name});
+    const Pose2 place = path.at(path.project(pose.position()));
+    const double away = (place.position() - pose.position()).norm();
+    if (away >= least) continue;
+    least = away;
+    nearest = name;
+  }
+  std::vector<std::string> lanes = {nearest};
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
+    for (const auto& next : memberOf(lane(lanes.back()), "next").GetArray()) {
+      if (goes_on || !isOnRoute(next.GetString(), route)) continue;
+      lanes.push_back(next.GetString());
+      goes_on = true;
+    }
+  }
+  return lanes;
+}
+
+const rapidjson::Value& ParityMap::lane(const std::string& name) const {
+  return memberOf(memberOf(map_, "lanes"), name.c_str());
+}
+
+bool ParityMap::isOnRoute(const std::string& lane_name, const std::string& route) const {
+  const std::string road = textOf(lane(lane_name), "roadblock");
+  for (const auto& taken : memberOf(memberOf(map_, "routes"), route.c_str()).GetArray()) {
+    if (road == taken.GetString()) return true;
+  }
+  return false;
+}
+
 double ParityMap::speedLimit(const std::string& lane, double fallback) const {
-  const rapidjson::Value& limit =
-      memberOf(memberOf(memberOf(map_, "lanes"), lane.c_str()), "speed_limit");
+  const rapidjson::Value& limit = memberOf(this->lane(lane), "speed_limit");
   return limit.IsNull() ? fallback : numberOf(limit);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "collision_forge/planners/pdm_map.h"
@@ -16,11 +17,16 @@ class ParityMap {
   PdmMap pdmMap(const std::string& route) const;
   /// The nodes of lanes that follow each other.
   PdmPath pathAlong(const rapidjson::Value& lanes) const;
+  PdmPath pathAlong(const std::vector<std::string>& lanes) const;
+  /// The lanes of the route from that nearest to the pose on.
+  std::vector<std::string> lanesFrom(const Pose2& pose, const std::string& route) const;
   /// Of a lane; the fallback where it has none.
   double speedLimit(const std::string& lane, double fallback) const;
-  const rapidjson::Value& value() const { return map_; }
 
  private:
+  const rapidjson::Value& lane(const std::string& name) const;
+  bool isOnRoute(const std::string& lane, const std::string& route) const;
+
   const rapidjson::Value& map_;
 };
 

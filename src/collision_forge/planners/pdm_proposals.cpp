@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace forge {
 
@@ -34,22 +35,37 @@ PdmProposer::PdmProposer(const PdmPath& centerline, const Pose2& rear_axle, doub
 std::vector<PdmProposal> PdmProposer::propose(double speed_limit) {
   std::vector<PdmProposal> proposals;
   for (std::size_t lateral = 0; lateral < ways_.size(); ++lateral) {
+    std::vector<PdmProposal> beside;
     for (const double share : options_.speed_shares) {
-      proposals.push_back({lateral, share * speed_limit, {{ways_[lateral].start, speed_}}, {}});
-      extend(proposals.back(), options_.proposal_steps);
+      beside.push_back({lateral, share * speed_limit, {{ways_[lateral].start, speed_}}, {}});
     }
+    advance(beside, options_.proposal_steps);
+    proposals.insert(proposals.end(), beside.begin(), beside.end());
   }
   return proposals;
 }
 
 void PdmProposer::extend(PdmProposal& proposal, int steps) {
-  IdmParameters idm = options_.idm;
-  idm.desired_speed = proposal.desired_speed;
+  std::vector<PdmProposal> alone = {std::move(proposal)};
+  advance(alone, steps);
+  proposal = std::move(alone.front());
+}
+
+void PdmProposer::advance(std::vector<PdmProposal>& beside, int steps) {
   const auto interval = static_cast<std::size_t>(options_.lead_interval);
-  while (static_cast<int>(proposal.states.size()) <= steps) {
-    const std::size_t step = proposal.states.size();
-    if (step % interval == 0) proposal.lead = leadOf(proposal, step);
-    proposal.states.push_back(followed(proposal.states.back(), proposal.lead, idm, options_.step));
+  for (std::size_t step = beside.front().states.size(); step <= static_cast<std::size_t>(steps);
+       ++step) {
+    double free_speed = 0.0;
+    for (PdmProposal& proposal : beside) {
+      IdmParameters idm = options_.idm;
+      idm.desired_speed = proposal.desired_speed;
+      if (step % interval == 0) {
+        proposal.lead = leadOf(proposal, step, free_speed);
+        free_speed = proposal.lead.speed;
+      }
+      proposal.states.push_back(
+          followed(proposal.states.back(), proposal.lead, idm, options_.step));
+    }
   }
 }
 
@@ -61,12 +77,12 @@ std::vector<Pose2> PdmProposer::poses(const PdmProposal& proposal) const {
   return poses;
 }
 
-PathLead PdmProposer::leadOf(const PdmProposal& proposal, std::size_t step) {
+PathLead PdmProposer::leadOf(const PdmProposal& proposal, std::size_t step, double free_speed) {
   Way& way = ways_[proposal.lateral];
   const double progress = proposal.states.back().progress;
   const Pose2 axle = way.path.at(progress);
   const OrientedBox ego{boxMiddleOf(axle, ego_.center_offset), ego_.size};
-  PathLead lead{way.path.length(), 0.0, 0.5 * ego_.size.length};
+  PathLead lead{way.path.length(), free_speed, 0.5 * ego_.size.length};
   double nearest = std::numeric_limits<double>::infinity();
   for (const OnPath& seen : seenAt(way, step)) {
     if (seen.progress <= progress) continue;

@@ -63,7 +63,11 @@ class PdmProposer {
   };
 
   const std::vector<OnPath>& seenAt(Way& way, std::size_t step);
-  PathLead leadOf(const PdmProposal& proposal, std::size_t step);
+  /// Drives proposals at one lateral offset on until they have `steps` steps. One that has nobody
+  /// ahead takes the end of the path for its lead, at the speed of the lead of the proposal before
+  /// it (0 for the first), as the published implementation does.
+  void advance(std::vector<PdmProposal>& beside, int steps);
+  PathLead leadOf(const PdmProposal& proposal, std::size_t step, double free_speed);
 
   const PdmForecast& forecast_;
   EgoVehicle ego_;
