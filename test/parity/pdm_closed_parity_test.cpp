@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <limits>
 
-#include "collision_forge/planners/pdm_closed.h"
+#include "collision_forge/planners/pdm_planner.h"
 #include "parity/pdm_world.h"
 #include "planners/planner_scenes.h"
 
@@ -112,6 +113,47 @@ TEST(PdmClosedParity, PlansAsThePublishedOne) {
       EXPECT_NEAR(angleBetween(pose.yaw, numberOf(expected[i][2])), 0.0, kPoseTolerance);
     }
   }
+}
+
+/// What is left of the differences when roads, limits and lanes are told from a map as nuScenes has
+/// it: the whole planner of the suite on the same worlds.
+TEST(PdmClosedParity, OnAMapOfLanesItChoosesTheSameInMostPlans) {
+  const ParityFixture fixture("pdm_closed.json");
+  const ParityFixture maps("maps.json");
+  SKIP_WITHOUT(fixture);
+  SKIP_WITHOUT(maps);
+  int plans = 0, chosen = 0, brakes = 0;
+  for (const rapidjson::Value* value : fixture.cases("plans")) {
+    const rapidjson::Value& in = memberOf(*value, "in");
+    const rapidjson::Value& out = memberOf(*value, "out");
+    if (memberOf(out, "fragile").GetBool()) continue;
+    const ParityVehicle vehicle = vehicleOf(fixture, textOf(in, "vehicle"));
+    const ParityMap world(maps, textOf(in, "map"));
+    const rapidjson::Value& lanes = memberOf(in, "centerline_lanes");
+    const PlannerOptions& shipped = shippedConfig().planners;
+    PdmOptions options = shipped.pdm;
+    options.speed_limit = world.speedLimit(lanes[0].GetString(), options.speed_limit);
+    PdmPlanner planner(options, shipped.route_centerline, shipped.car, shipped.lqr);
+    const PdmPath centerline = world.pathAlong(lanes);
+    DrivingTask task{world.laneIndex(), {}, vehicle.ego, vehicle.wheelbase};
+    for (double way = 0.0; way < centerline.length(); way += 1.0) {
+      task.route.push_back(centerline.at(way).position());
+    }
+    planner.initialize(task);
+    const BicycleState start{poseOf(memberOf(in, "rear_axle")), numberOf(in, "speed"),
+                             numberOf(in, "acceleration"), numberOf(in, "steering")};
+    KinematicBicycleOptions car = shipped.car;
+    car.wheelbase = vehicle.wheelbase;
+    planner.plan(
+        {KinematicBicycle(car).pointOf(start, 0.0, vehicle.ego.center_offset), agentsOf(in)});
+    ++plans;
+    chosen += planner.closed()->best() == memberOf(out, "chosen").GetUint();
+    brakes += planner.closed()->isEmergencyBraking() == memberOf(out, "emergency_brake").GetBool();
+  }
+  std::cout << "same choice in " << chosen << ", same brake in " << brakes << " of " << plans
+            << " plans\n";
+  EXPECT_GE(chosen, 0.8 * plans);
+  EXPECT_GE(brakes, 0.95 * plans);
 }
 
 /// A lead on the ego's line and nuPlan's loop around the planner.

@@ -64,6 +64,30 @@ std::vector<std::string> ParityMap::lanesFrom(const Pose2& pose, const std::stri
   return lanes;
 }
 
+std::shared_ptr<const LaneIndex> ParityMap::laneIndex() const {
+  auto map = std::make_shared<LaneMap>();
+  for (const auto& entry : memberOf(map_, "lanes").GetObject()) {
+    Lane lane;
+    lane.id = entry.name.GetString();
+    for (const auto& node : memberOf(entry.value, "centerline").GetArray()) {
+      lane.centerline.push_back(poseOf(node));
+    }
+    lane.polygon = outlineOf(memberOf(entry.value, "polygon"));
+    for (const auto& next : memberOf(entry.value, "next").GetArray()) {
+      lane.outgoing.push_back(next.GetString());
+    }
+    const rapidjson::Value& road =
+        memberOf(memberOf(map_, "roadblocks"), textOf(entry.value, "roadblock").c_str());
+    lane.is_connector = memberOf(road, "connector").GetBool();
+    map->drivable_area.push_back({lane.polygon, {}});
+    map->lanes.push_back(std::move(lane));
+  }
+  for (const auto& park : memberOf(map_, "carparks").GetObject()) {
+    map->drivable_area.push_back({outlineOf(park.value), {}});
+  }
+  return std::make_shared<const LaneIndex>(map);
+}
+
 const rapidjson::Value& ParityMap::lane(const std::string& name) const {
   return memberOf(memberOf(map_, "lanes"), name.c_str());
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "collision_forge/map/lane_queries.h"
 #include "collision_forge/planners/pdm_map.h"
 #include "collision_forge/planners/pdm_path.h"
 #include "parity/parity_fixture.h"
@@ -20,6 +22,8 @@ class ParityMap {
   PdmPath pathAlong(const std::vector<std::string>& lanes) const;
   /// The lanes of the route from that nearest to the pose on.
   std::vector<std::string> lanesFrom(const Pose2& pose, const std::string& route) const;
+  /// As a map of nuScenes has it, where there are no roads and no speed limits.
+  std::shared_ptr<const LaneIndex> laneIndex() const;
   /// Of a lane; the fallback where it has none.
   double speedLimit(const std::string& lane, double fallback) const;
 
