@@ -8,6 +8,8 @@ namespace forge {
 PdmMap::PdmMap(const std::vector<PdmArea>& areas,
                const std::vector<std::vector<Vector2>>& intersections) {
   for (const PdmArea& area : areas) areas_.push_back(outlineOf(area.outline, area.is_on_route));
+  std::stable_partition(areas_.begin(), areas_.end(),
+                        [](const Outline& area) { return area.is_on_route; });
   for (const auto& outline : intersections) intersections_.push_back(outlineOf(outline, false));
 }
 
@@ -44,9 +46,10 @@ PdmPlace PdmMap::placeOf(const OrientedBox& box) const {
     touched += inside > 0;
     is_in_one = is_in_one || inside == 4;
     is_on_route = is_on_route || (area.is_on_route && area.holds(middle));
+    if (is_in_one && is_on_route) break;  // nothing else can change the answer
   }
-  const bool is_all_on_road =
-      std::all_of(is_on_road.begin(), is_on_road.end(), [](bool is_on) { return is_on; });
+  const bool is_all_on_road = is_in_one || std::all_of(is_on_road.begin(), is_on_road.end(),
+                                                       [](bool is_on) { return is_on; });
   return {touched > 1 && !is_in_one, drivable_ ? isOffRaster(box) : !is_all_on_road, !is_on_route};
 }
 
