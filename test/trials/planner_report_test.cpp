@@ -75,6 +75,17 @@ TEST(PlannerReport, HasMeansOfSpeedAndProgress) {
   EXPECT_DOUBLE_EQ(rateOf(results(), "progress").value, 0.5);
 }
 
+TEST(PlannerReport, TellsSoftCollisionsAndThoseAtFault) {
+  std::vector<PlannerTestResult> all = results();
+  all[0].rows[0].outcome.contact->impact_speed = 0.49;
+  all[1].rows[0].outcome.contact->at_fault = true;
+  all[2].rows[0].outcome.contact->at_fault = true;  // with another
+  EXPECT_EQ(rateOf(all, "soft").trials, 2);
+  EXPECT_DOUBLE_EQ(rateOf(all, "soft").value, 0.5);
+  EXPECT_EQ(rateOf(all, "collision_at_fault").trials, 2);
+  EXPECT_DOUBLE_EQ(rateOf(all, "collision_at_fault").value, 0.5);
+}
+
 TEST(PlannerReport, CountsAvoidableCases) {
   EXPECT_EQ(rateOf(results(), "avoidable").trials, 5);
   EXPECT_DOUBLE_EQ(rateOf(results(), "avoidable").value, 0.8);

@@ -11,6 +11,7 @@ namespace forge {
 namespace {
 
 constexpr TableUnit kShare{};
+constexpr double kSoft = 0.5;  // m/s; a softer contact does no harm
 
 using ValueOf = std::function<std::optional<double>(const PlannerTestResult&, const PlannerRow&)>;
 
@@ -47,6 +48,14 @@ std::optional<double> impactSpeed(const PlannerTestResult&, const PlannerRow& ro
   const RolloutOutcome& outcome = row.outcome;
   if (hasFailed(outcome) || !hitsAttacker(outcome)) return std::nullopt;
   return outcome.contact->impact_speed;
+}
+
+/// 1 where the contact with the attacker is such, of those collisions.
+ValueOf shareOfCollisions(const std::function<bool(const PlannerContact&)>& is_met) {
+  return [=](const PlannerTestResult&, const PlannerRow& row) -> std::optional<double> {
+    if (hasFailed(row.outcome) || !hitsAttacker(row.outcome)) return std::nullopt;
+    return is_met(*row.outcome.contact) ? 1.0 : 0.0;
+  };
 }
 
 std::optional<double> publishedHit(const PlannerTestResult&, const PlannerRow& row) {
@@ -94,6 +103,15 @@ std::vector<RolloutMeasure> rolloutMeasures() {
       {{"impact_speed", "Impact speed of collisions with the attacker, mean", {}, false},
        {"m/s", 1.0},
        impactSpeed},
+      {{"soft", "Collisions with the attacker below 0.5 m/s, of all these", {}, false},
+       kShare,
+       shareOfCollisions([](const PlannerContact& c) { return c.impact_speed < kSoft; })},
+      {{"collision_at_fault",
+        "Collisions with the attacker that the planner is to blame for, of all these",
+        {},
+        false},
+       kShare,
+       shareOfCollisions([](const PlannerContact& contact) { return contact.at_fault; })},
       {{"hard_braking", "Rollouts with hard braking", {}, false},
        kShare,
        shareOf(isAny, [](const RolloutOutcome& outcome) { return outcome.hard_braking > 0.0; })},
