@@ -44,7 +44,7 @@ Pose2 missAtEnd(const std::vector<Pose2>& reference, BicycleState state, double*
 TEST(LqrTracker, ConvergesToAStraightLineFromAnOffset) {
   for (const double offset : {-1.0, 1.0}) {
     const Pose2 miss = missAtEnd(referenceOn(0.0, 8.0, 101), {{0.0, offset, 0.1}, 8.0, 0.0, 0.0});
-    EXPECT_NEAR(miss.y, 0.0, 0.02) << offset;
+    EXPECT_NEAR(miss.y, 0.0, 0.04) << offset;
     EXPECT_NEAR(miss.yaw, 0.0, 0.01) << offset;
   }
 }

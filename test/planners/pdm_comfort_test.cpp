@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "planners/planner_scenes.h"
@@ -11,39 +12,50 @@ namespace {
 
 const PdmComfortOptions& comfortOptions() { return shippedConfig().planners.pdm.scoring.comfort; }
 
-/// 4 s of motion, the state at each time as `state_at` says; poses do not matter.
-bool comfortable(const std::function<BicycleState(double)>& state_at,
-                 const PdmComfortOptions& options = comfortOptions()) {
-  PdmMotion motion;
-  for (int i = 0; i <= 40; ++i) motion.states.push_back(state_at(0.1 * i));
-  const KinematicBicycle bicycle(shippedConfig().planners.car);
-  return isComfortable(motion, bicycle, 0.1, options);
+std::array<bool, 6> keptBy(
+    const std::function<double(double)>& longitudinal, const std::function<double(double)>& yaw,
+    const std::function<double(double)>& lateral = [](double) { return 0.0; }) {
+  EgoSignals signals;
+  for (int i = 0; i <= 40; ++i) {
+    signals.longitudinal.push_back(longitudinal(0.1 * i));
+    signals.yaw.push_back(yaw(0.1 * i));
+    signals.lateral.push_back(lateral(0.1 * i));
+  }
+  const PdmComfort comfort(41, 0.1, comfortOptions());
+  return comfort.keptLimits(comfort.ranges(signals));
 }
 
-double steeringFor(double curvature) {
-  return std::atan(curvature * shippedConfig().planners.car.wheelbase);
+double none(double) { return 0.0; }
+
+constexpr std::size_t kLongitudinal = 0, kLateral = 1, kLongitudinalJerk = 3, kYawAcceleration = 4,
+                      kYawRate = 5;
+
+TEST(SavitzkyGolay, AnOddWindowLeavesAParabolaAsItIs) {
+  const Eigen::MatrixXd filter = savitzkyGolay(12, 5, 2, 0, 0.1);
+  Eigen::VectorXd values(12);
+  for (int i = 0; i < 12; ++i) values(i) = 3.0 - 2.0 * i + 0.5 * i * i;
+  EXPECT_NEAR((filter * values - values).norm(), 0.0, 1e-9);
 }
 
-TEST(Slopes, AreThoseOfALine) {
-  const std::vector<double> found = slopes({1.0, 1.5, 2.0, 2.5, 3.0, 3.5}, 3, 0.1);
-  for (const double slope : found) EXPECT_NEAR(slope, 5.0, 1e-9);
+TEST(SavitzkyGolay, TellsDerivativesOfPolynomials) {
+  Eigen::VectorXd values(12);
+  for (int i = 0; i < 12; ++i) values(i) = std::pow(0.1 * i, 3);
+  const Eigen::VectorXd second = savitzkyGolay(12, 5, 3, 2, 0.1) * values;
+  for (int i = 0; i < 12; ++i) EXPECT_NEAR(second(i), 6.0 * 0.1 * i, 1e-9);
 }
 
-TEST(Slopes, AreFittedOverTheWindow) {
-  // A lone 1 among zeros: at distance k, k / (2 (1 + 4 + 4 ...)).
-  const std::vector<double> found = slopes({0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0}, 5, 1.0);
-  EXPECT_NEAR(found[3], 0.0, 1e-12);
-  EXPECT_NEAR(found[2], 0.1, 1e-12);
-  EXPECT_NEAR(found[4], -0.1, 1e-12);
-}
-
-TEST(PdmComfort, SteadyDrivingIsComfortable) {
-  EXPECT_TRUE(comfortable([](double) { return BicycleState{{}, 10.0, 0.0, 0.0}; }));
+TEST(SavitzkyGolay, AnEvenWindowIsAskedHalfAStepLater) {
+  Eigen::VectorXd values(20);
+  for (int i = 0; i < 20; ++i) values(i) = i;
+  const Eigen::VectorXd smoothed = savitzkyGolay(20, 8, 2, 0, 0.1) * values;
+  EXPECT_NEAR(smoothed(2), 2.0, 1e-9);
+  EXPECT_NEAR(smoothed(10), 10.5, 1e-9);
+  EXPECT_NEAR(smoothed(18), 18.0, 1e-9);
 }
 
 TEST(PdmComfort, AccelerationAndBrakingHaveTheirLimits) {
   const auto with = [](double acceleration) {
-    return comfortable([=](double) { return BicycleState{{}, 10.0, acceleration, 0.0}; });
+    return keptBy([=](double) { return acceleration; }, none)[kLongitudinal];
   };
   EXPECT_TRUE(with(2.39));
   EXPECT_FALSE(with(2.41));
@@ -53,62 +65,41 @@ TEST(PdmComfort, AccelerationAndBrakingHaveTheirLimits) {
 
 TEST(PdmComfort, LateralAccelerationHasItsLimit) {
   const auto with = [](double lateral) {
-    return comfortable([=](double) {
-      return BicycleState{{}, 8.0, 0.0, steeringFor(lateral / 64.0)};
-    });
+    return keptBy(none, none, [=](double) { return lateral; })[kLateral];
   };
   EXPECT_TRUE(with(4.88));
-  EXPECT_FALSE(with(4.90));
   EXPECT_FALSE(with(-4.90));
 }
 
-TEST(PdmComfort, YawRateHasItsLimit) {
-  const auto with = [](double yaw_rate) {
-    return comfortable([=](double) {
-      return BicycleState{{}, 2.0, 0.0, steeringFor(yaw_rate / 2.0)};
-    });
-  };
-  EXPECT_TRUE(with(0.94));
-  EXPECT_FALSE(with(-0.96));
+TEST(PdmComfort, JerkIsThatOfTheWholeMotion) {
+  const auto rising = [](double jerk) { return [=](double time) { return jerk * time; }; };
+  // The shift of the even window steepens the line a little.
+  EXPECT_TRUE(keptBy(rising(3.9), none)[kLongitudinalJerk]);
+  EXPECT_FALSE(keptBy(rising(4.3), none)[kLongitudinalJerk]);
+  // A short jolt is smoothed away.
+  EXPECT_TRUE(keptBy([](double time) { return std::abs(time - 2.0) < 0.15 ? 2.0 : 0.0; },
+                     none)[kLongitudinalJerk]);
 }
 
-TEST(PdmComfort, LongitudinalJerkHasItsLimit) {
-  const auto with = [](double jerk) {
-    return comfortable([=](double time) {
-      return BicycleState{{}, 10.0, time < 1.0 ? jerk * (time - 0.5) : 0.5 * jerk, 0.0};
-    });
+TEST(PdmComfort, YawHasItsLimits) {
+  const auto turning = [](double rate) {
+    return [=](double time) { return wrapAngle(3.0 + rate * time); };
   };
-  EXPECT_TRUE(with(3.0));
-  // 0.5 s of it before and after are within the acceleration's limits.
-  PdmComfortOptions lax = comfortOptions();
-  lax.max_longitudinal_jerk = 1.0;
-  EXPECT_FALSE(comfortable(
-      [](double time) {
-        return BicycleState{{}, 10.0, time < 1.0 ? 3.0 * (time - 0.5) : 1.5, 0.0};
-      },
-      lax));
+  EXPECT_TRUE(keptBy(none, turning(0.94))[kYawRate]);
+  EXPECT_FALSE(keptBy(none, turning(-0.96))[kYawRate]);
+  const auto winding = [](double acceleration) {
+    return [=](double time) { return 0.5 * acceleration * (time - 2.0) * (time - 2.0); };
+  };
+  EXPECT_TRUE(keptBy(none, winding(1.92))[kYawAcceleration]);
+  EXPECT_FALSE(keptBy(none, winding(1.94))[kYawAcceleration]);
 }
 
-TEST(PdmComfort, JerkIsThatOfBothDirections) {
-  // Lateral acceleration that rises by 2 m/s3, to 4 m/s2 in 2 s.
-  const auto motion = [](double time) {
-    return BicycleState{{}, 20.0, 0.0, steeringFor(2.0 * std::min(time, 2.0) / 400.0)};
-  };
-  PdmComfortOptions strict = comfortOptions();
-  strict.max_jerk = 1.9;
-  EXPECT_TRUE(comfortable(motion));
-  EXPECT_FALSE(comfortable(motion, strict));
-}
-
-TEST(PdmComfort, YawAccelerationHasItsLimit) {
-  // Yaw rate that rises by 0.4 rad/s2 to 0.8 rad/s.
-  const auto motion = [](double time) {
-    return BicycleState{{}, 3.0, 0.0, steeringFor(0.4 * std::min(time, 2.0) / 3.0)};
-  };
-  PdmComfortOptions strict = comfortOptions();
-  strict.max_yaw_acceleration = 0.35;
-  EXPECT_TRUE(comfortable(motion));
-  EXPECT_FALSE(comfortable(motion, strict));
+TEST(PdmComfort, ASimulatedMotionHasNoLateralAcceleration) {
+  const std::vector<BicycleState> states(41, {{1.0, 2.0, 0.5}, 10.0, 1.0, 0.3});
+  const EgoSignals signals = signalsOf(states);
+  EXPECT_EQ(signals.lateral, std::vector<double>(41, 0.0));
+  EXPECT_EQ(signals.longitudinal, std::vector<double>(41, 1.0));
+  EXPECT_TRUE(PdmComfort(41, 0.1, comfortOptions()).isComfortable(states));
 }
 
 }  // namespace

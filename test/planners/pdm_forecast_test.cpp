@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "planners/planner_scenes.h"
 
 namespace forge {
@@ -17,17 +19,29 @@ PdmForecast forecastOf(const std::vector<Track>& agents,
   return PdmForecast(agents, kEgo, 0.1, 40, options, ignored);
 }
 
-TEST(PdmForecast, AgentsDriveOnAtTheirVelocity) {
+TEST(PdmForecast, AgentsDriveOnAlongOrAgainstTheirHeading) {
   Track agent = agentAt("a", {20.0, 5.0, 0.5}, 0.0);
   agent.states.back().velocity = {3.0, -1.0};
-  const PdmForecast forecast = forecastOf({agent});
-  ASSERT_EQ(forecast.agents().size(), 1U);
-  const OrientedBox box = forecast.box(0, 20);
-  EXPECT_NEAR(box.center.x, 26.0, 1e-9);
-  EXPECT_NEAR(box.center.y, 3.0, 1e-9);
+  const double way = 2.0 * std::sqrt(10.0);
+  const OrientedBox box = forecastOf({agent}).box(0, 20);
+  EXPECT_NEAR(box.center.x, 20.0 + way * std::cos(0.5), 1e-9);
+  EXPECT_NEAR(box.center.y, 5.0 + way * std::sin(0.5), 1e-9);
   EXPECT_EQ(box.center.yaw, 0.5);
   EXPECT_EQ(box.size.length, kCarSize.length);
-  EXPECT_EQ(forecast.stepCount(), 41U);
+  agent.states.back().velocity = {-3.0, 1.0};
+  EXPECT_NEAR(forecastOf({agent}).box(0, 20).center.x, 20.0 - way * std::cos(0.5), 1e-9);
+}
+
+TEST(PdmForecast, IsRenewedAtEveryOtherStep) {
+  const PdmForecast forecast = forecastOf({agentAt("a", {20.0, 0.0, 0.0}, 10.0)});
+  EXPECT_NEAR(forecast.box(0, 1).center.x, 20.0, 1e-9);
+  EXPECT_NEAR(forecast.box(0, 2).center.x, 22.0, 1e-9);
+  EXPECT_NEAR(forecast.box(0, 3).center.x, 22.0, 1e-9);
+}
+
+TEST(PdmForecast, WhoIsFartherThanTheRadiusIsNotSeen) {
+  EXPECT_EQ(forecastOf({agentAt("a", {49.9, 0.0, 0.0}, 1.0)}).agents().size(), 1U);
+  EXPECT_TRUE(forecastOf({agentAt("a", {50.1, 0.0, 0.0}, 1.0)}).agents().empty());
 }
 
 TEST(PdmForecast, TheNewestStateCounts) {
@@ -68,11 +82,13 @@ TEST(PdmForecast, OfEachKindTheNearestAreLookedAt) {
 TEST(PdmForecast, StandingAndStaticAreTold) {
   const PdmForecast forecast =
       forecastOf({agentAt("a", {20.0, 0.0, 0.0}, 0.04), agentAt("b", {30.0, 0.0, 0.0}, 0.06),
-                  agentAt("c", {40.0, 0.0, 0.0}, 0.0, {1.0, 1.0}, AgentClass::kStaticObject)});
+                  agentAt("c", {40.0, 0.0, 0.0}, 3.0, {1.0, 1.0}, AgentClass::kStaticObject)});
+  EXPECT_EQ(forecast.agents().size(), 3U);
   EXPECT_TRUE(forecast.agents()[0].is_standing);
   EXPECT_FALSE(forecast.agents()[1].is_standing);
   EXPECT_FALSE(forecast.agents()[0].is_static_object);
   EXPECT_TRUE(forecast.agents()[2].is_static_object);
+  EXPECT_TRUE(forecast.agents()[2].is_standing);
 }
 
 TEST(PdmForecast, AgentsWithoutAStateAreLeftOut) {
@@ -81,7 +97,7 @@ TEST(PdmForecast, AgentsWithoutAStateAreLeftOut) {
 
 TEST(PdmForecast, VisitsWhomABoxTouches) {
   const PdmForecast forecast =
-      forecastOf({agentAt("a", {20.0, 0.0, 0.0}, 0.0), agentAt("b", {60.0, 0.0, M_PI}, 10.0),
+      forecastOf({agentAt("a", {20.0, 0.0, 0.0}, 0.0), agentAt("b", {49.0, 0.0, M_PI}, 7.0),
                   agentAt("c", {20.0, 2.5, 0.0}, 0.0)});
   std::vector<std::size_t> touched;
   forecast.forTouching({{22.0, 0.0, 0.0}, kEgo.size}, circumradius(kEgo.size), 40,

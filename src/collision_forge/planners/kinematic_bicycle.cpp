@@ -17,24 +17,18 @@ BicycleState KinematicBicycle::step(const BicycleState& state, const BicycleComm
                                     double duration) const {
   const double asked_acceleration =
       std::clamp(command.acceleration, -options_.max_braking, options_.max_acceleration);
-  const double asked_steering = std::clamp(state.steering + command.steering_rate * duration,
-                                           -options_.max_steering, options_.max_steering);
+  const double asked_steering = state.steering + command.steering_rate * duration;
   BicycleState next;
   next.acceleration =
       lagged(state.acceleration, asked_acceleration, options_.acceleration_lag, duration);
-  next.steering = lagged(state.steering, asked_steering, options_.steering_lag, duration);
+  next.steering =
+      std::clamp(lagged(state.steering, asked_steering, options_.steering_lag, duration),
+                 -options_.max_steering, options_.max_steering);
   next.speed = state.speed + next.acceleration * duration;
-  double driven = 0.5 * (state.speed + next.speed) * duration;
-  if (next.speed < 0.0) {
-    driven = -0.5 * state.speed * state.speed / next.acceleration;
-    next.speed = 0.0;
-    next.acceleration = 0.0;
-  }
-  const double turned = driven * curvature(next);
-  const double middle = state.rear_axle.yaw + 0.5 * turned;
-  next.rear_axle.x = state.rear_axle.x + driven * std::cos(middle);
-  next.rear_axle.y = state.rear_axle.y + driven * std::sin(middle);
-  next.rear_axle.yaw = wrapAngle(state.rear_axle.yaw + turned);
+  const double driven = state.speed * duration;
+  next.rear_axle.x = state.rear_axle.x + driven * std::cos(state.rear_axle.yaw);
+  next.rear_axle.y = state.rear_axle.y + driven * std::sin(state.rear_axle.yaw);
+  next.rear_axle.yaw = wrapAngle(state.rear_axle.yaw + driven * curvature(state));
   return next;
 }
 
@@ -45,7 +39,7 @@ double KinematicBicycle::curvature(const BicycleState& state) const {
 BicycleState KinematicBicycle::stateOf(const TrajectoryPoint& point, double center_offset) const {
   BicycleState state;
   state.rear_axle = rearAxleOf(point.pose, center_offset);
-  state.speed = std::max(point.speed, 0.0);
+  state.speed = point.speed;
   state.acceleration = point.acceleration;
   state.steering = std::clamp(std::atan(point.curvature * options_.wheelbase),
                               -options_.max_steering, options_.max_steering);

@@ -19,7 +19,7 @@ struct KinematicBicycleOptions {
 /// Global map frame.
 struct BicycleState {
   Pose2 rear_axle;
-  double speed = 0.0;         ///< m/s along the heading, not negative
+  double speed = 0.0;         ///< m/s along the heading
   double acceleration = 0.0;  ///< m/s2 along the heading
   double steering = 0.0;      ///< rad, angle of the front wheel, positive to the left
 };
@@ -29,14 +29,15 @@ struct BicycleCommand {
   double steering_rate = 0.0;  ///< rad/s
 };
 
-/// A car as a kinematic bicycle without slip, after nuPlan's: acceleration and steering follow the
-/// command with first-order lags and stay within the limits; braking ends at a standstill.
+/// A car as a kinematic bicycle without slip, as nuPlan's KinematicBicycleModel: acceleration and
+/// steering follow the command with first-order lags, the pose moves with the state before the
+/// step. What is asked for stays within the limits. A car that is braked on at a standstill rolls
+/// back.
 class KinematicBicycle {
  public:
   explicit KinematicBicycle(const KinematicBicycleOptions& options) : options_(options) {}
 
-  /// `duration` seconds (> 0) later. The pose moves at the mean speed and the mean heading of the
-  /// step, so it is exact to the third order of `duration`.
+  /// `duration` seconds (> 0) later.
   BicycleState step(const BicycleState& state, const BicycleCommand& command,
                     double duration) const;
 

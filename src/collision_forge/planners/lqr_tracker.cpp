@@ -42,8 +42,24 @@ std::vector<double> solve(BandedMatrix matrix, std::vector<double> right) {
   return right;
 }
 
-/// The speeds v with the least sum of (v dt - moved)^2 and penalty * jerk^2.
-std::vector<double> fitSpeeds(const std::vector<Pose2>& poses, const LqrOptions& options) {
+void addJerk(BandedMatrix& matrix, std::size_t i, double penalty) {  // (v[i] - 2 v[i-1] + v[i-2])^2
+  matrix.main[i] += penalty;
+  matrix.main[i - 1] += 4.0 * penalty;
+  matrix.main[i - 2] += penalty;
+  matrix.first[i] -= 2.0 * penalty;
+  matrix.first[i - 1] -= 2.0 * penalty;
+  matrix.second[i] += penalty;
+}
+
+void addChange(BandedMatrix& matrix, std::size_t i, double penalty) {  // (v[i] - v[i-1])^2
+  matrix.main[i] += penalty;
+  matrix.main[i - 1] += penalty;
+  matrix.first[i] -= penalty;
+}
+
+/// The speeds v with the least sum of (v dt - moved)^2 and of the penalties.
+std::vector<double> fitSpeeds(const std::vector<Pose2>& poses, const LqrOptions& options,
+                              SpeedFit fit) {
   const double step = options.step;
   const std::size_t size = poses.size() - 1;
   BandedMatrix matrix(size);
@@ -54,13 +70,12 @@ std::vector<double> fitSpeeds(const std::vector<Pose2>& poses, const LqrOptions&
     right[i] = step * moved.dot(poses[i].heading());
   }
   const double penalty = options.jerk_penalty / (step * step);
-  for (std::size_t i = 2; i < size; ++i) {  // (v[i] - 2 v[i - 1] + v[i - 2])^2
-    matrix.main[i] += penalty;
-    matrix.main[i - 1] += 4.0 * penalty;
-    matrix.main[i - 2] += penalty;
-    matrix.first[i] -= 2.0 * penalty;
-    matrix.first[i - 1] -= 2.0 * penalty;
-    matrix.second[i] += penalty;
+  for (std::size_t i = 2; i < size; ++i) {
+    if (fit == SpeedFit::kJerk || i + 1 == size) {
+      addJerk(matrix, i, penalty);
+    } else {
+      addChange(matrix, i - 1, penalty);
+    }
   }
   return solve(std::move(matrix), std::move(right));
 }
@@ -79,11 +94,7 @@ std::vector<double> fitCurvatures(const std::vector<Pose2>& poses,
   }
   matrix.main[0] += kCurvaturePenalty;
   const double penalty = options.curvature_rate_penalty / (step * step);
-  for (std::size_t i = 1; i < size; ++i) {
-    matrix.main[i] += penalty;
-    matrix.main[i - 1] += penalty;
-    matrix.first[i] -= penalty;
-  }
+  for (std::size_t i = 1; i < size; ++i) addChange(matrix, i, penalty);
   return solve(std::move(matrix), std::move(right));
 }
 
@@ -103,19 +114,20 @@ LateralState moved(const LateralState& state, double driven, double turned, doub
 
 }  // namespace
 
-ReferenceProfile fitProfile(const std::vector<Pose2>& poses, const LqrOptions& options) {
+ReferenceProfile fitProfile(const std::vector<Pose2>& poses, const LqrOptions& options,
+                            SpeedFit fit) {
   if (poses.size() < 2) throw std::invalid_argument("a reference needs two poses or more");
   ReferenceProfile profile;
-  profile.speeds = fitSpeeds(poses, options);
+  profile.speeds = fitSpeeds(poses, options, fit);
   profile.curvatures = fitCurvatures(poses, profile.speeds, options);
   return profile;
 }
 
-LqrTracker::LqrTracker(const LqrOptions& options, double wheelbase)
-    : options_(options), wheelbase_(wheelbase) {}
+LqrTracker::LqrTracker(const LqrOptions& options, double wheelbase, SpeedFit fit)
+    : options_(options), wheelbase_(wheelbase), fit_(fit) {}
 
 void LqrTracker::setReference(std::vector<Pose2> rear_axle_poses) {
-  profile_ = fitProfile(rear_axle_poses, options_);
+  profile_ = fitProfile(rear_axle_poses, options_, fit_);
   poses_ = std::move(rear_axle_poses);
 }
 
@@ -145,7 +157,7 @@ double LqrTracker::steeringRate(const BicycleState& state, double acceleration,
   LateralState free{error.y, error.yaw, state.steering};  // at the end, without steering
   LateralState gain;                                      // at the end, for each rad/s
   for (int i = 0; i < options_.horizon; ++i) {
-    const double speed = std::max(state.speed + acceleration * options_.step * i, 0.0);
+    const double speed = state.speed + acceleration * options_.step * i;
     const double driven = speed * options_.step;
     const std::size_t at =
         std::min(index + static_cast<std::size_t>(i), profile_.curvatures.size() - 1);

@@ -22,6 +22,12 @@ struct LqrOptions {
   double curvature_rate_penalty = 0.0;
 };
 
+/// What the fit of the speeds keeps low.
+enum class SpeedFit {
+  kJerk,         ///< as nuPlan's LQRTracker
+  kAcceleration  ///< as PDM-Closed's: every acceleration but the last, and the last one's change
+};
+
 /// Speed and curvature along poses that follow each other every `step` seconds: one value between
 /// each two.
 struct ReferenceProfile {
@@ -29,16 +35,18 @@ struct ReferenceProfile {
   std::vector<double> curvatures;  ///< 1/m
 };
 
-/// The speeds and curvatures that fit the poses best by least squares, with penalties on jerk and
-/// on the curvature's rate. Throws std::invalid_argument for fewer than two poses.
-ReferenceProfile fitProfile(const std::vector<Pose2>& poses, const LqrOptions& options);
+/// The speeds and curvatures that fit the poses best by least squares, with penalties (both by
+/// options.jerk_penalty for speeds) and on the curvature's rate. Throws std::invalid_argument for
+/// fewer than two poses.
+ReferenceProfile fitProfile(const std::vector<Pose2>& poses, const LqrOptions& options,
+                            SpeedFit fit = SpeedFit::kJerk);
 
 /// Drives a KinematicBicycle along a reference, after nuPlan's LQRTracker: the acceleration that
 /// is best over the horizon if it is constant, then the best constant steering rate, for the car's
 /// motion linearised about the reference.
 class LqrTracker {
  public:
-  LqrTracker(const LqrOptions& options, double wheelbase);
+  LqrTracker(const LqrOptions& options, double wheelbase, SpeedFit fit = SpeedFit::kJerk);
 
   /// Poses of the rear axle, one each options.step, the first at the time of index 0. Throws
   /// std::invalid_argument for fewer than two.
@@ -47,12 +55,15 @@ class LqrTracker {
   /// What to do at the time of reference `index` (clamped to the last).
   BicycleCommand command(const BicycleState& state, std::size_t index) const;
 
+  const ReferenceProfile& profile() const { return profile_; }
+
  private:
   double acceleration(double speed, double reference_speed) const;
   double steeringRate(const BicycleState& state, double acceleration, std::size_t index) const;
 
   LqrOptions options_;
   double wheelbase_;
+  SpeedFit fit_;
   std::vector<Pose2> poses_;
   ReferenceProfile profile_;
 };

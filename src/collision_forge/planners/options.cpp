@@ -1,5 +1,6 @@
 #include "collision_forge/planners/options.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "collision_forge/config/section.h"
@@ -102,7 +103,16 @@ static void readOptions(Section& section, IdmParameters& options) {
   options.exponent = section.positive("exponent");
 }
 
+static void readOptions(Section& section, PdmMapOptions& options) {
+  options.radius = section.positive("radius");
+  options.lane_width = section.positive("lane_width");
+  options.road_half_width = section.positive("road_half_width");
+  options.road_heading = section.angle("road_heading");
+  options.drivable_margin = section.nonNegative("drivable_margin");
+}
+
 static void readOptions(Section& section, PdmAgentOptions& options) {
+  options.radius = section.positive("radius");
   options.vehicles = section.count("vehicles", 0);
   options.pedestrians = section.count("pedestrians", 0);
   options.bicycles = section.count("bicycles", 0);
@@ -111,7 +121,8 @@ static void readOptions(Section& section, PdmAgentOptions& options) {
 }
 
 static void readOptions(Section& section, PdmComfortOptions& options) {
-  options.window = section.count("window", 3);
+  options.jerk_window = section.count("jerk_window", 3);
+  options.yaw_window = section.count("yaw_window", 4);
   options.max_jerk = section.positive("max_jerk");
   options.max_lateral_acceleration = section.positive("max_lateral_acceleration");
   options.max_longitudinal_acceleration = section.positive("max_longitudinal_acceleration");
@@ -131,34 +142,40 @@ static void readOptions(Section& section, PdmScoringOptions& options) {
   options.ahead_angle = section.angle("ahead_angle");
   options.behind_angle = section.angle("behind_angle", options.ahead_angle);
   options.standing_speed = section.nonNegative("standing_speed");
-  options.wrong_way_time = section.positive("wrong_way_time");
+  options.ttc_standing_speed = section.nonNegative("ttc_standing_speed");
   options.wrong_way_distance = section.positive("wrong_way_distance");
   options.max_wrong_way_distance =
       section.atLeast("max_wrong_way_distance", options.wrong_way_distance);
   options.wrong_way_score = section.share("wrong_way_score");
-  options.route_distance = section.nonNegative("route_distance");
-  options.drivable_margin = section.nonNegative("drivable_margin");
   section.read("comfort", options.comfort);
 }
 
 static void readOptions(Section& section, PdmBrakeOptions& options) {
   options.max_time = section.nonNegative("max_time");
   options.max_speed = section.nonNegative("max_speed");
+  options.standing_speed = section.nonNegative("standing_speed");
+  options.gain = section.nonNegative("gain");
+  options.overshoot = section.positive("overshoot");
+  options.standing_gain = section.nonNegative("standing_gain");
   options.braking = section.positive("braking");
+  options.max_acceleration = section.positive("max_acceleration");
 }
 
 static void readOptions(Section& section, PdmOptions& options, double step) {
   options.step = step;
-  options.map_radius = section.positive("map_radius");
+  section.read("map", options.map);
+  options.tracker_wheelbase = section.positive("tracker_wheelbase");
   options.speed_limit = section.positive("speed_limit");
   options.lateral_offsets = section.numbers("lateral_offsets", -kMaxOffset, kMaxOffset);
   options.speed_shares = section.positives("speed_shares");
-  options.proposal_steps = section.count("proposal_steps", 2);
+  section.read("scoring", options.scoring);
+  const PdmComfortOptions& comfort = options.scoring.comfort;
+  options.proposal_steps =
+      section.count("proposal_steps", std::max(comfort.jerk_window, comfort.yaw_window));
   options.output_steps = section.count("output_steps", options.proposal_steps);
   options.lead_interval = section.count("lead_interval", 1);
   section.read("idm", options.idm);
   section.read("agents", options.agents);
-  section.read("scoring", options.scoring);
   section.read("emergency_brake", options.emergency_brake);
 }
 

@@ -7,6 +7,8 @@
 namespace forge {
 namespace {
 
+constexpr std::size_t kRenewal = 2;  // steps
+
 enum Kind { kVehicle, kPedestrian, kBicycle, kStatic, kKinds };
 
 Kind kindOf(AgentClass agent_class) {
@@ -30,6 +32,7 @@ std::vector<std::size_t> nearest(const std::vector<Track>& agents, const Vector2
   for (std::size_t i = 0; i < agents.size(); ++i) {
     if (agents[i].states.empty()) continue;
     const double distance = (agents[i].states.back().pose.position() - ego).norm();
+    if (distance > options.radius) continue;
     by_kind[kindOf(agents[i].agent_class)].emplace_back(distance, i);
   }
   const std::array<int, kKinds> most = {options.vehicles, options.pedestrians, options.bicycles,
@@ -44,32 +47,47 @@ std::vector<std::size_t> nearest(const std::vector<Track>& agents, const Vector2
   return chosen;
 }
 
+ForecastAgent forecastOf(const Track& track, const PdmAgentOptions& options) {
+  const AgentState& now = track.states.back();
+  const Vector2 heading = now.pose.heading();
+  ForecastAgent agent;
+  agent.id = track.id;
+  agent.box = boxAt(track, now.pose);
+  agent.speed = now.velocity.norm();
+  agent.velocity = (now.velocity.dot(heading) < 0.0 ? -agent.speed : agent.speed) * heading;
+  agent.radius = circumradius(agent.box.size);
+  agent.is_static_object = track.agent_class == AgentClass::kStaticObject;
+  agent.is_standing = agent.is_static_object || agent.speed <= options.standing_speed;
+  return agent;
+}
+
 }  // namespace
 
 PdmForecast::PdmForecast(const std::vector<Track>& agents, const OrientedBox& ego, double step,
                          int steps, const PdmAgentOptions& options, std::set<std::string>& ignored)
     : step_(step) {
   for (const std::size_t index : nearest(agents, ego.center.position(), options)) {
-    const Track& track = agents[index];
-    const AgentState& now = track.states.back();
-    const OrientedBox box = boxAt(track, now.pose);
-    if (overlaps(box, ego)) ignored.insert(track.id);
-    if (ignored.count(track.id) > 0) continue;
-    const bool is_standing = now.velocity.norm() <= options.standing_speed;
-    agents_.push_back({box, now.velocity, circumradius(box.size),
-                       track.agent_class == AgentClass::kStaticObject, is_standing});
+    const ForecastAgent agent = forecastOf(agents[index], options);
+    if (overlaps(agent.box, ego)) ignored.insert(agent.id);
+    if (ignored.count(agent.id) == 0) agents_.push_back(agent);
   }
-  for (int i = 0; i <= steps; ++i) {
+  const std::size_t renewals = static_cast<std::size_t>(steps) / kRenewal;
+  for (std::size_t i = 0; i <= renewals; ++i) {
     positions_.emplace_back();
     for (const ForecastAgent& agent : agents_) {
-      positions_.back().push_back(agent.box.center.position() + i * step * agent.velocity);
+      const double elapsed = static_cast<double>(i * kRenewal) * step;
+      positions_.back().push_back(agent.box.center.position() + elapsed * agent.velocity);
     }
   }
 }
 
+const std::vector<Vector2>& PdmForecast::positions(std::size_t step) const {
+  return positions_[step / kRenewal];
+}
+
 OrientedBox PdmForecast::box(std::size_t agent, std::size_t step) const {
   OrientedBox box = agents_[agent].box;
-  const Vector2& position = positions_[step][agent];
+  const Vector2& position = positions(step)[agent];
   box.center.x = position.x();
   box.center.y = position.y();
   return box;

@@ -3,39 +3,27 @@
 #include <utility>
 
 namespace forge {
-namespace {
 
-void append(const BicycleState& state, const EgoVehicle& ego, PdmMotion& motion) {
-  motion.states.push_back(state);
-  motion.boxes.push_back({boxMiddleOf(state.rear_axle, ego.center_offset), ego.size});
+PdmMotion motionOf(std::vector<BicycleState> states, const EgoVehicle& ego) {
+  PdmMotion motion{std::move(states), {}};
+  motion.boxes.reserve(motion.states.size());
+  for (const BicycleState& state : motion.states) {
+    motion.boxes.push_back({boxMiddleOf(state.rear_axle, ego.center_offset), ego.size});
+  }
+  return motion;
 }
-
-}  // namespace
 
 PdmMotion simulate(const BicycleState& start, std::vector<Pose2> rear_axle_poses,
                    const KinematicBicycle& bicycle, LqrTracker& tracker, double step,
                    const EgoVehicle& ego) {
   const std::size_t count = rear_axle_poses.size();
   tracker.setReference(std::move(rear_axle_poses));
-  PdmMotion motion;
-  motion.states.reserve(count);
-  motion.boxes.reserve(count);
-  append(start, ego, motion);
+  std::vector<BicycleState> states = {start};
+  states.reserve(count);
   for (std::size_t i = 0; i + 1 < count; ++i) {
-    const BicycleState& state = motion.states.back();
-    append(bicycle.step(state, tracker.command(state, i), step), ego, motion);
+    states.push_back(bicycle.step(states.back(), tracker.command(states.back(), i), step));
   }
-  return motion;
-}
-
-PdmMotion simulateBraking(const BicycleState& start, double braking, int steps,
-                          const KinematicBicycle& bicycle, double step, const EgoVehicle& ego) {
-  PdmMotion motion;
-  append(start, ego, motion);
-  for (int i = 0; i < steps; ++i) {
-    append(bicycle.step(motion.states.back(), {-braking, 0.0}, step), ego, motion);
-  }
-  return motion;
+  return motionOf(std::move(states), ego);
 }
 
 }  // namespace forge

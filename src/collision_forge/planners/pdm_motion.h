@@ -13,14 +13,13 @@ struct PdmMotion {
   std::vector<OrientedBox> boxes;
 };
 
+/// The ego's box in each of the states.
+PdmMotion motionOf(std::vector<BicycleState> states, const EgoVehicle& ego);
+
 /// Drives the bicycle from `start` along poses of the rear axle that follow each other every `step`
 /// seconds; as many entries as poses.
 PdmMotion simulate(const BicycleState& start, std::vector<Pose2> rear_axle_poses,
                    const KinematicBicycle& bicycle, LqrTracker& tracker, double step,
                    const EgoVehicle& ego);
-
-/// Brakes from `start` by a constant command, the front wheel as it is, for `steps` steps.
-PdmMotion simulateBraking(const BicycleState& start, double braking, int steps,
-                          const KinematicBicycle& bicycle, double step, const EgoVehicle& ego);
 
 }  // namespace forge

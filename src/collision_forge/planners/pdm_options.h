@@ -9,7 +9,16 @@ namespace forge {
 
 // config/planners.yaml, section pdm, where each number's unit and source stand.
 
+struct PdmMapOptions {
+  double radius = 0.0;
+  double lane_width = 0.0;
+  double road_half_width = 0.0;
+  double road_heading = 0.0;
+  double drivable_margin = 0.0;
+};
+
 struct PdmAgentOptions {
+  double radius = 0.0;
   int vehicles = 0;
   int pedestrians = 0;
   int bicycles = 0;
@@ -18,7 +27,8 @@ struct PdmAgentOptions {
 };
 
 struct PdmComfortOptions {
-  int window = 0;
+  int jerk_window = 0;
+  int yaw_window = 0;
   double max_jerk = 0.0;
   double max_lateral_acceleration = 0.0;
   double max_longitudinal_acceleration = 0.0;
@@ -38,23 +48,27 @@ struct PdmScoringOptions {
   double ahead_angle = 0.0;
   double behind_angle = 0.0;
   double standing_speed = 0.0;
-  double wrong_way_time = 0.0;
+  double ttc_standing_speed = 0.0;
   double wrong_way_distance = 0.0;
   double max_wrong_way_distance = 0.0;
   double wrong_way_score = 0.0;
-  double route_distance = 0.0;
-  double drivable_margin = 0.0;
   PdmComfortOptions comfort;
 };
 
 struct PdmBrakeOptions {
   double max_time = 0.0;
   double max_speed = 0.0;
+  double standing_speed = 0.0;
+  double gain = 0.0;
+  double overshoot = 0.0;
+  double standing_gain = 0.0;
   double braking = 0.0;
+  double max_acceleration = 0.0;
 };
 
 struct PdmOptions {
-  double map_radius = 0.0;
+  PdmMapOptions map;
+  double tracker_wheelbase = 0.0;
   double speed_limit = 0.0;
   std::vector<double> lateral_offsets;
   std::vector<double> speed_shares;

@@ -2,113 +2,117 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/map/reference_path.h"
+
 namespace forge {
+namespace {
+
+/// A smooth line's nodes, as far apart as those of nuPlan's centrelines mostly are.
+std::vector<Pose2> nodesOf(const Polyline& line) {
+  constexpr double kSpacing = 1.0;  // m
+  const ReferencePath path(line);
+  const int count = std::max(1, static_cast<int>(std::ceil(path.length() / kSpacing)));
+  std::vector<Pose2> nodes;
+  for (int i = 0; i <= count; ++i) nodes.push_back(path.at(path.length() * i / count).pose);
+  return nodes;
+}
+
+/// The strip of a width along a line.
+std::vector<Vector2> stripAlong(const std::vector<Pose2>& line, double width) {
+  std::vector<Vector2> outline;
+  for (const Pose2& pose : line) {
+    outline.push_back(compose(pose, {0.0, 0.5 * width, 0.0}).position());
+  }
+  for (auto pose = line.rbegin(); pose != line.rend(); ++pose) {
+    outline.push_back(compose(*pose, {0.0, -0.5 * width, 0.0}).position());
+  }
+  return outline;
+}
+
+/// Indices of the lanes of the roads that the route takes.
+std::set<std::size_t> lanesOnRoute(const LaneIndex& lanes, const std::vector<Pose2>& route,
+                                   const PdmMapOptions& options) {
+  std::set<std::size_t> found;
+  for (const Pose2& place : route) {
+    for (const LaneMatch& match :
+         lanes.lanesNear(place, options.road_half_width, options.road_heading)) {
+      found.insert(match.lane);
+    }
+  }
+  return found;
+}
+
+/// The lanes around the route; a lane without an outline is a strip along its centreline. Where the
+/// route leaves the lanes, a strip along it is on the route, too.
+PdmMap mapAlong(const LaneIndex& lanes, const std::vector<Pose2>& route,
+                const PdmMapOptions& options) {
+  const std::set<std::size_t> on_route = lanesOnRoute(lanes, route, options);
+  std::set<std::size_t> around;
+  const auto stride = static_cast<std::size_t>(std::max(1.0, options.radius));
+  for (std::size_t i = 0; i < route.size(); i += stride) {
+    for (const std::size_t lane : lanes.lanesWithin(route[i].position(), options.radius)) {
+      around.insert(lane);
+    }
+  }
+  std::vector<PdmArea> areas;
+  std::vector<std::vector<Vector2>> intersections;
+  for (const std::size_t index : around) {
+    const Lane& lane = lanes.map().lanes[index];
+    std::vector<Vector2> outline =
+        lane.polygon.size() >= 3 ? lane.polygon : stripAlong(lane.centerline, options.lane_width);
+    if (lane.is_connector || lane.is_intersection) intersections.push_back(outline);
+    areas.push_back({std::move(outline), on_route.count(index) > 0});
+  }
+  PdmMap map(areas, intersections);
+  map.addRoute(stripAlong(route, options.lane_width));
+  if (!lanes.drivable().empty()) map.setDrivable(&lanes.drivable(), options.drivable_margin);
+  return map;
+}
+
+}  // namespace
 
 PdmPlanner::PdmPlanner(const PdmOptions& options, const RouteCenterlineOptions& route,
                        const KinematicBicycleOptions& bicycle, const LqrOptions& lqr)
-    : options_(options),
-      route_options_(route),
-      bicycle_options_(bicycle),
-      bicycle_(bicycle),
-      lqr_options_(lqr),
-      tracker_(lqr, bicycle.wheelbase) {}
+    : options_(options), route_options_(route), bicycle_options_(bicycle), lqr_options_(lqr) {}
 
 void PdmPlanner::initialize(const DrivingTask& task) {
   if (!task.lanes) throw std::invalid_argument("a driving task needs lanes");
   task_ = task;
   bicycle_options_.wheelbase = task.wheelbase;
-  bicycle_ = KinematicBicycle(bicycle_options_);
-  tracker_ = LqrTracker(lqr_options_, task.wheelbase);
-  way_.emplace(routeCenterline(*task.lanes, task.route, route_options_));
-  way_sample_.reset();
-  ignored_.clear();
+  const std::vector<Pose2> nodes =
+      nodesOf(routeCenterline(*task.lanes, task.route, route_options_));
+  map_.emplace(mapAlong(*task.lanes, nodes, options_.map));
+  closed_.emplace(PdmPath(nodes), task.ego, bicycle_options_, lqr_options_, options_);
 }
 
 std::vector<TrajectoryPoint> PdmPlanner::plan(const Observation& observation) {
-  const EgoVehicle& ego = task_.ego;
-  const BicycleState start = bicycle_.stateOf(observation.ego, ego.center_offset);
-  const Vector2 rear_axle = start.rear_axle.position();
-  const SampledWay::Projection place =
-      way_sample_ ? way_->project(rear_axle, *way_sample_) : way_->project(rear_axle);
-  way_sample_ = place.sample;
-
-  const double ttc_horizon =
-      *std::max_element(options_.scoring.ttc_times.begin(), options_.scoring.ttc_times.end());
-  const int forecast_steps = std::max(
-      options_.output_steps,
-      options_.proposal_steps + static_cast<int>(std::lround(ttc_horizon / options_.step)));
-  const PdmForecast forecast(observation.agents, {observation.ego.pose, ego.size}, options_.step,
-                             forecast_steps, options_.agents, ignored_);
-  PdmProposer proposer(*way_, forecast, ego, bicycle_options_.max_braking, options_);
-  const PdmScorer scorer(
-      {forecast, *task_.lanes, *way_, place.sample, ego, bicycle_, observation.ego.pose},
-      options_.map_radius, options_.scoring);
-  propose(proposer, start, place.arc_length);
-  score(scorer);
-
-  const PdmMotion motion = chosenMotion(proposer, start, place.arc_length);
+  const double offset = task_.ego.center_offset;
+  const BicycleState start = KinematicBicycle(bicycle_options_).stateOf(observation.ego, offset);
+  const std::vector<Pose2> axles =
+      closed_->plan(start, observation.agents, *map_, options_.speed_limit);
   std::vector<TrajectoryPoint> points;
-  for (std::size_t i = 0; i < motion.states.size(); ++i) {
+  for (std::size_t i = 0; i < axles.size(); ++i) {
     const double time = observation.ego.time + static_cast<double>(i) * options_.step;
-    points.push_back(bicycle_.pointOf(motion.states[i], time, ego.center_offset));
+    const Vector2 moved = axles[i].position() - axles[i > 0 ? i - 1 : 0].position();
+    points.push_back({time, boxMiddleOf(axles[i], offset),
+                      axles[i].heading().dot(moved) / options_.step, 0.0, 0.0});
   }
+  points.front().speed = start.speed;
   return points;
 }
 
 std::vector<std::vector<Pose2>> PdmPlanner::proposals() const {
   std::vector<std::vector<Pose2>> proposals;
-  for (const Candidate& candidate : candidates_) {
+  if (!closed_) return proposals;
+  for (const PdmCandidate& candidate : closed_->candidates()) {
     std::vector<Pose2>& poses = proposals.emplace_back();
     for (const OrientedBox& box : candidate.motion.boxes) poses.push_back(box.center);
   }
   return proposals;
-}
-
-void PdmPlanner::propose(PdmProposer& proposer, const BicycleState& start, double arc_length) {
-  candidates_.clear();
-  for (const double offset : options_.lateral_offsets) {
-    for (const double share : options_.speed_shares) {
-      const double desired_speed = share * options_.speed_limit;
-      const PdmProposal proposal =
-          proposer.propose(arc_length, start.speed, offset, desired_speed, options_.proposal_steps);
-      candidates_.push_back(
-          {offset,
-           desired_speed,
-           simulate(start, proposer.poses(proposal), bicycle_, tracker_, options_.step, task_.ego),
-           {}});
-    }
-  }
-}
-
-void PdmPlanner::score(const PdmScorer& scorer) {
-  std::vector<PdmMotion> motions;
-  for (Candidate& candidate : candidates_) motions.push_back(std::move(candidate.motion));
-  const std::vector<PdmScore> scores = scorer.score(motions);
-  best_ = 0;
-  for (std::size_t i = 0; i < scores.size(); ++i) {
-    candidates_[i].motion = std::move(motions[i]);
-    candidates_[i].score = scores[i];
-    if (scores[i].total > scores[best_].total) best_ = i;
-  }
-}
-
-PdmMotion PdmPlanner::chosenMotion(PdmProposer& proposer, const BicycleState& start,
-                                   double arc_length) {
-  const Candidate& best = candidates_[best_];
-  const PdmBrakeOptions& brake = options_.emergency_brake;
-  const std::optional<double>& collision = best.score.collision.time;
-  is_emergency_braking_ =
-      collision && *collision <= brake.max_time && start.speed <= brake.max_speed;
-  if (is_emergency_braking_) {
-    return simulateBraking(start, brake.braking, options_.output_steps, bicycle_, options_.step,
-                           task_.ego);
-  }
-  const PdmProposal proposal = proposer.propose(arc_length, start.speed, best.lateral_offset,
-                                                best.desired_speed, options_.output_steps);
-  return simulate(start, proposer.poses(proposal), bicycle_, tracker_, options_.step, task_.ego);
 }
 
 }  // namespace forge

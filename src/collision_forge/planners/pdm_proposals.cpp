@@ -3,123 +3,112 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <utility>
 
 namespace forge {
-namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+PathState followed(const PathState& state, const PathLead& lead, const IdmParameters& idm,
+                   double step) {
+  const double gap = std::max(lead.progress - state.progress - lead.rear, idm.min_gap);
+  const double closing = state.speed - lead.speed;
+  const double desired_gap =
+      idm.min_gap + state.speed * idm.time_headway +
+      state.speed * closing / (2.0 * std::sqrt(idm.max_acceleration * idm.braking));
+  const double share = desired_gap / gap;
+  const double asked = idmFreeAcceleration(idm, state.speed) - idm.max_acceleration * share * share;
+  const double acceleration = std::clamp(asked, -idm.braking, idm.max_acceleration);
+  return {state.progress + state.speed * step, state.speed + acceleration * step};
+}
 
-/// The first coordinates that a convex outline has where its second is within [low, high]; an empty
-/// range (first above second) where it has none there.
-std::pair<double, double> rangeWithin(const std::array<Vector2, 4>& corners, double low,
-                                      double high) {
-  std::pair<double, double> range{kInfinity, -kInfinity};
-  const auto extend = [&](double value) {
-    range.first = std::min(range.first, value);
-    range.second = std::max(range.second, value);
-  };
-  Vector2 a = corners.back();
-  for (const Vector2& b : corners) {
-    if (b.y() >= low && b.y() <= high) extend(b.x());
-    for (const double side : {low, high}) {
-      if ((a.y() < side) == (b.y() < side)) continue;
-      extend(a.x() + (side - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+PdmProposer::PdmProposer(const PdmPath& centerline, const Pose2& rear_axle, double speed,
+                         const PdmForecast& forecast, const EgoVehicle& ego,
+                         const PdmOptions& options)
+    : forecast_(forecast), ego_(ego), options_(options), speed_(speed) {
+  for (const double offset : options.lateral_offsets) {
+    PdmPath path = centerline.shifted(offset);
+    const double start = path.project(rear_axle.position());
+    PdmPath corridor = path.ahead(start);
+    ways_.push_back({std::move(path), std::move(corridor), start, {}});
+  }
+}
+
+std::vector<PdmProposal> PdmProposer::propose(double speed_limit) {
+  std::vector<PdmProposal> proposals;
+  for (std::size_t lateral = 0; lateral < ways_.size(); ++lateral) {
+    std::vector<PdmProposal> beside;
+    for (const double share : options_.speed_shares) {
+      beside.push_back({lateral, share * speed_limit, {{ways_[lateral].start, speed_}}, {}});
     }
-    a = b;
+    advance(beside, options_.proposal_steps);
+    proposals.insert(proposals.end(), beside.begin(), beside.end());
   }
-  return range;
+  return proposals;
 }
 
-}  // namespace
-
-PdmProposer::PdmProposer(const SampledWay& way, const PdmForecast& forecast, const EgoVehicle& ego,
-                         double max_braking, const PdmOptions& options)
-    : way_(way), forecast_(forecast), ego_(ego), max_braking_(max_braking), options_(options) {
-  for (const ForecastAgent& agent : forecast.agents()) {
-    hints_.push_back(way.project(agent.box.center.position()).sample);
-  }
+void PdmProposer::extend(PdmProposal& proposal, int steps) {
+  std::vector<PdmProposal> alone = {std::move(proposal)};
+  advance(alone, steps);
+  proposal = std::move(alone.front());
 }
 
-PdmProposal PdmProposer::propose(double arc_length, double speed, double lateral_offset,
-                                 double desired_speed, int steps) {
-  IdmParameters idm = options_.idm;
-  idm.desired_speed = desired_speed;
-  PdmProposal proposal{lateral_offset, {arc_length}, {speed}};
-  for (int i = 0; i < steps; ++i) {
-    const int since = i % options_.lead_interval;
-    const Stretches& stretches =
-        stretchesAt(static_cast<std::size_t>(i / options_.lead_interval), lateral_offset);
-    const double wanted = acceleration(proposal, idm, stretches, since * options_.step);
-    const double now = proposal.speeds.back();
-    proposal.arc_lengths.push_back(proposal.arc_lengths.back() + now * options_.step);
-    proposal.speeds.push_back(std::max(now + std::max(wanted, -max_braking_) * options_.step, 0.0));
+void PdmProposer::advance(std::vector<PdmProposal>& beside, int steps) {
+  const auto interval = static_cast<std::size_t>(options_.lead_interval);
+  for (std::size_t step = beside.front().states.size(); step <= static_cast<std::size_t>(steps);
+       ++step) {
+    double free_speed = 0.0;
+    for (PdmProposal& proposal : beside) {
+      IdmParameters idm = options_.idm;
+      idm.desired_speed = proposal.desired_speed;
+      if (step % interval == 0) {
+        proposal.lead = leadOf(proposal, step, free_speed);
+        free_speed = proposal.lead.speed;
+      }
+      proposal.states.push_back(
+          followed(proposal.states.back(), proposal.lead, idm, options_.step));
+    }
   }
-  return proposal;
 }
 
 std::vector<Pose2> PdmProposer::poses(const PdmProposal& proposal) const {
   std::vector<Pose2> poses;
-  poses.reserve(proposal.arc_lengths.size());
-  for (const double arc_length : proposal.arc_lengths) {
-    poses.push_back(way_.at(arc_length, proposal.lateral_offset));
-  }
+  poses.reserve(proposal.states.size());
+  const PdmPath& path = ways_[proposal.lateral].path;
+  for (const PathState& state : proposal.states) poses.push_back(path.at(state.progress));
   return poses;
 }
 
-double PdmProposer::acceleration(const PdmProposal& proposal, const IdmParameters& idm,
-                                 const Stretches& stretches, double elapsed) const {
-  const double speed = proposal.speeds.back();
-  const double middle = proposal.arc_lengths.back() + ego_.center_offset;
-  const double front = middle + 0.5 * ego_.size.length;
-  const Stretch* lead = nullptr;
-  double gap = kInfinity;
-  for (const Stretch& stretch : stretches) {
-    const double moved = stretch.speed * elapsed;
-    if (stretch.end + moved <= middle || stretch.start + moved - front >= gap) continue;
-    gap = stretch.start + moved - front;
-    lead = &stretch;
+PathLead PdmProposer::leadOf(const PdmProposal& proposal, std::size_t step, double free_speed) {
+  Way& way = ways_[proposal.lateral];
+  const double progress = proposal.states.back().progress;
+  const Pose2 axle = way.path.at(progress);
+  const OrientedBox ego{boxMiddleOf(axle, ego_.center_offset), ego_.size};
+  PathLead lead{way.path.length(), free_speed, 0.5 * ego_.size.length};
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const OnPath& seen : seenAt(way, step)) {
+    if (seen.progress <= progress) continue;
+    const OrientedBox box = forecast_.box(seen.agent, step);
+    const double gap = distance(ego, box);
+    if (gap >= nearest) continue;
+    nearest = gap;
+    const double turned = angleBetween(axle.yaw, box.center.yaw);
+    lead = {progress + gap, forecast_.agents()[seen.agent].speed * std::cos(turned), 0.0};
   }
-  if (!lead) return idmFreeAcceleration(idm, speed);
-  return idmAcceleration(idm, speed, lead->speed, std::max(gap, idm.min_gap));
+  return lead;
 }
 
-const std::vector<PdmProposer::BoxOnWay>& PdmProposer::boxesAt(std::size_t step) {
-  while (boxes_.size() <= step) {
-    const std::size_t forecast_step =
-        boxes_.size() * static_cast<std::size_t>(options_.lead_interval);
-    boxes_.emplace_back();
-    for (std::size_t i = 0; i < forecast_.agents().size(); ++i) {
-      const OrientedBox box = forecast_.box(i, forecast_step);
-      const SampledWay::Projection place = way_.project(box.center.position(), hints_[i]);
-      hints_[i] = place.sample;
-      const Vector2& along = way_.headingAt(place.sample);
-      BoxOnWay on_way;
-      on_way.speed = along.dot(forecast_.agents()[i].velocity);
-      const std::array<Vector2, 4> outline = corners(box);
-      for (std::size_t corner = 0; corner < 4; ++corner) {
-        const Vector2 offset = outline[corner] - box.center.position();
-        on_way.corners[corner] = {place.arc_length + along.dot(offset),
-                                  place.lateral + along.x() * offset.y() - along.y() * offset.x()};
-      }
-      boxes_.back().push_back(on_way);
+const std::vector<PdmProposer::OnPath>& PdmProposer::seenAt(Way& way, std::size_t step) {
+  const auto interval = static_cast<std::size_t>(options_.lead_interval);
+  const std::size_t search = step / interval;
+  while (way.seen.size() <= search) {
+    const std::size_t looked_at = way.seen.size() * interval;
+    std::vector<OnPath>& seen = way.seen.emplace_back();
+    for (std::size_t agent = 0; agent < forecast_.agents().size(); ++agent) {
+      const OrientedBox box = forecast_.box(agent, looked_at);
+      if (!way.corridor.corridorTouches(box, 0.5 * ego_.size.width)) continue;
+      seen.push_back({agent, way.path.project(box.center.position())});
     }
   }
-  return boxes_[step];
-}
-
-const PdmProposer::Stretches& PdmProposer::stretchesAt(std::size_t step, double lateral_offset) {
-  std::vector<Stretches>& known = stretches_[lateral_offset];
-  while (known.size() <= step) {
-    const std::vector<BoxOnWay>& boxes = boxesAt(known.size());
-    known.emplace_back();
-    for (const BoxOnWay& box : boxes) {
-      const auto [start, end] = rangeWithin(box.corners, lateral_offset - 0.5 * ego_.size.width,
-                                            lateral_offset + 0.5 * ego_.size.width);
-      if (start <= end) known.back().push_back({start, end, box.speed});
-    }
-  }
-  return known[step];
+  return way.seen[search];
 }
 
 }  // namespace forge

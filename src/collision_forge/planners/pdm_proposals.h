@@ -1,66 +1,79 @@
 #pragma once
 
-#include <array>
-#include <map>
-#include <utility>
 #include <vector>
 
+#include "collision_forge/planners/kinematic_bicycle.h"
 #include "collision_forge/planners/pdm_forecast.h"
-#include "collision_forge/planners/sampled_way.h"
+#include "collision_forge/planners/pdm_path.h"
 
 namespace forge {
 
-/// A way and speeds along it that the ego might drive, before its dynamics; one entry a step, the
-/// first now. Places are the rear axle's.
-struct PdmProposal {
-  double lateral_offset = 0.0;      ///< m left of the way
-  std::vector<double> arc_lengths;  ///< m along the way
-  std::vector<double> speeds;       ///< m/s
+/// Where one is on a path, and how fast.
+struct PathState {
+  double progress = 0.0;  ///< m
+  double speed = 0.0;     ///< m/s; braking may take it below 0
 };
 
-/// Drives along a way by the intelligent driver model, behind the nearest agent whose forecast box
-/// reaches into the corridor of the ego's width, looked for every few steps.
+/// What PDM-Closed's IDM drives behind.
+struct PathLead {
+  double progress = 0.0;  ///< m
+  double speed = 0.0;     ///< m/s
+  double rear = 0.0;      ///< m from its progress to its rear end
+};
+
+/// `step` seconds later by the intelligent driver model as PDM-Closed has it: acceleration within
+/// [-braking, max_acceleration], the gap at least min_gap, and the place moved by the speed before.
+PathState followed(const PathState& state, const PathLead& lead, const IdmParameters& idm,
+                   double step);
+
+/// A way and speeds along it that the ego might drive, before its dynamics; one state a step, the
+/// first now. Places are the rear axle's.
+struct PdmProposal {
+  std::size_t lateral = 0;     ///< index into options.lateral_offsets
+  double desired_speed = 0.0;  ///< m/s
+  std::vector<PathState> states;
+  PathLead lead;  ///< the last
+};
+
+/// Drives along a path and paths beside it by the intelligent driver model, behind the nearest
+/// agent whose forecast box touches the corridor of the ego's width, looked for every few steps.
+/// The first step sees a lead at the path's begin: it brakes.
 class PdmProposer {
  public:
-  /// `way`, `forecast` and `options` must outlive the proposer. `max_braking` (m/s2) bounds how the
-  /// model brakes.
-  PdmProposer(const SampledWay& way, const PdmForecast& forecast, const EgoVehicle& ego,
-              double max_braking, const PdmOptions& options);
+  /// `forecast` and `options` must outlive the proposer.
+  PdmProposer(const PdmPath& centerline, const Pose2& rear_axle, double speed,
+              const PdmForecast& forecast, const EgoVehicle& ego, const PdmOptions& options);
 
-  /// `steps` steps from an arc length and speed, no faster than `desired_speed`, `lateral_offset`
-  /// metres left of the way.
-  PdmProposal propose(double arc_length, double speed, double lateral_offset, double desired_speed,
-                      int steps);
-
+  /// options.proposal_steps steps for every offset (outer) and share of the speed limit (inner).
+  std::vector<PdmProposal> propose(double speed_limit);
+  /// Until it has `steps` steps.
+  void extend(PdmProposal& proposal, int steps);
   std::vector<Pose2> poses(const PdmProposal& proposal) const;
 
  private:
-  /// An agent's box along the way: its corners as arc length and lateral.
-  struct BoxOnWay {
-    std::array<Vector2, 4> corners;
-    double speed = 0.0;  // m/s along the way
+  struct OnPath {
+    std::size_t agent = 0;
+    double progress = 0.0;  // of its middle
   };
-  /// What an agent takes up of a corridor.
-  struct Stretch {
-    double start = 0.0;  // m along the way
-    double end = 0.0;
-    double speed = 0.0;  // m/s along the way
+  struct Way {
+    PdmPath path;
+    PdmPath corridor;
+    double start = 0.0;                     // m, of the ego
+    std::vector<std::vector<OnPath>> seen;  // by search for a lead
   };
-  using Stretches = std::vector<Stretch>;
 
-  const std::vector<BoxOnWay>& boxesAt(std::size_t step);
-  const Stretches& stretchesAt(std::size_t step, double lateral_offset);
-  double acceleration(const PdmProposal& proposal, const IdmParameters& idm,
-                      const Stretches& stretches, double elapsed) const;
+  const std::vector<OnPath>& seenAt(Way& way, std::size_t step);
+  /// Drives proposals at one lateral offset on until they have `steps` steps. One that has nobody
+  /// ahead takes the end of the path for its lead, at the speed of the lead of the proposal before
+  /// it (0 for the first), as the published implementation does.
+  void advance(std::vector<PdmProposal>& beside, int steps);
+  PathLead leadOf(const PdmProposal& proposal, std::size_t step, double free_speed);
 
-  const SampledWay& way_;
   const PdmForecast& forecast_;
   EgoVehicle ego_;
-  double max_braking_;
   const PdmOptions& options_;
-  std::vector<std::size_t> hints_;                      // of each agent's projection
-  std::vector<std::vector<BoxOnWay>> boxes_;            // by step in lead intervals
-  std::map<double, std::vector<Stretches>> stretches_;  // by offset, then step in lead intervals
+  double speed_;
+  std::vector<Way> ways_;  // by lateral offset
 };
 
 }  // namespace forge

@@ -1,0 +1,74 @@
+#include "collision_forge/planners/pdm_map.h"
+
+#include <algorithm>
+#include <array>
+
+namespace forge {
+
+PdmMap::PdmMap(const std::vector<PdmArea>& areas,
+               const std::vector<std::vector<Vector2>>& intersections) {
+  for (const PdmArea& area : areas) areas_.push_back(outlineOf(area.outline, area.is_on_route));
+  for (const auto& outline : intersections) intersections_.push_back(outlineOf(outline, false));
+}
+
+void PdmMap::setDrivable(const AreaRaster* drivable, double margin) {
+  drivable_ = drivable;
+  drivable_margin_ = margin;
+}
+
+void PdmMap::addRoute(const std::vector<Vector2>& outline) {
+  routes_.push_back(outlineOf(outline, true));
+}
+
+PdmPlace PdmMap::placeOf(const OrientedBox& box) const {
+  const std::array<Vector2, 4> outline = corners(box);
+  const Eigen::AlignedBox2d bounds = [&] {
+    Eigen::AlignedBox2d around(outline[0]);
+    for (const Vector2& corner : outline) around.extend(corner);
+    return around;
+  }();
+  std::array<bool, 4> is_on_road{};
+  int touched = 0;
+  bool is_in_one = false;
+  const Vector2 middle = box.center.position();
+  bool is_on_route = std::any_of(routes_.begin(), routes_.end(),
+                                 [&](const Outline& route) { return route.holds(middle); });
+  for (const Outline& area : areas_) {
+    if (!area.bounds.intersects(bounds)) continue;
+    int inside = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      if (!area.holds(outline[i])) continue;
+      is_on_road[i] = true;
+      ++inside;
+    }
+    touched += inside > 0;
+    is_in_one = is_in_one || inside == 4;
+    is_on_route = is_on_route || (area.is_on_route && area.holds(middle));
+  }
+  const bool is_all_on_road =
+      std::all_of(is_on_road.begin(), is_on_road.end(), [](bool is_on) { return is_on; });
+  return {touched > 1 && !is_in_one, drivable_ ? isOffRaster(box) : !is_all_on_road, !is_on_route};
+}
+
+bool PdmMap::isInIntersection(const Vector2& point) const {
+  return std::any_of(intersections_.begin(), intersections_.end(),
+                     [&](const Outline& outline) { return outline.holds(point); });
+}
+
+bool PdmMap::Outline::holds(const Vector2& point) const {
+  return bounds.contains(point) && contains(polygon, point);
+}
+
+PdmMap::Outline PdmMap::outlineOf(const std::vector<Vector2>& points, bool is_on_route) {
+  Outline outline{{points, {}}, {}, is_on_route};
+  for (const Vector2& point : points) outline.bounds.extend(point);
+  return outline;
+}
+
+bool PdmMap::isOffRaster(const OrientedBox& box) const {
+  const std::array<Vector2, 4> outline = corners(shrunk(box, drivable_margin_));
+  return !std::all_of(outline.begin(), outline.end(),
+                      [&](const Vector2& corner) { return drivable_->contains(corner); });
+}
+
+}  // namespace forge
