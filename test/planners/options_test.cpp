@@ -32,6 +32,10 @@ TEST(PlannerOptions, RuleBasedPlansFiveSecondsAhead) {
   EXPECT_NEAR(planners().rule_based.step * planners().rule_based.steps, 5.0, 1e-9);
 }
 
+TEST(PlannerOptions, RuleBasedMatchesLanesWithinTwentyDegrees) {
+  EXPECT_NEAR(planners().rule_based.on_lane_heading, 20.0 * M_PI / 180.0, 1e-6);
+}
+
 TEST(PlannerOptions, TunedRuleBasedDiffersInItsFourParametersAlone) {
   RuleBasedOptions published = planners().rule_based;
   const RuleBasedOptions& tuned = planners().tuned_rule_based;
@@ -40,7 +44,7 @@ TEST(PlannerOptions, TunedRuleBasedDiffersInItsFourParametersAlone) {
   EXPECT_LT(tuned.distance_weight, published.distance_weight);
   EXPECT_LT(tuned.distance_weight_rate, published.distance_weight_rate);
   EXPECT_EQ(tuned.step, published.step);
-  EXPECT_EQ(tuned.safety_buffer, published.safety_buffer);
+  EXPECT_EQ(tuned.length_buffer, published.length_buffer);
   EXPECT_EQ(tuned.speed_shares, published.speed_shares);
 }
 

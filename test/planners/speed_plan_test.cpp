@@ -2,39 +2,54 @@
 
 #include <gtest/gtest.h>
 
+#include "planners/planner_scenes.h"
+
 namespace forge {
 namespace {
 
+const RuleBasedOptions& options() { return shippedConfig().planners.rule_based; }
+
 TEST(SpeedPlan, SpreadsNumbersOverARange) {
   EXPECT_EQ(spread(1.0, 3.0, 5), (std::vector<double>{1.0, 1.5, 2.0, 2.5, 3.0}));
+  EXPECT_EQ(spread(3.0, 1.0, 3), (std::vector<double>{3.0, 2.0, 1.0}));
   EXPECT_EQ(spread(1.0, 3.0, 1), std::vector<double>{2.0});
-}
-
-TEST(SpeedPlan, HoldsTheMiddleSpeedUntilHalfOfTheTime) {
-  // Braking for 2 s, held for 0.5 s, accelerating for 1 s, held for 1.5 s.
-  const SpeedPlan plan = planThrough(10.0, 5.0, 7.5, 2.5, 0.5, 10);
-  EXPECT_EQ(plan.speeds,
-            (std::vector<double>{10.0, 8.75, 7.5, 6.25, 5.0, 5.0, 6.25, 7.5, 7.5, 7.5, 7.5}));
-  EXPECT_EQ(plan.accelerations,
-            (std::vector<double>{-2.5, -2.5, -2.5, -2.5, 0.0, 2.5, 2.5, 0.0, 0.0, 0.0, 0.0}));
-  EXPECT_NEAR(plan.distances[5], 15.0 + 2.5, 1e-12);
-  EXPECT_NEAR(plan.distances[10], 15.0 + 2.5 + 6.25 + 1.5 * 7.5, 1e-12);
-}
-
-TEST(SpeedPlan, StretchesMayEndBetweenSteps) {
-  const SpeedPlan plan = planThrough(10.0, 5.0, 5.0, 2.0, 0.2, 25);
-  EXPECT_NEAR(plan.speeds[12], 10.0 - 2.0 * 2.4, 1e-12);
-  EXPECT_NEAR(plan.speeds[13], 5.0, 1e-12);
-  EXPECT_NEAR(plan.distances[13], 7.5 * 2.5 + 5.0 * 0.1, 1e-12);
 }
 
 TEST(SpeedPlan, TakesOnATargetSpeedAndKeepsIt) {
   const SpeedPlan braking = planTowards(8.0, 4.0, 2.0, 1.0, 4);
   EXPECT_EQ(braking.speeds, (std::vector<double>{8.0, 6.0, 4.0, 4.0, 4.0}));
-  EXPECT_EQ(braking.distances, (std::vector<double>{0.0, 7.0, 12.0, 16.0, 20.0}));
-  EXPECT_EQ(braking.accelerations, (std::vector<double>{-2.0, -2.0, 0.0, 0.0, 0.0}));
-  EXPECT_EQ(planTowards(3.0, 5.0, 1.0, 1.0, 3).speeds, (std::vector<double>{3.0, 4.0, 5.0, 5.0}));
-  EXPECT_EQ(planTowards(3.0, 3.0, 1.0, 1.0, 2).distances, (std::vector<double>{0.0, 3.0, 6.0}));
+  EXPECT_EQ(braking.distances, (std::vector<double>{0.0, 6.0, 10.0, 14.0, 18.0}));
+  EXPECT_EQ(planTowards(3.0, 4.5, 1.0, 1.0, 3).speeds, (std::vector<double>{3.0, 4.0, 4.5, 4.5}));
+}
+
+TEST(SpeedPlan, ReversesWithNegativeSpeeds) {
+  const SpeedPlan plan = planTowards(-2.0, -1.0, 0.5, 1.0, 3);
+  EXPECT_EQ(plan.speeds, (std::vector<double>{-2.0, -1.5, -1.0, -1.0}));
+  EXPECT_EQ(plan.distances, (std::vector<double>{0.0, -1.5, -2.5, -3.5}));
+}
+
+TEST(SpeedProfiles, EveryEndFollowsEveryMiddle) {
+  const std::vector<SpeedProfile> profiles = speedProfiles(7.5, options());
+  ASSERT_EQ(profiles.size(), 25U);
+  // 12 steps of 0.2 s at 3 m/s2 change the speed by 7.2, 13 by 7.8.
+  EXPECT_NEAR(profiles.front().middle_speed, 0.3, 1e-12);
+  EXPECT_NEAR(profiles.front().end_speed, 0.0, 1e-12);
+  EXPECT_NEAR(profiles.back().middle_speed, 14.7, 1e-12);
+  EXPECT_NEAR(profiles.back().end_speed, 15.0, 1e-12);
+  EXPECT_EQ(profiles[3].middle_speed, profiles[4].middle_speed);
+  for (const SpeedProfile& profile : profiles) {
+    ASSERT_EQ(profile.plan.speeds.size(), 26U);
+    EXPECT_NEAR(profile.plan.speeds[12], profile.middle_speed, 1e-12);
+    EXPECT_NEAR(profile.plan.speeds[25], profile.end_speed, 1e-12);
+  }
+}
+
+TEST(SpeedProfiles, TooFastTargetsDescendToTheGreatestSpeed) {
+  const std::vector<SpeedProfile> profiles = speedProfiles(24.0, options());
+  EXPECT_NEAR(profiles.front().middle_speed, 24.0 - 7.2, 1e-12);
+  EXPECT_NEAR(profiles.back().middle_speed, 15.0, 1e-12);
+  // Braking as hard as it may it does not get there.
+  EXPECT_NEAR(profiles.back().plan.speeds[12], 24.0 - 7.2, 1e-12);
 }
 
 }  // namespace

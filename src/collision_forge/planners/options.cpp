@@ -8,8 +8,9 @@
 namespace forge {
 namespace {
 
-constexpr double kMaxTtc = 60.0;     // s
-constexpr double kMaxOffset = 10.0;  // m
+constexpr double kMaxTtc = 60.0;      // s
+constexpr double kMaxOffset = 10.0;   // m
+constexpr double kMinSpacing = 0.05;  // m
 constexpr double kMaxSpeedShare = 2.0;
 constexpr double kMaxSteering = 1.5;  // rad; short of a wheel across the car
 
@@ -42,15 +43,17 @@ void readRuleBased(Section section, PlannerOptions& planners) {
   options.end_speeds = section.count("end_speeds", 1);
   options.interaction_radius = section.nonNegative("interaction_radius");
   options.speed_shares = section.numbers("speed_shares", 0.0, kMaxSpeedShare);
-  options.acceleration_share = section.positive("acceleration_share");
+  options.acceleration_shares = section.positives("acceleration_shares");
   options.on_lane_distance = section.nonNegative("on_lane_distance");
   options.on_lane_heading = section.angle("on_lane_heading");
   options.max_paths = section.count("max_paths", 1);
+  options.length_buffer = section.nonNegative("length_buffer");
   options.bend_length = section.positive("bend_length");
-  options.sample_spacing = section.positive("sample_spacing");
-  options.circles = section.count("circles", 1);
-  options.safety_buffer = section.nonNegative("safety_buffer");
+  options.sample_spacing = section.atLeast("sample_spacing", kMinSpacing);
+  options.node_spacing = section.atLeast("node_spacing", kMinSpacing);
   options.max_probability = section.share("max_probability");
+  options.ego_way = section.choice<EgoWay>(
+      "ego_way", {{"first", EgoWay::kFirst}, {"along_route", EgoWay::kAlongRoute}});
   planners.rule_based = withParameters(options, section.section("published"));
   planners.tuned_rule_based = withParameters(options, section.section("tuned"));
   section.finish();

@@ -37,13 +37,12 @@ const Entry kEntries[] = {
      [](const PlannerOptions& options) { return options.planning.interval; }},
     {"rule_based",
      [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
-       return std::make_unique<RuleBasedPlanner>(options.rule_based, options.route_centerline);
+       return std::make_unique<RuleBasedPlanner>(options.rule_based);
      },
      [](const PlannerOptions& options) { return options.rule_based.step; }},
     {"rule_based_tuned",
      [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
-       return std::make_unique<RuleBasedPlanner>(options.tuned_rule_based,
-                                                 options.route_centerline);
+       return std::make_unique<RuleBasedPlanner>(options.tuned_rule_based);
      },
      [](const PlannerOptions& options) { return options.tuned_rule_based.step; }},
 };

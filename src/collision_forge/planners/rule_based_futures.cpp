@@ -2,77 +2,61 @@
 
 #include <algorithm>
 
-#include "collision_forge/planners/bent_path.h"
-#include "collision_forge/planners/speed_plan.h"
-
 namespace forge {
-namespace {
 
-constexpr double kStanding = 1e-3;  // m/s
-
-bool follow(const LaneIndex& lanes, std::size_t a, std::size_t b) {
-  const auto leadsTo = [&](std::size_t from, std::size_t to) {
-    const std::vector<std::size_t>& next = lanes.successors(from);
-    return std::find(next.begin(), next.end(), to) != next.end();
-  };
-  return leadsTo(a, b) || leadsTo(b, a);
-}
-
-/// The ways that an agent may drive, each starting beside it.
-std::vector<Polyline> waysAhead(const LaneIndex& lanes, const Pose2& agent, double distance,
-                                const RuleBasedOptions& options) {
-  std::vector<Polyline> ways;
-  for (const LaneMatch& match : drivenLanes(lanes, agent, options)) {
-    for (const LanePath& path : lanes.pathsAhead(match.lane, match.projection.arc_length, distance,
-                                                 static_cast<std::size_t>(options.max_paths))) {
-      ways.emplace_back(path.points);
+std::vector<SpeedPlan> expectedSpeeds(double speed, const RuleBasedOptions& options) {
+  std::vector<SpeedPlan> plans;
+  for (const double speed_share : options.speed_shares) {
+    for (const double acceleration_share : options.acceleration_shares) {
+      plans.push_back(planTowards(speed, speed_share * speed,
+                                  acceleration_share * options.max_acceleration, options.step,
+                                  options.steps));
     }
   }
-  if (ways.empty()) {
-    ways.push_back(Polyline({agent.position(), agent.position() + agent.heading()}));
-  }
-  return ways;
+  return plans;
 }
 
-}  // namespace
-
-std::vector<LaneMatch> drivenLanes(const LaneIndex& lanes, const Pose2& agent,
-                                   const RuleBasedOptions& options) {
-  std::vector<LaneMatch> driven;
-  for (const LaneMatch& match :
-       lanes.lanesNear(agent, options.on_lane_distance, options.on_lane_heading)) {
-    const bool is_known = std::any_of(driven.begin(), driven.end(), [&](const LaneMatch& nearer) {
-      return follow(lanes, nearer.lane, match.lane);
-    });
-    if (!is_known) driven.push_back(match);
+Reach reachOf(const std::vector<SpeedPlan>& plans) {
+  Reach reach;
+  for (const SpeedPlan& plan : plans) {
+    const auto [least, most] = std::minmax_element(plan.distances.begin(), plan.distances.end());
+    reach.ahead = std::max(reach.ahead, *most);
+    reach.behind = std::max(reach.behind, -*least);
   }
-  return driven;
+  return reach;
 }
 
-ExpectedAgent expectedAgent(const Track& agent, const LaneIndex& lanes,
-                            const RuleBasedOptions& options) {
-  const AgentState& now = agent.states.back();
-  ExpectedAgent expected{circlesOf(agent.size, options.circles), {}};
-  const double speed = std::max(now.velocity.dot(now.pose.heading()), 0.0);
-  if (speed < kStanding) {
-    expected.futures.emplace_back(static_cast<std::size_t>(options.steps) + 1,
-                                  placed(expected.chain, now.pose));
-    return expected;
-  }
-  const double distance = speed * options.step * options.steps;
-  for (const Polyline& way : waysAhead(lanes, now.pose, distance, options)) {
-    const BentPath path(way, 0.0, now.pose.position(), options.bend_length, options.sample_spacing);
-    for (const double share : options.speed_shares) {
-      const SpeedPlan plan =
-          planTowards(speed, share * speed, options.acceleration_share * options.max_acceleration,
-                      options.step, options.steps);
-      expected.futures.emplace_back();
-      for (const double driven : plan.distances) {
-        expected.futures.back().push_back(placed(expected.chain, path.at(driven)));
-      }
+std::vector<ExpectedBox> expectedBoxes(const DrivenBox& other,
+                                       const std::vector<LaneSpline>& splines,
+                                       const std::vector<SpeedPlan>& plans) {
+  const BoxCircles circles = circlesOf(other.size);
+  std::vector<ExpectedBox> boxes;
+  for (const LaneSpline& spline : splines) {
+    for (const SpeedPlan& plan : plans) {
+      boxes.push_back({circles, placesAlong(circles, spline, plan)});
     }
   }
-  return expected;
+  return boxes;
+}
+
+std::vector<ExpectedBox> expectedBoxes(const DrivenBox& other, const LaneGraph& graph,
+                                       const RuleBasedOptions& options) {
+  const std::vector<SpeedPlan> plans = expectedSpeeds(other.speed, options);
+  const std::vector<EdgeMatch> matches = matchedEdges(graph, other.pose, options);
+  return expectedBoxes(
+      other, laneSplinesOf(graph, matches, other.pose, other.speed, reachOf(plans), options),
+      plans);
+}
+
+std::vector<PlacedCircles> placesAlong(const BoxCircles& circles, const LaneSpline& spline,
+                                       const SpeedPlan& plan) {
+  std::vector<PlacedCircles> places;
+  places.reserve(plan.distances.size());
+  for (const double distance : plan.distances) {
+    const LaneSpline::Point point = spline.at(distance);
+    places.push_back(placed(circles, point.position, point.heading.normalized()));
+  }
+  return places;
 }
 
 }  // namespace forge

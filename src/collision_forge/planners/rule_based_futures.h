@@ -2,30 +2,44 @@
 
 #include <vector>
 
-#include "collision_forge/map/lane_queries.h"
-#include "collision_forge/planners/circle_chain.h"
+#include "collision_forge/planners/box_circles.h"
+#include "collision_forge/planners/lane_splines.h"
 #include "collision_forge/planners/rule_based_options.h"
-#include "collision_forge/scene/track.h"
+#include "collision_forge/planners/speed_plan.h"
 
 namespace forge {
 
-/// Somebody as the planner expects it.
-struct ExpectedAgent {
-  CircleChain chain;
-  /// Equally possible; each a place for every step, the first now.
-  std::vector<std::vector<PlacedChain>> futures;
+/// A box that drives: the ego, or somebody as the planner expects it.
+struct DrivenBox {
+  Pose2 pose;          ///< now, middle of the box
+  double speed = 0.0;  ///< m/s along the heading, negative backwards
+  BoxSize size;
 };
 
-/// The lanes that an agent may be driving on: those that LaneIndex::lanesNear() finds, and of lanes
-/// that follow each other the nearest alone.
-std::vector<LaneMatch> drivenLanes(const LaneIndex& lanes, const Pose2& agent,
-                                   const RuleBasedOptions& options);
+/// Somebody's box on one of its futures.
+struct ExpectedBox {
+  BoxCircles circles;
+  std::vector<PlacedCircles> places;  ///< one a step, the first now
+};
 
-/// What an agent may do from its newest state on: along every path ahead of every lane that it may
-/// be driving on, bent through it, or straight on along its heading where it is on none, at each of
-/// the shares of its speed, which it takes on by a share of the greatest acceleration. Who stands
-/// keeps standing.
-ExpectedAgent expectedAgent(const Track& agent, const LaneIndex& lanes,
-                            const RuleBasedOptions& options);
+/// The speeds that somebody else may take on: each of the shares of its speed by each of the shares
+/// of the greatest acceleration.
+std::vector<SpeedPlan> expectedSpeeds(double speed, const RuleBasedOptions& options);
+
+/// How far speed plans lead along a way.
+Reach reachOf(const std::vector<SpeedPlan>& plans);
+
+/// Where somebody else may be step by step: along each of its ways at each of the speeds.
+std::vector<ExpectedBox> expectedBoxes(const DrivenBox& other,
+                                       const std::vector<LaneSpline>& splines,
+                                       const std::vector<SpeedPlan>& plans);
+
+/// The same on a lane graph.
+std::vector<ExpectedBox> expectedBoxes(const DrivenBox& other, const LaneGraph& graph,
+                                       const RuleBasedOptions& options);
+
+/// The circles of a box that drives a way at the speeds of a plan, one a step.
+std::vector<PlacedCircles> placesAlong(const BoxCircles& circles, const LaneSpline& spline,
+                                       const SpeedPlan& plan);
 
 }  // namespace forge

@@ -4,6 +4,12 @@
 
 namespace forge {
 
+/// Which of its ways the ego drives.
+enum class EgoWay {
+  kFirst,       ///< of the nearest lane the first
+  kAlongRoute,  ///< the one that stays nearest to its route
+};
+
 /// config/planners.yaml, section rule_based, where each number's unit and source stand. The first
 /// four are those of its section published or tuned.
 struct RuleBasedOptions {
@@ -17,15 +23,16 @@ struct RuleBasedOptions {
   int end_speeds = 0;
   double interaction_radius = 0.0;
   std::vector<double> speed_shares;
-  double acceleration_share = 0.0;
+  std::vector<double> acceleration_shares;
   double on_lane_distance = 0.0;
   double on_lane_heading = 0.0;
   int max_paths = 0;
+  double length_buffer = 0.0;
   double bend_length = 0.0;
   double sample_spacing = 0.0;
-  int circles = 0;
-  double safety_buffer = 0.0;
+  double node_spacing = 0.0;
   double max_probability = 0.0;
+  EgoWay ego_way = EgoWay::kFirst;
 };
 
 }  // namespace forge

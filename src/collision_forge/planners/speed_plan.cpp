@@ -1,66 +1,55 @@
 #include "collision_forge/planners/speed_plan.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace forge {
 namespace {
 
-/// A stretch of constant acceleration.
-struct Stretch {
-  double duration = 0.0;
-  double acceleration = 0.0;
-};
-
-/// From a speed to another by `acceleration`, positive also for braking.
-Stretch towards(double speed, double target_speed, double acceleration) {
-  const double change = target_speed - speed;
-  return {std::abs(change) / acceleration, std::copysign(acceleration, change)};
+/// Drives on from the end of a plan.
+void append(SpeedPlan& plan, double target, double acceleration, double step, int steps) {
+  const double change = acceleration * step;
+  for (int i = 0; i < steps; ++i) {
+    const double now = plan.speeds.back();
+    plan.speeds.push_back(now + std::clamp(target - now, -change, change));
+    plan.distances.push_back(plan.distances.back() + step * plan.speeds.back());
+  }
 }
 
-/// Drives the stretches one after the other, then on at constant speed.
-SpeedPlan drive(double speed, const std::vector<Stretch>& stretches, double step, int steps) {
-  SpeedPlan plan;
-  for (int i = 0; i <= steps; ++i) {
-    double left = step * i;
-    double now = speed;
-    double distance = 0.0;
-    double acceleration = 0.0;
-    for (const Stretch& stretch : stretches) {
-      const double duration = std::min(left, stretch.duration);
-      distance += (now + 0.5 * stretch.acceleration * duration) * duration;
-      now += stretch.acceleration * duration;
-      left -= duration;
-      acceleration = duration < stretch.duration ? stretch.acceleration : 0.0;
-      if (duration < stretch.duration) break;
-    }
-    plan.distances.push_back(distance + now * std::max(left, 0.0));
-    plan.speeds.push_back(std::max(now, 0.0));
-    plan.accelerations.push_back(acceleration);
-  }
-  return plan;
+std::vector<double> targets(double speed, int count, int steps, const RuleBasedOptions& options) {
+  const double change = options.max_acceleration * options.step * steps;
+  return spread(std::max(speed - change, 0.0), std::min(speed + change, options.max_speed), count);
 }
 
 }  // namespace
 
-std::vector<double> spread(double low, double high, int count) {
-  if (count == 1) return {0.5 * (low + high)};
+std::vector<double> spread(double first, double last, int count) {
+  if (count == 1) return {0.5 * (first + last)};
   std::vector<double> values;
-  for (int i = 0; i < count; ++i) values.push_back(low + (high - low) * i / (count - 1));
+  for (int i = 0; i < count; ++i) values.push_back(first + (last - first) / (count - 1) * i);
+  values.back() = last;
   return values;
 }
 
-SpeedPlan planThrough(double speed, double middle_speed, double end_speed, double acceleration,
-                      double step, int steps) {
-  const Stretch first = towards(speed, middle_speed, acceleration);
-  const double held = std::max(0.5 * step * steps - first.duration, 0.0);
-  return drive(speed, {first, {held, 0.0}, towards(middle_speed, end_speed, acceleration)}, step,
-               steps);
+SpeedPlan planTowards(double speed, double target, double acceleration, double step, int steps) {
+  SpeedPlan plan{{speed}, {0.0}};
+  append(plan, target, acceleration, step, steps);
+  return plan;
 }
 
-SpeedPlan planTowards(double speed, double target_speed, double acceleration, double step,
-                      int steps) {
-  return drive(speed, {towards(speed, target_speed, acceleration)}, step, steps);
+std::vector<SpeedProfile> speedProfiles(double speed, const RuleBasedOptions& options) {
+  const int first_half = options.steps / 2;
+  const int second_half = options.steps - first_half;
+  std::vector<SpeedProfile> profiles;
+  for (const double middle : targets(speed, options.middle_speeds, first_half, options)) {
+    const SpeedPlan start =
+        planTowards(speed, middle, options.max_acceleration, options.step, first_half);
+    for (const double end :
+         targets(start.speeds.back(), options.end_speeds, second_half, options)) {
+      SpeedProfile& profile = profiles.emplace_back(SpeedProfile{middle, end, start});
+      append(profile.plan, end, options.max_acceleration, options.step, second_half);
+    }
+  }
+  return profiles;
 }
 
 }  // namespace forge

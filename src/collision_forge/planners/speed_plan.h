@@ -2,25 +2,35 @@
 
 #include <vector>
 
+#include "collision_forge/planners/rule_based_options.h"
+
 namespace forge {
 
-/// Speeds that change by constant accelerations: what the ego may do, or what it expects of others.
+/// Speeds step by step: what the ego may do, or what it expects of others. Negative ones drive
+/// backwards.
 struct SpeedPlan {
-  std::vector<double> distances;      ///< m driven after each step, the first after none
-  std::vector<double> speeds;         ///< m/s then
-  std::vector<double> accelerations;  ///< m/s2 from then on
+  std::vector<double> speeds;     ///< m/s after each step, the first after none
+  std::vector<double> distances;  ///< m driven then; a step counts with the speed at its end
 };
 
-/// `count` numbers evenly spread over a range, both ends included; its middle for one.
-std::vector<double> spread(double low, double high, int count);
+/// `count` numbers evenly spread from one to another, both included; the middle for one. The last
+/// may lie below the first.
+std::vector<double> spread(double first, double last, int count);
 
-/// From `speed` to `middle_speed`, which is held until half of `steps`, then to `end_speed`, which
-/// is held. Speeds change by `acceleration` (m/s2, positive also for braking).
-SpeedPlan planThrough(double speed, double middle_speed, double end_speed, double acceleration,
-                      double step, int steps);
+/// From `speed` to `target` by at most `acceleration` (m/s2, positive also for braking), then on.
+SpeedPlan planTowards(double speed, double target, double acceleration, double step, int steps);
 
-/// From `speed` to `target_speed` by `acceleration` (m/s2, positive also for braking), then on.
-SpeedPlan planTowards(double speed, double target_speed, double acceleration, double step,
-                      int steps);
+/// One that the ego chooses from: to a middle speed for the first half of the steps (the shorter
+/// one, where they are odd), then to an end speed.
+struct SpeedProfile {
+  double middle_speed = 0.0;  ///< m/s, aimed at
+  double end_speed = 0.0;     ///< m/s, aimed at
+  SpeedPlan plan;
+};
+
+/// For each middle speed each end speed, both from the lowest that can be reached to the highest
+/// that can be reached and is allowed. If the ego is so fast that even the lowest is not allowed,
+/// they descend from it to the highest allowed.
+std::vector<SpeedProfile> speedProfiles(double speed, const RuleBasedOptions& options);
 
 }  // namespace forge
