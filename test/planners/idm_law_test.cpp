@@ -34,5 +34,23 @@ TEST(IdmLaw, ALeadThatGetsAwayFastBrakesNobody) {
   EXPECT_DOUBLE_EQ(idmAcceleration(kIdm, 2.0, 30.0, 5.0), idmFreeAcceleration(kIdm, 2.0));
 }
 
+TEST(IdmLaw, ThePlainLawBrakesBehindSuchALead) {
+  const double desired = 4.0 - 2.0 * 28.0 / (2.0 * std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(plainIdmAcceleration(kIdm, 2.0, 30.0, 5.0),
+                   idmFreeAcceleration(kIdm, 2.0) - desired * desired / 25.0);
+}
+
+TEST(IdmLaw, NoGapIsLessThanTheLeastOne) {
+  EXPECT_EQ(nuplanIdmAcceleration(kIdm, 2.0, {-3.0, 1.0}),
+            plainIdmAcceleration(kIdm, 2.0, 1.0, kIdm.min_gap));
+}
+
+TEST(IdmLaw, AStepOfEulersKeepsToTheAccelerations) {
+  const IdmState braked = eulerStep(kIdm, {7.0, 5.0}, {1.0, 0.0}, 0.5);
+  EXPECT_DOUBLE_EQ(braked.progress, 9.5);
+  EXPECT_DOUBLE_EQ(braked.speed, 5.0 - 0.5 * kIdm.braking);
+  EXPECT_LT(eulerStep(kIdm, {0.0, 1.0}, {1.0, 0.0}, 0.5).speed, 0.0);
+}
+
 }  // namespace
 }  // namespace forge

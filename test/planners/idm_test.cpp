@@ -19,34 +19,68 @@ TrajectoryPoint egoAt(double speed) { return {kNow, {0.0, 0.0, 0.0}, speed, 0.0,
 const IdmOptions& standard() { return shippedConfig().planners.idm; }
 const PublishedIdmOptions& published() { return shippedConfig().planners.published_idm; }
 
+const RouteCenterlineOptions& routeOptions() { return shippedConfig().planners.route_centerline; }
+
 std::vector<TrajectoryPoint> planStandard(double speed, const std::vector<Track>& agents) {
-  IdmPlanner planner(standard());
+  IdmPlanner planner(standard(), routeOptions());
   planner.initialize(straightTask());
   return planner.plan({egoAt(speed), agents});
 }
 
+double standardAcceleration(double speed, double lead_speed, double gap) {
+  return plainIdmAcceleration(standard().law, speed, lead_speed, gap);
+}
+
 TEST(IdmPlanner, StartsAtTheEgoAndLastsTheHorizon) {
   const auto plan = planStandard(5.0, {});
-  ASSERT_EQ(plan.size(), 81u);
+  ASSERT_EQ(plan.size(), 17u);
   EXPECT_EQ(plan.front().time, kNow);
   EXPECT_NEAR(plan.back().time, kNow + standard().horizon, 1e-9);
 }
 
-TEST(IdmPlanner, AcceleratesOnAFreeRoadAsTheLawSays) {
-  // a (1 - (v/v0)^4) at 5 m/s of 10: 15/16 m/s2.
+TEST(IdmPlanner, OnAFreeRoadTheLastNodeButOneOfThePathLeads) {
+  // The lane has a node every 5 m and ends at 200 m.
   const auto plan = planStandard(5.0, {});
-  EXPECT_NEAR(plan[1].speed, 5.0 + 0.1 * 15.0 / 16.0, 1e-9);
-  EXPECT_NEAR(plan[1].pose.x, 0.5 + 0.5 * 0.01 * 15.0 / 16.0, 1e-9);
-  EXPECT_NEAR(planStandard(10.0, {}).back().speed, 10.0, 1e-9);
+  const double gap = 195.0 - 0.5 * kEgoSize.length;
+  EXPECT_NEAR(plan[1].pose.x, 0.5 * 5.0, 1e-9);
+  EXPECT_NEAR(plan[1].speed, 5.0 + 0.5 * standardAcceleration(5.0, 0.0, gap), 1e-9);
 }
 
-TEST(IdmPlanner, KeepsTheEquilibriumGap) {
-  // (s0 + v T) / sqrt(1 - (v/v0)^4) = 8.5 / sqrt(15/16) at 5 m/s.
-  const double gap = 8.5 / std::sqrt(15.0 / 16.0);
-  const double x = gap + 0.5 * (kEgoSize.length + kCarSize.length);
-  const auto plan = planStandard(5.0, {pastTrack("lead", kCarSize, {x, 0.0, 0.0}, 5.0)});
-  EXPECT_NEAR(plan.back().speed, 5.0, 1e-6);
-  EXPECT_NEAR(plan.back().pose.x, 5.0 * standard().horizon, 1e-5);
+TEST(IdmPlanner, StartsOnThePathBesideTheEgo) {
+  IdmPlanner planner(standard(), routeOptions());
+  planner.initialize(straightTask());
+  const auto plan = planner.plan({{kNow, {0.0, 0.5, 0.1}, 5.0, 0.0, 0.0}, {}});
+  EXPECT_NEAR(plan.front().pose.y, 0.0, 1e-9);
+  EXPECT_NEAR(plan.front().pose.yaw, 0.0, 1e-9);
+}
+
+TEST(IdmPlanner, ALeadStandsStillButItsSpeedCounts) {
+  const double x = 20.0 + 0.5 * (kEgoSize.length + kCarSize.length);
+  const auto plan = planStandard(5.0, {pastTrack("lead", kCarSize, {x, 0.0, 0.0}, 4.0)});
+  const double speed = 5.0 + 0.5 * standardAcceleration(5.0, 4.0, 20.0);
+  EXPECT_NEAR(plan[1].speed, speed, 1e-9);
+  EXPECT_NEAR(plan[2].speed, speed + 0.5 * standardAcceleration(speed, 4.0, 20.0 - 2.5), 1e-9);
+}
+
+TEST(IdmPlanner, AnObjectsSpeedDoesNotCount) {
+  const double x = 20.0 + 0.5 * (kEgoSize.length + kCarSize.length);
+  Track lead = pastTrack("lead", kCarSize, {x, 0.0, 0.0}, 4.0);
+  lead.agent_class = AgentClass::kStaticObject;
+  const auto plan = planStandard(5.0, {lead});
+  EXPECT_NEAR(plan[1].speed, 5.0 + 0.5 * standardAcceleration(5.0, 0.0, 20.0), 1e-9);
+}
+
+TEST(IdmPlanner, WhoeverTouchesTheEgoLeadsEvenFromBehind) {
+  const auto plan = planStandard(5.0, {pastTrack("behind", kCarSize, {-4.0, 0.0, 0.0}, 5.0)});
+  EXPECT_NEAR(plan[1].speed, 5.0 - 0.5 * standard().law.braking, 1e-9);
+}
+
+TEST(IdmPlanner, LooksAtNobodyBesideTheCorridorOrFarAway) {
+  const auto free = planStandard(5.0, {});
+  const auto plan = planStandard(5.0, {pastTrack("beside", kCarSize, {15.0, 3.5, 0.0}, 0.0),
+                                       pastTrack("behind", kCarSize, {-8.0, 0.0, 0.0}, 9.0),
+                                       pastTrack("far", kCarSize, {41.0, 0.0, 0.0}, 0.0)});
+  EXPECT_EQ(plan.back().pose.x, free.back().pose.x);
 }
 
 TEST(IdmPlanner, StopsBehindAStandingLead) {
@@ -63,28 +97,69 @@ TEST(IdmPlanner, NeverDrivesBackwards) {
   for (std::size_t i = 1; i < plan.size(); ++i) EXPECT_GE(plan[i].pose.x, plan[i - 1].pose.x);
 }
 
+TEST(IdmPlanner, AimsAtTheLimitOrAtItsOwnSpeedWhicheverIsHigher) {
+  const auto targetAt = [](double speed, std::optional<double> limit) {
+    auto map = twoLaneRoad();
+    for (Lane& lane : map->lanes) lane.speed_limit = limit;
+    DrivingTask task = straightTask();
+    task.lanes = std::make_shared<const LaneIndex>(map);
+    IdmPlanner planner(standard(), routeOptions());
+    planner.initialize(task);
+    planner.plan({egoAt(speed), {}});
+    return planner.targetSpeed();
+  };
+  EXPECT_EQ(targetAt(5.0, std::nullopt), standard().law.desired_speed);
+  EXPECT_EQ(targetAt(12.0, std::nullopt), 12.0);
+  EXPECT_EQ(targetAt(5.0, 8.0), 8.0);
+  EXPECT_EQ(targetAt(9.0, 8.0), 9.0);
+}
+
+TEST(IdmPlanner, OffTheLanesItFollowsItsRoute) {
+  DrivingTask task = straightTask();
+  task.route = {{0.0, 60.0}, {0.0, 160.0}};
+  IdmPlanner planner(standard(), routeOptions());
+  planner.initialize(task);
+  const auto plan = planner.plan({{kNow, {0.0, 60.0, M_PI_2}, 5.0, 0.0, 0.0}, {}});
+  EXPECT_NEAR(plan.back().pose.x, 0.0, 1e-9);
+  EXPECT_GT(plan.back().pose.y, 90.0);
+}
+
 TrajectoryPoint planPublished(double speed, const std::vector<Track>& agents) {
   PublishedIdmPlanner planner(published(), "attacker");
   planner.initialize(straightTask());
   return planner.plan({egoAt(speed), agents}).back();
 }
 
+/// The law over a step in ten thousand small ones, the lead standing still.
+double finelyIntegrated(double speed, double lead_speed, double distance) {
+  constexpr int kSteps = 10000;
+  const double step = published().step / kSteps;
+  for (int i = 0; i < kSteps; ++i) {
+    const double acceleration = plainIdmAcceleration(published().law, speed, lead_speed, distance);
+    distance -= speed * step;
+    speed += acceleration * step;
+  }
+  return speed;
+}
+
 TEST(PublishedIdmPlanner, TakesTheAttackerAtCentreDistanceWhereverItIs) {
-  // v = 4, lead 3 m/s, 10 m behind: s* = 2 + 6 + 4 / (2 sqrt 10), a = 5 (1 - 0.8^4 - (s*/10)^2).
-  const double desired = 8.0 + 4.0 / (2.0 * std::sqrt(10.0));
-  const double expected = 5.0 * (1.0 - std::pow(0.8, 4.0) - desired * desired / 100.0);
+  const double expected = finelyIntegrated(4.0, 3.0, 10.0);
   for (const double x : {10.0, -10.0}) {
     const auto point = planPublished(4.0, {pastTrack("attacker", kCarSize, {x, 0.0, 0.0}, 3.0)});
-    EXPECT_NEAR(point.acceleration, expected, 1e-9) << x;
-    EXPECT_NEAR(point.speed, 4.0 + 0.1 * expected, 1e-9) << x;
+    EXPECT_NEAR(point.speed, expected, 1e-3) << x;
+    EXPECT_NEAR(point.pose.x, published().step * point.speed, 1e-9) << x;
   }
+}
+
+TEST(PublishedIdmPlanner, StopsWhereTheIntegrationFails) {
+  EXPECT_EQ(publishedIdmSpeed(published(), 5.0, 5.0, 0.3), 0.0);
 }
 
 TEST(PublishedIdmPlanner, LooksAtNobodyElse) {
   const auto free = planPublished(4.0, {});
-  EXPECT_NEAR(free.acceleration, 5.0 * (1.0 - std::pow(0.8, 4.0)), 1e-9);
+  EXPECT_NEAR(free.speed, finelyIntegrated(4.0, 0.0, HUGE_VAL), 1e-3);
   const auto other = planPublished(4.0, {pastTrack("other", kCarSize, {10.0, 0.0, 0.0}, 0.0)});
-  EXPECT_EQ(other.acceleration, free.acceleration);
+  EXPECT_EQ(other.speed, free.speed);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ from road import DATAROOT, VERSION
 
 sys.path += [str(Path(__file__).resolve().parent.parent / room) for room in ('study', 'trials')]
 import collide_clips  # noqa: E402
-import published_idm_reference  # noqa: E402
+import published_idm_parity  # noqa: E402
 
 PNG = b'\x89PNG'
 ROOT = ('--dataroot', DATAROOT, '--version', VERSION)
@@ -230,17 +230,19 @@ class TestPlannersOnClipsTest(road.RoadTest):
                 self.assertEqual([entry['status'] for entry in results], ['OK', 'OK'])
                 self.assertTrue(all(entry['strict'] for entry in results))
 
-    def test_published_idm_agrees_with_another_implementation(self):
+    def test_hits_of_published_idm_are_compared_clip_by_clip(self):
         collide, out = self.path('collide'), self.path('out')
-        clips = collide / 'trajectory' / 'val'
-        collide_clips.write_random_clips(clips, 300, 'embedded-right', 3)
+        collide_clips.write_random_clips(collide / 'trajectory' / 'val', 20, 'embedded-right', 3)
         result = self.run_on(collide, out, '--planners', 'idm_published', '--jobs', 2)
         self.assertEqual(result.returncode, 0, result.stderr)
-        counts = published_idm_reference.rates(clips, out / 'results.csv')
-        number, here, there = counts['all']
-        self.assertGreater(here, 30)
-        self.assertLess(here, number - 30)
-        self.assertLessEqual(abs(here - there), published_idm_reference.ALLOWED * number)
+        with open(str(out / 'results.csv')) as file:
+            hits = {row['name']: int(row['published_hit']) for row in csv.DictReader(file) if row['published_hit']}
+        fixture = self.path('fixture.json')
+        for flipped, code in ((0, 0), (1, 1)):
+            cases = [{'in': name + '.csv', 'out': ['none', hit ^ (number < flipped)]}
+                     for number, (name, hit) in enumerate(sorted(hits.items()))]
+            fixture.write_text(json.dumps({'out_fields': ['end', 'hit'], 'cases': cases}))
+            self.assertEqual(published_idm_parity.main(out / 'results.csv', fixture), code)
 
 
 if __name__ == '__main__':

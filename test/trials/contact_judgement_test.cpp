@@ -9,12 +9,14 @@ namespace {
 
 const FaultOptions& options() { return shippedConfig().planners.rollout.fault; }
 
+constexpr double kAxleBehind = 1.385;  // m, from the middle of the ego's box
+
 ContactSide side(const Pose2& pose, double speed) {
   return {{pose, kEgoSize}, speed * pose.heading()};
 }
 
 ContactCause causeOf(const ContactSide& ego, const ContactSide& other) {
-  return forge::causeOf(ego, other, options());
+  return forge::causeOf(ego, kAxleBehind, other, options());
 }
 
 TEST(ContactJudgement, TellsCausesApart) {
@@ -26,6 +28,23 @@ TEST(ContactJudgement, TellsCausesApart) {
   EXPECT_EQ(causeOf(ego, side({-length, 0.0, 0.0}, 12.0)), ContactCause::kRear);
   EXPECT_EQ(causeOf(ego, side({length, 0.0, 0.0}, 4.0)), ContactCause::kFront);
   EXPECT_EQ(causeOf(ego, side({-1.0, kEgoSize.width, 0.0}, 8.0)), ContactCause::kLateral);
+}
+
+TEST(ContactJudgement, AnObjectStandsWhateverItsVelocitySays) {
+  ContactSide barrier = side({kEgoSize.length, 0.0, 0.0}, 4.0);
+  barrier.is_object = true;
+  EXPECT_EQ(causeOf(side({0.0, 0.0, 0.0}, 8.0), barrier), ContactCause::kStoppedOther);
+}
+
+TEST(ContactJudgement, BehindIsToldFromTheRearAxle) {
+  // The other's middle is 2 m behind the ego's and 1 m to its left: 153 degrees from the middle,
+  // but 122 from the rear axle.
+  const ContactSide ego = side({0.0, 0.0, 0.0}, 8.0);
+  const ContactSide other = side({-2.0, 1.0, 0.0}, 8.0);
+  EXPECT_NEAR(angleToOther(ego.box, 0.0, other.box), std::atan2(1.0, -2.0), 1e-12);
+  EXPECT_NEAR(angleToOther(ego.box, kAxleBehind, other.box), std::atan2(1.0, kAxleBehind - 2.0),
+              1e-12);
+  EXPECT_EQ(causeOf(ego, other), ContactCause::kLateral);
 }
 
 TEST(ContactJudgement, BlamesTheFrontAndWhoHitsOneThatStands) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
+#include <vector>
 
 #include "collision_forge/settings/config.h"
 #include "data/collide_fixture.h"
@@ -13,6 +15,12 @@ namespace {
 const PublishedIdmOptions& idm() {
   static const PublishedIdmOptions options =
       loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").planners.published_idm;
+  return options;
+}
+
+const PublishedOptions& protocol() {
+  static const PublishedOptions options =
+      loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").evaluation.published;
   return options;
 }
 
@@ -34,30 +42,61 @@ TEST(PublishedPlanner, TheDrivenEgoReplacesTheRecordedOneFromItsFirstPointOn) {
   EXPECT_THROW(withEgo(clip, {}), std::invalid_argument);
 }
 
-TEST(PublishedPlanner, IdmDrivesTheWholeClip) {
-  // Far from the attacker, from 10 m/s: a = 5 (1 - 2^4) brakes towards 5 m/s from frame 0 on.
+TEST(PublishedPlanner, TheDrivingAttackerReplacesTheRecordedOneAfterNow) {
   const CollideClip clip =
-      straightClip(CollisionType::kRearEnd, 0.0, 10, 10.0, {-1e6, 0.0, 0.0}, 10.0);
-  const CollideClip driven = withPublishedIdm(clip, idm(), 100.0);
-  EXPECT_EQ(egoIn(driven, 0).pose.x, egoIn(clip, 0).pose.x);
-  double x = egoIn(clip, 0).pose.x;
-  double speed = 10.0;
-  for (int step = 0; step < 5; ++step) {
-    const double next = std::max(0.0, speed + 0.1 * 5.0 * (1.0 - std::pow(speed / 5.0, 4.0)));
-    x += 0.05 * (speed + next);
-    speed = next;
-  }
-  EXPECT_NEAR(egoIn(driven, 1).pose.x, x, 1e-3);
-  EXPECT_LT(egoIn(driven, 10).pose.x, egoIn(clip, 10).pose.x - 10.0);
+      straightClip(CollisionType::kRearEnd, 0.0, 10, 5.0, {-20.0, 0.0, 0.0}, 5.0);
+  AttackerTrajectory trajectory{"attacker", AgentClass::kCar, {4.7, 2.0}, {}};
+  trajectory.points = {{clip.now(), {-20.0, 0.0, 0.0}, 8.0, 0.0, 0.0},
+                       {clip.now() + 1.5, {-8.0, 0.0, 0.0}, 8.0, 0.0, 0.0}};
+  const CollideClip driven = withAttacker(clip, trajectory);
+  EXPECT_EQ(driven.attacker().frames[7]->speed, 5.0);
+  EXPECT_NEAR(driven.attacker().frames[8]->pose.x, -16.0, 1e-6);
+  EXPECT_NEAR(driven.attacker().frames[8]->speed, 8.0, 1e-6);
+  EXPECT_EQ(egoIn(driven, 10).pose.x, egoIn(clip, 10).pose.x);
 }
 
-TEST(PublishedPlanner, IdmGoesStraightOnAfterItsRecordedPath) {
-  // The recorded ego creeps; IDM accelerates past the end of its path.
+std::vector<PublishedIdmStep> drivenIn(const CollideClip& clip) {
+  return publishedIdmDrive(clip, idm(), protocol());
+}
+
+TEST(PublishedPlanner, IdmDrivesEveryStepOfTheClip) {
   const CollideClip clip =
-      straightClip(CollisionType::kRearEnd, 0.0, 12, 0.2, {-1e6, 0.0, 0.0}, 10.0);
-  const CollideClip driven = withPublishedIdm(clip, idm(), 100.0);
-  EXPECT_GT(egoIn(driven, 12).pose.x, egoIn(clip, 12).pose.x + 10.0);
-  EXPECT_NEAR(egoIn(driven, 12).pose.y, 0.0, 1e-9);
+      straightClip(CollisionType::kRearEnd, 0.0, 10, 10.0, {-1e6, 0.0, 0.0}, 10.0);
+  const auto driven = drivenIn(clip);
+  ASSERT_EQ(driven.size(), 70u);  // ten intervals of five steps, twenty after
+  EXPECT_EQ(driven[0].pose.x, egoIn(clip, 0).pose.x);
+  EXPECT_EQ(driven[0].speed, 10.0);
+  // Far from the attacker: brakes towards the desired speed of 5 m/s.
+  EXPECT_LT(driven[1].speed, 10.0);
+  EXPECT_NEAR(driven[1].pose.x, driven[0].pose.x + 0.1 * driven[1].speed, 1e-9);
+  EXPECT_NEAR(driven.back().speed, 5.0, 0.01);
+}
+
+TEST(PublishedPlanner, TheLeadIsWhereItIsAtTheEndOfTheStep) {
+  // The attacker comes towards the ego at 10 m/s, a metre a step.
+  CollideClip clip =
+      straightClip(CollisionType::kOppositeDirection, 180.0, 10, 5.0, {12.0, 3.0, M_PI}, 10.0);
+  const double ego = egoIn(clip, 0).pose.x;
+  const double lead = clip.attacker().frames[0]->pose.x - 1.0;
+  EXPECT_NEAR(drivenIn(clip)[1].speed,
+              publishedIdmSpeed(idm(), 5.0, 10.0, std::hypot(lead - ego, 3.0)), 1e-9);
+}
+
+TEST(PublishedPlanner, AfterTheLastFrameTheLeadHasTheSpeedOfTheFrameBeforeIt) {
+  CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 8, 5.0, {20.0, 0.0, 0.0}, 5.0);
+  const auto driven = drivenIn(clip);
+  for (CollideTrack& track : clip.tracks) {
+    if (track.id == clip.attacker_id) track.frames.back()->speed = 0.0;
+  }
+  EXPECT_EQ(drivenIn(clip).back().speed, driven.back().speed);
+}
+
+TEST(PublishedPlanner, WhereTheRecordedEgoStandsTheDrivenOneStaysToo) {
+  const CollideClip clip =
+      straightClip(CollisionType::kRearEnd, 0.0, 10, 0.0, {-1e6, 0.0, 0.0}, 10.0);
+  const auto driven = drivenIn(clip);
+  EXPECT_EQ(driven.back().pose.x, egoIn(clip, 0).pose.x);
+  EXPECT_GT(driven.back().speed, 1.0);
 }
 
 }  // namespace

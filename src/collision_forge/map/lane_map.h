@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Lane {
   std::vector<Vector2> polygon;       ///< outline, open ring; may be empty
   std::vector<std::string> incoming;  ///< ids of lanes that lead here; all exist in the map
   std::vector<std::string> outgoing;  ///< ids of lanes that follow; all exist in the map
+  std::optional<double> speed_limit;  ///< m/s; empty where the map has none, as nuScenes' maps
 };
 
 /// The lanes, the drivable ground and the walkways of one place. Global map frame, metres.

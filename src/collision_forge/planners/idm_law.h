@@ -23,17 +23,51 @@ inline double idmFreeAcceleration(const IdmParameters& idm, double speed) {
   return idm.max_acceleration * (1.0 - std::pow(speed / idm.desired_speed, idm.exponent));
 }
 
-/// Acceleration behind a lead at `lead_speed` m/s (along the follower's way) and `gap` metres
-/// ahead, which must be positive: a (1 - (v/v0)^delta - (s*/gap)^2), s* = s0 + v T + v dv / (2
-/// sqrt(a b)), not below zero where the lead gets away fast.
+/// s* = s0 + v T + v dv / (2 sqrt(a b)), m; negative behind a lead that gets away very fast.
+inline double idmDesiredGap(const IdmParameters& idm, double speed, double lead_speed) {
+  return idm.min_gap + speed * idm.time_headway +
+         speed * (speed - lead_speed) / (2.0 * std::sqrt(idm.max_acceleration * idm.braking));
+}
+
+/// a (1 - (v/v0)^delta - (s*/gap)^2) behind a lead at `lead_speed` m/s (along the follower's way)
+/// and `gap` metres ahead, not 0. A negative s* brakes as a positive one does.
+inline double plainIdmAcceleration(const IdmParameters& idm, double speed, double lead_speed,
+                                   double gap) {
+  const double share = idmDesiredGap(idm, speed, lead_speed) / gap;
+  return idmFreeAcceleration(idm, speed) - idm.max_acceleration * share * share;
+}
+
+/// The same with s* not below zero: a lead that gets away fast brakes nobody. `gap` is positive.
 inline double idmAcceleration(const IdmParameters& idm, double speed, double lead_speed,
                               double gap) {
-  const double closing = speed - lead_speed;
-  const double desired_gap =
-      idm.min_gap + speed * idm.time_headway +
-      speed * closing / (2.0 * std::sqrt(idm.max_acceleration * idm.braking));
-  const double share = std::max(desired_gap, 0.0) / gap;
+  const double share = std::max(idmDesiredGap(idm, speed, lead_speed), 0.0) / gap;
   return idmFreeAcceleration(idm, speed) - idm.max_acceleration * share * share;
+}
+
+/// A lead, seen from the follower.
+struct IdmLead {
+  double gap = 0.0;    ///< m, bumper to bumper
+  double speed = 0.0;  ///< m/s along the follower's way
+};
+
+/// plainIdmAcceleration() as nuPlan uses it: no gap is less than the least one.
+inline double nuplanIdmAcceleration(const IdmParameters& idm, double speed, const IdmLead& lead) {
+  return plainIdmAcceleration(idm, speed, lead.speed, std::max(lead.gap, idm.min_gap));
+}
+
+/// A follower on its way.
+struct IdmState {
+  double progress = 0.0;  ///< m
+  double speed = 0.0;     ///< m/s
+};
+
+/// `duration` seconds later by one step of Euler's method: on at the speed of now, and the
+/// acceleration within [-b, a]. The speed may end below zero.
+inline IdmState eulerStep(const IdmParameters& idm, const IdmState& state, const IdmLead& lead,
+                          double duration) {
+  const double acceleration =
+      std::clamp(nuplanIdmAcceleration(idm, state.speed, lead), -idm.braking, idm.max_acceleration);
+  return {state.progress + state.speed * duration, state.speed + acceleration * duration};
 }
 
 }  // namespace forge

@@ -21,7 +21,7 @@ struct Entry {
 const Entry kEntries[] = {
     {"idm",
      [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
-       return std::make_unique<IdmPlanner>(options.idm);
+       return std::make_unique<IdmPlanner>(options.idm, options.route_centerline);
      },
      [](const PlannerOptions& options) { return options.planning.interval; }},
     {"idm_published",

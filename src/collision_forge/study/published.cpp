@@ -86,27 +86,51 @@ Event eventWith(bool is_attacker, const Pose2& other, const Pose2& ego, const Po
 
 }  // namespace
 
+std::vector<Pose2> publishedSteps(const std::vector<Pose2>& frames,
+                                  const PublishedOptions& options) {
+  std::vector<Pose2> steps;
+  for (const auto& step : stepsOf(Frames(frames.begin(), frames.end()), options)) {
+    steps.push_back(*step);
+  }
+  return steps;
+}
+
+std::vector<Pose2> egoFrames(const CollideClip& clip) {
+  std::vector<Pose2> frames;
+  for (const auto& state : clip.ego().frames) frames.push_back(state->pose);
+  return frames;
+}
+
 PublishedOutcome publishedOutcome(const CollideClip& clip, const std::vector<Pose2>& attacker,
                                   const PublishedOptions& options) {
+  return publishedOutcome(clip, attacker, publishedSteps(egoFrames(clip), options), options);
+}
+
+PublishedOutcome publishedOutcome(const CollideClip& clip, const std::vector<Pose2>& attacker,
+                                  const std::vector<Pose2>& ego, const PublishedOptions& options) {
   if (attacker.size() != clip.times.size()) {
     throw std::invalid_argument(clip.name + ": " + std::to_string(attacker.size()) +
                                 " poses of the attacker for " + std::to_string(clip.times.size()) +
                                 " frames");
   }
-  const Steps ego = stepsOf(framesOf(clip.ego()), options);
-  const Steps attacking = stepsOf(Frames(attacker.begin(), attacker.end()), options);
+  const std::vector<Pose2> attacking = publishedSteps(attacker, options);
+  if (ego.size() != attacking.size()) {
+    throw std::invalid_argument(clip.name + ": " + std::to_string(ego.size()) +
+                                " poses of the ego for " + std::to_string(attacking.size()) +
+                                " steps");
+  }
   const std::vector<Other> others = othersOf(clip, attacker, options);
   PublishedOutcome outcome;
   for (std::size_t step = 0; step < ego.size(); ++step) {
     for (const Other& other : others) {
       if (!other.steps[step]) continue;
-      outcome.event = eventWith(other.id == clip.attacker_id, *other.steps[step], *ego[step],
-                                *attacking[step], options);
+      outcome.event = eventWith(other.id == clip.attacker_id, *other.steps[step], ego[step],
+                                attacking[step], options);
       if (outcome.event == Event::kNone) continue;
       outcome.step = static_cast<int>(step);
       outcome.other_id = other.id;
       if (outcome.isHit()) {
-        outcome.relative_heading = std::abs(angleBetween(ego[step]->yaw, attacking[step]->yaw));
+        outcome.relative_heading = std::abs(angleBetween(ego[step].yaw, attacking[step].yaw));
         outcome.similar = std::abs(outcome.relative_heading - clip.angle) < options.similar_heading;
       }
       return outcome;

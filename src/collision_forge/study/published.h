@@ -46,4 +46,16 @@ struct PublishedOutcome {
 PublishedOutcome publishedOutcome(const CollideClip& clip, const std::vector<Pose2>& attacker,
                                   const PublishedOptions& options);
 
+/// The same with an ego that drives as given: `ego` is its pose at every step. Throws
+/// std::invalid_argument for another number of these, too.
+PublishedOutcome publishedOutcome(const CollideClip& clip, const std::vector<Pose2>& attacker,
+                                  const std::vector<Pose2>& ego, const PublishedOptions& options);
+
+/// The steps of rule 1 of somebody who is there in every frame.
+std::vector<Pose2> publishedSteps(const std::vector<Pose2>& frames,
+                                  const PublishedOptions& options);
+
+/// The ego's pose in every frame.
+std::vector<Pose2> egoFrames(const CollideClip& clip);
+
 }  // namespace forge

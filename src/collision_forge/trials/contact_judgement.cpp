@@ -44,20 +44,35 @@ std::optional<ContactCause> contactCauseFromString(const std::string& name) {
   return std::nullopt;
 }
 
-ContactCause causeOf(const ContactSide& ego, const ContactSide& other,
+double angleToOther(const OrientedBox& ego, double center_offset, const OrientedBox& other) {
+  const Pose2 axle = compose(ego.center, {-center_offset, 0.0, 0.0});
+  const Pose2 offset = relativeTo(axle, other.center);
+  return std::abs(std::atan2(offset.y, offset.x));
+}
+
+static bool stands(const ContactSide& side, const FaultOptions& options) {
+  constexpr double kRounding = 1e-15;  // m/s, of the norm of a velocity
+  return side.is_object || side.velocity.norm() <= options.standstill_speed + kRounding;
+}
+
+ContactCause causeOf(const ContactSide& ego, double center_offset, const ContactSide& other,
                      const FaultOptions& options) {
-  if (ego.velocity.norm() <= options.standstill_speed) return ContactCause::kStoppedEgo;
-  if (other.velocity.norm() <= options.standstill_speed) return ContactCause::kStoppedOther;
-  const Pose2 offset = relativeTo(ego.box.center, other.box.center);
-  if (std::abs(std::atan2(offset.y, offset.x)) > options.behind_angle) return ContactCause::kRear;
+  if (stands(ego, options)) return ContactCause::kStoppedEgo;
+  if (stands(other, options)) return ContactCause::kStoppedOther;
+  if (angleToOther(ego.box, center_offset, other.box) > options.behind_angle) {
+    return ContactCause::kRear;
+  }
   if (distance(frontEdge(ego.box), other.box) <= options.front_tolerance) {
     return ContactCause::kFront;
   }
   return ContactCause::kLateral;
 }
 
-bool isAtFault(ContactCause cause, const OrientedBox& ego, const LaneIndex& lanes,
-               const FaultOptions& options) {
+double impactSpeed(const ContactSide& ego, const ContactSide& other) {
+  return (other.velocity - ego.velocity).norm();
+}
+
+bool isAtFault(ContactCause cause, bool is_within_a_lane) {
   switch (cause) {
     case ContactCause::kStoppedEgo:
     case ContactCause::kRear:
@@ -68,8 +83,14 @@ bool isAtFault(ContactCause cause, const OrientedBox& ego, const LaneIndex& lane
     case ContactCause::kLateral:
       break;
   }
-  return isInSeveralLanes(ego, lanes, options.lane_radius) ||
-         lanes.offRoadShare(ego).value_or(0.0) > options.off_road_share;
+  return !is_within_a_lane;
+}
+
+bool isAtFault(ContactCause cause, const OrientedBox& ego, const LaneIndex& lanes,
+               const FaultOptions& options) {
+  if (cause != ContactCause::kLateral) return isAtFault(cause, true);
+  return isAtFault(cause, !isInSeveralLanes(ego, lanes, options.lane_radius) &&
+                              lanes.offRoadShare(ego).value_or(0.0) <= options.off_road_share);
 }
 
 bool isInSeveralLanes(const OrientedBox& box, const LaneIndex& lanes, double radius) {

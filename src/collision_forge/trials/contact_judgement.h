@@ -19,8 +19,8 @@ struct FaultOptions {
 /// How the ego came to touch somebody, as nuPlan tells collisions apart; the first that fits.
 enum class ContactCause {
   kStoppedEgo,    ///< the ego stands
-  kStoppedOther,  ///< the other stands
-  kRear,          ///< the other's middle is behind the ego
+  kStoppedOther,  ///< the other stands, or is an object
+  kRear,          ///< the other's middle is behind the ego's rear axle
   kFront,         ///< the ego's front edge touches
   kLateral,       ///< anything else
 };
@@ -31,12 +31,24 @@ std::optional<ContactCause> contactCauseFromString(const std::string& name);
 struct ContactSide {
   OrientedBox box;
   Vector2 velocity = Vector2::Zero();  ///< m/s, global map frame
+  bool is_object = false;              ///< that never moves, whatever its velocity says
 };
 
-ContactCause causeOf(const ContactSide& ego, const ContactSide& other, const FaultOptions& options);
+/// rad in [0, pi], from the ego's heading to the other's middle, seen from the ego's rear axle,
+/// `center_offset` metres behind the middle of its box.
+double angleToOther(const OrientedBox& ego, double center_offset, const OrientedBox& other);
+
+ContactCause causeOf(const ContactSide& ego, double center_offset, const ContactSide& other,
+                     const FaultOptions& options);
+
+/// m/s, norm of the relative velocity; each of two of the same mass is changed by half of it.
+double impactSpeed(const ContactSide& ego, const ContactSide& other);
 
 /// The ego is at fault when it touches one that stands or drives its front into one that does not
-/// come from behind; for a lateral contact when it is in several lanes or partly off the road.
+/// come from behind; for a lateral contact when it is not within one lane.
+bool isAtFault(ContactCause cause, bool is_within_a_lane);
+
+/// The same with an ego that is within a lane unless it is in several lanes or partly off the road.
 bool isAtFault(ContactCause cause, const OrientedBox& ego, const LaneIndex& lanes,
                const FaultOptions& options);
 

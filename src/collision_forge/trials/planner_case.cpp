@@ -5,6 +5,7 @@
 #include "collision_forge/data/collide_scene.h"
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/strict.h"
+#include "collision_forge/trials/published_planner.h"
 
 namespace forge {
 namespace {
@@ -81,6 +82,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                                          study.attack.prediction);
   one.status = answer.status;
   one.scenario.attacker = std::move(answer.trajectory);
+  if (one.status.code == StatusCode::kOk) one.clip = withAttacker(clip, one.scenario.attacker);
   one.pattern = answer.aim;
   return one;
 }

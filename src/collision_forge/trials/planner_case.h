@@ -22,7 +22,7 @@ struct PlannerCase {
   Status status;                    ///< why there is nothing to test on, where there is not
   CrashScenario scenario;           ///< with kOk only, but snapshot.now always
   CollisionPattern pattern;         ///< aimed at; with kOk only
-  std::optional<CollideClip> clip;  ///< that it is of
+  std::optional<CollideClip> clip;  ///< that it is of, its attacker as it drives here
 };
 
 /// A line of a scenario file over its scene. Declined answers keep their status; kNoScene where

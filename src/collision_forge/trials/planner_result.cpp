@@ -207,17 +207,18 @@ RolloutOutcome drive(const PlannerCase& one, const std::string& planner, Backgro
 std::optional<bool> isPublishedHit(const PlannerCase& one, const std::string& planner,
                                    Background background, const StudyOptions& study,
                                    const TrialOptions& trials) {
-  CollideClip driven;
+  const PublishedOptions& protocol = study.evaluation.published;
   if (planner == "idm_published") {
-    driven = withPublishedIdm(*one.clip, trials.published_idm, trials.planning.route.length_ahead);
-  } else {
-    const RolloutOutcome outcome = drive(one, planner, background, false, study, trials);
-    if (outcome.failure != PlannerFailure::kNone) return std::nullopt;
-    driven = withEgo(*one.clip, outcome.driven);
+    std::vector<Pose2> ego;
+    for (const auto& step : publishedIdmDrive(*one.clip, trials.published_idm, protocol)) {
+      ego.push_back(step.pose);
+    }
+    return publishedOutcome(*one.clip, recordedFrames(*one.clip), ego, protocol).isHit();
   }
-  return publishedOutcome(driven, framesOf(driven, one.scenario.attacker),
-                          study.evaluation.published)
-      .isHit();
+  const RolloutOutcome outcome = drive(one, planner, background, false, study, trials);
+  if (outcome.failure != PlannerFailure::kNone) return std::nullopt;
+  const CollideClip driven = withEgo(*one.clip, outcome.driven);
+  return publishedOutcome(driven, recordedFrames(driven), protocol).isHit();
 }
 
 /// What describes the case in a row of the CSV file.

@@ -25,7 +25,7 @@ struct PlannerRow {
   RolloutOutcome outcome;
   /// In a clip of COLLIDE: the published protocol sees the attacker hit the ego that the planner
   /// drives to the last frame, through whom it may touch: from now on, with idm_published as
-  /// withPublishedIdm() has it.
+  /// publishedIdmDrive() has it.
   std::optional<bool> published_hit;
 };
 

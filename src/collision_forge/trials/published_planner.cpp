@@ -1,39 +1,12 @@
 #include "collision_forge/trials/published_planner.h"
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "collision_forge/study/clip_attackers.h"
+#include "collision_forge/study/published.h"
+
 namespace forge {
-namespace {
-
-Track trackOf(const CollideClip& clip, const CollideTrack& recorded) {
-  Track track{recorded.id, AgentClass::kCar, {}, {}};
-  for (std::size_t frame = 0; frame < clip.times.size(); ++frame) {
-    const auto& state = recorded.frames[frame];
-    if (state) track.states.push_back({clip.times[frame], state->pose, Vector2::Zero()});
-  }
-  return track;
-}
-
-/// With the velocity over the interval that `time` lies in; the last interval's at its end.
-AgentState movingAt(const Track& track, double time) {
-  std::size_t next = 1;
-  while (next + 1 < track.states.size() && track.states[next].time <= time) ++next;
-  const AgentState& before = track.states[next - 1];
-  const AgentState& after = track.states[next];
-  AgentState state = stateAt(track, time, after.time - before.time).value_or(track.states.back());
-  state.velocity = (after.pose.position() - before.pose.position()) / (after.time - before.time);
-  return state;
-}
-
-std::vector<Vector2> wayOf(const Track& ego, double length_ahead) {
-  std::vector<Vector2> way;
-  for (const AgentState& state : ego.states) way.push_back(state.pose.position());
-  const Pose2& last = ego.states.back().pose;
-  way.push_back(last.position() + length_ahead * last.heading());
-  return way;
-}
-
-}  // namespace
 
 CollideClip withEgo(CollideClip clip, const std::vector<TrajectoryPoint>& driven) {
   if (driven.empty()) throw std::invalid_argument("the ego of " + clip.name + " has no motion");
@@ -52,20 +25,42 @@ CollideClip withEgo(CollideClip clip, const std::vector<TrajectoryPoint>& driven
   return clip;
 }
 
-CollideClip withPublishedIdm(const CollideClip& clip, const PublishedIdmOptions& options,
-                             double length_ahead) {
-  const Track ego = trackOf(clip, clip.ego());
-  const Track attacker = trackOf(clip, clip.attacker());
-  PublishedIdmPlanner planner(options, clip.attacker_id);
-  planner.initialize({nullptr, wayOf(ego, length_ahead), {}, 0.0});
-  const AgentState start = movingAt(ego, clip.times.front());
-  std::vector<TrajectoryPoint> driven = {{start.time, start.pose, start.velocity.norm(), 0.0, 0.0}};
-  while (driven.back().time < clip.times.back()) {
-    const double time = driven.back().time;
-    const Track seen{attacker.id, attacker.agent_class, attacker.size, {movingAt(attacker, time)}};
-    driven.push_back(planner.plan({driven.back(), {seen}}).back());
+CollideClip withAttacker(CollideClip clip, const AttackerTrajectory& trajectory) {
+  const std::vector<Pose2> poses = framesOf(clip, trajectory);
+  for (CollideTrack& track : clip.tracks) {
+    if (track.id != clip.attacker_id) continue;
+    for (std::size_t frame = kCollideNowFrame + 1; frame < poses.size(); ++frame) {
+      const Vector2 moved = poses[frame].position() - poses[frame - 1].position();
+      const double speed = moved.norm() / (clip.times[frame] - clip.times[frame - 1]);
+      track.frames[frame] = CollideState{poses[frame], speed};
+    }
   }
-  return withEgo(clip, driven);
+  return clip;
+}
+
+std::vector<PublishedIdmStep> publishedIdmDrive(const CollideClip& clip,
+                                                const PublishedIdmOptions& idm,
+                                                const PublishedOptions& protocol) {
+  const std::vector<Pose2> recorded = publishedSteps(egoFrames(clip), protocol);
+  const std::vector<Pose2> lead = publishedSteps(recordedFrames(clip), protocol);
+  const auto steps_per_frame = static_cast<std::size_t>(protocol.steps_per_interval);
+  std::vector<PublishedIdmStep> driven = {{recorded.front(), clip.ego().frames.front()->speed}};
+  for (std::size_t step = 1; step < recorded.size(); ++step) {
+    PublishedIdmStep next = driven.back();
+    const std::size_t frame = std::min(step / steps_per_frame, clip.times.size() - 2);
+    const double lead_speed = clip.attacker().frames[frame]->speed;
+    const double distance = (lead[step].position() - next.pose.position()).norm();
+    next.speed = publishedIdmSpeed(idm, next.speed, lead_speed, distance);
+    const Vector2 moved = recorded[step].position() - recorded[step - 1].position();
+    if (moved.norm() > 0.0) {
+      const Vector2 way = next.speed * idm.step * moved.normalized();
+      next.pose.x += way.x();
+      next.pose.y += way.y();
+    }
+    next.pose.yaw = recorded[step].yaw;
+    driven.push_back(next);
+  }
+  return driven;
 }
 
 }  // namespace forge

@@ -5,6 +5,7 @@
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/planners/idm.h"
 #include "collision_forge/scene/attack.h"
+#include "collision_forge/study/options.h"
 
 namespace forge {
 
@@ -14,11 +15,30 @@ namespace forge {
 /// last point keep its pose. Throws std::invalid_argument without points.
 CollideClip withEgo(CollideClip clip, const std::vector<TrajectoryPoint>& driven);
 
-/// The clip with the ego driven by PublishedIdmPlanner behind the set's attacker, as the published
-/// figures were measured: from frame 0 on, history included, along its recorded path and straight
-/// on for `length_ahead` metres after it, starting at the speed of the first interval. Positions
-/// are linear between frames.
-CollideClip withPublishedIdm(const CollideClip& clip, const PublishedIdmOptions& options,
-                             double length_ahead);
+/// The clip with its attacker driving as given in the frames after now; its speed there is that
+/// since the frame before.
+CollideClip withAttacker(CollideClip clip, const AttackerTrajectory& trajectory);
+
+/// One step of an ego that IDM drives.
+struct PublishedIdmStep {
+  Pose2 pose;
+  double speed = 0.0;  ///< m/s, over the step that ends here
+};
+
+/// The ego of a clip as the planner test of arXiv 2510.12206 drives it by IDM behind the clip's
+/// attacker, at every step of publishedOutcome():
+///
+/// 1. It starts in frame 0, at the recorded place and speed.
+/// 2. Each step it takes the speed of publishedIdmSpeed() behind where the attacker is at the end
+///    of the step, at the recorded speed (column V) of the frame at or before it, in the last frame
+///    and after it of the frame before. Distances are those of the middles.
+/// 3. It moves by that speed in the direction in which the recorded ego moves in the same step, and
+///    stays where that stands still. Its heading is the recorded one, held from frame to frame.
+///
+/// Who is missing in a frame is not there around it, while in the original its row of zeros is a
+/// place to drive to and from; it is not known to change a hit.
+std::vector<PublishedIdmStep> publishedIdmDrive(const CollideClip& clip,
+                                                const PublishedIdmOptions& idm,
+                                                const PublishedOptions& protocol);
 
 }  // namespace forge

@@ -272,7 +272,9 @@ class Run {
   void describeContact(const TrajectoryPoint& ego, const Track& other, const Pose2& other_pose) {
     const OrientedBox ego_box{ego.pose, scenario_.ego.size};
     const OrientedBox other_box{other_pose, other.size};
-    const Vector2 other_velocity = other.states.back().velocity;
+    const ContactSide ego_side{ego_box, velocityOf(ego)};
+    const ContactSide other_side{other_box, other.states.back().velocity,
+                                 other.agent_class == AgentClass::kStaticObject};
     PlannerContact contact;
     contact.other_id = other.id;
     contact.is_attacker = other.id == scenario_.attacker.attacker_id;
@@ -280,10 +282,9 @@ class Run {
     contact.relative_heading = angleBetween(ego.pose.yaw, other_pose.yaw);
     contact.ego_side = touchedSide(ego_box, other_box);
     contact.other_side = touchedSide(other_box, ego_box);
-    contact.impact_speed = (other_velocity - velocityOf(ego)).norm();
+    contact.impact_speed = impactSpeed(ego_side, other_side);
     contact.ego_speed = ego.speed;
-    contact.cause =
-        causeOf({ego_box, velocityOf(ego)}, {other_box, other_velocity}, options_.fault);
+    contact.cause = causeOf(ego_side, scenario_.ego.center_offset, other_side, options_.fault);
     contact.at_fault = isAtFault(contact.cause, ego_box, *scenario_.lanes, options_.fault);
     contact.type = typeOf({outcome_.driven.front().pose, startPoseOf(other), ego_box, other_box},
                           scenario_.type, setup_.types, scenario_.lanes->map().driving_side);
