@@ -3,6 +3,8 @@
 
 usage: count_tests.py BUILD_DIR CTEST_JUNIT_XML
 
+Cases that were skipped are named, with the reason that they give, and counted.
+
 catkin's tests have the JUnit file that they write on their command line: its cases are counted. A file that is
 missing, unreadable or empty counts as one failure, and so does a test that ctest calls failed although no case of
 its file did (a crash at exit, say). Any other test counts as one case. Exits 1 unless some passed and none failed.
@@ -32,6 +34,15 @@ def case_outcome(case):
     if case.find('failure') is not None or case.find('error') is not None:
         return 'failed'
     return 'skipped' if case.find('skipped') is not None or case.get('status') == 'notrun' else 'passed'
+
+
+def describe_skips(junit_file):
+    """A line for each case of the file that was skipped."""
+    for case in ElementTree.parse(junit_file).iter('testcase'):
+        skipped = case.find('skipped')
+        if skipped is not None:
+            reason = (skipped.get('message') or '').strip().split('\n')[-1]
+            yield 'skipped: {}.{}: {}'.format(case.get('classname'), case.get('name'), reason)
 
 
 def junit_outcomes(junit_file):
@@ -81,6 +92,8 @@ def main(build_dir, ctest_junit):
         count.update(outcomes)
         if 'failed' in outcomes:
             print('failed: {} ({} of {})'.format(name, outcomes.count('failed'), len(outcomes)))
+        if junit_file and 'skipped' in outcomes:
+            print('\n'.join(describe_skips(junit_file)))
     if count['skipped']:
         print('skipped: {}'.format(count['skipped']))
     print('{} passed, {} failed'.format(count['passed'], count['failed']))
