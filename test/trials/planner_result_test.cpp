@@ -66,6 +66,24 @@ TEST(PlannerResult, AnAttackerThatTouchesTheEgoAlreadyIsUnfit) {
   EXPECT_NE(result.message.find("touches the ego"), std::string::npos);
 }
 
+TEST(PlannerResult, OfAnUnfitClipThePublishedHitOfThePublishedIdmIsKnown) {
+  PlannerCase one = rearEnd();
+  one.scenario.attacker.points.front().pose = {-3.0, 0.0, 0.0};
+  one.clip = straightClip(CollisionType::kRearEnd, 0.0, 12, 8.0, {-3.0, 0.0, 0.0}, 8.0);
+  const PlannerTestResult result =
+      testPlanners(one, {"idm", "idm_published"}, Background::kReplay, config(), config().planners);
+  EXPECT_EQ(result.status, "UNFIT");
+  ASSERT_EQ(result.rows.size(), 1u);
+  EXPECT_EQ(result.rows[0].planner, "idm_published");
+  EXPECT_EQ(result.rows[0].published_hit, std::optional<bool>(true));
+  const auto csv = plannerResultCsvRows(result);
+  ASSERT_EQ(csv.size(), 1u);
+  const std::string header = plannerResultCsvHeader();
+  EXPECT_EQ(std::count(csv[0].begin(), csv[0].end(), ','),
+            std::count(header.begin(), header.end(), ','));
+  EXPECT_EQ(csv[0].back(), '1');
+}
+
 TEST(PlannerResult, ALineReadsBackAsTheSameLine) {
   PlannerTestResult result = tested();
   result.rows[1].outcome.failure = PlannerFailure::kNotFinite;

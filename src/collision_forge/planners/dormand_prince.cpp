@@ -36,7 +36,8 @@ double rootMeanSquare(const State& state) { return state.norm() / std::sqrt(stat
 
 /// What an error is measured by: tolerances at the greater of two states.
 State scaleOf(const State& a, const State& b, const IntegrationTolerance& tolerance) {
-  return (tolerance.absolute + tolerance.relative * a.cwiseAbs().cwiseMax(b.cwiseAbs()).array())
+  return (tolerance.absolute_tolerance +
+          tolerance.relative_tolerance * a.cwiseAbs().cwiseMax(b.cwiseAbs()).array())
       .matrix();
 }
 

@@ -204,8 +204,8 @@ static void readOptions(Section& section, IdmOptions& options) {
 static void readOptions(Section& section, PublishedIdmOptions& options) {
   options.law = readIdmLaw(section);
   options.step = section.atLeast("step", kMinTimeStep);
-  options.tolerance.relative = section.positive("relative_tolerance");
-  options.tolerance.absolute = section.positive("absolute_tolerance");
+  options.tolerance.relative_tolerance = section.positive("relative_tolerance");
+  options.tolerance.absolute_tolerance = section.positive("absolute_tolerance");
 }
 
 static void readOptions(Section& section, ExternalOptions& options) {

@@ -20,6 +20,7 @@ struct RolloutMeasure {
   Measure measure;
   TableUnit unit;
   ValueOf value;
+  bool counts_unfit = false;  ///< rows of unfit clips are trials, too
 };
 
 bool hasFailed(const RolloutOutcome& outcome) { return outcome.failure != PlannerFailure::kNone; }
@@ -93,7 +94,8 @@ std::vector<RolloutMeasure> rolloutMeasures() {
        shareOf(isStrictAvoidable, collides)},
       {{"published_hit", "Collisions with the attacker by the published protocol", {}, false},
        kShare,
-       publishedHit},
+       publishedHit,
+       true},
       {{"at_fault", "First contacts, with anybody, that the planner is to blame for", {}, false},
        kShare,
        shareOf(isAny, [](const RolloutOutcome& o) { return o.contact && o.contact->at_fault; })},
@@ -156,7 +158,7 @@ PlannerTable rolloutTable(const RolloutMeasure& measure,
       trials.emplace_back(sources.size() > 1 ? planner + " / " + source : planner,
                           std::vector<Trial>());
       for (const PlannerTestResult& result : results) {
-        if (!result.isTested() || result.source != source) continue;
+        if (!(result.isTested() || measure.counts_unfit) || result.source != source) continue;
         for (const PlannerRow& row : result.rows) {
           if (row.planner != planner) continue;
           const auto value = measure.value(result, row);

@@ -15,6 +15,7 @@ namespace {
 
 constexpr const char* kFormat = "collision_forge/planner_test";
 constexpr int kVersion = 1;
+constexpr const char* kPublishedIdm = "idm_published";
 
 /// To the microsecond, the clock's resolution.
 double fromNow(double time, double now) { return std::round((time - now) * 1e6) / 1e6; }
@@ -203,22 +204,25 @@ RolloutOutcome drive(const PlannerCase& one, const std::string& planner, Backgro
                  {trials, study.attack, study.crash.types, background, ends_at_contact});
 }
 
+bool isPublishedIdmHit(const CollideClip& clip, const StudyOptions& study,
+                       const TrialOptions& trials) {
+  const PublishedOptions& protocol = study.evaluation.published;
+  std::vector<Pose2> ego;
+  for (const auto& step : publishedIdmDrive(clip, trials.published_idm, protocol)) {
+    ego.push_back(step.pose);
+  }
+  return publishedOutcome(clip, recordedFrames(clip), ego, protocol).isHit();
+}
+
 /// Empty where a failure ends the drive that goes on after a contact.
 std::optional<bool> isPublishedHit(const PlannerCase& one, const std::string& planner,
                                    Background background, const StudyOptions& study,
                                    const TrialOptions& trials) {
-  const PublishedOptions& protocol = study.evaluation.published;
-  if (planner == "idm_published") {
-    std::vector<Pose2> ego;
-    for (const auto& step : publishedIdmDrive(*one.clip, trials.published_idm, protocol)) {
-      ego.push_back(step.pose);
-    }
-    return publishedOutcome(*one.clip, recordedFrames(*one.clip), ego, protocol).isHit();
-  }
+  if (planner == kPublishedIdm) return isPublishedIdmHit(*one.clip, study, trials);
   const RolloutOutcome outcome = drive(one, planner, background, false, study, trials);
   if (outcome.failure != PlannerFailure::kNone) return std::nullopt;
   const CollideClip driven = withEgo(*one.clip, outcome.driven);
-  return publishedOutcome(driven, recordedFrames(driven), protocol).isHit();
+  return publishedOutcome(driven, recordedFrames(driven), study.evaluation.published).isHit();
 }
 
 /// What describes the case in a row of the CSV file.
@@ -240,6 +244,22 @@ std::string csvContact(const std::optional<PlannerContact>& contact, double now)
                 contact->ego_speed);
   return contact->other_id + ',' + (contact->is_attacker ? "1," : "0,") + numbers + ',' +
          toString(contact->cause) + ',' + (contact->at_fault ? "1" : "0");
+}
+
+std::string csvHit(const std::optional<bool>& hit) { return hit ? (*hit ? "1" : "0") : ""; }
+
+/// One without a planner where there is none.
+std::vector<std::string> untestedCsvRows(const std::string& start,
+                                         const std::vector<PlannerRow>& rows) {
+  constexpr std::size_t kBefore = 5;  // columns up to the planner's
+  constexpr std::size_t kAfter = 19;
+  if (rows.empty()) return {start + std::string(kBefore + kAfter, ',')};
+  std::vector<std::string> lines;
+  for (const PlannerRow& row : rows) {
+    lines.push_back(start + std::string(kBefore, ',') + row.planner + std::string(kAfter, ',') +
+                    csvHit(row.published_hit));
+  }
+  return lines;
 }
 
 }  // namespace
@@ -265,7 +285,7 @@ PlannerTestResult judgeCase(const PlannerCase& one, const StudyOptions& study,
   try {
     checkScenario(one.scenario);
   } catch (const std::invalid_argument& error) {
-    return untested(one, "UNFIT", error.what());
+    return untested(one, kUnfit, error.what());
   }
   const CrashScenario& scenario = one.scenario;
   result.is_strict =
@@ -293,6 +313,11 @@ PlannerTestResult testPlanners(const PlannerCase& one, const std::vector<std::st
                                Background background, const StudyOptions& study,
                                const TrialOptions& trials) {
   PlannerTestResult result = judgeCase(one, study, trials);
+  for (const std::string& name : planners) {
+    if (result.status == kUnfit && one.clip && name == kPublishedIdm) {
+      result.rows.push_back({name, {}, isPublishedIdmHit(*one.clip, study, trials)});
+    }
+  }
   if (!result.isTested()) return result;
   for (const std::string& name : planners) {
     result.rows.push_back(testPlanner(one, name, background, study, trials));
@@ -348,7 +373,7 @@ std::string plannerResultCsvHeader() {
 
 std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
   std::string start = csvStart(result);
-  if (!result.isTested()) return {start + std::string(24, ',')};
+  if (!result.isTested()) return untestedCsvRows(start, result.rows);
   const AvoidabilitySummary& avoidability = result.avoidability;
   start += result.is_strict ? ",1" : ",0";
   if (avoidability.is_avoidable) {
@@ -368,7 +393,7 @@ std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
                   outcome.progress, outcome.recorded_progress);
     rows.push_back(start + ',' + row.planner + ',' + toString(outcome.failure) + ',' +
                    csvContact(outcome.contact, result.now) + ',' + numbers + ',' +
-                   (row.published_hit ? (*row.published_hit ? "1" : "0") : ""));
+                   csvHit(row.published_hit));
   }
   return rows;
 }

@@ -32,6 +32,9 @@ struct PlannerRow {
 /// Status of a case that cannot be read: its name alone is known.
 inline constexpr const char* kUnreadable = "UNREADABLE";
 
+/// Status of a case that nobody can be driven through.
+inline constexpr const char* kUnfit = "UNFIT";
+
 /// All planners in one case.
 struct PlannerTestResult {
   std::string name;
@@ -40,10 +43,12 @@ struct PlannerTestResult {
   CollisionType type = CollisionType::kRearEnd;
   double tta = 0.0;
   double now = 0.0;        ///< s, the scene's clock
-  std::string status;      ///< "OK", a StatusCode, kUnreadable or "UNFIT": nothing to test on
+  std::string status;      ///< "OK", a StatusCode, kUnreadable or kUnfit: nothing to test on
   std::string message;     ///< for people; empty with OK
   bool is_strict = false;  ///< with OK: all conditions of the strict protocol against the recording
   AvoidabilitySummary avoidability;  ///< these two with OK
+  /// With OK a row a planner. Of an unfit clip idm_published alone, with `published_hit` alone:
+  /// that test drives the clip from its first frame.
   std::vector<PlannerRow> rows;
 
   bool isTested() const { return status == "OK"; }
@@ -55,7 +60,7 @@ PlannerTestResult untested(const PlannerCase& one, const std::string& status,
                            const std::string& message);
 
 /// Tells what a case is without a planner: its status and, with OK, whether it is strict and
-/// avoidable. A case that checkScenario() refuses is "UNFIT".
+/// avoidable. A case that checkScenario() refuses is kUnfit.
 PlannerTestResult judgeCase(const PlannerCase& one, const StudyOptions& study,
                             const TrialOptions& trials);
 
@@ -64,7 +69,8 @@ PlannerTestResult judgeCase(const PlannerCase& one, const StudyOptions& study,
 PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Background background,
                        const StudyOptions& study, const TrialOptions& trials);
 
-/// Drives every planner through the case as judgeCase() finds it. Throws as testPlanner().
+/// Drives every planner through the case as judgeCase() finds it; rows as PlannerTestResult has
+/// them. Throws as testPlanner().
 PlannerTestResult testPlanners(const PlannerCase& one, const std::vector<std::string>& planners,
                                Background background, const StudyOptions& study,
                                const TrialOptions& trials);
