@@ -20,7 +20,7 @@ from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
 ROOT = ('--dataroot', DATAROOT, '--version', VERSION)
-PLANNERS = ['idm', 'rule_based', 'pdm']
+PLANNERS = ['idm', 'rule_based', 'pdm', 'torchscript']
 GOOD_TICKS = 5  # of odd_planner.py
 SILENCE = 3.0  # s after which an external planner counts as silent; the good ticks take milliseconds
 CODES = {value: name for name, value in vars(TestPlannerResponse).items() if name.isupper() and isinstance(value, int)}

@@ -198,6 +198,30 @@ class TestPlannersTest(road.RoadTest):
         x, y, yaw = recording.tracks['ego'][frame]
         return {'x': x, 'y': y, 'yaw': yaw}
 
+    def test_the_learned_planner_drives_beside_another(self):
+        out, again = self.path('out'), self.path('again')
+        for folder, jobs in ((out, 1), (again, 2)):
+            result = self.run_on(self.scenarios, folder, '--planners', 'torchscript', '--worst', 0, '--jobs', jobs)
+            self.assertEqual(result.returncode, 0, result.stderr)
+        rows = [row for result in lines_of(out) for row in result['planners'] if row['planner'] == 'torchscript']
+        self.assertGreater(len(rows), 3)
+        self.assertLessEqual({row['failure'] for row in rows}, {'none', 'off_map'})
+        self.assertEqual((out / 'results.jsonl').read_bytes(), (again / 'results.jsonl').read_bytes())
+        other = self.path('other.pt')
+        other.write_bytes((road.PACKAGE_FOLDER / 'data' / 'weights' / 'planner.pt').read_bytes() + b' ')
+        result = self.run_on(self.scenarios, out, '--planners', 'torchscript', '--planner-file', other)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('planner_file', result.stderr)
+
+    def test_a_bad_learned_planner_is_refused_before_the_work(self):
+        bad, out = self.path('bad.pt'), self.path('out')
+        bad.write_text('no planner')
+        for file, words in ((bad, 'is no TorchScript file'), (self.path('nothing.pt'), 'cannot be read')):
+            result = self.run_on(self.scenarios, out, '--planners', 'torchscript', '--planner-file', file)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn('{}: {}'.format(file, words), result.stderr)
+            self.assertFalse(out.exists())
+
     def test_wrong_command_lines(self):
         out = self.path('out')
         self.assertEqual(self.run_on(self.scenarios, out, '--planners', 'magic').returncode, 2)

@@ -15,6 +15,7 @@ TEST(FingerprintsOf, NameEveryYamlFileThatResultsDependOn) {
   folder.write("a.yaml", "foobar");
   folder.write("drawing.yaml", "a");
   folder.write("training.yaml", "a");
+  folder.write("planner_training.yaml", "a");
   folder.write("tuning.yaml", "a");
   folder.write("notes.txt", "a");
   EXPECT_EQ(fingerprintsOf({}, folder.path()),

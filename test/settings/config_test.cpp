@@ -109,10 +109,11 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
 
 TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
   for (const char* file :
-       {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml", "crash_definition.yaml",
-        "prediction.yaml", "search.yaml", "verification.yaml", "encoding.yaml", "conversion.yaml",
-        "drawing.yaml", "requests.yaml", "evaluation.yaml", "dataset.yaml", "ego_futures.yaml",
-        "methods.yaml", "speed_model_fit.yaml", "models.yaml", "training.yaml", "planners.yaml"}) {
+       {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml",        "crash_definition.yaml",
+        "prediction.yaml",     "search.yaml",      "verification.yaml",     "encoding.yaml",
+        "conversion.yaml",     "drawing.yaml",     "requests.yaml",         "evaluation.yaml",
+        "dataset.yaml",        "ego_futures.yaml", "methods.yaml",          "speed_model_fit.yaml",
+        "models.yaml",         "training.yaml",    "planner_training.yaml", "planners.yaml"}) {
     expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
   }
 }
@@ -134,6 +135,8 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
                   "pattern_network:", "other:", {"models.pattern_network", "missing"});
   expectComplaint("training.yaml", "  max_ways:", "#", {"features.max_ways", "missing"});
   expectComplaint("training.yaml", "  hidden:", "#", {"network.hidden", "missing"});
+  expectComplaint("planner_training.yaml", "terms:", "#", {"planner_training.terms", "missing"});
+  expectComplaint("planners.yaml", "start_timeout:", "#", {"torchscript.start_timeout", "missing"});
   expectComplaint("conversion.yaml", "map_radius:", "#", {"conversion.map_radius", "missing"});
   expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
   expectComplaint("requests.yaml", "stride:", "#", {"requests.stride", "missing"});

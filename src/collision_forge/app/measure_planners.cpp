@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <iostream>
 
@@ -17,6 +18,7 @@ struct Arguments {
   std::string version;
   std::vector<std::string> scenes;
   std::vector<std::string> planners = plannerNames();
+  std::string planner_file;
   std::string config;
 };
 
@@ -38,6 +40,11 @@ Observation observationAt(const Scene& scene, double now, int frames) {
   return observation;
 }
 
+/// s, here and in other processes of the planner.
+double processorTime(const Planner& planner) {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC + planner.otherProcessorTime();
+}
+
 void measureScene(const IndexedScene& indexed, const Config& config, Measurement& measurement) {
   const Scene& scene = indexed.scene;
   const PlannerOptions& options = config.planners;
@@ -47,10 +54,10 @@ void measureScene(const IndexedScene& indexed, const Config& config, Measurement
   for (const double now : scene.frame_times) {
     const Observation observation =
         observationAt(scene, now, config.attack.prediction.history_frames);
-    const std::clock_t start = std::clock();
+    const double start = processorTime(*planner);
     planner->plan(observation);
-    measurement.milliseconds.push_back(1e3 * static_cast<double>(std::clock() - start) /
-                                       CLOCKS_PER_SEC);
+    const double microseconds = std::round(1e6 * (processorTime(*planner) - start));
+    measurement.milliseconds.push_back(1e-3 * microseconds);
     measurement.agents.push_back(static_cast<double>(observation.agents.size()));
   }
 }
@@ -70,7 +77,8 @@ void print(Measurement& measurement) {
 }
 
 int measure(const Arguments& arguments) {
-  const Config config = loadConfig(arguments.config);
+  Config config = loadConfig(arguments.config);
+  usePlannerFile(arguments.planner_file, arguments.planners, config.planners);
   SceneSource scenes(arguments.dataroot, arguments.version, arguments.scenes, config, 1);
   const std::vector<std::string> names = scenes.names();
   std::vector<Measurement> measurements;
@@ -100,6 +108,7 @@ void addMeasurePlanners(CommandLine& line) {
       ->delimiter(',')
       ->check(CLI::IsMember(plannerNames()))
       ->capture_default_str();
+  addPlannerFile(app, arguments->planner_file);
   addConfig(app, arguments->config);
 }
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/settings/config_fingerprint.h"
 
 #ifndef COLLISION_FORGE_WITHOUT_ROS
@@ -91,6 +92,26 @@ void addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text) {
 void addMode(CLI::App& app, Mode& mode) {
   addChoice<Mode>(app, "--mode", mode, {{"history", Mode::kHistory}, {"replay", Mode::kReplay}},
                   "history: use only what was seen up to now; replay: use the recorded future");
+}
+
+void addPlannerFile(CLI::App& app, std::string& file) {
+  app.add_option("--planner-file", file,
+                 "TorchScript file of the planner torchscript (default: that of planners.yaml)");
+}
+
+void usePlannerFile(const std::string& file, const std::vector<std::string>& planners,
+                    PlannerOptions& options) {
+  if (!file.empty()) options.torchscript.file = file;
+  for (const std::string& name : planners) {
+    if (name == kTorchscript) makePlanner(name, options, "");
+  }
+}
+
+void addPlannerFingerprint(ResumableFile::Options& options,
+                           const std::vector<std::string>& planners,
+                           const PlannerOptions& settings) {
+  if (std::find(planners.begin(), planners.end(), kTorchscript) == planners.end()) return;
+  options["planner_file"] = fingerprintOfFile(settings.torchscript.file);
 }
 
 void addBackground(CLI::App& app, Background& background) {

@@ -64,6 +64,16 @@ void addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text);
 void addMode(CLI::App& app, Mode& mode);
 /// --method of attack; empty: the suite's own.
 CLI::Option* addMethod(CLI::App& app, std::string& method);
+/// --planner-file: a learned planner in place of the one that the configuration names.
+void addPlannerFile(CLI::App& app, std::string& file);
+/// Puts the file of --planner-file, if one is given, into the options. Where one of the planners is
+/// learned, its file is tried: throws PlannerFileError before the work begins.
+void usePlannerFile(const std::string& file, const std::vector<std::string>& planners,
+                    PlannerOptions& options);
+/// What results of these planners depend on besides the configuration: the learned one's file.
+void addPlannerFingerprint(ResumableFile::Options& options,
+                           const std::vector<std::string>& planners,
+                           const PlannerOptions& settings);
 /// --background of tests of planners, replay or idm.
 void addBackground(CLI::App& app, Background& background);
 

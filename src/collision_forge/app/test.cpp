@@ -35,6 +35,7 @@ struct Arguments {
   ClipAttacker attacker = ClipAttacker::kRecorded;
   std::size_t limit = 0;
   std::vector<std::string> planners = {"idm", "rule_based", "pdm"};
+  std::string planner_file;
   Background background = Background::kReplay;
   std::size_t worst = 3;
   std::string out;
@@ -66,6 +67,7 @@ ResumableFile::Options runOptions(const Arguments& arguments, const PlannerCases
       inputsOf(config, arguments.config, arguments.dataroot, arguments.version);
   options["cases"] = cases.fingerprint();
   options["planners"] = joined(arguments.planners);
+  addPlannerFingerprint(options, arguments.planners, config.planners);
   options["background"] = arguments.background == Background::kIdm ? "idm" : "replay";
   return options;
 }
@@ -183,7 +185,8 @@ void checkTested(const std::vector<PlannerTestResult>& results, const std::strin
 }
 
 int drive(const Arguments& arguments) {
-  const Config config = loadConfig(arguments.config);
+  Config config = loadConfig(arguments.config);
+  usePlannerFile(arguments.planner_file, arguments.planners, config.planners);
   const auto cases = openCases(arguments, config);
   Run run;
   run.path = (fs::path(arguments.out) / "results.jsonl").string();
@@ -234,6 +237,7 @@ void addTest(CommandLine& line) {
       ->delimiter(',')
       ->check(CLI::IsMember(plannerNames()))
       ->capture_default_str();
+  addPlannerFile(app, arguments->planner_file);
   addBackground(app, arguments->background);
   app.add_option("--worst", arguments->worst, "pictures a planner, of the hardest impacts")
       ->capture_default_str();

@@ -14,19 +14,20 @@
 namespace forge {
 namespace {
 
-int train(TrainingRun& run) {
+int train(TrainingRun& run, bool is_planner) {
   const Config config = loadConfig(run.config);
   run.options = config;
   run.drawing = config.drawing;
+  run.planners = config.planners;
 #ifdef COLLISION_FORGE_WITHOUT_ROS
-  forgeTrainPatternNetwork(run);
+  (is_planner ? forgeTrainPlanner : forgeTrainPatternNetwork)(run);
 #else
   // libtorch takes seconds to load, which no other command needs to wait for.
   void* library = dlopen("libcollision_forge_training.so", RTLD_NOW);
   if (library == nullptr) {
     throw std::runtime_error(std::string("this build has no training: ") + dlerror());
   }
-  void* function = dlsym(library, "forgeTrainPatternNetwork");
+  void* function = dlsym(library, is_planner ? "forgeTrainPlanner" : "forgeTrainPatternNetwork");
   if (function == nullptr) throw std::runtime_error(dlerror());
   reinterpret_cast<decltype(&forgeTrainPatternNetwork)>(function)(run);
 #endif
@@ -37,16 +38,19 @@ int train(TrainingRun& run) {
 
 void addTrain(CommandLine& line) {
   const auto run = std::make_shared<TrainingRun>();
+  const auto is_planner = std::make_shared<bool>(false);
   CLI::App& app =
       line.add(kTraining, "train", "Trains the collision-pattern network on logs and clips.",
-               [run] { return train(*run); });
+               [run, is_planner] { return train(*run, *is_planner); });
   addDataroot(app, run->sources.dataroot);
   addVersion(app, run->sources.version)->description("folder of the logs' tables; none: no logs");
-  addCollide(app, run->sources.collide)->description("folder of clips; none: no clips");
+  CLI::Option* collide = addCollide(app, run->sources.collide);
+  collide->description("folder of clips; none: no clips");
   app.add_option("--splits", run->sources.splits, "splits of the clips")
       ->default_val(std::vector<std::string>{"train"});
   addOut(app, run->out, "folder of the run; one that was stopped goes on there");
-  app.add_option("--device", run->device, "cpu or cuda")->capture_default_str();
+  CLI::Option* device = app.add_option("--device", run->device, "cpu or cuda");
+  device->capture_default_str();
   app.add_option("--folds", run->folds, "parts that the scenes are dealt into")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
@@ -58,9 +62,13 @@ void addTrain(CommandLine& line) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   addSeed(app, run->seed, "of weights, order and folds");
-  app.add_option("--stop-after", run->stop_after, "epoch to stop after; 0: the last")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  CLI::Option* stop =
+      app.add_option("--stop-after", run->stop_after, "epoch to stop after; 0: the last");
+  stop->check(CLI::NonNegativeNumber)->capture_default_str();
+  app.add_flag("--planner", *is_planner, "train the planner torchscript instead, on logs")
+      ->excludes(collide)
+      ->excludes(device)
+      ->excludes(stop);
   addConfig(app, run->config);
   app.parse_complete_callback([run] {
     if (run->fold <= run->folds) return;

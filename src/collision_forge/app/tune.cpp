@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::string planner = "pdm";
+  std::string planner_file;
   std::string grid;
   std::vector<std::string> train;
   std::vector<std::string> test;
@@ -73,10 +74,16 @@ Tuning openTuning(const Arguments& arguments, const Config& config) {
   const PlannersFile file = readPlannersFile(arguments.config);
   const PlannerGrid grid = readPlannerGrid(arguments.grid, arguments.planner);
   checkHeldOut(readScenes(arguments.train), readScenes(arguments.test));
+  std::vector<PlannerVariant> variants =
+      variantsOf(grid, file.path, file.text, config.attack.verification.limits);
+  for (PlannerVariant& variant : variants) {
+    variant.options.torchscript.file = config.planners.torchscript.file;
+    variant.options.torchscript.workers = config.planners.torchscript.workers;
+  }
   return {arguments,
           config,
           file,
-          variantsOf(grid, file.path, file.text, config.attack.verification.limits),
+          std::move(variants),
           openCases(arguments.train, arguments, config),
           openCases(arguments.test, arguments, config)};
 }
@@ -87,6 +94,7 @@ ResumableFile::Options runOptions(const Tuning& tuning) {
   ResumableFile::Options options =
       inputsOf(tuning.config, arguments.config, arguments.dataroot, arguments.version);
   options["planner"] = arguments.planner;
+  addPlannerFingerprint(options, {arguments.planner}, tuning.config.planners);
   options["background"] = arguments.background == Background::kIdm ? "idm" : "replay";
   std::string found;
   for (const PlannerVariant& variant : tuning.variants) {
@@ -174,7 +182,8 @@ void report(const Tuning& tuning, std::size_t best, const std::vector<PlannerTes
 }
 
 int tune(const Arguments& arguments) {
-  const Config config = loadConfig(arguments.config);
+  Config config = loadConfig(arguments.config);
+  usePlannerFile(arguments.planner_file, {arguments.planner}, config.planners);
   const Tuning tuning = openTuning(arguments, config);
   if (isMaster()) fs::create_directories(arguments.out);
   std::vector<PlannerTestResult> train;
@@ -201,6 +210,7 @@ void addTune(CommandLine& line) {
   app.add_option("--planner", arguments->planner, "name")
       ->check(CLI::IsMember(plannerNames()))
       ->capture_default_str();
+  addPlannerFile(app, arguments->planner_file);
   app.add_option("--grid", arguments->grid, "values to try (default: tuning.yaml of --config)")
       ->check(CLI::ExistingFile);
   app.add_option("--train", arguments->train, "scenario files of forge generate that are tuned on")

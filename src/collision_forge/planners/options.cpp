@@ -213,6 +213,15 @@ static void readOptions(Section& section, ExternalOptions& options) {
   options.timeout = section.positive("timeout");
 }
 
+static void readOptions(Section& section, TorchscriptOptions& options) {
+  options.file = section.path("file");
+  options.device =
+      section.choice<std::string>("device", {{"auto", "auto"}, {"cpu", "cpu"}, {"cuda", "cuda"}});
+  options.interval = section.atLeast("interval", kMinTimeStep);
+  options.timeout = section.positive("timeout");
+  options.start_timeout = section.positive("start_timeout");
+}
+
 void readOptions(Section& file, PlannerOptions& options, const VehicleLimits& limits) {
   file.read("planning", options.planning);
   Section idm = file.section("idm");
@@ -225,6 +234,7 @@ void readOptions(Section& file, PlannerOptions& options, const VehicleLimits& li
   file.read("route_centerline", options.route_centerline);
   file.read("pdm", options.pdm, options.lqr.step);
   readRuleBased(file.section("rule_based"), options);
+  file.read("torchscript", options.torchscript);
 }
 
 }  // namespace forge

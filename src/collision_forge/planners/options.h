@@ -6,6 +6,7 @@
 #include "collision_forge/planners/pdm_options.h"
 #include "collision_forge/planners/route.h"
 #include "collision_forge/planners/rule_based_options.h"
+#include "collision_forge/planners/torchscript_planner.h"
 #include "collision_forge/verify/options.h"
 
 namespace forge {
@@ -40,6 +41,7 @@ struct PlannerOptions {
   PdmOptions pdm;
   RuleBasedOptions rule_based;        ///< with the published parameters
   RuleBasedOptions tuned_rule_based;  ///< with those that STRIVE tuned
+  TorchscriptOptions torchscript;
 };
 
 /// Reads its sections of planners.yaml; `limits` are those of the ego.

@@ -53,6 +53,9 @@ class Planner {
   /// What the last plan() chose from, for pictures: the middle of the ego's box over time. Empty
   /// for a planner that does not choose.
   virtual std::vector<std::vector<Pose2>> proposals() const { return {}; }
+
+  /// s of the processor that other processes have used for this planner.
+  virtual double otherProcessorTime() const { return 0.0; }
 };
 
 }  // namespace forge

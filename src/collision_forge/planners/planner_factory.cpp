@@ -5,6 +5,7 @@
 #include "collision_forge/planners/idm.h"
 #include "collision_forge/planners/pdm_planner.h"
 #include "collision_forge/planners/rule_based_planner.h"
+#include "collision_forge/planners/torchscript_planner.h"
 
 namespace forge {
 namespace {
@@ -45,6 +46,11 @@ const Entry kEntries[] = {
        return std::make_unique<RuleBasedPlanner>(options.tuned_rule_based);
      },
      [](const PlannerOptions& options) { return options.tuned_rule_based.step; }},
+    {kTorchscript,
+     [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
+       return std::make_unique<TorchscriptPlanner>(options.torchscript, options.route_centerline);
+     },
+     [](const PlannerOptions& options) { return options.torchscript.interval; }},
 };
 
 std::string knownNames() {

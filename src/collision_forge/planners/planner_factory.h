@@ -22,11 +22,15 @@ struct PlannerUnderTest {
   Driving driving;
 };
 
-/// "idm", "idm_published", "pdm", "rule_based", "rule_based_tuned".
+/// The name of the learned planner, the one that is made of a file.
+inline constexpr const char* kTorchscript = "torchscript";
+
+/// "idm", "idm_published", "pdm", "rule_based", "rule_based_tuned", "torchscript".
 const std::vector<std::string>& plannerNames();
 
 /// A new planner of plannerNames(). `attacker_id` is for those that the protocol tells who attacks
-/// (idm_published). Throws std::invalid_argument for an unknown name, naming the known ones.
+/// (idm_published). Throws std::invalid_argument for an unknown name, naming the known ones, and
+/// PlannerFileError for a learned planner's file that does not fit.
 PlannerUnderTest makePlanner(const std::string& name, const PlannerOptions& options,
                              const std::string& attacker_id);
 

@@ -154,6 +154,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
       readConfigFile(
           openConfigText(planners_path_, withPlannerValues(planners_path_, planners_text_, values)),
           options, config_.attack.verification.limits);
+      options.torchscript.workers = config_.planners.torchscript.workers;
       return options;
     } catch (const ConfigError& error) {
       refuse(Response::BAD_PARAMETER, error.what());

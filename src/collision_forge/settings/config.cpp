@@ -21,6 +21,7 @@ Config loadConfig(const std::string& directory) {
   readConfigFile(directory, "speed_model_fit", config.speed_model_fit);
   readConfigFile(directory, "models", static_cast<ModelOptions&>(config));
   readConfigFile(openConfigFile(directory, "training.yaml"), static_cast<LearningOptions&>(config));
+  readConfigFile(directory, "planner_training", config.planner_training);
   readConfigFile(directory, "ego_vehicle", config.ego_vehicle);
   readConfigFile(directory, "encoding", config.encoding);
   readConfigFile(directory, "conversion", config.conversion);

@@ -11,23 +11,23 @@
 namespace forge {
 namespace {
 
-std::string fingerprintOfFile(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be read");
-  return "fingerprint " + fingerprint(content.str());
-}
-
 /// True for files of config/ that no result depends on.
 bool isIndifferent(const std::string& name) {
-  static const std::set<std::string> names = {"drawing.yaml",  "encoding.yaml",
-                                              "requests.yaml", "speed_model_fit.yaml",
-                                              "training.yaml", "tuning.yaml"};
+  static const std::set<std::string> names = {
+      "drawing.yaml",          "encoding.yaml", "requests.yaml", "speed_model_fit.yaml",
+      "planner_training.yaml", "training.yaml", "tuning.yaml"};
   return names.count(name) > 0;
 }
 
 }  // namespace
+
+std::string fingerprintOfFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  return "fingerprint " + fingerprint(content.str());
+}
 
 std::map<std::string, std::string> fingerprintsOf(const Config& config,
                                                   const std::string& directory) {
@@ -35,7 +35,7 @@ std::map<std::string, std::string> fingerprintsOf(const Config& config,
   for (const auto& entry : std::filesystem::directory_iterator(directory)) {
     const std::string name = entry.path().filename().string();
     if (entry.path().extension() != ".yaml" || isIndifferent(name)) continue;
-    found["config/" + name] = fingerprintOfFile(entry.path());
+    found["config/" + name] = fingerprintOfFile(entry.path().string());
   }
   const std::map<std::string, std::string> models = {{"speed_profiles", config.speed_profiles},
                                                      {"speed_model", config.speed_model},

@@ -29,6 +29,24 @@ static void readOptions(Section& section, TrainingOptions& options, double max_t
   options.noise_across = section.nonNegative("noise_across");
 }
 
+void readOptions(Section& section, PlannerTrainingOptions& options) {
+  options.epochs = section.count("epochs", 1);
+  options.batch = section.count("batch", 1);
+  options.hidden = section.count("hidden", 1);
+  options.terms = section.count("terms", 1);
+  options.learning_rate = section.positive("learning_rate");
+  options.weight_decay = section.nonNegative("weight_decay");
+  options.max_gradient = section.positive("max_gradient");
+  options.heading_weight = section.nonNegative("heading_weight");
+  options.mirrored_share = section.share("mirrored_share");
+  options.hidden_history_share = section.share("hidden_history_share");
+  options.moved_share = section.share("moved_share");
+  options.lateral_noise = section.nonNegative("lateral_noise");
+  options.heading_noise = section.nonNegative("heading_noise");
+  options.return_time = section.positive("return_time");
+  options.min_future = section.positive("min_future");
+}
+
 void readOptions(Section& file, LearningOptions& options) {
   const PredictionOptions& prediction = options.attack.prediction;
   file.read("features", options.pattern_features, prediction.history_frames);

@@ -30,13 +30,35 @@ struct TrainingOptions {
   double noise_across = 0.0;
 };
 
+/// config/planner_training.yaml, where each number's unit and source stand.
+struct PlannerTrainingOptions {
+  int epochs = 0;
+  int batch = 0;
+  int hidden = 0;
+  int terms = 0;
+  double learning_rate = 0.0;
+  double weight_decay = 0.0;
+  double max_gradient = 0.0;
+  double heading_weight = 0.0;
+  double mirrored_share = 0.0;
+  double hidden_history_share = 0.0;
+  double moved_share = 0.0;
+  double lateral_noise = 0.0;
+  double heading_noise = 0.0;
+  double return_time = 0.0;
+  double min_future = 0.0;
+};
+
 /// What a network is trained by: config/training.yaml, a member a section, and what its samples are
 /// made with.
 struct LearningOptions : StudyOptions {
   PatternFeatureOptions pattern_features;
   PatternNetworkOptions pattern_layers;
   TrainingOptions training;
+  PlannerTrainingOptions planner_training;
 };
+
+void readOptions(Section& section, PlannerTrainingOptions& options);
 
 /// Reads training.yaml, when `attack` is known.
 void readOptions(Section& file, LearningOptions& options);

@@ -219,16 +219,6 @@ void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::str
   }
 }
 
-std::set<std::string> leftOutScenes(const TrainingRun& run) {
-  if (run.fold == 0) return {};
-  const std::vector<std::string> names = sceneNames(run.sources);
-  if (static_cast<int>(names.size()) < run.fold) {
-    throw std::runtime_error("--fold: " + std::to_string(run.fold) + " has none of the " +
-                             std::to_string(names.size()) + " scenes");
-  }
-  return scenesOfFold(names, run.fold, run.folds, run.seed);
-}
-
 void trainNetwork(const TrainingRun& run) {
   const LearningOptions& options = run.options;
   const std::set<std::string> left_out = leftOutScenes(run);
@@ -251,6 +241,17 @@ void trainNetwork(const TrainingRun& run) {
 }
 
 }  // namespace
+
+std::set<std::string> leftOutScenes(const TrainingRun& run) {
+  if (run.fold == 0) return {};
+  const std::vector<std::string> names = sceneNames(run.sources);
+  if (static_cast<int>(names.size()) < run.fold) {
+    throw std::runtime_error("--fold: " + std::to_string(run.fold) + " has none of the " +
+                             std::to_string(names.size()) + " scenes");
+  }
+  return scenesOfFold(names, run.fold, run.folds, run.seed);
+}
+
 }  // namespace forge
 
 void forgeTrainPatternNetwork(const forge::TrainingRun& run) {

@@ -85,8 +85,9 @@ std::vector<PlannerVariant> variantsOf(const PlannerGrid& grid, const std::strin
                                        const std::string& text, const VehicleLimits& limits) {
   std::vector<PlannerVariant> variants;
   for (PlannerValues& values : combinationsOf(grid, readPlannerValues(path, text, grid))) {
-    PlannerVariant variant{std::to_string(variants.size()), std::move(values), {}};
-    if (variants.empty()) variant.name = kDefault;
+    PlannerVariant variant;
+    variant.name = variants.empty() ? kDefault : std::to_string(variants.size());
+    variant.values = std::move(values);
     readConfigFile(openConfigText(path, withPlannerValues(path, text, variant.values)),
                    variant.options, limits);
     variants.push_back(std::move(variant));
