@@ -135,7 +135,7 @@ PlannerInputs::PlannerInputs(const DrivingTask& task, const RouteCenterlineOptio
     : lanes_(checked(task).lanes), way_(routeCenterline(*task.lanes, task.route, options)) {}
 
 std::vector<float> PlannerInputs::at(const std::vector<TrajectoryPoint>& ego_history,
-                                     const std::vector<Track>& agents) {
+                                     const std::vector<Track>& agents) const {
   const TrajectoryPoint& ego = ego_history.back();
   std::vector<float> numbers(kContractNumbers, 0.0f);
   const auto input = [&](ContractInput which) { return numbers.data() + contractStart(which); };
@@ -146,13 +146,11 @@ std::vector<float> PlannerInputs::at(const std::vector<TrajectoryPoint>& ego_his
   return numbers;
 }
 
-void PlannerInputs::writeRoute(const Pose2& ego, float* route) {
-  const SampledWay::Projection place =
-      way_sample_ ? way_.project(ego.position(), *way_sample_) : way_.project(ego.position());
-  way_sample_ = place.sample;
+void PlannerInputs::writeRoute(const Pose2& ego, float* route) const {
+  const double start = way_.project(ego.position());
   for (std::size_t i = 0; i < kContractRoutePoints; ++i, route += kContractPoseNumbers) {
-    const double along = place.arc_length + static_cast<double>(i) * kContractRouteSpacing;
-    const Pose2 local = relativeTo(ego, way_.at(along, 0.0));
+    const double along = start + static_cast<double>(i) * kContractRouteSpacing;
+    const Pose2 local = relativeTo(ego, way_.at(along).pose);
     write(route, {local.x, local.y, local.yaw});
   }
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <vector>
 
+#include "collision_forge/map/reference_path.h"
 #include "collision_forge/planners/planner.h"
 #include "collision_forge/planners/route_centerline.h"
-#include "collision_forge/planners/sampled_way.h"
 
 namespace forge {
 
@@ -18,17 +18,15 @@ class PlannerInputs {
   PlannerInputs(const DrivingTask& task, const RouteCenterlineOptions& options);
 
   /// The numbers of all of kContractInputs, one after the other. `ego_history`: the ego as it was
-  /// seen, times increasing, the last now. Called tick by tick: where the route meets itself, the
-  /// ego is where it drove on to.
+  /// seen, times increasing, the last now.
   std::vector<float> at(const std::vector<TrajectoryPoint>& ego_history,
-                        const std::vector<Track>& agents);
+                        const std::vector<Track>& agents) const;
 
  private:
-  void writeRoute(const Pose2& ego, float* route);
+  void writeRoute(const Pose2& ego, float* route) const;
 
   std::shared_ptr<const LaneIndex> lanes_;
-  SampledWay way_;
-  std::optional<std::size_t> way_sample_;  // where the ego was on the way at the last call
+  ReferencePath way_;
 };
 
 }  // namespace forge
