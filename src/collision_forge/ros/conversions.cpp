@@ -108,6 +108,17 @@ void fillContact(const PlannerContact& contact, collision_forge::PlannerOutcome&
   message.at_fault = contact.at_fault;
 }
 
+void fillNuplan(const NuplanScore& score, collision_forge::PlannerOutcome& message) {
+  message.nuplan_score = score.total;
+  message.nuplan_no_at_fault_collision = score.no_at_fault_collision;
+  message.nuplan_drivable_area = score.drivable_area;
+  message.nuplan_driving_direction = score.driving_direction;
+  message.nuplan_making_progress = score.making_progress;
+  message.nuplan_time_to_collision = score.time_to_collision;
+  message.nuplan_comfort = score.comfort;
+  message.nuplan_progress = score.progress;
+}
+
 }  // namespace
 
 ros::Time stampOf(double time) {
@@ -453,6 +464,7 @@ collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::
   message.off_road_share = outcome.off_road_share;
   message.progress = outcome.progress;
   message.recorded_progress = outcome.recorded_progress;
+  fillNuplan(outcome.nuplan, message);
   message.avoidable = trial.avoidability.isAvoidable();
   for (const Avoidance& avoidance : trial.avoidability.from_now) {
     message.avoided_by.push_back(toString(avoidance.manoeuvre));

@@ -36,9 +36,22 @@ static void readOptions(Section& section, AvoidabilityOptions& options,
   options.seed = static_cast<std::uint64_t>(section.count("seed", 0));
 }
 
+static void readOptions(Section& section, NuplanScoreOptions& options) {
+  options.min_progress_share = section.share("min_progress_share");
+  options.least_progress = section.positive("least_progress");
+  options.ttc_horizon = section.positive("ttc_horizon");
+  options.direction_window = section.positive("direction_window");
+  options.acceleration_window = section.count("acceleration_window", 4);
+  options.rate_window = section.count("rate_window", 4);
+  options.progress_weight = section.positive("progress_weight");
+  options.ttc_weight = section.nonNegative("ttc_weight");
+  options.comfort_weight = section.nonNegative("comfort_weight");
+}
+
 void readOptions(Section& file, TrialOptions& options, const VehicleLimits& limits) {
   readOptions(file, static_cast<PlannerOptions&>(options), limits);
   file.read("rollout", options.rollout);
+  file.read("nuplan_score", options.nuplan_score);
   file.read("avoidability", options.avoidability, limits);
 }
 

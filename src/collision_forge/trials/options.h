@@ -3,6 +3,7 @@
 #include "collision_forge/planners/options.h"
 #include "collision_forge/trials/avoidability.h"
 #include "collision_forge/trials/contact_judgement.h"
+#include "collision_forge/trials/nuplan_score.h"
 
 namespace forge {
 
@@ -16,6 +17,7 @@ struct RolloutOptions {
 /// config/planners.yaml: the planners, and how they are tried.
 struct TrialOptions : PlannerOptions {
   RolloutOptions rollout;
+  NuplanScoreOptions nuplan_score;
   AvoidabilityOptions avoidability;
 };
 

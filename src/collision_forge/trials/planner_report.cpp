@@ -76,9 +76,26 @@ std::optional<double> progress(const PlannerTestResult&, const PlannerRow& row) 
   return outcome.progress / outcome.recorded_progress;
 }
 
+/// Of every part of nuPlan's score the mean.
+std::vector<RolloutMeasure> nuplanMeasures() {
+  std::vector<RolloutMeasure> measures;
+  for (const NuplanPart& part : nuplanParts()) {
+    std::string title = std::string("nuPlan's ") + part.name + ", mean";
+    std::replace(title.begin(), title.end(), '_', ' ');
+    measures.push_back(
+        {{std::string("nuplan_") + part.name, title, {}, false},
+         kShare,
+         [part](const PlannerTestResult&, const PlannerRow& row) -> std::optional<double> {
+           if (hasFailed(row.outcome)) return std::nullopt;
+           return row.outcome.nuplan.*part.value;
+         }});
+  }
+  return measures;
+}
+
 std::vector<RolloutMeasure> rolloutMeasures() {
   const auto collides = [](const RolloutOutcome& outcome) { return hitsAttacker(outcome); };
-  return {
+  std::vector<RolloutMeasure> measures = {
       {{"collision", "Collisions with the attacker", {}, true}, kShare, shareOf(isAny, collides)},
       {{"collision_avoidable", "Collisions with the attacker, of avoidable crashes", {}, true},
        kShare,
@@ -129,6 +146,8 @@ std::vector<RolloutMeasure> rolloutMeasures() {
          return hasFailed(row.outcome) ? 1.0 : 0.0;
        }},
   };
+  for (RolloutMeasure& measure : nuplanMeasures()) measures.push_back(std::move(measure));
+  return measures;
 }
 
 /// In the order in which they come; a case that cannot be read has none.

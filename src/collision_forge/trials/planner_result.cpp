@@ -14,7 +14,7 @@ namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/planner_test";
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr const char* kPublishedIdm = "idm_published";
 
 /// To the microsecond, the clock's resolution.
@@ -77,6 +77,17 @@ void writeContact(JsonLineWriter& writer, const RolloutOutcome& outcome, double 
   writer.endObject();
 }
 
+void writeNuplan(JsonLineWriter& writer, const NuplanScore& score) {
+  writer.beginObject("nuplan");
+  for (const NuplanPart& part : nuplanParts()) writer.number(part.name, score.*part.value);
+  if (score.speed_limit) {
+    writer.number("speed_limit", *score.speed_limit);
+  } else {
+    writer.null("speed_limit");
+  }
+  writer.endObject();
+}
+
 void writeRow(JsonLineWriter& writer, const PlannerRow& row, double now) {
   const RolloutOutcome& outcome = row.outcome;
   writer.beginObject();
@@ -90,6 +101,7 @@ void writeRow(JsonLineWriter& writer, const PlannerRow& row, double now) {
   writer.number("off_road_share", outcome.off_road_share);
   writer.number("progress", outcome.progress);
   writer.number("recorded_progress", outcome.recorded_progress);
+  writeNuplan(writer, outcome.nuplan);
   writer.count("plans", static_cast<std::uint64_t>(outcome.plans));
   if (row.published_hit) {
     writer.number("published_hit", *row.published_hit ? 1.0 : 0.0);
@@ -177,6 +189,14 @@ PlannerContact readContact(JsonObject object, double now) {
   return contact;
 }
 
+NuplanScore readNuplan(JsonObject object) {
+  NuplanScore score;
+  for (const NuplanPart& part : nuplanParts()) score.*part.value = object.number(part.name);
+  score.speed_limit = object.numberOrNull("speed_limit");
+  object.finish();
+  return score;
+}
+
 PlannerRow readRow(JsonObject& object, double now) {
   PlannerRow row;
   row.planner = object.text("planner");
@@ -191,6 +211,7 @@ PlannerRow readRow(JsonObject& object, double now) {
   row.outcome.off_road_share = object.number("off_road_share");
   row.outcome.progress = object.number("progress");
   row.outcome.recorded_progress = object.number("recorded_progress");
+  row.outcome.nuplan = readNuplan(object.object("nuplan"));
   row.outcome.plans = static_cast<int>(object.count("plans"));
   if (const auto hit = object.numberOrNull("published_hit")) row.published_hit = *hit != 0.0;
   object.finish();
@@ -246,17 +267,34 @@ std::string csvContact(const std::optional<PlannerContact>& contact, double now)
          toString(contact->cause) + ',' + (contact->at_fault ? "1" : "0");
 }
 
+/// Their names, each after a comma.
+std::string nuplanColumns() {
+  std::string names;
+  for (const NuplanPart& part : nuplanParts()) names += std::string(",nuplan_") + part.name;
+  return names;
+}
+
+std::string csvNuplan(const NuplanScore& score) {
+  std::string values;
+  for (const NuplanPart& part : nuplanParts()) {
+    char text[32];
+    std::snprintf(text, sizeof(text), ",%.4f", score.*part.value);
+    values += text;
+  }
+  return values;
+}
+
 std::string csvHit(const std::optional<bool>& hit) { return hit ? (*hit ? "1" : "0") : ""; }
 
 /// One without a planner where there is none.
 std::vector<std::string> untestedCsvRows(const std::string& start,
                                          const std::vector<PlannerRow>& rows) {
   constexpr std::size_t kBefore = 5;  // columns up to the planner's
-  constexpr std::size_t kAfter = 19;
-  if (rows.empty()) return {start + std::string(kBefore + kAfter, ',')};
+  const std::size_t after = 19 + nuplanParts().size();
+  if (rows.empty()) return {start + std::string(kBefore + after, ',')};
   std::vector<std::string> lines;
   for (const PlannerRow& row : rows) {
-    lines.push_back(start + std::string(kBefore, ',') + row.planner + std::string(kAfter, ',') +
+    lines.push_back(start + std::string(kBefore, ',') + row.planner + std::string(after, ',') +
                     csvHit(row.published_hit));
   }
   return lines;
@@ -368,7 +406,8 @@ std::string plannerResultCsvHeader() {
   return "name,source,scene,type,tta,status,strict,avoidable,last_manoeuvre,last_start,planner,"
          "failure,other,attacker,contact_after,contact_type,relative_heading,ego_side,other_side,"
          "impact_speed,ego_speed,cause,at_fault,duration,max_braking,hard_braking,off_road_share,"
-         "progress,recorded_progress,published_hit";
+         "progress,recorded_progress" +
+         nuplanColumns() + ",published_hit";
 }
 
 std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
@@ -392,8 +431,8 @@ std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
                   outcome.max_braking, outcome.hard_braking, outcome.off_road_share,
                   outcome.progress, outcome.recorded_progress);
     rows.push_back(start + ',' + row.planner + ',' + toString(outcome.failure) + ',' +
-                   csvContact(outcome.contact, result.now) + ',' + numbers + ',' +
-                   csvHit(row.published_hit));
+                   csvContact(outcome.contact, result.now) + ',' + numbers +
+                   csvNuplan(outcome.nuplan) + ',' + csvHit(row.published_hit));
   }
   return rows;
 }

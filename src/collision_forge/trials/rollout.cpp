@@ -9,6 +9,7 @@
 
 #include "collision_forge/forecast/motion_estimate.h"
 #include "collision_forge/geometry/swept_contact.h"
+#include "collision_forge/planners/route_road.h"
 
 namespace forge {
 namespace {
@@ -163,6 +164,9 @@ class Run {
         task_{scenario.lanes,
               routeOf(scenario.recorded.ego, *scenario.lanes, setup.planners.planning.route),
               scenario.ego, setup.planners.car.wheelbase},
+        road_(roadAlong(*scenario.lanes, task_.route, setup.planners.route_centerline,
+                        setup.planners.pdm.map)),
+        judge_(road_.map, scenario.ego, setup.planners.pdm.scoring, setup.planners.nuplan_score),
         traffic_(scenario, setup.background, setup.planners.idm, setup.planners.planning.history),
         ego_(startOf(scenario, setup.attack), driving, scenario.ego, setup.planners) {
     const OrientedBox box{ego_.point().pose, scenario.ego.size};
@@ -170,6 +174,7 @@ class Run {
       if (overlaps(box, boxAt(agent, agent.states.back().pose))) ignored_.insert(agent.id);
     }
     outcome_.driven.push_back(ego_.point());
+    judge_.see(ego_.point(), traffic_.agents(), ignored_);
     was_on_road_ = offRoadShare() < 1.0;
   }
 
@@ -243,6 +248,7 @@ class Run {
       outcome_.driven.push_back(pointAt({from, ego_.point()}, outcome_.contact->time));
     } else {
       outcome_.driven.push_back(ego_.point());
+      judge_.see(ego_.point(), traffic_.agents(), ignored_);
       checkRoad();
     }
   }
@@ -289,6 +295,7 @@ class Run {
     contact.type = typeOf({outcome_.driven.front().pose, startPoseOf(other), ego_box, other_box},
                           scenario_.type, setup_.types, scenario_.lanes->map().driving_side);
     outcome_.contact = contact;
+    nuplan_contact_ = {contact.at_fault, other.agent_class == AgentClass::kStaticObject};
   }
 
   /// Now, or where the other was first seen after now.
@@ -335,6 +342,7 @@ class Run {
         recorded ? recorded->pose : scenario_.recorded.ego.states.back().pose;
     outcome_.progress = along(driven.back().pose) - start;
     outcome_.recorded_progress = along(recorded_end) - start;
+    outcome_.nuplan = judge_.score(nuplan_contact_, outcome_.progress, outcome_.recorded_progress);
   }
 
   Planner& planner_;
@@ -343,6 +351,9 @@ class Run {
   const RolloutSetup& setup_;
   const RolloutOptions& options_;
   DrivingTask task_;
+  RouteRoad road_;
+  NuplanJudge judge_;
+  std::optional<NuplanContact> nuplan_contact_;
   Traffic traffic_;
   EgoDriver ego_;
   std::set<std::string> ignored_;  // who overlaps the ego from the start

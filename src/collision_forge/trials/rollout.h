@@ -8,6 +8,7 @@
 #include "collision_forge/planners/planner.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/trials/crash_scenario.h"
+#include "collision_forge/trials/nuplan_score.h"
 #include "collision_forge/trials/options.h"
 #include "collision_forge/trials/traffic.h"
 
@@ -63,6 +64,7 @@ struct RolloutOutcome {
   double off_road_share = 0.0;     ///< mean share of the box off the drivable area
   double progress = 0.0;           ///< m along the route
   double recorded_progress = 0.0;  ///< m along the route, of the recorded ego over the same time
+  NuplanScore nuplan;
   std::vector<TrajectoryPoint> driven;  ///< the ego every step, the last at the end
   int plans = 0;                        ///< calls of the planner
   double planning_seconds = 0.0;  ///< of computing in these calls; the one thing that is measured
