@@ -44,7 +44,7 @@ OrientedBox boxOf(double x, double y) { return {{x, y, 0.0}, {1.0, 1.0}}; }
 
 bool touches(const OrientedBox& box, double from) {
   const IdmPath path(corner());
-  return IdmCorridor(path, {box}, 2.0).isTouched(0, from);
+  return IdmCorridor(path, {box}, 2.0).touchedFrom(from).front();
 }
 
 TEST(IdmCorridor, IsAsWideAsAskedFor) {

@@ -12,6 +12,7 @@ namespace forge {
 namespace {
 
 constexpr double kStanding = 0.01;  // m; a shorter way has no curvature
+constexpr double kRounding = 1e-6;  // m, on distances that only sort out
 
 /// After `before`; the curvature is that of the way in between.
 TrajectoryPoint pointAfter(const TrajectoryPoint& before, double step, const Pose2& pose,
@@ -40,7 +41,8 @@ std::vector<Pose2> nodesOf(const DrivingTask& task, const std::vector<std::size_
 /// Somebody near the ego.
 struct Other {
   OrientedBox box;
-  double speed = 0.0;  ///< m/s, along its heading; 0 of an object
+  double radius = 0.0;  ///< m, of the circle around it
+  double speed = 0.0;   ///< m/s, along its heading; 0 of an object
 };
 
 std::vector<Other> othersNear(const Observation& observation, double radius) {
@@ -51,7 +53,8 @@ std::vector<Other> othersNear(const Observation& observation, double radius) {
     const Vector2 away = state.pose.position() - observation.ego.pose.position();
     if (away.norm() >= radius) continue;
     const bool is_object = agent.agent_class == AgentClass::kStaticObject;
-    others.push_back({boxAt(agent, state.pose), is_object ? 0.0 : state.velocity.norm()});
+    const OrientedBox box = boxAt(agent, state.pose);
+    others.push_back({box, circumradius(box.size), is_object ? 0.0 : state.velocity.norm()});
   }
   return others;
 }
@@ -69,18 +72,21 @@ class LeadFinder {
       : path_(path), others_(std::move(others)), corridor_(path, boxesOf(others_), width) {}
 
   IdmLead leadOf(const OrientedBox& ego, double progress) const {
-    const double start = std::clamp(progress, 0.0, path_.end());
+    const std::vector<bool> touched = corridor_.touchedFrom(std::clamp(progress, 0.0, path_.end()));
+    const double ego_radius = circumradius(ego.size);
     const Other* nearest = nullptr;
     // Of those equally near, as of all that touch the ego, nuPlan's search tree gives the one with
     // the least y.
     auto least = std::make_pair(std::numeric_limits<double>::infinity(), 0.0);
     for (std::size_t i = 0; i < others_.size(); ++i) {
-      const OrientedBox& box = others_[i].box;
-      const auto place = std::make_pair(distance(ego, box), box.center.y);
-      if (place >= least) continue;
-      if (place.first > 0.0 && !corridor_.isTouched(i, start)) continue;
+      const Other& other = others_[i];
+      const double middles = (other.box.center.position() - ego.center.position()).norm();
+      const double at_least = middles - other.radius - ego_radius - kRounding;
+      if (at_least > (touched[i] ? least.first : 0.0)) continue;
+      const auto place = std::make_pair(distance(ego, other.box), other.box.center.y);
+      if (place >= least || !(touched[i] || place.first == 0.0)) continue;
       least = place;
-      nearest = &others_[i];
+      nearest = &other;
     }
     if (nearest == nullptr) return {path_.end() - progress - 0.5 * ego.size.length, 0.0};
     const double turned = angleBetween(ego.center.yaw, nearest->box.center.yaw);

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kLongestPiece = 20.0;  // m; maps that matter have nodes at most half as far apart
 constexpr double kCoincidence = 1e-6;   // m, as Polyline
+constexpr double kSlack = 1e-6;         // m, on distances that only sort out; above rounding
 
 /// Nodes more than kLongestPiece apart get others in between.
 std::vector<Pose2> filled(const std::vector<Pose2>& nodes) {
@@ -72,34 +73,58 @@ Pose2 IdmPath::at(double arc_length) const {
 }
 
 IdmCorridor::IdmCorridor(const IdmPath& path, const std::vector<OrientedBox>& others, double width)
-    : path_(path), others_(others), width_(width), touched_before_(others.size(), 0) {
-  const std::vector<Pose2>& nodes = path.nodes();
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-    const Vector2 from = nodes[i].position();
-    const Vector2 to = nodes[i + 1].position();
-    const bool is_last = i + 2 == nodes.size();
-    const OrientedBox piece = pieceOf(from, to, width, 0.0, is_last ? 0.5 * width : 0.0);
-    const OrientedBox corner{{from.x(), from.y(), 0.0}, {0.0, 0.0}};
-    for (std::size_t other = 0; other < others.size(); ++other) {
-      const OrientedBox& box = others[other];
-      const double reach = circumradius(piece.size) + circumradius(box.size) + width;
-      if ((piece.center.position() - box.center.position()).norm() > reach) continue;
-      if (overlaps(piece, box) || distance(corner, box) <= 0.5 * width)
-        touched_before_[other] = i + 1;
-    }
+    : path_(path), width_(width) {
+  for (const OrientedBox& box : others) {
+    others_.push_back({box, circumradius(box.size), 0});
+    others_.back().touched_before = touchedBefore(others_.back());
   }
 }
 
-bool IdmCorridor::isTouched(std::size_t index, double arc_length) const {
-  const std::size_t node = path_.nodeBefore(arc_length);
-  if (touched_before_[index] > node + 1) return true;
-  const bool is_at_end = node + 1 >= path_.nodes().size();
-  if (is_at_end) return false;
-  const bool is_last = node + 2 == path_.nodes().size();
-  const OrientedBox first =
-      pieceOf(path_.at(arc_length).position(), path_.nodes()[node + 1].position(), width_,
-              0.5 * width_, is_last ? 0.5 * width_ : 0.0);
-  return overlaps(first, others_[index]);
+std::vector<bool> IdmCorridor::touchedFrom(double arc_length) const {
+  const std::size_t next = path_.nodeBefore(arc_length) + 1;
+  if (next == path_.nodes().size()) return std::vector<bool>(others_.size());
+  const OrientedBox first = pieceTo(next, path_.at(arc_length).position(), 0.5 * width_);
+  const double radius = circumradius(first.size);
+  std::vector<bool> touched;
+  for (const Other& other : others_) {
+    touched.push_back(
+        other.touched_before > next ||
+        (isWithin(other, first.center.position(), radius) && overlaps(first, other.box)));
+  }
+  return touched;
+}
+
+bool IdmCorridor::isWithin(const Other& other, const Vector2& point, double distance) {
+  const double reach = other.radius + distance + kSlack;
+  return (other.box.center.position() - point).squaredNorm() <= reach * reach;
+}
+
+OrientedBox IdmCorridor::pieceTo(std::size_t node, const Vector2& from, double before) const {
+  const bool is_last = node + 1 == path_.nodes().size();
+  return pieceOf(from, path_.nodes()[node].position(), width_, before,
+                 is_last ? 0.5 * width_ : 0.0);
+}
+
+bool IdmCorridor::touchesAfter(std::size_t node, const Other& other) const {
+  const Vector2 from = path_.nodes()[node].position();
+  const double length = path_.arcLengths()[node + 1] - path_.arcLengths()[node];
+  if (!isWithin(other, from, length + width_)) return false;
+  if (overlaps(pieceTo(node + 1, from, 0.0), other.box)) return true;
+  const OrientedBox corner{{from.x(), from.y(), 0.0}, {0.0, 0.0}};
+  return isWithin(other, from, 0.5 * width_) && distance(corner, other.box) <= 0.5 * width_;
+}
+
+std::size_t IdmCorridor::touchedBefore(const Other& other) const {
+  std::size_t after = path_.nodes().size() - 1;
+  while (after > 0) {
+    const std::size_t node = after - 1;
+    if (touchesAfter(node, other)) return after;
+    // As far as the other is from the corridor at this node, nothing of it is touched before.
+    const Vector2 away = other.box.center.position() - path_.nodes()[node].position();
+    const double clear = away.norm() - other.radius - width_;
+    after = std::min(node, path_.nodeBefore(path_.arcLengths()[node] - clear) + 1);
+  }
+  return 0;
 }
 
 }  // namespace forge

@@ -24,6 +24,8 @@ class IdmPath {
   Pose2 at(double arc_length) const;
 
   const std::vector<Pose2>& nodes() const { return nodes_; }
+  /// Of the nodes, m.
+  const std::vector<double>& arcLengths() const { return arc_lengths_; }
   /// Index of the last node at or before an arc length.
   std::size_t nodeBefore(double arc_length) const;
 
@@ -39,14 +41,27 @@ class IdmCorridor {
  public:
   IdmCorridor(const IdmPath& path, const std::vector<OrientedBox>& others, double width);
 
-  /// True when other number `index` reaches into the corridor from `arc_length` to the path's end.
-  bool isTouched(std::size_t index, double arc_length) const;
+  /// One an other: true when it reaches into the corridor from `arc_length` to the path's end.
+  std::vector<bool> touchedFrom(double arc_length) const;
 
  private:
+  struct Other {
+    OrientedBox box;
+    double radius = 0.0;             // m, of the circle around it
+    std::size_t touched_before = 0;  // the node after the last piece that it touches; 0: none
+  };
+
+  /// False only where the box is surely farther from the point.
+  static bool isWithin(const Other& other, const Vector2& point, double distance);
+  /// The corridor's ground from a place of the path, and `before` metres behind it, to a node.
+  OrientedBox pieceTo(std::size_t node, const Vector2& from, double before) const;
+  /// True when the other touches the corridor at a node or on the piece that begins there.
+  bool touchesAfter(std::size_t node, const Other& other) const;
+  std::size_t touchedBefore(const Other& other) const;
+
   const IdmPath& path_;
-  std::vector<OrientedBox> others_;
   double width_;
-  std::vector<std::size_t> touched_before_;  // one an other: after the last node touched; 0: none
+  std::vector<Other> others_;
 };
 
 }  // namespace forge
