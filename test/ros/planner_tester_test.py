@@ -140,7 +140,7 @@ class PlannerTesterTest(road.RoadTest):
     def test_parameters_and_background_change_the_drive(self):
         number = self.tested[0]
         default = self.outcome(scenario=str(number), planner='idm')
-        slow = self.outcome(scenario=str(number), planner='idm', parameters=[('idm.standard.max_acceleration', 0.05)])
+        slow = self.outcome(scenario=str(number), planner='idm', parameters=[('idm.standard.time_headway', 20.0)])
         self.assertLess(slow.progress, default.progress - 0.5)
         again = self.outcome(scenario=str(number), planner='idm', background='replay')
         self.assert_close(again.driven, default.driven, 0.0)

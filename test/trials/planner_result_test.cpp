@@ -119,7 +119,7 @@ TEST(PlannerResult, OfACaseThatCannotBeReadOnlyTheNameIsKnown) {
 
 TEST(PlannerResult, AnotherFormatIsRefusedByField) {
   std::string line = plannerResultLine(tested());
-  line.replace(line.find("\"version\":1"), 11, "\"version\":2");
+  line.replace(line.find("\"version\":2"), 11, "\"version\":3");
   try {
     readPlannerResultLine("results.jsonl: line 4", line);
     ADD_FAILURE();
