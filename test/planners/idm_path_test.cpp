@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <random>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace forge {
 namespace {
@@ -66,6 +71,44 @@ TEST(IdmCorridor, EndsHalfAWidthBehindThePathsEnd) {
 TEST(IdmCorridor, IsRoundOutsideACorner) {
   EXPECT_TRUE(touches(boxOf(21.4, 0.0), 0.0));
   EXPECT_FALSE(touches(boxOf(21.3, -1.3), 0.0));  // 0.8 m off either way: 1.13 m
+}
+
+/// Three turns of a spiral, so that a box near one turn is not far from another.
+std::vector<Pose2> spiral() {
+  std::vector<Pose2> nodes;
+  for (int i = 0; i <= 600; ++i) {
+    const double angle = M_PI * i / 100.0;
+    const double radius = 20.0 + 2.0 * angle;
+    nodes.push_back({radius * std::cos(angle), radius * std::sin(angle), angle + M_PI_2});
+  }
+  return nodes;
+}
+
+TEST(IdmCorridor, OnALongWayThatComesBackItIsThatOfEveryPlace) {
+  constexpr unsigned kSeed = 5;
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> place(-70.0, 70.0), yaw(-M_PI, M_PI), start(0.0, 1.0);
+  const IdmPath path(spiral());
+  constexpr double kWidth = 2.0, kStep = 0.1, kUnclear = 0.05;  // m
+  int touched = 0, clear = 0;
+  for (int i = 0; i < 300; ++i) {
+    const OrientedBox box{{place(random), place(random), yaw(random)}, {4.0, 1.8}};
+    const double from = start(random) * (path.end() - 10.0);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (double at = from; at <= path.end(); at += kStep) {
+      nearest = std::min(nearest, distance({path.at(at), {0.0, 0.0}}, box));
+    }
+    const bool is_near_an_end =  // which are square
+        distance({path.at(from), {kWidth, kWidth}}, box) == 0.0 ||
+        distance({path.at(path.end()), {kWidth, kWidth}}, box) == 0.0;
+    if (is_near_an_end || std::abs(nearest - 0.5 * kWidth) < kUnclear) continue;
+    const bool is_touched = nearest < 0.5 * kWidth;
+    EXPECT_EQ(IdmCorridor(path, {box}, kWidth).touchedFrom(from).front(), is_touched) << i;
+    ++(is_touched ? touched : clear);
+  }
+  EXPECT_GT(touched, 50);
+  EXPECT_GT(clear, 50);
 }
 
 }  // namespace
