@@ -143,7 +143,7 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("dataset.yaml", "sheet_rows:", "#", {"dataset.sheet_rows", "missing"});
   expectComplaint("dataset.yaml", "    ltap:", "#", {"dataset.attempts.ltap", "missing"});
   expectComplaint("planners.yaml", "wheelbase:", "#", {"car.wheelbase", "missing"});
-  expectComplaint("planners.yaml", "ttc_weight:", "#", {"pdm.scoring.ttc_weight", "missing"});
+  expectComplaint("planners.yaml", "tracker_wheelbase:", "#", {"pdm.tracker_wheelbase", "missing"});
   expectComplaint("planners.yaml", "max_yaw_rate:", "#",
                   {"pdm.scoring.comfort.max_yaw_rate", "missing"});
   expectComplaint("planners.yaml", "bend_length:", "#", {"rule_based.bend_length", "missing"});

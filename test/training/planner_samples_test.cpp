@@ -20,7 +20,7 @@ Scene straightScene() {
   for (std::size_t i = 0; i < kFrames; ++i) {
     scene.frame_times.push_back(100.0 + 0.5 * static_cast<double>(i));
     scene.ego.states.push_back(
-        {scene.frame_times.back(), {0.5 * static_cast<double>(i) * kSpeed, 0.0, 0.0}, {}});
+        {scene.frame_times.back(), {0.5 * static_cast<double>(i) * kSpeed, 0.0, 0.0}, {0.0, 0.0}});
   }
   return scene;
 }
