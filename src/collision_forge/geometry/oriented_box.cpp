@@ -59,8 +59,9 @@ double area(const Outline& outline) {
 }  // namespace
 
 std::array<Vector2, 4> corners(const OrientedBox& box) {
-  const Vector2 forward = 0.5 * box.size.length * box.center.heading();
-  const Vector2 left = 0.5 * box.size.width * leftOf(box.center.heading());
+  const Vector2 heading = box.center.heading();
+  const Vector2 forward = 0.5 * box.size.length * heading;
+  const Vector2 left = 0.5 * box.size.width * leftOf(heading);
   const Vector2 middle = box.center.position();
   return {middle + forward + left, middle - forward + left, middle - forward - left,
           middle + forward - left};

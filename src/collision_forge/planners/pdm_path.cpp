@@ -22,15 +22,44 @@ double nearestShare(const Vector2& from, const Vector2& to, const Vector2& point
 bool touchesSquareAt(const Vector2& end, const Vector2& outward, double half_width,
                      const OrientedBox& box) {
   const Vector2 middle = end + 0.5 * half_width * outward;
+  const double reach = circumradius(box.size) + 1.5 * half_width;  // more than the square's
+  if ((box.center.position() - middle).squaredNorm() > reach * reach) return false;
   const double yaw = std::atan2(outward.y(), outward.x());
   return overlaps({{middle.x(), middle.y(), yaw}, {half_width, 2.0 * half_width}}, box);
 }
 
-/// Of a piece of no width.
-OrientedBox boxOf(const Vector2& from, const Vector2& to) {
-  const Vector2 middle = 0.5 * (from + to);
+/// True when a piece shares a point with the rectangle around the origin with these half sides.
+bool crosses(const Vector2& from, const Vector2& to, const Vector2& half) {
   const Vector2 span = to - from;
-  return {{middle.x(), middle.y(), std::atan2(span.y(), span.x())}, {span.norm(), 0.0}};
+  double first = 0.0;
+  double last = 1.0;
+  for (const int axis : {0, 1}) {
+    if (span[axis] == 0.0) {
+      if (std::abs(from[axis]) > half[axis]) return false;
+      continue;
+    }
+    const double low = (-half[axis] - from[axis]) / span[axis];
+    const double high = (half[axis] - from[axis]) / span[axis];
+    first = std::max(first, std::min(low, high));
+    last = std::min(last, std::max(low, high));
+  }
+  return first <= last;
+}
+
+/// Between such a rectangle and a piece: apart, they are closest at an end of the piece or at a
+/// corner.
+double squaredGap(const Vector2& from, const Vector2& to, const Vector2& half) {
+  if (crosses(from, to, half)) return 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector2& end : {from, to}) {
+    least = std::min(least, (end.cwiseAbs() - half).cwiseMax(0.0).squaredNorm());
+  }
+  for (const Vector2& corner :
+       {half, Vector2(-half), Vector2(half.x(), -half.y()), Vector2(-half.x(), half.y())}) {
+    const double share = nearestShare(from, to, corner);
+    least = std::min(least, (from + share * (to - from) - corner).squaredNorm());
+  }
+  return least;
 }
 
 }  // namespace
@@ -107,15 +136,22 @@ PdmPath PdmPath::ahead(double progress) const {
 
 bool PdmPath::corridorTouches(const OrientedBox& box, double half_width) const {
   const Vector2 middle = box.center.position();
-  const double reach = circumradius(box.size) + half_width;
+  const Vector2 half(0.5 * box.size.length, 0.5 * box.size.width);
+  const Vector2 heading = box.center.heading();
+  const auto seen = [&](const Vector2& point) -> Vector2 {
+    const Vector2 offset = point - middle;
+    return {heading.dot(offset), heading.x() * offset.y() - heading.y() * offset.x()};
+  };
+  const double reach = half.norm() + half_width;
   for (const Stretch& stretch : stretches_) {
     if (stretch.bounds.squaredExteriorDistance(middle) > reach * reach) continue;
+    Vector2 from = seen(nodes_[stretch.first].position());
     for (std::size_t i = stretch.first; i < stretch.last; ++i) {
-      const Vector2 from = nodes_[i].position();
-      const Vector2 to = nodes_[i + 1].position();
-      const double share = nearestShare(from, to, middle);
-      if ((from + share * (to - from) - middle).squaredNorm() > reach * reach) continue;
-      if (distance(boxOf(from, to), box) <= half_width) return true;
+      const Vector2 to = seen(nodes_[i + 1].position());
+      const Vector2 nearest = from + nearestShare(from, to, {0.0, 0.0}) * (to - from);
+      const bool may_touch = nearest.squaredNorm() <= reach * reach;
+      if (may_touch && squaredGap(from, to, half) <= half_width * half_width) return true;
+      from = to;
     }
   }
   const auto outward = [&](std::size_t end, std::size_t inner) -> Vector2 {

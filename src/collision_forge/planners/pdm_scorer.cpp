@@ -105,10 +105,13 @@ bool PdmScorer::isTooClose(const PdmMotion& motion, const PdmPlace& place, std::
   const PdmForecast& forecast = surroundings_.forecast;
   const BicycleState& state = motion.states[step];
   const OrientedBox& now = motion.boxes[step];
+  const Vector2 heading = now.center.heading();
   bool is_too_close = false;
   for (const std::size_t ahead : ttc_steps_) {
     const double driven = std::abs(state.speed) * static_cast<double>(ahead) * forecast.step();
-    const OrientedBox box{compose(now.center, {driven, 0.0, 0.0}), now.size};
+    const OrientedBox box{
+        {now.center.x + driven * heading.x(), now.center.y + driven * heading.y(), now.center.yaw},
+        now.size};
     forecast.forTouching(box, circumradius(box.size), step + ahead, [&](std::size_t agent) {
       if (let_alone[agent] || is_too_close) return;
       const double cosine = cosineTo(state, forecast.positions(step + ahead)[agent]);
