@@ -10,13 +10,7 @@ namespace {
 const RuleBasedOptions& options() { return shippedConfig().planners.rule_based; }
 
 /// In along x to 0, then straight on or gently left, 0.1 m to the left a metre.
-LaneGraph fork() {
-  auto map = std::make_shared<LaneMap>();
-  map->lanes = {straightLane("in", {-50.0, 0.0}, {0.0, 0.0}, {"straight", "left"}),
-                straightLane("straight", {0.0, 0.0}, {50.0, 0.0}),
-                straightLane("left", {0.0, 0.0}, {50.0, 5.0})};
-  return laneGraphOf(LaneIndex(map), options().node_spacing);
-}
+LaneGraph fork() { return forkedGraph(0.0, {50.0, 5.0}); }
 
 TEST(LaneMatches, TheNearestEdgeOfALaneIsTaken) {
   const std::vector<EdgeMatch> matches = matchedEdges(fork(), {-20.3, 0.5, 0.1}, options());

@@ -13,13 +13,7 @@ namespace {
 const RuleBasedOptions& options() { return shippedConfig().planners.rule_based; }
 
 /// In along x to 0, then straight on or off to the left.
-LaneGraph fork() {
-  auto map = std::make_shared<LaneMap>();
-  map->lanes = {straightLane("in", {-50.0, 0.0}, {0.0, 0.0}, {"straight", "left"}),
-                straightLane("straight", {0.0, 0.0}, {100.0, 0.0}),
-                straightLane("left", {0.0, 0.0}, {70.0, 70.0})};
-  return laneGraphOf(LaneIndex(map), options().node_spacing);
-}
+LaneGraph fork() { return forkedGraph(0.0, {70.0, 70.0}); }
 
 std::vector<LaneSpline> splinesAt(const Pose2& pose, double speed = 5.0,
                                   const Reach& reach = {60.0, 10.0}) {

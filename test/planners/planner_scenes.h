@@ -8,6 +8,7 @@
 
 #include "attack/test_scenes.h"
 #include "collision_forge/map/lane_queries.h"
+#include "collision_forge/planners/lane_graph.h"
 #include "collision_forge/planners/planner.h"
 #include "collision_forge/settings/config.h"
 
@@ -57,6 +58,15 @@ inline std::shared_ptr<const LaneIndex> bentRoad(double radius) {
   map->lanes = {lane};
   map->drivable_area = {rectangle(-100.0, -5.0, radius + 5.0, radius + 150.0)};
   return std::make_shared<const LaneIndex>(map);
+}
+
+/// The lane graph of a road along x from -50 m that parts at `fork`: straight on, and to `left`.
+inline LaneGraph forkedGraph(double fork, const Vector2& left) {
+  auto map = std::make_shared<LaneMap>();
+  map->lanes = {straightLane("in", {-50.0, 0.0}, {fork, 0.0}, {"straight", "left"}),
+                straightLane("straight", {fork, 0.0}, {fork + 100.0, 0.0}),
+                straightLane("left", {fork, 0.0}, left)};
+  return laneGraphOf(LaneIndex(map), shippedConfig().planners.rule_based.node_spacing);
 }
 
 /// The points of a centreline.

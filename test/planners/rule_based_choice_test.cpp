@@ -120,13 +120,7 @@ TEST(PoseAfterStep, StandsWhereItIsNotDriven) {
 }
 
 /// Straight on or off to the left at x = 30.
-LaneGraph fork() {
-  auto map = std::make_shared<LaneMap>();
-  map->lanes = {straightLane("in", {-50.0, 0.0}, {30.0, 0.0}, {"straight", "left"}),
-                straightLane("straight", {30.0, 0.0}, {130.0, 0.0}),
-                straightLane("left", {30.0, 0.0}, {100.0, 70.0})};
-  return laneGraphOf(LaneIndex(map), options().node_spacing);
-}
+LaneGraph fork() { return forkedGraph(30.0, {100.0, 70.0}); }
 
 TEST(PlanOnLanes, DrivesTheFirstWayOrThatAlongTheRoute) {
   const DrivenBox ego{{0.0, 0.0, 0.0}, 10.0, kCarSize};

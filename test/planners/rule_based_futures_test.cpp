@@ -10,13 +10,7 @@ namespace {
 const RuleBasedOptions& options() { return shippedConfig().planners.rule_based; }
 
 /// In, then straight on or off to the left.
-LaneGraph fork() {
-  auto map = std::make_shared<LaneMap>();
-  map->lanes = {straightLane("in", {-50.0, 0.0}, {0.0, 0.0}, {"straight", "left"}),
-                straightLane("straight", {0.0, 0.0}, {100.0, 0.0}),
-                straightLane("left", {0.0, 0.0}, {70.0, 70.0})};
-  return laneGraphOf(LaneIndex(map), options().node_spacing);
-}
+LaneGraph fork() { return forkedGraph(0.0, {70.0, 70.0}); }
 
 DrivenBox carAt(const Pose2& pose, double speed) { return {pose, speed, kCarSize}; }
 
