@@ -4,33 +4,11 @@
 
 #include <algorithm>
 
-#include "attack/test_scenes.h"
-#include "collision_forge/data/json_line.h"
-#include "data/collide_fixture.h"
+#include "collision_forge/trials/planner_result_file.h"
+#include "trials/rear_end_case.h"
 
 namespace forge {
 namespace {
-
-const Config& config() {
-  static const Config loaded = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
-  return loaded;
-}
-
-/// The attacker comes from behind at twice the ego's speed.
-PlannerCase rearEnd() {
-  const CollideClip clip =
-      straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-14.7, 0.0, 0.0}, 10.0);
-  PlannerCase one =
-      caseOfClip(clip, ClipAttacker::kRecorded, std::make_shared<const LaneIndex>(twoLaneRoad()),
-                 MethodMaker("search", builtInMethods(), config().attack, {}), config());
-  one.source = "recorded";
-  return one;
-}
-
-PlannerTestResult tested() {
-  return testPlanners(rearEnd(), {"idm", "idm_published"}, Background::kReplay, config(),
-                      config().planners);
-}
 
 TEST(PlannerResult, EveryPlannerHasARow) {
   const PlannerTestResult result = tested();
@@ -82,67 +60,6 @@ TEST(PlannerResult, OfAnUnfitClipThePublishedHitOfThePublishedIdmIsKnown) {
   EXPECT_EQ(std::count(csv[0].begin(), csv[0].end(), ','),
             std::count(header.begin(), header.end(), ','));
   EXPECT_EQ(csv[0].back(), '1');
-}
-
-TEST(PlannerResult, ALineReadsBackAsTheSameLine) {
-  PlannerTestResult result = tested();
-  result.rows[1].outcome.failure = PlannerFailure::kNotFinite;
-  result.rows[1].outcome.failure_message = "point 3 is not finite";
-  result.rows[1].outcome.contact.reset();
-  result.rows[1].published_hit.reset();
-  const std::string line = plannerResultLine(result);
-  const PlannerTestResult read = readPlannerResultLine("here", line);
-  EXPECT_EQ(read.rows.size(), 2u);
-  EXPECT_EQ(read.rows[0].outcome.contact->impact_speed,
-            result.rows[0].outcome.contact->impact_speed);
-  EXPECT_EQ(read.rows[1].outcome.failure, PlannerFailure::kNotFinite);
-  EXPECT_EQ(read.avoidability.from_now, result.avoidability.from_now);
-  EXPECT_EQ(read.avoidability.last, result.avoidability.last);
-  EXPECT_EQ(plannerResultLine(read), line);
-}
-
-TEST(PlannerResult, OfACaseThatCannotBeReadOnlyTheNameIsKnown) {
-  PlannerCase nothing;
-  nothing.name = "crashes:3";
-  const PlannerTestResult result = untested(nothing, kUnreadable, "no scenario");
-  const std::string line = plannerResultLine(result);
-  EXPECT_NE(line.find(R"("name":"crashes:3","source":null,"scene":null,"type":null,"tta":null,)"
-                      R"("now":null,"status":"UNREADABLE","message":"no scenario")"),
-            std::string::npos)
-      << line;
-  EXPECT_EQ(plannerResultLine(readPlannerResultLine("here", line)), line);
-  EXPECT_EQ(plannerResultCsvRows(result).front().find("crashes:3,,,,,UNREADABLE,"), 0u);
-  std::string invented = line;
-  invented.replace(invented.find("\"tta\":null"), 10, "\"tta\":4");
-  EXPECT_THROW(readPlannerResultLine("here", invented), JsonLineError);
-}
-
-TEST(PlannerResult, AnotherFormatIsRefusedByField) {
-  std::string line = plannerResultLine(tested());
-  line.replace(line.find("\"version\":2"), 11, "\"version\":3");
-  try {
-    readPlannerResultLine("results.jsonl: line 4", line);
-    ADD_FAILURE();
-  } catch (const JsonLineError& error) {
-    EXPECT_NE(std::string(error.what()).find("line 4"), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find("version"), std::string::npos);
-  }
-}
-
-TEST(PlannerResult, CsvRowsHaveTheColumnsOfTheHeader) {
-  const auto commas = [](const std::string& text) {
-    return std::count(text.begin(), text.end(), ',');
-  };
-  PlannerTestResult result = tested();
-  result.rows[1].outcome.contact.reset();
-  const auto rows = plannerResultCsvRows(result);
-  ASSERT_EQ(rows.size(), 2u);
-  const auto expected = commas(plannerResultCsvHeader());
-  for (const std::string& row : rows) EXPECT_EQ(commas(row), expected) << row;
-  const auto unfit = plannerResultCsvRows(untested(rearEnd(), "UNFIT", "why"));
-  ASSERT_EQ(unfit.size(), 1u);
-  EXPECT_EQ(commas(unfit[0]), expected);
-  EXPECT_EQ(commas(plannerResultCsvRows(untested({}, kUnreadable, "why"))[0]), expected);
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "collision_forge/trials/planner_cases.h"
 #include "collision_forge/trials/planner_report.h"
 #include "collision_forge/trials/planner_run.h"
+#include "collision_forge/trials/planner_result_file.h"
 
 namespace forge {
 namespace {

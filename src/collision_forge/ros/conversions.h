@@ -10,13 +10,11 @@
 #include <collision_forge/EncodedScene.h>
 #include <collision_forge/Future.h>
 #include <collision_forge/LaneMap.h>
-#include <collision_forge/PlannedTrajectory.h>
-#include <collision_forge/PlannerOutcome.h>
-#include <collision_forge/PlanningState.h>
+#include <collision_forge/TrajectoryPoint.h>
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
+#include <geometry_msgs/Vector3.h>
 
-#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -24,11 +22,9 @@
 
 #include "collision_forge/attack/realizer.h"
 #include "collision_forge/network/scene_encoding.h"
-#include "collision_forge/planners/planner.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
 #include "collision_forge/scene/scene_history.h"
-#include "collision_forge/trials/planner_trial.h"
 
 /// Between the core's types and the messages. Poses are planar: z, roll and pitch are dropped.
 namespace forge {
@@ -47,6 +43,10 @@ Pose2 fromMessage(const geometry_msgs::Pose2D& message);
 Pose2 fromMessage(const geometry_msgs::Transform& message);
 geometry_msgs::Pose toPoseMessage(const Pose2& pose);
 geometry_msgs::Pose2D toPose2dMessage(const Pose2& pose);
+
+geometry_msgs::Vector3 toMessage(const BoxSize& size);
+TrajectoryPoint fromMessage(const collision_forge::TrajectoryPoint& message);
+collision_forge::TrajectoryPoint toMessage(const TrajectoryPoint& point);
 
 LaneMap fromMessage(const collision_forge::LaneMap& message);
 collision_forge::LaneMap toMessage(const LaneMap& map, const ros::Time& stamp);
@@ -82,16 +82,5 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
 
 /// An answer with kOk. `now`: of the snapshot.
 collision_forge::Attack toMessage(const Realization& answer, const std::string& method, double now);
-
-/// What an external planner is told; `test` and `interval` as in the message.
-collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
-                                         std::uint32_t test, double interval);
-
-/// The planned points as they are, numbers that are none among them. Throws MessageError for an
-/// orientation that was not filled in.
-std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajectory& message);
-
-collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::string& planner,
-                                          const std::string& attacker_id);
 
 }  // namespace forge

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/planner_messages.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {

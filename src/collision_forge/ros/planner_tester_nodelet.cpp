@@ -15,7 +15,7 @@
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/ros/bag_file.h"
-#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/planner_messages.h"
 #include "collision_forge/ros/external_planner.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/planner_markers.h"

@@ -75,13 +75,7 @@ PlannerTestResult testPlanners(const PlannerCase& one, const std::vector<std::st
                                Background background, const StudyOptions& study,
                                const TrialOptions& trials);
 
-/// One line of results.jsonl, without a line end; times from now, as docs/planners.md has it.
-std::string plannerResultLine(const PlannerTestResult& result);
-/// The opposite. Throws JsonLineError naming `where`.
-PlannerTestResult readPlannerResultLine(const std::string& where, const std::string& line);
-
-/// A line a planner, without the line's end.
-std::string plannerResultCsvHeader();
-std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result);
+/// s from `now`, to the microsecond, the clock's resolution.
+double fromNow(double time, double now);
 
 }  // namespace forge

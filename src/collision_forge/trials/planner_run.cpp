@@ -1,4 +1,5 @@
 #include "collision_forge/trials/planner_run.h"
+#include "collision_forge/trials/planner_result_file.h"
 
 #include <stdexcept>
 #include <utility>

@@ -5,7 +5,7 @@
 
 #include "collision_forge/batch/run.h"
 #include "collision_forge/trials/planner_cases.h"
-#include "collision_forge/trials/planner_result.h"
+#include "collision_forge/trials/planner_result_file.h"
 
 namespace forge {
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <collision_forge/PlannedTrajectory.h>
+#include <collision_forge/PlannerOutcome.h>
+#include <collision_forge/PlanningState.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "collision_forge/planners/planner.h"
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/trials/planner_trial.h"
+
+/// conversions.h for tests of planners.
+namespace forge {
+
+/// What an external planner is told; `test` and `interval` as in the message.
+collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
+                                         std::uint32_t test, double interval);
+
+/// The planned points as they are, numbers that are none among them. Throws MessageError for an
+/// orientation that was not filled in.
+std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajectory& message);
+
+collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::string& planner,
+                                          const std::string& attacker_id);
+
+}  // namespace forge

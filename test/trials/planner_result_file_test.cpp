@@ -1,0 +1,75 @@
+#include "collision_forge/trials/planner_result_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "collision_forge/data/json_line.h"
+#include "trials/rear_end_case.h"
+
+namespace forge {
+namespace {
+
+TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
+  PlannerTestResult result = tested();
+  result.rows[1].outcome.failure = PlannerFailure::kNotFinite;
+  result.rows[1].outcome.failure_message = "point 3 is not finite";
+  result.rows[1].outcome.contact.reset();
+  result.rows[1].published_hit.reset();
+  const std::string line = plannerResultLine(result);
+  const PlannerTestResult read = readPlannerResultLine("here", line);
+  EXPECT_EQ(read.rows.size(), 2u);
+  EXPECT_EQ(read.rows[0].outcome.contact->impact_speed,
+            result.rows[0].outcome.contact->impact_speed);
+  EXPECT_EQ(read.rows[1].outcome.failure, PlannerFailure::kNotFinite);
+  EXPECT_EQ(read.avoidability.from_now, result.avoidability.from_now);
+  EXPECT_EQ(read.avoidability.last, result.avoidability.last);
+  EXPECT_EQ(plannerResultLine(read), line);
+}
+
+TEST(PlannerResultFile, OfACaseThatCannotBeReadOnlyTheNameIsKnown) {
+  PlannerCase nothing;
+  nothing.name = "crashes:3";
+  const PlannerTestResult result = untested(nothing, kUnreadable, "no scenario");
+  const std::string line = plannerResultLine(result);
+  EXPECT_NE(line.find(R"("name":"crashes:3","source":null,"scene":null,"type":null,"tta":null,)"
+                      R"("now":null,"status":"UNREADABLE","message":"no scenario")"),
+            std::string::npos)
+      << line;
+  EXPECT_EQ(plannerResultLine(readPlannerResultLine("here", line)), line);
+  EXPECT_EQ(plannerResultCsvRows(result).front().find("crashes:3,,,,,UNREADABLE,"), 0u);
+  std::string invented = line;
+  invented.replace(invented.find("\"tta\":null"), 10, "\"tta\":4");
+  EXPECT_THROW(readPlannerResultLine("here", invented), JsonLineError);
+}
+
+TEST(PlannerResultFile, AnotherFormatIsRefusedByField) {
+  std::string line = plannerResultLine(tested());
+  line.replace(line.find("\"version\":2"), 11, "\"version\":3");
+  try {
+    readPlannerResultLine("results.jsonl: line 4", line);
+    ADD_FAILURE();
+  } catch (const JsonLineError& error) {
+    EXPECT_NE(std::string(error.what()).find("line 4"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("version"), std::string::npos);
+  }
+}
+
+TEST(PlannerResultFile, CsvRowsHaveTheColumnsOfTheHeader) {
+  const auto commas = [](const std::string& text) {
+    return std::count(text.begin(), text.end(), ',');
+  };
+  PlannerTestResult result = tested();
+  result.rows[1].outcome.contact.reset();
+  const auto rows = plannerResultCsvRows(result);
+  ASSERT_EQ(rows.size(), 2u);
+  const auto expected = commas(plannerResultCsvHeader());
+  for (const std::string& row : rows) EXPECT_EQ(commas(row), expected) << row;
+  const auto unfit = plannerResultCsvRows(untested(rearEnd(), "UNFIT", "why"));
+  ASSERT_EQ(unfit.size(), 1u);
+  EXPECT_EQ(commas(unfit[0]), expected);
+  EXPECT_EQ(commas(plannerResultCsvRows(untested({}, kUnreadable, "why"))[0]), expected);
+}
+
+}  // namespace
+}  // namespace forge
