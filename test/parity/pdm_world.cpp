@@ -10,11 +10,12 @@ ParityMap::ParityMap(const ParityFixture& maps, const std::string& name)
 PdmMap ParityMap::pdmMap(const std::string& route) const {
   std::vector<PdmArea> areas;
   for (const auto& entry : memberOf(map_, "lanes").GetObject()) {
-    areas.push_back(
-        {outlineOf(memberOf(entry.value, "polygon")), isOnRoute(entry.name.GetString(), route)});
+    areas.push_back({outlineOf(memberOf(entry.value, "polygon")),
+                     isOnRoute(entry.name.GetString(), route),
+                     {}});
   }
   for (const auto& park : memberOf(map_, "carparks").GetObject()) {
-    areas.push_back({outlineOf(park.value), false});
+    areas.push_back({outlineOf(park.value), false, {}});
   }
   std::vector<std::vector<Vector2>> intersections;
   for (const auto& outline : memberOf(map_, "intersections").GetArray()) {
@@ -76,6 +77,8 @@ std::shared_ptr<const LaneIndex> ParityMap::laneIndex() const {
     for (const auto& next : memberOf(entry.value, "next").GetArray()) {
       lane.outgoing.push_back(next.GetString());
     }
+    const rapidjson::Value& limit = memberOf(entry.value, "speed_limit");
+    if (!limit.IsNull()) lane.speed_limit = numberOf(limit);
     const rapidjson::Value& road =
         memberOf(memberOf(map_, "roadblocks"), textOf(entry.value, "roadblock").c_str());
     lane.is_connector = memberOf(road, "connector").GetBool();

@@ -22,7 +22,7 @@ class ParityMap {
   PdmPath pathAlong(const std::vector<std::string>& lanes) const;
   /// The lanes of the route from that nearest to the pose on.
   std::vector<std::string> lanesFrom(const Pose2& pose, const std::string& route) const;
-  /// As a map of nuScenes has it, where there are no roads and no speed limits.
+  /// As a map of nuScenes has it, where there are no roads, but with the speed limits.
   std::shared_ptr<const LaneIndex> laneIndex() const;
   /// Of a lane; the fallback where it has none.
   double speedLimit(const std::string& lane, double fallback) const;

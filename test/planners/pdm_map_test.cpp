@@ -8,7 +8,7 @@ namespace forge {
 namespace {
 
 PdmArea areaOf(double left, double low, double right, double high, bool is_on_route) {
-  return {{{left, low}, {right, low}, {right, high}, {left, high}}, is_on_route};
+  return {{{left, low}, {right, low}, {right, high}, {left, high}}, is_on_route, {}};
 }
 
 /// Two lanes one after the other on the route, and one beside them that is not.
@@ -58,6 +58,17 @@ TEST(PdmMap, ADrivableAreaOfItsOwnHasAMargin) {
   EXPECT_FALSE(map.placeOf(carAt(20.0, -8.0)).is_off_road);
   EXPECT_FALSE(map.placeOf(carAt(20.0, -9.2)).is_off_road);
   EXPECT_TRUE(map.placeOf(carAt(20.0, -9.8)).is_off_road);
+}
+
+TEST(PdmMap, TheLimitIsThatOfTheLaneOnTheRoute) {
+  PdmArea here = areaOf(0.0, -2.0, 50.0, 2.0, true);
+  here.speed_limit = 8.0;
+  PdmArea beside = areaOf(0.0, 2.0, 50.0, 6.0, false);
+  beside.speed_limit = 20.0;
+  const PdmMap map({beside, here}, {});
+  EXPECT_EQ(map.placeOf(carAt(20.0, 0.0)).speed_limit, std::optional<double>(8.0));
+  EXPECT_EQ(map.placeOf(carAt(20.0, 4.0)).speed_limit, std::nullopt);
+  EXPECT_EQ(twoRoads().placeOf(carAt(20.0, 0.0)).speed_limit, std::nullopt);
 }
 
 TEST(PdmMap, KnowsItsIntersections) {

@@ -68,6 +68,14 @@ TEST(PdmPlanner, OnAnEmptyRoadTheFastestProposalInTheMiddleWins) {
   EXPECT_NEAR(points.back().pose.y, 0.0, 0.05);
 }
 
+TEST(PdmPlanner, KeepsTheLimitOfItsLane) {
+  auto map = std::make_shared<LaneMap>(threeLaneRoad()->map());
+  map->lanes[0].speed_limit = 6.0;
+  PdmPlanner planner = plannerOn(taskOn(std::make_shared<const LaneIndex>(map)));
+  planner.plan({egoAt({0.0, 0.0, 0.0}, 5.0), {}});
+  EXPECT_EQ(planner.closed()->candidates().back().proposal.desired_speed, 6.0);
+}
+
 TEST(PdmPlanner, StaysBehindAStandingCar) {
   const std::vector<Track> agents = {agentAt("lead", {45.0, 0.0, 0.0}, 0.0)};
   PdmPlanner planner = plannerOn(taskOn(threeLaneRoad()));

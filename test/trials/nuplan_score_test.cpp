@@ -14,7 +14,8 @@ class NuplanScoring : public testing::Test {
  protected:
   static PdmArea lane(double y, bool is_on_route) {
     return {{{-200.0, y - 2.0}, {400.0, y - 2.0}, {400.0, y + 2.0}, {-200.0, y + 2.0}},
-            is_on_route};
+            is_on_route,
+            {}};
   }
 
   NuplanJudge judge() const {
@@ -106,6 +107,23 @@ TEST_F(NuplanScoring, HardBrakingIsUncomfortable) {
   EXPECT_EQ(driven(braking(4.0)).comfort, 1.0);
   EXPECT_EQ(driven(braking(4.2)).comfort, 0.0);
   EXPECT_NEAR(driven(braking(4.2)).total, 10.0 / 12.0, 1e-12);
+}
+
+TEST_F(NuplanScoring, SpeedLimitsCountWhereTheyAreKnown) {
+  PdmArea limited = lane(0.0, true);
+  limited.speed_limit = 9.0;
+  const PdmMap map({limited}, {});
+  const PlannerOptions& planners = shippedConfig().planners;
+  const NuplanScoreOptions& options = shippedConfig().planners.nuplan_score;
+  const auto scored = [&](double speed) {
+    NuplanJudge judge(map, shippedConfig().ego_vehicle, planners.pdm.scoring, options);
+    for (int i = 0; i <= 40; ++i) judge.see(straight(speed)(0.1 * i), {}, {});
+    return judge.score({}, 1.0, 1.0);
+  };
+  EXPECT_EQ(scored(9.0).speed_limit, 1.0);
+  EXPECT_NEAR(*scored(10.0).speed_limit, 1.0 - 1.0 / options.max_overspeed, 1e-12);
+  EXPECT_EQ(scored(12.0).speed_limit, 0.0);
+  EXPECT_NEAR(scored(12.0).total, 12.0 / 16.0, 1e-12);
 }
 
 TEST_F(NuplanScoring, AMomentTellsNothingOfComfort) {

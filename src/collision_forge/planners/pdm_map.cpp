@@ -7,10 +7,12 @@ namespace forge {
 
 PdmMap::PdmMap(const std::vector<PdmArea>& areas,
                const std::vector<std::vector<Vector2>>& intersections) {
-  for (const PdmArea& area : areas) areas_.push_back(outlineOf(area.outline, area.is_on_route));
+  for (const PdmArea& area : areas) {
+    areas_.push_back({outlineOf(area.outline), area.is_on_route, area.speed_limit});
+  }
   std::stable_partition(areas_.begin(), areas_.end(),
-                        [](const Outline& area) { return area.is_on_route; });
-  for (const auto& outline : intersections) intersections_.push_back(outlineOf(outline, false));
+                        [](const Area& area) { return area.is_on_route; });
+  for (const auto& outline : intersections) intersections_.push_back(outlineOf(outline));
 }
 
 void PdmMap::setDrivable(const AreaRaster* drivable, double margin) {
@@ -19,7 +21,7 @@ void PdmMap::setDrivable(const AreaRaster* drivable, double margin) {
 }
 
 void PdmMap::addRoute(const std::vector<Vector2>& outline) {
-  routes_.push_back(outlineOf(outline, true));
+  routes_.push_back(outlineOf(outline));
 }
 
 PdmPlace PdmMap::placeOf(const OrientedBox& box) const {
@@ -33,24 +35,30 @@ PdmPlace PdmMap::placeOf(const OrientedBox& box) const {
   int touched = 0;
   bool is_in_one = false;
   const Vector2 middle = box.center.position();
-  bool is_on_route = std::any_of(routes_.begin(), routes_.end(),
-                                 [&](const Outline& route) { return route.holds(middle); });
-  for (const Outline& area : areas_) {
-    if (!area.bounds.intersects(bounds)) continue;
+  const bool is_on_route = std::any_of(routes_.begin(), routes_.end(),
+                                       [&](const Outline& route) { return route.holds(middle); });
+  bool is_in_lane_on_route = false;
+  std::optional<double> speed_limit;
+  for (const Area& area : areas_) {
+    if (!area.outline.bounds.intersects(bounds)) continue;
     int inside = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
-      if (!area.holds(outline[i])) continue;
+      if (!area.outline.holds(outline[i])) continue;
       is_on_road[i] = true;
       ++inside;
     }
     touched += inside > 0;
     is_in_one = is_in_one || inside == 4;
-    is_on_route = is_on_route || (area.is_on_route && area.holds(middle));
-    if (is_in_one && is_on_route) break;  // nothing else can change the answer
+    if (!is_in_lane_on_route && area.is_on_route && area.outline.holds(middle)) {
+      is_in_lane_on_route = true;
+      speed_limit = area.speed_limit;
+    }
+    if (is_in_one && is_in_lane_on_route) break;  // nothing else can change the answer
   }
   const bool is_all_on_road = is_in_one || std::all_of(is_on_road.begin(), is_on_road.end(),
                                                        [](bool is_on) { return is_on; });
-  return {touched > 1 && !is_in_one, drivable_ ? isOffRaster(box) : !is_all_on_road, !is_on_route};
+  return {touched > 1 && !is_in_one, drivable_ ? isOffRaster(box) : !is_all_on_road,
+          !is_on_route && !is_in_lane_on_route, speed_limit};
 }
 
 bool PdmMap::isInIntersection(const Vector2& point) const {
@@ -62,8 +70,8 @@ bool PdmMap::Outline::holds(const Vector2& point) const {
   return bounds.contains(point) && contains(polygon, point);
 }
 
-PdmMap::Outline PdmMap::outlineOf(const std::vector<Vector2>& points, bool is_on_route) {
-  Outline outline{{points, {}}, {}, is_on_route};
+PdmMap::Outline PdmMap::outlineOf(const std::vector<Vector2>& points) {
+  Outline outline{{points, {}}, {}};
   for (const Vector2& point : points) outline.bounds.extend(point);
   return outline;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "collision_forge/geometry/oriented_box.h"
@@ -11,15 +12,17 @@ namespace forge {
 
 /// A lane or a car park.
 struct PdmArea {
-  std::vector<Vector2> outline;  ///< open ring
-  bool is_on_route = false;      ///< of a road that the route takes
+  std::vector<Vector2> outline;       ///< open ring
+  bool is_on_route = false;           ///< of a road that the route takes
+  std::optional<double> speed_limit;  ///< m/s; empty where it is not known
 };
 
 /// Where a box is.
 struct PdmPlace {
-  bool is_in_several_lanes = false;  ///< two areas hold a corner, and none holds all four
-  bool is_off_road = false;          ///< a corner is off the drivable area
-  bool is_wrong_way = false;         ///< the middle is in no area on the route
+  bool is_in_several_lanes = false;   ///< two areas hold a corner, and none holds all four
+  bool is_off_road = false;           ///< a corner is off the drivable area
+  bool is_wrong_way = false;          ///< the middle is in no area on the route
+  std::optional<double> speed_limit;  ///< m/s, of the first area on the route that holds the middle
 };
 
 /// The ground around the ego as PDM-Closed sees it. Global map frame.
@@ -40,13 +43,17 @@ class PdmMap {
   struct Outline {
     Polygon polygon;
     Eigen::AlignedBox2d bounds;
-    bool is_on_route = false;
     bool holds(const Vector2& point) const;
   };
-  static Outline outlineOf(const std::vector<Vector2>& points, bool is_on_route);
+  static Outline outlineOf(const std::vector<Vector2>& points);
+  struct Area {
+    Outline outline;
+    bool is_on_route = false;
+    std::optional<double> speed_limit;
+  };
   bool isOffRaster(const OrientedBox& box) const;
 
-  std::vector<Outline> areas_;
+  std::vector<Area> areas_;  // those on the route first
   std::vector<Outline> intersections_;
   std::vector<Outline> routes_;
   const AreaRaster* drivable_ = nullptr;

@@ -23,8 +23,9 @@ void PdmPlanner::initialize(const DrivingTask& task) {
 std::vector<TrajectoryPoint> PdmPlanner::plan(const Observation& observation) {
   const double offset = task_.ego.center_offset;
   const BicycleState start = KinematicBicycle(bicycle_options_).stateOf(observation.ego, offset);
-  const std::vector<Pose2> axles =
-      closed_->plan(start, observation.agents, *map_, options_.speed_limit);
+  const PdmPlace place = map_->placeOf({observation.ego.pose, task_.ego.size});
+  const std::vector<Pose2> axles = closed_->plan(start, observation.agents, *map_,
+                                                 place.speed_limit.value_or(options_.speed_limit));
   std::vector<TrajectoryPoint> points;
   for (std::size_t i = 0; i < axles.size(); ++i) {
     const double time = observation.ego.time + static_cast<double>(i) * options_.step;

@@ -64,7 +64,7 @@ PdmMap mapAlong(const LaneIndex& lanes, const std::vector<Pose2>& route,
     std::vector<Vector2> outline =
         lane.polygon.size() >= 3 ? lane.polygon : stripAlong(lane.centerline, options.lane_width);
     if (lane.is_connector || lane.is_intersection) intersections.push_back(outline);
-    areas.push_back({std::move(outline), on_route.count(index) > 0});
+    areas.push_back({std::move(outline), on_route.count(index) > 0, lane.speed_limit});
   }
   PdmMap map(areas, intersections);
   map.addRoute(stripAlong(route, options.lane_width));

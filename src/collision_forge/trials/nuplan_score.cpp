@@ -53,6 +53,10 @@ void NuplanJudge::see(const TrajectoryPoint& ego, const std::vector<Track>& agen
   const PdmPlace place = map_.placeOf({ego.pose, ego_.size});
   driven_.push_back(ego);
   is_wrong_way_.push_back(place.is_wrong_way);
+  if (place.speed_limit) {
+    has_speed_limit_ = true;
+    overspeed_ += std::max(ego.speed - *place.speed_limit, 0.0);
+  }
   leaves_road_ = leaves_road_ || place.is_off_road;
   is_too_close_ = is_too_close_ || isTooClose(ego, place, agents, ignored);
 }
@@ -69,12 +73,18 @@ NuplanScore NuplanJudge::score(const std::optional<NuplanContact>& contact, doub
   score.making_progress = score.progress > options_.min_progress_share ? 1.0 : 0.0;
   score.time_to_collision = is_too_close_ ? 0.0 : 1.0;
   score.comfort = isComfortable() ? 1.0 : 0.0;
-  const double weighted = options_.progress_weight * score.progress +
-                          options_.ttc_weight * score.time_to_collision +
-                          options_.comfort_weight * score.comfort;
+  double weighted = options_.progress_weight * score.progress +
+                    options_.ttc_weight * score.time_to_collision +
+                    options_.comfort_weight * score.comfort;
+  double weights = options_.progress_weight + options_.ttc_weight + options_.comfort_weight;
+  if (has_speed_limit_) {
+    const double mean = overspeed_ / static_cast<double>(driven_.size());
+    score.speed_limit = std::max(1.0 - mean / options_.max_overspeed, 0.0);
+    weighted += options_.speed_limit_weight * *score.speed_limit;
+    weights += options_.speed_limit_weight;
+  }
   score.total = score.no_at_fault_collision * score.drivable_area * score.driving_direction *
-                score.making_progress * weighted /
-                (options_.progress_weight + options_.ttc_weight + options_.comfort_weight);
+                score.making_progress * weighted / weights;
   return score;
 }
 

@@ -19,10 +19,12 @@ struct NuplanScoreOptions {
   double least_progress = 0.0;
   double ttc_horizon = 0.0;
   double direction_window = 0.0;
+  double max_overspeed = 0.0;
   int acceleration_window = 0;
   int rate_window = 0;
   double progress_weight = 0.0;
   double ttc_weight = 0.0;
+  double speed_limit_weight = 0.0;
   double comfort_weight = 0.0;
 };
 
@@ -36,7 +38,7 @@ struct NuplanScore {
   double time_to_collision = 1.0;     ///< 1 or 0
   double comfort = 1.0;               ///< 1 or 0
   double progress = 1.0;              ///< of the recorded ego's
-  std::optional<double> speed_limit;  ///< empty where no lane has a limit
+  std::optional<double> speed_limit;  ///< empty where no lane that was driven on has a limit
   /// The product of the first four times the weighted mean of the others that are known.
   double total = 1.0;
 };
@@ -83,6 +85,8 @@ class NuplanJudge {
   NuplanScoreOptions options_;
   std::vector<TrajectoryPoint> driven_;
   std::vector<bool> is_wrong_way_;
+  double overspeed_ = 0.0;  // m/s, summed over the states
+  bool has_speed_limit_ = false;
   bool leaves_road_ = false;
   bool is_too_close_ = false;
 };

@@ -41,10 +41,12 @@ static void readOptions(Section& section, NuplanScoreOptions& options) {
   options.least_progress = section.positive("least_progress");
   options.ttc_horizon = section.positive("ttc_horizon");
   options.direction_window = section.positive("direction_window");
+  options.max_overspeed = section.positive("max_overspeed");
   options.acceleration_window = section.count("acceleration_window", 4);
   options.rate_window = section.count("rate_window", 4);
   options.progress_weight = section.positive("progress_weight");
   options.ttc_weight = section.nonNegative("ttc_weight");
+  options.speed_limit_weight = section.nonNegative("speed_limit_weight");
   options.comfort_weight = section.nonNegative("comfort_weight");
 }
 
