@@ -115,7 +115,7 @@ TEST(PdmClosedParity, PlansAsThePublishedOne) {
   }
 }
 
-/// What is left of the differences when roads, limits and lanes are told from a map as nuScenes has
+/// What is left of the differences when roads and lanes are told from a map as nuScenes has
 /// it: the whole planner of the suite on the same worlds.
 TEST(PdmClosedParity, OnAMapOfLanesItChoosesTheSameInMostPlans) {
   const ParityFixture fixture("pdm_closed.json");
@@ -131,9 +131,7 @@ TEST(PdmClosedParity, OnAMapOfLanesItChoosesTheSameInMostPlans) {
     const ParityMap world(maps, textOf(in, "map"));
     const rapidjson::Value& lanes = memberOf(in, "centerline_lanes");
     const PlannerOptions& shipped = shippedConfig().planners;
-    PdmOptions options = shipped.pdm;
-    options.speed_limit = world.speedLimit(lanes[0].GetString(), options.speed_limit);
-    PdmPlanner planner(options, shipped.route_centerline, shipped.car, shipped.lqr);
+    PdmPlanner planner(shipped.pdm, shipped.route_centerline, shipped.car, shipped.lqr);
     const PdmPath centerline = world.pathAlong(lanes);
     DrivingTask task{world.laneIndex(), {}, vehicle.ego, vehicle.wheelbase};
     for (double way = 0.0; way < centerline.length(); way += 1.0) {

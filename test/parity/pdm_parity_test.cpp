@@ -38,10 +38,11 @@ TEST(PdmIdmParity, StepsAsThePublishedOne) {
     const rapidjson::Value& out = memberOf(*value, "out");
     const std::vector<double> speeds = numbersOf(memberOf(out, "speed"));
     for (std::size_t policy = 0; policy < speeds.size(); ++policy) {
-      const PathState next = followed({numberOf(in, "progress"), numberOf(in, "speed")},
-                                      {numberOf(in, "lead_progress"), numberOf(in, "lead_speed"),
-                                       numberOf(in, "lead_length_rear")},
-                                      idmOf(in, policy), numberOf(in, "dt"));
+      const double progress = numberOf(in, "progress");
+      const double gap =
+          numberOf(in, "lead_progress") - progress - numberOf(in, "lead_length_rear");
+      const IdmState next = eulerStep(idmOf(in, policy), {progress, numberOf(in, "speed")},
+                                      {gap, numberOf(in, "lead_speed")}, numberOf(in, "dt"));
       EXPECT_NEAR(next.progress, numberOf(out, "progress"), kTolerance);
       EXPECT_NEAR(next.speed, speeds[policy], kTolerance);
     }
@@ -65,11 +66,13 @@ TEST(PdmIdmParity, UnrollsAsThePublishedOne) {
         memberOf(memberOf(*value, "out"), "progress_speed_per_policy_at_steps_1_2_10_40")
             .GetArray();
     for (std::size_t policy = 0; policy < pdmOptions().speed_shares.size(); ++policy) {
-      std::vector<PathState> states = {{0.0, numberOf(in, "speed")}};
+      std::vector<IdmState> states = {{0.0, numberOf(in, "speed")}};
       PathLead lead;
       for (int step = 1; step <= 40; ++step) {
         if (step % pdmOptions().lead_interval == 0) lead = leadIn(in, states.back().progress, step);
-        states.push_back(followed(states.back(), lead, idmOf(in, policy), numberOf(in, "dt")));
+        const double gap = lead.progress - states.back().progress - lead.rear;
+        states.push_back(
+            eulerStep(idmOf(in, policy), states.back(), {gap, lead.speed}, numberOf(in, "dt")));
       }
       const std::array<std::size_t, 4> steps = {1, 2, 10, 40};
       for (rapidjson::SizeType i = 0; i < steps.size(); ++i) {

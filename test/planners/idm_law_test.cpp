@@ -50,6 +50,12 @@ TEST(IdmLaw, AStepOfEulersKeepsToTheAccelerations) {
   EXPECT_DOUBLE_EQ(braked.progress, 9.5);
   EXPECT_DOUBLE_EQ(braked.speed, 5.0 - 0.5 * kIdm.braking);
   EXPECT_LT(eulerStep(kIdm, {0.0, 1.0}, {1.0, 0.0}, 0.5).speed, 0.0);
+  IdmParameters idm = kIdm;
+  idm.desired_speed = 3.0;
+  EXPECT_NEAR(eulerStep(idm, {0.0, 15.0}, {500.0, 0.0}, 0.1).speed, 15.0 - 0.1 * idm.braking, 1e-9);
+  idm.desired_speed = 100.0;
+  EXPECT_NEAR(eulerStep(idm, {0.0, 0.0}, {9000.0, 0.0}, 0.1).speed, 0.1 * idm.max_acceleration,
+              1e-4);
 }
 
 }  // namespace

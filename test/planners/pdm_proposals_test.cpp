@@ -98,13 +98,5 @@ TEST_F(PdmProposals, PosesAreBesideTheWay) {
   EXPECT_NEAR(poses_[10].x, proposal.states[10].progress, 1e-9);
 }
 
-TEST(Followed, KeepsAccelerationWithinItsLimits) {
-  IdmParameters idm = pdmOptions().idm;
-  idm.desired_speed = 3.0;
-  EXPECT_NEAR(followed({0.0, 15.0}, {500.0, 0.0, 0.0}, idm, 0.1).speed, 15.0 - 0.3, 1e-9);
-  idm.desired_speed = 100.0;
-  EXPECT_NEAR(followed({0.0, 0.0}, {9000.0, 0.0, 0.0}, idm, 0.1).speed, 0.15, 1e-4);
-}
-
 }  // namespace
 }  // namespace forge

@@ -39,7 +39,8 @@ class PdmScoring : public testing::Test {
   static const PdmOptions& pdm() { return shippedConfig().planners.pdm; }
   static PdmArea lane(double y, bool is_on_route) {
     return {{{-200.0, y - 1.75}, {400.0, y - 1.75}, {400.0, y + 1.75}, {-200.0, y + 1.75}},
-            is_on_route};
+            is_on_route,
+            {}};
   }
 
   const EgoVehicle ego_ = shippedConfig().ego_vehicle;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "collision_forge/geometry/segment.h"
+
 namespace forge {
 namespace {
 
@@ -26,7 +28,7 @@ ClosestPoint closestPoint(const std::vector<Vector2>& points, const Vector2& que
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Vector2 span = points[i + 1] - points[i];
     const Vector2 offset = query - points[i];
-    const double ratio = std::clamp(offset.dot(span) / span.squaredNorm(), 0.0, 1.0);
+    const double ratio = nearestShare(points[i], points[i + 1], query);
     const double squared_distance = (offset - ratio * span).squaredNorm();
     if (squared_distance < best.squared_distance) {
       best = {i, ratio, squared_distance};

@@ -1,7 +1,8 @@
 #include "collision_forge/planners/dormand_prince.h"
 
 #include <algorithm>
-#include <array>
+#include <boost/numeric/odeint/algebra/vector_space_algebra.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
 #include <limits>
 
@@ -10,22 +11,7 @@ namespace {
 
 using State = Eigen::Vector2d;
 
-constexpr int kStages = 7;  // the last one is the first of the next step
 constexpr double kErrorOrder = 5.0;
-
-constexpr double kStageWeights[kStages][kStages - 1] = {
-    {},
-    {1.0 / 5.0},
-    {3.0 / 40.0, 9.0 / 40.0},
-    {44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0},
-    {19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0},
-    {9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0},
-    {35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0}};
-
-/// Of the difference between the fifth and the fourth order.
-constexpr double kErrorWeights[kStages] = {
-    -71.0 / 57600.0,    0.0,           71.0 / 16695.0, -71.0 / 1920.0,
-    17253.0 / 339200.0, -22.0 / 525.0, 1.0 / 40.0};
 
 // How a step's length follows from the error of the last.
 constexpr double kSafety = 0.9;
@@ -71,20 +57,15 @@ struct Attempt {
 
 Attempt attemptStep(const StateRate& rate, const State& from, const State& from_rate, double length,
                     const IntegrationTolerance& tolerance) {
-  std::array<State, kStages> rates;
-  rates[0] = from_rate;
-  State state = from;
-  for (int stage = 1; stage < kStages; ++stage) {
-    State sum = State::Zero();
-    for (int i = 0; i < stage; ++i)
-      sum += kStageWeights[stage][i] * rates[static_cast<std::size_t>(i)];
-    state = from + length * sum;
-    rates[static_cast<std::size_t>(stage)] = rate(state);
-  }
-  State error = State::Zero();
-  for (std::size_t i = 0; i < kStages; ++i) error += kErrorWeights[i] * rates[i];
-  error = (length * error).cwiseQuotient(scaleOf(from, state, tolerance));
-  return {state, rates.back(), rootMeanSquare(error)};
+  using boost::numeric::odeint::runge_kutta_dopri5;
+  using boost::numeric::odeint::vector_space_algebra;
+  runge_kutta_dopri5<State, double, State, double, vector_space_algebra> stepper;
+  const auto system = [&](const State& state, State& change, double) { change = rate(state); };
+  Attempt attempt;
+  State error;
+  stepper.do_step(system, from, from_rate, 0.0, attempt.state, attempt.rate, length, error);
+  attempt.error = rootMeanSquare(error.cwiseQuotient(scaleOf(from, attempt.state, tolerance)));
+  return attempt;
 }
 
 /// The next length as a multiple of the last; an error that is no number asks for the least.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/geometry/segment.h"
+
 namespace forge {
 namespace {
 
@@ -49,8 +51,7 @@ void markConnected(const LaneGraph& graph, const std::vector<EdgeMatch>& matches
 }  // namespace
 
 Vector2 closestBetween(const Vector2& from, const Vector2& to, const Vector2& point) {
-  const Vector2 span = to - from;
-  return from + std::clamp((point - from).dot(span) / span.squaredNorm(), 0.0, 1.0) * span;
+  return from + nearestShare(from, to, point) * (to - from);
 }
 
 std::vector<EdgeMatch> matchedEdges(const LaneGraph& graph, const Pose2& vehicle,

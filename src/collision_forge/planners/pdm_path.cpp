@@ -7,17 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/geometry/segment.h"
+
 namespace forge {
 namespace {
 
 constexpr std::size_t kPieces = 16;  // of a stretch
-
-/// The place on a piece nearest to the point, as a share of the piece.
-double nearestShare(const Vector2& from, const Vector2& to, const Vector2& point) {
-  const Vector2 span = to - from;
-  const double squared = span.squaredNorm();
-  return squared > 0.0 ? std::clamp((point - from).dot(span) / squared, 0.0, 1.0) : 0.0;
-}
 
 bool touchesSquareAt(const Vector2& end, const Vector2& outward, double half_width,
                      const OrientedBox& box) {

@@ -7,19 +7,6 @@
 
 namespace forge {
 
-PathState followed(const PathState& state, const PathLead& lead, const IdmParameters& idm,
-                   double step) {
-  const double gap = std::max(lead.progress - state.progress - lead.rear, idm.min_gap);
-  const double closing = state.speed - lead.speed;
-  const double desired_gap =
-      idm.min_gap + state.speed * idm.time_headway +
-      state.speed * closing / (2.0 * std::sqrt(idm.max_acceleration * idm.braking));
-  const double share = desired_gap / gap;
-  const double asked = idmFreeAcceleration(idm, state.speed) - idm.max_acceleration * share * share;
-  const double acceleration = std::clamp(asked, -idm.braking, idm.max_acceleration);
-  return {state.progress + state.speed * step, state.speed + acceleration * step};
-}
-
 PdmProposer::PdmProposer(const PdmPath& centerline, const Pose2& rear_axle, double speed,
                          const PdmForecast& forecast, const EgoVehicle& ego,
                          const PdmOptions& options)
@@ -63,8 +50,10 @@ void PdmProposer::advance(std::vector<PdmProposal>& beside, int steps) {
         proposal.lead = leadOf(proposal, step, free_speed);
         free_speed = proposal.lead.speed;
       }
-      proposal.states.push_back(
-          followed(proposal.states.back(), proposal.lead, idm, options_.step));
+      const IdmState& now = proposal.states.back();
+      const PathLead& lead = proposal.lead;
+      proposal.states.push_back(eulerStep(
+          idm, now, {lead.progress - now.progress - lead.rear, lead.speed}, options_.step));
     }
   }
 }
@@ -73,7 +62,7 @@ std::vector<Pose2> PdmProposer::poses(const PdmProposal& proposal) const {
   std::vector<Pose2> poses;
   poses.reserve(proposal.states.size());
   const PdmPath& path = ways_[proposal.lateral].path;
-  for (const PathState& state : proposal.states) poses.push_back(path.at(state.progress));
+  for (const IdmState& state : proposal.states) poses.push_back(path.at(state.progress));
   return poses;
 }
 

@@ -2,17 +2,12 @@
 
 #include <vector>
 
+#include "collision_forge/planners/idm_law.h"
 #include "collision_forge/planners/kinematic_bicycle.h"
 #include "collision_forge/planners/pdm_forecast.h"
 #include "collision_forge/planners/pdm_path.h"
 
 namespace forge {
-
-/// Where one is on a path, and how fast.
-struct PathState {
-  double progress = 0.0;  ///< m
-  double speed = 0.0;     ///< m/s; braking may take it below 0
-};
 
 /// What PDM-Closed's IDM drives behind.
 struct PathLead {
@@ -21,23 +16,18 @@ struct PathLead {
   double rear = 0.0;      ///< m from its progress to its rear end
 };
 
-/// `step` seconds later by the intelligent driver model as PDM-Closed has it: acceleration within
-/// [-braking, max_acceleration], the gap at least min_gap, and the place moved by the speed before.
-PathState followed(const PathState& state, const PathLead& lead, const IdmParameters& idm,
-                   double step);
-
 /// A way and speeds along it that the ego might drive, before its dynamics; one state a step, the
 /// first now. Places are the rear axle's.
 struct PdmProposal {
   std::size_t lateral = 0;     ///< index into options.lateral_offsets
   double desired_speed = 0.0;  ///< m/s
-  std::vector<PathState> states;
+  std::vector<IdmState> states;
   PathLead lead;  ///< the last
 };
 
-/// Drives along a path and paths beside it by the intelligent driver model, behind the nearest
-/// agent whose forecast box touches the corridor of the ego's width, looked for every few steps.
-/// The first step sees a lead at the path's begin: it brakes.
+/// Drives along a path and paths beside it by the intelligent driver model (eulerStep()), behind
+/// the nearest agent whose forecast box touches the corridor of the ego's width, looked for every
+/// few steps. The first step sees a lead at the path's begin: it brakes.
 class PdmProposer {
  public:
   /// `forecast` and `options` must outlive the proposer.
