@@ -57,6 +57,27 @@ TEST(OrientedBox, OverlapAndDistanceAgreeWithEdgeByEdge) {
   EXPECT_LT(overlapping, kPairs * 4 / 5);
 }
 
+TEST(OrientedBox, APointIsABoxWithoutASize) {
+  reference::Random random(9);
+  for (int i = 0; i < kPairs; ++i) {
+    const OrientedBox box = random.box(6.0);
+    const OrientedBox point{random.box(6.0).center, {}};
+    EXPECT_NEAR(distanceToPoint(box, point.center.position()), distance(box, point), 1e-9);
+  }
+}
+
+TEST(OrientedBox, PlacesStandInThreeRows) {
+  const auto places = placesOf({{10.0, 20.0, M_PI_2}, {5.0, 2.5}});
+  std::size_t count = 0;
+  for (const double ahead : {-2.0, 0.0, 2.0}) {
+    for (const double left : {-1.0, 0.0, 1.0}) {
+      const Vector2 place = places[count++];
+      EXPECT_NEAR((place - Vector2(10.0 - left, 20.0 + ahead)).norm(), 0.0, 1e-12);
+    }
+  }
+  EXPECT_EQ(count, places.size());
+}
+
 TEST(OrientedBox, LargestAxisGapBoundsTheDistance) {
   reference::Random random(6);
   for (int i = 0; i < kPairs; ++i) {

@@ -5,45 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
+
+#include "map/winding_lanes.h"
 
 namespace forge {
 namespace {
 
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-
- private:
-  std::mt19937 engine_;
-};
-
-Lane makeLane(const std::string& id, const std::vector<Vector2>& points,
-              const std::vector<std::string>& outgoing = {}) {
-  Lane lane;
-  lane.id = id;
-  lane.outgoing = outgoing;
-  for (const Vector2& point : points) {
-    lane.centerline.push_back({point.x(), point.y(), 0.0});
-  }
-  return lane;
-}
-
 LaneIndex makeIndex(const LaneMap& map) { return LaneIndex(std::make_shared<LaneMap>(map)); }
-
-// Points of an arc from `start`, turning by `turn` in all.
-std::vector<Vector2> arc(const Pose2& start, double length, double turn) {
-  std::vector<Vector2> points = {start.position()};
-  double yaw = start.yaw + 0.05 * turn;
-  for (int i = 0; i < 10; ++i, yaw += 0.1 * turn) {
-    points.push_back(points.back() + 0.1 * length * Vector2(std::cos(yaw), std::sin(yaw)));
-  }
-  return points;
-}
 
 // A lane along +x that parts at (20, 0) to the left, straight on and to the right.
 LaneMap fork() {
@@ -64,21 +33,6 @@ std::vector<std::string> idsOf(const LaneIndex& index, const std::vector<LaneMat
     ids.push_back(index.map().lanes[match.lane].id);
   }
   return ids;
-}
-
-// Winding lanes of all directions, with a bare lane and a single-point lane among them.
-LaneMap randomMap(Random& random, int count) {
-  LaneMap map;
-  for (int i = 0; i < count; ++i) {
-    const Pose2 start{random.between(-100, 100), random.between(-100, 100),
-                      random.between(-M_PI, M_PI)};
-    map.lanes.push_back(
-        makeLane(std::to_string(i), arc(start, random.between(1, 60), random.between(-2, 2))));
-  }
-  map.lanes[1].centerline.clear();
-  map.lanes[2].centerline.resize(1);
-  map.lanes[3].centerline.assign(4, Pose2{1.0, 2.0, 0.3});
-  return map;
 }
 
 TEST(LaneIndex, RefusesBadMaps) {
@@ -132,7 +86,7 @@ TEST(LanesNear, TellsPartingLanesByHeading) {
 }
 
 TEST(LanesNear, AgreesWithTryingEveryLane) {
-  Random random(1);
+  LaneRandom random(1);
   const LaneMap map = randomMap(random, 300);
   const LaneIndex index = makeIndex(map);
   std::size_t found = 0;
@@ -169,7 +123,7 @@ TEST(LanesNear, AgreesWithTryingEveryLane) {
 }
 
 TEST(LanesWithin, AgreesWithDenseSampling) {
-  Random random(2);
+  LaneRandom random(2);
   const LaneMap map = randomMap(random, 200);
   const LaneIndex index = makeIndex(map);
   for (int i = 0; i < 50; ++i) {
@@ -356,7 +310,7 @@ TEST(OffRoadShare, PolygonsAddUpAndOneMayFillTheHoleOfAnother) {
 }
 
 TEST(OffRoadShare, AgreesWithRandomPoints) {
-  Random random(3);
+  LaneRandom random(3);
   LaneMap map;
   for (int i = 0; i < 40; ++i) {
     const Vector2 center(random.between(-30, 30), random.between(-30, 30));

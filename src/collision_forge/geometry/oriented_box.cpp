@@ -67,6 +67,20 @@ std::array<Vector2, 4> corners(const OrientedBox& box) {
           middle + forward - left};
 }
 
+std::array<Vector2, kBoxPlaces> placesOf(const OrientedBox& box) {
+  const Vector2 ahead = box.center.heading();
+  const Vector2 along = 0.4 * box.size.length * ahead;
+  const Vector2 across = 0.4 * box.size.width * leftOf(ahead);
+  std::array<Vector2, kBoxPlaces> places;
+  std::size_t count = 0;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      places[count++] = box.center.position() + x * along + y * across;
+    }
+  }
+  return places;
+}
+
 OrientedBox shrunk(const OrientedBox& box, double margin) {
   return {box.center,
           {std::max(box.size.length - 2.0 * margin, 0.0),
@@ -90,6 +104,10 @@ std::array<AxisGap, 4> axisGaps(const OrientedBox& a, const OrientedBox& b) {
           gap_along(leftOf(a_forward), a_half.y() + b_half.x() * sine + b_half.y() * cosine),
           gap_along(b_forward, b_half.x() + a_half.x() * cosine + a_half.y() * sine),
           gap_along(leftOf(b_forward), b_half.y() + a_half.x() * sine + a_half.y() * cosine)};
+}
+
+double distanceToPoint(const OrientedBox& box, const Vector2& point) {
+  return std::sqrt(squaredDistance(box, box.center.heading(), point));
 }
 
 bool overlaps(const OrientedBox& a, const OrientedBox& b) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -23,6 +24,12 @@ struct OrientedBox {
 /// Corners counter-clockwise, front left first.
 std::array<Vector2, 4> corners(const OrientedBox& box);
 
+/// Nine places of a box for quick questions about the ground below it: the middle and what is 0.4
+/// of the length ahead of it and behind, with what is 0.4 of the width to the right and left of
+/// each.
+inline constexpr std::size_t kBoxPlaces = 9;
+std::array<Vector2, kBoxPlaces> placesOf(const OrientedBox& box);
+
 /// The same box with every side moved inwards by `margin` (outwards if negative); sides stay >= 0.
 OrientedBox shrunk(const OrientedBox& box, double margin);
 
@@ -35,6 +42,9 @@ struct AxisGap {
 /// The gaps along both boxes' sides. The boxes share a point when no gap is positive (separating
 /// axes); else their distance lies between the largest gap and sqrt(2) times that.
 std::array<AxisGap, 4> axisGaps(const OrientedBox& a, const OrientedBox& b);
+
+/// Shortest distance between a point and the rectangle, metres; 0 inside.
+double distanceToPoint(const OrientedBox& box, const Vector2& point);
 
 /// True when the closed rectangles share a point (separating axes).
 bool overlaps(const OrientedBox& a, const OrientedBox& b);

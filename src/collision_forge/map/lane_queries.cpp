@@ -36,6 +36,13 @@ std::optional<Polyline> centerlineOf(const Lane& lane) {
   return distinct ? std::make_optional<Polyline>(points) : std::nullopt;
 }
 
+std::vector<std::optional<Polyline>> centerlinesOf(const LaneMap& map) {
+  std::vector<std::optional<Polyline>> centerlines;
+  centerlines.reserve(map.lanes.size());
+  for (const Lane& lane : map.lanes) centerlines.push_back(centerlineOf(lane));
+  return centerlines;
+}
+
 bool isWithin(const Eigen::AlignedBox2d& bounds, const Vector2& point, double distance) {
   return !bounds.isEmpty() && bounds.squaredExteriorDistance(point) <= distance * distance;
 }
@@ -160,15 +167,17 @@ class BoxSamples {
 LaneIndex::LaneIndex(std::shared_ptr<const LaneMap> map)
     : map_(map ? std::move(map) : throw std::invalid_argument("lane index needs a map")),
       drivable_(map_->drivable_area),
-      walkways_(map_->walkways) {
+      walkways_(map_->walkways),
+      centerlines_(centerlinesOf(*map_)),
+      grid_(centerlines_) {
   std::unordered_map<std::string, std::size_t> index_of;
   for (std::size_t i = 0; i < map_->lanes.size(); ++i) {
     index_of.emplace(map_->lanes[i].id, i);
   }
+  for (const std::optional<Polyline>& line : centerlines_) {
+    lane_bounds_.push_back(line ? boundsOf(line->points()) : Eigen::AlignedBox2d());
+  }
   for (const Lane& lane : map_->lanes) {
-    centerlines_.push_back(centerlineOf(lane));
-    lane_bounds_.push_back(centerlines_.back() ? boundsOf(centerlines_.back()->points())
-                                               : Eigen::AlignedBox2d());
     successors_.emplace_back();
     for (const std::string& id : lane.outgoing) {
       const auto found = index_of.find(id);

@@ -8,6 +8,7 @@
 
 #include "collision_forge/geometry/polyline.h"
 #include "collision_forge/map/area_raster.h"
+#include "collision_forge/map/lane_grid.h"
 #include "collision_forge/map/lane_map.h"
 
 namespace forge {
@@ -32,7 +33,7 @@ struct LanePath {
 class LaneIndex {
  public:
   /// Throws std::invalid_argument without a map, for a centreline that is not finite, and for an
-  /// area beyond 100 km. Outgoing ids that the map does not have are ignored.
+  /// area or a centreline beyond 100 km. Outgoing ids that the map does not have are ignored.
   explicit LaneIndex(std::shared_ptr<const LaneMap> map);
 
   const LaneMap& map() const { return *map_; }
@@ -75,6 +76,8 @@ class LaneIndex {
   /// the end of the lanes. Throws std::invalid_argument for a lane without a centreline.
   std::optional<std::size_t> straightestSuccessor(std::size_t lane) const;
 
+  /// The centrelines, quickly and to half a metre.
+  const LaneGrid& grid() const { return grid_; }
   /// The drivable area, quickly and to half a metre.
   const AreaRaster& drivable() const { return drivable_; }
   /// The same of the walkways.
@@ -93,6 +96,7 @@ class LaneIndex {
   AreaRaster drivable_;
   AreaRaster walkways_;
   std::vector<std::optional<Polyline>> centerlines_;  // one a lane
+  LaneGrid grid_;
   std::vector<std::vector<std::size_t>> successors_;  // one a lane
   std::vector<Eigen::AlignedBox2d> lane_bounds_;      // one a lane, empty without a centreline
   std::vector<Eigen::AlignedBox2d> drivable_bounds_;  // one a drivable polygon
