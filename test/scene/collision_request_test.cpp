@@ -19,17 +19,25 @@ TEST(CollisionRequest, ModeNamesAreReadBack) {
   EXPECT_EQ(modeFromString("REPLAY"), Mode::kReplay);
 }
 
+TEST(CollisionRequest, ChoicesAreReadBack) {
+  for (const AttackerChoice choice :
+       {AttackerChoice::kAny, AttackerChoice::kExisting, AttackerChoice::kNew}) {
+    EXPECT_EQ(attackerChoiceFromString(toString(choice)), choice);
+  }
+  EXPECT_FALSE(attackerChoiceFromString("old"));
+}
+
 TEST(CollisionRequest, StatusNamesAreDistinct) {
   std::set<std::string> names;
-  for (int code = 0; code <= 13; ++code) names.insert(toString(static_cast<StatusCode>(code)));
-  EXPECT_EQ(names.size(), 14u);
+  for (int code = 0; code <= 15; ++code) names.insert(toString(static_cast<StatusCode>(code)));
+  EXPECT_EQ(names.size(), 16u);
   EXPECT_EQ(names.count("UNKNOWN"), 0u);
-  EXPECT_STREQ(toString(static_cast<StatusCode>(14)), "UNKNOWN");
+  EXPECT_STREQ(toString(static_cast<StatusCode>(16)), "UNKNOWN");
   EXPECT_STREQ(toString(StatusCode::kTtaOutOfRange), "TTA_OUT_OF_RANGE");
 }
 
 TEST(CollisionRequest, StatusNamesAreReadBack) {
-  for (int code = 0; code <= 13; ++code) {
+  for (int code = 0; code <= 15; ++code) {
     const auto status = static_cast<StatusCode>(code);
     EXPECT_EQ(statusCodeFromString(toString(status)), status);
   }

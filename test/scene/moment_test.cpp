@@ -33,6 +33,11 @@ TEST(Moment, IsWhatIsKnownAtItAndWhatCame) {
   EXPECT_EQ(moment.recorded->ego.states.front().time, 4.0);
   EXPECT_EQ(moment.recorded->ego.states.back().time, 10.0);
   EXPECT_EQ(moment.lanes, indexed.lanes);
+  ASSERT_TRUE(moment.past);
+  EXPECT_EQ(moment.past->now, 4.0);
+  ASSERT_EQ(moment.past->ego.states.size(), 9u) << "from the first frame on";
+  EXPECT_EQ(moment.past->agents.front().states.front().time, 0.0);
+  EXPECT_EQ(moment.past->agents.front().states.back().time, 4.0);
 }
 
 TEST(Moment, TheTimeOfNoFrameIsRefusedWithTheNearest) {

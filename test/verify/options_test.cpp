@@ -29,5 +29,25 @@ TEST(VerificationOptions, ContactsAreFoundThatTheSearchAimsAt) {
             shippedOptions().search.overlap_margin);
 }
 
+const BelievabilityOptions kBelievability = shippedBelievability();
+
+TEST(BelievabilityOptions, AChangeOfLaneStaysOnALane) {
+  const double lane_gap = 3.5;  // m, between the middles of neighbouring lanes
+  EXPECT_GE(2.0 * kBelievability.lane_distance, lane_gap);
+  const double parking_gap = 3.5;  // m, from a lane's middle to that of a parking place beside it
+  EXPECT_LT(kBelievability.lane_distance, parking_gap);
+}
+
+TEST(BelievabilityOptions, AnOncomingLaneBesideTheEgosIsInReach) {
+  const double lane_gap = 3.5;  // m
+  const double ego_width = 1.73;
+  EXPECT_GT(kBelievability.road_distance, lane_gap - 0.5 * ego_width);
+}
+
+TEST(BelievabilityOptions, AnglesAreRoundDegrees) {
+  EXPECT_NEAR(kBelievability.lane_heading, 25.0 * M_PI / 180.0, 1e-4);
+  EXPECT_NEAR(kBelievability.road_heading, 20.0 * M_PI / 180.0, 1e-4);
+}
+
 }  // namespace
 }  // namespace forge

@@ -5,6 +5,7 @@
 
 #include "collision_forge/geometry/oriented_box.h"
 #include "collision_forge/scene/collision_request.h"
+#include "collision_forge/scene/manoeuvre.h"
 #include "collision_forge/scene/track.h"
 
 namespace forge {
@@ -47,11 +48,25 @@ struct AttackerTrajectory {
   AgentClass agent_class = AgentClass::kCar;
   BoxSize size;
   std::vector<TrajectoryPoint> points;
+  /// Of one that was added: from its first frame in the recording to now, at the frames' times.
+  /// Empty for a recorded vehicle.
+  std::vector<AgentState> past = {};
+
+  bool isAdded() const { return !past.empty(); }
 };
 
 /// The attacker's pose at `time`, linear between the points; the first before, the last after them.
 /// The trajectory must have points.
 Pose2 poseAt(const AttackerTrajectory& trajectory, double time);
+
+/// What road a motion uses, as shares in [0, 1] of its points; `off_road` is the mean over them.
+struct RoadUse {
+  double on_lane = 0.0;     ///< see LaneGrid::isOnLane()
+  double wrong_way = 0.0;   ///< on no lane, and against those that are near
+  double off_road = 0.0;    ///< share of the box's places off the drivable area
+  double on_walkway = 0.0;  ///< some place of the box is on a walkway and not on the drivable area
+  double on_island = 0.0;   ///< on ground that road encloses
+};
 
 /// What verification found; see verify().
 struct CollisionReport {
@@ -71,7 +86,13 @@ struct CollisionReport {
   double first_other_time = 0;  ///< seconds, same clock; valid with first_other_id
   double off_road_share = 0.0;  ///< mean share of the box off the drivable area, now to contact
   double confidence = 0.0;      ///< share of likely ego futures with all conditions kept, [0, 1]
+  Manoeuvre manoeuvre = Manoeuvre::kFollowerCloses;  ///< what it does; valid with contact
+  double manoeuvre_begin = 0.0;  ///< seconds, same clock, from when on it does that
+  /// What road it uses: on_lane and wrong_way until shortly before the contact, all else until it.
+  RoadUse road;
+  std::string unbelievable;  ///< why no driver would drive so; empty: a driver could
 
+  bool believable() const { return unbelievable.empty(); }
   /// All conditions at once: what alone may be called a success.
   bool verified() const {
     return contact && type_kept && on_time && limits_kept && first_other_id.empty();

@@ -23,6 +23,27 @@ std::optional<Mode> modeFromString(const std::string& name) {
   return std::nullopt;
 }
 
+const char* toString(AttackerChoice choice) {
+  switch (choice) {
+    case AttackerChoice::kAny:
+      return "any";
+    case AttackerChoice::kExisting:
+      return "existing";
+    case AttackerChoice::kNew:
+      return "new";
+  }
+  return "";
+}
+
+std::optional<AttackerChoice> attackerChoiceFromString(const std::string& name) {
+  const std::string key = lowered(name);
+  for (const AttackerChoice choice :
+       {AttackerChoice::kAny, AttackerChoice::kExisting, AttackerChoice::kNew}) {
+    if (key == toString(choice)) return choice;
+  }
+  return std::nullopt;
+}
+
 const char* toString(StatusCode code) {
   switch (code) {
     case StatusCode::kOk:
@@ -53,13 +74,17 @@ const char* toString(StatusCode code) {
       return "NODE_UNAVAILABLE";
     case StatusCode::kLowConfidence:
       return "LOW_CONFIDENCE";
+    case StatusCode::kNotBelievable:
+      return "NOT_BELIEVABLE";
+    case StatusCode::kRoadDoesNotAllow:
+      return "ROAD_DOES_NOT_ALLOW";
   }
   return "UNKNOWN";
 }
 
 std::optional<StatusCode> statusCodeFromString(const std::string& name) {
   for (auto number = static_cast<int>(StatusCode::kOk);
-       number <= static_cast<int>(StatusCode::kLowConfidence); ++number) {
+       number <= static_cast<int>(StatusCode::kRoadDoesNotAllow); ++number) {
     const auto code = static_cast<StatusCode>(number);
     if (name == toString(code)) return code;
   }

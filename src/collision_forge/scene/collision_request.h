@@ -5,6 +5,8 @@
 #include <string>
 
 #include "collision_forge/scene/crash_definition.h"
+#include "collision_forge/scene/manoeuvre.h"
+#include "collision_forge/scene/track.h"
 
 namespace forge {
 
@@ -13,12 +15,30 @@ enum class Mode { kHistory, kReplay };
 const char* toString(Mode mode);
 std::optional<Mode> modeFromString(const std::string& name);
 
+/// Who may attack where no attacker is named: kExisting the recorded vehicles, kNew one that is
+/// added, kAny either, an existing one where it is as sure.
+enum class AttackerChoice { kAny, kExisting, kNew };
+const char* toString(AttackerChoice choice);
+std::optional<AttackerChoice> attackerChoiceFromString(const std::string& name);
+
+/// Ends included.
+struct Range {
+  double min = 0.0;
+  double max = 0.0;
+};
+
 struct CollisionRequest {
   CollisionType type = CollisionType::kRearEnd;
   double tta = 4.0;                     ///< time to accident, seconds from now
-  std::optional<std::string> attacker;  ///< agent id; any agent when empty
+  std::optional<std::string> attacker;  ///< agent id; whom `choice` allows when empty
+  AttackerChoice choice = AttackerChoice::kAny;
   Mode mode = Mode::kHistory;
   std::uint64_t seed = 0;
+  // What the attack is to be beyond type and time; anything where empty.
+  std::optional<AgentClass> attacker_class;
+  std::optional<Manoeuvre> manoeuvre;
+  std::optional<Side> ego_side;       ///< of the ego's box, where the attacker's touches it
+  std::optional<Range> impact_speed;  ///< m/s, of CollisionReport::impact_speed
   CrashDefinition crash;  ///< what counts as the crash; filled in where the request is answered
 
   /// Of the request's type. Throws std::out_of_range where `crash` is not filled in.
@@ -48,6 +68,8 @@ enum class StatusCode : std::uint8_t {
   kInvalidInput = 11,         ///< unknown mode, a pose that is not a number, a box without size
   kNodeUnavailable = 12,      ///< a node of the suite did not answer
   kLowConfidence = 13,        ///< the best attack promises less than min_confidence
+  kNotBelievable = 14,        ///< attacks exist, but no driver would drive so
+  kRoadDoesNotAllow = 15,     ///< no lane of the type's direction passes the ego's place then
 };
 const char* toString(StatusCode code);
 /// Empty for an unknown name; names are those of toString(), in capitals.

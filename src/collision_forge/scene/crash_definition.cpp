@@ -21,8 +21,10 @@ bool meetsLengthwise(const Pose2& offset, const BoxSize& ego, const BoxSize& att
 
 }  // namespace
 
-CrashDefinition withAngleRules(CrashDefinition crash) {
+CrashDefinition rulesOfClips(CrashDefinition crash) {
   crash.rules = TypeRules::kAngle;
+  crash.limits = LimitSet::kStrict;
+  crash.believable = false;
   return crash;
 }
 

@@ -22,6 +22,10 @@ using TypeDefinitions = std::map<CollisionType, TypeDefinition>;
 /// contact alone.
 enum class TypeRules { kFull, kAngle };
 
+/// Which limits of config/vehicle_limits.yaml an attacker keeps: kDrivable those of its class,
+/// kStrict those of the strict protocol, the same for all.
+enum class LimitSet { kDrivable, kStrict };
+
 /// What counts as the crash that is asked for, and what an answer has to promise:
 /// config/crash_definition.yaml, unless a request says otherwise.
 struct CrashDefinition {
@@ -29,10 +33,14 @@ struct CrashDefinition {
   TypeDefinitions types;
   double time_tolerance = 0.0;  ///< s that the contact may come before or after the time asked for
   double min_confidence = 0.0;  ///< an answer that promises less is declined, [0, 1]
+  LimitSet limits = LimitSet::kDrivable;
+  bool believable = true;  ///< the attacker drives as drivers do until it attacks
 };
 
-/// The same with the types told by the heading at contact alone, as COLLIDE tells its types apart.
-CrashDefinition withAngleRules(CrashDefinition crash);
+/// The same as clips of COLLIDE are judged, which have sizes, classes and maps for nobody: the
+/// types told by the heading at contact alone, as COLLIDE tells its types apart, by the limits of
+/// the strict protocol, whether a driver would do it or not.
+CrashDefinition rulesOfClips(CrashDefinition crash);
 
 /// The attacker's heading at first contact is within the type's band.
 bool headingFits(double relative_heading, const TypeDefinition& definition);

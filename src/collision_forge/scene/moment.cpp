@@ -25,13 +25,18 @@ Status noFrame(double now, double nearest) {
 
 }  // namespace
 
+std::shared_ptr<const Snapshot> pastOf(const Scene& scene, double now) {
+  return std::make_shared<const Snapshot>(
+      snapshotAt(scene, now, static_cast<int>(scene.frame_times.size())));
+}
+
 std::variant<Moment, Status> momentAt(const IndexedScene& recording, double now,
                                       int history_frames) {
   const Scene& scene = recording.scene;
   const double frame = nearestFrame(scene, now);
   if (std::abs(frame - now) > kTimeEpsilon) return noFrame(now, frame);
   return Moment{snapshotAt(scene, frame, history_frames), recordedFuture(scene, frame),
-                recording.lanes};
+                recording.lanes, pastOf(scene, frame)};
 }
 
 }  // namespace forge

@@ -21,7 +21,13 @@ struct Moment {
   Snapshot snapshot;               ///< known at now
   std::optional<Future> recorded;  ///< what came from now on; empty where nobody knows
   std::shared_ptr<const LaneIndex> lanes;
+  /// The same as `snapshot` from the recording's first frame on; empty live, where the past cannot
+  /// be changed.
+  std::shared_ptr<const Snapshot> past = nullptr;
 };
+
+/// Moment::past of a recording.
+std::shared_ptr<const Snapshot> pastOf(const Scene& scene, double now);
 
 /// The instant of the frame at `now` (to a microsecond) of a recording, with `history_frames` as of
 /// snapshotAt(); kNoScene, with the nearest frame in the message, for the time of no frame.

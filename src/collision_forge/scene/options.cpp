@@ -24,6 +24,9 @@ void readOptions(Section& section, CrashDefinition& crash, double time_margin) {
       "rules", {{"full", TypeRules::kFull}, {"angle", TypeRules::kAngle}});
   crash.time_tolerance = section.atLeast("time_tolerance", time_margin);
   crash.min_confidence = section.share("min_confidence");
+  crash.limits = section.choice<LimitSet>(
+      "limits", {{"drivable", LimitSet::kDrivable}, {"strict", LimitSet::kStrict}});
+  crash.believable = section.choice<bool>("believable", {{"true", true}, {"false", false}});
   Section types = section.section("types");
   for (const CollisionType type : kCollisionTypes) types.read(toString(type), crash.types[type]);
   types.finish();

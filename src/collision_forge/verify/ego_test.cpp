@@ -12,6 +12,18 @@ void append(Track& track, const AgentState& state) {
   if (track.states.empty() || state.time > track.states.back().time) track.states.push_back(state);
 }
 
+/// What was seen of a track up to `now`, with velocities that its poses tell.
+Track upTo(double now, Track track) {
+  constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
+  auto& states = track.states;
+  const auto later = std::find_if(states.begin(), states.end(), [&](const AgentState& state) {
+    return state.time > now + kTimeEpsilon;
+  });
+  states.erase(later, states.end());
+  deriveVelocities(track);
+  return track;
+}
+
 }  // namespace
 
 EgoTest::EgoTest(AttackerTrajectory trajectory, const CollisionRequest& request,
@@ -48,10 +60,8 @@ std::optional<CollisionReport> EgoTest::outcome(const LaneIndex& lanes,
   start.now = trajectory_.points.front().time;
   const auto attacker = agents_.find(trajectory_.attacker_id);
   if (attacker != agents_.end()) {
-    if (const auto state = stateAt(attacker->second, start.now)) {
-      start.agents.push_back(attacker->second);
-      start.agents.back().states = {*state};
-    }
+    const Track past = upTo(start.now, attacker->second);
+    if (newestAt(past, start.now)) start.agents.push_back(past);
   }
   const CollisionReport report = verify(trajectory_, {start, driven, request_, lanes}, options);
   const bool ended = ego_.states.back().time >= trajectory_.points.back().time;

@@ -21,24 +21,7 @@ bool isFinite(const TrajectoryPoint& point) {
          std::isfinite(point.curvature);
 }
 
-/// Keeps the broken limit with the greatest ratio of value to limit.
-class Worst {
- public:
-  void check(const char* name, double value, double limit) {
-    if (value <= limit) return;
-    const double ratio = limit > 0.0 ? value / limit : 1.0 + value;
-    if (found_ && ratio <= ratio_) return;
-    ratio_ = ratio;
-    found_ = BrokenLimit{name, value, limit};
-  }
-  const std::optional<BrokenLimit>& found() const { return found_; }
-
- private:
-  double ratio_ = 0.0;
-  std::optional<BrokenLimit> found_;
-};
-
-void checkPoint(const TrajectoryPoint& point, const VehicleLimits& limits, Worst& worst) {
+void checkPoint(const TrajectoryPoint& point, const VehicleLimits& limits, WorstLimit& worst) {
   worst.check("max_forward_acceleration", point.acceleration, limits.max_forward_acceleration);
   worst.check("max_braking", -point.acceleration, limits.max_braking);
   worst.check("max_total_acceleration", totalAcceleration(point), limits.max_total_acceleration);
@@ -57,7 +40,7 @@ enum class Wanted { kWorst, kFirst };
 
 std::optional<BrokenLimit> findBroken(const std::vector<TrajectoryPoint>& points, double start_yaw,
                                       double until, const VehicleLimits& limits, Wanted wanted) {
-  Worst worst;
+  WorstLimit worst;
   double slow_yaw = start_yaw;  // heading where the current slow stretch began
   double slow_distance = 0.0;   // metres driven since
   const TrajectoryPoint* previous = nullptr;
@@ -99,7 +82,7 @@ bool keepsLimits(const std::vector<TrajectoryPoint>& points, double start_yaw, d
 
 std::optional<BrokenLimit> findBrokenPositions(const std::vector<TrajectoryPoint>& points,
                                                double until, const VehicleLimits& limits) {
-  Worst worst;
+  WorstLimit worst;
   for (std::size_t i = 1; i + 1 < points.size() && points[i].time < until; ++i) {
     const TrajectoryPoint& point = points[i];
     const double duration = 0.5 * (points[i + 1].time - points[i - 1].time);

@@ -17,6 +17,23 @@ struct BrokenLimit {
   double limit = 0.0;
 };
 
+/// Keeps the broken limit with the greatest ratio of value to limit.
+class WorstLimit {
+ public:
+  void check(const char* name, double value, double limit) {
+    if (value <= limit) return;
+    const double ratio = limit > 0.0 ? value / limit : 1.0 + value;
+    if (found_ && ratio <= ratio_) return;
+    ratio_ = ratio;
+    found_ = BrokenLimit{name, value, limit};
+  }
+  const std::optional<BrokenLimit>& found() const { return found_; }
+
+ private:
+  double ratio_ = 0.0;
+  std::optional<BrokenLimit> found_;
+};
+
 /// Checks every point up to and including the first at or after `until`: acceleration forward,
 /// braking and in total (speed^2 * curvature across), speed, no reversing, and curvature. Below
 /// `curvature_min_speed` curvature is not defined well; there the heading may change, from where

@@ -15,6 +15,23 @@ void readOptions(Section& section, VehicleLimits& limits) {
   limits.heading_per_metre = section.nonNegative("heading_per_metre");
 }
 
+void readVehicleLimits(Section& section, VerificationOptions& options) {
+  section.read("strict", options.limits);
+  readOptions(section, options.drivable);
+}
+
+void readOptions(Section& section, BelievabilityOptions& options) {
+  options.lane_distance = section.positive("lane_distance");
+  options.lane_heading = section.angle("lane_heading");
+  options.road_distance = section.nonNegative("road_distance");
+  options.road_heading = section.angle("road_heading");
+  options.island_reach = section.positive("island_reach");
+  options.before_contact = section.nonNegative("before_contact");
+  options.min_on_lane = section.share("min_on_lane");
+  options.max_wrong_way = section.share("max_wrong_way");
+  options.max_off_road = section.share("max_off_road");
+}
+
 void readOptions(Section& section, VerificationOptions& options) {
   options.overlap_tolerance = section.positive("overlap_tolerance");
   options.off_road_interval = section.positive("off_road_interval");

@@ -8,8 +8,12 @@
 #include <Eigen/Geometry>
 
 #include "collision_forge/forecast/kinematic_prediction.h"
+#include "collision_forge/forecast/motion_estimate.h"
 #include "collision_forge/geometry/swept_contact.h"
+#include "collision_forge/verify/believability.h"
+#include "collision_forge/verify/drive_check.h"
 #include "collision_forge/verify/limits.h"
+#include "collision_forge/verify/manoeuvre_detection.h"
 
 namespace forge {
 namespace {
@@ -127,6 +131,15 @@ void findFirstOther(const AttackerTrajectory& trajectory, const Future& future, 
 
 }  // namespace
 
+DriveLimits driveLimitsOf(const Track& attacker, const VerificationOptions& options) {
+  return driveLimitsOf(attacker.agent_class, attacker.size, options.drivable);
+}
+
+DriveState driveStateNow(const Track& attacker, const VerificationOptions& options) {
+  return driveStateOf(estimateMotion(attacker, options.motion_frames),
+                      driveLimitsOf(attacker, options), options.standstill_speed);
+}
+
 CollisionReport verifyDrive(const AttackerTrajectory& trajectory, const VerificationInput& input,
                             const VerificationOptions& options) {
   if (trajectory.points.empty()) throw std::invalid_argument("the trajectory has no points");
@@ -146,11 +159,20 @@ CollisionReport verifyDrive(const AttackerTrajectory& trajectory, const Verifica
   const auto attacker =
       std::find_if(input.snapshot.agents.begin(), input.snapshot.agents.end(),
                    [&](const Track& agent) { return agent.id == trajectory.attacker_id; });
-  const double start_yaw = attacker != input.snapshot.agents.end()
-                               ? attacker->states.back().pose.yaw
-                               : trajectory.points.front().pose.yaw;
-  auto broken = findBrokenLimit(trajectory.points, start_yaw, until, options.limits);
-  if (!broken) broken = findBrokenPositions(trajectory.points, until, options.limits);
+  const bool is_known = attacker != input.snapshot.agents.end();
+  std::optional<BrokenLimit> broken;
+  if (input.request.crash.limits == LimitSet::kStrict) {
+    const double start_yaw =
+        is_known ? attacker->states.back().pose.yaw : trajectory.points.front().pose.yaw;
+    broken = findBrokenLimit(trajectory.points, start_yaw, until, options.limits);
+    if (!broken) broken = findBrokenPositions(trajectory.points, until, options.limits);
+  } else {
+    const DriveLimits limits =
+        driveLimitsOf(trajectory.agent_class, trajectory.size, options.drivable);
+    const DriveState start = is_known ? driveStateNow(*attacker, options)
+                                      : driveStateOf(trajectory.points.front(), limits);
+    broken = findBrokenDrive(trajectory.points, start, until, limits);
+  }
   report.limits_kept = !broken;
   if (broken) report.broken_limit = describe(*broken);
   return report;
@@ -159,7 +181,8 @@ CollisionReport verifyDrive(const AttackerTrajectory& trajectory, const Verifica
 CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const VerificationInput& input,
                              const VerificationOptions& options) {
   CollisionReport report = verifyDrive(trajectory, input, options);
-  if (report.contact) judgeContact(trajectory, input, report);
+  if (!report.contact) return report;
+  judgeContact(trajectory, input, report);
   return report;
 }
 
@@ -180,6 +203,17 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
                        const VerificationOptions& options) {
   CollisionReport report = verifyMotion(trajectory, input, options);
   report.off_road_share = offRoadShare(trajectory, report, input.lanes, options);
+  if (!report.contact) return report;
+  const DetectedManoeuvre detected = detectManoeuvre(trajectory, report, input, options);
+  report.manoeuvre = detected.manoeuvre;
+  report.manoeuvre_begin = detected.begin;
+  const std::vector<TrajectoryPoint>& points = trajectory.points;
+  report.road = roadUseOfAttack(points, trajectory.size, report.contact_time, input.lanes,
+                                options.believability);
+  const RoadUse now =
+      roadUse(points, trajectory.size, points.front().time, input.lanes, options.believability);
+  report.unbelievable =
+      whyUnbelievable(report.road, now.off_road, input.lanes, options.believability);
   return report;
 }
 

@@ -15,6 +15,12 @@ struct VerificationInput {
   const LaneIndex& lanes;
 };
 
+/// The limits that an attacker keeps if it drives by its class.
+DriveLimits driveLimitsOf(const Track& attacker, const VerificationOptions& options);
+
+/// How an attacker moves now, as its motion goes on from.
+DriveState driveStateNow(const Track& attacker, const VerificationOptions& options);
+
 /// First contact of the attacker with the ego and with anybody else before, found continuously
 /// between samples (see firstContact()), and the limits up to it. The ego and the others move
 /// linearly between the states of `future`. Whether the contact is as asked is not judged, off-road
@@ -32,7 +38,8 @@ CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const Verific
 double offRoadShare(const AttackerTrajectory& trajectory, const CollisionReport& report,
                     const LaneIndex& lanes, const VerificationOptions& options);
 
-/// verifyMotion() and offRoadShare().
+/// verifyMotion() and offRoadShare(); of a contact also the manoeuvre (detectManoeuvre()) and
+/// whether a driver could do it (whyUnbelievable()), which is no condition of verified().
 CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
                        const VerificationOptions& options);
 
