@@ -1,0 +1,182 @@
+"""The drivable limits, by class, told at the rear axle as a kinematic single track has it; part of check_limits."""
+import math
+
+from limit_checks import BACKWARDS, ROUNDING, Worst, turn
+from scenario_files import steps_to_contact
+
+# What differences over samples 0.1 s apart may be off. A second difference of ways or positions is a mean of the
+# acceleration over its two steps and a third one a mean of the jerk, so neither exceeds a limit that is kept at every
+# instant but for what the arc of a step is told wrong where the steering angle changes within it.
+SPEED_ERROR = 1e-3           # m/s; rounding
+ACCELERATION_ERROR = 0.05    # m/s2; also: the fall of the forward acceleration is told at a mean of the speed
+JERK_ERROR = 0.2             # m/s3; fast swings of the steering
+SLIP = 0.1                   # m/s across the heading, 10 mm a step; more only where steering explains it, slip_limit()
+SLIP_SPREAD = 1.05           # what speed and steering angle differ from their means within such a step
+# A step tells a mean of the steering angle over its way, and that where its speed changes not halfway in time.
+SHORT_STEP = 0.05            # m; a shorter step tells no steering angle
+STEERING_ERROR = 1e-3        # rad; rounding
+STEERING_RATE_ERROR = 0.05   # times max_steering_rate
+SHORT_TURN = 2e-3            # rad that a short step may turn beyond what the greatest steering angle allows
+# What is written at a sample is held against means over the steps around it. They are off where the acceleration
+# changes there, by less than the means are apart themselves, or where the steering angle turns back there, by less than
+# half of what it may change in a step. That is allowed with these.
+WRITTEN_SPEED = 0.05         # m/s
+WRITTEN_ACCELERATION = 0.2   # m/s2
+WRITTEN_STEERING = 1e-3      # rad
+
+
+class Step:
+    """The rear axle from one sample to the next, on an arc."""
+
+    def __init__(self, a, b, wheelbase):
+        self.a, self.b = a, b
+        self.duration = b['t'] - a['t']
+        self.turn = turn(a['yaw'], b['yaw'])
+        half = 0.5 * self.turn
+        heading = a['yaw'] + half
+        # What the middle moves, less what the turn moves it around the rear axle.
+        dx = b['x'] - a['x'] - 0.5 * wheelbase * (math.cos(b['yaw']) - math.cos(a['yaw']))
+        dy = b['y'] - a['y'] - 0.5 * wheelbase * (math.sin(b['yaw']) - math.sin(a['yaw']))
+        self.velocity = (dx / self.duration, dy / self.duration)
+        self.slip = abs(dy * math.cos(heading) - dx * math.sin(heading)) / self.duration
+        self.way = (dx * math.cos(heading) + dy * math.sin(heading)) * (half / math.sin(half) if half else 1.0)
+        self.speed = self.way / self.duration
+        self.yaw_rate = self.turn / self.duration
+        self.steering = math.atan(wheelbase * self.turn / self.way) if self.way >= SHORT_STEP else None
+        self.middle = 0.5 * (a['t'] + b['t'])
+
+
+def between(before, after):
+    """s from the middle of one step to that of another."""
+    return after.middle - before.middle
+
+
+def accelerations_of(steps):
+    """Along the path, at the end of every step but the last."""
+    return [(after.speed - before.speed) / between(before, after) for before, after in zip(steps, steps[1:])]
+
+
+def forward_limit(limits, speed):
+    return limits['max_forward_acceleration'] * min(1.0, limits['switching_speed'] / max(speed, ROUNDING))
+
+
+def slip_limit(step, limits, wheelbase):
+    """m/s across the heading. A steering angle that changes throughout a step leads its middle aside, at 25 m/s by as
+    much as SLIP, but no more than turning from full left to full right at once would."""
+    bend = limits['max_steering_rate'] / wheelbase * (1.0 + (wheelbase * step.turn / max(step.way, SHORT_STEP))**2)
+    steered = bend * (step.speed * step.duration)**2 / 12.0 * SLIP_SPREAD
+    return max(SLIP, min(steered, 0.25 * limits['max_lateral_acceleration'] * step.duration))
+
+
+def total_limit(limits):
+    return max(limits['max_braking'], limits['max_lateral_acceleration'])
+
+
+class Attacker:
+    """From now to contact: its limits, its steps and what they say."""
+
+    def __init__(self, scenario, limits):
+        attacker = scenario['attacker']
+        self.limits = limits
+        self.wheelbase = limits['wheelbase_share'] * attacker['length']
+        self.points = attacker['trajectory']
+        self.all_steps = [Step(a, b, self.wheelbase) for a, b in zip(self.points, self.points[1:])]
+        self.count = steps_to_contact(scenario)
+        self.steps = self.all_steps[:self.count]
+        self.worst = Worst()
+
+    def check_steps(self):
+        limits, check = self.limits, self.worst.check
+        for step in self.steps:
+            time = step.a['t']
+            check('max_speed', step.speed, limits['max_speed'], time, SPEED_ERROR)
+            check('no_reversing', -step.way, 0.0, time, BACKWARDS + ROUNDING)
+            check('slip', step.slip, slip_limit(step, limits, self.wheelbase), time)
+            if step.steering is None:
+                allowed = max(step.way, 0.0) * math.tan(limits['max_steering_angle']) / self.wheelbase
+                check('slow_turn', abs(step.turn), allowed, time, SHORT_TURN)
+            else:
+                check('max_steering_angle', abs(step.steering), limits['max_steering_angle'], time, STEERING_ERROR)
+        for step in self.steps:
+            check('max_lateral_acceleration', abs(step.speed * step.yaw_rate), limits['max_lateral_acceleration'],
+                  step.a['t'], ACCELERATION_ERROR)
+
+    def check_accelerations(self):
+        limits, check = self.limits, self.worst.check
+        for before, after, along in zip(self.steps, self.steps[1:], accelerations_of(self.steps)):
+            time = after.a['t']
+            total = math.hypot(*(v - u for u, v in zip(before.velocity, after.velocity))) / between(before, after)
+            speed = 0.5 * (before.speed + after.speed)
+            check('max_forward_acceleration', along, forward_limit(limits, speed), time, ACCELERATION_ERROR)
+            check('max_braking', -along, limits['max_braking'], time, ACCELERATION_ERROR)
+            check('max_total_acceleration', total, total_limit(limits), time, ACCELERATION_ERROR)
+
+    def steering_rates(self):
+        """(rate, s from now) between each two steps that tell a steering angle, with none between them that does."""
+        told = [step for step in self.steps if step.steering is not None]
+        return [((after.steering - before.steering) / between(before, after), before.b['t'])
+                for before, after in zip(told, told[1:])]
+
+    def jerks(self):
+        """(jerk, s from now) but of coming to a standstill, when braking ends at once."""
+        accelerations = accelerations_of(self.steps)
+        last_speed = 0.5 * self.limits['max_braking']  # times the duration: the mean speed of a step that ends at 0
+        found = []
+        for step, last, a, b in zip(self.steps[1:], self.steps[2:], accelerations, accelerations[1:]):
+            stops = a < 0.0 and a < b and last.speed <= last_speed * last.duration
+            if not stops:
+                found.append(((b - a) / step.duration, step.a['t']))
+        return found
+
+    def check_changes(self):
+        for rate, time in self.steering_rates():
+            self.worst.check('max_steering_rate', abs(rate), self.limits['max_steering_rate'], time,
+                             STEERING_RATE_ERROR * self.limits['max_steering_rate'])
+        for jerk, time in self.jerks():
+            self.worst.check('max_jerk', abs(jerk), self.limits['max_jerk'], time, JERK_ERROR)
+
+    def check_written(self):
+        limits, check = self.limits, self.worst.check
+        for point in self.points[:self.count + 1]:
+            time, v, a, kappa = point['t'], point['v'], point['a'], point['kappa']
+            steering, lateral = math.atan(self.wheelbase * kappa), v * v * kappa
+            check('written max_speed', v, limits['max_speed'], time)
+            check('written no_reversing', -v, 0.0, time)
+            check('written max_forward_acceleration', a, forward_limit(limits, v), time)
+            check('written max_braking', -a, limits['max_braking'], time)
+            check('written max_steering_angle', abs(steering), limits['max_steering_angle'], time)
+            check('written max_lateral_acceleration', abs(lateral), limits['max_lateral_acceleration'], time)
+            check('written max_total_acceleration', math.hypot(a, lateral), total_limit(limits), time)
+
+    def check_agreement(self):
+        """What is written at the samples against the means over the steps around them."""
+        along = accelerations_of(self.all_steps)
+        for i, (before, after) in enumerate(zip(self.all_steps[:self.count], self.all_steps[1:])):
+            point, near = after.a, along[max(i - 1, 0):i + 2]
+            # Before the first there was one more, and a stop within a short step is not told in full.
+            apart = (max(near) - min(near)) * (1.0 if i > 0 and after.way >= SHORT_STEP else 2.0)
+            self.worst.check('v', abs(point['v'] - 0.5 * (before.speed + after.speed)), 0.25 * apart * after.duration,
+                             point['t'], WRITTEN_SPEED)
+            if i > 0 and before.way >= SHORT_STEP:
+                self.worst.check('a', abs(point['a'] - along[i]), apart, point['t'], WRITTEN_ACCELERATION)
+            if before.steering is not None and after.steering is not None:
+                off = abs(math.atan(self.wheelbase * point['kappa']) - 0.5 * (before.steering + after.steering))
+                turned = 0.5 * self.limits['max_steering_rate'] * after.duration
+                self.worst.check('kappa', off, turned, point['t'], WRITTEN_STEERING)
+
+    def extremes(self):
+        """The fastest steering, rad/s, the greatest jerk, m/s3, and the greatest lateral acceleration, m/s2."""
+        return (max((abs(rate) for rate, _ in self.steering_rates()), default=0.0),
+                max((abs(jerk) for jerk, _ in self.jerks()), default=0.0),
+                max((abs(step.speed * step.yaw_rate) for step in self.steps), default=0.0))
+
+
+def judge(scenario, limits):
+    """(violations, extremes) of the attacker from now to contact."""
+    attacker = Attacker(scenario, limits)
+    attacker.check_steps()
+    attacker.check_accelerations()
+    attacker.check_changes()
+    attacker.check_written()
+    attacker.check_agreement()
+    return attacker.worst.violations(), attacker.extremes()

@@ -1,0 +1,143 @@
+"""Scenario files and vehicle limits, read for the scripts that judge attackers. Only what the files say counts: nothing
+of the package's own code is used."""
+import json
+import math
+import re
+from pathlib import Path
+
+CONFIG = Path(__file__).resolve().parent.parent / 'config'
+VERSION = 3
+
+STRICT = ('max_forward_acceleration', 'max_braking', 'max_total_acceleration', 'max_curvature', 'max_speed',
+          'curvature_min_speed', 'heading_slack', 'heading_per_metre')
+DRIVABLE = ('wheelbase_share', 'max_steering_angle', 'max_steering_rate', 'max_lateral_acceleration',
+            'max_forward_acceleration', 'switching_speed', 'max_braking', 'max_jerk', 'max_speed')
+LENGTHS = ('car', 'van', 'truck')
+# The row of limits for each class that has one; some are told further by length.
+ROWS = {'car': 'car', 'truck': 'truck', 'bus': 'bus', 'construction_vehicle': 'construction',
+        'emergency_vehicle': 'emergency', 'motorcycle': 'motorcycle'}
+
+COMMENT = re.compile(r'(^|\s)#.*')
+KEY = re.compile(r'( *)(\w+):\s*(.*)')
+
+
+class BadInput(Exception):
+    """Names file, line or field, and value."""
+
+
+def logical_lines(text):
+    """(number, line) without comments; what is in braces is on the line of its key."""
+    lines = []
+    for number, line in enumerate(text.splitlines(), 1):
+        line = COMMENT.sub('', line).rstrip()
+        if not line:
+            continue
+        if lines and (line.lstrip().startswith('{') or lines[-1][1].count('{') > lines[-1][1].count('}')):
+            lines[-1] = (lines[-1][0], lines[-1][1] + ' ' + line.strip())
+        else:
+            lines.append((number, line))
+    return lines
+
+
+def read_number(path, number, key, text):
+    try:
+        return float(text)
+    except ValueError:
+        raise BadInput('{}: line {}: {} = "{}" is no number'.format(path, number, key, text)) from None
+
+
+def read_braces(path, number, key, text):
+    fields = [part.partition(':') for part in text.strip('{} ').split(',')]
+    return {name.strip(): read_number(path, number, '{}.{}'.format(key, name.strip()), value.strip())
+            for name, _, value in fields}
+
+
+def read_yaml(path):
+    """Sections within sections, with numbers as leaves: as much of YAML as the file of limits needs."""
+    sections = [(-1, {})]
+    for number, line in logical_lines(path.read_text(encoding='utf-8')):
+        match = KEY.fullmatch(line)
+        if match is None:
+            raise BadInput('{}: line {}: no key in "{}"'.format(path, number, line.strip()))
+        indent, key, value = len(match.group(1)), match.group(2), match.group(3)
+        while sections[-1][0] >= indent:
+            sections.pop()
+        parent = sections[-1][1]
+        if value.startswith('{'):
+            parent[key] = read_braces(path, number, key, value)
+        elif value:
+            parent[key] = read_number(path, number, key, value)
+        else:
+            parent[key] = {}
+            sections.append((indent, parent[key]))
+    return sections[0][1]
+
+
+def section_of(path, parent, name, keys):
+    """The section of that name, which has a positive number of each key."""
+    section = parent.get(name)
+    if not isinstance(section, dict):
+        raise BadInput('{}: {} is missing'.format(path, name))
+    for key in keys:
+        value = section.get(key)
+        if not isinstance(value, float) or not 0.0 < value < math.inf:
+            raise BadInput('{}: {}.{} is missing or not positive'.format(path, name, key))
+    return section
+
+
+class VehicleLimits:
+    """config/vehicle_limits.yaml: `strict`, one set of limits for all, and the drivable ones by class."""
+
+    def __init__(self, config):
+        path = config / 'vehicle_limits.yaml'
+        root = section_of(path, read_yaml(path), 'vehicle_limits', ())
+        self.strict = section_of(path, root, 'strict', STRICT)
+        self.lengths = section_of(path, root, 'lengths', LENGTHS)
+        drivable = section_of(path, root, 'drivable', ())
+        rows = sorted(set(ROWS.values()) | {'van', 'articulated'})
+        self.drivable = {row: section_of(path, drivable, row, DRIVABLE) for row in rows}
+
+    def row_of(self, attacker):
+        """The name of an attacker's row of limits, by class and length."""
+        name, length = attacker.get('class'), attacker['length']
+        if name is None:
+            raise BadInput('the attacker has no class, by which its limits are chosen')
+        if name not in ROWS:
+            raise BadInput('there are no limits for the class "{}"'.format(name))
+        if name == 'car' and length > self.lengths['car'] or name == 'truck' and length < self.lengths['van']:
+            return 'van'
+        if name == 'truck' and length > self.lengths['truck']:
+            return 'articulated'
+        return ROWS[name]
+
+
+def refuse_constant(name):
+    raise ValueError('{} is no number'.format(name))
+
+
+def read_scenarios(path):
+    """(where, scenario) of every line."""
+    with open(path, encoding='utf-8') as file:
+        for number, line in enumerate(file, 1):
+            where = '{}: line {}'.format(path, number)
+            try:
+                scenario = json.loads(line, parse_constant=refuse_constant)
+                if scenario['format'] != 'collision_forge/scenario' or scenario['version'] != VERSION:
+                    raise ValueError('another format or version')
+            except (ValueError, KeyError, TypeError) as error:
+                raise BadInput('{}: no scenario: {}'.format(where, error)) from None
+            yield where, scenario
+
+
+def steps_to_contact(scenario):
+    """Number of steps from now to the first sample at or after contact."""
+    contact = scenario['report']['contact_t']
+    points = scenario['attacker']['trajectory']
+    return min(sum(point['t'] < contact for point in points), len(points) - 1)
+
+
+def describe(scenario):
+    """The request, for people."""
+    request = scenario['request']
+    return '{} now {:.6f} {} tta {:g} {} seed {}'.format(scenario['scene'], scenario['now'], request['type'],
+                                                         request['tta'], request['mode'], request['seed'])
