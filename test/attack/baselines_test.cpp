@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/forecast/kinematic_prediction.h"
+#include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {
@@ -27,6 +29,24 @@ TEST(Baselines, ConstantVelocityTakesTheCandidateThatTouches) {
   EXPECT_NEAR(answer.report.contact_time, kNow + 4.0, 1e-2);
 }
 
+TEST(Baselines, ReportsAreByTheStrictLimitsWhateverTheRequestSays) {
+  // The car behind changes its speed by nothing but that of a quintic, which slips.
+  const auto drivable = believableRequestFor(CollisionType::kLaneChange);
+  const auto strict = requestFor(CollisionType::kLaneChange);
+  const Moment moment = closingIn(4.0);
+  const Realization answer = NominalMethod(shippedOptions()).answer(moment, drivable);
+  ASSERT_EQ(answer.status.code, StatusCode::kOk);
+  const CollisionReport same = NominalMethod(shippedOptions()).answer(moment, strict).report;
+  EXPECT_EQ(answer.report.limits_kept, same.limits_kept);
+  EXPECT_EQ(answer.report.broken_limit, same.broken_limit);
+  const Future expected =
+      predictFuture(moment.snapshot, *moment.lanes, 6.0, shippedOptions().prediction);
+  const CollisionReport by_class =
+      verifyDrive(answer.trajectory, {moment.snapshot, expected, drivable, *moment.lanes},
+                  shippedOptions().verification);
+  EXPECT_NE(by_class.broken_limit, answer.report.broken_limit);
+}
+
 TEST(Baselines, TheAttackerAskedForIsTaken) {
   CollisionRequest request = requestFor();
   request.attacker = "standing";
@@ -35,6 +55,17 @@ TEST(Baselines, TheAttackerAskedForIsTaken) {
         NominalMethod(shippedOptions()).answer(closingIn(4.0), request)}) {
     EXPECT_EQ(answer.trajectory.attacker_id, "standing");
   }
+}
+
+TEST(Baselines, ConsiderVehiclesOfTheClassAskedForAlone) {
+  Moment moment = closingIn(4.0);
+  CollisionRequest request = requestFor();
+  request.attacker_class = AgentClass::kTruck;
+  EXPECT_EQ(ConstantVelocityMethod(shippedOptions()).answer(moment, request).status.code,
+            StatusCode::kNoCandidate);
+  moment.snapshot.agents[0].agent_class = AgentClass::kTruck;
+  EXPECT_EQ(ConstantVelocityMethod(shippedOptions()).answer(moment, request).trajectory.attacker_id,
+            "standing");
 }
 
 TEST(Baselines, NobodyInReachIsNoCandidate) {

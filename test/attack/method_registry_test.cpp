@@ -15,7 +15,7 @@ MethodSetup withoutLearning() {
   const AttackOptions options = shippedOptions();
   const auto futures = std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr);
   return {options,
-          {futures, std::make_shared<KinematicPatternPredictor>(options.prediction, futures)},
+          {futures, std::make_shared<KinematicPatternPredictor>(options, futures)},
           std::nullopt};
 }
 

@@ -132,6 +132,19 @@ TEST(KinematicPatternPredictor, ConsidersTheAttackerThatIsAskedForAlone) {
   EXPECT_EQ(predict(CollisionType::kRearEnd, agents).patterns.size(), 4u);
 }
 
+TEST(KinematicPatternPredictor, ConsidersVehiclesOfTheClassAskedForAlone) {
+  Track truck = pastTrack("truck", kCarSize, {-25.0, 3.5, 0.0}, 12.0);
+  truck.agent_class = AgentClass::kTruck;
+  const Snapshot snapshot =
+      snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0),
+                 {pastTrack("car", kCarSize, {-20.0, 0.0, 0.0}, 12.0), truck}, twoLaneRoad());
+  CollisionRequest request = requestFor(CollisionType::kRearEnd);
+  request.attacker_class = AgentClass::kTruck;
+  EXPECT_EQ(attackers(kinematicPredictor(shippedOptions())
+                          .predict(snapshot, LaneIndex(snapshot.map), request, nullptr)),
+            (std::vector<std::string>{"truck", "truck"}));
+}
+
 TEST(KinematicPatternPredictor, ConsidersTheAttackerThatIsAskedForAnywhere) {
   const std::vector<Track> agents{pastTrack("far", kCarSize, {-200.0, 0.0, 0.0}, 12.0)};
   EXPECT_EQ(predict(CollisionType::kRearEnd, agents).status.code, StatusCode::kNoCandidate);

@@ -19,7 +19,7 @@ Snapshot twoCars() {
 }
 
 CollisionRequest asking(double tta, std::optional<std::string> attacker = std::nullopt) {
-  CollisionRequest request;
+  CollisionRequest request = believableRequestFor(CollisionType::kRearEnd);
   request.tta = tta;
   request.attacker = std::move(attacker);
   return request;
@@ -164,6 +164,53 @@ TEST(CheckRequest, RefusesAttackersWithoutHistory) {
   auto& states = snapshot.agents[0].states;
   states.erase(states.begin(), states.end() - 1);
   expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kTooLittleHistory, {"car"});
+}
+
+TEST(CheckRequest, RefusesAnIdTogetherWithTheChoiceOfANewOne) {
+  CollisionRequest request = asking(4.0, "car");
+  request.choice = AttackerChoice::kNew;
+  expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"choice = new", "\"car\""});
+  request.choice = AttackerChoice::kExisting;
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+}
+
+TEST(CheckRequest, RefusesClassesThatCannotAttackOrAreNotTheAttackers) {
+  CollisionRequest request = asking(4.0);
+  request.attacker_class = AgentClass::kTrailer;
+  expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"attacker_class = trailer"});
+  request.attacker_class = AgentClass::kTruck;
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+  request.attacker = "car";
+  expectRefusal(request, twoCars(), StatusCode::kInvalidInput,
+                {"\"car\" is a car", "attacker_class = truck"});
+}
+
+TEST(CheckRequest, RefusesAManoeuvreOfAnotherType) {
+  CollisionRequest request = asking(4.0);
+  request.manoeuvre = Manoeuvre::kCutIn;
+  expectRefusal(request, twoCars(), StatusCode::kInvalidInput,
+                {"manoeuvre = cut_in", "rear_end", "lead_stopped"});
+  request.manoeuvre = Manoeuvre::kLeadBrakes;
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+}
+
+TEST(CheckRequest, RefusesImpactSpeedsThatNoneCanHave) {
+  CollisionRequest request = asking(4.0);
+  for (const Range& range : {Range{5.0, 4.0}, Range{-1.0, 4.0}, Range{kNan, 4.0}, Range{1.0, kNan},
+                             Range{0.0, std::numeric_limits<double>::infinity()}}) {
+    request.impact_speed = range;
+    expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"impact_speed = "});
+  }
+  request.impact_speed = Range{4.0, 4.0};
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+}
+
+TEST(CheckRequest, RefusesBelievableAttacksWithinTheStrictLimits) {
+  CollisionRequest request = asking(4.0);
+  request.crash.limits = LimitSet::kStrict;
+  expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"limits = strict", "believable"});
+  request.crash.believable = false;
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
 }
 
 TEST(CheckRequest, AcceptsAnAttackerThatIsAskedForAnywhere) {

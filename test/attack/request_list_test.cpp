@@ -126,6 +126,22 @@ TEST(ListRequests, NameEachAttackerThatCan) {
   EXPECT_EQ(asked, expected);
 }
 
+TEST(ListRequests, AskForTheControlsWhereTheTypeAllowsThem) {
+  RequestListOptions options = everyTwoSeconds();
+  options.types = {CollisionType::kLtap, CollisionType::kRearEnd};
+  CollisionRequest asked;
+  asked.choice = AttackerChoice::kExisting;
+  asked.manoeuvre = Manoeuvre::kLeadSlow;
+  const auto requests = listRequests(tenSeconds(), options, shippedOptions().prediction,
+                                     shippedCrash().time_tolerance, asked);
+  ASSERT_EQ(requests.size(), 3u);
+  for (const SceneRequest& request : requests) {
+    EXPECT_EQ(request.request.type, CollisionType::kRearEnd);
+    EXPECT_EQ(request.request.manoeuvre, Manoeuvre::kLeadSlow);
+    EXPECT_EQ(request.request.choice, AttackerChoice::kExisting);
+  }
+}
+
 TEST(ListRequests, TtasOutOfTheSuitesRangeAreLeftOut) {
   RequestListOptions options = everyTwoSeconds();
   options.ttas = {0.4};

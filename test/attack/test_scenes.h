@@ -31,14 +31,19 @@ inline SpeedProfileOptions shippedSpeedProfileOptions() {
   return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").recorded_speeds;
 }
 
+inline BelievabilityOptions shippedBelievability() {
+  static const BelievabilityOptions options = shippedOptions().verification.believability;
+  return options;
+}
+
 /// What config/ says counts as a crash.
 inline CrashDefinition shippedCrash() {
   static const CrashDefinition crash = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").crash;
   return crash;
 }
 
-/// Any attacker, in history mode.
-inline CollisionRequest requestFor(CollisionType type = CollisionType::kRearEnd, double tta = 4.0) {
+/// Any attacker, in history mode, as config/ says.
+inline CollisionRequest believableRequestFor(CollisionType type, double tta = 4.0) {
   CollisionRequest request;
   request.type = type;
   request.tta = tta;
@@ -46,11 +51,20 @@ inline CollisionRequest requestFor(CollisionType type = CollisionType::kRearEnd,
   return request;
 }
 
+/// The same of anything within the limits of the strict protocol, whether a driver would do it or
+/// not.
+inline CollisionRequest requestFor(CollisionType type = CollisionType::kRearEnd, double tta = 4.0) {
+  CollisionRequest request = believableRequestFor(type, tta);
+  request.crash.limits = LimitSet::kStrict;
+  request.crash.believable = false;
+  return request;
+}
+
 inline EgoFutureOptions shippedEgoFutureOptions() { return shippedOptions().ego_futures; }
 
 /// Without recorded speeds.
 inline KinematicPatternPredictor kinematicPredictor(const AttackOptions& options) {
-  return {options.prediction, std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr)};
+  return {options, std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr)};
 }
 
 /// The suite's own method on kinematicPredictor().

@@ -40,7 +40,12 @@ class ClipSearch : public testing::Test {
   }
 
   SceneRequest asked(CollisionType type = CollisionType::kRearEnd, std::uint64_t seed = 1) const {
-    return {"scene-0007", kNow, {type, kTta, std::nullopt, Mode::kReplay, seed, {}}};
+    SceneRequest request{"scene-0007", kNow, {}};
+    request.request.type = type;
+    request.request.tta = kTta;
+    request.request.mode = Mode::kReplay;
+    request.request.seed = seed;
+    return request;
   }
 
   Realization found(const SceneRequest& request) const {
@@ -76,6 +81,9 @@ TEST_F(ClipSearch, AClipTouchesAtTheTargetTimeAsDrawn) {
 TEST_F(ClipSearch, TheHeadingKeepsToANarrowSpread) {
   config_.dataset.heading_spread = 0.02;
   const TypeDefinition& type = config_.crash.types.at(CollisionType::kLaneChange);
+  auto map = twoLaneRoad();
+  map->lanes[1] = straightLane("east_too", {-200.0, 3.5}, {200.0, 3.5});
+  setMap(map);
   indexed_.scene.agents = {track("beside", kCarSize, {-8.0, 3.5, 0.0}, 9.0)};
   std::set<int> degrees;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -164,8 +172,10 @@ TEST(DrawnHeading, IsAnywhereInTheBand) {
   double least = 1.0;
   double most = 0.0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-    const CollisionRequest request{CollisionType::kRearEnd, kTta, std::nullopt,
-                                   Mode::kReplay,           seed, {}};
+    CollisionRequest request;
+    request.tta = kTta;
+    request.mode = Mode::kReplay;
+    request.seed = seed;
     const double heading = drawnHeading(request, type);
     sum += heading;
     least = std::min(least, heading);

@@ -16,7 +16,13 @@ constexpr double kNear = 6.0;            // m from the ego's middle: boxes may t
 constexpr double kMaxSlide = 0.9;        // of half a side, either way from its middle
 constexpr double kBandEnd = 1e-3;        // rad from straight on or back: a band reaches it
 
-/// Futures spread over all of them along the ego's way, as indices.
+/// A band around straight on or back holds headings to both sides; else the pattern tells which.
+bool isOneBand(const TypeDefinition& band) {
+  return band.min_heading < kBandEnd || band.max_heading > M_PI - kBandEnd;
+}
+
+}  // namespace
+
 std::vector<std::size_t> spreadFutures(const std::vector<const Track*>& egos, const Pose2& now,
                                        double time, int most) {
   std::vector<std::size_t> order(egos.size());
@@ -36,13 +42,6 @@ std::vector<std::size_t> spreadFutures(const std::vector<const Track*>& egos, co
   }
   return spread;
 }
-
-/// A band around straight on or back holds headings to both sides; else the pattern tells which.
-bool isOneBand(const TypeDefinition& band) {
-  return band.min_heading < kBandEnd || band.max_heading > M_PI - kBandEnd;
-}
-
-}  // namespace
 
 ArrivalSampler::ArrivalSampler(const SearchInput& input, const AttackOptions& options,
                                const VehicleLimits& limits, Random& random)

@@ -18,6 +18,11 @@ struct AimedArrival {
   Arrival arrival;       ///< its time and pose follow from these
 };
 
+/// At most `most` of the futures, as indices, spread over all of them along the ego's way: by where
+/// it is at `time` (seconds, the snapshot's clock), seen from its pose now.
+std::vector<std::size_t> spreadFutures(const std::vector<const Track*>& egos, const Pose2& now,
+                                       double time, int most);
+
 /// Draws arrivals for the patterns of contenders. Contacts are kept to the time that the request
 /// allows for.
 class ArrivalSampler {
@@ -46,6 +51,8 @@ class ArrivalSampler {
   /// The ego's box middle in a future.
   Pose2 egoAt(std::size_t ego, double seconds) const;
 
+  /// Futures that are aimed at, spread along the way.
+  const std::vector<std::size_t>& egos() const { return egos_; }
   double earliest() const { return earliest_; }  ///< s from now that a contact may be
   double latest() const { return latest_; }
 

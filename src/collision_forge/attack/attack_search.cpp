@@ -8,8 +8,10 @@
 #include "collision_forge/attack/arrival_sampler.h"
 #include "collision_forge/attack/contender.h"
 #include "collision_forge/attack/ground_use.h"
+#include "collision_forge/attack/manoeuvre_search.h"
 #include "collision_forge/attack/steering_search.h"
 #include "collision_forge/forecast/random.h"
+#include "collision_forge/verify/drive_check.h"
 #include "collision_forge/verify/limits.h"
 
 namespace forge {
@@ -121,9 +123,28 @@ class Search {
 
   bool drive(const Candidate& candidate, const DriveStart& start,
              std::vector<TrajectoryPoint>& points) const {
-    if (candidate.family) return candidate.family->drive(start, candidate.aimed.arrival, points);
-    bicycle_.roll(start, candidate.knots, candidate.aimed.arrival.time, points);
+    if (candidate.family) {
+      if (!candidate.family->drive(start, candidate.aimed.arrival, points)) return false;
+    } else {
+      bicycle_.roll(start, candidate.knots, candidate.aimed.arrival.time, points);
+    }
+    if (candidate.contender->driver) follow(*candidate.contender, points);
     return true;
+  }
+
+  /// Drives as the class of the vehicle allows to where the points lead.
+  static void follow(const Contender& contender, std::vector<TrajectoryPoint>& points) {
+    std::vector<PlannedStep> plan;
+    plan.reserve(points.size());
+    for (const TrajectoryPoint& point : points) plan.push_back({point.pose, point.speed});
+    contender.driver->drive(contender.drive_start, contender.start.now, plan, points);
+  }
+
+  bool keepsItsLimits(const Contender& contender, double until) const {
+    if (!contender.driver) {
+      return keepsLimits(points_, contender.start.motion.pose.yaw, until, limits_);
+    }
+    return !findBrokenDrive(points_, contender.drive_start, until, contender.limits);
   }
 
   /// Drives the candidate, scores it, and keeps it if it is among the best of its kind.
@@ -132,7 +153,7 @@ class Search {
     candidate.score = {};
     if (!drive(candidate, start, points_)) return;
     const double until = start.now + input_.request.tta + input_.request.crash.time_tolerance;
-    if (!keepsLimits(points_, start.motion.pose.yaw, until, limits_)) return;
+    if (!keepsItsLimits(*candidate.contender, until)) return;
     candidate.score = scorer_.score(*candidate.contender->track, points_, candidate.aim->ego);
     candidate.objective = candidate.score.share +
                           search_.closeness_weight * candidate.score.closeness -
@@ -335,6 +356,7 @@ bool isExact(const PatternMiss& miss, const SearchOptions& options) {
 }
 
 std::vector<FoundAttack> searchAttacks(const SearchInput& input, const AttackOptions& options) {
+  if (input.request.crash.believable) return searchManoeuvres(input, options);
   return Search(input, options).run();
 }
 

@@ -65,11 +65,12 @@ AttackerTrajectory drivenTo(const Pose2& pose, double tta, const Track& attacker
   return trajectory;
 }
 
-/// The answer that drives this; what a verification against the expected future says is in it.
-/// Whoever aims at no pattern aims at the contact that comes of it.
+/// The answer that drives this; what a verification against the expected future says is in it, by
+/// the strict limits. Whoever aims at no pattern aims at the contact that comes of it.
 Realization drivenAnswer(AttackerTrajectory trajectory, const Moment& moment,
-                         const CollisionRequest& request, const AttackOptions& options,
+                         CollisionRequest request, const AttackOptions& options,
                          const CollisionPattern* aim = nullptr) {
+  request.crash.limits = LimitSet::kStrict;
   const PredictionOptions& prediction = options.prediction;
   const Future future = moment.recorded ? *moment.recorded
                                         : predictFuture(moment.snapshot, *moment.lanes,
@@ -112,6 +113,7 @@ Realization bestOfCandidates(const Moment& moment, const CollisionRequest& reque
   };
   for (const Track& agent : moment.snapshot.agents) {
     if (!isCandidate(agent, moment.snapshot, options)) continue;
+    if (request.attacker_class && agent.agent_class != *request.attacker_class) continue;
     Realization answer = answer_of(agent.id);
     if (!best || rank(answer) > rank(*best)) best = std::move(answer);
   }

@@ -35,7 +35,8 @@ AttackerTrajectory nominalAttacker(const std::string& attacker_id, const Snapsho
 AttackerTrajectory patternAttacker(const CollisionPattern& pattern, const Snapshot& snapshot,
                                    double tta, const AttackOptions& options);
 
-// The same as methods. Without an attacker in the request they take of all candidates
+// The same as methods, which know no wheels: their reports are by LimitSet::kStrict, whatever the
+// request says. Without an attacker in the request they take of all candidates
 // (isCandidate()) the first that is verified, else that touches the ego, else any. In history mode
 // the others are expected to drive as predictFuture() says.
 

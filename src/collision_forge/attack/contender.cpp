@@ -5,11 +5,40 @@
 #include <limits>
 
 #include "collision_forge/attack/placement.h"
+#include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {
 
 constexpr double kBeyondReach = 10.0;  // m that ways go on beyond what can be driven
+
+/// The ways along lanes that come near one of the ego's places around the time asked for.
+void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& options) {
+  const RouteDriverOptions& route = options.route;
+  const PredictionOptions& prediction = options.prediction;
+  const double tta = input.request.tta;
+  const DriveState& now = entry.drive_start;
+  const double reach = now.speed * tta + 0.5 * route.styles.back().forward * tta * tta;
+  const auto nearEgo = [&](const Polyline& way) {
+    return std::any_of(input.egos.begin(), input.egos.end(), [&](const Track* ego) {
+      const auto state = stateAt(*ego, input.snapshot.now + tta).value_or(ego->states.back());
+      return way.project(state.pose.position()).distance < route.reach;
+    });
+  };
+  const Pose2& pose = entry.track->states.back().pose;
+  for (const LaneMatch& match :
+       input.lanes.lanesNear(pose, prediction.on_lane_distance, prediction.on_lane_heading)) {
+    for (const LanePath& path :
+         input.lanes.pathsAhead(match.lane, match.projection.arc_length, reach + kBeyondReach,
+                                static_cast<std::size_t>(route.branches))) {
+      if (static_cast<int>(entry.routes.size()) >= route.ways) return;
+      const Polyline way(path.points);
+      if (nearEgo(way)) {
+        entry.routes.emplace_back(ReferencePath(way), now, entry.driver->limits(), route);
+      }
+    }
+  }
+}
 
 std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& input,
                                        const AttackOptions& options, const VehicleLimits& limits,
@@ -25,6 +54,17 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
   const double tta = input.request.tta;
   const double reach =
       tta * std::min(limits.max_speed, motion.speed + 0.5 * limits.max_forward_acceleration * tta);
+  const CrashDefinition& crash = input.request.crash;
+  if (crash.limits == LimitSet::kDrivable || crash.believable) {
+    entry->limits = driveLimitsOf(agent, options.verification);
+    entry->driver.emplace(entry->limits, options.route.limit_share, options.route.preview,
+                          options.search.step);
+    entry->drive_start = driveStateNow(agent, options.verification);
+  }
+  if (crash.believable) {
+    addRoutes(*entry, input, options);
+    return entry;
+  }
   entry->paths = pathsAhead(input.lanes, agent.states.back().pose, reach + kBeyondReach,
                             prediction.on_lane_distance, prediction.on_lane_heading,
                             static_cast<std::size_t>(options.search.lane_paths));

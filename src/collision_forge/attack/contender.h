@@ -1,9 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "collision_forge/attack/attack_search.h"
+#include "collision_forge/attack/route_driver.h"
+#include "collision_forge/attack/track_driver.h"
 #include "collision_forge/attack/trajectory_family.h"
 #include "collision_forge/map/reference_path.h"
 
@@ -21,8 +24,13 @@ struct Contender {
   const Track* track = nullptr;
   std::vector<Aim> aims;  ///< its patterns, the most promising first
   DriveStart start;
+  DriveLimits limits;      ///< of its class
+  DriveState drive_start;  ///< the same as a single track, where it drives by its class
+  /// Within the limits of its class; empty where any motion within the strict limits will do.
+  std::optional<TrackDriver> driver;
   std::vector<ReferencePath> paths;                         ///< along lanes
   std::vector<std::unique_ptr<TrajectoryFamily>> quintics;  ///< free, then one a path
+  std::vector<RouteDriver> routes;  ///< in place of paths and quintics, if it is to be believable
 };
 
 /// The vehicles of the patterns, the most promising first and at most SearchOptions::max_attackers.

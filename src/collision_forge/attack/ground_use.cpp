@@ -5,21 +5,11 @@
 namespace forge {
 namespace {
 
-constexpr int kPlaces = 9;  // in three rows
-
-/// How many of the places are where `is_there` says.
+/// How many of the box's places are where `is_there` says.
 template <typename IsThere>
-int placesOf(const Pose2& pose, const BoxSize& size, const IsThere& is_there) {
-  const Vector2 ahead = pose.heading();
-  const Vector2 along = 0.4 * size.length * ahead;
-  const Vector2 across = 0.4 * size.width * Vector2(-ahead.y(), ahead.x());
-  int count = 0;
-  for (int x = -1; x <= 1; ++x) {
-    for (int y = -1; y <= 1; ++y) {
-      count += is_there(pose.position() + x * along + y * across);
-    }
-  }
-  return count;
+int countPlaces(const Pose2& pose, const BoxSize& size, const IsThere& is_there) {
+  const auto places = placesOf({pose, size});
+  return static_cast<int>(std::count_if(places.begin(), places.end(), is_there));
 }
 
 }  // namespace
@@ -30,13 +20,13 @@ double GroundUse::offRoadShare(const std::vector<TrajectoryPoint>& points, doubl
   if (drivable.empty()) return 0.0;
   const auto on_road = [&](const Vector2& place) { return drivable.contains(place); };
   int on = 0;
-  int asked = 0;
+  std::size_t asked = 0;
   for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(stride_)) {
-    on += placesOf(points[i].pose, size, on_road);
-    asked += kPlaces;
+    on += countPlaces(points[i].pose, size, on_road);
+    asked += kBoxPlaces;
     if (points[i].time >= until) break;
   }
-  return 1.0 - static_cast<double>(on) / asked;
+  return 1.0 - static_cast<double>(on) / static_cast<double>(asked);
 }
 
 bool GroundUse::crossesKerb(const std::vector<TrajectoryPoint>& points, const BoxSize& size) const {
@@ -44,9 +34,9 @@ bool GroundUse::crossesKerb(const std::vector<TrajectoryPoint>& points, const Bo
   const auto on_walkway = [&](const Vector2& place) {
     return lanes_.walkways().contains(place) && !lanes_.drivable().contains(place);
   };
-  const int now = placesOf(points.front().pose, size, on_walkway);
+  const int now = countPlaces(points.front().pose, size, on_walkway);
   return std::any_of(points.begin(), points.end(), [&](const TrajectoryPoint& point) {
-    return placesOf(point.pose, size, on_walkway) > now;
+    return countPlaces(point.pose, size, on_walkway) > now;
   });
 }
 

@@ -1,5 +1,7 @@
 #include "collision_forge/attack/options.h"
 
+#include <utility>
+
 #include "collision_forge/config/section.h"
 
 namespace forge {
@@ -84,7 +86,91 @@ void readOptions(Section& section, RequestListOptions& options) {
   options.min_ego_speed = section.nonNegative("min_ego_speed");
 }
 
+static DrivingStyle readStyle(Section section) {
+  DrivingStyle style;
+  style.forward = section.positive("forward");
+  style.braking = section.positive("braking");
+  style.lateral = section.positive("lateral");
+  style.jerk = section.positive("jerk");
+  style.cost = section.nonNegative("cost");
+  section.finish();
+  return style;
+}
+
+static void readOptions(Section& section, RouteDriverOptions& options) {
+  Section styles = section.section("styles");
+  for (const char* name : {"gentle", "brisk", "hard"}) {
+    options.styles.push_back(readStyle(styles.section(name)));
+  }
+  styles.finish();
+  options.limit_share = section.share("limit_share");
+  options.settling = section.positive("settling");
+  options.return_distance = section.positive("return_distance");
+  options.precision = section.positive("precision");
+  options.preview = section.positive("preview");
+  options.branches = section.count("branches", 1);
+  options.ways = section.count("ways", 1);
+  options.reach = section.positive("reach");
+  options.max_departure = section.positive("max_departure");
+  options.max_lean = section.angle("max_lean");
+  options.heading_margin = section.nonNegative("heading_margin");
+  options.contacts = section.numbers("contacts", -1.0, 1.0);
+  options.departures = section.positives("departures");
+  options.late_braking = section.numbers("late_braking", 0.0, 20.0);
+  options.rounds = section.count("rounds", 0);
+  options.perturbations = section.count("perturbations", 0);
+  options.off_lane_weight = section.nonNegative("off_lane_weight");
+  options.off_road_weight = section.nonNegative("off_road_weight");
+  options.wrong_way_weight = section.nonNegative("wrong_way_weight");
+}
+
+/// The classes that may attack, with the vans and pick-ups that nuScenes takes for trucks.
+static std::vector<AddedKind> readKinds(Section section) {
+  std::vector<AddedKind> kinds;
+  for (const auto& [name, agent_class] :
+       {std::pair{"car", AgentClass::kCar},
+        {"van", AgentClass::kTruck},
+        {"truck", AgentClass::kTruck},
+        {"bus", AgentClass::kBus},
+        {"construction_vehicle", AgentClass::kConstructionVehicle},
+        {"emergency_vehicle", AgentClass::kEmergencyVehicle}}) {
+    Section row = section.section(name);
+    kinds.push_back({agent_class, row.share("share"), row.positive("length"),
+                     row.nonNegative("length_deviation"), row.positive("width")});
+    row.finish();
+  }
+  section.finish();
+  return kinds;
+}
+
+static void readOptions(Section& section, AddedVehicleOptions& options) {
+  options.kinds = readKinds(section.section("kinds"));
+  options.candidates = section.count("candidates", 1);
+  options.predicted_candidates = section.count("predicted_candidates", 1);
+  options.together = section.count("together", 1);
+  options.preference = section.share("preference");
+  options.sensing_range = section.positive("sensing_range");
+  options.least_past = section.positive("least_past");
+  options.clearance = section.nonNegative("clearance");
+  options.min_on_lane = section.share("min_on_lane");
+  options.max_off_road = section.share("max_off_road");
+  options.branches = section.count("branches", 1);
+  options.way_ahead = section.positive("way_ahead");
+  options.lateral = section.positive("lateral");
+  options.braking = section.positive("braking");
+  options.contacts = section.numbers("contacts", -1.0, 1.0);
+  options.speeds = section.positives("speeds");
+  options.closings = section.numbers("closings", -5.0, 5.0);
+  options.least_gap = section.positive("least_gap");
+  options.train_distance = section.positive("train_distance");
+  options.starts = section.positives("starts");
+  options.wait = section.positive("wait");
+  options.least_crossing_speed = section.nonNegative("least_crossing_speed");
+}
+
 static void readOptions(Section& file, AttackOptions& options) {
+  file.read("routes", options.route);
+  file.read("added", options.added);
   file.read("search", options.search);
   file.read("bicycle_family", options.bicycle);
   file.read("steering", options.steering);
@@ -94,7 +180,14 @@ void readAttackOptions(const std::string& directory, AttackOptions& options) {
   readConfigFile(directory, "prediction", options.prediction);
   readConfigFile(openConfigFile(directory, "search.yaml"), options);
   readConfigFile(directory, "verification", options.verification);
-  readConfigFile(directory, "vehicle_limits", options.verification.limits);
+  readConfigFile(directory, "believability", options.verification.believability);
+  Section limits = openConfigFile(directory, "vehicle_limits.yaml");
+  Section inner = limits.section("vehicle_limits");
+  readVehicleLimits(inner, options.verification);
+  inner.finish();
+  limits.finish();
+  options.verification.motion_frames = options.prediction.motion_frames;
+  options.verification.standstill_speed = options.prediction.standstill_speed;
   readConfigFile(directory, "ego_futures", options.ego_futures, options.prediction.step);
 }
 

@@ -45,6 +45,74 @@ struct SteeringOptions {
   double near = 0.0;
 };
 
+/// How hard somebody drives until its manoeuvre.
+struct DrivingStyle {
+  double forward = 0.0;  ///< m/s2
+  double braking = 0.0;  ///< m/s2
+  double lateral = 0.0;  ///< m/s2, in bends
+  double jerk = 0.0;     ///< m/s3
+  double cost = 0.0;     ///< as a share of the futures
+};
+
+/// config/search.yaml, section routes
+struct RouteDriverOptions {
+  std::vector<DrivingStyle> styles;  ///< the tamest first
+  double limit_share = 0.0;
+  double settling = 0.0;
+  double return_distance = 0.0;
+  double precision = 0.0;
+  double preview = 0.0;
+  int branches = 0;
+  int ways = 0;
+  double reach = 0.0;
+  double max_departure = 0.0;
+  double max_lean = 0.0;
+  double heading_margin = 0.0;
+  std::vector<double> contacts;
+  std::vector<double> departures;
+  std::vector<double> late_braking;
+  int rounds = 0;
+  int perturbations = 0;
+  double off_lane_weight = 0.0;
+  double off_road_weight = 0.0;
+  double wrong_way_weight = 0.0;
+};
+
+/// A kind of vehicle that may be added.
+struct AddedKind {
+  AgentClass agent_class = AgentClass::kCar;
+  double share = 0.0;
+  double length = 0.0;  ///< m
+  double length_deviation = 0.0;
+  double width = 0.0;  ///< m
+};
+
+/// config/search.yaml, section added
+struct AddedVehicleOptions {
+  std::vector<AddedKind> kinds;
+  int candidates = 0;
+  int predicted_candidates = 0;
+  int together = 0;
+  double preference = 0.0;
+  double sensing_range = 0.0;
+  double least_past = 0.0;
+  double clearance = 0.0;
+  double min_on_lane = 0.0;
+  double max_off_road = 0.0;
+  int branches = 0;
+  double way_ahead = 0.0;
+  double lateral = 0.0;
+  double braking = 0.0;
+  std::vector<double> contacts;
+  std::vector<double> speeds;
+  std::vector<double> closings;
+  double least_gap = 0.0;
+  double train_distance = 0.0;
+  std::vector<double> starts;
+  double wait = 0.0;
+  double least_crossing_speed = 0.0;
+};
+
 /// config/search.yaml, section search
 struct SearchOptions {
   double step = 0.0;
@@ -95,6 +163,8 @@ struct NominalOptions {
 struct AttackOptions {
   PredictionOptions prediction;
   SearchOptions search;
+  RouteDriverOptions route;
+  AddedVehicleOptions added;
   BicycleOptions bicycle;
   SteeringOptions steering;
   VerificationOptions verification;

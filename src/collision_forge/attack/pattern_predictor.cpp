@@ -7,6 +7,7 @@
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/forecast/kinematic_prediction.h"
 #include "collision_forge/forecast/motion_estimate.h"
+#include "collision_forge/verify/believability.h"
 
 namespace forge {
 namespace {
@@ -73,8 +74,10 @@ const Track& mostCentral(const std::vector<Track>& tracks, double time) {
 }  // namespace
 
 KinematicPatternPredictor::KinematicPatternPredictor(
-    const PredictionOptions& options, std::shared_ptr<const EgoFutureSampler> ego_futures)
-    : options_(options), ego_futures_(std::move(ego_futures)) {}
+    const AttackOptions& options, std::shared_ptr<const EgoFutureSampler> ego_futures)
+    : options_(options.prediction),
+      believability_(options.verification.believability),
+      ego_futures_(std::move(ego_futures)) {}
 
 Future KinematicPatternPredictor::predictedFuture(const Snapshot& snapshot, const LaneIndex& lanes,
                                                   const CollisionRequest& request) const {
@@ -101,10 +104,18 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
                              std::to_string(request.tta) + " s from now"};
     return prediction;
   }
+  if (request.crash.believable &&
+      !roadAllows(prediction.future, snapshot.now, request, lanes, believability_)) {
+    prediction.status = {StatusCode::kRoadDoesNotAllow,
+                         std::string("no lane near the ego at the asked time has a direction of ") +
+                             toString(request.type)};
+    return prediction;
+  }
   const double nominal = request.bands().nominal_heading;
   std::vector<RankedPattern> ranked;
   for (const Track& agent : snapshot.agents) {
     if (request.attacker && agent.id != *request.attacker) continue;
+    if (request.attacker_class && agent.agent_class != *request.attacker_class) continue;
     // One that was asked for has been checked, and may be anywhere.
     if (!request.attacker && !isCandidate(agent, snapshot, options_)) continue;
     if (!comesFromThere(agent, snapshot, request)) continue;

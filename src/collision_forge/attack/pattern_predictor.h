@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "collision_forge/attack/options.h"
 #include "collision_forge/forecast/ego_futures.h"
-#include "collision_forge/forecast/options.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
@@ -32,10 +32,10 @@ class PatternPredictor {
 
 /// No learning: the ego moves as the sampler says, all others as predictFuture() says (or everybody
 /// as recorded), and each candidate attacker is placed at the ego's pose at impact with the type's
-/// nominal heading.
+/// nominal heading. Declines with kRoadDoesNotAllow where that is asked for (roadAllows()).
 class KinematicPatternPredictor : public PatternPredictor {
  public:
-  KinematicPatternPredictor(const PredictionOptions& options,
+  KinematicPatternPredictor(const AttackOptions& options,
                             std::shared_ptr<const EgoFutureSampler> ego_futures);
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
@@ -46,6 +46,7 @@ class KinematicPatternPredictor : public PatternPredictor {
                          const CollisionRequest& request) const;
 
   PredictionOptions options_;
+  BelievabilityOptions believability_;
   std::shared_ptr<const EgoFutureSampler> ego_futures_;
 };
 

@@ -39,7 +39,15 @@ void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot
 /// Counts why attacks were not taken, for the message of a refusal.
 class Rejections {
  public:
-  void add(const CollisionReport& report) { ++counts_[shortcomingOf(report)]; }
+  void add(const CollisionReport& report, const CollisionRequest& request) {
+    ++counts_[shortcomingOf(report, request)];
+    if (report.verified() && request.crash.believable && !report.believable()) {
+      unbelievable_ = report.unbelievable;
+    }
+  }
+
+  /// Why an attack that holds would be driven by nobody; empty if there was none.
+  const std::string& unbelievable() const { return unbelievable_; }
 
   /// Of an attack that holds, but is not exactly the pattern.
   void add(const PatternMiss& miss) {
@@ -59,6 +67,7 @@ class Rejections {
 
  private:
   std::map<std::string, int> counts_;
+  std::string unbelievable_;
   std::optional<PatternMiss> nearest_;
 };
 
@@ -84,8 +93,8 @@ bool verifyInFutures(const FoundAttack& attack, const VerificationInput& input,
     future.ego = *attack.hits[i];
     found.report = verify(found.trajectory, {input.snapshot, future, input.request, input.lanes},
                           options.verification);
-    if (!found.report.verified()) {
-      rejections.add(found.report);
+    if (!isAsAsked(found.report, input.request)) {
+      rejections.add(found.report, input.request);
       continue;
     }
     found.miss =
@@ -108,12 +117,28 @@ double confidenceIn(const VerificationInput& input, const FoundAttack& attack,
 
 }  // namespace
 
-std::string shortcomingOf(const CollisionReport& report) {
+std::string shortcomingOf(const CollisionReport& report, const CollisionRequest& request) {
   if (!report.contact) return "missed the ego";
   if (!report.first_other_id.empty()) return "touched someone else first";
   if (!report.on_time) return "made contact at the wrong time";
   if (!report.type_kept) return "made contact in another way";
-  return "broke " + report.broken_limit;
+  if (!report.limits_kept) return "broke " + report.broken_limit;
+  if (request.crash.believable && !report.believable()) {
+    return "is not believable: it " + report.unbelievable;
+  }
+  if (request.manoeuvre && report.manoeuvre != *request.manoeuvre) {
+    return std::string("is of manoeuvre ") + toString(report.manoeuvre);
+  }
+  if (request.ego_side && report.ego_side != *request.ego_side) {
+    return std::string("touched the ego's side ") + toString(report.ego_side);
+  }
+  if (!request.impact_speed) return "";
+  if (report.impact_speed < request.impact_speed->min) return "hit the ego too slowly";
+  return report.impact_speed > request.impact_speed->max ? "hit the ego too fast" : "";
+}
+
+bool isAsAsked(const CollisionReport& report, const CollisionRequest& request) {
+  return shortcomingOf(report, request).empty();
 }
 
 double confidenceOf(double share, const std::vector<double>& curve) {
@@ -149,6 +174,10 @@ Realization realize(const std::vector<CollisionPattern>& patterns, const Verific
     return found;
   }
   Realization refused;
+  if (!rejections.unbelievable().empty()) {
+    refused.status = {StatusCode::kNotBelievable, "the best attacker " + rejections.unbelievable()};
+    return refused;
+  }
   refused.status = {StatusCode::kNoAttackWithinLimits,
                     "no attack by " + std::to_string(patterns.size()) +
                         " patterns holds within the limits; best ones: " +

@@ -9,8 +9,13 @@
 
 namespace forge {
 
-/// Why an attack with this report is not verified, for people: "missed the ego", ...
-std::string shortcomingOf(const CollisionReport& report);
+/// Why an attack with this report is not what was asked for, for people: "missed the ego", ...;
+/// empty where it is.
+std::string shortcomingOf(const CollisionReport& report, const CollisionRequest& request);
+
+/// Verified, believable if the request wants that, and of the manoeuvre, the ego's side and the
+/// impact speed that it names.
+bool isAsAsked(const CollisionReport& report, const CollisionRequest& request);
 
 /// What a share of the futures is worth as confidence: linear between the points of `curve`, which
 /// are evenly spread over shares from 0 to 1.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "collision_forge/scene/request_words.h"
+
 namespace forge {
 namespace {
 
@@ -44,7 +46,8 @@ Status checkEgo(const Snapshot& snapshot, const PredictionOptions& options) {
   return {};
 }
 
-Status checkAttacker(const std::string& id, const Snapshot& snapshot) {
+Status checkAttacker(const std::string& id, const std::optional<AgentClass>& wanted,
+                     const Snapshot& snapshot) {
   const auto attacker = std::find_if(snapshot.agents.begin(), snapshot.agents.end(),
                                      [&](const Track& agent) { return agent.id == id; });
   if (attacker == snapshot.agents.end()) {
@@ -56,6 +59,10 @@ Status checkAttacker(const std::string& id, const Snapshot& snapshot) {
   if (!canAttack(attacker->agent_class)) {
     return refuse(StatusCode::kAbsentAttacker, "attacker \"", id, "\" is a ",
                   toString(attacker->agent_class), ", which cannot attack");
+  }
+  if (wanted && attacker->agent_class != *wanted) {
+    return refuse(StatusCode::kInvalidInput, "attacker \"", id, "\" is a ",
+                  toString(attacker->agent_class), ", and attacker_class = ", toString(*wanted));
   }
   if (!isFinite(*attacker)) {
     return refuse(StatusCode::kInvalidInput, "the pose of attacker \"", id, "\" is not a number");
@@ -80,15 +87,45 @@ bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionO
   return (agent.states.back().pose.position() - ego).norm() <= options.candidate_radius;
 }
 
+Status checkControls(const CollisionRequest& request) {
+  if (request.attacker && request.choice == AttackerChoice::kNew) {
+    return refuse(StatusCode::kInvalidInput, "choice = new, but attacker_id = \"",
+                  *request.attacker, "\" is a recorded vehicle");
+  }
+  if (request.attacker_class && !canAttack(*request.attacker_class)) {
+    return refuse(StatusCode::kInvalidInput, "attacker_class = ", toString(*request.attacker_class),
+                  " cannot attack");
+  }
+  if (request.manoeuvre && typeOf(*request.manoeuvre) != request.type) {
+    return refuse(StatusCode::kInvalidInput, "manoeuvre = ", toString(*request.manoeuvre),
+                  " is none of type ", toString(request.type), ": ", manoeuvreNames(request.type));
+  }
+  if (request.impact_speed) {
+    const Range& speed = *request.impact_speed;
+    if (!(speed.min >= 0.0 && speed.max >= speed.min && std::isfinite(speed.max))) {
+      return refuse(StatusCode::kInvalidInput, "impact_speed = ", speed.min, " to ", speed.max,
+                    " m/s is no range from 0 on");
+    }
+  }
+  if (request.crash.believable && request.crash.limits == LimitSet::kStrict) {
+    return refuse(StatusCode::kInvalidInput,
+                  "limits = strict goes with believable = false alone: a believable attacker "
+                  "drives within the limits of its class");
+  }
+  return {};
+}
+
 Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
                     const PredictionOptions& options) {
   if (!(request.tta >= options.min_tta && request.tta <= options.max_tta)) {
     return refuse(StatusCode::kTtaOutOfRange, "tta = ", request.tta, " s is outside ",
                   options.min_tta, " to ", options.max_tta, " s");
   }
+  const Status controls = checkControls(request);
+  if (controls.code != StatusCode::kOk) return controls;
   const Status ego = checkEgo(snapshot, options);
   if (ego.code != StatusCode::kOk) return ego;
-  if (request.attacker) return checkAttacker(*request.attacker, snapshot);
+  if (request.attacker) return checkAttacker(*request.attacker, request.attacker_class, snapshot);
   return {};
 }
 

@@ -9,8 +9,14 @@ namespace forge {
 /// A vehicle that is there now, was there in the frame before, and is within candidate_radius.
 bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options);
 
-/// What can be said against a request before any search: TTA out of range or not a number, too
-/// little history or a NaN in it, an ego without a size, an unknown, absent or unfit attacker.
+/// What a request says against itself: an attacker's id with the choice of a new one, a class that
+/// cannot attack, a manoeuvre of another type, an impact speed that none can have, believable
+/// attacks within the strict limits (these are those of no vehicle that drives).
+Status checkControls(const CollisionRequest& request);
+
+/// What can be said against a request before any search: TTA out of range or not a number,
+/// checkControls(), too little history or a NaN in it, an ego without a size, an unknown, absent or
+/// unfit attacker.
 Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
                     const PredictionOptions& options);
 

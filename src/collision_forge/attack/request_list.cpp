@@ -44,7 +44,8 @@ double speedOf(const Track& ego, const PredictionOptions& options) {
 }  // namespace
 
 std::vector<SceneRequest> listRequests(const Scene& scene, const RequestListOptions& list,
-                                       const PredictionOptions& options, double time_tolerance) {
+                                       const PredictionOptions& options, double time_tolerance,
+                                       const CollisionRequest& asked) {
   if (!(list.stride > 0.0)) {
     throw std::invalid_argument("stride = " + std::to_string(list.stride) + " s is not positive");
   }
@@ -58,7 +59,11 @@ std::vector<SceneRequest> listRequests(const Scene& scene, const RequestListOpti
       if (now + tta + time_tolerance > end) continue;
       for (const CollisionType type : list.types) {
         for (const auto& attacker : attackers) {
-          const CollisionRequest request{type, tta, attacker, Mode::kHistory, list.seed, {}};
+          CollisionRequest request = asked;
+          request.type = type;
+          request.tta = tta;
+          request.attacker = attacker;
+          request.seed = list.seed;
           if (checkRequest(request, snapshot, options).code != StatusCode::kOk) continue;
           requests.push_back({scene.name, now, request});
         }

@@ -2,7 +2,44 @@
 
 #include <utility>
 
+#include "collision_forge/attack/added_vehicle.h"
+
 namespace forge {
+namespace {
+
+/// An attack by an added vehicle may take the place of what the recorded ones came to.
+bool mayBeAdded(const Realization& existing, const Moment& moment, const CollisionRequest& request,
+                const AttackOptions& options) {
+  if (request.attacker || request.choice == AttackerChoice::kExisting) return false;
+  if (!request.crash.believable || moment.lanes->map().lanes.empty()) return false;
+  switch (existing.status.code) {
+    case StatusCode::kOk:
+      // As sure as can be, or there are none.
+      return request.choice == AttackerChoice::kNew ||
+             existing.report.confidence + options.added.preference <
+                 options.search.confidence_curve.back();
+    case StatusCode::kNoCandidate:
+    case StatusCode::kNoAttackWithinLimits:
+    case StatusCode::kNotBelievable:
+    case StatusCode::kLowConfidence:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool isPreferred(const Realization& added, const Realization& existing, bool may_exist,
+                 const AddedVehicleOptions& options) {
+  if (!may_exist) return true;
+  if (existing.status.code != StatusCode::kOk) {
+    return added.status.code == StatusCode::kOk ||
+           added.status.code == StatusCode::kRoadDoesNotAllow;
+  }
+  return added.status.code == StatusCode::kOk &&
+         added.report.confidence > existing.report.confidence + options.preference;
+}
+
+}  // namespace
 
 SearchMethod::SearchMethod(const AttackOptions& options,
                            std::shared_ptr<const PatternPredictor> predictor)
@@ -11,13 +48,22 @@ SearchMethod::SearchMethod(const AttackOptions& options,
 Realization SearchMethod::answer(const Moment& moment, const CollisionRequest& request) const {
   const PatternPrediction prediction = predictor_->predict(
       moment.snapshot, *moment.lanes, request, moment.recorded ? &*moment.recorded : nullptr);
-  if (prediction.status.code != StatusCode::kOk) {
-    Realization refusal;
-    refusal.status = prediction.status;
-    return refusal;
+  Realization existing;
+  existing.status = prediction.status;
+  const bool may_exist = request.attacker || request.choice != AttackerChoice::kNew;
+  if (may_exist && prediction.status.code == StatusCode::kOk) {
+    existing = realize(prediction.patterns,
+                       {moment.snapshot, prediction.future, request, *moment.lanes}, options_);
   }
-  return realize(prediction.patterns, {moment.snapshot, prediction.future, request, *moment.lanes},
-                 options_);
+  if (!mayBeAdded(existing, moment, request, options_)) {
+    if (may_exist) return existing;
+    existing.status = {StatusCode::kNoCandidate,
+                       "vehicles are added to maps with lanes, and believable, alone"};
+    return existing;
+  }
+  const Realization added = realizeByAdded(
+      {moment.snapshot, moment.past.get(), prediction.future, request, *moment.lanes}, options_);
+  return isPreferred(added, existing, may_exist, options_.added) ? added : existing;
 }
 
 }  // namespace forge

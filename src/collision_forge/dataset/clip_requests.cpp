@@ -82,7 +82,11 @@ class Lister {
       const std::size_t impact = begin + static_cast<std::size_t>(*chosen);
       lengths.erase(chosen);
       const double tta = scene_.frame_times[impact] - snapshot.now;
-      const CollisionRequest request{type, tta, std::nullopt, Mode::kReplay, seed, {}};
+      CollisionRequest request;
+      request.type = type;
+      request.tta = tta;
+      request.mode = Mode::kReplay;
+      request.seed = seed;
       if (checkRequest(request, snapshot, prediction_).code != StatusCode::kOk) continue;
       requests_.push_back({scene_.name, snapshot.now, request});
     }

@@ -20,7 +20,7 @@ constexpr int kHistoryFrames = kCollideNowFrame + 1;
 /// The patterns of vehicles that were there in every frame of the history.
 class ContinuousPatterns : public PatternPredictor {
  public:
-  explicit ContinuousPatterns(const PredictionOptions& options) : patterns_(options, nullptr) {}
+  explicit ContinuousPatterns(const AttackOptions& options) : patterns_(options, nullptr) {}
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request,
@@ -139,8 +139,9 @@ Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
   const Moment& moment = std::get<Moment>(found);
   CollisionRequest request = asked.request;
   request.crash = clipCrash(study.crash, request, options);
+  request.choice = AttackerChoice::kExisting;  // a clip's history is as recorded
   const PredictionOptions& prediction = study.attack.prediction;
-  const SearchMethod method(study.attack, std::make_shared<ContinuousPatterns>(prediction));
+  const SearchMethod method(study.attack, std::make_shared<ContinuousPatterns>(study.attack));
   scenario.answer = generateCollision(method, moment, request, prediction);
   if (scenario.answer.status.code != StatusCode::kOk) return scenario.answer;
   const std::string problem = objection(scenario, indexed, moment, study, options);

@@ -62,7 +62,7 @@ Pose2 egoAtImpact(const PredictedScene& scene, const CollisionRequest& request,
 NetworkPatternPredictor::NetworkPatternPredictor(const AttackOptions& options, Foresight foresight)
     : options_(options),
       foresight_(std::move(foresight)),
-      kinematic_(options.prediction, foresight_.egoFutures(options.ego_futures)) {}
+      kinematic_(options, foresight_.egoFutures(options.ego_futures)) {}
 
 PatternPrediction NetworkPatternPredictor::predict(const Snapshot& snapshot, const LaneIndex& lanes,
                                                    const CollisionRequest& request,

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "collision_forge/attack/options.h"
+#include "collision_forge/map/lane_queries.h"
+#include "collision_forge/scene/attack.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+/// A vehicle that nobody recorded, and how it could meet the ego.
+struct AddedVehicle {
+  Track track;                             ///< from its first frame to now, at the frames' times
+  std::vector<CollisionPattern> patterns;  ///< by its track's id, in the futures that it is for
+};
+
+/// What vehicles are added to.
+struct AddedVehicleInput {
+  const Snapshot& snapshot;
+  const Snapshot* past;  ///< Moment::past; null live
+  const Future& future;
+  const CollisionRequest& request;
+  const LaneIndex& lanes;
+};
+
+/// Vehicles that fit into the scene, the ones that drive the most plainly first, or why none does.
+struct AddedVehicles {
+  std::vector<AddedVehicle> found;
+  Status status;  ///< kNoCandidate or kRoadDoesNotAllow without any
+};
+
+/// Looks for vehicles that could have been in the scene all along and drive on into the ego: along
+/// the lanes that lead to it (fittingLanes()), at the time asked for, at speeds of the traffic
+/// there, with the ego or beside it, or out of a standstill. Each keeps the limits of its class and
+/// its lane, touches nobody recorded, and was there before the ego could see it: from the
+/// recording's first frame on, or from beyond AddedVehicleOptions::sensing_range, or from behind
+/// somebody. Live, where what was seen cannot be changed, it is out of sight now. The draws follow
+/// from the request's seed.
+AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& options);
+
+/// realize() by the vehicles that addVehicles() finds, of which the answer's trajectory tells the
+/// past. `input` is without them, its request names no attacker.
+Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& options);
+
+}  // namespace forge

@@ -1,0 +1,290 @@
+#include "collision_forge/attack/manoeuvre_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "collision_forge/attack/arrival_sampler.h"
+#include "collision_forge/attack/contender.h"
+#include "collision_forge/attack/placement.h"
+#include "collision_forge/attack/route_driver.h"
+#include "collision_forge/forecast/random.h"
+#include "collision_forge/verify/believability.h"
+#include "collision_forge/verify/drive_check.h"
+
+namespace forge {
+namespace {
+
+constexpr double kMinArrival = 0.3;  // s from now
+constexpr double kMaxSlide = 0.9;    // of half a side, either way from its middle
+constexpr double kBandEnd = 1e-3;    // rad from straight on or back: a band reaches it
+constexpr double kSlides[] = {-0.7, 0.0, 0.7};
+constexpr double kShrink = 0.7;  // of the moves, a round
+
+/// What is chosen of one attack; the rest follows.
+struct Draft {
+  std::size_t ego = 0;   // the future
+  double contact = 0.0;  // s from now
+  Side side = Side::kLeft;
+  double heading = 0.0;    // of the attacker from the ego, rad
+  double slide = 0.0;      // along the side
+  double departure = 0.0;  // s
+  double late = 0.0;       // s
+  double late_acceleration = 0.0;
+};
+
+struct Candidate {
+  const Contender* contender = nullptr;
+  const RouteDriver* route = nullptr;
+  Draft draft;
+  const Aim* aim = nullptr;
+  FutureScore score;
+  PatternMiss miss;
+  RoadUse road;
+  std::size_t style = 0;
+  double objective = 0.0;
+};
+
+class ManoeuvreSearch {
+ public:
+  ManoeuvreSearch(const SearchInput& input, const AttackOptions& options)
+      : input_(input),
+        options_(options),
+        search_(options.search),
+        route_(options.route),
+        scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
+                input.lanes.map().driving_side, options),
+        contenders_(contendersOf(input, options, options.verification.limits, scorer_.steps())),
+        random_(input.request.seed),
+        sampler_(input, options, options.verification.limits, random_) {
+    const double end = input.request.tta + search_.tail;
+    all_points_ = std::max(static_cast<std::size_t>(scorer_.steps()),
+                           static_cast<std::size_t>(std::lround(end / search_.step)) + 1);
+  }
+
+  std::vector<FoundAttack> run() {
+    for (const auto& contender : contenders_) draftFor(*contender);
+    for (int round = 0; round < route_.rounds && !isGood(); ++round) {
+      perturb(std::pow(kShrink, round));
+    }
+    std::vector<FoundAttack> found;
+    for (const Candidate& candidate : kept_) {
+      if (candidate.score.share > 0.0) found.push_back(finished(candidate));
+    }
+    return found;
+  }
+
+ private:
+  /// The drafts that a contender's routes lead to.
+  void draftFor(const Contender& contender) {
+    for (const RouteDriver& route : contender.routes) {
+      for (const std::size_t ego : sampler_.egos()) {
+        for (const double early : route_.contacts) {
+          const double contact =
+              std::clamp(input_.request.tta + early, sampler_.earliest(), sampler_.latest());
+          if (contact < kMinArrival) continue;
+          draftAt(contender, route, ego, contact);
+        }
+      }
+    }
+  }
+
+  void draftAt(const Contender& contender, const RouteDriver& route, std::size_t ego,
+               double contact) {
+    const Pose2 pose = sampler_.egoAt(ego, contact);
+    const PathPose seen = route.seen(pose);
+    if (std::abs(seen.across) > route_.reach || seen.along < route.start().along) return;
+    const TypeDefinition& band = input_.request.bands();
+    const double direction = angleBetween(pose.yaw, route.path().at(seen.along).pose.yaw);
+    const double margin = route_.heading_margin;
+    const double low = band.min_heading > kBandEnd ? band.min_heading + margin : 0.0;
+    const double high = band.max_heading < M_PI - kBandEnd ? band.max_heading - margin : M_PI;
+    const double nearest = std::clamp(std::abs(direction), low, std::max(low, high));
+    Candidate candidate;
+    candidate.contender = &contender;
+    candidate.route = &route;
+    Draft& draft = candidate.draft;
+    draft.ego = ego;
+    draft.contact = contact;
+    for (const double sign : {1.0, -1.0}) {
+      draft.heading = wrapAngle(sign * nearest);
+      if (std::abs(angleBetween(direction, draft.heading)) > route_.max_lean) continue;
+      for (const Placement& placement :
+           placementsOf(input_.request.type, input_.lanes.map().driving_side)) {
+        if (placement.sign != 0.0 && placement.sign != sign) continue;
+        draft.side = placement.side;
+        for (const double slide : kSlides) {
+          draft.slide = slide;
+          draftManners(candidate);
+        }
+      }
+      if (nearest < kBandEnd || nearest > M_PI - kBandEnd) break;
+    }
+  }
+
+  /// Different departures, and late changes of speed where the ego runs into the attacker.
+  void draftManners(Candidate& candidate) {
+    const bool leads =
+        input_.request.type == CollisionType::kRearEnd && candidate.draft.side == Side::kFront;
+    for (const double departure : route_.departures) {
+      candidate.draft.departure = departure;
+      if (!leads) {
+        candidate.draft.late = 0.0;
+        consider(candidate);
+        continue;
+      }
+      for (const double braking : route_.late_braking) {
+        candidate.draft.late = braking > 0.0 ? departure : 0.0;
+        candidate.draft.late_acceleration = -braking;
+        consider(candidate);
+      }
+    }
+  }
+
+  /// The plan of a draft; false where the route does not lead there.
+  bool planOf(const Candidate& candidate, std::size_t count, std::size_t& style) {
+    const Draft& draft = candidate.draft;
+    const Contender& contender = *candidate.contender;
+    const Pose2 offset = attackerOffset(input_.snapshot.ego.size, contender.track->size, draft.side,
+                                        draft.heading, draft.slide, search_.depth);
+    const Pose2 target = compose(sampler_.egoAt(draft.ego, draft.contact), offset);
+    RoutePlan plan;
+    plan.arrival = draft.contact;
+    plan.at = candidate.route->seen(target);
+    plan.departure = draft.departure;
+    plan.late = draft.late;
+    plan.late_acceleration = draft.late_acceleration;
+    if (plan.at.along < candidate.route->start().along ||
+        std::abs(plan.at.lean) > route_.max_lean ||
+        std::abs(plan.at.across) > route_.max_departure) {
+      return false;
+    }
+    const auto found = candidate.route->plan(plan, search_.step, count, planned_);
+    if (!found) return false;
+    style = *found;
+    contender.driver->drive(contender.drive_start, input_.snapshot.now, planned_, points_);
+    return true;
+  }
+
+  void consider(Candidate& candidate) {
+    candidate.score = {};
+    const auto steps = static_cast<std::size_t>(scorer_.steps());
+    if (!planOf(candidate, steps, candidate.style)) return;
+    const Contender& contender = *candidate.contender;
+    candidate.aim = nearestAim(candidate);
+    candidate.score = scorer_.score(*contender.track, points_, candidate.draft.ego);
+    const DrivingStyle& style = route_.styles[candidate.style];
+    candidate.objective = candidate.score.share +
+                          search_.closeness_weight * candidate.score.closeness -
+                          search_.pattern_weight * missCost(candidate) - style.cost;
+    const bool full = static_cast<int>(kept_.size()) >= search_.kept;
+    if (full && candidate.objective < kept_.back().objective) return;
+    const double now = input_.snapshot.now;
+    const double until = now + input_.request.tta + input_.request.crash.time_tolerance;
+    if (findBrokenDrive(points_, contender.drive_start, until, contender.limits)) return;
+    candidate.road =
+        roadUse(points_, contender.track->size,
+                now + candidate.draft.contact - options_.verification.believability.before_contact,
+                input_.lanes, options_.verification.believability);
+    candidate.objective -= route_.off_lane_weight * (1.0 - candidate.road.on_lane) +
+                           route_.off_road_weight * candidate.road.off_road +
+                           route_.wrong_way_weight * candidate.road.wrong_way;
+    if (candidate.road.on_walkway > 0.0) return;
+    kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, better), candidate);
+    if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();
+  }
+
+  /// Of the contender's patterns the one that the draft's contact is nearest to.
+  const Aim* nearestAim(const Candidate& candidate) const {
+    const Contender& contender = *candidate.contender;
+    const Pose2 offset =
+        attackerOffset(input_.snapshot.ego.size, contender.track->size, candidate.draft.side,
+                       candidate.draft.heading, candidate.draft.slide, 0.0);
+    const auto apart = [&](const Aim& aim) {
+      return cornerMiss(missBetween(aim.pattern->attacker_offset, offset), contender.track->size);
+    };
+    return &*std::min_element(contender.aims.begin(), contender.aims.end(),
+                              [&](const Aim& a, const Aim& b) { return apart(a) < apart(b); });
+  }
+
+  double missCost(Candidate& candidate) const {
+    if (candidate.score.share == 0.0) return 1.0;
+    candidate.miss = missBetween(candidate.aim->pattern->attacker_offset, candidate.score.contact);
+    const double miss = std::max(0.0, cornerMiss(candidate.miss, candidate.contender->track->size) -
+                                          (input_.exact ? 0.0 : candidate.aim->pattern->tolerance));
+    return miss / (miss + search_.near_pattern);
+  }
+
+  static bool better(const Candidate& a, const Candidate& b) { return a.objective > b.objective; }
+
+  bool isGood() const {
+    return !kept_.empty() && kept_.front().score.share >= search_.good_share &&
+           kept_.front().style == 0 && kept_.front().road.on_lane >= 1.0 &&
+           kept_.front().road.off_road <= search_.good_off_road &&
+           (!input_.exact || isExact(kept_.front().miss, search_));
+  }
+
+  /// Moves away from the kept candidates, better ones more often.
+  void perturb(double scale) {
+    const std::vector<Candidate> parents = kept_;
+    if (parents.empty()) return;
+    for (int i = 0; i < route_.perturbations && !isGood(); ++i) {
+      const std::size_t rank =
+          std::min(random_.index(parents.size()), random_.index(parents.size()));
+      Candidate candidate = parents[rank];
+      move(candidate.draft, scale);
+      consider(candidate);
+    }
+  }
+
+  void move(Draft& draft, double scale) {
+    draft.contact = std::clamp(draft.contact + random_.bell(0.15 * scale),
+                               std::max(kMinArrival, sampler_.earliest()), sampler_.latest());
+    draft.slide = std::clamp(draft.slide + random_.bell(0.4 * scale), -kMaxSlide, kMaxSlide);
+    draft.heading = wrapAngle(draft.heading + random_.bell(0.05 * scale));
+    draft.departure = std::max(search_.step, draft.departure + random_.bell(0.4 * scale));
+    if (draft.late > 0.0) {
+      draft.late = std::max(search_.step, draft.late + random_.bell(0.3 * scale));
+      draft.late_acceleration = std::min(0.0, draft.late_acceleration + random_.bell(1.0 * scale));
+    }
+  }
+
+  FoundAttack finished(const Candidate& candidate) {
+    FoundAttack found;
+    found.attacker = candidate.contender->track;
+    std::size_t style = 0;
+    planOf(candidate, all_points_, style);
+    found.points = points_;
+    found.score = candidate.score;
+    found.off_road = candidate.road.off_road;
+    found.objective = candidate.objective;
+    found.aim = candidate.aim->pattern;
+    found.miss = candidate.miss;
+    std::vector<std::size_t> hits = scorer_.hits(*found.attacker, found.points);
+    std::rotate(hits.begin(), std::find(hits.begin(), hits.end(), found.score.met), hits.end());
+    for (const std::size_t i : hits) found.hits.push_back(input_.egos[i]);
+    return found;
+  }
+
+  const SearchInput& input_;
+  const AttackOptions& options_;
+  const SearchOptions& search_;
+  const RouteDriverOptions& route_;
+  FutureScorer scorer_;
+  std::vector<std::unique_ptr<Contender>> contenders_;
+  Random random_;
+  ArrivalSampler sampler_;
+  std::size_t all_points_ = 0;
+  std::vector<Candidate> kept_;  // best first
+  std::vector<PlannedStep> planned_;
+  std::vector<TrajectoryPoint> points_;
+};
+
+}  // namespace
+
+std::vector<FoundAttack> searchManoeuvres(const SearchInput& input, const AttackOptions& options) {
+  return ManoeuvreSearch(input, options).run();
+}
+
+}  // namespace forge

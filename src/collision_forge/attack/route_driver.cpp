@@ -1,0 +1,166 @@
+#include "collision_forge/attack/route_driver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision_forge/attack/quintic.h"
+
+namespace forge {
+namespace {
+
+constexpr double kSpacing = 1.0;      // m between the speeds in bends
+constexpr int kBisections = 12;       // of the speed that is driven at
+constexpr double kLookahead = 0.4;    // s that a driver sees a bend before
+constexpr double kMinBend = 1e-3;     // 1/m; straight is no bend
+constexpr double kStandstill = 0.05;  // m/s; nobody moves across without moving along
+
+}  // namespace
+
+/// One way to drive along the route.
+struct RouteDriver::Cruise {
+  std::size_t style;
+  double speed;  // that is chosen, m/s
+  double arrival;
+  double late_from;  // s
+  double late_acceleration;
+  double step;
+};
+
+RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
+                         const RouteDriverOptions& options)
+    : path_(std::move(path)), options_(options), limits_(limits), now_(now) {
+  start_ = seen(compose(now.axle, {limits.axle_to_middle, 0.0, 0.0}));
+  const auto count = static_cast<std::size_t>(path_.length() / kSpacing) + 1;
+  std::vector<double> bends(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    bends[i] = std::max(kMinBend, std::abs(path_.at(static_cast<double>(i) * kSpacing).curvature));
+  }
+  for (const DrivingStyle& style : options.styles) {
+    std::vector<float> caps(count);
+    const double lateral =
+        std::min(style.lateral, options.limit_share * limits.max_lateral_acceleration);
+    const double braking = std::min(style.braking, options.limit_share * limits.max_braking);
+    double next = limits.max_speed * limits.max_speed;
+    for (std::size_t i = count; i-- > 0;) {
+      next = std::min(next + 2.0 * braking * kSpacing, lateral / bends[i]);
+      caps[i] = static_cast<float>(std::sqrt(next));
+    }
+    caps_.push_back(std::move(caps));
+  }
+}
+
+PathPose RouteDriver::seen(const Pose2& pose) const {
+  const double along = path_.project(pose.position());
+  const Pose2 local = relativeTo(path_.at(along).pose, pose);
+  return {along + local.x, local.y, local.yaw};
+}
+
+double RouteDriver::keptOffset(double along) const {
+  return start_.across * std::exp(-std::max(0.0, along - start_.along) / options_.return_distance);
+}
+
+double RouteDriver::cap(std::size_t style, double along) const {
+  const std::vector<float>& caps = caps_[style];
+  const double place = std::clamp(along / kSpacing, 0.0, static_cast<double>(caps.size() - 1));
+  return caps[static_cast<std::size_t>(place)];
+}
+
+/// Where the driver is at the arrival, along the path; on the way every step to `alongs`.
+double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) const {
+  const DrivingStyle& style = options_.styles[cruise.style];
+  const DrivingStyle& wildest = options_.styles.back();
+  const double share = options_.limit_share;
+  double along = start_.along;
+  double speed = now_.speed;
+  double acceleration = now_.acceleration;
+  for (double time = 0.0; time < cruise.arrival - 1e-9; time += cruise.step) {
+    if (alongs) alongs->push_back(along);
+    const double duration = std::min(cruise.step, cruise.arrival - time);
+    const double target = std::min(cruise.speed, cap(cruise.style, along + kLookahead * speed));
+    double wanted = std::clamp((target - speed) / options_.settling, -style.braking, style.forward);
+    double jerk = style.jerk;
+    if (time >= cruise.late_from) {
+      wanted = cruise.late_acceleration;
+      jerk = wildest.jerk;
+    } else if (target < cruise.speed) {
+      jerk = std::max(jerk, 2.0 * style.jerk);
+    }
+    wanted = std::clamp(wanted, -share * limits_.max_braking, share * limits_.forwardAt(speed));
+    const double change = std::min(jerk, share * limits_.max_jerk) * duration;
+    acceleration = std::clamp(wanted, acceleration - change, acceleration + change);
+    const double next = std::clamp(speed + acceleration * duration, 0.0, share * limits_.max_speed);
+    along += 0.5 * (speed + next) * duration;
+    if (next == 0.0) acceleration = 0.0;
+    speed = next;
+  }
+  return along;
+}
+
+std::optional<std::size_t> RouteDriver::plan(const RoutePlan& wanted, double step,
+                                             std::size_t steps,
+                                             std::vector<PlannedStep>& planned) const {
+  Cruise cruise{0,   0.0, wanted.arrival, wanted.arrival - wanted.late, wanted.late_acceleration,
+                step};
+  if (wanted.late <= 0.0) cruise.late_from = wanted.arrival + step;
+  for (; cruise.style < options_.styles.size(); ++cruise.style) {
+    double low = 0.0;
+    double high = options_.limit_share * limits_.max_speed;
+    cruise.speed = low;
+    if (drive(cruise, nullptr) > wanted.at.along + options_.precision) continue;
+    cruise.speed = high;
+    if (drive(cruise, nullptr) < wanted.at.along - options_.precision) continue;
+    for (int i = 0; i < kBisections; ++i) {
+      cruise.speed = 0.5 * (low + high);
+      (drive(cruise, nullptr) < wanted.at.along ? low : high) = cruise.speed;
+    }
+    break;
+  }
+  if (cruise.style == options_.styles.size()) return std::nullopt;
+
+  std::vector<double> alongs;
+  alongs.reserve(steps);
+  const double end = drive(cruise, &alongs);
+  const double before = wanted.arrival - static_cast<double>(alongs.size() - 1) * step;
+  const double last_speed = std::max(0.0, (end - alongs.back()) / std::max(1e-6, before));
+  // Across the path: as kept so far, then in a fifth-order polynomial to the arrival.
+  const double departure = std::clamp(wanted.departure, step, wanted.arrival);
+  const double from = wanted.arrival - departure;
+  const auto from_step = std::min(static_cast<std::size_t>(from / step), alongs.size() - 1);
+  const double kept = keptOffset(alongs[from_step]);
+  const Quintic across({kept, 0.0, 0.0},
+                       {wanted.at.across, last_speed * std::tan(wanted.at.lean), 0.0}, departure);
+  planned.resize(steps);
+  Pose2 arrived;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double time = static_cast<double>(i) * step;
+    PlannedStep& at = planned[i];
+    if (i >= alongs.size()) {
+      if (i == alongs.size()) {
+        const Pose2 place = path_.at(end).pose;
+        arrived = compose(place, {0.0, wanted.at.across, wanted.at.lean});
+      }
+      at = {compose(arrived, {(time - wanted.arrival) * last_speed, 0.0, 0.0}), last_speed};
+      continue;
+    }
+    const double next = i + 1 < alongs.size() ? alongs[i + 1] : end;
+    const double duration = i + 1 < alongs.size() ? step : std::max(1e-6, before);
+    const double before_along = i > 0 ? alongs[i - 1] : alongs[i];
+    const double speed = i > 0 ? (next - before_along) / (step + duration) : now_.speed;
+    const ReferencePath::Place place = path_.at(alongs[i]);
+    double offset = kept;
+    double rate = 0.0;
+    if (time < from) {
+      offset = keptOffset(alongs[i]);
+    } else {
+      const AxisState state = across.at(time - from);
+      offset = state.position;
+      rate = state.velocity;
+    }
+    const double stretch = std::max(0.1, 1.0 - place.curvature * offset);
+    const double lean = speed > kStandstill ? std::atan2(rate, speed * stretch) : 0.0;
+    at = {compose(place.pose, {0.0, offset, lean}), std::hypot(speed * stretch, rate)};
+  }
+  return cruise.style;
+}
+
+}  // namespace forge

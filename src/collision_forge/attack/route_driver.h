@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "collision_forge/attack/options.h"
+#include "collision_forge/attack/track_driver.h"
+#include "collision_forge/map/reference_path.h"
+
+namespace forge {
+
+/// Where a pose is, seen from a path: metres along it and to its left, and its heading from it.
+struct PathPose {
+  double along = 0.0;
+  double across = 0.0;
+  double lean = 0.0;  ///< rad, (-pi, pi]
+};
+
+/// What a driver is to do on its route.
+struct RoutePlan {
+  double arrival = 0.0;            ///< s from now
+  PathPose at;                     ///< at the arrival
+  double departure = 0.0;          ///< s before the arrival that it begins to leave its lane
+  double late = 0.0;               ///< s before the arrival that late_acceleration begins, 0: never
+  double late_acceleration = 0.0;  ///< m/s2
+};
+
+/// A driver who follows a route: keeps its offset from the route's middle, drives at a speed that
+/// it chooses once, slower in bends, and leaves the lane only for what happens at the arrival.
+class RouteDriver {
+ public:
+  /// `now`: where the driver is; the limits are its vehicle's.
+  RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
+              const RouteDriverOptions& options);
+
+  const ReferencePath& path() const { return path_; }
+  const PathPose& start() const { return start_; }
+  /// Of a place near the path.
+  PathPose seen(const Pose2& pose) const;
+  /// The offset that the driver keeps, at a place along the path.
+  double keptOffset(double along) const;
+
+  /// A step every `step` seconds from now on, straight on after the arrival. Empty where no speed
+  /// brings the driver there in time by the wildest of RouteDriverOptions::styles; else the style,
+  /// the tamest first.
+  std::optional<std::size_t> plan(const RoutePlan& wanted, double step, std::size_t steps,
+                                  std::vector<PlannedStep>& planned) const;
+
+ private:
+  struct Cruise;
+  double drive(const Cruise& cruise, std::vector<double>* alongs) const;
+  double cap(std::size_t style, double along) const;
+
+  ReferencePath path_;
+  const RouteDriverOptions& options_;
+  DriveLimits limits_;
+  DriveState now_;
+  PathPose start_;
+  std::vector<std::vector<float>> caps_;  // m/s in bends, one row a style, an entry a metre
+};
+
+}  // namespace forge

@@ -1,0 +1,121 @@
+#include "collision_forge/attack/manoeuvre_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "attack/test_scenes.h"
+#include "collision_forge/attack/realizer.h"
+#include "collision_forge/verify/drive_check.h"
+#include "collision_forge/verify/verification.h"
+
+namespace forge {
+namespace {
+
+/// The ego drives east, the attackers are given; everything is known.
+class ManoeuvreSearchTest : public testing::Test {
+ protected:
+  void scene(std::shared_ptr<LaneMap> map, const Pose2& ego, double ego_speed,
+             const std::vector<Track>& attackers) {
+    map_ = std::move(map);
+    snapshot_ = snapshotOf(pastTrack("ego", kEgoSize, ego, ego_speed), attackers, map_);
+    recorded_.ego = futureTrack("ego", kEgoSize, ego, ego_speed);
+    recorded_.agents.clear();
+  }
+
+  Realization ask(CollisionType type, double tta = 4.0) const {
+    CollisionRequest request = believableRequestFor(type, tta);
+    request.mode = Mode::kReplay;
+    const Moment moment{snapshot_, recorded_, std::make_shared<const LaneIndex>(map_)};
+    return generateCollision(searchMethod(options_), moment, request, options_.prediction);
+  }
+
+  /// Asks, and looks at what every believable answer has.
+  Realization expectAttack(CollisionType type, double tta = 4.0) const {
+    const Realization answer = ask(type, tta);
+    EXPECT_EQ(answer.status.code, StatusCode::kOk)
+        << toString(answer.status.code) << ": " << answer.status.message;
+    if (answer.status.code != StatusCode::kOk) return answer;
+    EXPECT_TRUE(answer.report.verified());
+    EXPECT_EQ(answer.report.unbelievable, "");
+    EXPECT_GE(answer.report.road.on_lane, options_.verification.believability.min_on_lane);
+    EXPECT_GE(answer.report.manoeuvre_begin, kNow);
+    EXPECT_LE(answer.report.manoeuvre_begin, answer.report.contact_time);
+    return answer;
+  }
+
+  const AttackOptions options_ = shippedOptions();
+  std::shared_ptr<LaneMap> map_;
+  Snapshot snapshot_;
+  Future recorded_;
+};
+
+TEST_F(ManoeuvreSearchTest, ALeaderBrakesOrIsSlow) {
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 9.0, {pastTrack("lead", kCarSize, {18.0, 0.2, 0.0}, 9.0)});
+  const Realization answer = expectAttack(CollisionType::kRearEnd);
+  EXPECT_EQ(answer.report.ego_side, Side::kFront);
+  EXPECT_LT(answer.trajectory.points[40].speed, 9.0);
+}
+
+TEST_F(ManoeuvreSearchTest, AFollowerCloses) {
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 7.0, {pastTrack("back", kCarSize, {-22.0, 0.0, 0.0}, 8.0)});
+  const Realization answer = expectAttack(CollisionType::kRearEnd);
+  EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kFollowerCloses);
+}
+
+TEST_F(ManoeuvreSearchTest, ANeighbourCutsInLate) {
+  auto map = twoLaneRoad();
+  map->lanes.push_back(straightLane("next", {-200.0, -3.5}, {200.0, -3.5}));
+  map->drivable_area.push_back(rectangle(-200.0, -5.25, 200.0, -1.75));
+  scene(map, {0.0, 0.0, 0.0}, 9.0, {pastTrack("next", kCarSize, {-4.0, -3.4, 0.0}, 9.5)});
+  const Realization answer = expectAttack(CollisionType::kLaneChange);
+  EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kCutIn);
+  for (const TrajectoryPoint& point : answer.trajectory.points) {
+    if (point.time > answer.report.manoeuvre_begin) break;
+    EXPECT_NEAR(point.pose.y, -3.4, 0.35) << "keeps its lane until then";
+  }
+}
+
+TEST_F(ManoeuvreSearchTest, AnOncomingCarCrossesTheCentreLine) {
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 8.0,
+        {pastTrack("oncoming", kCarSize, {70.0, 3.5, M_PI}, 8.5)});
+  const Realization answer = expectAttack(CollisionType::kOppositeDirection);
+  EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kCentreLineCrossing);
+}
+
+TEST_F(ManoeuvreSearchTest, ACrossingCarDoesNotStop) {
+  scene(fourWayJunction(), {-34.0, -1.75, 0.0}, 8.0,
+        {pastTrack("cross", kCarSize, {-1.75, 36.0, -M_PI_2}, 8.0)});
+  const Realization answer = expectAttack(CollisionType::kJunctionCrossing);
+  EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kStraightCrossing);
+}
+
+TEST_F(ManoeuvreSearchTest, TheRoadDoesNotAllowACrossingWithoutACrossingLane) {
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 8.0,
+        {pastTrack("cross", kCarSize, {32.0, 30.0, -M_PI_2}, 8.0)});
+  EXPECT_EQ(ask(CollisionType::kJunctionCrossing).status.code, StatusCode::kRoadDoesNotAllow);
+}
+
+TEST_F(ManoeuvreSearchTest, ABusDrivesAsABusCan) {
+  Track bus = pastTrack("bus", {12.0, 2.9}, {-20.0, 0.0, 0.0}, 9.0);
+  bus.agent_class = AgentClass::kBus;
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 6.0, {bus});
+  const Realization answer = expectAttack(CollisionType::kRearEnd);
+  const DriveLimits limits = driveLimitsOf(bus, options_.verification);
+  EXPECT_FALSE(findBrokenDrive(answer.trajectory.points, driveStateNow(bus, options_.verification),
+                               answer.report.contact_time, limits));
+}
+
+TEST_F(ManoeuvreSearchTest, SameSeedSameAnswer) {
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 9.0, {pastTrack("lead", kCarSize, {18.0, 0.2, 0.0}, 9.0)});
+  const Realization first = ask(CollisionType::kRearEnd);
+  const Realization second = ask(CollisionType::kRearEnd);
+  ASSERT_EQ(first.trajectory.points.size(), second.trajectory.points.size());
+  for (std::size_t i = 0; i < first.trajectory.points.size(); ++i) {
+    EXPECT_EQ(first.trajectory.points[i].pose.x, second.trajectory.points[i].pose.x);
+  }
+}
+
+}  // namespace
+}  // namespace forge

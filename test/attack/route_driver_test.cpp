@@ -1,0 +1,114 @@
+#include "collision_forge/attack/route_driver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "attack/test_scenes.h"
+
+namespace forge {
+namespace {
+
+constexpr double kStep = 0.1;
+constexpr std::size_t kSteps = 60;
+
+class RouteTest : public testing::Test {
+ protected:
+  /// Along x from 0 on, then around a bend of radius 12 m to the left, then north.
+  static Polyline bend() {
+    std::vector<Vector2> points;
+    for (double x = 0.0; x < 60.0; x += 1.0) points.emplace_back(x, 0.0);
+    for (double angle = 0.0; angle < M_PI_2; angle += 0.08) {
+      points.emplace_back(60.0 + 12.0 * std::sin(angle), 12.0 - 12.0 * std::cos(angle));
+    }
+    for (double y = 13.0; y < 80.0; y += 1.0) points.emplace_back(72.0, y);
+    return Polyline(points);
+  }
+
+  RouteDriver routeAt(double x, double y, double speed) const {
+    DriveState now;
+    now.axle = {x - limits_.axle_to_middle, y, 0.0};
+    now.speed = speed;
+    return {ReferencePath(bend()), now, limits_, options_};
+  }
+
+  static double speedAt(const std::vector<PlannedStep>& plan, std::size_t i) {
+    return (plan[i + 1].middle.position() - plan[i].middle.position()).norm() / kStep;
+  }
+
+  const RouteDriverOptions options_ = shippedOptions().route;
+  const DriveLimits limits_ =
+      driveLimitsOf(AgentClass::kCar, kCarSize, shippedOptions().verification.drivable);
+};
+
+TEST_F(RouteTest, ArrivesInTimeAtTheOffsetAndTheHeadingAskedFor) {
+  const RouteDriver route = routeAt(2.0, 0.3, 8.0);
+  RoutePlan wanted;
+  wanted.arrival = 4.0;
+  wanted.at = {38.0, 2.0, 0.2};
+  wanted.departure = 1.5;
+  std::vector<PlannedStep> plan;
+  ASSERT_TRUE(route.plan(wanted, kStep, kSteps, plan));
+  ASSERT_EQ(plan.size(), kSteps);
+  EXPECT_NEAR(plan[40].middle.x, 38.0, 0.4);
+  EXPECT_NEAR(plan[40].middle.y, 2.0, 0.1);
+  EXPECT_NEAR(plan[40].middle.yaw, 0.2, 0.02);
+  for (std::size_t i = 0; i <= 24; ++i) {
+    EXPECT_LT(std::abs(plan[i].middle.y - 0.3), 0.2) << "keeps its offset until it departs, " << i;
+  }
+}
+
+TEST_F(RouteTest, DrivesByTheTamestStyleThatArrives) {
+  const RouteDriver route = routeAt(2.0, 0.0, 8.0);
+  std::vector<PlannedStep> plan;
+  RoutePlan wanted;
+  wanted.arrival = 4.0;
+  wanted.at = {34.0, 0.0, 0.0};
+  EXPECT_EQ(route.plan(wanted, kStep, kSteps, plan), std::size_t{0}) << "as it drives now";
+  wanted.at.along = 45.0;
+  EXPECT_EQ(route.plan(wanted, kStep, kSteps, plan), std::size_t{1});
+  wanted.at.along = 51.0;
+  EXPECT_EQ(route.plan(wanted, kStep, kSteps, plan), std::size_t{2});
+  wanted.at.along = 90.0;
+  EXPECT_FALSE(route.plan(wanted, kStep, kSteps, plan)) << "nobody gets there";
+  wanted.at.along = 8.0;
+  EXPECT_FALSE(route.plan(wanted, kStep, kSteps, plan)) << "nobody stops so soon";
+}
+
+TEST_F(RouteTest, SlowsDownForABend) {
+  const RouteDriver route = routeAt(20.0, 0.0, 12.0);
+  std::vector<PlannedStep> plan;
+  RoutePlan wanted;
+  wanted.arrival = 5.5;
+  wanted.at = {66.0, 0.0, 0.0};
+  const auto style = route.plan(wanted, kStep, kSteps, plan);
+  ASSERT_TRUE(style);
+  const double lateral = options_.styles[*style].lateral;
+  for (std::size_t i = 0; i + 6 < plan.size(); ++i) {
+    if (plan[i].middle.x < 62.0) continue;
+    EXPECT_LT(speedAt(plan, i), 1.25 * std::sqrt(lateral * 12.0)) << i;
+  }
+}
+
+TEST_F(RouteTest, BrakesLateWhereThatIsAskedFor) {
+  const RouteDriver route = routeAt(2.0, 0.0, 10.0);
+  std::vector<PlannedStep> plan;
+  RoutePlan wanted;
+  wanted.arrival = 4.0;
+  wanted.at = {36.0, 0.0, 0.0};
+  wanted.late = 1.5;
+  wanted.late_acceleration = -4.0;
+  ASSERT_TRUE(route.plan(wanted, kStep, kSteps, plan));
+  EXPECT_NEAR(plan[40].middle.x, 36.0, 0.4);
+  EXPECT_LT(speedAt(plan, 38) + 3.0, speedAt(plan, 24));
+}
+
+TEST_F(RouteTest, TheOffsetFromTheLaneFades) {
+  const RouteDriver route = routeAt(2.0, 1.0, 10.0);
+  EXPECT_NEAR(route.keptOffset(route.start().along), 1.0, 0.01);
+  EXPECT_NEAR(route.keptOffset(route.start().along + options_.return_distance), std::exp(-1.0),
+              0.01);
+}
+
+}  // namespace
+}  // namespace forge
