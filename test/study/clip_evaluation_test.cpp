@@ -218,5 +218,26 @@ TEST(ClipEvaluation, SearchAsksForTheAngleBandsAlone) {
   EXPECT_FALSE(meets(row, Protocol::kStrict, "full_definitions"));
 }
 
+TEST(ClipEvaluation, LimitsAreTheStrictOnesWhateverIsConfigured) {
+  Evaluation evaluation;
+  evaluation.plan.method = "search";
+  evaluation.plan.mode = Mode::kReplay;
+  const auto lines = [&] {
+    std::vector<std::string> found;
+    for (const ResultRow& row : evaluation.rows(rearEnd())) found.push_back(toCsv(row));
+    return found;
+  };
+  evaluation.config.crash.limits = LimitSet::kDrivable;
+  evaluation.config.crash.believable = true;
+  const std::vector<std::string> drivable = lines();
+  evaluation.config.crash = rulesOfClips(evaluation.config.crash);
+  EXPECT_EQ(evaluation.config.crash.limits, LimitSet::kStrict);
+  EXPECT_EQ(lines(), drivable);
+  // The clip's own attacker is held to them: of a set that lets nobody drive it keeps none.
+  ASSERT_TRUE(meets(evaluation.row(rearEnd(), "recorded"), Protocol::kStrict, "limits_kept"));
+  evaluation.config.attack.verification.limits.max_speed = 1.0;
+  EXPECT_FALSE(meets(evaluation.row(rearEnd(), "recorded"), Protocol::kStrict, "limits_kept"));
+}
+
 }  // namespace
 }  // namespace forge

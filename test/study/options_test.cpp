@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "collision_forge/settings/config.h"
+#include "collision_forge/study/motion_windows.h"
 
 namespace forge {
 namespace {
@@ -24,6 +25,21 @@ TEST(EvaluationOptions, ThePublishedSearchAimsAtWhatItsProtocolCounts) {
   EXPECT_LE(kOptions.published_search.latest,
             kOptions.published.steps_after * 0.5 / kOptions.published.steps_per_interval);
   EXPECT_GT(kOptions.published_search.max_speed, kShipped.attack.verification.limits.max_speed);
+}
+
+TEST(ScorecardOptions, AnAttacksWindowReachesIntoWhatIsGenerated) {
+  // The time to accident that the least generated samples need is one that requests have.
+  const ScorecardOptions& scorecard = kOptions.scorecard;
+  EXPECT_LE(scorecard.motion.before_contact + scorecard.min_generated * kWindowStep, 3.0);
+}
+
+TEST(ScorecardOptions, NoSteeringIsReadOfWhoIsTooSlowToBeJudged) {
+  EXPECT_GE(kOptions.scorecard.motion.min_steering_speed, kOptions.scorecard.motion.min_speed);
+}
+
+TEST(ScorecardOptions, ALeafIsSmallerThanTheSmallestSample) {
+  // Half of the scenes train, and both sides of a split need a leaf.
+  EXPECT_LE(2 * kOptions.scorecard.classifier.forest.min_leaf, kOptions.scorecard.min_windows);
 }
 
 }  // namespace

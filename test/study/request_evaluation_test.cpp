@@ -11,6 +11,7 @@
 #include "collision_forge/settings/config.h"
 #include "collision_forge/study/request_answerer.h"
 #include "collision_forge/study/strict.h"
+#include "collision_forge/verify/believability.h"
 
 namespace forge {
 namespace {
@@ -19,9 +20,12 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 const std::string kDataroot = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
-const std::vector<std::string> kHistoryMethods = {"constant_velocity",  "nominal",
-                                                  "search_angle_bands", "search_full_definitions",
-                                                  "replay_angle_bands", "replay_full_definitions"};
+const std::vector<std::string> kHistoryMethods = {
+    "constant_velocity", "nominal", "search_full_definitions", "replay_full_definitions"};
+const std::vector<std::string> kAnyDrivingMethods = {
+    "constant_velocity",  "nominal",
+    "search_angle_bands", "search_full_definitions",
+    "replay_angle_bands", "replay_full_definitions"};
 
 bool meets(const ResultRow& row, const std::string& name) {
   const auto& measures = measuresOf(Protocol::kStrict);
@@ -65,6 +69,8 @@ class RequestEvaluationTest : public testing::Test {
     const auto moment = std::get<Moment>(momentAt(scene(request.scene), request.now, 8));
     CollisionRequest judged = request.request;
     judged.crash = config_.crash;
+    judged.crash.limits = plan_.limits;
+    judged.crash.believable = plan_.believable;
     return strictOutcome(trajectory, {moment.snapshot, *moment.recorded, judged, *moment.lanes},
                          config_.attack.verification);
   }
@@ -105,6 +111,10 @@ TEST_F(RequestEvaluationTest, RowsAreThoseOfTheMethodsAndSeeds) {
 
 TEST_F(RequestEvaluationTest, ReplayPlansSearchOnceAColumnAndBaselinesNever) {
   EXPECT_EQ(requestRowMethods(plan_), kHistoryMethods);
+  EXPECT_THAT(attackingRowMethods(plan_),
+              ElementsAre("search_full_definitions", "replay_full_definitions"));
+  plan_.believable = false;
+  EXPECT_EQ(requestRowMethods(plan_), kAnyDrivingMethods);
   plan_.mode = Mode::kReplay;
   EXPECT_THAT(
       requestRowMethods(plan_),
@@ -122,13 +132,18 @@ TEST_F(RequestEvaluationTest, SearchesAreTheAnswerersWithTheirRulesAgainstTheRec
   int answered = 0;
   for (const CollisionType type : kCollisionTypes) {
     const SceneRequest request = asked(type);
+    plan_.believable = type == CollisionType::kRearEnd;
+    plan_.limits = plan_.believable ? LimitSet::kDrivable : LimitSet::kStrict;
     const EvaluatedRequest evaluated = evaluate(request);
     for (const auto& [rules, column] : {std::pair(TypeRules::kAngle, "angle_bands"),
                                         std::pair(TypeRules::kFull, "full_definitions")}) {
+      if (plan_.believable && rules == TypeRules::kAngle) continue;
       for (const auto& [mode, name] :
            {std::pair(Mode::kHistory, "search_"), std::pair(Mode::kReplay, "replay_")}) {
         CrashDefinition crash = config_.crash;
         crash.rules = rules;
+        crash.limits = plan_.limits;
+        crash.believable = plan_.believable;
         crash.min_confidence = 0.0;
         SceneRequest in_mode = request;
         in_mode.request.mode = mode;
@@ -151,17 +166,25 @@ TEST_F(RequestEvaluationTest, SearchesAreTheAnswerersWithTheirRulesAgainstTheRec
         EXPECT_EQ(row.contact_after.has_value(), outcome.report.contact);
         EXPECT_EQ(row.confidence, answer.report.confidence);
         EXPECT_TRUE(mode == Mode::kHistory || meets(row, column));
+        ASSERT_TRUE(row.request->attack);
+        EXPECT_EQ(row.request->attack->attacker_id, answer.trajectory.attacker_id);
+        EXPECT_EQ(row.request->attack->road.on_lane, answer.report.road.on_lane);
+        EXPECT_EQ(row.request->believable.has_value(), outcome.report.contact);
+        if (!outcome.report.contact) continue;
+        EXPECT_EQ(*row.request->believable, outcome.report.believable());
       }
     }
   }
   EXPECT_GT(answered, 8);
 }
 
-TEST_F(RequestEvaluationTest, ConfiguredRulesAndLeastConfidenceChangeNothing) {
+TEST_F(RequestEvaluationTest, ConfiguredCrashChangesNothingButByThePlan) {
   const SceneRequest request = asked(CollisionType::kRearEnd);
   const EvaluatedRequest shipped = evaluate(request);
   ASSERT_EQ(rowOf(shipped, "search_full_definitions").status, "OK");
   config_.crash.min_confidence = 1.0;
+  config_.crash.limits = LimitSet::kStrict;
+  config_.crash.believable = false;
   config_.crash.rules = TypeRules::kAngle;
   EXPECT_EQ(linesOf(evaluate(request)), linesOf(shipped));
 }
@@ -192,6 +215,49 @@ TEST_F(RequestEvaluationTest, BaselinesOfAnyAttackerMeetWhatOneOfTheCandidatesMe
     }
   }
   EXPECT_GT(met, 10);
+}
+
+TEST_F(RequestEvaluationTest, BaselinesAreHeldToTheStrictLimitsAlone) {
+  int kept = 0;
+  for (const CollisionType type : kCollisionTypes) {
+    for (const double tta : {2.0, 4.0, 6.0}) {
+      SceneRequest request = asked(type);
+      request.request.tta = tta;
+      plan_.method = "nominal";
+      plan_.believable = true;
+      plan_.limits = LimitSet::kDrivable;
+      const EvaluatedRequest by_default = evaluate(request);
+      plan_.believable = false;
+      plan_.limits = LimitSet::kStrict;
+      EXPECT_EQ(linesOf(evaluate(request)), linesOf(by_default));
+      for (const ResultRow& row : by_default.rows) {
+        kept += meets(row, "contact") && meets(row, "limits_kept");
+        EXPECT_FALSE(row.request->attack);
+      }
+    }
+  }
+  EXPECT_GT(kept, 0);
+}
+
+TEST_F(RequestEvaluationTest, RowsTellWhetherTheRoadAllowsTheRequest) {
+  int allowed = 0;
+  int refused = 0;
+  for (const CollisionType type : kCollisionTypes) {
+    const SceneRequest request = asked(type);
+    const auto moment = std::get<Moment>(momentAt(scene(request.scene), request.now, 8));
+    CollisionRequest judged = request.request;
+    judged.crash = config_.crash;
+    const bool allows = roadAllows(moment.recorded->ego, request.now, judged, *moment.lanes,
+                                   config_.attack.verification.believability);
+    (allows ? allowed : refused) += 1;
+    for (const ResultRow& row : evaluate(request).rows) {
+      EXPECT_EQ(row.request->road_allows, allows);
+      const bool knows = row.method == "replay_full_definitions";
+      EXPECT_FALSE(knows && !allows && row.status == "OK");
+    }
+  }
+  EXPECT_GT(allowed, 0);
+  EXPECT_GT(refused, 0);
 }
 
 TEST_F(RequestEvaluationTest, NobodyToAttackLeavesBaselinesWithoutAnAnswer) {
@@ -279,7 +345,7 @@ TEST_F(RequestEvaluationTest, NetworkIsARowOfItsOwnAndItsSearchNamedAfterIt) {
             rowsPerRequest(plan_));
   plan_.method = "network+search";
   plan_.is_seeded = true;
-  EXPECT_EQ(requestRowMethods(plan_).at(2), "network+search_angle_bands");
+  EXPECT_EQ(requestRowMethods(plan_).at(2), "network+search_full_definitions");
   EXPECT_EQ(RequestEvaluator(scenes_, config_, foresight, builtInMethods(), plan_)
                 .evaluate("7", request)
                 .rows.size(),

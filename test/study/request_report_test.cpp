@@ -12,8 +12,19 @@ using testing::ElementsAre;
 
 const StatisticsOptions kOptions{100, 0.95, 1};
 
+/// Of any driving within the strict limits, which has both columns.
 EvaluationPlan searchPlan(Mode mode = Mode::kHistory) {
-  return {Protocol::kStrict, "search", true, mode, 1};
+  EvaluationPlan plan{Protocol::kStrict, "search", true, mode, 1};
+  plan.limits = LimitSet::kStrict;
+  plan.believable = false;
+  return plan;
+}
+
+EvaluationPlan believablePlan() {
+  EvaluationPlan plan = searchPlan();
+  plan.limits = LimitSet::kDrivable;
+  plan.believable = true;
+  return plan;
 }
 
 /// A row that meets the angle bands, or the full definitions as well, and has contact if so.
@@ -27,7 +38,21 @@ ResultRow row(const std::string& name, const std::string& method, bool angle, bo
   row.method = method;
   row.meets = {angle, full, angle, angle, full, true, true, true};
   row.confidence = confidence;
+  row.status = "OK";
+  row.request.emplace();
   return row;
+}
+
+/// Those of the second request are of one that the road does not allow.
+std::vector<ResultRow> withRoad(std::vector<ResultRow> rows) {
+  for (ResultRow& row : rows) row.request->road_allows = row.name == "1";
+  return rows;
+}
+
+std::vector<std::string> namesOf(const std::vector<RateTable>& tables) {
+  std::vector<std::string> names;
+  for (const RateTable& table : tables) names.push_back(table.measure.name);
+  return names;
 }
 
 /// Two requests: the first is met by everything, the second by searches in the angle bands that
@@ -86,6 +111,56 @@ TEST(RequestReport, RatesOfWhatReplayMeetsAreOfTheseRequestsAlone) {
   EXPECT_THAT(ratesOf(full), ElementsAre(1.0, 1.0, 1.0));
   EXPECT_THAT(full.methods, ElementsAre("constant_velocity", "nominal", "search"));
   EXPECT_TRUE(full.measure.is_headline);
+}
+
+TEST(RequestReport, FullDefinitionsAreAlsoOfWhatTheRoadAllows) {
+  const auto tables = requestTables(withRoad(sampleRows()), searchPlan(), kOptions);
+  for (const char* name : {"full_definitions", "type_full", "contact", "limits_kept"}) {
+    EXPECT_EQ(tableNamed(tables, name).rates[0].back().trials, 2) << name;
+    EXPECT_EQ(tableNamed(tables, std::string(name) + "_of_allowed").rates[0].back().trials, 1);
+  }
+  EXPECT_THAT(ratesOf(tableNamed(tables, "full_definitions_of_allowed")),
+              ElementsAre(1.0, 1.0, 1.0, 1.0));
+  EXPECT_EQ(tableNamed(tables, "full_definitions_given_replay_of_allowed").rates[0].back().trials,
+            1);
+  EXPECT_THAT(ratesOf(tableNamed(tables, "road_allows")), ElementsAre(0.5));
+  EXPECT_EQ(tableNamed(tables, "road_allows").rates[0].back().trials, 2);
+  EXPECT_THAT(namesOf(tables), testing::Not(testing::Contains("angle_bands_of_allowed")));
+}
+
+TEST(RequestReport, AnswersToWhatTheRoadDoesNotAllowHaveARowOfTheirOwn) {
+  std::vector<ResultRow> rows = withRoad(sampleRows());
+  rows[9].status = "ROAD_DOES_NOT_ALLOW";  // of search_full_definitions
+  const auto tables = requestTables(rows, believablePlan(), kOptions);
+  const RateTable& answered = tableNamed(tables, "answered_of_not_allowed");
+  EXPECT_THAT(answered.methods,
+              ElementsAre("search_full_definitions, answered though the road does not allow it",
+                          "replay_full_definitions, answered though the road does not allow it"));
+  EXPECT_THAT(ratesOf(answered), ElementsAre(0.0, 1.0));
+  EXPECT_EQ(answered.rates[0].back().trials, 1);
+}
+
+TEST(RequestReport, BelievablePlansHaveNoAngleBands) {
+  const auto tables = requestTables(withRoad(sampleRows()), believablePlan(), kOptions);
+  for (const std::string& name : namesOf(tables)) {
+    EXPECT_EQ(name.find("angle_bands"), std::string::npos) << name;
+  }
+  EXPECT_THAT(tableNamed(tables, "on_time").methods,
+              ElementsAre("constant_velocity", "nominal", "search_full_definitions",
+                          "replay_full_definitions"));
+  EXPECT_EQ(requestCalibrations(sampleRows(), believablePlan(), kOptions).size(), 1u);
+}
+
+TEST(RequestReport, BelievableAreCountedOfThoseThatTouchTheEgo) {
+  std::vector<ResultRow> rows = sampleRows();
+  rows[0].request->believable = true;  // both of constant_velocity
+  rows[6].request->believable = false;
+  rows[1].request->believable = true;  // of nominal
+  const auto tables = requestTables(rows, believablePlan(), kOptions);
+  const RateTable& table = tableNamed(tables, "believable");
+  EXPECT_EQ(table.rates[0].back().value, 0.5);
+  EXPECT_EQ(table.rates[1].back().trials, 1);
+  EXPECT_EQ(table.rates[2].back().trials, 0);
 }
 
 TEST(RequestReport, AnySeedOfReplayMakesARequestOneThatReplayMeets) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace forge {
@@ -33,6 +34,34 @@ TEST(ResultRow, LineHoldsWhatTheHeaderSays) {
   EXPECT_EQ(toCsv(sampleRow()),
             "data_hcis_v4.5_x,scene-0001,ltap,2.5,search,3,OK,1,0,-0.100,45.00,0.7500,"
             "0.1235,0.0000,max_speed 26.000 > 25.000");
+}
+
+TEST(ResultRow, RequestsHaveMoreColumns) {
+  ResultRow row = sampleRow();
+  row.request.emplace();
+  const std::string header = csvHeader(Protocol::kPublished, RowsOf::kRequests);
+  EXPECT_NE(header.find(",own_off_road_share,road_allows,believable,attacker,"), std::string::npos);
+  const auto commas = [](const std::string& line) {
+    return std::count(line.begin(), line.end(), ',');
+  };
+  EXPECT_EQ(commas(toCsv(row)), commas(header));
+  auto copy = rowFromCsv(toCsv(row), Protocol::kPublished);
+  ASSERT_TRUE(copy && copy->request);
+  EXPECT_FALSE(copy->request->road_allows);
+  EXPECT_FALSE(copy->request->believable);
+  EXPECT_FALSE(copy->request->attack);
+  row.request->road_allows = true;
+  row.request->believable = false;
+  row.request->attack.emplace().least_gap = 1.5;
+  EXPECT_EQ(commas(toCsv(row)), commas(header));
+  copy = rowFromCsv(toCsv(row), Protocol::kPublished);
+  ASSERT_TRUE(copy && copy->request && copy->request->attack);
+  EXPECT_EQ(copy->request->road_allows, true);
+  EXPECT_EQ(copy->request->believable, false);
+  EXPECT_EQ(copy->request->attack->least_gap, 1.5);
+  EXPECT_EQ(copy->note, row.note);
+  EXPECT_EQ(toCsv(*copy), toCsv(row));
+  EXPECT_FALSE(rowFromCsv(toCsv(sampleRow()), Protocol::kPublished)->request);
 }
 
 TEST(ResultRow, NamesThatWouldBreakTheLineAreRefused) {

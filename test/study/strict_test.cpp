@@ -103,6 +103,36 @@ TEST(Strict, BrokenLimitFails) {
   EXPECT_FALSE(outcome.meetsFullDefinitions());
 }
 
+TEST(Strict, LimitsAreThoseOfTheRequest) {
+  // Faster than any row of the strict limits, and slower than cars may drive.
+  Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
+  const double speed = 0.5 * (c.options.verification.limits.max_speed +
+                              c.options.verification.drivable.rows[0].max_speed);
+  const Pose2 attacker = compose(Pose2{40.0, 0.0, M_PI_2}, {-4.0 * speed, 0.0, 0.0});
+  c.snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0),
+                          {pastTrack("attacker", kCarSize, attacker, speed)}, c.map);
+  c.trajectory = straightDrive(attacker, speed, 8.0);
+  EXPECT_FALSE(c.outcome().report.limits_kept);
+  c.request.crash.limits = LimitSet::kDrivable;
+  const StrictOutcome outcome = c.outcome();
+  EXPECT_TRUE(outcome.report.limits_kept) << outcome.report.broken_limit;
+}
+
+TEST(Strict, BelievabilityCountsWhereTheRequestAsksForIt) {
+  Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
+  c.map = twoLaneRoad();  // along x, which nobody drives across
+  StrictOutcome outcome = c.outcome();
+  ASSERT_FALSE(outcome.report.believable());
+  EXPECT_TRUE(outcome.meetsFullDefinitions());
+  c.request.crash.believable = true;
+  outcome = c.outcome();
+  EXPECT_FALSE(outcome.meetsAngleBands());
+  EXPECT_FALSE(outcome.meetsFullDefinitions());
+  ResultRow row;
+  describeOutcome(outcome, kNow, row);
+  EXPECT_EQ(row.note, outcome.report.unbelievable);
+}
+
 TEST(Strict, ContactBeforeNowAloneIsNone) {
   Case c = meeting(CollisionType::kRearEnd, 0.0);
   c.recorded.ego = futureTrack(kEgoId, kEgoSize, {60.0, 0.0, 0.0}, 10.0);
@@ -138,7 +168,7 @@ TEST(Strict, RowSaysWhatTheOutcomeSays) {
 }
 
 TEST(Strict, AngleRulesChangeTheRulesAlone) {
-  const CrashDefinition angle = withAngleRules(shippedCrash());
+  const CrashDefinition angle = rulesOfClips(shippedCrash());
   EXPECT_EQ(angle.rules, TypeRules::kAngle);
   EXPECT_EQ(angle.time_tolerance, shippedCrash().time_tolerance);
   EXPECT_EQ(shippedCrash().rules, TypeRules::kFull);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "collision_forge/verify/drive_check.h"
+#include "collision_forge/verify/drive_limits.h"
 #include "collision_forge/verify/limits.h"
 #include "collision_forge/verify/verification.h"
 #include "trials/rollout_scenes.h"
@@ -46,7 +48,7 @@ TEST(Avoidability, AnEgoThatIsNotHitKeepsDriving) {
   const CrashScenario scenario = roadScenario(8.0, straightDrive({40.0, 3.5, M_PI}, 5.0, 5.0));
   const Avoidability found = avoidabilityOf(scenario);
   ASSERT_TRUE(found.isAvoidable());
-  EXPECT_EQ(found.last->manoeuvre, Manoeuvre::kKeeping);
+  EXPECT_EQ(found.last->manoeuvre, EvasiveManoeuvre::kKeeping);
   EXPECT_EQ(found.from_now.size(), 1u);
 }
 
@@ -54,12 +56,23 @@ TEST(Avoidability, ACarThatStandsInTheWayIsAvoidedByBrakingWhileThereIsRoom) {
   // 10 m/s, stops within 100 / (2 * 7.9) = 6.4 m.
   const CrashScenario scenario = roadScenario(10.0, straightDrive({40.0, 0.0, 0.0}, 0.0, 7.0));
   const Avoidability found = avoidabilityOf(scenario);
-  const Avoidance* braking = found.find(Manoeuvre::kBraking);
+  const Avoidance* braking = found.find(EvasiveManoeuvre::kBraking);
   ASSERT_NE(braking, nullptr);
   for (const Avoidance& avoidance : found.from_now) expectSound(scenario, avoidance);
   expectSound(scenario, *found.last);
   // Contact comes at (40 - 4.342) / 10 = 3.57 s; from 2.5 s on 10.7 m are left, enough to brake in.
   EXPECT_GE(found.last->start, kNow + 2.5 - 1e-6);
+}
+
+TEST(Avoidability, TheEgoIsHeldToTheStrictLimitsWhichKnowNoJerk) {
+  const CrashScenario scenario = roadScenario(10.0, straightDrive({40.0, 0.0, 0.0}, 0.0, 7.0));
+  const Avoidability found = avoidabilityOf(scenario);
+  const Avoidance* braking = found.find(EvasiveManoeuvre::kBraking);
+  ASSERT_NE(braking, nullptr);
+  const DriveLimits limits =
+      driveLimitsOf(AgentClass::kCar, kEgoSize, shippedConfig().attack.verification.drivable);
+  EXPECT_TRUE(findBrokenDrive(braking->motion, driveStateOf(braking->motion.front(), limits),
+                              scenario.end(), limits));
 }
 
 TEST(Avoidability, BrakingWorksAsLongAsTheStoppingDistanceIsLeft) {
@@ -71,7 +84,7 @@ TEST(Avoidability, BrakingWorksAsLongAsTheStoppingDistanceIsLeft) {
   const Avoidability found = avoidabilityOf(scenario);
   ASSERT_TRUE(found.isAvoidable());
   EXPECT_NEAR(found.last->start, kNow + 2.0, 1e-6);
-  EXPECT_EQ(found.last->manoeuvre, Manoeuvre::kBraking);
+  EXPECT_EQ(found.last->manoeuvre, EvasiveManoeuvre::kBraking);
   expectSound(scenario, *found.last);
 }
 
@@ -92,9 +105,9 @@ TEST(Avoidability, BeforeAWallItIsBrakingAlone) {
   const CrashScenario scenario = roadScenario(8.0, wall);
   const Avoidability found = avoidabilityOf(scenario);
   ASSERT_TRUE(found.isAvoidable());
-  EXPECT_NE(found.find(Manoeuvre::kBraking), nullptr);
-  EXPECT_EQ(found.find(Manoeuvre::kSteering), nullptr);
-  EXPECT_EQ(found.find(Manoeuvre::kAccelerating), nullptr);
+  EXPECT_NE(found.find(EvasiveManoeuvre::kBraking), nullptr);
+  EXPECT_EQ(found.find(EvasiveManoeuvre::kSteering), nullptr);
+  EXPECT_EQ(found.find(EvasiveManoeuvre::kAccelerating), nullptr);
   expectSound(scenario, *found.last);
 }
 
@@ -102,8 +115,8 @@ TEST(Avoidability, AFasterCarFromBehindIsEvadedByAcceleratingOrSteering) {
   const CrashScenario scenario = roadScenario(6.0, straightDrive({-20.0, 0.0, 0.0}, 10.0, 7.0));
   const Avoidability found = avoidabilityOf(scenario);
   ASSERT_TRUE(found.isAvoidable());
-  EXPECT_EQ(found.find(Manoeuvre::kBraking), nullptr);
-  EXPECT_NE(found.find(Manoeuvre::kAccelerating), nullptr);
+  EXPECT_EQ(found.find(EvasiveManoeuvre::kBraking), nullptr);
+  EXPECT_NE(found.find(EvasiveManoeuvre::kAccelerating), nullptr);
   for (const Avoidance& avoidance : found.from_now) expectSound(scenario, avoidance);
 }
 
@@ -112,14 +125,14 @@ TEST(Avoidability, TheOthersAreNotTouchedEither) {
   const CrashScenario scenario = roadScenario(10.0, straightDrive({25.0, 0.0, M_PI}, 5.0, 4.0),
                                               {straightCar("behind", {-7.0, 0.0, 0.0}, 10.0)});
   const Avoidability found = avoidabilityOf(scenario);
-  EXPECT_EQ(found.find(Manoeuvre::kBraking), nullptr);
+  EXPECT_EQ(found.find(EvasiveManoeuvre::kBraking), nullptr);
   for (const Avoidance& avoidance : found.from_now) expectSound(scenario, avoidance);
 }
 
 TEST(Avoidability, MotionsOnTheRoadArePreferred) {
   const CrashScenario scenario = roadScenario(8.0, straightDrive({40.0, 0.0, M_PI}, 5.0, 6.0));
   const Avoidability found = avoidabilityOf(scenario);
-  const Avoidance* steering = found.find(Manoeuvre::kSteering);
+  const Avoidance* steering = found.find(EvasiveManoeuvre::kSteering);
   ASSERT_NE(steering, nullptr);
   EXPECT_NEAR(steering->off_road_share, 0.0, 1e-9);
   EXPECT_GT(steering->motion.back().pose.y, 1.5);  // to the left; to the right the road ends
@@ -151,8 +164,8 @@ TEST(Avoidability, TheSameAgainIsTheSame) {
 }
 
 TEST(Avoidability, ManoeuvresAreReadByName) {
-  EXPECT_EQ(manoeuvreFromString(toString(Manoeuvre::kBoth)), Manoeuvre::kBoth);
-  EXPECT_EQ(manoeuvreFromString("flying"), std::nullopt);
+  EXPECT_EQ(evasiveManoeuvreFromString(toString(EvasiveManoeuvre::kBoth)), EvasiveManoeuvre::kBoth);
+  EXPECT_EQ(evasiveManoeuvreFromString("flying"), std::nullopt);
 }
 
 }  // namespace

@@ -43,6 +43,27 @@ TEST(CrashScenario, WhatNobodyCanBeDrivenThroughIsRefusedByName) {
             std::string::npos);
 }
 
+TEST(CrashScenario, AnAddedAttackerWasSeenBeforeNowToo) {
+  CrashScenario scenario = sound();
+  const std::size_t seen = scenario.snapshot.agents.size();
+  showPast(scenario);
+  EXPECT_EQ(scenario.snapshot.agents.size(), seen);
+  scenario.attacker.attacker_id = "added";
+  scenario.attacker.agent_class = AgentClass::kBus;
+  const Pose2 before{35.0, 0.0, M_PI};
+  scenario.attacker.past = {
+      {scenario.snapshot.now - 1.0, before, 5.0 * before.heading()},
+      {scenario.snapshot.now, scenario.attacker.points.front().pose, 5.0 * before.heading()}};
+  showPast(scenario);
+  ASSERT_EQ(scenario.snapshot.agents.size(), seen + 1);
+  const Track& added = scenario.snapshot.agents.back();
+  EXPECT_EQ(added.id, "added");
+  EXPECT_EQ(added.agent_class, AgentClass::kBus);
+  EXPECT_EQ(added.states.size(), 2u);
+  EXPECT_TRUE(newestAt(added, scenario.snapshot.now));
+  EXPECT_EQ(attackerTrack(scenario).agent_class, AgentClass::kBus);
+}
+
 TEST(CrashScenario, TheAttackerReplacesItsRecordedTrack) {
   CrashScenario scenario = sound();
   scenario.snapshot.agents.front().agent_class = AgentClass::kTruck;

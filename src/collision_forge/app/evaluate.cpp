@@ -1,3 +1,4 @@
+#include <optional>
 #include <stdexcept>
 
 #include "collision_forge/app/command_line.h"
@@ -33,6 +34,19 @@ void addPlan(CLI::App& app, EvaluationPlan& plan) {
                  "of a search, all pooled: 0 to this minus one; of requests counted from theirs")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+}
+
+void addCrash(CLI::App& app, EvaluationArguments& arguments, CLI::Option* requests) {
+  addChoice<std::optional<LimitSet>>(
+      app, "--limits", arguments.limits,
+      {{"drivable", LimitSet::kDrivable}, {"strict", LimitSet::kStrict}},
+      "that attackers keep; see crash_definition.yaml. Clips are judged by the strict ones")
+      ->needs(requests);
+  addChoice<std::optional<bool>>(app, "--believable", arguments.believable,
+                                 {{"true", true}, {"false", false}},
+                                 "attackers drive as drivers do; see crash_definition.yaml. With "
+                                 "false the angle bands are measured, too")
+      ->needs(requests);
 }
 
 /// The methods are those that the configuration knows; of clips there are more.
@@ -80,6 +94,7 @@ void addEvaluate(CommandLine& line) {
   addOut(app, arguments->out,
          "folder for results.csv, table.md and charts; a run that was interrupted goes on there");
   addPlan(app, arguments->plan);
+  addCrash(app, *arguments, requests);
   addJobs(app, arguments->jobs, "clips or requests at a time, in every rank of mpirun");
   addConfig(app, arguments->config);
   app.parse_complete_callback([&app, arguments] {

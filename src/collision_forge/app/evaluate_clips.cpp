@@ -33,6 +33,7 @@ ResumableFile::Options runOptions(const EvaluationArguments& arguments, const Co
   options["by-scene"] = arguments.by_scene ? "yes" : "no";
   options["seen-scenes"] = arguments.plan.seen_scenes ? "yes" : "no";
   options["protocol"] = toString(arguments.plan.protocol);
+  options["limits"] = toString(LimitSet::kStrict);
   options["method"] = arguments.plan.method;
   options["mode"] = toString(arguments.plan.mode);
   options["seeds"] = std::to_string(arguments.plan.seeds);
@@ -51,8 +52,11 @@ std::vector<std::string> namesOf(const std::vector<std::string>& paths) {
 /// What is measured, on one line.
 std::string headline(const EvaluationArguments& arguments, std::size_t clips) {
   return "COLLIDE " + arguments.split + (arguments.by_scene ? " by scene" : "") + ", " +
-         toString(arguments.plan.protocol) + " protocol, " + toString(arguments.plan.mode) +
-         " mode, " + std::to_string(clips) + " clips";
+         toString(arguments.plan.protocol) + " protocol, " +
+         (arguments.plan.protocol == Protocol::kStrict
+              ? std::string(toString(LimitSet::kStrict)) + " limits, "
+              : "") +
+         toString(arguments.plan.mode) + " mode, " + std::to_string(clips) + " clips";
 }
 
 }  // namespace
@@ -71,9 +75,9 @@ int evaluateClips(const EvaluationArguments& arguments) {
     const auto lanes = maps.at(clip.city);
     return evaluateClip(clip, lanes, {methods, foresight, config}, arguments.plan);
   };
-  const std::vector<ResultRow> rows =
-      runEvaluation({arguments.out, runOptions(arguments, config), arguments.plan.protocol, "clips",
-                     namesOf(paths), rowsPerClip(arguments.plan), arguments.jobs, rows_of});
+  const std::vector<ResultRow> rows = runEvaluation(
+      {arguments.out, runOptions(arguments, config), arguments.plan.protocol, RowsOf::kClips,
+       "clips", namesOf(paths), rowsPerClip(arguments.plan), arguments.jobs, rows_of});
   if (!is_master) return kExitOk;
   const StatisticsOptions& statistics = config.evaluation.statistics;
   const std::string title = headline(arguments, paths.size());

@@ -19,6 +19,7 @@
 #include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/study/request_evaluation.h"
 #include "collision_forge/study/request_report.h"
+#include "collision_forge/study/scorecard_report.h"
 
 namespace forge {
 namespace {
@@ -37,7 +38,7 @@ void checkScenes(const std::vector<std::string>& wanted, const std::set<std::str
   }
 }
 
-WantedRequests readWanted(const EvaluationArguments& arguments) {
+WantedRequests readWanted(const EvaluationArguments& arguments, const CrashDefinition& crash) {
   const auto names = readSceneNames(arguments.dataroot, arguments.version);
   const std::set<std::string> known(names.begin(), names.end());
   checkScenes(arguments.scenes, known, arguments.dataroot + "/" + arguments.version);
@@ -45,7 +46,7 @@ WantedRequests readWanted(const EvaluationArguments& arguments) {
   WantedRequests wanted;
   std::set<std::string> seen;
   std::size_t line = 0;
-  for (SceneRequest& request : readRequests(arguments.requests, known)) {
+  for (SceneRequest& request : readRequests(arguments.requests, known, crash)) {
     ++line;
     if (!scenes.empty() && scenes.count(request.scene) == 0) continue;
     if (seen.insert(request.scene).second) wanted.scenes.push_back(request.scene);
@@ -58,14 +59,24 @@ WantedRequests readWanted(const EvaluationArguments& arguments) {
   return wanted;
 }
 
+/// The plan with what the configuration decides where the command line does not.
+EvaluationPlan planOf(const EvaluationArguments& arguments, const Config& config) {
+  EvaluationPlan plan = arguments.plan;
+  plan.limits = arguments.limits.value_or(config.crash.limits);
+  plan.believable = arguments.believable.value_or(config.crash.believable);
+  return plan;
+}
+
 ResumableFile::Options runOptions(const EvaluationArguments& arguments, const Config& config,
-                                  const WantedRequests& wanted) {
+                                  const EvaluationPlan& plan, const WantedRequests& wanted) {
   ResumableFile::Options options =
       inputsOf(config, arguments.config, arguments.dataroot, arguments.version);
   options["requests"] = fingerprintOf(wanted.requests);
-  options["method"] = arguments.plan.method;
-  options["mode"] = toString(arguments.plan.mode);
-  options["seeds"] = std::to_string(arguments.plan.seeds);
+  options["method"] = plan.method;
+  options["mode"] = toString(plan.mode);
+  options["seeds"] = std::to_string(plan.seeds);
+  options["limits"] = toString(plan.limits);
+  options["believable"] = plan.believable ? "yes" : "no";
   return options;
 }
 
@@ -107,21 +118,31 @@ ReliabilityPlot plotOf(const std::vector<Calibration>& calibrations, const std::
   return plot;
 }
 
-void report(const EvaluationArguments& arguments, const Config& config,
+/// Of what, for a chart.
+std::string headline(const std::string& version, const WantedRequests& wanted) {
+  return version + ", " + std::to_string(wanted.requests.size()) + " requests";
+}
+
+/// What is measured, on one line.
+std::string headline(const std::string& version, const EvaluationPlan& plan,
+                     const WantedRequests& wanted) {
+  return version + ", strict protocol, " + toString(plan.limits) + " limits" +
+         (plan.believable ? ", believable" : "") + ", " + toString(plan.mode) + " mode, " +
+         std::to_string(wanted.requests.size()) + " requests of " +
+         std::to_string(wanted.scenes.size()) + " scenes";
+}
+
+void report(const EvaluationArguments& arguments, const EvaluationPlan& plan, const Config& config,
             const std::vector<ResultRow>& rows, const WantedRequests& wanted) {
   const StatisticsOptions& statistics = config.evaluation.statistics;
-  const std::string title = arguments.version + ", strict protocol, " +
-                            toString(arguments.plan.mode) + " mode, " +
-                            std::to_string(wanted.requests.size()) + " requests of " +
-                            std::to_string(wanted.scenes.size()) + " scenes";
-  const std::string short_title =
-      arguments.version + ", " + std::to_string(wanted.requests.size()) + " requests";
+  const std::string title = headline(arguments.version, plan, wanted);
+  const std::string short_title = headline(arguments.version, wanted);
   std::string text = reportTitle(title, statistics);
-  for (const RateTable& table : requestTables(rows, arguments.plan, statistics)) {
+  for (const RateTable& table : requestTables(rows, plan, statistics)) {
     text += "\n" + toMarkdown(table);
     if (table.measure.is_headline) drawTable(table, short_title, arguments.out, config.drawing);
   }
-  const auto calibrations = requestCalibrations(rows, arguments.plan, statistics);
+  const auto calibrations = requestCalibrations(rows, plan, statistics);
   for (const Calibration& calibration : calibrations) text += "\n" + toMarkdown(calibration);
   if (!calibrations.empty()) {
     drawReliabilityPlot(arguments.out + "/calibration.png",
@@ -132,17 +153,62 @@ void report(const EvaluationArguments& arguments, const Config& config,
   std::cout << text << std::endl;
 }
 
+/// Shares of the attacks and of recorded vehicles side by side.
+BarChart chartOf(const std::vector<RateTable>& shares, const std::string& title,
+                 const DrawingOptions& drawing) {
+  const std::vector<Color> colors = {drawing.pattern_attacker_color, drawing.ego_color,
+                                     drawing.pattern_ego_color, drawing.agent_color};
+  BarChart chart{"Where attackers drive: " + title, {}, {}};
+  for (std::size_t i = 0; i < shares.front().methods.size(); ++i) {
+    chart.series.push_back({shares.front().methods[i], colors[i % colors.size()], {}});
+  }
+  for (const RateTable& table : shares) {
+    std::string group = table.measure.name;
+    std::replace(group.begin(), group.end(), '_', ' ');
+    chart.groups.push_back(group);
+    for (std::size_t i = 0; i < chart.series.size(); ++i) {
+      const Rate& rate = table.rates[i].back();  // of all
+      chart.series[i].bars.push_back(rate.trials > 0 ? std::optional<Bar>(barOf(rate))
+                                                     : std::nullopt);
+    }
+  }
+  return chart;
+}
+
+/// Attackers against the recorded vehicles of the same scenes.
+void writeScorecard(const EvaluationArguments& arguments, const EvaluationPlan& plan,
+                    const Config& config, const std::vector<ResultRow>& rows,
+                    const WantedRequests& wanted, SceneSource& scenes) {
+  const std::vector<std::string> methods = attackingRowMethods(plan);
+  if (methods.empty()) return;
+  std::vector<RecordedMotion> recorded;
+  for (const std::string& scene : wanted.scenes) {
+    for (RecordedMotion& motion : recordedMotion(*scenes.at(scene), config)) {
+      recorded.push_back(std::move(motion));
+    }
+  }
+  const ScorecardReport card = reportScorecard(rows, methods, recorded, config);
+  writeText(arguments.out + "/scorecard.md",
+            reportTitle(headline(arguments.version, plan, wanted), config.evaluation.statistics) +
+                card.markdown);
+  writeText(arguments.out + "/scorecard.csv", card.csv);
+  drawBarChart(arguments.out + "/scorecard.png",
+               chartOf(card.shares, headline(arguments.version, wanted), config.drawing),
+               config.drawing);
+}
+
 }  // namespace
 
 int evaluateRequests(const EvaluationArguments& arguments) {
   const bool is_master = isMaster();
   const Config config = loadConfig(arguments.config);
-  const WantedRequests wanted = readWanted(arguments);
+  const EvaluationPlan plan = planOf(arguments, config);
+  const WantedRequests wanted = readWanted(arguments, config.crash);
   SceneSource scenes(arguments.dataroot, arguments.version, wanted.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings());
   const RequestEvaluator evaluator(scenes, config, loadForesight(config), loadMethods(config),
-                                   arguments.plan);
+                                   plan);
   SearchTimes times;
   const auto rows_of = [&](std::size_t index) {
     EvaluatedRequest evaluated = evaluator.evaluate(wanted.lines[index], wanted.requests[index]);
@@ -150,10 +216,11 @@ int evaluateRequests(const EvaluationArguments& arguments) {
     return std::move(evaluated.rows);
   };
   const std::vector<ResultRow> rows = runEvaluation(
-      {arguments.out, runOptions(arguments, config, wanted), Protocol::kStrict, "requests",
-       wanted.lines, rowsPerRequest(arguments.plan), arguments.jobs, rows_of});
+      {arguments.out, runOptions(arguments, config, plan, wanted), Protocol::kStrict,
+       RowsOf::kRequests, "requests", wanted.lines, rowsPerRequest(plan), arguments.jobs, rows_of});
   if (!is_master) return kExitOk;
-  report(arguments, config, rows, wanted);
+  report(arguments, plan, config, rows, wanted);
+  writeScorecard(arguments, plan, config, rows, wanted, scenes);
   times.print();
   return kExitOk;
 }

@@ -14,7 +14,7 @@ std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation) {
   Run run;
   run.path = evaluation.folder + "/results.csv";
   run.options = evaluation.options;
-  run.layout = {csvHeader(evaluation.protocol), evaluation.rows_per_item};
+  run.layout = {csvHeader(evaluation.protocol, evaluation.rows_of), evaluation.rows_per_item};
   run.items = evaluation.of;
   run.count = evaluation.items.size();
   run.jobs = evaluation.jobs;

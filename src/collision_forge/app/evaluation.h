@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "collision_forge/drawing/bar_chart.h"
 #include "collision_forge/drawing/options.h"
 #include "collision_forge/files/resumable_file.h"
+#include "collision_forge/scene/request_words.h"
 #include "collision_forge/study/clip_evaluation.h"
 #include "collision_forge/study/rate_table.h"
 #include "collision_forge/study/result_row.h"
@@ -25,12 +27,15 @@ struct EvaluationArguments {
   std::string dataroot;
   std::string out;
   std::string config;
-  EvaluationPlan plan;
+  EvaluationPlan plan;             ///< its limits and `believable` are those below
+  std::optional<LimitSet> limits;  ///< these two of requests, by default those of the configuration
+  std::optional<bool> believable;
   int jobs = 1;
 };
 
-// Both print tables and write OUT/results.csv, OUT/table.md and charts, on the master alone, and
-// return an exit code. They go on with the results of an interrupted run.
+// Both print tables and write OUT/results.csv, OUT/table.md and charts, of requests also
+// OUT/scorecard.md and OUT/scorecard.csv, on the master alone, and return an exit code. They go on
+// with the results of an interrupted run.
 int evaluateClips(const EvaluationArguments& arguments);
 int evaluateRequests(const EvaluationArguments& arguments);
 
@@ -39,6 +44,7 @@ struct EvaluationRun {
   std::string folder;  ///< of results.csv
   ResumableFile::Options options;
   Protocol protocol = Protocol::kStrict;
+  RowsOf rows_of = RowsOf::kClips;
   std::string of;                  ///< what the items are, as "clips"
   std::vector<std::string> items;  ///< their names, which the rows bear
   std::size_t rows_per_item = 1;

@@ -19,7 +19,7 @@ const std::vector<std::string> kBaselines = {"recorded", "constant_velocity", "n
 /// What counts in every clip; what comes is measured, whatever the confidence.
 CrashDefinition clipCrash(CrashDefinition crash) {
   crash.min_confidence = 0.0;
-  return withAngleRules(std::move(crash));
+  return rulesOfClips(std::move(crash));
 }
 
 /// What may be known of a clip's scene.

@@ -20,6 +20,9 @@ struct EvaluationPlan {
   bool is_seeded = true;  ///< of the method, if it is no baseline: MethodRegistry::Entry::is_seeded
   Mode mode = Mode::kHistory;
   int seeds = 1;  ///< a seeded method is run with seeds 0 to seeds - 1
+  /// Of requests, as in CrashDefinition; clips are judged by rulesOfClips().
+  LimitSet limits = LimitSet::kDrivable;
+  bool believable = true;
   /// Of clips: what was learned from all scenes is used, the clip's own included, as it is where
   /// splits share scenes; otherwise what was learned without the clip's scene.
   bool seen_scenes = false;
@@ -40,7 +43,7 @@ struct ClipEvaluationSetup {
 };
 
 /// A row a method, of one that is seeded a row a seed. Methods and the strict protocol take the
-/// collision types by the heading alone (withAngleRules()), and nothing is declined; what came is
+/// collision types by the heading alone (rulesOfClips()), and nothing is declined; what came is
 /// the clip's own recording. A method without an answer meets nothing. In the published protocol
 /// contact_after counts at the nominal 2 Hz. Throws std::invalid_argument as MethodMaker does.
 std::vector<ResultRow> evaluateClip(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes,

@@ -87,7 +87,7 @@ AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOpti
 
 CrashDefinition withPublishedObjective(CrashDefinition crash, const NominalOptions& nominal,
                                        const PublishedSearchOptions& options) {
-  crash.rules = TypeRules::kAngle;
+  crash = rulesOfClips(std::move(crash));
   for (auto& [type, definition] : crash.types) {
     if (type == CollisionType::kLaneChange) {
       definition.nominal_heading = nominal.lane_change_heading;
@@ -108,7 +108,7 @@ AttackerTrajectory publishedSearchAttacker(const CollideClip& clip, const Snapsh
   CollisionRequest any_time = request;
   any_time.crash =
       withPublishedObjective(request.crash, options.nominal, evaluation.published_search);
-  const KinematicPatternPredictor predictor(objective.prediction, std::move(ego_futures));
+  const KinematicPatternPredictor predictor(objective, std::move(ego_futures));
   const PatternPrediction prediction = predictor.predict(snapshot, lanes, any_time, recorded);
   const Future& future = prediction.future;
   std::vector<const Track*> egos;

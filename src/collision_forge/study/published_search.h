@@ -17,7 +17,8 @@ namespace forge {
 /// kept and no answer declined.
 AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOptions& evaluation);
 
-/// What counts there as the crash: an angle about that of the set, at any time up to the latest.
+/// What counts there as the crash: an angle about that of the set, at any time up to the latest, by
+/// rulesOfClips().
 CrashDefinition withPublishedObjective(CrashDefinition crash, const NominalOptions& nominal,
                                        const PublishedSearchOptions& options);
 

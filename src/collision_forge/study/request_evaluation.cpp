@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "collision_forge/attack/request_check.h"
+#include "collision_forge/study/allowed_requests.h"
 #include "collision_forge/study/strict.h"
 
 namespace forge {
@@ -18,20 +19,31 @@ std::vector<RequestEvaluator::MethodRow> methodRows(const EvaluationPlan& plan) 
   if (is_baseline) return {};
   const bool is_replay = plan.mode == Mode::kReplay;
   if (!plan.is_seeded) return {{plan.method, TypeRules::kFull, is_replay, 1}};
-  std::vector<RequestEvaluator::MethodRow> rows = {
-      {plan.method + "_angle_bands", TypeRules::kAngle, is_replay, plan.seeds},
-      {plan.method + "_full_definitions", TypeRules::kFull, is_replay, plan.seeds}};
-  if (!is_replay) {
-    rows.push_back({"replay_angle_bands", TypeRules::kAngle, true, plan.seeds});
-    rows.push_back({"replay_full_definitions", TypeRules::kFull, true, plan.seeds});
-  }
+  std::vector<RequestEvaluator::MethodRow> rows;
+  const auto add = [&](const std::string& searcher, bool knows_future) {
+    if (!plan.believable) {
+      rows.push_back({searcher + "_angle_bands", TypeRules::kAngle, knows_future, plan.seeds});
+    }
+    rows.push_back({searcher + "_full_definitions", TypeRules::kFull, knows_future, plan.seeds});
+  };
+  add(plan.method, is_replay);
+  if (!is_replay) add("replay", true);
   return rows;
 }
 
 /// What counts; what comes is measured, whatever the confidence.
-StudyOptions measuring(StudyOptions study) {
+StudyOptions measuring(StudyOptions study, const EvaluationPlan& plan) {
   study.crash.min_confidence = 0.0;
+  study.crash.limits = plan.limits;
+  study.crash.believable = plan.believable;
   return study;
+}
+
+/// The same of those who know no wheels and no lanes.
+CollisionRequest asBaseline(CollisionRequest request) {
+  request.crash.limits = LimitSet::kStrict;
+  request.crash.believable = false;
+  return request;
 }
 
 std::vector<MethodMaker> baselinesOf(const MethodRegistry& methods, const AttackOptions& options,
@@ -85,6 +97,7 @@ void judge(const RequestCase& request_case, const AttackerTrajectory& trajectory
            const StrictOutcome& outcome, ResultRow& row) {
   describeOutcome(outcome, request_case.moment.snapshot.now, row);
   if (!outcome.report.contact) return;
+  row.request->believable = outcome.report.believable();
   const auto own =
       ownMotion(trajectory.attacker_id, *request_case.moment.recorded, outcome.report.contact_time);
   if (!own) return;
@@ -107,6 +120,7 @@ ResultRow emptyRow(const std::string& name, const std::string& method, const Sce
   row.seed = asked.request.seed;
   row.status = toString(StatusCode::kOk);
   row.meets.assign(measuresOf(Protocol::kStrict).size(), false);
+  row.request.emplace();
   return row;
 }
 
@@ -149,26 +163,36 @@ void evaluateBaseline(const AttackMethod& method, const RequestCase& request_cas
   }
 }
 
-/// Returns how long it took, ms.
-double evaluateMethod(const AttackMethod& method, const RequestCase& request_case,
-                      const CollisionRequest& request, bool has_confidence, ResultRow& row) {
+/// An answer with the time that it took.
+struct TimedAnswer {
+  Realization answer;
+  double milliseconds = 0.0;
+};
+
+TimedAnswer evaluateMethod(const AttackMethod& method, const RequestCase& request_case,
+                           const CollisionRequest& request, ResultRow& row) {
   const auto begin = std::chrono::steady_clock::now();
-  const Realization answer = attempt(method, request_case.moment, request);
+  Realization answer = attempt(method, request_case.moment, request);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
   if (answer.status.code == StatusCode::kOk) {
     judge(request_case, answer.trajectory, request_case.outcomeOf(answer.trajectory), row);
-    if (has_confidence) row.confidence = answer.report.confidence;
   } else {
     refuse(answer.status, row);
   }
-  return time.count();
+  return {std::move(answer), time.count()};
 }
 
 }  // namespace
 
+std::vector<std::string> attackingRowMethods(const EvaluationPlan& plan) {
+  std::vector<std::string> names;
+  for (const auto& row : methodRows(plan)) names.push_back(row.name);
+  return names;
+}
+
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan) {
   std::vector<std::string> names = kBaselines;
-  for (const auto& row : methodRows(plan)) names.push_back(row.name);
+  for (std::string& name : attackingRowMethods(plan)) names.push_back(std::move(name));
   return names;
 }
 
@@ -184,7 +208,7 @@ RequestEvaluator::RequestEvaluator(SceneSource& scenes, const StudyOptions& stud
                                    const Foresight& foresight, const MethodRegistry& methods,
                                    const EvaluationPlan& plan)
     : scenes_(scenes),
-      study_(measuring(study)),
+      study_(measuring(study, plan)),
       plan_(plan),
       rows_(methodRows(plan)),
       baselines_(baselinesOf(methods, study.attack, foresight)),
@@ -200,8 +224,8 @@ RequestEvaluator::RequestEvaluator(SceneSource& scenes, const StudyOptions& stud
 
 EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
                                             const SceneRequest& asked) const {
-  const auto found =
-      momentAt(*scenes_.at(asked.scene), asked.now, study_.attack.prediction.history_frames);
+  const auto recording = scenes_.at(asked.scene);
+  const auto found = momentAt(*recording, asked.now, study_.attack.prediction.history_frames);
   const Moment* moment = std::get_if<Moment>(&found);
   CollisionRequest request = asked.request;
   request.mode = plan_.mode;
@@ -212,16 +236,20 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
   } else {
     status = std::get<Status>(found);
   }
+  std::optional<bool> road_allows;
+  if (moment) road_allows = roadAllowsAsked(asked, *recording, study_);
   EvaluatedRequest evaluated;
   const auto addRow = [&](const std::string& method) -> ResultRow& {
     ResultRow& row = evaluated.rows.emplace_back(emptyRow(name, method, asked));
+    row.request->road_allows = road_allows;
     if (status.code != StatusCode::kOk) refuse(status, row);
     return row;
   };
   for (const MethodMaker& baseline : baselines_) {
     ResultRow& row = addRow(baseline.name());
     if (status.code != StatusCode::kOk) continue;
-    evaluateBaseline(*baseline.makeWithoutScene(asked.scene), {request, *moment, study_.attack},
+    const CollisionRequest as_baseline = asBaseline(request);
+    evaluateBaseline(*baseline.makeWithoutScene(asked.scene), {as_baseline, *moment, study_.attack},
                      row);
   }
   const auto method = method_.makeWithoutScene(asked.scene);
@@ -234,9 +262,14 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
       seeded.mode = kind.knows_future ? Mode::kReplay : Mode::kHistory;
       seeded.seed = row.seed;
       seeded.crash.rules = kind.rules;
-      const double time = evaluateMethod(*method, {request, *moment, study_.attack}, seeded,
-                                         method_.isSeeded(), row);
+      const auto [answer, time] =
+          evaluateMethod(*method, {request, *moment, study_.attack}, seeded, row);
       if (method_.isSeeded()) evaluated.times.push_back({kind.name, time});
+      if (answer.status.code != StatusCode::kOk) continue;
+      if (method_.isSeeded()) row.confidence = answer.report.confidence;
+      if (answer.report.contact) {
+        row.request->attack = attackFigures(answer, recording->scene, study_);
+      }
     }
   }
   return evaluated;

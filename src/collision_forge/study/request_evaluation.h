@@ -15,9 +15,13 @@ namespace forge {
 /// What one row a request (of seeded methods one a seed) is of: the baselines "constant_velocity"
 /// and "nominal", which every plan measures beside its method, then the method; of a seeded one a
 /// column of the strict protocol, and in history mode the same with the recorded future known:
-/// "search_angle_bands", "search_full_definitions" (or "network+search_..."),
-/// "replay_angle_bands", "replay_full_definitions".
+/// "search_full_definitions" (or "network+search_..."), "replay_full_definitions". Where the
+/// attacker need not be believable there are the angle bands, too, each before the other column:
+/// "search_angle_bands", "replay_angle_bands".
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan);
+
+/// Those of them that are no baselines.
+std::vector<std::string> attackingRowMethods(const EvaluationPlan& plan);
 
 /// Rows that RequestEvaluator::evaluate() gives, the same for every request.
 std::size_t rowsPerRequest(const EvaluationPlan& plan);
@@ -39,10 +43,12 @@ struct EvaluatedRequest {
 ///
 /// - A seeded method is asked whatever the confidence, with the request's seed and those after it;
 ///   its type rules are those of the column that it is for, in whose measures alone it counts.
+/// - The method's attackers keep the plan's limits and are believable if the plan says so;
+/// baselines
+///   are held to the strict limits and need not be believable.
 /// - A baseline takes, if the request names no attacker, of all candidates (isCandidate()) the
-/// first
-///   that meets the full definitions, else the angle bands, else touches the ego: an upper bound,
-///   for nobody knows now which one will.
+///   first that meets the full definitions, else the angle bands, else touches the ego: an upper
+///   bound, for nobody knows now which one will.
 /// - Rows of a request that no method can answer (checkRequest(), no frame, a recording that ends
 ///   before the time asked for) have its status and meet nothing.
 class RequestEvaluator {

@@ -39,6 +39,17 @@ bool endsWith(const std::string& text, const std::string& end) {
          text.compare(text.size() - end.size(), std::string::npos, end) == 0;
 }
 
+/// The columns that the plan's methods are for.
+std::vector<Column> columnsOf(const EvaluationPlan& plan) {
+  std::vector<Column> found(columns().begin(), columns().end());
+  if (plan.believable) found.erase(found.begin());
+  return found;
+}
+
+bool isOfAngleBands(std::size_t measure) {
+  return measure == columns().front().headline || measure == columns().front().type;
+}
+
 const Column* columnOfMethod(const std::string& method) {
   for (const Column& column : columns()) {
     if (endsWith(method, column.suffix)) return &column;
@@ -71,6 +82,21 @@ RateTable tableOf(const std::vector<ResultRow>& rows, std::size_t index, const M
   return tabulateTrials(measure, trials, options);
 }
 
+/// The rows of the requests that the road allows, or of those that it does not.
+std::vector<ResultRow> rowsThatRoadAllows(const std::vector<ResultRow>& rows, bool allows) {
+  std::vector<ResultRow> found;
+  for (const ResultRow& row : rows) {
+    if (row.request && row.request->road_allows == allows) found.push_back(row);
+  }
+  return found;
+}
+
+Measure ofWhatRoadAllows(Measure measure) {
+  measure.name += "_of_allowed";
+  measure.title += ", of what the road allows";
+  return measure;
+}
+
 /// The rows of the requests that replay meets with any seed.
 std::vector<ResultRow> rowsThatReplayMeets(const std::vector<ResultRow>& rows,
                                            const Column& column) {
@@ -90,12 +116,15 @@ bool isHistorySearch(const EvaluationPlan& plan) {
   return plan.mode == Mode::kHistory && plan.is_seeded;
 }
 
+Measure givenReplay(const Column& column) {
+  const std::string& title = measuresOf(Protocol::kStrict)[column.headline].title;
+  return {column.given_name, title + ", of what replay meets", std::nullopt, true};
+}
+
 RateTable givenReplayTable(const std::vector<ResultRow>& rows, const Column& column,
                            const EvaluationPlan& plan, const StatisticsOptions& options) {
-  const std::string& title = measuresOf(Protocol::kStrict)[column.headline].title;
-  const Measure measure{column.given_name, title + ", of what replay meets", std::nullopt, true};
-  RateTable table =
-      tableOf(rowsThatReplayMeets(rows, column), column.headline, measure, plan, options);
+  RateTable table = tableOf(rowsThatReplayMeets(rows, column), column.headline, givenReplay(column),
+                            plan, options);
   table.methods.pop_back();  // replay itself, which meets all of them
   table.rates.pop_back();
   return table;
@@ -117,20 +146,88 @@ RateTable offRoadTable(const std::vector<ResultRow>& rows, const std::string& me
                         options);
 }
 
+/// How many of the requests the road allows.
+RateTable roadTable(const std::vector<ResultRow>& rows, const EvaluationPlan& plan,
+                    const StatisticsOptions& options) {
+  const std::string each = requestRowMethods(plan).front();  // has one row a request
+  std::vector<Trial> trials;
+  for (const ResultRow& row : rows) {
+    if (row.method != each || !row.request || !row.request->road_allows) continue;
+    trials.push_back({row.scene, row.type, row.tta, *row.request->road_allows ? 1.0 : 0.0});
+  }
+  return tabulateTrials({"road_allows", "Allowed by the road", std::nullopt, false},
+                        {{"requests", trials}}, options);
+}
+
+/// The answers to what the road does not allow.
+RateTable nevertheless(const std::vector<ResultRow>& rows, const EvaluationPlan& plan,
+                       const StatisticsOptions& options) {
+  MethodTrials trials;
+  for (const std::string& method : requestRowMethods(plan)) {
+    if (columnOfMethod(method) == nullptr) continue;
+    trials.push_back({method + ", answered though the road does not allow it", {}});
+    for (const ResultRow& row : rowsThatRoadAllows(rows, false)) {
+      if (row.method != method) continue;
+      const double answered = row.status == toString(StatusCode::kOk) ? 1.0 : 0.0;
+      trials.back().second.push_back({row.scene, row.type, row.tta, answered});
+    }
+  }
+  return tabulateTrials(
+      {"answered_of_not_allowed", "Answered, of what the road does not allow", std::nullopt, false},
+      trials, options);
+}
+
+/// Of the attacks that touch the ego in the recording.
+RateTable believableTable(const std::vector<ResultRow>& rows, const EvaluationPlan& plan,
+                          const StatisticsOptions& options) {
+  MethodTrials trials;
+  for (const std::string& method : requestRowMethods(plan)) {
+    trials.push_back({method, {}});
+    for (const ResultRow& row : rows) {
+      if (row.method != method || !row.request || !row.request->believable) continue;
+      const double believable = *row.request->believable ? 1.0 : 0.0;
+      trials.back().second.push_back({row.scene, row.type, row.tta, believable});
+    }
+  }
+  return tabulateTrials(
+      {"believable", "Believable, of those that touch the ego", std::nullopt, false}, trials,
+      options);
+}
+
+/// One a measure, of the full definitions each followed by that of what the road allows.
+std::vector<RateTable> measureTables(const std::vector<ResultRow>& rows, const EvaluationPlan& plan,
+                                     const StatisticsOptions& options) {
+  std::vector<RateTable> tables;
+  const std::vector<ResultRow> allowed = rowsThatRoadAllows(rows, true);
+  const auto& measures = measuresOf(Protocol::kStrict);
+  for (std::size_t index = 0; index < measures.size(); ++index) {
+    if (isOfAngleBands(index)) {
+      if (!plan.believable) tables.push_back(tableOf(rows, index, measures[index], plan, options));
+      continue;
+    }
+    tables.push_back(tableOf(rows, index, measures[index], plan, options));
+    tables.push_back(tableOf(allowed, index, ofWhatRoadAllows(measures[index]), plan, options));
+  }
+  return tables;
+}
+
 }  // namespace
 
 std::vector<RateTable> requestTables(const std::vector<ResultRow>& rows, const EvaluationPlan& plan,
                                      const StatisticsOptions& options) {
-  std::vector<RateTable> tables;
-  const auto& measures = measuresOf(Protocol::kStrict);
-  for (std::size_t index = 0; index < measures.size(); ++index) {
-    tables.push_back(tableOf(rows, index, measures[index], plan, options));
-  }
+  std::vector<RateTable> tables = measureTables(rows, plan, options);
   if (isHistorySearch(plan)) {
-    for (const Column& column : columns()) {
+    for (const Column& column : columnsOf(plan)) {
       tables.push_back(givenReplayTable(rows, column, plan, options));
     }
+    RateTable table =
+        givenReplayTable(rowsThatRoadAllows(rows, true), columns().back(), plan, options);
+    table.measure = ofWhatRoadAllows(table.measure);
+    tables.push_back(std::move(table));
   }
+  tables.push_back(roadTable(rows, plan, options));
+  if (plan.is_seeded) tables.push_back(nevertheless(rows, plan, options));
+  tables.push_back(believableTable(rows, plan, options));
   for (const std::string& method : requestRowMethods(plan)) {
     tables.push_back(offRoadTable(rows, method, options));
   }
@@ -142,7 +239,7 @@ std::vector<Calibration> requestCalibrations(const std::vector<ResultRow>& rows,
                                              const StatisticsOptions& options) {
   std::vector<Calibration> calibrations;
   if (!isHistorySearch(plan)) return calibrations;
-  for (const Column& column : columns()) {
+  for (const Column& column : columnsOf(plan)) {
     std::vector<Promise> promises;
     for (const ResultRow& row : rows) {
       if (row.method != plan.method + column.suffix || !row.confidence) continue;

@@ -51,6 +51,29 @@ bool parse(const std::string& text, std::optional<double>& number) {
   return parse(text, number.emplace());
 }
 
+bool parse(const std::string& text, std::optional<bool>& answer) {
+  if (text.empty()) return true;
+  answer = text == "1";
+  return text == "0" || text == "1";
+}
+
+std::string requestHeader() { return "road_allows,believable," + attackHeader(); }
+
+std::vector<std::string> requestColumns(const RequestFacts& facts) {
+  std::vector<std::string> columns;
+  for (const std::optional<bool>& answer : {facts.road_allows, facts.believable}) {
+    columns.push_back(!answer ? "" : *answer ? "1" : "0");
+  }
+  for (std::string& column : attackColumns(facts.attack)) columns.push_back(std::move(column));
+  return columns;
+}
+
+bool parse(const std::vector<std::string>& columns, const std::string& scene, RequestFacts& facts) {
+  return columns.size() > 2 && parse(columns[0], facts.road_allows) &&
+         parse(columns[1], facts.believable) &&
+         readAttackColumns({columns.begin() + 2, columns.end()}, scene, facts.attack);
+}
+
 }  // namespace
 
 const char* toString(Protocol protocol) {
@@ -73,10 +96,12 @@ const std::vector<Measure>& measuresOf(Protocol protocol) {
   return protocol == Protocol::kPublished ? published : strict;
 }
 
-std::string csvHeader(Protocol protocol) {
+std::string csvHeader(Protocol protocol, RowsOf rows_of) {
   std::string text = "name,scene,type,tta,method,seed,status";
   for (const Measure& measure : measuresOf(protocol)) text += "," + measure.name;
-  return text + ",contact_after,relative_heading,confidence,off_road_share,own_off_road_share,note";
+  text += ",contact_after,relative_heading,confidence,off_road_share,own_off_road_share";
+  if (rows_of == RowsOf::kRequests) text += "," + requestHeader();
+  return text + ",note";
 }
 
 std::string toCsv(const ResultRow& row) {
@@ -96,6 +121,9 @@ std::string toCsv(const ResultRow& row) {
   for (const auto& share : {row.confidence, row.off_road_share, row.own_off_road_share}) {
     text << ',' << decimals("%.4f", share);
   }
+  if (row.request) {
+    for (const std::string& column : requestColumns(*row.request)) text << ',' << column;
+  }
   text << ',' << plain(row.note);
   return text.str();
 }
@@ -103,7 +131,8 @@ std::string toCsv(const ResultRow& row) {
 std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol) {
   const std::vector<std::string> parts = split(line);
   const std::size_t measures = measuresOf(protocol).size();
-  if (parts.size() != kFixedColumns + measures) return std::nullopt;
+  const std::size_t columns = kFixedColumns + measures;
+  if (parts.size() < columns) return std::nullopt;
   ResultRow row;
   row.name = parts[0];
   row.scene = parts[1];
@@ -124,6 +153,9 @@ std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol) 
     if (!parse(*part++, *number)) return std::nullopt;
   }
   if (row.relative_heading) *row.relative_heading *= kDegree;
+  if (parts.size() == columns) return row;
+  const auto rest = parts.begin() + static_cast<std::ptrdiff_t>(columns - 1);
+  if (!parse({rest, parts.end() - 1}, row.scene, row.request.emplace())) return std::nullopt;
   return row;
 }
 

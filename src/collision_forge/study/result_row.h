@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision_forge/scene/collision_request.h"
+#include "collision_forge/study/attack_figures.h"
 
 namespace forge {
 
@@ -25,6 +26,13 @@ struct Measure {
 /// then each condition.
 const std::vector<Measure>& measuresOf(Protocol protocol);
 
+/// What rows of requests over logs say beyond those of clips.
+struct RequestFacts {
+  std::optional<bool> road_allows;      ///< roadAllows() on the recorded ego; empty: no such moment
+  std::optional<bool> believable;       ///< of the contact in the recording, if there is one
+  std::optional<AttackFigures> attack;  ///< of an answer, if the method is no baseline
+};
+
 /// How one method did in one clip or request: a row of results.csv.
 struct ResultRow {
   std::string name;  ///< of the clip; of a request its line in the list
@@ -42,15 +50,20 @@ struct ResultRow {
   /// of its own recorded motion over the same span.
   std::optional<double> off_road_share;
   std::optional<double> own_off_road_share;
-  std::string note;  ///< a broken limit, whom else the attacker touches
+  std::string note;  ///< a broken limit, whom else the attacker touches, what no driver would do
+  std::optional<RequestFacts> request;  ///< of requests alone
 };
+
+/// What results.csv has a row of.
+enum class RowsOf { kClips, kRequests };
 
 /// Both without the line's end. Times have three decimals, shares four, headings are degrees with
 /// two. toCsv() throws std::runtime_error for a name or scene with commas or line ends.
-std::string csvHeader(Protocol protocol);
+std::string csvHeader(Protocol protocol, RowsOf rows_of = RowsOf::kClips);
 std::string toCsv(const ResultRow& row);
 
-/// The row of a line as toCsv() writes it; empty for any other line (one that was cut off).
+/// The row of a line as toCsv() writes it, of a request if it has their columns; empty for any
+/// other line (one that was cut off).
 std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol);
 
 /// The rows of an item of that name, a line each. Throws std::runtime_error for lines that are none

@@ -9,6 +9,7 @@ StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const Verifica
   StrictOutcome outcome;
   request.crash.rules = TypeRules::kAngle;
   outcome.report = verify(trajectory, asked, options);
+  outcome.is_believed = !request.crash.believable || outcome.report.believable();
   request.crash.rules = TypeRules::kFull;
   outcome.full_type_kept = verifyMotion(trajectory, asked, options).type_kept;
   return outcome;
@@ -28,6 +29,7 @@ void describeOutcome(const StrictOutcome& outcome, double now, ResultRow& row) {
   if (!report.first_other_id.empty()) {
     row.note += (row.note.empty() ? "" : "; ") + ("touches " + report.first_other_id);
   }
+  if (!outcome.is_believed) row.note += (row.note.empty() ? "" : "; ") + report.unbelievable;
 }
 
 }  // namespace forge

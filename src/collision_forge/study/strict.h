@@ -11,20 +11,23 @@ struct StrictOutcome {
   /// Every condition, the type by its band of |relative heading| at first contact alone.
   CollisionReport report;
   bool full_type_kept = false;  ///< the whole definition of the type is kept
+  bool is_believed = true;      ///< a driver would do it, or the request does not ask for that
 
-  bool meetsAngleBands() const { return report.verified(); }
-  bool meetsFullDefinitions() const { return report.verified() && full_type_kept; }
+  bool meetsAngleBands() const { return report.verified() && is_believed; }
+  bool meetsFullDefinitions() const { return meetsAngleBands() && full_type_kept; }
 };
 
 /// The strict protocol: the attacker touches the ego after now; at a relative heading of the type;
-/// at most the tolerance before or after the time asked for; within a real car's limits from now
-/// to contact; and touches nobody earlier. `input.future` is what came: recorded, not predicted.
+/// at most the tolerance before or after the time asked for; within the limits of the request's
+/// LimitSet from now to contact; touches nobody earlier; and, where the request asks for it, drives
+/// as a driver would. `input.future` is what came: recorded, not predicted.
 /// Headings are interpolated and contact is continuous, as in verify(), which decides all of it.
 StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const VerificationInput& input,
                             const VerificationOptions& options);
 
 /// Fills in what the outcome says: which measures are met, when and how the boxes touch, the share
-/// off the road, and as a note the broken limit and whom the attacker touches before.
+/// off the road, and as a note the broken limit, whom the attacker touches before and what no
+/// driver would do.
 void describeOutcome(const StrictOutcome& outcome, double now, ResultRow& row);
 
 }  // namespace forge

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 
-constexpr std::array<std::pair<Manoeuvre, const char*>, 5> kManoeuvreNames = {{
-    {Manoeuvre::kKeeping, "keeping"},
-    {Manoeuvre::kBraking, "braking"},
-    {Manoeuvre::kAccelerating, "accelerating"},
-    {Manoeuvre::kSteering, "steering"},
-    {Manoeuvre::kBoth, "both"},
+constexpr std::array<std::pair<EvasiveManoeuvre, const char*>, 5> kManoeuvreNames = {{
+    {EvasiveManoeuvre::kKeeping, "keeping"},
+    {EvasiveManoeuvre::kBraking, "braking"},
+    {EvasiveManoeuvre::kAccelerating, "accelerating"},
+    {EvasiveManoeuvre::kSteering, "steering"},
+    {EvasiveManoeuvre::kBoth, "both"},
 }};
 
 /// What the ego is asked to do for a while: an acceleration, and a way beside its own.
@@ -35,13 +35,13 @@ struct Plan {
   Demand second;
 };
 
-Manoeuvre kindOf(const Plan& plan) {
+EvasiveManoeuvre kindOf(const Plan& plan) {
   const bool steers = plan.first.offset != 0.0 || plan.second.offset != 0.0;
   const double change =
       plan.first.acceleration != 0.0 ? plan.first.acceleration : plan.second.acceleration;
-  if (steers) return change == 0.0 ? Manoeuvre::kSteering : Manoeuvre::kBoth;
-  if (change == 0.0) return Manoeuvre::kKeeping;
-  return change < 0.0 ? Manoeuvre::kBraking : Manoeuvre::kAccelerating;
+  if (steers) return change == 0.0 ? EvasiveManoeuvre::kSteering : EvasiveManoeuvre::kBoth;
+  if (change == 0.0) return EvasiveManoeuvre::kKeeping;
+  return change < 0.0 ? EvasiveManoeuvre::kBraking : EvasiveManoeuvre::kAccelerating;
 }
 
 /// From 0 to 1, the same with every library.
@@ -252,8 +252,8 @@ class Search {
       found.last = std::move(kept);
       return found;
     }
-    for (const Manoeuvre kind :
-         {Manoeuvre::kBraking, Manoeuvre::kAccelerating, Manoeuvre::kSteering, Manoeuvre::kBoth}) {
+    for (const EvasiveManoeuvre kind : {EvasiveManoeuvre::kBraking, EvasiveManoeuvre::kAccelerating,
+                                        EvasiveManoeuvre::kSteering, EvasiveManoeuvre::kBoth}) {
       if (auto avoidance = searchFrom(now, kind)) found.from_now.push_back(std::move(*avoidance));
     }
     found.last = searchLatest(now);
@@ -265,7 +265,7 @@ class Search {
   /// The recorded motion, if it touches nobody to the end, straight on from where it ends.
   std::optional<Avoidance> keep() {
     const Track& ego = scenario_.recorded.ego;
-    Avoidance kept{Manoeuvre::kKeeping, ego.states.front().time, {}, 0.0};
+    Avoidance kept{EvasiveManoeuvre::kKeeping, ego.states.front().time, {}, 0.0};
     for (const AgentState& state : ego.states) {
       if (state.time > scenario_.end() + kTimeEpsilon) break;
       kept.motion.push_back({state.time, state.pose, speedOf(state), 0.0, 0.0});
@@ -297,7 +297,7 @@ class Search {
   }
 
   /// The gentlest witness, of one kind or any, that stays on the road; one off it otherwise.
-  std::optional<Avoidance> searchFrom(double start, std::optional<Manoeuvre> kind) const {
+  std::optional<Avoidance> searchFrom(double start, std::optional<EvasiveManoeuvre> kind) const {
     const auto state = stateAt(scenario_.recorded.ego, start);
     if (!state) return std::nullopt;
     const Car car = driver_.carAt(state->pose, speedOf(*state));
@@ -307,8 +307,8 @@ class Search {
     std::optional<Avoidance> off_road;
     std::vector<TrajectoryPoint> points;
     for (const Plan& plan : plans_) {
-      const Manoeuvre plan_kind = kindOf(plan);
-      if (plan_kind == Manoeuvre::kKeeping || (kind && plan_kind != *kind)) continue;
+      const EvasiveManoeuvre plan_kind = kindOf(plan);
+      if (plan_kind == EvasiveManoeuvre::kKeeping || (kind && plan_kind != *kind)) continue;
       driver_.drive(car, plan, start, scenario_.end(), points);
       const bool leaves_road =
           starts_on_road && std::any_of(points.begin(), points.end(),
@@ -337,12 +337,14 @@ class Search {
     return true;
   }
 
-  /// verifyDrive() with the ego in the attacker's place: `contact` is that with the attacker.
+  /// verifyDrive() with the ego in the attacker's place, by the strict limits: `contact` is that
+  /// with the attacker.
   CollisionReport verifyEgo(const std::vector<TrajectoryPoint>& points) const {
     const AttackerTrajectory ego{kEgoId, AgentClass::kCar, size_, points};
     Snapshot snapshot;
     snapshot.now = points.front().time;
     CollisionRequest request;
+    request.crash.limits = LimitSet::kStrict;  // those that the plans are driven by
     return verifyDrive(ego, {snapshot, others_, request, *scenario_.lanes}, attack_.verification);
   }
 
@@ -364,21 +366,21 @@ class Search {
 
 }  // namespace
 
-const char* toString(Manoeuvre manoeuvre) {
+const char* toString(EvasiveManoeuvre manoeuvre) {
   for (const auto& [value, name] : kManoeuvreNames) {
     if (value == manoeuvre) return name;
   }
   return "unknown";
 }
 
-std::optional<Manoeuvre> manoeuvreFromString(const std::string& name) {
+std::optional<EvasiveManoeuvre> evasiveManoeuvreFromString(const std::string& name) {
   for (const auto& [value, text] : kManoeuvreNames) {
     if (name == text) return value;
   }
   return std::nullopt;
 }
 
-const Avoidance* Avoidability::find(Manoeuvre manoeuvre) const {
+const Avoidance* Avoidability::find(EvasiveManoeuvre manoeuvre) const {
   const auto found = std::find_if(from_now.begin(), from_now.end(), [=](const Avoidance& entry) {
     return entry.manoeuvre == manoeuvre;
   });

@@ -26,7 +26,7 @@ struct AvoidabilityOptions {
 };
 
 /// What an ego does to avoid a crash.
-enum class Manoeuvre {
+enum class EvasiveManoeuvre {
   kKeeping,       ///< nothing: it drives on as recorded
   kBraking,       ///< along its way
   kAccelerating,  ///< along its way
@@ -34,12 +34,12 @@ enum class Manoeuvre {
   kBoth,          ///< braking or accelerating, and steering
 };
 /// "keeping", "braking", "accelerating", "steering", "both".
-const char* toString(Manoeuvre manoeuvre);
-std::optional<Manoeuvre> manoeuvreFromString(const std::string& name);
+const char* toString(EvasiveManoeuvre manoeuvre);
+std::optional<EvasiveManoeuvre> evasiveManoeuvreFromString(const std::string& name);
 
 /// A motion of the ego that touches nobody: the witness that a crash can be avoided.
 struct Avoidance {
-  Manoeuvre manoeuvre = Manoeuvre::kKeeping;
+  EvasiveManoeuvre manoeuvre = EvasiveManoeuvre::kKeeping;
   double start = 0.0;  ///< s, the scene's clock; until then the ego drives as recorded
   std::vector<TrajectoryPoint> motion;  ///< from `start` to the attacker's end
   double off_road_share = 0.0;          ///< mean share of the box off the drivable area
@@ -54,7 +54,7 @@ struct Avoidability {
 
   /// Proven by a witness; otherwise the search found none, which proves nothing.
   bool isAvoidable() const { return last.has_value(); }
-  const Avoidance* find(Manoeuvre manoeuvre) const;
+  const Avoidance* find(EvasiveManoeuvre manoeuvre) const;
 };
 
 /// Looks for motions of the ego within the vehicle limits that touch nobody up to the end of the

@@ -28,6 +28,13 @@ std::vector<Track> othersFromNow(const CrashScenario& scenario) {
   return others;
 }
 
+void showPast(CrashScenario& scenario) {
+  const AttackerTrajectory& attacker = scenario.attacker;
+  if (!attacker.isAdded()) return;
+  scenario.snapshot.agents.push_back(
+      {attacker.attacker_id, attacker.agent_class, attacker.size, attacker.past});
+}
+
 void checkScenario(const CrashScenario& scenario) {
   constexpr double kTimeEpsilon = 1e-5;  // s; files have times to the microsecond
   const auto& points = scenario.attacker.points;

@@ -27,6 +27,9 @@ Track attackerTrack(const CrashScenario& scenario);
 /// recorded.
 std::vector<Track> othersFromNow(const CrashScenario& scenario);
 
+/// Puts the past of an attacker that was added among what was seen up to now.
+void showPast(CrashScenario& scenario);
+
 /// Throws std::invalid_argument, naming what is wrong, for a scenario that nobody can be driven
 /// through: without lanes, points of the attacker or an ego at now; times that do not increase; an
 /// attacker that does not start now, or touches the ego then.

@@ -38,7 +38,10 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
   one.scenario.snapshot.now = scenario.asked.now;
   one.status = scenario.answer.status;
   if (one.status.code != StatusCode::kOk) return one;
+  const CrashDefinition& asked = scenario.asked.request.crash;
   one.request.crash = study.crash;
+  one.request.crash.believable = asked.believable;
+  one.request.crash.limits = asked.limits;
   auto found = momentAt(indexed, scenario.asked.now, study.attack.prediction.history_frames);
   if (const Status* status = std::get_if<Status>(&found)) {
     one.status = *status;
@@ -51,6 +54,7 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
                   one.request.type,
                   scenario.ego,
                   indexed.lanes};
+  showPast(one.scenario);
   one.pattern = scenario.answer.aim;
   return one;
 }
@@ -65,7 +69,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
   one.clip = clip;
   one.scene = clip.scene;
   one.request = requestOf(clip, attacker == ClipAttacker::kReplay ? Mode::kReplay : Mode::kHistory,
-                          study.attack.prediction.min_tta, withAngleRules(study.crash));
+                          study.attack.prediction.min_tta, rulesOfClips(study.crash));
   one.scenario = {snapshotAt(scene, clip.now(), study.attack.prediction.history_frames),
                   recordedFuture(scene, clip.now()),
                   {},

@@ -33,7 +33,7 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
 /// Who attacks in a clip of COLLIDE: the set's own attacker, or ours on the set's request.
 enum class ClipAttacker { kRecorded, kHistory, kReplay };
 
-/// A clip of COLLIDE, boxes as the set's. Ours are searched by the heading alone (withAngleRules())
+/// A clip of COLLIDE, boxes as the set's. Ours are searched by the heading alone (rulesOfClips())
 /// and declined as the configuration says.
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                        std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,

@@ -213,16 +213,16 @@ PlannerTable caseTable(const Measure& measure,
 
 std::vector<PlannerTable> avoidabilityTables(const std::vector<PlannerTestResult>& results,
                                              const StatisticsOptions& options) {
-  const auto worksFromNow = [](Manoeuvre manoeuvre) -> IsMet {
+  const auto worksFromNow = [](EvasiveManoeuvre manoeuvre) -> IsMet {
     return [=](const PlannerTestResult& result) {
       const auto& found = result.avoidability.from_now;
       return std::find(found.begin(), found.end(), manoeuvre) != found.end();
     };
   };
   std::vector<std::pair<std::string, IsMet>> manoeuvres;
-  for (const Manoeuvre manoeuvre :
-       {Manoeuvre::kKeeping, Manoeuvre::kBraking, Manoeuvre::kAccelerating, Manoeuvre::kSteering,
-        Manoeuvre::kBoth}) {
+  for (const EvasiveManoeuvre manoeuvre :
+       {EvasiveManoeuvre::kKeeping, EvasiveManoeuvre::kBraking, EvasiveManoeuvre::kAccelerating,
+        EvasiveManoeuvre::kSteering, EvasiveManoeuvre::kBoth}) {
     manoeuvres.emplace_back(toString(manoeuvre), worksFromNow(manoeuvre));
   }
   return {caseTable({"strict", "Crashes that meet the strict protocol", {}, false},

@@ -13,9 +13,10 @@ namespace forge {
 /// What is kept of an Avoidability.
 struct AvoidabilitySummary {
   bool is_avoidable = false;
-  std::vector<Manoeuvre> from_now;       ///< those that work from now on
-  Manoeuvre last = Manoeuvre::kKeeping;  ///< these three with is_avoidable: the witness with the
-  double last_after = 0.0;               ///< latest start, s from now
+  std::vector<EvasiveManoeuvre> from_now;  ///< those that work from now on
+  EvasiveManoeuvre last =
+      EvasiveManoeuvre::kKeeping;  ///< these three with is_avoidable: the witness with the
+  double last_after = 0.0;         ///< latest start, s from now
   double off_road_share = 0.0;
 };
 

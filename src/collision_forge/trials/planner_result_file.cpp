@@ -17,7 +17,7 @@ void writeAvoidability(JsonLineWriter& writer, const AvoidabilitySummary& summar
   writer.beginObject("avoidability");
   writer.flag("avoidable", summary.is_avoidable);
   std::vector<std::string> names;
-  for (const Manoeuvre manoeuvre : summary.from_now) names.emplace_back(toString(manoeuvre));
+  for (const EvasiveManoeuvre manoeuvre : summary.from_now) names.emplace_back(toString(manoeuvre));
   writer.texts("from_now", names);
   if (summary.is_avoidable) {
     writer.beginObject("last");
@@ -132,14 +132,14 @@ AvoidabilitySummary readAvoidability(JsonObject object) {
   AvoidabilitySummary summary;
   summary.is_avoidable = object.flag("avoidable");
   for (const std::string& name : object.texts("from_now")) {
-    const auto manoeuvre = manoeuvreFromString(name);
+    const auto manoeuvre = evasiveManoeuvreFromString(name);
     if (!manoeuvre) object.fail("from_now", "\"" + name + "\" is no manoeuvre");
     summary.from_now.push_back(*manoeuvre);
   }
   auto last = object.objectOrNull("last");
   if (last.has_value() != summary.is_avoidable) object.fail("last", "does not fit avoidable");
   if (last) {
-    summary.last = readName(*last, "manoeuvre", manoeuvreFromString);
+    summary.last = readName(*last, "manoeuvre", evasiveManoeuvreFromString);
     summary.last_after = last->number("start_t");
     summary.off_road_share = last->number("off_road_share");
     last->finish();

@@ -1,0 +1,15 @@
+#include "collision_forge/study/allowed_requests.h"
+
+#include "collision_forge/verify/believability.h"
+
+namespace forge {
+
+bool roadAllowsAsked(const SceneRequest& asked, const IndexedScene& recording,
+                     const StudyOptions& options) {
+  CollisionRequest request = asked.request;
+  request.crash = options.crash;
+  return roadAllows(recording.scene.ego, asked.now, request, *recording.lanes,
+                    options.attack.verification.believability);
+}
+
+}  // namespace forge
