@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "collision_forge/app/options.h"
+
 namespace forge {
 namespace {
 
@@ -178,7 +180,50 @@ TEST(CommandLine, HelpTellsDefaults) {
   EXPECT_THAT(read("test --help").out,
               AllOf(HasSubstr("{replay,idm}=replay"),
                     HasSubstr("{recorded,history,replay}=recorded"), HasSubstr("=val")));
-  EXPECT_THAT(read("requests --help").out, HasSubstr("{any,each}=any"));
+  EXPECT_THAT(read("requests --help").out, HasSubstr("{any,existing,new,each}=any"));
+}
+
+TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {
+  for (const std::string command : {"inject", "generate", "requests"}) {
+    const std::string line = command + kComplete.at(command);
+    for (const char* good :
+         {" --believable false", " --limits strict", " --attacker-class bus",
+          " --manoeuvre lead_brakes", " --ego-side rear", " --impact-speed 2 9.5"}) {
+      EXPECT_EQ(read(line + good).exit_code, std::nullopt) << command << good;
+    }
+    for (const char* bad : {" --believable maybe", " --limits none", " --attacker-class pedestrian",
+                            " --manoeuvre drift", " --ego-side top"}) {
+      const std::string word = std::string(bad).substr(std::string(bad).rfind(' ') + 1);
+      EXPECT_THAT(read(line + bad).err, HasSubstr(word)) << command;
+      EXPECT_EQ(read(line + bad).exit_code, kExitUsage) << command << bad;
+    }
+    EXPECT_EQ(read(line + " --impact-speed 2").exit_code, kExitUsage) << command;
+    EXPECT_THAT(read(command + " --help").out,
+                AllOf(HasSubstr("lane_change: cut_in, merge, pull_out"), HasSubstr("MIN MAX")));
+  }
+}
+
+TEST(RequestControls, SayWhatIsGivenAlone) {
+  CollisionRequest request;
+  request.attacker = "a";
+  request.crash.believable = false;
+  RequestControls controls;
+  controls.applyTo(request);
+  EXPECT_EQ(request.attacker, "a");
+  EXPECT_FALSE(request.crash.believable);
+  controls.attacker = "b";
+  controls.believable = true;
+  controls.ego_side = Side::kLeft;
+  controls.applyTo(request);
+  EXPECT_EQ(request.attacker, "b");
+  EXPECT_EQ(request.choice, AttackerChoice::kAny);
+  EXPECT_TRUE(request.crash.believable);
+  EXPECT_EQ(request.ego_side, Side::kLeft);
+  EXPECT_FALSE(request.manoeuvre);
+  controls.attacker = "new";
+  controls.applyTo(request);
+  EXPECT_FALSE(request.attacker);
+  EXPECT_EQ(request.choice, AttackerChoice::kNew);
 }
 
 TEST(CommandLine, WordsOfDefaultsAreAcceptedAsValues) {

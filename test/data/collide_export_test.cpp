@@ -163,6 +163,23 @@ TEST(CollideExport, AttackerIsAsRecordedUpToNowThenOnItsTrajectory) {
   }
 }
 
+TEST(CollideExport, AnAddedAttackerIsAsItsPastSaysUpToNow) {
+  Scenario scenario = attack();
+  AttackerTrajectory& trajectory = scenario.answer.trajectory;
+  trajectory.attacker_id = "added";
+  EXPECT_EQ(obstacleOf(scenario), ClipObstacle::kAttackerMissing);
+  trajectory.past = agent("added", AgentClass::kCar, 0, kNow, 55.0).states;
+  const CollideClip clip = clipOf(scenario);
+  EXPECT_EQ(clip.attacker_id, "added");
+  for (int frame = 0; frame <= kCollideNowFrame; ++frame) {
+    const CollideState& state = *clip.attacker().frames[frame];
+    EXPECT_NEAR(state.pose.x, 100.0 - kGap + kEgoSpeed * (clip.times[frame] - clip.now()), 1e-5);
+    EXPECT_EQ(state.pose.y, 55.0);
+  }
+  trajectory.past.erase(trajectory.past.begin(), trajectory.past.begin() + kFirst + 1);
+  EXPECT_EQ(obstacleOf(scenario), ClipObstacle::kAttackerMissing);
+}
+
 TEST(CollideExport, HeadingOnTheTrajectoryTurnsTheShorterWay) {
   Scenario scenario = attack();
   // Frame 8 is 0.54 s after now: between the points at 0.5 and 0.6 s.

@@ -28,6 +28,21 @@ std::string complaintOf(const std::string& text, const Read& read) {
 
 const auto kNothing = [](JsonObject&) {};
 
+TEST(JsonLine, TellsWhichKeysAreThere) {
+  const JsonLine line("", R"({"a":null,"l":[{"y":2}],"n":null})");
+  JsonObject object = line.root();
+  EXPECT_TRUE(object.has("a"));
+  EXPECT_FALSE(object.has("b"));
+  EXPECT_FALSE(object.textOrNull("a"));
+  EXPECT_FALSE(object.has("a")) << "it has been read";
+  EXPECT_FALSE(object.objectsOrNull("n"));
+  auto list = object.objectsOrNull("l");
+  ASSERT_TRUE(list);
+  EXPECT_EQ(list->at(0).number("y"), 2.0);
+  EXPECT_THAT(complaintOf(R"({"l":1})", [](JsonObject& other) { other.objectsOrNull("l"); }),
+              HasSubstr("l = 1 is not an array"));
+}
+
 TEST(JsonLine, ReadsEveryKind) {
   const JsonLine line("", R"({"t":"a\"b","n":-1.5e3,"c":18446744073709551615,"f":true,
                               "o":{"x":1},"v":[1,-2.5],"w":["a",""],"l":[{"y":2},{"y":3}],"z":null})");

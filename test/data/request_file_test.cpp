@@ -71,6 +71,34 @@ TEST(RequestFile, ALineIsReadAsItWasWritten) {
   EXPECT_EQ(read.request.seed, 18446744073709551615u);
 }
 
+TEST(RequestFile, WhatIsNotByDefaultIsAFieldMore) {
+  SceneRequest asked = request();
+  asked.request.choice = AttackerChoice::kExisting;
+  asked.request.crash.believable = false;
+  asked.request.ego_side = Side::kLeft;
+  const std::string line = requestLine(asked);
+  EXPECT_THAT(line, HasSubstr(R"(615,"choice":"existing","believable":false,"ego_side":"left"})"));
+  const CollisionRequest read = readRequestLine("", line).request;
+  EXPECT_EQ(read.choice, AttackerChoice::kExisting);
+  EXPECT_FALSE(read.crash.believable);
+  EXPECT_EQ(read.ego_side, Side::kLeft);
+  EXPECT_FALSE(read.manoeuvre);
+}
+
+TEST(RequestFile, TheRequestPrecedesTheConfiguration) {
+  CrashDefinition configured;
+  configured.believable = false;
+  configured.time_tolerance = 0.25;
+  EXPECT_FALSE(readRequestLine("", kLine, configured).request.crash.believable);
+  EXPECT_EQ(readRequestLine("", kLine, configured).request.crash.time_tolerance, 0.25);
+  std::string line = kLine;
+  replaceIn(line, "\"seed\"", "\"believable\":true,\"seed\"");
+  const SceneRequest read = readRequestLine("", line, configured);
+  EXPECT_TRUE(read.request.crash.believable);
+  EXPECT_THAT(requestLine(read, configured), HasSubstr("\"believable\":true"));
+  EXPECT_EQ(requestLine(read), kLine);
+}
+
 TEST(RequestFile, ShortTypeNamesAndNullAreRead) {
   std::string line = kLine;
   replaceIn(line, "ltap", "JC");
@@ -94,6 +122,7 @@ TEST(RequestFile, MalformedFieldsAreNamed) {
   EXPECT_THAT(complaintAbout(kLine, "\"seed\"", "\"sead\""), field("seed is missing"));
   EXPECT_THAT(complaintAbout(kLine, "\"seed\"", "\"mode\":\"replay\",\"seed\""), field("mode"));
   EXPECT_THAT(complaintAbout(kLine, "\"seed\"", "\"tta\":4.5,\"seed\""), field("tta"));
+  EXPECT_THAT(complaintAbout(kLine, "\"seed\"", "\"choice\":\"none\",\"seed\""), field("choice"));
 }
 
 TEST(RequestFile, AFileIsReadAsItWasWritten) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "data/nuscenes_fixture.h"
@@ -17,13 +18,23 @@ constexpr double kNow = 1531883530.949817;  // s
 
 Scenario attack() {
   Scenario scenario;
-  scenario.asked = {"scene-0001", kNow, {CollisionType::kRearEnd, 4.0, "a1", Mode::kReplay, 7, {}}};
+  scenario.asked.scene = "scene-0001";
+  scenario.asked.now = kNow;
+  CollisionRequest& request = scenario.asked.request;
+  request.tta = 4.0;
+  request.attacker = "a1";
+  request.mode = Mode::kReplay;
+  request.seed = 7;
+  request.crash.believable = false;
+  request.crash.limits = LimitSet::kStrict;
+  request.attacker_class = AgentClass::kTruck;
+  request.ego_side = Side::kRear;
   scenario.ego = {{4.084, 1.73}, 1.385};
   Realization& answer = scenario.answer;
   answer.aim = {CollisionType::kRearEnd, "a1", kNow + 4.0, {{40.0, 1.0, 0.5}, {4.084, 1.73}},
                 {-4.3, 0.25, 0.125},     12.5};
   answer.miss = {0.25, 0.0625};
-  answer.trajectory = {"a1", AgentClass::kCar, {4.6, 1.9}, {}};
+  answer.trajectory = {"a1", AgentClass::kTruck, {4.6, 1.9}, {}};
   answer.trajectory.points = {{kNow, {1.0, 2.0, 0.25}, 9.0, 0.5, 0.01},
                               {kNow + 0.1, {1.9, 2.0, 0.3}, 9.05, -0.5, -0.02}};
   CollisionReport& report = answer.report;
@@ -34,15 +45,21 @@ Scenario attack() {
   report.attacker_at_contact = {34.5, 1.25, 0.5625};
   report.impact_speed = 4.5;
   report.off_road_share = 0.75;
+  report.manoeuvre_begin = kNow + 1.5;
+  report.road = {0.5, 0.25, 0.0, 0.125, 0.0625};
+  report.unbelievable = "is on a walkway for 12 %";
   report.confidence = 0.6;
   return scenario;
 }
 
 // Derived by hand from attack() and docs/scenarios.md.
 const char* const kAttackLine =
-    R"({"format":"collision_forge/scenario","version":2,"scene":"scene-0001","now":1531883530.949817,)"
-    R"("request":{"type":"rear_end","tta":4,"attacker":"a1","mode":"replay","seed":7},)"
-    R"("status":{"code":"OK","message":""},"attacker":{"id":"a1","length":4.6,"width":1.9,"trajectory":[)"
+    R"({"format":"collision_forge/scenario","version":3,"scene":"scene-0001","now":1531883530.949817,)"
+    R"("request":{"type":"rear_end","tta":4,"attacker":"a1","choice":"any","believable":false,)"
+    R"("limits":"strict","attacker_class":"truck","manoeuvre":null,"ego_side":"rear","impact_speed":null,)"
+    R"("mode":"replay","seed":7},)"
+    R"("status":{"code":"OK","message":""},"attacker":{"id":"a1","class":"truck","origin":"recorded",)"
+    R"("length":4.6,"width":1.9,"past":null,"trajectory":[)"
     R"({"t":0,"x":1,"y":2,"yaw":0.25,"v":9,"a":0.5,"kappa":0.01},)"
     R"({"t":0.1,"x":1.9,"y":2,"yaw":0.3,"v":9.05,"a":-0.5,"kappa":-0.02}]},)"
     R"("pattern":{"t":4,"ego":{"x":40,"y":1,"yaw":0.5},"attacker_offset":{"x":-4.3,"y":0.25,"yaw":0.125},)"
@@ -50,8 +67,28 @@ const char* const kAttackLine =
     R"("relative_heading":0.0625,"ego_at_contact":{"x":39,"y":1,"yaw":0.5},)"
     R"("attacker_at_contact":{"x":34.5,"y":1.25,"yaw":0.5625},"ego_side":"rear","attacker_side":"front",)"
     R"("impact_speed":4.5,"type_kept":true,)"
-    R"("on_time":true,"limits_kept":true,"broken_limit":null,"first_other":null,"off_road_share":0.75},)"
+    R"("on_time":true,"limits_kept":true,"broken_limit":null,"first_other":null,"off_road_share":0.75,"manoeuvre":"follower_closes",)"
+    R"("manoeuvre_begin_t":1.5,"on_lane":0.5,"wrong_way":0.25,"on_walkway":0.125,"on_island":0.0625,)"
+    R"("believable":false,"unbelievable":"is on a walkway for 12 %"},)"
     R"("ego":{"length":4.084,"width":1.73,"center_offset":1.385}})";
+
+/// By a vehicle that was added, on a request that names all that can be.
+Scenario addedAttack() {
+  Scenario scenario = attack();
+  CollisionRequest& request = scenario.asked.request;
+  request.attacker.reset();
+  request.choice = AttackerChoice::kNew;
+  request.crash.believable = true;
+  request.crash.limits = LimitSet::kDrivable;
+  request.manoeuvre = Manoeuvre::kFollowerCloses;
+  request.impact_speed = Range{3.0, 6.5};
+  AttackerTrajectory& trajectory = scenario.answer.trajectory;
+  const Pose2 before{-8.0, 2.0, 0.3};
+  trajectory.past = {{kNow - 0.5, before, 9.1234567 * before.heading()},
+                     {kNow, {1.0, 2.0, 0.25}, 9.0 * Pose2{0.0, 0.0, 0.25}.heading()}};
+  scenario.answer.report.unbelievable.clear();
+  return scenario;
+}
 
 Scenario refusal() {
   Scenario scenario = attack();
@@ -76,16 +113,62 @@ TEST(ScenarioFile, AnAttackHasTheDocumentedForm) { EXPECT_EQ(scenarioLine(attack
 TEST(ScenarioFile, ARefusalHasNullsAndItsMessage) {
   EXPECT_THAT(
       scenarioLine(refusal()),
-      AllOf(HasSubstr(R"("attacker":null,"mode")"),
+      AllOf(HasSubstr(R"("attacker":null,"choice":"any")"),
             HasSubstr(
                 R"("status":{"code":"NO_CANDIDATE","message":"nobody \"near\""},"attacker":null,)"
                 R"("pattern":null,"confidence":null,"report":null,"ego":{)")));
 }
 
 TEST(ScenarioFile, LinesAreReadAsTheyWereWritten) {
-  for (const Scenario& scenario : {attack(), refusal()}) {
+  for (const Scenario& scenario : {attack(), addedAttack(), refusal()}) {
     const std::string line = scenarioLine(scenario);
     EXPECT_EQ(scenarioLine(readScenarioLine("", line)), line);
+  }
+}
+
+TEST(ScenarioFile, ControlsAreReadAsTheyWereAskedFor) {
+  const Scenario read = readScenarioLine("", scenarioLine(addedAttack()));
+  const CollisionRequest& request = read.asked.request;
+  EXPECT_EQ(request.choice, AttackerChoice::kNew);
+  EXPECT_TRUE(request.crash.believable);
+  EXPECT_EQ(request.crash.limits, LimitSet::kDrivable);
+  EXPECT_EQ(request.attacker_class, AgentClass::kTruck);
+  EXPECT_EQ(request.manoeuvre, Manoeuvre::kFollowerCloses);
+  EXPECT_EQ(request.ego_side, Side::kRear);
+  ASSERT_TRUE(request.impact_speed);
+  EXPECT_EQ(request.impact_speed->min, 3.0);
+  EXPECT_EQ(request.impact_speed->max, 6.5);
+}
+
+TEST(ScenarioFile, AnAddedVehicleHasAPastAndItsClass) {
+  const std::string line = scenarioLine(addedAttack());
+  EXPECT_THAT(line, AllOf(HasSubstr(R"("origin":"added")"),
+                          HasSubstr(R"("past":[{"t":-0.5,"x":-8,"y":2,"yaw":0.3,"v":9.123457},)")));
+  const AttackerTrajectory read = readScenarioLine("", line).answer.trajectory;
+  EXPECT_TRUE(read.isAdded());
+  EXPECT_EQ(read.agent_class, AgentClass::kTruck);
+  ASSERT_EQ(read.past.size(), 2u);
+  EXPECT_NEAR(read.past[0].time, kNow - 0.5, 5e-7);
+  EXPECT_NEAR(read.past[0].velocity.x(), 9.1234567 * std::cos(0.3), 1e-6);
+  EXPECT_FALSE(readScenarioLine("", kAttackLine).answer.trajectory.isAdded());
+}
+
+TEST(ScenarioFile, WhatTheAttackerDoesIsReadBack) {
+  const CollisionReport read = readScenarioLine("", kAttackLine).answer.report;
+  EXPECT_EQ(read.manoeuvre, Manoeuvre::kFollowerCloses);
+  EXPECT_NEAR(read.manoeuvre_begin, kNow + 1.5, 5e-7);
+  EXPECT_EQ(read.road.on_lane, 0.5);
+  EXPECT_EQ(read.road.wrong_way, 0.25);
+  EXPECT_EQ(read.road.on_walkway, 0.125);
+  EXPECT_EQ(read.road.on_island, 0.0625);
+  EXPECT_EQ(read.unbelievable, "is on a walkway for 12 %");
+}
+
+TEST(ScenarioFile, OlderVersionsAreToBeGeneratedAnew) {
+  for (const char* old : {"1", "2"}) {
+    EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":3", std::string("\"version\":") + old),
+                AllOf(HasSubstr(std::string("version = ") + old + " is not 3"),
+                      HasSubstr("generate the file anew")));
   }
 }
 
@@ -109,7 +192,6 @@ TEST(ScenarioFile, MalformedLinesNameTheField) {
     return AllOf(HasSubstr("file: line 9: field "), HasSubstr(name));
   };
   EXPECT_THAT(complaintAbout(kAttackLine, "forge/scenario", "forge/request"), field("format"));
-  EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":2", "\"version\":1"), field("version = 1"));
   EXPECT_THAT(complaintAbout(kAttackLine, "\"rear_end\"", "\"drift\""), field("request.type"));
   EXPECT_THAT(complaintAbout(kAttackLine, "\"replay\"", "\"live\""), field("request.mode"));
   EXPECT_THAT(complaintAbout(kAttackLine, "\"OK\"", "\"FINE\""), field("status.code"));
@@ -121,6 +203,20 @@ TEST(ScenarioFile, MalformedLinesNameTheField) {
               field("ego.extra"));
   EXPECT_THAT(complaintAbout(kAttackLine, "\"on_time\":true", "\"on_time\":false"),
               field("report.verified"));
+  EXPECT_THAT(
+      complaintAbout(kAttackLine, "\"believable\":false,\"unb", "\"believable\":true,\"unb"),
+      field("report.believable"));
+  EXPECT_THAT(complaintAbout(kAttackLine, "\"follower_closes\"", "\"drifts\""),
+              field("report.manoeuvre"));
+  EXPECT_THAT(complaintAbout(kAttackLine, "\"class\":\"truck\"", "\"class\":\"van\""),
+              field("attacker.class"));
+  EXPECT_THAT(complaintAbout(kAttackLine, "\"recorded\"", "\"found\""), field("attacker.origin"));
+  EXPECT_THAT(complaintAbout(kAttackLine, "\"recorded\"", "\"added\""),
+              AllOf(field("attacker.past"), HasSubstr("added")));
+  EXPECT_THAT(complaintAbout(scenarioLine(addedAttack()), "\"added\"", "\"recorded\""),
+              field("attacker.past"));
+  EXPECT_THAT(complaintAbout(kAttackLine, "\"choice\":\"any\",", ""),
+              field("request.choice is missing"));
   for (const std::string impossible : {"-4", "0", "1e999"}) {
     EXPECT_THAT(
         complaintAbout(kAttackLine, "\"length\":4.6", "\"length\":" + impossible),

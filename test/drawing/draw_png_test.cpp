@@ -101,6 +101,8 @@ TEST_F(DrawPng, WithTheContactAloneNothingElseOfTheReportIsSaid) {
     report.first_other_id = "truck";
     report.off_road_share = 0.52;
     report.confidence = 0.25;
+    report.manoeuvre = Manoeuvre::kWrongWay;
+    report.unbelievable = "drives against its lane for 90 %";
     return report;
   };
   const auto bytesWith = [this](bool contact_alone, const CollisionReport& report) {
@@ -116,6 +118,29 @@ TEST_F(DrawPng, WithTheContactAloneNothingElseOfTheReportIsSaid) {
   CollisionReport later = known;
   later.on_time = !later.on_time;
   EXPECT_NE(bytesWith(true, later), alone);
+}
+
+TEST_F(DrawPng, TheCaptionTellsManoeuvreBeliefAndWhetherTheAttackerWasAdded) {
+  const auto bytesWith = [this](const ScenarioView& view) {
+    view_ = view;
+    draw();
+    return readBytes(path_);
+  };
+  ScenarioView plain = sampleView();
+  plain.report.manoeuvre = Manoeuvre::kMerge;
+  const std::string bytes = bytesWith(plain);
+  ScenarioView other = plain;
+  other.report.manoeuvre = Manoeuvre::kCutIn;
+  EXPECT_NE(bytesWith(other), bytes);
+  other = plain;
+  other.report.manoeuvre_begin = plain.snapshot.now + 1.5;
+  EXPECT_NE(bytesWith(other), bytes);
+  other = plain;
+  other.report.unbelievable = "is on a walkway for 12 %";
+  EXPECT_NE(bytesWith(other), bytes);
+  other = plain;
+  other.trajectory.past = plain.snapshot.agents.front().states;
+  EXPECT_NE(bytesWith(other), bytes);
 }
 
 TEST_F(DrawPng, NeedsNoMap) {

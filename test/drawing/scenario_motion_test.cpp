@@ -20,6 +20,20 @@ TEST(ScenarioMotion, JoinsPastAndFuture) {
   EXPECT_FALSE(motion.attackerAt(97.9));
 }
 
+TEST(ScenarioMotion, AnAddedAttackerComesFromItsOwnPast) {
+  ScenarioView view = sampleView();
+  view.snapshot.agents.erase(view.snapshot.agents.begin());
+  EXPECT_FALSE(ScenarioMotion(view).attackerAt(99.0));
+  view.trajectory.past = {{98.5, {-30.0, 0.0, 0.0}, {10.0, 0.0}},
+                          {99.5, {-20.0, 0.0, 0.0}, {10.0, 0.0}},
+                          {100.0, {-15.0, 0.0, 0.0}, {10.0, 0.0}}};
+  const ScenarioMotion motion(view);
+  EXPECT_DOUBLE_EQ(motion.attackerAt(99.0)->center.x, -25.0);
+  EXPECT_EQ(motion.attackerAt(99.0)->size.length, view.trajectory.size.length);
+  EXPECT_FALSE(motion.attackerAt(98.4));
+  EXPECT_EQ(motion.othersAt(99.0).size(), 1U);
+}
+
 TEST(ScenarioMotion, FreezesEgoAndAttackerFromContactOn) {
   const ScenarioView view = sampleView();
   const ScenarioMotion motion(view);

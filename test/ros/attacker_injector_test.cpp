@@ -1,6 +1,12 @@
 #include <gtest/gtest.h>
+#include <rosbag/view.h>
+#include <unistd.h>
 
+#include <filesystem>
+
+#include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/injection.h"
+#include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 namespace {
@@ -61,6 +67,82 @@ TEST(AttackerInjector, OneThatStartsLateTakesTheHeightFromTheFirstFrameThatHasIt
     EXPECT_EQ(injected.agents[1].size.z, 1.6);
     EXPECT_EQ(injected.agents[1].pose.position.z, 0.8);
     EXPECT_EQ(injected.agents[1].pose.position.x, 5.0);
+  }
+}
+
+/// Nobody recorded it: at x = -10 at 9 s, -5 at 9.5 s, 0 at 10 s.
+collision_forge::AttackerTrajectory addedTrajectory() {
+  collision_forge::AttackerTrajectory message = trajectory();
+  message.attacker_id = "new";
+  message.agent_class = collision_forge::Agent::TRUCK;
+  message.added = true;
+  for (int i = 0; i <= 2; ++i) {
+    message.past.emplace_back();
+    message.past.back().stamp = ros::Time(9.0 + 0.5 * i);
+    message.past.back().pose.x = -10.0 + 5.0 * i;
+    message.past.back().velocity_x = 10.0;
+  }
+  return message;
+}
+
+TEST(AttackerInjector, OneThatWasAddedIsANewAgentFromItsFirstStateOn) {
+  AttackerInjector injector(addedTrajectory());
+  EXPECT_EQ(injector.inject(frame(8.5, 1.6)), frame(8.5, 1.6));
+  double x = -10.0;
+  for (const double time : {9.0, 9.5, 10.0, 10.5}) {
+    const auto injected = injector.inject(frame(time, 1.6));
+    ASSERT_EQ(injected.agents.size(), 3u);
+    EXPECT_EQ(injected.agents[0], frame(time, 1.6).agents[0]);
+    EXPECT_EQ(injected.agents[1], frame(time, 1.6).agents[1]);
+    const collision_forge::Agent& added = injected.agents[2];
+    EXPECT_EQ(added.id, "new");
+    EXPECT_EQ(added.agent_class, collision_forge::Agent::TRUCK);
+    EXPECT_EQ(added.size.x, 4.5);
+    EXPECT_EQ(added.pose.position.x, x);
+    EXPECT_EQ(added.velocity.x, 10.0);
+    x += 5.0;
+  }
+  EXPECT_EQ(injector.inject(frame(11.1, 1.6)), frame(11.1, 1.6));
+}
+
+TEST(InjectIntoBag, OneThatWasAddedIsThereFromItsFirstStateOn) {
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("collision_forge_injection_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  const std::string in = folder / "in.bag";
+  const std::string out = folder / "out.bag";
+  const std::string agents = bagTopic(names::kAgents);
+  const std::vector<double> times = {8.5, 9.0, 9.5, 10.0, 10.5, 11.5};
+  {
+    NewBag bag(in);
+    for (const double time : times) bag.write(agents, ros::Time(time), frame(time, 1.6));
+    bag.commit();
+  }
+  collision_forge::Attack attack;
+  attack.trajectory = addedTrajectory();
+  attack.trajectory.header.stamp = ros::Time(10.0);
+  injectIntoBag(in, out, attack, {});
+  const rosbag::Bag bag(out, rosbag::bagmode::Read);
+  std::vector<std::size_t> counts;
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(agents))) {
+    counts.push_back(instance.instantiate<collision_forge::AgentArray>()->agents.size());
+  }
+  EXPECT_EQ(counts, (std::vector<std::size_t>{2, 3, 3, 3, 3, 2}));
+  EXPECT_EQ(rosbag::View(bag, rosbag::TopicQuery(bagTopic(names::kAttack))).size(), 1u);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(AttackerInjector, OneThatWasAddedIsAsHighAsTheNearestOfItsClass) {
+  AttackerInjector injector(addedTrajectory());
+  auto recorded = frame(9.5, 1.6);
+  recorded.agents[0].agent_class = collision_forge::Agent::TRUCK;
+  recorded.agents[0].size.z = 3.0;
+  recorded.agents[0].pose.position.x = 50.0;
+  recorded.agents[0].pose.position.z = 1.7;
+  for (const collision_forge::Agent& added :
+       {injector.inject(recorded).agents[2], injector.inject(frame(10.5, 1.6)).agents[2]}) {
+    EXPECT_EQ(added.size.z, 3.0);
+    EXPECT_EQ(added.pose.position.z, 1.7);
   }
 }
 

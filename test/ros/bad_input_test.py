@@ -55,6 +55,18 @@ class BadInputTest(MadeUpTest):
             answer = self.ask_for_code('UNKNOWN_TYPE', name)
             self.assertIn('collision_type = "{}"'.format(name), answer.message)
 
+    def test_controls_that_mean_nothing_or_contradict_each_other(self):
+        self.show(drive(6))
+        for fields, words in ((dict(choice='old'), 'choice = "old"'), (dict(manoeuvre='drift'), 'manoeuvre = "drift"'),
+                              (dict(manoeuvre='cut_in'), 'manoeuvre = cut_in is none of type rear_end'),
+                              (dict(attacker='behind', choice='new'), 'choice = new'),
+                              (dict(attacker_class='pedestrian'), 'attacker_class = pedestrian'),
+                              (dict(min_impact_speed=9.0, max_impact_speed=2.0), 'impact_speed = 9 to 2 m/s'),
+                              (dict(believable='true', limits='strict'), 'believable = false')):
+            answer = self.ask_for_code('INVALID_INPUT', 'rear_end', 4.0, **fields)
+            self.assertIn(words, answer.message)
+        self.assert_works()
+
     def test_tta_out_of_range(self):
         self.show(drive(6))
         for tta in (0.0, 0.4999, 9.0001, -4.0, 1e300, math.inf, -math.inf, math.nan):
@@ -168,7 +180,8 @@ class BadInputTest(MadeUpTest):
             for collision_type in ('lane_change', 'opposite_direction', 'rear_end', 'junction_crossing', 'ltap'):
                 answer = ask(collision_type, 4.0)
                 self.assertIn(road.CODES[answer.code],
-                              ('OK', 'NO_CANDIDATE', 'NO_ATTACK_WITHIN_LIMITS', 'LOW_CONFIDENCE'))
+                              ('OK', 'NO_CANDIDATE', 'NO_ATTACK_WITHIN_LIMITS', 'LOW_CONFIDENCE', 'NOT_BELIEVABLE',
+                               'ROAD_DOES_NOT_ALLOW'))
                 self.assertEqual(answer.message == '', answer.code == 0)
                 if answer.code == 0:
                     self.assertTrue(answer.attack.report.verified)

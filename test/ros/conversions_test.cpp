@@ -63,5 +63,134 @@ TEST(AttackerTrajectoryMessage, MustBeOfNumbersWhoseTimesGrow) {
   EXPECT_NE(complaintAbout(message), "");
 }
 
+TEST(AttackerTrajectoryMessage, HasAPastIfItWasAdded) {
+  auto message = drivenFor(2);
+  for (const double time : {9.0, 9.5, 10.0}) {
+    message.past.emplace_back();
+    message.past.back().stamp = ros::Time(time);
+    message.past.back().velocity_x = time;
+  }
+  EXPECT_EQ(complaintAbout(message), "attacker a: past, but not added");
+  message.added = true;
+  const AttackerTrajectory read = fromMessage(message);
+  EXPECT_TRUE(read.isAdded());
+  ASSERT_EQ(read.past.size(), 3u);
+  EXPECT_EQ(read.past[1].velocity.x(), 9.5);
+  const auto again = toMessage(read);
+  EXPECT_TRUE(again.added);
+  EXPECT_EQ(again.past, message.past);
+  message.past[2].stamp = message.past[1].stamp;
+  EXPECT_EQ(complaintAbout(message), "attacker a: past[2].stamp is not after the one before");
+  message.past[1].pose.x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(complaintAbout(message), "attacker a: past[1] is not finite");
+  message.past.clear();
+  EXPECT_EQ(complaintAbout(message), "attacker a: added, without a past");
+  EXPECT_FALSE(toMessage(fromMessage(drivenFor(2))).added);
+}
+
+collision_forge::CollisionRequest leadBrakes() {
+  collision_forge::CollisionRequest message;
+  message.collision_type = "rear_end";
+  message.tta = 4.0;
+  return message;
+}
+
+TEST(CollisionRequestMessage, SaysWhatIsNotAsConfigured) {
+  CrashDefinition configured;
+  configured.believable = false;
+  configured.time_tolerance = 0.25;
+  auto message = leadBrakes();
+  auto request = std::get<CollisionRequest>(fromMessage(message, configured));
+  EXPECT_EQ(request.choice, AttackerChoice::kAny);
+  EXPECT_FALSE(request.crash.believable);
+  EXPECT_EQ(request.crash.time_tolerance, 0.25);
+  EXPECT_FALSE(request.attacker_class || request.manoeuvre || request.ego_side ||
+               request.impact_speed);
+  message.choice = "new";
+  message.believable = "true";
+  message.limits = "strict";
+  message.attacker_class = "bus";
+  message.manoeuvre = "lead_brakes";
+  message.ego_side = "front";
+  message.max_impact_speed = 6.0;
+  request = std::get<CollisionRequest>(fromMessage(message, configured));
+  EXPECT_EQ(request.choice, AttackerChoice::kNew);
+  EXPECT_TRUE(request.crash.believable);
+  EXPECT_EQ(request.crash.limits, LimitSet::kStrict);
+  EXPECT_EQ(request.attacker_class, AgentClass::kBus);
+  EXPECT_EQ(request.manoeuvre, Manoeuvre::kLeadBrakes);
+  EXPECT_EQ(request.ego_side, Side::kFront);
+  ASSERT_TRUE(request.impact_speed);
+  EXPECT_EQ(request.impact_speed->max, 6.0);
+}
+
+TEST(CollisionRequestMessage, NamesFieldAndValueOfAWordThatMeansNothing) {
+  using Message = collision_forge::CollisionRequest;
+  const std::pair<const char*, std::string Message::*> fields[] = {
+      {"choice", &Message::choice},
+      {"believable", &Message::believable},
+      {"limits", &Message::limits},
+      {"attacker_class", &Message::attacker_class},
+      {"manoeuvre", &Message::manoeuvre},
+      {"ego_side", &Message::ego_side},
+      {"mode", &Message::mode}};
+  for (const auto& [name, field] : fields) {
+    Message message = leadBrakes();
+    message.*field = "odd";
+    const auto read = fromMessage(message, {});
+    const Status* status = std::get_if<Status>(&read);
+    ASSERT_NE(status, nullptr) << name;
+    EXPECT_EQ(status->code, StatusCode::kInvalidInput);
+    EXPECT_EQ(status->message.rfind(std::string(name) + " = \"odd\"", 0), 0u) << status->message;
+  }
+}
+
+TEST(CollisionRequestMessage, IsWhatTheServiceIsAsked) {
+  collision_forge::GenerateCollision::Request asked;
+  asked.collision_type = "ltap";
+  asked.attacker_id = "a";
+  asked.choice = "existing";
+  asked.believable = "false";
+  asked.limits = "strict";
+  asked.attacker_class = "car";
+  asked.manoeuvre = "turn_across_path";
+  asked.ego_side = "left";
+  asked.min_impact_speed = 2.0;
+  asked.max_impact_speed = 9.0;
+  const auto message = requestIn(asked);
+  EXPECT_EQ(message.attacker_id, "a");
+  EXPECT_EQ(message.choice, "existing");
+  EXPECT_EQ(message.believable, "false");
+  EXPECT_EQ(message.limits, "strict");
+  EXPECT_EQ(message.attacker_class, "car");
+  EXPECT_EQ(message.manoeuvre, "turn_across_path");
+  EXPECT_EQ(message.ego_side, "left");
+  EXPECT_EQ(message.min_impact_speed, 2.0);
+  EXPECT_EQ(message.max_impact_speed, 9.0);
+}
+
+TEST(CollisionReportMessage, TellsManoeuvreRoadAndBelief) {
+  CollisionReport report;
+  report.contact = true;
+  report.manoeuvre = Manoeuvre::kWrongWay;
+  report.manoeuvre_begin = 11.5;
+  report.road = {0.5, 0.25, 0.0, 0.125, 0.0625};
+  report.unbelievable = "is on a walkway for 12 %";
+  auto message = toMessage(report, "a", 10.0);
+  EXPECT_EQ(message.manoeuvre, "wrong_way");
+  EXPECT_EQ(message.manoeuvre_begin, ros::Time(11.5));
+  EXPECT_EQ(message.on_lane, 0.5);
+  EXPECT_EQ(message.wrong_way, 0.25);
+  EXPECT_EQ(message.on_walkway, 0.125);
+  EXPECT_EQ(message.on_island, 0.0625);
+  EXPECT_FALSE(message.believable);
+  EXPECT_EQ(message.unbelievable, report.unbelievable);
+  report.contact = false;
+  report.unbelievable.clear();
+  message = toMessage(report, "a", 10.0);
+  EXPECT_TRUE(message.believable);
+  EXPECT_EQ(message.manoeuvre, "");
+}
+
 }  // namespace
 }  // namespace forge

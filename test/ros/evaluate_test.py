@@ -61,6 +61,8 @@ class EvaluateTest(road.RoadTest):
                 self.assertLessEqual(abs(float(row['relative_heading'])), 10.0, row)
         self.assertEqual((out / 'table.md').read_text(), result.stdout)
         self.assertIn('| recorded |', result.stdout)
+        self.assertIn('strict protocol, strict limits, replay mode', result.stdout)
+        self.assertNotIn('road_allows', rows[0])
         self.assertIn('All conditions, full definitions, %', result.stdout)
         for name in ('angle_bands.png', 'full_definitions.png'):
             self.assertEqual((out / name).read_bytes()[:4], PNG)
@@ -217,29 +219,62 @@ class EvaluateRequestsTest(road.RoadTest):
             self.assertEqual((out / name).read_bytes(), (self.expected / name).read_bytes(), name)
 
     def test_every_request_has_its_rows_tables_and_plots(self):
-        methods = ['constant_velocity', 'nominal', 'search_angle_bands', 'search_full_definitions',
-                   'replay_angle_bands', 'replay_full_definitions']
+        methods = ['constant_velocity', 'nominal', 'search_full_definitions', 'replay_full_definitions']
         rows = rows_of(self.expected)
         self.assertEqual([(row['name'], row['scene'], row['type'], float(row['tta']), row['method']) for row in rows],
                          [(str(line), request['scene'], request['type'], request['tta'], method)
                           for line, request in enumerate(self.listed, 1) for method in methods])
         for row in rows:
             if row['method'].startswith('replay') and row['status'] == 'OK':
-                self.assertEqual(row['angle_bands' if 'angle' in row['method'] else 'full_definitions'], '1', row)
+                self.assertEqual((row['full_definitions'], row['road_allows'], row['believable']), ('1', '1', '1'), row)
+                self.assertEqual(row['class'], 'car', row)
+                self.assertGreaterEqual(float(row['on_lane']), 0.9, row)
         table = (self.expected / 'table.md').read_text()
-        for title in ('All conditions, angle bands, %', 'All conditions, full definitions, of what replay meets',
-                      'mean share of the box: search_full_definitions, %', 'Calibration, angle bands, %',
+        for title in ('strict protocol, drivable limits, believable, history mode', 'All conditions, full definitions, %',
+                      'All conditions, full definitions, of what replay meets',
+                      'All conditions, full definitions, of what the road allows, %', 'Allowed by the road, %',
+                      '| search_full_definitions, answered though the road does not allow it |',
+                      'mean share of the box: search_full_definitions, %', 'Calibration, full definitions, %',
                       'Largest difference: '):
             self.assertIn(title, table)
-        for name in ('angle_bands', 'full_definitions', 'angle_bands_given_replay', 'full_definitions_given_replay',
-                     'calibration'):
+        self.assertNotIn('angle bands', table)
+        for name in ('full_definitions', 'full_definitions_of_allowed', 'full_definitions_given_replay', 'calibration',
+                     'scorecard'):
             self.assertEqual((self.expected / (name + '.png')).read_bytes()[:4], PNG)
+
+    def test_scorecard_holds_attacks_against_recorded_vehicles(self):
+        with open(str(self.expected / 'scorecard.csv')) as file:
+            lines = {(row['measure'], row['method'], row['group']): row for row in csv.DictReader(file)}
+        answered = [row for row in rows_of(self.expected) if row['method'] == 'replay_full_definitions' and row['attacker']]
+        counted = lines['on_lane', 'replay_full_definitions', 'all']
+        self.assertEqual(int(counted['trials']), len(answered))
+        self.assertAlmostEqual(float(counted['value']), sum(float(row['on_lane']) for row in answered) / len(answered), 3)
+        self.assertGreater(int(lines['on_lane', 'recorded', 'all']['trials']), 100)
+        card = (self.expected / 'scorecard.md').read_text()
+        for title in ('strict protocol, drivable limits, believable', 'On a lane throughout, %', 'Least gap to anybody',
+                      'Greatest jerk until the contact'):
+            self.assertIn(title, card)
+
+    def test_other_limits_and_any_driving_have_both_columns(self):
+        out = self.path('out')
+        arguments = ['--out', out, '--scene', 'scene-0007', '--mode', 'replay', '--limits', 'strict', '--believable', 'false']
+        result = self.run_on(*arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('strict protocol, strict limits, replay mode', result.stdout)
+        self.assertIn('All conditions, angle bands, %', result.stdout)
+        for row in rows_of(out):
+            if row['method'].startswith('search') and row['status'] == 'OK':
+                self.assertEqual(row['angle_bands' if 'angle' in row['method'] else 'full_definitions'], '1', row)
+        arguments[arguments.index('strict')] = 'drivable'
+        result = self.run_on(*arguments)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('limits = strict, now limits = drivable', result.stderr)
 
     def test_milliseconds_are_printed_and_in_no_file(self):
         table = (self.expected / 'table.md').read_text()
         self.assertEqual(self.result.stdout[:len(table)], table)
         times = self.result.stdout[len(table):].strip().splitlines()
-        self.assertEqual(len(times), 4)
+        self.assertEqual(len(times), 2)
         for line in times:
             self.assertRegex(line, r'^(search|replay)_\w+: [0-9.]+ ms a request on one core in the mean, median [0-9.]+ ms, '
                                    r'95 % quantile [0-9.]+ ms \({} searches of this process\)$'.format(len(self.listed)))
@@ -262,7 +297,7 @@ class EvaluateRequestsTest(road.RoadTest):
         shutil.copytree(str(self.expected), str(out))
         lines = (out / 'results.csv').read_text().splitlines(keepends=True)
         (out / 'results.csv').unlink()
-        (out / 'results.csv.part').write_text(''.join(lines[:1 + 6 * 10 + 2]))
+        (out / 'results.csv.part').write_text(''.join(lines[:1 + 4 * 10 + 2]))
         result = self.run_on('--out', out)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn('({} searches of this process)'.format(len(self.listed) - 10), result.stdout)
@@ -281,7 +316,7 @@ class EvaluateRequestsTest(road.RoadTest):
         rows = rows_of(out)
         lines = [str(line) for line, request in enumerate(self.listed, 1) if request['scene'] == 'scene-0007']
         self.assertEqual([(row['name'], row['seed']) for row in rows],
-                         [(line, seed) for line in lines for seed in ('0', '0', '0', '1', '0', '1')])
+                         [(line, seed) for line in lines for seed in ('0', '0', '0', '1')])
         self.assertFalse((out / 'calibration.png').exists())
 
     def test_wrong_command_lines(self):
@@ -293,6 +328,8 @@ class EvaluateRequestsTest(road.RoadTest):
                                  (self.command('--split', 'val'), '--split requires --collide'),
                                  (self.command('--by-scene'), '--by-scene requires --collide'),
                                  (self.command('--limit', 3), '--limit requires --collide'),
+                                 (collide + ['--limits', 'drivable'], '--limits requires --requests'),
+                                 (collide + ['--believable', 'true'], '--believable requires --requests'),
                                  (self.command('--method', 'recorded'), '"recorded" is none of search,'),
                                  (self.command('--protocol', 'published'), 'published is of clips alone'),
                                  (collide + ['--scene', 'scene-0001'], '--scene requires --requests'),

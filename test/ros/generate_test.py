@@ -101,6 +101,24 @@ class RequestsTest(road.RoadTest):
         for before, after in zip(nows, nows[1:]):
             self.assertAlmostEqual(after - before, 4.0, places=1)
 
+    def test_what_the_road_allows_is_counted_and_listed_alone_if_asked(self):
+        whole, allowed = self.path('requests.jsonl'), self.path('allowed.jsonl')
+        arguments = ('--scene', 'scene-0001', 'scene-0007', '--stride', 4, '--tta', 2, 4)
+        results = [make_requests(whole, *arguments), make_requests(allowed, *arguments, '--allowed-only')]
+        for result in results:
+            self.assertEqual(result.returncode, 0, result.stderr)
+        everything, kept = lines_of(whole), lines_of(allowed)
+        self.assertEqual([line for line in everything if line in kept], kept)
+        self.assertLess(len(kept), len(everything))
+        counts = results[0].stdout.splitlines()[1:]
+        self.assertEqual(results[1].stdout.splitlines()[1:], counts)
+        types = sorted({json.loads(line)['type'] for line in everything})
+        expected = {name: (sum(json.loads(line)['type'] == name for line in kept),
+                           sum(json.loads(line)['type'] == name for line in everything)) for name in types}
+        expected['all'] = (len(kept), len(everything))
+        self.assertEqual(set(counts), {'{}: the road allows {} of {} requests'.format(name, *count)
+                                       for name, count in expected.items()})
+
     def test_what_is_asked_for_twice_is_listed_once(self):
         once = self.requests('--scene', 'scene-0001', '--types', 'RE', 'ltap', '--tta', 4, 3)
         self.assertEqual(self.requests('--scene', 'scene-0001', 'scene-0001', '--types', 'RE', 'ltap', 'rear_end', 'RE',
@@ -112,6 +130,28 @@ class RequestsTest(road.RoadTest):
         self.assertGreater(len(requests), 10)
         for request in requests:
             self.assertIn(request['attacker'], instances)
+
+    def test_only_controls_that_are_not_by_default_are_written(self):
+        plain = self.requests('--scene', 'scene-0001', '--types', 'RE', '--tta', 4)
+        self.assertEqual(self.requests('--scene', 'scene-0001', '--types', 'RE', '--tta', 4, '--believable', 'true',
+                                       '--limits', 'drivable'), plain)
+        asked = self.requests('--scene', 'scene-0001', '--tta', 4, '--attackers', 'existing', '--manoeuvre',
+                              'lead_brakes', '--believable', 'false', '--impact-speed', 2, 9.5)
+        self.assertEqual(asked, [dict(request, choice='existing', believable=False, manoeuvre='lead_brakes',
+                                      impact_speed={'min': 2, 'max': 9.5}) for request in plain])
+
+    def test_controls_that_contradict_each_other_are_refused(self):
+        for arguments, words in ((['--types', 'RE', '--manoeuvre', 'cut_in'], 'manoeuvre = cut_in is none of type rear_end'),
+                                 (['--impact-speed', '9', '2'], 'impact_speed = 9 to 2 m/s'),
+                                 (['--limits', 'strict'], 'believable = false')):
+            result = make_requests(self.path('none.jsonl'), *arguments)
+            self.assertEqual(result.returncode, 1, arguments)
+            self.assertIn(words, result.stderr)
+        for arguments in (['--manoeuvre', 'drift'], ['--attacker-class', 'pedestrian'], ['--believable', 'yes'],
+                          ['--limits', 'none'], ['--ego-side', 'top'], ['--impact-speed', '3']):
+            result = make_requests(self.path('none.jsonl'), *arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertIn(arguments[0], result.stderr)
 
     def test_a_faster_ego_than_any_leaves_no_request(self):
         result = make_requests(self.path('none.jsonl'), '--min-ego-speed', 100)
@@ -194,8 +234,23 @@ class GenerateTest(road.RoadTest):
         for scenario, request in zip(scenarios, requests):
             self.assertEqual((scenario['scene'], scenario['now']), (request['scene'], request['now']))
             self.assertEqual(scenario['request'], {'type': request['type'], 'tta': request['tta'], 'attacker': None,
-                                                   'mode': 'history', 'seed': 0})
+                                                   'choice': 'any', 'believable': True, 'limits': 'drivable',
+                                                   'attacker_class': None, 'manoeuvre': None, 'ego_side': None,
+                                                   'impact_speed': None, 'mode': 'history', 'seed': 0})
         self.assertGreater(len({scenario['status']['code'] for scenario in scenarios}), 1)
+
+    def test_the_command_line_precedes_the_list(self):
+        result = run(generate_command(self.requests, self.out, '--believable', 'false', '--attacker-class', 'truck',
+                                      '--attacker', 'existing'))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        validator = jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text()))
+        for scenario in map(json.loads, lines_of(self.out)):
+            validator.validate(scenario)
+            request = scenario['request']
+            self.assertEqual((request['believable'], request['attacker_class'], request['choice']),
+                             (False, 'truck', 'existing'))
+            if scenario['attacker']:
+                self.assertEqual((scenario['attacker']['class'], scenario['attacker']['origin']), ('truck', 'recorded'))
 
     def test_lines_keep_the_schema(self):
         schema = json.loads(SCHEMA.read_text())
@@ -207,11 +262,15 @@ class GenerateTest(road.RoadTest):
     def test_the_schema_refuses_what_is_no_scenario(self):
         validator = jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text()))
         good = next(line for line in lines_of(self.expected) if '"code":"OK"' in line)
-        for change in (lambda row: row.pop('ego'), lambda row: row.update(extra=1), lambda row: row.update(version=1),
+        for change in (lambda row: row.pop('ego'), lambda row: row.update(extra=1), lambda row: row.update(version=2),
                        lambda row: row['status'].update(code='FINE'), lambda row: row.update(attacker=None),
                        lambda row: row.update(confidence=1.5), lambda row: row['request'].update(type='drift'),
                        lambda row: row['attacker']['trajectory'][0].pop('kappa'),
                        lambda row: row['attacker'].update(trajectory=[]),
+                       lambda row: row['attacker'].update(origin='added', past=None),
+                       lambda row: row['attacker'].update({'class': 'tank'}),
+                       lambda row: row['request'].update(manoeuvre='drift'),
+                       lambda row: row['report'].update(believable=False, unbelievable=None),
                        lambda row: row['status'].update(code='NO_CANDIDATE')):
             scenario = json.loads(good)
             change(scenario)

@@ -230,9 +230,12 @@ class Listener:
         self.subscriber.unregister()
 
 
-def ask(collision_type='rear_end', tta=4.0, attacker='', mode='history', seed=0, method=''):
+def ask(collision_type='rear_end', tta=4.0, attacker='', mode='history', seed=0, method='', believable='false', **controls):
+    """`controls`: further fields of GenerateCollision, by name. Any motion within the limits, unless said otherwise: the
+    embedded scenes have few vehicles that could attack as a driver would."""
     return rospy.ServiceProxy('/generate_collision', GenerateCollision)(
-        collision_type, tta, attacker, mode, seed, method)
+        collision_type=collision_type, tta=tta, attacker_id=attacker, mode=mode, seed=seed, method=method,
+        believable=believable, **controls)
 
 
 class LiveTest(road.RoadTest):
@@ -287,12 +290,12 @@ class LiveTest(road.RoadTest):
         self.assert_close(answer.attack, road.read_one(attacked, '/attack'))
 
     def offline(self, collision_type, mode, seed=0, nows=(6.0, 4.0, 8.0, 10.0), ttas=(4.0, 6.0, 2.0)):
-        """The first request that forge inject can fulfil: now, tta and the bag."""
+        """The first request that forge inject can fulfil by any motion within the limits: now, tta and the bag."""
         out = self.path('{}_{}.bag'.format(collision_type, mode))
         for now in nows:
             for tta in ttas:
                 result = road.inject(self.bag(self.SCENES[0]), out, collision_type, tta, now, '--mode', mode,
-                                     '--seed', seed)
+                                     '--seed', seed, '--believable', 'false')
                 if road.code_of(result) == 'OK':
                     return now, tta, out
         raise AssertionError('no {} in {} mode in {}'.format(collision_type, mode, self.SCENES[0]))

@@ -118,6 +118,9 @@ collision_forge::Attack attack() {
   attack.report.ego_side = "left";
   attack.report.attacker_side = "front";
   attack.report.impact_speed = 12.34;
+  attack.report.manoeuvre = "straight_crossing";
+  attack.report.manoeuvre_begin = ros::Time(11.5);
+  attack.report.believable = true;
   return attack;
 }
 
@@ -295,7 +298,7 @@ TEST(AttackMarkers, SayWhatTheReportSays) {
   ASSERT_EQ(text.size(), 1U);
   EXPECT_EQ(text[0].text,
             "junction_crossing\ncontact in 3.00 s\nheading +90 deg\nfront to ego's left\nimpact "
-            "12.3 m/s");
+            "12.3 m/s\nstraight_crossing from 1.5 s on");
 }
 
 TEST(AttackMarkers, WarnOfAnAttackThatIsNotVerified) {
@@ -304,6 +307,33 @@ TEST(AttackMarkers, WarnOfAnAttackThatIsNotVerified) {
   const auto text = inNamespace(attackMarkers(unverified), "report");
   ASSERT_EQ(text.size(), 1U);
   EXPECT_NE(text[0].text.find("NOT VERIFIED"), std::string::npos);
+}
+
+TEST(AttackMarkers, SayWhyNoDriverWouldDriveSo) {
+  collision_forge::Attack odd = attack();
+  odd.report.believable = false;
+  odd.report.unbelievable = "is on an island for 3 %";
+  const auto text = inNamespace(attackMarkers(odd), "report");
+  ASSERT_EQ(text.size(), 1U);
+  EXPECT_NE(text[0].text.find("NOT BELIEVABLE: is on an island for 3 %"), std::string::npos);
+}
+
+TEST(AttackMarkers, ShowWhereOneThatWasAddedComesFrom) {
+  EXPECT_TRUE(inNamespace(attackMarkers(attack()), "added").empty());
+  EXPECT_TRUE(inNamespace(attackMarkers(attack()), "added_past").empty());
+  collision_forge::Attack added = attack();
+  added.trajectory.added = true;
+  for (int i = 0; i <= 3; ++i) {
+    added.trajectory.past.emplace_back();
+    added.trajectory.past.back().pose = pose2d(3.2, -45.0 + 5.0 * i, M_PI / 2);
+  }
+  const MarkerArray array = attackMarkers(added);
+  expectValid(array, 10.0);
+  ASSERT_EQ(inNamespace(array, "added_past").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "added_past")[0].points.size(), 2U * 3);
+  ASSERT_FALSE(inNamespace(array, "added").empty());
+  EXPECT_EQ(inNamespace(array, "added")[0].pose.position.y, -30.0);
+  EXPECT_EQ(inNamespace(array, "report")[0].text.find("junction_crossing, added vehicle\n"), 0U);
 }
 
 TEST(AttackMarkers, ShowTheWholePathAndThePatternWithoutContact) {
@@ -406,7 +436,7 @@ TEST(NoMarkers, DeleteWhatWas) {
 
 TEST(MarkerColors, TellEverythingApart) {
   std::vector<colors::MarkerColor> all(colors::kAgentClasses.begin(), colors::kAgentClasses.end());
-  all.insert(all.end(), {colors::kEgo, colors::kAttacker, colors::kPatternEgo,
+  all.insert(all.end(), {colors::kEgo, colors::kAttacker, colors::kAdded, colors::kPatternEgo,
                          colors::kPatternAttacker, colors::kContact, colors::kDrivableArea});
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t k = i + 1; k < all.size(); ++k) {

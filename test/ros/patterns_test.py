@@ -50,7 +50,7 @@ class PatternsTest(MadeUpTest):
 
     def test_attack_names_the_pattern_and_how_far_the_contact_is_from_it(self):
         scene = self.show(drive(8, beside)).snapshot
-        attack = self.ask_for_code('OK', 'lane_change', 4.0).attack
+        attack = self.ask_for_code('OK', 'lane_change', 4.0, believable='false').attack
         self.assertTrue(attack.report.verified)
         asked = left_rear_corner(scene.ego.size, attack.trajectory.size)
         self.assertAlmostEqual(attack.pattern.attacker_offset.x, asked.x, places=6)
@@ -64,6 +64,7 @@ class PatternsTest(MadeUpTest):
         scene = self.show(drive(8, beside)).snapshot
         request = RealizeTrajectoryRequest(scene=scene, exact=True)
         request.request.collision_type, request.request.tta, request.request.mode = 'lane_change', 4.0, 'history'
+        request.request.believable = 'false'
         predicted = rospy.ServiceProxy('predict_pattern', PredictPattern)(scene, request.request, Future())
         request.patterns, request.future = predicted.patterns, predicted.future
         change(request.patterns[0])

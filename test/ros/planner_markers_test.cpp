@@ -80,7 +80,7 @@ TEST(PlannerMarkers, WithoutAContactTellWhatHappenedAtTheEnd) {
   EXPECT_EQ(inNamespace(array, "others").size(), 2U);
 
   trial.outcome.failure = PlannerFailure::kTimedOut;
-  trial.avoidability.last = Avoidance{Manoeuvre::kBraking, kNow + 1.5, {}, 0.0};
+  trial.avoidability.last = Avoidance{EvasiveManoeuvre::kBraking, kNow + 1.5, {}, 0.0};
   EXPECT_EQ(reportOf(plannerMarkers(trial, scenario(), "external")),
             "external: fails, timed_out\nafter 2.00 s\navoidable up to 1.5 s by braking");
 }

@@ -89,7 +89,8 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
                                                         {"requests.yaml", "requests"},
                                                         {"search.yaml", "search"},
                                                         {"search.yaml", "bicycle_family"},
-                                                        {"verification.yaml", "verification"}}) {
+                                                        {"verification.yaml", "verification"},
+                                                        {"believability.yaml", "believability"}}) {
     expectComplaint(file, "\n" + section + ":", "\n" + section + ":\n  stray: 7.5",
                     {section + ".stray", "7.5", "unknown"});
   }
@@ -113,14 +114,15 @@ TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
         "prediction.yaml",     "search.yaml",      "verification.yaml",     "encoding.yaml",
         "conversion.yaml",     "drawing.yaml",     "requests.yaml",         "evaluation.yaml",
         "dataset.yaml",        "ego_futures.yaml", "methods.yaml",          "speed_model_fit.yaml",
-        "models.yaml",         "training.yaml",    "planner_training.yaml", "planners.yaml"}) {
+        "models.yaml",         "training.yaml",    "planner_training.yaml", "planners.yaml",
+        "believability.yaml"}) {
     expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
   }
 }
 
 TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("vehicle_limits.yaml", "max_curvature:", "#",
-                  {"vehicle_limits.max_curvature", "missing"});
+                  {"vehicle_limits.strict.max_curvature", "missing"});
   expectComplaint("ego_vehicle.yaml", "width:", "#", {"ego_vehicle.width", "missing"});
   expectComplaint("prediction.yaml", "  step:", "#", {"prediction.step", "missing"});
   expectComplaint("encoding.yaml", "max_lanes:", "#", {"encoding.max_lanes", "missing"});
@@ -184,10 +186,10 @@ TEST_F(SpoiltConfig, KeysGivenTwiceAreRefused) {
 }
 
 TEST_F(SpoiltConfig, WrongTypesAreRefused) {
-  expectComplaint("vehicle_limits.yaml", "max_speed: 25.0", "max_speed: fast",
-                  {"vehicle_limits.max_speed", "fast", "not a number"});
-  expectComplaint("vehicle_limits.yaml", "max_speed: 25.0", "max_speed: 25.0 km/h",
-                  {"vehicle_limits.max_speed", "25.0 km/h", "not a number"});
+  expectComplaint("vehicle_limits.yaml", "max_speed: 36.0", "max_speed: fast",
+                  {"vehicle_limits.drivable.car.max_speed", "fast", "not a number"});
+  expectComplaint("vehicle_limits.yaml", "max_speed: 36.0", "max_speed: 36.0 km/h",
+                  {"vehicle_limits.drivable.car.max_speed", "36.0 km/h", "not a number"});
   expectComplaint("ego_vehicle.yaml", "width: 1.730", "width: [1.73]",
                   {"ego_vehicle.width", "[1.73]", "not a number"});
   expectComplaint("prediction.yaml", "history_frames: 8 ", "history_frames: 8.5 ",
@@ -215,8 +217,8 @@ TEST_F(SpoiltConfig, WrongTypesAreRefused) {
   expectComplaint("locations.yaml", "boston: right", "boston: middle",
                   {"locations.boston", "middle", "right"});
   write("crash_definition.yaml",
-        "crash_definition: {rules: full, time_tolerance: 1, min_confidence: 0, types: "
-        "{lane_change: 0.2}}");
+        "crash_definition: {rules: full, time_tolerance: 1, min_confidence: 0, limits: strict, "
+        "believable: false, types: {lane_change: 0.2}}");
   EXPECT_NE(complaint().find("crash_definition.types.lane_change = 0.2 is not a mapping"),
             std::string::npos);
 }
@@ -260,7 +262,7 @@ TEST_F(SpoiltConfig, ListsOfNumbersKeepTheirRange) {
 
 TEST_F(SpoiltConfig, NumbersThatAreNotFiniteAreRefused) {
   expectComplaint("vehicle_limits.yaml", "max_braking: 8.0", "max_braking: .inf",
-                  {"vehicle_limits.max_braking", ".inf", "not finite"});
+                  {"vehicle_limits.drivable.car.max_braking", ".inf", "not finite"});
   expectComplaint("prediction.yaml", "tail: 2.0", "tail: .nan",
                   {"prediction.tail", ".nan", "not finite"});
   expectComplaint("ego_vehicle.yaml", "center_offset: 1.385", "center_offset: -.inf",
@@ -281,6 +283,8 @@ TEST_F(SpoiltConfig, NegativeValuesAreRefusedWhereverTheyMakeNoSense) {
     for (std::size_t at = text.find(": "); at != std::string::npos; at = text.find(": ", at + 1)) {
       const std::size_t end = text.find_first_of(" ,}\n", at + 2);
       const std::string value = text.substr(at + 2, end - at - 2);
+      const std::size_t line = text.rfind('\n', at) + 1;
+      if (text.substr(line, at - line).find('#') != std::string::npos) continue;
       if (value.empty() || value.find_first_not_of("0123456789.") != std::string::npos) continue;
       write(file, std::string(text).replace(at + 2, value.size(), "-1"));
       EXPECT_NE(complaint().find("-1"), std::string::npos) << text.substr(at - 20, 30);

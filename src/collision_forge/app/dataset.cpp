@@ -58,6 +58,7 @@ std::vector<SceneRequest> listRequests(const Arguments& arguments,
     const Scene scene = toScene(root.readScene(name), config.ego_vehicle, nullptr);
     for (SceneRequest& request :
          listClipRequests(scene, config.dataset, config.attack.prediction, arguments.seed)) {
+      request.request.crash = config.crash;
       requests.push_back(std::move(request));
     }
   }

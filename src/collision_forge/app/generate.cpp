@@ -29,6 +29,7 @@ struct Arguments {
   std::string out;
   std::string config;
   std::string method;
+  RequestControls controls;
   Mode mode = Mode::kHistory;
   Format format = Format::kJsonl;
   int jobs = defaultJobs();
@@ -50,19 +51,21 @@ ResumableFile::Options runOptions(const Arguments& arguments, const Config& conf
   return options;
 }
 
-/// The list with the mode of this run, and the names of its scenes in the order they are needed.
+/// The list with the mode and the controls of this run, and the names of its scenes in the order
+/// they are needed.
 struct RequestList {
   std::vector<SceneRequest> requests;
   std::vector<std::string> scenes;
 };
 
-RequestList readList(const Arguments& arguments) {
+RequestList readList(const Arguments& arguments, const CrashDefinition& crash) {
   const auto names = readSceneNames(arguments.dataroot, arguments.version);
   RequestList list;
-  list.requests = readRequests(arguments.requests, {names.begin(), names.end()});
+  list.requests = readRequests(arguments.requests, {names.begin(), names.end()}, crash);
   std::set<std::string> seen;
   for (SceneRequest& request : list.requests) {
     request.request.mode = arguments.mode;
+    arguments.controls.applyTo(request.request);
     if (seen.insert(request.scene).second) list.scenes.push_back(request.scene);
   }
   return list;
@@ -111,13 +114,12 @@ void exportClips(const Arguments& arguments, std::size_t count, SceneSource& sce
 int generate(const Arguments& arguments) {
   const bool is_master = isMaster();
   const Config config = loadConfig(arguments.config);
-  const RequestList list = readList(arguments);
+  const RequestList list = readList(arguments, config.crash);
   if (is_master && arguments.format == Format::kCsvCollide) prepareFolder(arguments);
   SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings());
-  const RequestAnswerer answerer(scenes, loadMethod(arguments.method, config, config.attack),
-                                 config.crash, config.ego_vehicle);
+  const MethodMaker method = loadMethod(arguments.method, config, config.attack);
   Run run;
   run.path = arguments.scenarios();
   run.options = runOptions(arguments, config, list.requests);
@@ -126,7 +128,9 @@ int generate(const Arguments& arguments) {
   run.jobs = arguments.jobs;
   run.work = [&](std::size_t index) {
     try {
-      return scenarioLine(answerer.answer(list.requests[index]));
+      const SceneRequest& asked = list.requests[index];
+      const RequestAnswerer answerer(scenes, method, asked.request.crash, config.ego_vehicle);
+      return scenarioLine(answerer.answer(asked));
     } catch (const std::exception& error) {
       throw std::runtime_error(arguments.requests + ": line " + std::to_string(index + 1) +
                                " cannot be answered: " + error.what());
@@ -161,6 +165,8 @@ void addGenerate(CommandLine& line) {
                     "in trajectory/val");
   addMethod(app, arguments->method);
   addMode(app, arguments->mode);
+  addAttacker(app, arguments->controls);
+  addControls(app, arguments->controls);
   addJobs(app, arguments->jobs, "requests at a time, in every rank of mpirun");
   addConfig(app, arguments->config);
 }

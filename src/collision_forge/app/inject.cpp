@@ -28,6 +28,7 @@ struct Arguments {
   std::string method;
   double now = 0.0;
   collision_forge::CollisionRequest request;
+  RequestControls controls;
   Mode mode = Mode::kHistory;
 };
 
@@ -58,7 +59,10 @@ void printReport(const char* subject, const CollisionReport& report, double now)
             << (report.limits_kept ? "limits kept" : report.broken_limit)
             << (report.first_other_id.empty() ? ""
                                               : ", touches " + report.first_other_id + " first")
-            << ", " << 100.0 * report.off_road_share << " % off road\n";
+            << ", " << 100.0 * report.off_road_share << " % off road, "
+            << toString(report.manoeuvre) << " from " << report.manoeuvre_begin - now << " s on, "
+            << (report.believable() ? "believable" : "not believable: it " + report.unbelievable)
+            << "\n";
 }
 
 int refuse(const Status& status) {
@@ -98,11 +102,11 @@ int inject(const Arguments& arguments) {
   checkOutputs(arguments);
   collision_forge::CollisionRequest asked = arguments.request;
   asked.mode = toString(arguments.mode);
-  const auto parsed = fromMessage(asked);
-  if (const Status* refusal = std::get_if<Status>(&parsed)) return refuse(*refusal);
   const Config config = loadConfig(arguments.config);
+  const auto parsed = fromMessage(asked, config.crash);
+  if (const Status* refusal = std::get_if<Status>(&parsed)) return refuse(*refusal);
   CollisionRequest request = std::get<CollisionRequest>(parsed);
-  request.crash = config.crash;
+  arguments.controls.applyTo(request);
   std::vector<std::string> warnings;
   const Scene scene = readBag(arguments.bag, config.ego_vehicle, &warnings);
   printWarnings(arguments.bag, warnings);
@@ -110,7 +114,7 @@ int inject(const Arguments& arguments) {
   const double now = frameAt(scene, arguments.now);
   const PredictionOptions& prediction = config.attack.prediction;
   const Moment moment{snapshotAt(scene, now, prediction.history_frames), recordedFuture(scene, now),
-                      std::make_shared<const LaneIndex>(scene.map)};
+                      std::make_shared<const LaneIndex>(scene.map), pastOf(scene, now)};
   const MethodMaker maker = loadMethod(arguments.method, config, config.attack);
   const Realization attack = generateCollision(*maker.make(), moment, request, prediction);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);
@@ -121,7 +125,9 @@ int inject(const Arguments& arguments) {
   const std::string& attacker = attack.trajectory.attacker_id;
   injectIntoBag(arguments.bag, arguments.out, toMessage(attack, maker.name(), now),
                 toMessage(tested, attacker, now));
-  std::cout << toString(request.type) << " by " << attacker
+  std::cout << toString(request.type) << " by " << attacker << ", "
+            << (attack.trajectory.isAdded() ? "an added " : "a recorded ")
+            << toString(attack.trajectory.agent_class)
             << ", now = " << now - scene.frame_times.front() << " s, confidence "
             << attack.report.confidence << "\n";
   printReport("generated", attack.report, now);
@@ -154,7 +160,8 @@ void addInject(CommandLine& line) {
   app.add_option("--now", arguments->now,
                  "seconds from the bag's first frame; the frame at or before")
       ->required();
-  app.add_option("--attacker", request.attacker_id, "agent id; any by default");
+  addAttacker(app, arguments->controls);
+  addControls(app, arguments->controls);
   addMethod(app, arguments->method);
   addMode(app, arguments->mode);
   addSeed(app, request.seed, "of the variations tried");

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/scene/request_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
 
 #ifndef COLLISION_FORGE_WITHOUT_ROS
@@ -23,7 +24,84 @@ const std::string& packageFolder() {
   return folder;
 }
 
+/// The names of the values for which `is_meant` holds, each with its value.
+template <typename Value, typename Values, typename IsMeant>
+std::vector<std::pair<std::string, std::optional<Value>>> wordsOf(const Values& values,
+                                                                  IsMeant is_meant) {
+  std::vector<std::pair<std::string, std::optional<Value>>> words;
+  for (const Value value : values) {
+    if (is_meant(value)) words.emplace_back(toString(value), value);
+  }
+  return words;
+}
+
+std::vector<AgentClass> allClasses() {
+  std::vector<AgentClass> classes;
+  for (int number = 0; number <= static_cast<int>(AgentClass::kStaticObject); ++number) {
+    classes.push_back(static_cast<AgentClass>(number));
+  }
+  return classes;
+}
+
+std::string manoeuvresByType() {
+  std::string text;
+  for (const CollisionType type : kCollisionTypes) {
+    text += (text.empty() ? "" : "; ") + std::string(toString(type)) + ": " + manoeuvreNames(type);
+  }
+  return text;
+}
+
 }  // namespace
+
+void RequestControls::applyTo(CollisionRequest& request) const {
+  if (const auto choice = attackerChoiceFromString(attacker)) {
+    request.attacker.reset();
+    request.choice = *choice;
+  } else if (!attacker.empty()) {
+    request.attacker = attacker;
+  }
+  if (believable) request.crash.believable = *believable;
+  if (limits) request.crash.limits = *limits;
+  if (attacker_class) request.attacker_class = attacker_class;
+  if (manoeuvre) request.manoeuvre = manoeuvre;
+  if (ego_side) request.ego_side = ego_side;
+  if (impact_speed) request.impact_speed = impact_speed;
+}
+
+void addAttacker(CLI::App& app, RequestControls& controls) {
+  app.add_option("--attacker", controls.attacker,
+                 "agent id, or any, existing (a recorded vehicle) or new (one is added)");
+}
+
+void addControls(CLI::App& app, RequestControls& controls) {
+  const auto any = [](auto) { return true; };
+  addChoice<std::optional<bool>>(app, "--believable", controls.believable,
+                                 {{"true", true}, {"false", false}},
+                                 "true: the attacker drives as drivers do until it attacks; false: "
+                                 "as it can; default: crash_definition.yaml");
+  addChoice<std::optional<LimitSet>>(
+      app, "--limits", controls.limits,
+      wordsOf<LimitSet>(std::vector<LimitSet>{LimitSet::kDrivable, LimitSet::kStrict}, any),
+      "of vehicle_limits.yaml; drivable: by the attacker's class; strict: the same for all, with "
+      "--believable false; default: crash_definition.yaml");
+  addChoice<std::optional<AgentClass>>(app, "--attacker-class", controls.attacker_class,
+                                       wordsOf<AgentClass>(allClasses(), canAttack),
+                                       "of the attacker; any by default");
+  addChoice<std::optional<Manoeuvre>>(
+      app, "--manoeuvre", controls.manoeuvre, wordsOf<Manoeuvre>(kManoeuvres, any),
+      "what the attacker does, any by default; " + manoeuvresByType());
+  addChoice<std::optional<Side>>(
+      app, "--ego-side", controls.ego_side,
+      wordsOf<Side>(std::vector<Side>{Side::kFront, Side::kRear, Side::kLeft, Side::kRight}, any),
+      "of the ego, where it is touched; any by default");
+  app.add_option_function<std::pair<double, double>>(
+         "--impact-speed",
+         [&controls](const std::pair<double, double>& range) {
+           controls.impact_speed = Range{range.first, range.second};
+         },
+         "least and greatest, m/s, of the relative velocity at contact; any by default")
+      ->type_name("MIN MAX");
+}
 
 void addDataroot(CLI::App& app, std::string& dataroot) {
   app.add_option("--dataroot", dataroot, "nuScenes root: folder with maps/expansion")

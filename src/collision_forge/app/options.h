@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,24 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
       ->check(CLI::IsMember(words))
       ->default_str(default_word);
 }
+
+/// What the command line says about requests; what is empty stays as it is.
+struct RequestControls {
+  std::string attacker;  ///< an id, or any, existing or new
+  std::optional<bool> believable;
+  std::optional<LimitSet> limits;
+  std::optional<AgentClass> attacker_class;
+  std::optional<Manoeuvre> manoeuvre;
+  std::optional<Side> ego_side;
+  std::optional<Range> impact_speed;
+
+  /// Says so in the request.
+  void applyTo(CollisionRequest& request) const;
+};
+/// --attacker.
+void addAttacker(CLI::App& app, RequestControls& controls);
+/// --believable, --limits, --attacker-class, --manoeuvre, --ego-side, --impact-speed.
+void addControls(CLI::App& app, RequestControls& controls);
 
 /// --dataroot, required.
 void addDataroot(CLI::App& app, std::string& dataroot);

@@ -1,22 +1,27 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/attack/request_check.h"
 #include "collision_forge/attack/request_list.h"
 #include "collision_forge/batch/progress_line.h"
-#include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/data/request_file.h"
+#include "collision_forge/data/scene_source.h"
 #include "collision_forge/settings/config.h"
+#include "collision_forge/study/allowed_requests.h"
 
 namespace forge {
 namespace {
 
 constexpr double kMinStride = 0.01;  // s; shorter than between any two frames
+
+constexpr const char* kEach = "each";
 
 struct Arguments {
   std::string dataroot;
@@ -28,9 +33,22 @@ struct Arguments {
   std::optional<double> min_ego_speed;
   std::vector<double> ttas;
   std::vector<std::string> types;
-  Attackers attackers = Attackers::kAny;
+  std::string attackers = "any";
+  RequestControls controls;
   std::uint64_t seed = 0;
+  bool allowed_only = false;
 };
+
+/// How many requests there are, and how many of them the road allows.
+struct RoadCount {
+  std::size_t all = 0;
+  std::size_t allowed = 0;
+
+  void print(const std::string& of) const {
+    std::cout << of << ": the road allows " << allowed << " of " << all << " requests\n";
+  }
+};
+using RoadCounts = std::map<CollisionType, RoadCount>;
 
 /// In their order, each once.
 template <typename Value>
@@ -58,33 +76,75 @@ RequestListOptions listOptions(const Arguments& arguments, const Config& config)
   }
   options.ttas = withoutRepeats(options.ttas);
   options.types = withoutRepeats(options.types);
-  options.attackers = arguments.attackers;
+  if (arguments.attackers == kEach) options.attackers = Attackers::kEach;
   options.seed = arguments.seed;
   return options;
+}
+
+/// Adds the requests of a scene, all or those that the road allows, and counts them.
+void addRequestsOf(const IndexedScene& recording, const RequestListOptions& options,
+                   const CollisionRequest& asked, bool allowed_only, const Config& config,
+                   std::vector<SceneRequest>& requests, RoadCounts& counts) {
+  for (SceneRequest& listed : listRequests(recording.scene, options, config.attack.prediction,
+                                           config.crash.time_tolerance, asked)) {
+    const bool allowed = roadAllowsAsked(listed, recording, config);
+    RoadCount& count = counts[listed.request.type];
+    ++count.all;
+    count.allowed += allowed;
+    if (allowed || !allowed_only) requests.push_back(std::move(listed));
+  }
+}
+
+void print(const RoadCounts& counts) {
+  RoadCount sum;
+  for (const auto& [type, count] : counts) {
+    count.print(toString(type));
+    sum.all += count.all;
+    sum.allowed += count.allowed;
+  }
+  sum.print("all");
+}
+
+/// What every request asks for besides. Throws where no type goes with that.
+CollisionRequest askedFor(const Arguments& arguments, const Config& config,
+                          const std::vector<CollisionType>& types) {
+  CollisionRequest asked;
+  asked.crash = config.crash;
+  arguments.controls.applyTo(asked);
+  if (arguments.attackers != kEach) asked.choice = *attackerChoiceFromString(arguments.attackers);
+  Status status;
+  for (const CollisionType type : types) {
+    asked.type = type;
+    status = checkControls(asked);
+    if (status.code == StatusCode::kOk) return asked;
+  }
+  throw std::invalid_argument(status.message);
 }
 
 int makeRequests(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const RequestListOptions options = listOptions(arguments, config);
-  const NuScenesRoot root(arguments.dataroot, arguments.version, {arguments.scenes, {}});
-  const std::vector<std::string> names = root.sceneNames();
+  const CollisionRequest asked = askedFor(arguments, config, options.types);
+  SceneSource scenes(arguments.dataroot, arguments.version, arguments.scenes, config, 1);
+  const std::vector<std::string> names = scenes.names();
   std::vector<SceneRequest> requests;
+  RoadCounts counts;
   ProgressLine progress("scenes");
   std::size_t done = 0;
   for (const std::string& name : names) {
-    const Scene scene = toScene(root.readScene(name), config.ego_vehicle, nullptr);
-    for (SceneRequest& request :
-         listRequests(scene, options, config.attack.prediction, config.crash.time_tolerance)) {
-      requests.push_back(std::move(request));
-    }
+    addRequestsOf(*scenes.at(name), options, asked, arguments.allowed_only, config, requests,
+                  counts);
     progress.show(++done, names.size());
   }
   if (requests.empty()) {
-    throw std::runtime_error("no request can be made of these scenes with these options");
+    throw std::runtime_error(counts.empty()
+                                 ? "no request can be made of these scenes with these options"
+                                 : "the road allows no request of these scenes with these options");
   }
-  writeRequests(arguments.out, requests);
+  writeRequests(arguments.out, requests, config.crash);
   std::cout << requests.size() << " requests over " << names.size() << " scenes written to "
             << arguments.out << "\n";
+  print(counts);
   return kExitOk;
 }
 
@@ -120,9 +180,16 @@ void addRequests(CommandLine& line) {
   app.add_option("--min-ego-speed", arguments->min_ego_speed, "m/s; see requests.yaml")
       ->check(CLI::NonNegativeNumber)
       ->check(checkFinite);
-  addChoice<Attackers>(app, "--attackers", arguments->attackers,
-                       {{"any", Attackers::kAny}, {"each", Attackers::kEach}},
-                       "any agent, or a request for each possible one");
+  app.add_option("--attackers", arguments->attackers,
+                 "any vehicle, existing (a recorded one), new (one is added), or each: a request "
+                 "for every recorded one that can")
+      ->check(CLI::IsMember({"any", "existing", "new", kEach}))
+      ->capture_default_str();
+  addControls(app, arguments->controls);
+  app.add_flag(
+      "--allowed-only", arguments->allowed_only,
+      "only what the road allows: some lane of the type's direction passes the ego's place "
+      "at the time asked for");
   addSeed(app, arguments->seed, "of every request");
   addConfig(app, arguments->config);
 }

@@ -19,8 +19,8 @@
 #include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/trials/planner_cases.h"
 #include "collision_forge/trials/planner_report.h"
-#include "collision_forge/trials/planner_run.h"
 #include "collision_forge/trials/planner_result_file.h"
+#include "collision_forge/trials/planner_run.h"
 
 namespace forge {
 namespace {

@@ -114,16 +114,26 @@ class ClipBuilder {
     return std::nullopt;
   }
 
+  /// Of an attacker that was added its own, else what was recorded; empty for nobody's.
+  std::optional<Track> pastOf(const AttackerTrajectory& attacker) const {
+    if (attacker.isAdded()) {
+      return Track{attacker.attacker_id, attacker.agent_class, attacker.size, attacker.past};
+    }
+    const auto track =
+        std::find_if(scene_.agents.begin(), scene_.agents.end(),
+                     [&](const Track& agent) { return agent.id == attacker.attacker_id; });
+    if (track == scene_.agents.end()) return std::nullopt;
+    return *track;
+  }
+
   std::optional<ClipObstacle> addEgoAndAttacker() {
     CollideTrack ego{kEgoId, {}};
     for (const double time : clip_.times) ego.frames.push_back(egoInFrame(scene_.ego, time));
     if (!isComplete(ego)) return ClipObstacle::kEgoMissing;
 
     const AttackerTrajectory& trajectory = scenario_.answer.trajectory;
-    const auto track =
-        std::find_if(scene_.agents.begin(), scene_.agents.end(),
-                     [&](const Track& agent) { return agent.id == trajectory.attacker_id; });
-    if (track == scene_.agents.end()) return ClipObstacle::kAttackerMissing;
+    const std::optional<Track> track = pastOf(trajectory);
+    if (!track) return ClipObstacle::kAttackerMissing;
     CollideTrack attacker{trajectory.attacker_id, {}};
     for (std::size_t frame = 0; frame <= kCollideNowFrame; ++frame) {
       attacker.frames.push_back(stateInFrame(*track, clip_.times[frame]));

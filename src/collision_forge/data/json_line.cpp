@@ -46,6 +46,8 @@ JsonObject::JsonObject(std::string where, std::string path, const Value& value)
   }
 }
 
+bool JsonObject::has(const char* key) const { return unread_.count(key) > 0; }
+
 std::string JsonObject::text(const char* key) {
   const Value& value = take(key);
   if (!value.IsString()) fail(key, "is not a string");
@@ -115,8 +117,15 @@ std::optional<JsonObject> JsonObject::objectOrNull(const char* key) {
   return JsonObject(where_, pathOf(key), value);
 }
 
-std::vector<JsonObject> JsonObject::objects(const char* key) {
+std::vector<JsonObject> JsonObject::objects(const char* key) { return objectsIn(key, take(key)); }
+
+std::optional<std::vector<JsonObject>> JsonObject::objectsOrNull(const char* key) {
   const Value& value = take(key);
+  if (value.IsNull()) return std::nullopt;
+  return objectsIn(key, value);
+}
+
+std::vector<JsonObject> JsonObject::objectsIn(const char* key, const Value& value) const {
   if (!value.IsArray()) fail(key, "is not an array");
   std::vector<JsonObject> objects;
   objects.reserve(value.Size());

@@ -25,6 +25,9 @@ class JsonObject {
   /// value that is no object and for a key that is there twice.
   JsonObject(std::string where, std::string path, const rapidjson::Value& value);
 
+  /// True when the key is there and has not been read.
+  bool has(const char* key) const;
+
   std::string text(const char* key);
   std::optional<std::string> textOrNull(const char* key);
   double number(const char* key);
@@ -36,6 +39,7 @@ class JsonObject {
   JsonObject object(const char* key);
   std::optional<JsonObject> objectOrNull(const char* key);
   std::vector<JsonObject> objects(const char* key);
+  std::optional<std::vector<JsonObject>> objectsOrNull(const char* key);
 
   void finish() const;
 
@@ -44,6 +48,7 @@ class JsonObject {
 
  private:
   const rapidjson::Value& take(const char* key);
+  std::vector<JsonObject> objectsIn(const char* key, const rapidjson::Value& value) const;
   std::string pathOf(const std::string& key) const;
 
   std::string where_;

@@ -4,12 +4,13 @@
 #include <cstring>
 #include <fstream>
 
+#include "collision_forge/data/request_fields.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/fingerprint.h"
 
 namespace forge {
 
-std::string requestLine(const SceneRequest& request) {
+std::string requestLine(const SceneRequest& request, const CrashDefinition& defaults) {
   JsonLineWriter writer;
   writer.beginObject();
   writer.text("scene", request.scene);
@@ -22,11 +23,13 @@ std::string requestLine(const SceneRequest& request) {
     writer.null("attacker");
   }
   writer.count("seed", request.request.seed);
+  writeControls(writer, request.request, &defaults);
   writer.endObject();
   return writer.line();
 }
 
-SceneRequest readRequestLine(const std::string& where, const std::string& line) {
+SceneRequest readRequestLine(const std::string& where, const std::string& line,
+                             const CrashDefinition& crash) {
   const JsonLine parsed(where, line);
   JsonObject object = parsed.root();
   SceneRequest request;
@@ -38,18 +41,20 @@ SceneRequest readRequestLine(const std::string& where, const std::string& line) 
   request.request.tta = object.number("tta");
   request.request.attacker = object.textOrNull("attacker");
   request.request.seed = object.count("seed");
+  request.request.crash = crash;
+  readControls(object, request.request, true);
   object.finish();
   return request;
 }
 
-std::vector<SceneRequest> readRequests(const std::string& path,
-                                       const std::set<std::string>& scenes) {
+std::vector<SceneRequest> readRequests(const std::string& path, const std::set<std::string>& scenes,
+                                       const CrashDefinition& crash) {
   std::ifstream file(path);
   if (!file) throw JsonLineError(path + ": cannot be opened: " + std::strerror(errno));
   std::vector<SceneRequest> requests;
   for (std::string line; std::getline(file, line);) {
     const std::string where = path + ": line " + std::to_string(requests.size() + 1);
-    requests.push_back(readRequestLine(where, line));
+    requests.push_back(readRequestLine(where, line, crash));
     const std::string& scene = requests.back().scene;
     if (scenes.count(scene) == 0) {
       throw JsonLineError(where + ": field scene = \"" + scene + "\" is no scene of the data");
@@ -68,9 +73,12 @@ std::string fingerprintOf(const std::vector<SceneRequest>& requests) {
   return std::to_string(requests.size()) + " of fingerprint " + hash;
 }
 
-void writeRequests(const std::string& path, const std::vector<SceneRequest>& requests) {
+void writeRequests(const std::string& path, const std::vector<SceneRequest>& requests,
+                   const CrashDefinition& defaults) {
   AsideFile file(path);
-  for (const SceneRequest& request : requests) file.stream() << requestLine(request) << '\n';
+  for (const SceneRequest& request : requests) {
+    file.stream() << requestLine(request, defaults) << '\n';
+  }
   file.commit();
 }
 

@@ -2,12 +2,19 @@
 
 #include <cmath>
 
+#include "collision_forge/data/request_fields.h"
+#include "collision_forge/scene/request_words.h"
+
 namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/scenario";
-constexpr int kVersion = 2;            // 1: pattern was the contact, not what was aimed at
+// 1: pattern was the contact, not what was aimed at; 2: nothing of classes, added vehicles,
+// controls and believability.
+constexpr int kVersion = 3;
 constexpr double kMicroseconds = 1e6;  // in a second
+constexpr const char* kRecorded = "recorded";
+constexpr const char* kAdded = "added";
 
 double fromNow(double time, double now) {
   return std::round((time - now) * kMicroseconds) / kMicroseconds;
@@ -42,6 +49,7 @@ void writeRequest(JsonLineWriter& writer, const CollisionRequest& request) {
   } else {
     writer.null("attacker");
   }
+  writeControls(writer, request);
   writer.text("mode", toString(request.mode));
   writer.count("seed", request.seed);
   writer.endObject();
@@ -54,11 +62,33 @@ void writeStatus(JsonLineWriter& writer, const Status& status) {
   writer.endObject();
 }
 
+/// Speeds are written to the micrometre a second, so that they are read as they were written.
+void writePast(JsonLineWriter& writer, const std::vector<AgentState>& past, double now) {
+  if (past.empty()) {
+    writer.null("past");
+    return;
+  }
+  constexpr double kMicrometres = 1e6;  // in a metre
+  writer.beginArray("past");
+  for (const AgentState& state : past) {
+    const double speed = state.velocity.dot(state.pose.heading());
+    writer.beginObject();
+    writer.number("t", fromNow(state.time, now));
+    writePoseFields(writer, state.pose);
+    writer.number("v", std::round(speed * kMicrometres) / kMicrometres);
+    writer.endObject();
+  }
+  writer.endArray();
+}
+
 void writeAttacker(JsonLineWriter& writer, const AttackerTrajectory& trajectory, double now) {
   writer.beginObject("attacker");
   writer.text("id", trajectory.attacker_id);
+  writer.text("class", toString(trajectory.agent_class));
+  writer.text("origin", trajectory.isAdded() ? kAdded : kRecorded);
   writer.number("length", trajectory.size.length);
   writer.number("width", trajectory.size.width);
+  writePast(writer, trajectory.past, now);
   writer.beginArray("trajectory");
   for (const TrajectoryPoint& point : trajectory.points) {
     writer.beginObject();
@@ -102,6 +132,14 @@ void writeReport(JsonLineWriter& writer, const CollisionReport& report, double n
   writeTextOrNull(writer, "broken_limit", report.broken_limit);
   writeTextOrNull(writer, "first_other", report.first_other_id);
   writer.number("off_road_share", report.off_road_share);
+  writer.text("manoeuvre", toString(report.manoeuvre));
+  writer.number("manoeuvre_begin_t", fromNow(report.manoeuvre_begin, now));
+  writer.number("on_lane", report.road.on_lane);
+  writer.number("wrong_way", report.road.wrong_way);
+  writer.number("on_walkway", report.road.on_walkway);
+  writer.number("on_island", report.road.on_island);
+  writer.flag("believable", report.believable());
+  writeTextOrNull(writer, "unbelievable", report.unbelievable);
   writer.endObject();
 }
 
@@ -135,6 +173,7 @@ CollisionRequest readRequest(JsonObject object) {
   request.type = *type;
   request.tta = object.number("tta");
   request.attacker = object.textOrNull("attacker");
+  readControls(object, request, false);
   request.mode = *mode;
   request.seed = object.count("seed");
   object.finish();
@@ -157,9 +196,40 @@ double readPositive(JsonObject& object, const char* key) {
   return value;
 }
 
+/// `is_added`: it must be there, else it must not.
+std::vector<AgentState> readPast(JsonObject& object, bool is_added, double now) {
+  std::vector<AgentState> past;
+  auto entries = object.objectsOrNull("past");
+  if (is_added != (entries && !entries->empty())) {
+    object.fail("past", is_added ? "is of no added vehicle" : "is of no recorded vehicle");
+  }
+  if (!entries) return past;
+  for (JsonObject& entry : *entries) {
+    AgentState state;
+    state.time = now + entry.number("t");
+    state.pose = readPoseFields(entry);
+    state.velocity = entry.number("v") * state.pose.heading();
+    entry.finish();
+    past.push_back(state);
+  }
+  return past;
+}
+
+bool readIsAdded(JsonObject& object) {
+  const std::string origin = object.text("origin");
+  if (origin != kAdded && origin != kRecorded) {
+    object.fail("origin", std::string("is neither ") + kRecorded + " nor " + kAdded);
+  }
+  return origin == kAdded;
+}
+
 AttackerTrajectory readAttacker(JsonObject object, double now) {
   AttackerTrajectory trajectory;
   trajectory.attacker_id = object.text("id");
+  const auto agent_class = agentClassFromString(object.text("class"));
+  if (!agent_class) object.fail("class", "is no class of agents");
+  trajectory.agent_class = *agent_class;
+  trajectory.past = readPast(object, readIsAdded(object), now);
   trajectory.size = {readPositive(object, "length"), readPositive(object, "width")};
   for (JsonObject& entry : object.objects("trajectory")) {
     TrajectoryPoint point;
@@ -210,6 +280,17 @@ CollisionReport readReport(JsonObject object, double now) {
   report.broken_limit = object.textOrNull("broken_limit").value_or("");
   report.first_other_id = object.textOrNull("first_other").value_or("");
   report.off_road_share = object.number("off_road_share");
+  const auto manoeuvre = manoeuvreFromString(object.text("manoeuvre"));
+  if (!manoeuvre) object.fail("manoeuvre", "is no manoeuvre");
+  report.manoeuvre = *manoeuvre;
+  report.manoeuvre_begin = now + object.number("manoeuvre_begin_t");
+  report.road = {object.number("on_lane"), object.number("wrong_way"), 0.0,
+                 object.number("on_walkway"), object.number("on_island")};
+  const bool is_believable = object.flag("believable");
+  report.unbelievable = object.textOrNull("unbelievable").value_or("");
+  if (is_believable != report.believable()) {
+    object.fail("believable", "does not fit the field unbelievable");
+  }
   if (is_verified != report.verified()) {
     object.fail("verified", "does not fit the other fields of the report");
   }

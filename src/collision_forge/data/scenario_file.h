@@ -17,13 +17,14 @@ struct Scenario {
 };
 
 /// One line, without a line end, as docs/scenarios.md and docs/scenario.schema.json have it: times
-/// in seconds from now to the microsecond (the clock's resolution), all else as in the structs,
+/// in seconds from now to the microsecond (the clock's resolution), all else as in the structs (of
+/// the crash definition `believable` and `limits`, of past states the speed along the heading),
 /// global map frame. Throws std::invalid_argument for a number that is not finite.
 std::string scenarioLine(const Scenario& scenario);
 
-/// The opposite of scenarioLine(): the same line again gives the same bytes. The attacker's class
-/// is not in the file and stays at its default. Throws JsonLineError, naming `where`, for a line
-/// that is not of this format and version.
+/// The opposite of scenarioLine(): the same line again gives the same bytes. Not in
+/// the file: the report's time of another's touch and its road.off_road. Throws JsonLineError,
+/// naming `where`, for a line that is not of this format and version.
 Scenario readScenarioLine(const std::string& where, const std::string& line);
 
 }  // namespace forge

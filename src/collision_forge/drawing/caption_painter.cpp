@@ -56,6 +56,14 @@ std::vector<ReportRow> reportRows(const ScenarioView& view, const DrawingOptions
     rows.push_back({"Contact", "none", options.failed_color});
   }
   if (view.contact_alone) return rows;
+  if (report.contact) {
+    rows.push_back({"Manoeuvre",
+                    std::string(toString(report.manoeuvre)) + " from " +
+                        signedSeconds(report.manoeuvre_begin - now, 1),
+                    options.text_color});
+  }
+  rows.push_back({"Believable", report.believable() ? "yes" : "no: it " + report.unbelievable,
+                  verdict(report.believable())});
   rows.push_back({"Limits kept", report.limits_kept ? "yes" : "no", verdict(report.limits_kept)});
   if (!report.broken_limit.empty()) {
     rows.push_back({"", report.broken_limit, options.failed_color});
@@ -95,7 +103,8 @@ void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& s
   const std::string scene_title = titleOf(view.pattern.type) + " in " + view.scene_name;
   canvas.text({area.x, 1.7 * font}, canvas.fitted(scene_title, room, scene), scene);
   const std::string line = "TTA " + decimalText(view.tta, 1) + " s  ·  " + toString(view.mode) +
-                           " mode  ·  attacker " + view.trajectory.attacker_id;
+                           " mode  ·  attacker " + (view.trajectory.isAdded() ? "added, " : "") +
+                           view.trajectory.attacker_id;
   canvas.text({area.x, second_line}, canvas.fitted(line, room, details), details);
 }
 

@@ -6,8 +6,8 @@
 
 namespace forge {
 
-/// Scene, type, time to accident, mode and attacker, and on the right whether it is verified, where
-/// that is known.
+/// Scene, type, time to accident, mode and attacker (whether it was added), and on the right
+/// whether it is verified, where that is known.
 void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, const DrawingOptions& options);
 

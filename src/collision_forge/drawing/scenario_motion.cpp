@@ -58,6 +58,10 @@ std::optional<OrientedBox> ScenarioMotion::attackerAt(double time) const {
     }
     return OrientedBox{poseAt(trajectory, time), trajectory.size};
   }
+  if (trajectory.isAdded()) {
+    return boxOf({trajectory.attacker_id, trajectory.agent_class, trajectory.size, trajectory.past},
+                 time);
+  }
   const Track* past = findTrack(view_.snapshot.agents, trajectory.attacker_id);
   return past == nullptr ? std::nullopt : boxOf(*past, time);
 }

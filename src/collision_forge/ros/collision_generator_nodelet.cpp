@@ -18,7 +18,8 @@
 namespace forge {
 
 /// The front door: answers generate_collision and publishes the attack. The default method goes by
-/// way of predict_pattern and realize_trajectory, all others run here. Replay mode needs the
+/// way of predict_pattern and realize_trajectory, all others run here, and so do vehicles that are
+/// added. Replay mode needs the
 /// private parameter `recording`, the bag on replay.
 class CollisionGeneratorNodelet : public nodelet::Nodelet {
  private:
@@ -90,16 +91,10 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   }
 
   Status generate(const Request& message, collision_forge::Attack& attack) {
-    collision_forge::CollisionRequest asked;
-    asked.collision_type = message.collision_type;
-    asked.tta = message.tta;
-    asked.attacker_id = message.attacker_id;
-    asked.mode = message.mode;
-    asked.seed = message.seed;
-    const auto parsed = fromMessage(asked);
+    const collision_forge::CollisionRequest asked = requestIn(message);
+    const auto parsed = fromMessage(asked, config_.crash);
     if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
-    CollisionRequest request = std::get<CollisionRequest>(parsed);
-    request.crash = config_.crash;
+    const CollisionRequest& request = std::get<CollisionRequest>(parsed);
     const std::string method = message.method.empty() ? default_method_ : message.method;
     if (!methods_.has(method)) {
       return {StatusCode::kInvalidInput,
@@ -115,12 +110,25 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
       const Status status = findRecorded(scene->header.stamp.toSec(), recorded);
       if (status.code != StatusCode::kOk) return status;
     }
-    if (method == default_method_) {
-      const Status status = search_->generate(scene->snapshot, asked, recorded, attack);
-      attack.method = method;
-      return status;
+    if (method != default_method_ || request.choice == AttackerChoice::kNew) {
+      return generateHere(method, scene->snapshot, request, std::move(recorded), attack);
     }
-    return generateHere(method, scene->snapshot, request, std::move(recorded), attack);
+    const Status status = search_->generate(scene->snapshot, asked, recorded, attack);
+    attack.method = method;
+    if (!leavesRoomForNewOne(status, request)) return status;
+    CollisionRequest by_new = request;
+    by_new.choice = AttackerChoice::kNew;
+    const Status added = generateHere(method, scene->snapshot, by_new, std::move(recorded), attack);
+    return added.code == StatusCode::kOk ? added : status;
+  }
+
+  /// Nobody who is there can attack as asked, and somebody new may. The services know those alone
+  /// who are there.
+  static bool leavesRoomForNewOne(const Status& status, const CollisionRequest& request) {
+    if (request.attacker || request.choice != AttackerChoice::kAny) return false;
+    return status.code == StatusCode::kNoCandidate ||
+           status.code == StatusCode::kNoAttackWithinLimits ||
+           status.code == StatusCode::kNotBelievable || status.code == StatusCode::kLowConfidence;
   }
 
   Status generateHere(const std::string& name, const collision_forge::SceneSnapshot& scene,

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "collision_forge/ros/topic_names.h"
+#include "collision_forge/scene/request_words.h"
 
 namespace forge {
 namespace {
@@ -71,6 +72,72 @@ collision_forge::Tensor toMessage(const DenseTensor& tensor) {
   message.shape = tensor.shape;
   message.data = tensor.data;
   return message;
+}
+
+std::optional<bool> boolFromString(const std::string& name) {
+  if (name == "true") return true;
+  if (name == "false") return false;
+  return std::nullopt;
+}
+
+/// Sets `value` to what an optional word means; false for one that means nothing.
+template <typename FromString, typename Value>
+bool readWord(const std::string& word, FromString from_string, Value& value) {
+  if (word.empty()) return true;
+  const auto meaning = from_string(word);
+  if (meaning) value = *meaning;
+  return meaning.has_value();
+}
+
+/// What is asked for beyond type, time and attacker; returns what is wrong with it, or nothing.
+std::string readControls(const collision_forge::CollisionRequest& message,
+                         CollisionRequest& request) {
+  const auto unknown = [](const char* field, const std::string& value, const char* problem) {
+    return std::string(field) + " = \"" + value + "\" is " + problem;
+  };
+  if (!readWord(message.choice, attackerChoiceFromString, request.choice)) {
+    return unknown("choice", message.choice, "none of any, existing and new");
+  }
+  if (!readWord(message.believable, boolFromString, request.crash.believable)) {
+    return unknown("believable", message.believable, "neither true nor false");
+  }
+  if (!readWord(message.limits, limitSetFromString, request.crash.limits)) {
+    return unknown("limits", message.limits, "neither drivable nor strict");
+  }
+  if (!readWord(message.attacker_class, agentClassFromString, request.attacker_class)) {
+    return unknown("attacker_class", message.attacker_class, "no class of agents");
+  }
+  if (!readWord(message.manoeuvre, manoeuvreFromString, request.manoeuvre)) {
+    return unknown("manoeuvre", message.manoeuvre, "no manoeuvre");
+  }
+  if (!readWord(message.ego_side, sideFromString, request.ego_side)) {
+    return unknown("ego_side", message.ego_side, "none of front, rear, left and right");
+  }
+  if (message.min_impact_speed != 0.0 || message.max_impact_speed != 0.0) {
+    request.impact_speed = Range{message.min_impact_speed, message.max_impact_speed};
+  }
+  return "";
+}
+
+/// Throws as fromMessage() of the trajectory.
+std::vector<AgentState> pastIn(const collision_forge::AttackerTrajectory& message) {
+  const std::string attacker = "attacker " + message.attacker_id + ": ";
+  if (message.added == message.past.empty()) {
+    throw MessageError(attacker +
+                       (message.added ? "added, without a past" : "past, but not added"));
+  }
+  std::vector<AgentState> past;
+  for (const auto& state : message.past) {
+    const std::string name = attacker + "past[" + std::to_string(past.size()) + "]";
+    past.push_back(forge::fromMessage(state));
+    if (!past.back().pose.isFinite() || !past.back().velocity.allFinite()) {
+      throw MessageError(name + " is not finite");
+    }
+    if (past.size() > 1 && past.back().time <= past[past.size() - 2].time) {
+      throw MessageError(name + ".stamp is not after the one before");
+    }
+  }
+  return past;
 }
 
 }  // namespace
@@ -184,13 +251,24 @@ std::vector<Track> fromMessage(const collision_forge::AgentArray& message) {
   return agents;
 }
 
+AgentState fromMessage(const collision_forge::TrackState& message) {
+  return {message.stamp.toSec(), fromMessage(message.pose),
+          Vector2(message.velocity_x, message.velocity_y)};
+}
+
+collision_forge::TrackState toMessage(const AgentState& state) {
+  collision_forge::TrackState message;
+  message.stamp = stampOf(state.time);
+  message.pose = toPose2dMessage(state.pose);
+  message.velocity_x = state.velocity.x();
+  message.velocity_y = state.velocity.y();
+  return message;
+}
+
 Track fromMessage(const collision_forge::AgentTrack& message) {
   Track track{
       message.id, agentClass(message.agent_class, message.id), fromMessage(message.size), {}};
-  for (const auto& state : message.states) {
-    track.states.push_back({state.stamp.toSec(), fromMessage(state.pose),
-                            Vector2(state.velocity_x, state.velocity_y)});
-  }
+  for (const auto& state : message.states) track.states.push_back(fromMessage(state));
   return track;
 }
 
@@ -199,14 +277,7 @@ collision_forge::AgentTrack toMessage(const Track& track) {
   message.id = track.id;
   message.agent_class = static_cast<std::uint8_t>(track.agent_class);
   message.size = toMessage(track.size);
-  for (const AgentState& state : track.states) {
-    collision_forge::TrackState sample;
-    sample.stamp = stampOf(state.time);
-    sample.pose = toPose2dMessage(state.pose);
-    sample.velocity_x = state.velocity.x();
-    sample.velocity_y = state.velocity.y();
-    message.states.push_back(sample);
-  }
+  for (const AgentState& state : track.states) message.states.push_back(toMessage(state));
   return message;
 }
 
@@ -255,9 +326,10 @@ collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEnc
   return message;
 }
 
-std::variant<CollisionRequest, Status> fromMessage(
-    const collision_forge::CollisionRequest& message) {
+std::variant<CollisionRequest, Status> fromMessage(const collision_forge::CollisionRequest& message,
+                                                   const CrashDefinition& crash) {
   CollisionRequest request;
+  request.crash = crash;
   const auto type = collisionTypeFromString(message.collision_type);
   if (!type) {
     return Status{StatusCode::kUnknownType,
@@ -275,6 +347,27 @@ std::variant<CollisionRequest, Status> fromMessage(
   if (!message.attacker_id.empty()) request.attacker = message.attacker_id;
   request.mode = *mode;
   request.seed = message.seed;
+  const std::string problem = readControls(message, request);
+  if (!problem.empty()) return Status{StatusCode::kInvalidInput, problem};
+  return request;
+}
+
+collision_forge::CollisionRequest requestIn(
+    const collision_forge::GenerateCollision::Request& message) {
+  collision_forge::CollisionRequest request;
+  request.collision_type = message.collision_type;
+  request.tta = message.tta;
+  request.attacker_id = message.attacker_id;
+  request.choice = message.choice;
+  request.mode = message.mode;
+  request.seed = message.seed;
+  request.believable = message.believable;
+  request.limits = message.limits;
+  request.attacker_class = message.attacker_class;
+  request.manoeuvre = message.manoeuvre;
+  request.ego_side = message.ego_side;
+  request.min_impact_speed = message.min_impact_speed;
+  request.max_impact_speed = message.max_impact_speed;
   return request;
 }
 
@@ -311,7 +404,8 @@ AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& messag
   AttackerTrajectory trajectory{message.attacker_id,
                                 agentClass(message.agent_class, message.attacker_id),
                                 fromMessage(message.size),
-                                {}};
+                                {},
+                                pastIn(message)};
   if (!(trajectory.size.length > 0.0 && trajectory.size.width > 0.0 &&
         std::isfinite(trajectory.size.length) && std::isfinite(trajectory.size.width))) {
     throw MessageError("attacker " + message.attacker_id + ": size is not positive");
@@ -345,6 +439,8 @@ collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajecto
   message.agent_class = static_cast<std::uint8_t>(trajectory.agent_class);
   message.size = toMessage(trajectory.size);
   for (const TrajectoryPoint& point : trajectory.points) message.points.push_back(toMessage(point));
+  message.added = trajectory.isAdded();
+  for (const AgentState& state : trajectory.past) message.past.push_back(toMessage(state));
   return message;
 }
 
@@ -378,6 +474,8 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
     message.ego_side = toString(report.ego_side);
     message.attacker_side = toString(report.attacker_side);
     message.impact_speed = report.impact_speed;
+    message.manoeuvre = toString(report.manoeuvre);
+    message.manoeuvre_begin = stampOf(report.manoeuvre_begin);
   }
   message.type_kept = report.type_kept;
   message.on_time = report.on_time;
@@ -386,6 +484,12 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
   message.first_other_id = report.first_other_id;
   if (!report.first_other_id.empty()) message.first_other_time = stampOf(report.first_other_time);
   message.off_road_share = report.off_road_share;
+  message.on_lane = report.road.on_lane;
+  message.wrong_way = report.road.wrong_way;
+  message.on_walkway = report.road.on_walkway;
+  message.on_island = report.road.on_island;
+  message.believable = report.believable();
+  message.unbelievable = report.unbelievable;
   message.confidence = report.confidence;
   return message;
 }

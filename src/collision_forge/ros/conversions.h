@@ -9,6 +9,7 @@
 #include <collision_forge/CollisionRequest.h>
 #include <collision_forge/EncodedScene.h>
 #include <collision_forge/Future.h>
+#include <collision_forge/GenerateCollision.h>
 #include <collision_forge/LaneMap.h>
 #include <collision_forge/TrajectoryPoint.h>
 #include <geometry_msgs/Pose.h>
@@ -54,6 +55,9 @@ collision_forge::LaneMap toMessage(const LaneMap& map, const ros::Time& stamp);
 /// One track with one state an agent. Throws MessageError for an agent class that does not exist.
 std::vector<Track> fromMessage(const collision_forge::AgentArray& message);
 
+AgentState fromMessage(const collision_forge::TrackState& message);
+collision_forge::TrackState toMessage(const AgentState& state);
+
 Track fromMessage(const collision_forge::AgentTrack& message);
 collision_forge::AgentTrack toMessage(const Track& track);
 
@@ -65,15 +69,20 @@ Snapshot fromMessage(const collision_forge::SceneSnapshot& message);
 collision_forge::SceneSnapshot toMessage(const Snapshot& snapshot);
 collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEncoding& encoding);
 
-/// The request, or why there is none: UNKNOWN_TYPE or INVALID_INPUT. An empty mode is history.
-std::variant<CollisionRequest, Status> fromMessage(
-    const collision_forge::CollisionRequest& message);
+/// The request, or why there is none: UNKNOWN_TYPE or INVALID_INPUT. An empty mode is history. What
+/// counts as the crash is `crash`, unless the message says otherwise.
+std::variant<CollisionRequest, Status> fromMessage(const collision_forge::CollisionRequest& message,
+                                                   const CrashDefinition& crash);
+/// What generate_collision is asked, but for the method.
+collision_forge::CollisionRequest requestIn(
+    const collision_forge::GenerateCollision::Request& message);
 
 CollisionPattern fromMessage(const collision_forge::CollisionPattern& message);
 collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, double now);
 
 /// Throws MessageError for an agent class that does not exist, a size that is not positive, points
-/// that are not finite, and times that do not grow.
+/// or past states that are not finite, times that do not grow, and a past that does not fit
+/// `added`.
 AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& message);
 collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajectory);
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/conversions.h"
@@ -28,6 +30,20 @@ TrajectoryPoint pointAt(const AttackerTrajectory& trajectory, double time) {
   point.pose = interpolate(before.pose, after->pose, ratio);
   point.speed = before.speed + ratio * (after->speed - before.speed);
   return point;
+}
+
+/// Where an attacker that was added was at a time in its past; empty beyond it.
+std::optional<AgentState> pastAt(const collision_forge::AttackerTrajectory& trajectory,
+                                 double time) {
+  Track past;
+  for (const auto& state : trajectory.past) past.states.push_back(fromMessage(state));
+  return stateAt(past, time);
+}
+
+/// From when on a bag is another with the attack in it.
+bool isChangedAt(const ros::Time& time, const collision_forge::AttackerTrajectory& trajectory) {
+  if (!trajectory.past.empty()) return time >= trajectory.past.front().stamp;
+  return time > trajectory.header.stamp;
 }
 
 /// Every frame of agents with the attack in it, by the time at which it was recorded.
@@ -59,6 +75,43 @@ void AttackerInjector::remember(const collision_forge::AgentArray& recorded) {
     attacker_ = agent;
     is_remembered_ = true;
   }
+  if (!trajectory_.past.empty() && !is_remembered_) rememberLike(recorded);
+}
+
+/// Takes height and z from the vehicle that is most like an attacker that was added.
+void AttackerInjector::rememberLike(const collision_forge::AgentArray& recorded) {
+  const auto unlike = [this](const collision_forge::Agent& agent) {
+    const Pose2 now = forge::fromMessage(trajectory_.past.back().pose);
+    const double distance = (forge::fromMessage(agent.pose).position() - now.position()).norm();
+    return std::pair(agent.agent_class != attacker_.agent_class, distance);
+  };
+  const collision_forge::Agent* most_like = nullptr;
+  for (const collision_forge::Agent& agent : recorded.agents) {
+    const bool is_vehicle = agent.agent_class <= collision_forge::Agent::STATIC_OBJECT &&
+                            canAttack(static_cast<AgentClass>(agent.agent_class));
+    if (is_vehicle && (!most_like || unlike(agent) < unlike(*most_like))) most_like = &agent;
+  }
+  if (!most_like) return;
+  attacker_.size.z = most_like->size.z;
+  attacker_.pose.position.z = most_like->pose.position.z;
+  is_remembered_ = true;
+}
+
+/// In place of the recorded attacker, if it is there.
+void AttackerInjector::put(const Pose2& pose, const Vector2& velocity,
+                           collision_forge::AgentArray& agents) const {
+  collision_forge::Agent attacker = attacker_;
+  attacker.pose = toPoseMessage(pose);
+  attacker.pose.position.z = attacker_.pose.position.z;
+  attacker.velocity.x = velocity.x();
+  attacker.velocity.y = velocity.y();
+  attacker.velocity.z = 0.0;
+  for (collision_forge::Agent& agent : agents.agents) {
+    if (agent.id != attacker.id) continue;
+    agent = attacker;
+    return;
+  }
+  agents.agents.push_back(attacker);
 }
 
 collision_forge::AgentArray AttackerInjector::inject(collision_forge::AgentArray agents) {
@@ -68,6 +121,8 @@ collision_forge::AgentArray AttackerInjector::inject(collision_forge::AgentArray
                    [this](const collision_forge::Agent& a) { return a.id == attacker_.id; });
   if (trajectory_.points.empty() || agents.header.stamp <= trajectory_.points.front().stamp) {
     remember(agents);
+    const auto before = pastAt(trajectory_, agents.header.stamp.toSec());
+    if (before) put(before->pose, before->velocity, agents);
     return agents;
   }
   if (agents.header.stamp > trajectory_.points.back().stamp) {
@@ -76,19 +131,7 @@ collision_forge::AgentArray AttackerInjector::inject(collision_forge::AgentArray
   }
   if (!is_remembered_) remember(agents);
   const TrajectoryPoint point = pointAt(fromMessage(trajectory_), agents.header.stamp.toSec());
-  collision_forge::Agent attacker = attacker_;
-  const double z = attacker_.pose.position.z;
-  attacker.pose = toPoseMessage(point.pose);
-  attacker.pose.position.z = z;
-  const Vector2 velocity = point.speed * point.pose.heading();
-  attacker.velocity.x = velocity.x();
-  attacker.velocity.y = velocity.y();
-  attacker.velocity.z = 0.0;
-  if (recorded != all.end()) {
-    *recorded = attacker;
-  } else {
-    all.push_back(attacker);
-  }
+  put(point.pose, point.speed * point.pose.heading(), agents);
   return agents;
 }
 
@@ -115,7 +158,7 @@ void injectIntoBag(const std::string& in, const std::string& out,
       // Messages of the same time come in any order: markers may come before the agents they show.
       const auto after = frames.upper_bound(time);
       const auto frame = after == frames.begin() ? frames.end() : std::prev(after);
-      if (time > now && frame != frames.end()) {
+      if (frame != frames.end() && isChangedAt(time, attack.trajectory)) {
         if (topic == bagTopic(names::kAgents) && frame->first == time) {
           target.write(topic, time, frame->second, instance.getConnectionHeader());
           continue;

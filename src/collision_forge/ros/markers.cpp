@@ -106,17 +106,17 @@ void addLanes(const collision_forge::LaneMap& map, MarkerList& markers) {
   markers.addLines("lanes", lanes, kLaneWidth, kLaneHeight, colors::kLane);
 }
 
-std::vector<Vector2> trailOf(const collision_forge::AgentTrack& track) {
+std::vector<Vector2> trailOf(const std::vector<collision_forge::TrackState>& states) {
   std::vector<Vector2> lines;
   std::vector<Vector2> trail;
-  for (const auto& state : track.states) trail.emplace_back(state.pose.x, state.pose.y);
+  for (const auto& state : states) trail.emplace_back(state.pose.x, state.pose.y);
   appendPolyline(trail, lines);
   return lines;
 }
 
 void addTrack(const std::string& name_space, const collision_forge::AgentTrack& track,
               const ros::Time& now, const colors::MarkerColor& color, MarkerList& markers) {
-  markers.addLines(name_space + "_trail", trailOf(track), kTrailWidth, kTrailHeight,
+  markers.addLines(name_space + "_trail", trailOf(track.states), kTrailWidth, kTrailHeight,
                    colors::withAlpha(color, kTrailAlpha));
   if (track.states.empty() || track.states.back().stamp < now) return;
   const OrientedBox box{fromMessage(track.states.back().pose), sizeOf(track.size)};
@@ -125,14 +125,30 @@ void addTrack(const std::string& name_space, const collision_forge::AgentTrack& 
   addId(track.id, box, markers);
 }
 
+/// The way that an attacker came that nobody recorded, and where it is now.
+void addPast(const collision_forge::AttackerTrajectory& trajectory, MarkerList& markers) {
+  markers.addLines("added_past", trailOf(trajectory.past), kTrailWidth, kTrailHeight,
+                   colors::withAlpha(colors::kAdded, kTrailAlpha));
+  const OrientedBox box{fromMessage(trajectory.past.back().pose), sizeOf(trajectory.size)};
+  markers.addBox("added", box, kVehicleHeight, colors::kAdded);
+  addId("added", box, markers);
+}
+
 std::string reportText(const collision_forge::CollisionPattern& pattern,
+                       const collision_forge::AttackerTrajectory& trajectory,
                        const collision_forge::CollisionReport& report) {
   std::string text = pattern.collision_type;
+  if (trajectory.added) text += ", added vehicle";
   if (!report.contact) return text + ": no contact";
   text += formatted("\ncontact in %.2f s", (report.contact_time - report.header.stamp).toSec());
   text += formatted("\nheading %+.0f deg", report.relative_heading * 180 / M_PI);
   text += "\n" + report.attacker_side + " to ego's " + report.ego_side;
   text += formatted("\nimpact %.1f m/s", report.impact_speed);
+  if (!report.manoeuvre.empty()) {
+    text += "\n" + report.manoeuvre +
+            formatted(" from %.1f s on", (report.manoeuvre_begin - report.header.stamp).toSec());
+  }
+  if (!report.unbelievable.empty()) text += "\nNOT BELIEVABLE: " + report.unbelievable;
   return report.verified ? text : text + "\nNOT VERIFIED";
 }
 
@@ -220,6 +236,7 @@ MarkerArray attackMarkers(const collision_forge::Attack& attack) {
   const double end = report.contact ? report.contact_time.toSec() : kInfinity;
   addWay("attacker", pointsOf(trajectory), end, sizeOf(trajectory.size), colors::kAttacker,
          markers);
+  if (!trajectory.past.empty()) addPast(trajectory, markers);
   addPatternBox(pattern_ego, "pattern_ego", colors::kPatternEgo, markers);
   addPatternBox(pattern_attacker, "pattern_attacker", colors::kPatternAttacker, markers);
   Vector2 place = (pattern_ego.center.position() + pattern_attacker.center.position()) / 2;
@@ -230,7 +247,8 @@ MarkerArray attackMarkers(const collision_forge::Attack& attack) {
     attacker.center = fromMessage(report.attacker_at_contact);
     place = addContact(ego, attacker, colors::kAttacker, markers);
   }
-  addReport(reportText(pattern, report), place, aheadOf(ego.center, attacker.center), markers);
+  addReport(reportText(pattern, trajectory, report), place, aheadOf(ego.center, attacker.center),
+            markers);
   return markers.take();
 }
 

@@ -23,7 +23,8 @@ visualization_msgs::MarkerArray patternMarkers(const collision_forge::PredictedP
                                                const collision_forge::SceneSnapshot& scene);
 
 /// The attacker's way to the contact with a ghost every half second, the pattern's two boxes, both
-/// vehicles at contact, and what the report says in words.
+/// vehicles at contact, and what the report says in words. Of an attacker that was added also its
+/// past and its box now, in namespaces of their own ("added_past", "added").
 visualization_msgs::MarkerArray attackMarkers(const collision_forge::Attack& attack);
 
 /// A box and the start of its id for everybody.

@@ -40,11 +40,10 @@ std::variant<CheckedRequest, Status> checkedRequest(
     const LaneMapSubscriber& map, const collision_forge::SceneSnapshot& scene,
     const collision_forge::CollisionRequest& request, const PredictionOptions& options,
     const CrashDefinition& crash) {
-  const auto parsed = fromMessage(request);
+  const auto parsed = fromMessage(request, crash);
   if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
   CheckedRequest checked{map.lanes(), fromMessage(scene), std::get<CollisionRequest>(parsed)};
   if (!checked.lanes) return Status{StatusCode::kNoScene, "no usable lane_map has come yet"};
-  checked.request.crash = crash;
   const Status status = checkRequest(checked.request, checked.snapshot, options);
   if (status.code != StatusCode::kOk) return status;
   return checked;

@@ -129,8 +129,10 @@ CrashScenario TrialScenarios::ofTrajectory(const AttackerTrajectory& trajectory,
   const double now = frameAt(recording_->scene, trajectory.points.front().time);
   const auto moment =
       std::get<Moment>(momentAt(*recording_, now, config_.attack.prediction.history_frames));
-  return {moment.snapshot,     *moment.recorded, trajectory, type,
-          config_.ego_vehicle, recording_->lanes};
+  CrashScenario scenario{moment.snapshot,     *moment.recorded, trajectory, type,
+                         config_.ego_vehicle, recording_->lanes};
+  showPast(scenario);
+  return scenario;
 }
 
 }  // namespace forge

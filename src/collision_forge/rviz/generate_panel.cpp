@@ -3,6 +3,7 @@
 #include <collision_forge/Agent.h>
 
 #include <QAbstractItemView>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -29,12 +30,14 @@ using collision_forge::GenerateCollision;
 constexpr char kAnyAttacker[] = "any";
 constexpr char kDefaultMethod[] = "default";
 constexpr int kShortestAttackerField = 12;  // letters
-constexpr int kResultLines = 7;
+constexpr int kResultLines = 9;
 
 // Keys in the .rviz file.
 constexpr char kTypeKey[] = "Collision Type";
 constexpr char kTtaKey[] = "Time To Accident";
 constexpr char kAttackerKey[] = "Attacker";
+constexpr char kChoiceKey[] = "Attacker Choice";
+constexpr char kBelievableKey[] = "Believable";
 constexpr char kModeKey[] = "Mode";
 constexpr char kSeedKey[] = "Seed";
 constexpr char kMethodKey[] = "Method";
@@ -48,14 +51,20 @@ QString successText(const GenerateCollision::Response& response) {
              "<tr><td>Relative heading</td><td align=right>%4 deg</td></tr>"
              "<tr><td>Sides</td><td align=right>%5 to ego's %6</td></tr>"
              "<tr><td>Impact speed</td><td align=right>%7 m/s</td></tr>"
-             "<tr><td>Confidence</td><td align=right>%8</td></tr></table>")
+             "<tr><td>Confidence</td><td align=right>%8</td></tr>"
+             "<tr><td>Manoeuvre</td><td align=right>%9</td></tr></table>%10")
       .arg(QString::fromStdString(response.attack.pattern.collision_type),
-           QString::fromStdString(report.attacker_id).toHtmlEscaped())
+           QString::fromStdString(report.attacker_id).toHtmlEscaped() +
+               (response.attack.trajectory.added ? ", added" : ""))
       .arg(contact_time, 0, 'f', 2)
       .arg(report.relative_heading * 180 / M_PI, 0, 'f', 0)
       .arg(QString::fromStdString(report.attacker_side), QString::fromStdString(report.ego_side))
       .arg(report.impact_speed, 0, 'f', 1)
-      .arg(report.confidence, 0, 'f', 2);
+      .arg(report.confidence, 0, 'f', 2)
+      .arg(QString::fromStdString(report.manoeuvre),
+           report.believable ? QString()
+                             : "Not believable: it " +
+                                   QString::fromStdString(report.unbelievable).toHtmlEscaped());
 }
 
 QString failureText(const GenerateCollision::Response& response) {
@@ -92,9 +101,10 @@ GeneratePanel::GeneratePanel(QWidget* parent) : rviz::Panel(parent) {
   createLayout();
   connect(generate_, &QPushButton::clicked, this, &GeneratePanel::generate);
   connect(&answer_, &QFutureWatcherBase::finished, this, &GeneratePanel::showAnswer);
-  for (QComboBox* box : {type_, attacker_, mode_, method_}) {
+  for (QComboBox* box : {type_, attacker_, choice_, mode_, method_}) {
     connect(box, &QComboBox::currentTextChanged, this, &rviz::Panel::configChanged);
   }
+  connect(believable_, &QCheckBox::toggled, this, &rviz::Panel::configChanged);
   connect(tta_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
           &rviz::Panel::configChanged);
   connect(seed_, qOverload<int>(&QSpinBox::valueChanged), this, &rviz::Panel::configChanged);
@@ -118,6 +128,13 @@ void GeneratePanel::createFields() {
   attacker_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   attacker_->setMinimumContentsLength(kShortestAttackerField);
   attacker_->addItem(kAnyAttacker);
+  choice_ = new QComboBox;
+  for (const AttackerChoice choice :
+       {AttackerChoice::kAny, AttackerChoice::kExisting, AttackerChoice::kNew}) {
+    choice_->addItem(toString(choice));
+  }
+  believable_ = new QCheckBox("believable");
+  believable_->setChecked(true);
   mode_ = new QComboBox;
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) mode_->addItem(toString(mode));
   method_ = new QComboBox;
@@ -137,6 +154,8 @@ void GeneratePanel::createLayout() {
   form->addRow("Collision type", type_);
   form->addRow("Time to accident", tta_);
   form->addRow("Attacker", attacker_);
+  form->addRow("Existing or new", choice_);
+  form->addRow("Drives", believable_);
   form->addRow("Mode", mode_);
   form->addRow("Method", method_);
   form->addRow("Seed", seed_);
@@ -152,6 +171,8 @@ GenerateCollision::Request GeneratePanel::request() const {
   request.tta = tta_->value();
   const QString attacker = attacker_->currentText().trimmed();
   if (attacker != kAnyAttacker) request.attacker_id = attacker.toStdString();
+  request.choice = choice_->currentText().toStdString();
+  request.believable = believable_->isChecked() ? "true" : "false";
   request.mode = mode_->currentText().toStdString();
   if (method_->currentText() != kDefaultMethod) {
     request.method = method_->currentText().toStdString();
@@ -210,6 +231,9 @@ void GeneratePanel::load(const rviz::Config& config) {
   };
   load_text(kTypeKey, type_);
   load_text(kAttackerKey, attacker_);
+  load_text(kChoiceKey, choice_);
+  bool is_believable = true;
+  if (config.mapGetBool(kBelievableKey, &is_believable)) believable_->setChecked(is_believable);
   load_text(kModeKey, mode_);
   QString method;
   if (config.mapGetString(kMethodKey, &method)) {
@@ -227,6 +251,8 @@ void GeneratePanel::save(rviz::Config config) const {
   config.mapSetValue(kTypeKey, type_->currentText());
   config.mapSetValue(kTtaKey, tta_->value());
   config.mapSetValue(kAttackerKey, attacker_->currentText());
+  config.mapSetValue(kChoiceKey, choice_->currentText());
+  config.mapSetValue(kBelievableKey, believable_->isChecked());
   config.mapSetValue(kModeKey, mode_->currentText());
   config.mapSetValue(kMethodKey, method_->currentText());
   config.mapSetValue(kSeedKey, seed_->value());

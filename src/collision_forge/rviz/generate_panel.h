@@ -11,6 +11,7 @@
 
 #include <optional>
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -44,6 +45,8 @@ class GeneratePanel : public rviz::Panel {
   QComboBox* type_ = nullptr;
   QDoubleSpinBox* tta_ = nullptr;
   QComboBox* attacker_ = nullptr;
+  QComboBox* choice_ = nullptr;
+  QCheckBox* believable_ = nullptr;
   QComboBox* mode_ = nullptr;
   QComboBox* method_ = nullptr;
   QSpinBox* seed_ = nullptr;

@@ -12,6 +12,7 @@
 #include "collision_forge/study/options.h"
 #include "collision_forge/training/options.h"
 #include "collision_forge/trials/options.h"
+#include "collision_forge/verify/options.h"
 
 namespace forge {
 
