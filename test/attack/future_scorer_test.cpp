@@ -62,6 +62,8 @@ TEST(FutureScorer, ShareIsThatOfTheFuturesThatAreHit) {
   const Case scene = rearEnds({4.0, 2.0, 4.1, 7.0, 3.9, 9.0, 1.0, 8.0});
   EXPECT_EQ(scene.score().share, 3.0 / 8.0);
   EXPECT_EQ(scene.hits(), (std::vector<std::size_t>{0, 2, 4}));
+  EXPECT_EQ(scene.scorer().hits(scene.attacker, scene.points, 2),
+            (std::vector<std::size_t>{2, 4, 0}));
   EXPECT_EQ(rearEnds({4.0}).score().share, 1.0);
   EXPECT_EQ(rearEnds({9.0}).score().share, 0.0);
 }

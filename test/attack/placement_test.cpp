@@ -147,5 +147,39 @@ TEST(AttackerOffset, SlidesAsAShareOfHalfTheSideThatIsHit) {
   }
 }
 
+TEST(PlacementsAlong, ALaneThatCrossesIsMetAtItsOwnHeading) {
+  const TypeDefinition& band = shippedCrash().types.at(CollisionType::kJunctionCrossing);
+  const auto found =
+      placementsAlong(-1.5, CollisionType::kJunctionCrossing, band, DrivingSide::kRight, 0.03, 0.6);
+  ASSERT_EQ(found.size(), 2U) << "from the left or in front, heading to the right";
+  for (const HeadedPlacement& placement : found) EXPECT_DOUBLE_EQ(placement.heading, -1.5);
+  EXPECT_EQ(found[0].side, Side::kLeft);
+  EXPECT_EQ(found[1].side, Side::kFront);
+}
+
+TEST(PlacementsAlong, HeadingsAreHeldToTheBandAndNotTooFarFromTheLane) {
+  const TypeDefinition& band = shippedCrash().types.at(CollisionType::kLaneChange);
+  const auto along = [&](double direction) {
+    return placementsAlong(direction, CollisionType::kLaneChange, band, DrivingSide::kRight, 0.03,
+                           0.6);
+  };
+  const auto beside = along(0.0);
+  ASSERT_EQ(beside.size(), 2U);
+  EXPECT_EQ(beside[0].side, Side::kRight);
+  EXPECT_DOUBLE_EQ(beside[0].heading, band.min_heading + 0.03);
+  EXPECT_EQ(beside[1].side, Side::kLeft);
+  EXPECT_DOUBLE_EQ(beside[1].heading, -band.min_heading - 0.03);
+  EXPECT_TRUE(along(1.4).empty());
+}
+
+TEST(PlacementsAlong, StraightOnIsOneHeading) {
+  const TypeDefinition& band = shippedCrash().types.at(CollisionType::kRearEnd);
+  const auto found =
+      placementsAlong(0.0, CollisionType::kRearEnd, band, DrivingSide::kRight, 0.03, 0.6);
+  ASSERT_EQ(found.size(), 2U) << "behind and ahead";
+  EXPECT_EQ(found[0].heading, 0.0);
+  EXPECT_EQ(found[1].heading, 0.0);
+}
+
 }  // namespace
 }  // namespace forge

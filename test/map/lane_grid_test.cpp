@@ -52,7 +52,9 @@ TEST(LaneGrid, SamplesFollowEveryCentrelineHalfAMetreApart) {
     const bool is_first = last[sample.lane] < 0.0;
     EXPECT_GT(sample.arc_length, last[sample.lane]);
     EXPECT_LE(sample.arc_length - last[sample.lane], is_first ? 1.0 : 0.5 + 1e-9);
-    if (is_first) EXPECT_EQ(sample.arc_length, 0.0);
+    if (is_first) {
+      EXPECT_EQ(sample.arc_length, 0.0);
+    }
     last[sample.lane] = sample.arc_length;
   }
   for (std::size_t lane = 0; lane < last.size(); ++lane) {

@@ -205,5 +205,14 @@ TEST(PathsAhead, ComeToAnEndInARingOfLanes) {
   EXPECT_LT(paths[0].length(), 100.0);
 }
 
+TEST(ReferencePath, APoseIsSeenFromThePath) {
+  const ReferencePath path(Polyline(leftBend(40.0, 60.0, 1.0)));
+  const Pose2 place = path.at(25.0).pose;
+  const PathPose seen = path.seen(compose(place, {0.0, -1.5, 0.3}));
+  EXPECT_NEAR(seen.along, 25.0, 0.1);
+  EXPECT_NEAR(seen.across, -1.5, 0.05);
+  EXPECT_NEAR(seen.lean, 0.3, 0.01);
+}
+
 }  // namespace
 }  // namespace forge

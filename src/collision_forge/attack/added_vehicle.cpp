@@ -28,7 +28,6 @@ constexpr int kSmoothing = 3;          // steps to either side that a speed is t
 constexpr double kSpacing = 1.0;       // m between the speeds in bends
 constexpr double kMinBend = 1e-3;      // 1/m; straight is no bend
 constexpr double kMinContact = 0.3;    // s from now
-constexpr double kBandEnd = 1e-3;      // rad from straight on or back: a band reaches it
 constexpr double kUntouched = 0.3;     // s before the contact: until then nobody else is touched
 constexpr double kGettingGoing = 0.4;  // s until somebody who stood has its acceleration
 constexpr double kMoving = 2.0;        // m/s; slower vehicles tell no speed of the traffic
@@ -333,26 +332,18 @@ class Casting {
   void addMeetingsOn(const Pose2& place, const Pose2& ego, Meeting meeting,
                      std::vector<Meeting>& meetings) const {
     const CollisionType type = input_.request.type;
-    const TypeDefinition& band = input_.request.bands();
     const ReferencePath& path = meeting.way->path;
     const double direction =
         angleBetween(ego.yaw, path.at(path.project(place.position())).pose.yaw);
-    const double margin = options_.route.heading_margin;
-    const double low = band.min_heading > kBandEnd ? band.min_heading + margin : 0.0;
-    const double high = band.max_heading < M_PI - kBandEnd ? band.max_heading - margin : M_PI;
-    const double nearest = std::clamp(std::abs(direction), low, std::max(low, high));
     const BoxSize size{added_.kinds.front().length, added_.kinds.front().width};
     std::vector<Meeting> possible;
-    for (const double sign : {1.0, -1.0}) {
-      meeting.heading = wrapAngle(sign * nearest);
-      if (std::abs(angleBetween(direction, meeting.heading)) > options_.route.max_lean) continue;
-      for (const Placement& placement : placementsOf(type, input_.lanes.map().driving_side)) {
-        if (placement.sign != 0.0 && placement.sign != sign) continue;
-        meeting.side = placement.side;
-        meeting.across = seen(meeting, size).y;
-        if (std::abs(meeting.across) < options_.route.max_departure) possible.push_back(meeting);
-      }
-      if (nearest < kBandEnd || nearest > M_PI - kBandEnd) break;
+    for (const HeadedPlacement& placement :
+         placementsAlong(direction, type, input_.request.bands(), input_.lanes.map().driving_side,
+                         options_.route.heading_margin, options_.route.max_lean)) {
+      meeting.side = placement.side;
+      meeting.heading = placement.heading;
+      meeting.across = seen(meeting, size).across;
+      if (std::abs(meeting.across) < options_.route.max_departure) possible.push_back(meeting);
     }
     if (type != CollisionType::kRearEnd && possible.size() > 1) {
       std::swap(
@@ -369,13 +360,10 @@ class Casting {
     return attackerOffset(past_.ego.size, size, meeting.side, meeting.heading, 0.0, 0.0);
   }
 
-  /// Of a vehicle at the meeting: metres along the way and to its left, and its lean.
-  Pose2 seen(const Meeting& meeting, const BoxSize& size) const {
+  /// Of a vehicle at the meeting, from the way.
+  PathPose seen(const Meeting& meeting, const BoxSize& size) const {
     const Pose2 ego = poseOf(*meeting.future, past_.now + meeting.contact);
-    const Pose2 pose = compose(ego, offsetOf(meeting, size));
-    const double along = meeting.way->path.project(pose.position());
-    const Pose2 local = relativeTo(meeting.way->path.at(along).pose, pose);
-    return {along + local.x, local.y, local.yaw};
+    return meeting.way->path.seen(compose(ego, offsetOf(meeting, size)));
   }
 
   // Drives.
@@ -518,7 +506,7 @@ class Casting {
 
   bool planOf(const Meeting& meeting, const Manner& manner, const BoxSize& size,
               Drive& drive) const {
-    const double along = seen(meeting, size).x;
+    const double along = seen(meeting, size).along;
     drive.back.clear();
     drive.on.clear();
     switch (manner.kind) {

@@ -13,8 +13,6 @@ constexpr double kMinArrival = 0.3;      // s from now
 constexpr double kMinImpactSpeed = 0.2;  // m/s
 constexpr double kMaxDrawnSpeed = 15.0;  // m/s at the impact
 constexpr double kNear = 6.0;            // m from the ego's middle: boxes may touch
-constexpr double kMaxSlide = 0.9;        // of half a side, either way from its middle
-constexpr double kBandEnd = 1e-3;        // rad from straight on or back: a band reaches it
 
 /// A band around straight on or back holds headings to both sides; else the pattern tells which.
 bool isOneBand(const TypeDefinition& band) {

@@ -182,10 +182,8 @@ class Search {
     return miss / (miss + search_.near_pattern);
   }
 
-  /// How far the contact is from the pattern beyond what the pattern allows for, m.
   double beyondTolerance(const Candidate& candidate) const {
-    const double miss = cornerMiss(candidate.miss, candidate.contender->track->size);
-    return std::max(0.0, miss - (input_.exact ? 0.0 : candidate.aim->pattern->tolerance));
+    return candidate.aim->missedBy(candidate.miss, candidate.contender->track->size, input_.exact);
   }
 
   /// What steering counts: nothing while quick_steering is not exceeded, 1 when it is by far.
@@ -328,9 +326,9 @@ class Search {
     found.objective = candidate.objective;
     found.aim = candidate.aim->pattern;
     found.miss = candidate.miss;
-    std::vector<std::size_t> hits = scorer_.hits(*found.attacker, found.points);
-    std::rotate(hits.begin(), std::find(hits.begin(), hits.end(), found.score.met), hits.end());
-    for (const std::size_t i : hits) found.hits.push_back(input_.egos[i]);
+    for (const std::size_t i : scorer_.hits(*found.attacker, found.points, found.score.met)) {
+      found.hits.push_back(input_.egos[i]);
+    }
     return found;
   }
 

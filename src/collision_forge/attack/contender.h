@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,6 +18,12 @@ struct Aim {
   const CollisionPattern* pattern = nullptr;
   std::size_t ego = 0;  ///< the future whose pose at the pattern's time is nearest to its ego's box
   Pose2 touching;       ///< the pattern's offset, moved so that the boxes just touch
+
+  /// How far a corner of the attacker is from the pattern beyond what the pattern allows for, m;
+  /// `exact`: it allows for nothing.
+  double missedBy(const PatternMiss& miss, const BoxSize& attacker, bool exact) const {
+    return std::max(0.0, cornerMiss(miss, attacker) - (exact ? 0.0 : pattern->tolerance));
+  }
 };
 
 /// One vehicle that may attack, and the ways it may drive.

@@ -288,13 +288,15 @@ FutureScore FutureScorer::score(const Track& attacker, const std::vector<Traject
 }
 
 std::vector<std::size_t> FutureScorer::hits(const Track& attacker,
-                                            const std::vector<TrajectoryPoint>& points) const {
+                                            const std::vector<TrajectoryPoint>& points,
+                                            std::size_t first) const {
   std::vector<Outcome> outcomes;
   evaluate(attacker, points, outcomes);
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (outcomes[i].hit) indices.push_back(i);
   }
+  std::rotate(indices.begin(), std::find(indices.begin(), indices.end(), first), indices.end());
   return indices;
 }
 

@@ -41,9 +41,10 @@ class FutureScorer {
   FutureScore score(const Track& attacker, const std::vector<TrajectoryPoint>& points,
                     std::size_t preferred = 0) const;
 
-  /// The futures in which all conditions hold, as indices into `egos`.
-  std::vector<std::size_t> hits(const Track& attacker,
-                                const std::vector<TrajectoryPoint>& points) const;
+  /// The futures in which all conditions hold, as indices into `egos`: `first` first if it is one
+  /// of them, then round from there.
+  std::vector<std::size_t> hits(const Track& attacker, const std::vector<TrajectoryPoint>& points,
+                                std::size_t first = 0) const;
 
  private:
   struct Outcome;

@@ -16,9 +16,6 @@
 namespace forge {
 namespace {
 
-constexpr double kMinArrival = 0.3;  // s from now
-constexpr double kMaxSlide = 0.9;    // of half a side, either way from its middle
-constexpr double kBandEnd = 1e-3;    // rad from straight on or back: a band reaches it
 constexpr double kSlides[] = {-0.7, 0.0, 0.7};
 constexpr double kShrink = 0.7;  // of the moves, a round
 
@@ -83,7 +80,6 @@ class ManoeuvreSearch {
         for (const double early : route_.contacts) {
           const double contact =
               std::clamp(input_.request.tta + early, sampler_.earliest(), sampler_.latest());
-          if (contact < kMinArrival) continue;
           draftAt(contender, route, ego, contact);
         }
       }
@@ -93,33 +89,23 @@ class ManoeuvreSearch {
   void draftAt(const Contender& contender, const RouteDriver& route, std::size_t ego,
                double contact) {
     const Pose2 pose = sampler_.egoAt(ego, contact);
-    const PathPose seen = route.seen(pose);
+    const PathPose seen = route.path().seen(pose);
     if (std::abs(seen.across) > route_.reach || seen.along < route.start().along) return;
-    const TypeDefinition& band = input_.request.bands();
     const double direction = angleBetween(pose.yaw, route.path().at(seen.along).pose.yaw);
-    const double margin = route_.heading_margin;
-    const double low = band.min_heading > kBandEnd ? band.min_heading + margin : 0.0;
-    const double high = band.max_heading < M_PI - kBandEnd ? band.max_heading - margin : M_PI;
-    const double nearest = std::clamp(std::abs(direction), low, std::max(low, high));
     Candidate candidate;
     candidate.contender = &contender;
     candidate.route = &route;
-    Draft& draft = candidate.draft;
-    draft.ego = ego;
-    draft.contact = contact;
-    for (const double sign : {1.0, -1.0}) {
-      draft.heading = wrapAngle(sign * nearest);
-      if (std::abs(angleBetween(direction, draft.heading)) > route_.max_lean) continue;
-      for (const Placement& placement :
-           placementsOf(input_.request.type, input_.lanes.map().driving_side)) {
-        if (placement.sign != 0.0 && placement.sign != sign) continue;
-        draft.side = placement.side;
-        for (const double slide : kSlides) {
-          draft.slide = slide;
-          draftManners(candidate);
-        }
+    candidate.draft.ego = ego;
+    candidate.draft.contact = contact;
+    for (const HeadedPlacement& placement :
+         placementsAlong(direction, input_.request.type, input_.request.bands(),
+                         input_.lanes.map().driving_side, route_.heading_margin, route_.max_lean)) {
+      candidate.draft.side = placement.side;
+      candidate.draft.heading = placement.heading;
+      for (const double slide : kSlides) {
+        candidate.draft.slide = slide;
+        draftManners(candidate);
       }
-      if (nearest < kBandEnd || nearest > M_PI - kBandEnd) break;
     }
   }
 
@@ -151,7 +137,7 @@ class ManoeuvreSearch {
     const Pose2 target = compose(sampler_.egoAt(draft.ego, draft.contact), offset);
     RoutePlan plan;
     plan.arrival = draft.contact;
-    plan.at = candidate.route->seen(target);
+    plan.at = candidate.route->path().seen(target);
     plan.departure = draft.departure;
     plan.late = draft.late;
     plan.late_acceleration = draft.late_acceleration;
@@ -211,8 +197,8 @@ class ManoeuvreSearch {
   double missCost(Candidate& candidate) const {
     if (candidate.score.share == 0.0) return 1.0;
     candidate.miss = missBetween(candidate.aim->pattern->attacker_offset, candidate.score.contact);
-    const double miss = std::max(0.0, cornerMiss(candidate.miss, candidate.contender->track->size) -
-                                          (input_.exact ? 0.0 : candidate.aim->pattern->tolerance));
+    const double miss =
+        candidate.aim->missedBy(candidate.miss, candidate.contender->track->size, input_.exact);
     return miss / (miss + search_.near_pattern);
   }
 
@@ -239,8 +225,8 @@ class ManoeuvreSearch {
   }
 
   void move(Draft& draft, double scale) {
-    draft.contact = std::clamp(draft.contact + random_.bell(0.15 * scale),
-                               std::max(kMinArrival, sampler_.earliest()), sampler_.latest());
+    draft.contact = std::clamp(draft.contact + random_.bell(0.15 * scale), sampler_.earliest(),
+                               sampler_.latest());
     draft.slide = std::clamp(draft.slide + random_.bell(0.4 * scale), -kMaxSlide, kMaxSlide);
     draft.heading = wrapAngle(draft.heading + random_.bell(0.05 * scale));
     draft.departure = std::max(search_.step, draft.departure + random_.bell(0.4 * scale));
@@ -261,9 +247,9 @@ class ManoeuvreSearch {
     found.objective = candidate.objective;
     found.aim = candidate.aim->pattern;
     found.miss = candidate.miss;
-    std::vector<std::size_t> hits = scorer_.hits(*found.attacker, found.points);
-    std::rotate(hits.begin(), std::find(hits.begin(), hits.end(), found.score.met), hits.end());
-    for (const std::size_t i : hits) found.hits.push_back(input_.egos[i]);
+    for (const std::size_t i : scorer_.hits(*found.attacker, found.points, found.score.met)) {
+      found.hits.push_back(input_.egos[i]);
+    }
     return found;
   }
 

@@ -43,6 +43,26 @@ std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side
   return {};
 }
 
+std::vector<HeadedPlacement> placementsAlong(double direction, CollisionType type,
+                                             const TypeDefinition& band, DrivingSide driving_side,
+                                             double margin, double max_lean) {
+  const double low = band.min_heading > kBandEnd ? band.min_heading + margin : 0.0;
+  const double high = band.max_heading < M_PI - kBandEnd ? band.max_heading - margin : M_PI;
+  const double nearest = std::clamp(std::abs(direction), low, std::max(low, high));
+  std::vector<HeadedPlacement> found;
+  for (const double sign : {1.0, -1.0}) {
+    const double heading = wrapAngle(sign * nearest);
+    if (std::abs(angleBetween(direction, heading)) > max_lean) continue;
+    for (const Placement& placement : placementsOf(type, driving_side)) {
+      if (placement.sign == 0.0 || placement.sign == sign)
+        found.push_back({placement.side, heading});
+    }
+    // Straight on and straight back have one side.
+    if (nearest < kBandEnd || nearest > M_PI - kBandEnd) break;
+  }
+  return found;
+}
+
 double partingDistance(const BoxSize& ego, const BoxSize& attacker, const Pose2& from,
                        const Vector2& direction) {
   const OrientedBox ego_box{{}, ego};

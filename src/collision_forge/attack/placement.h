@@ -22,6 +22,26 @@ struct Placement {
 /// left-hand traffic), or in front, heading away from there. The first ones are COLLIDE's.
 std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side);
 
+/// Of half a side: so far a place of contact may be from the side's middle, either way.
+inline constexpr double kMaxSlide = 0.9;
+
+/// A band of headings that ends so near to straight on or straight back reaches it, rad.
+inline constexpr double kBandEnd = 1e-3;
+
+/// The side of the ego's box that an attacker meets, and its heading relative to the ego's, rad.
+struct HeadedPlacement {
+  Side side = Side::kLeft;
+  double heading = 0.0;
+};
+
+/// How who comes along a lane can meet the ego. `direction`: of the lane, relative to the ego's
+/// heading, rad. The headings are those within the band, by `margin` (rad) but not where it reaches
+/// straight on or back, that are nearest to it, to either side; none is more than `max_lean` (rad)
+/// from it.
+std::vector<HeadedPlacement> placementsAlong(double direction, CollisionType type,
+                                             const TypeDefinition& band, DrivingSide driving_side,
+                                             double margin, double max_lean);
+
 /// How far along `direction` (a unit vector in the ego box's frame) the attacker's box can go from
 /// `from` until the boxes, which overlap there, only just touch; metres.
 double partingDistance(const BoxSize& ego, const BoxSize& attacker, const Pose2& from,

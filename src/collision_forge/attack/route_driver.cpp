@@ -29,7 +29,7 @@ struct RouteDriver::Cruise {
 RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
                          const RouteDriverOptions& options)
     : path_(std::move(path)), options_(options), limits_(limits), now_(now) {
-  start_ = seen(compose(now.axle, {limits.axle_to_middle, 0.0, 0.0}));
+  start_ = path_.seen(compose(now.axle, {limits.axle_to_middle, 0.0, 0.0}));
   const auto count = static_cast<std::size_t>(path_.length() / kSpacing) + 1;
   std::vector<double> bends(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -47,12 +47,6 @@ RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveL
     }
     caps_.push_back(std::move(caps));
   }
-}
-
-PathPose RouteDriver::seen(const Pose2& pose) const {
-  const double along = path_.project(pose.position());
-  const Pose2 local = relativeTo(path_.at(along).pose, pose);
-  return {along + local.x, local.y, local.yaw};
 }
 
 double RouteDriver::keptOffset(double along) const {

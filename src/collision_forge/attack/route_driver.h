@@ -9,13 +9,6 @@
 
 namespace forge {
 
-/// Where a pose is, seen from a path: metres along it and to its left, and its heading from it.
-struct PathPose {
-  double along = 0.0;
-  double across = 0.0;
-  double lean = 0.0;  ///< rad, (-pi, pi]
-};
-
 /// What a driver is to do on its route.
 struct RoutePlan {
   double arrival = 0.0;            ///< s from now
@@ -35,8 +28,6 @@ class RouteDriver {
 
   const ReferencePath& path() const { return path_; }
   const PathPose& start() const { return start_; }
-  /// Of a place near the path.
-  PathPose seen(const Pose2& pose) const;
   /// The offset that the driver keeps, at a place along the path.
   double keptOffset(double along) const;
 

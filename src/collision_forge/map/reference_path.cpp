@@ -121,6 +121,12 @@ double ReferencePath::project(const Vector2& point) const {
   return arc_length + place.heading().dot(point - place.position());
 }
 
+PathPose ReferencePath::seen(const Pose2& pose) const {
+  const double along = project(pose.position());
+  const Pose2 local = relativeTo(at(along).pose, pose);
+  return {along + local.x, local.y, local.yaw};
+}
+
 std::vector<ReferencePath> pathsAhead(const LaneIndex& lanes, const Pose2& pose, double distance,
                                       double max_lane_distance, double max_lane_heading,
                                       std::size_t max_paths) {

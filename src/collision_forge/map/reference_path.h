@@ -6,6 +6,13 @@
 
 namespace forge {
 
+/// Where a pose is, seen from a path: metres along it and to its left, and its heading from it.
+struct PathPose {
+  double along = 0.0;
+  double across = 0.0;
+  double lean = 0.0;  ///< rad, (-pi, pi]
+};
+
 /// A smooth way along lanes, with what driving along it needs: a uniform cubic B-spline of points
 /// about a metre apart, so that position, heading and curvature are continuous.
 class ReferencePath {
@@ -26,6 +33,8 @@ class ReferencePath {
   Place at(double arc_length) const;
   /// Arc length of the closest place.
   double project(const Vector2& point) const;
+  /// Of a pose near the path.
+  PathPose seen(const Pose2& pose) const;
 
  private:
   double spacing_;                 // metres between controls

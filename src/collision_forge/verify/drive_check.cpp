@@ -14,6 +14,7 @@ constexpr double kSlowTurn =
     2e-3;  // rad; ... it may be what the greatest angle allows, and so much more
 constexpr double kAngleError = 0.005;        // rad
 constexpr double kRateError = 0.02;          // rad/s
+constexpr double kSpeedError = 0.05;         // m/s
 constexpr double kAccelerationError = 0.05;  // m/s2
 constexpr double kJerkError = 0.5;           // m/s3
 constexpr double kStartDistance = 0.05;  // m between the first pose and the recorded one, and ...
@@ -61,7 +62,7 @@ class Check {
   Check(const DriveState& start, const DriveLimits& limits)
       : limits_(limits), max_tangent_(std::tan(limits.max_steering_angle)) {
     acceleration_ = start.acceleration;
-    speed_ = start.speed;
+    start_speed_ = start.speed;
     steering_ = start.steering;
     // Who stands may have turned the wheels to any angle.
     steering_known_ = start.speed > 0.0;
@@ -79,7 +80,7 @@ class Check {
     const double speed = step.speed();
     worst_.check("no_reversing", -step.along, kBackwards);
     worst_.check("no_slip", std::abs(step.across), kSlip);
-    worst_.check("max_speed", speed, limits_.max_speed + kAccelerationError);
+    worst_.check("max_speed", speed, limits_.max_speed + kSpeedError);
     checkAcceleration(step, from);
     checkSteering(step, from);
     is_first_ = false;
@@ -95,7 +96,7 @@ class Check {
     worst_.check("max_lateral_acceleration", lateral,
                  limits_.max_lateral_acceleration + kAccelerationError);
     if (is_first_) {
-      const double change = (speed - speed_) / (0.5 * step.duration);
+      const double change = (speed - start_speed_) / (0.5 * step.duration);
       worst_.check("continues_speed", std::abs(change - acceleration_),
                    0.5 * limits_.max_jerk * step.duration + kAccelerationError);
     } else {
@@ -114,7 +115,6 @@ class Check {
       worst_.check("written_speed", outside(at.speed, speed, before_.speed()), kWrittenSpeed);
       acceleration_ = acceleration;
     }
-    speed_ = speed;
   }
 
   void checkSteering(const Step& step, const TrajectoryPoint& at) {
@@ -147,7 +147,7 @@ class Check {
   WorstLimit worst_;
   bool is_first_ = true;
   Step before_;
-  double speed_ = 0.0;
+  double start_speed_ = 0.0;
   double acceleration_ = 0.0;
   double steering_ = 0.0;
   bool steering_known_ = false;
