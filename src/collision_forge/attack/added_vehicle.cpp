@@ -770,6 +770,7 @@ Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& 
   const AddedVehicles vehicles = addVehicles(input, options);
   Realization best;
   best.status = vehicles.status;
+  bool is_found = false;
   const auto together = static_cast<std::size_t>(options.added.together);
   for (std::size_t i = 0; i < vehicles.found.size(); i += together) {
     Snapshot snapshot = input.snapshot;
@@ -781,13 +782,12 @@ Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& 
     }
     Realization answer =
         realize(patterns, {snapshot, input.future, input.request, input.lanes}, options);
-    const bool is_better =
-        answer.status.code == StatusCode::kOk &&
-        (best.status.code != StatusCode::kOk || answer.report.confidence > best.report.confidence);
-    if (!is_better) {
+    if (answer.status.code != StatusCode::kOk) {
       if (i == 0) best.status = answer.status;
       continue;
     }
+    if (is_found && answer.report.confidence <= best.report.confidence) continue;
+    is_found = true;
     best = std::move(answer);
     const auto vehicle = std::find_if(
         vehicles.found.begin(), vehicles.found.end(),
