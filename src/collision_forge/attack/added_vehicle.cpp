@@ -91,14 +91,16 @@ struct Meeting {
 
 /// How a vehicle comes along its way.
 struct Manner {
-  enum Kind { kCruise, kTrain, kFollow, kStart, kStand };
+  enum Kind { kCruise, kTrain, kFollow, kStart, kStand, kPark };
   Kind kind = kCruise;
-  double value = 0.0;  // m/s of a cruise; m/s2 from now on; index of a flow
+  double value = 0.0;  // m/s of a cruise; m/s2 from now on; index of a flow; m before the meeting
   bool waits = false;  // has not always stood
+  double aside = 0.0;  // m to the left of the way's middle
 };
 
-/// Metres along a way.
+/// Along a way, m.
 struct Drive {
+  double aside = 0.0;        // m to the left of its middle
   std::vector<double> back;  // now, a step before, ...
   std::vector<double> on;    // a step after now, ..., at the contact
   /// At a number of steps after now, negative before it; the ends beyond.
@@ -161,10 +163,12 @@ class Casting {
     return std::abs(relativeTo(place, ego).y) < kOwnLane;
   }
 
+  /// The ego's future is.
+  bool isKnown() const { return input_.future.ego_samples.empty(); }
+
   bool isEnough(const std::vector<AddedVehicle>& found) const {
-    const bool is_known = input_.future.ego_samples.empty();
     return static_cast<int>(found.size()) >=
-           (is_known ? added_.candidates : added_.predicted_candidates);
+           (isKnown() ? added_.candidates : added_.predicted_candidates);
   }
 
   Status refusal() const {
@@ -381,10 +385,25 @@ class Casting {
     switch (input_.request.type) {
       case CollisionType::kRearEnd:
       case CollisionType::kLaneChange:
+        if (input_.request.type == CollisionType::kLaneChange && isEgosOwn(meeting)) {
+          for (const double before : added_.parked) manners.push_back({Manner::kPark, before});
+        }
+        // The faster the one comes to the other, the less does it matter where exactly the ego will
+        // be.
+        if (!isKnown() && input_.request.type == CollisionType::kRearEnd) {
+          if (meeting.side == Side::kFront) manners.push_back({Manner::kStand});
+          std::sort(speeds.begin(), speeds.end(),
+                    [&](double a, double b) { return std::abs(a - own) > std::abs(b - own); });
+          for (const double speed : speeds) manners.push_back({Manner::kCruise, speed});
+        }
         for (const double closing : added_.closings) manners.push_back({Manner::kTrain, closing});
         manners.insert(manners.end(), follows.begin(), follows.end());
+        if (!isKnown() && input_.request.type == CollisionType::kRearEnd) return manners;
         for (const double speed : speeds) manners.push_back({Manner::kCruise, speed});
         if (meeting.side == Side::kFront) manners.push_back({Manner::kStand});
+        if (input_.request.type == CollisionType::kLaneChange && !isEgosOwn(meeting)) {
+          for (const double before : added_.parked) manners.push_back({Manner::kPark, before});
+        }
         return manners;
       case CollisionType::kOppositeDirection:
         // Who comes slowly cannot cross the centre line in time.
@@ -393,6 +412,11 @@ class Casting {
         }
         manners.insert(manners.end(), follows.begin(), follows.end());
         for (const double start : added_.starts) manners.push_back({Manner::kStart, start, false});
+        // Then the same nearer to the centre line.
+        for (std::size_t i = 0, count = manners.size(); i < count; ++i) {
+          manners.push_back(manners[i]);
+          manners.back().aside = std::copysign(added_.aside, meeting.across);
+        }
         return manners;
       case CollisionType::kJunctionCrossing:
       case CollisionType::kLtap:
@@ -504,9 +528,22 @@ class Casting {
     return true;
   }
 
+  /// Parked beside the way, a little before the meeting and farther out.
+  bool park(const Meeting& meeting, const PathPose& place, double before, Drive& drive) const {
+    constexpr double kOutward = 0.15;  // a metre along
+    const Pose2 ego = poseOf(*meeting.future, past_.now + meeting.contact);
+    const double outward = place.across - meeting.way->path.seen(ego).across;
+    drive.aside = place.across + std::copysign(kOutward * before, outward);
+    if (std::abs(drive.aside) > options_.route.parking_distance) return false;
+    drive.back.assign(steps_back_ + 1, place.along - before);
+    return goOn(meeting, place.along - before, 0.0, 0.0, drive);
+  }
+
   bool planOf(const Meeting& meeting, const Manner& manner, const BoxSize& size,
               Drive& drive) const {
-    const double along = seen(meeting, size).along;
+    const PathPose place = seen(meeting, size);
+    const double along = place.along;
+    drive.aside = manner.aside;
     drive.back.clear();
     drive.on.clear();
     switch (manner.kind) {
@@ -522,8 +559,16 @@ class Casting {
       case Manner::kStand:
         drive.back.assign(steps_back_ + 1, along);
         return goOn(meeting, along, 0.0, 0.0, drive);
+      case Manner::kPark:
+        return park(meeting, place, manner.value, drive);
     }
     return false;
+  }
+
+  /// Of the drive that is tried, at a number of steps after now.
+  Pose2 poseAt(const ReferencePath& path, int step) const { return poseOn(path, drive_.at(step)); }
+  Pose2 poseOn(const ReferencePath& path, double along) const {
+    return compose(path.at(along).pose, {0.0, drive_.aside, 0.0});
   }
 
   // Vehicles.
@@ -541,8 +586,11 @@ class Casting {
         const AddedKind kind = drawKind();
         if (const char* reason = tryOne(meetings[i], manners[i][manner], kind, found)) {
           ++reasons_[reason];
+          continue;
         }
         if (isEnough(found)) return;
+        // Where few are tried, these shall differ.
+        if (!isKnown()) break;
       }
     }
   }
@@ -592,7 +640,7 @@ class Casting {
                                                   : "come from beyond the map"
                  : "would appear in sight";
     }
-    AddedVehicle vehicle;
+    AddedVehicle vehicle{{}, path, {}};
     Track& track = vehicle.track;
     track = {nameOf(found.size()), kind.agent_class, size, {}};
     if (const char* reason = driveFrom(*first, path, track)) return reason;
@@ -613,7 +661,7 @@ class Casting {
   bool touchesAhead(const ReferencePath& path, const BoxSize& size, double contact) const {
     const int last = static_cast<int>((contact - kUntouched) / traffic_.interval());
     for (int instant = 1; instant <= last; ++instant) {
-      const Pose2 pose = path.at(drive_.at(instant * kSteps)).pose;
+      const Pose2 pose = poseAt(path, instant * kSteps);
       if (traffic_.touches(pose, size, instant, 0.0)) return true;
     }
     return false;
@@ -625,7 +673,7 @@ class Casting {
     for (std::size_t i = 0; i < drive_.back.size(); ++i) {
       const bool is_instant = i % kSteps == 0;
       if (drive_.back[i] < 0.0 ||
-          (is_instant && traffic_.touches(path.at(drive_.back[i]).pose, size,
+          (is_instant && traffic_.touches(poseOn(path, drive_.back[i]), size,
                                           -static_cast<int>(i / kSteps), added_.clearance))) {
         // Nothing is known of the steps between this and the instant before.
         const std::size_t past_instant = is_instant ? kSteps : i % kSteps;
@@ -648,8 +696,7 @@ class Casting {
   }
 
   bool isUnseen(const ReferencePath& path, double ago) const {
-    const Vector2 place =
-        path.at(drive_.at(-static_cast<int>(std::lround(ago / kStep)))).pose.position();
+    const Vector2 place = poseAt(path, -static_cast<int>(std::lround(ago / kStep))).position();
     const int instant = -static_cast<int>(std::lround(ago / traffic_.interval()));
     const auto distance = traffic_.distanceToEgo(place, instant);
     return !distance || *distance > added_.sensing_range || traffic_.hides(place, instant);
@@ -670,11 +717,11 @@ class Casting {
     for (int i = -steps; i <= static_cast<int>(std::ceil(route.preview / kStep)); ++i) {
       const double speed =
           (drive_.at(i + kSmoothing) - drive_.at(i - kSmoothing)) / (2.0 * kSmoothing * kStep);
-      planned_.push_back({path.at(drive_.at(i)).pose, std::max(0.0, speed)});
+      planned_.push_back({poseAt(path, i), std::max(0.0, speed)});
     }
     const ReferencePath::Place place = path.at(drive_.at(-steps));
     DriveState start;
-    start.axle = compose(place.pose, {-limits.axle_to_middle, 0.0, 0.0});
+    start.axle = compose(planned_.front().middle, {-limits.axle_to_middle, 0.0, 0.0});
     start.speed = std::min(planned_.front().speed, limits.max_speed);
     start.steering = std::clamp(std::atan(limits.wheelbase * place.curvature),
                                 -limits.max_steering_angle, limits.max_steering_angle);
@@ -689,8 +736,10 @@ class Casting {
     }
     const RoadUse road =
         roadUse(points_, track.size, past_.now, input_.lanes, options_.verification.believability);
-    if (road.on_lane < added_.min_on_lane || road.on_walkway > 0.0 || road.on_island > 0.0 ||
-        road.off_road > added_.max_off_road) {
+    const bool is_parked = points_.back().speed == 0.0 && points_.front().speed == 0.0;
+    if (is_parked && isInJunction(points_.back().pose)) return "would be parked in a junction";
+    if ((!is_parked && road.on_lane < added_.min_on_lane) || road.on_walkway > 0.0 ||
+        road.on_island > 0.0 || road.off_road > added_.max_off_road) {
       return "leave their lane or the road";
     }
     for (std::size_t i = frame; i < frames.size(); ++i) {
@@ -703,6 +752,15 @@ class Casting {
     }
     deriveVelocities(track);
     return nullptr;
+  }
+
+  bool isInJunction(const Pose2& pose) const {
+    const auto near = input_.lanes.lanesNear(pose, options_.route.parking_distance,
+                                             options_.prediction.on_lane_heading);
+    return std::any_of(near.begin(), near.end(), [&](const LaneMatch& match) {
+      const Lane& lane = input_.lanes.map().lanes[match.lane];
+      return lane.is_connector || lane.is_intersection;
+    });
   }
 
   void addPatterns(const Meeting& meeting, AddedVehicle& vehicle) const {
@@ -771,29 +829,35 @@ Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& 
   Realization best;
   best.status = vehicles.status;
   bool is_found = false;
-  const auto together = static_cast<std::size_t>(options.added.together);
+  double best_worth = 0.0;
+  // Where the ego is known, the first one that can is as good as any.
+  const std::size_t together = input.future.ego_samples.empty() ? 1 : vehicles.found.size();
   for (std::size_t i = 0; i < vehicles.found.size(); i += together) {
     Snapshot snapshot = input.snapshot;
     std::vector<CollisionPattern> patterns;
-    for (std::size_t j = i; j < std::min(i + together, vehicles.found.size()); ++j) {
+    AttackerWays ways;
+    for (std::size_t j = i; j < i + together; ++j) {
       const AddedVehicle& vehicle = vehicles.found[j];
       snapshot.agents.push_back(within(vehicle.track, snapshot));
       patterns.insert(patterns.end(), vehicle.patterns.begin(), vehicle.patterns.end());
+      ways.emplace(vehicle.track.id, vehicle.way);
     }
-    Realization answer =
-        realize(patterns, {snapshot, input.future, input.request, input.lanes}, options);
+    Realization answer = realize(patterns, {snapshot, input.future, input.request, input.lanes},
+                                 options, false, ways);
     if (answer.status.code != StatusCode::kOk) {
       if (i == 0) best.status = answer.status;
       continue;
     }
-    if (is_found && answer.report.confidence <= best.report.confidence) continue;
+    const double worth = answer.report.confidence - answer.effort;
+    if (is_found && worth <= best_worth) continue;
     is_found = true;
+    best_worth = worth;
     best = std::move(answer);
     const auto vehicle = std::find_if(
         vehicles.found.begin(), vehicles.found.end(),
         [&](const AddedVehicle& other) { return other.track.id == best.trajectory.attacker_id; });
     best.trajectory.past = vehicle->track.states;
-    if (best.report.confidence >= options.search.good_share) break;
+    if (best_worth >= options.search.good_share) break;
   }
   return best;
 }

@@ -4,6 +4,7 @@
 
 #include "collision_forge/attack/options.h"
 #include "collision_forge/map/lane_queries.h"
+#include "collision_forge/map/reference_path.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
 
@@ -12,6 +13,7 @@ namespace forge {
 /// A vehicle that nobody recorded, and how it could meet the ego.
 struct AddedVehicle {
   Track track;                             ///< from its first frame to now, at the frames' times
+  ReferencePath way;                       ///< that it drives along, on through the meeting
   std::vector<CollisionPattern> patterns;  ///< by its track's id, in the futures that it is for
 };
 

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "collision_forge/attack/future_scorer.h"
 #include "collision_forge/attack/options.h"
 #include "collision_forge/attack/trajectory_family.h"
 #include "collision_forge/map/lane_queries.h"
+#include "collision_forge/map/reference_path.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
 
@@ -19,12 +22,18 @@ struct FoundAttack {
   double off_road = 0.0;  ///< mean share of the box off the drivable area, to the arrival
   /// What the search maximises: share, closeness, off_road, effort, steering and miss weighed.
   double objective = 0.0;
+  double effort = 0.0;                    ///< Realization::effort
   const CollisionPattern* aim = nullptr;  ///< of those given, the one that it came from
   PatternMiss miss;                       ///< of score.contact from the aim
   /// The futures in which all conditions hold: score.met first, then round from there. Preferred is
   /// the one in which the ego comes nearest to the aim's box.
   std::vector<const Track*> hits;
 };
+
+/// The ways that some attackers drive along, by id, in place of those of their lanes.
+using AttackerWays = std::map<std::string, ReferencePath>;
+
+inline const AttackerWays kNoWays;
 
 /// What the search is given.
 struct SearchInput {
@@ -35,6 +44,7 @@ struct SearchInput {
   const CollisionRequest& request;
   const LaneIndex& lanes;
   bool exact = false;  ///< nothing counts as much as a contact at the pattern
+  const AttackerWays& ways = kNoWays;
 };
 
 /// True within SearchOptions::exact_distance and exact_heading.

@@ -18,6 +18,10 @@ void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& 
   const PredictionOptions& prediction = options.prediction;
   const double tta = input.request.tta;
   const DriveState& now = entry.drive_start;
+  if (const auto way = input.ways.find(entry.track->id); way != input.ways.end()) {
+    entry.routes.emplace_back(way->second, now, entry.driver->limits(), route);
+    return;
+  }
   const double reach = now.speed * tta + 0.5 * route.styles.back().forward * tta * tta;
   const auto nearEgo = [&](const Polyline& way) {
     return std::any_of(input.egos.begin(), input.egos.end(), [&](const Track* ego) {
@@ -26,8 +30,11 @@ void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& 
     });
   };
   const Pose2& pose = entry.track->states.back().pose;
-  for (const LaneMatch& match :
-       input.lanes.lanesNear(pose, prediction.on_lane_distance, prediction.on_lane_heading)) {
+  // Who stands beside a lane may pull out into it.
+  const double aside = now.speed > 0.0
+                           ? prediction.on_lane_distance
+                           : std::max(prediction.on_lane_distance, route.parking_distance);
+  for (const LaneMatch& match : input.lanes.lanesNear(pose, aside, prediction.on_lane_heading)) {
     for (const LanePath& path :
          input.lanes.pathsAhead(match.lane, match.projection.arc_length, reach + kBeyondReach,
                                 static_cast<std::size_t>(route.branches))) {

@@ -27,8 +27,10 @@ struct Draft {
   double heading = 0.0;    // of the attacker from the ego, rad
   double slide = 0.0;      // along the side
   double departure = 0.0;  // s
+  double lead = 0.0;       // s
   double late = 0.0;       // s
   double late_acceleration = 0.0;
+  double wait = 0.0;  // s
 };
 
 struct Candidate {
@@ -75,12 +77,15 @@ class ManoeuvreSearch {
  private:
   /// The drafts that a contender's routes lead to.
   void draftFor(const Contender& contender) {
+    const double meant = contender.aims.front().pattern->time - input_.snapshot.now;
+    const bool has_way = input_.ways.count(contender.track->id) > 0;
     for (const RouteDriver& route : contender.routes) {
       for (const std::size_t ego : sampler_.egos()) {
         for (const double early : route_.contacts) {
-          const double contact =
-              std::clamp(input_.request.tta + early, sampler_.earliest(), sampler_.latest());
+          const double contact = std::clamp(meant + early, sampler_.earliest(), sampler_.latest());
           draftAt(contender, route, ego, contact);
+          // Who has a way of its own comes along it at the right time.
+          if (has_way) break;
         }
       }
     }
@@ -90,7 +95,9 @@ class ManoeuvreSearch {
                double contact) {
     const Pose2 pose = sampler_.egoAt(ego, contact);
     const PathPose seen = route.path().seen(pose);
-    if (std::abs(seen.across) > route_.reach || seen.along < route.start().along) return;
+    const double reach =
+        circumradius(input_.snapshot.ego.size) + circumradius(contender.track->size);
+    if (std::abs(seen.across) > route_.reach || seen.along < route.start().along - reach) return;
     const double direction = angleBetween(pose.yaw, route.path().at(seen.along).pose.yaw);
     Candidate candidate;
     candidate.contender = &contender;
@@ -113,11 +120,24 @@ class ManoeuvreSearch {
   void draftManners(Candidate& candidate) {
     const bool leads =
         input_.request.type == CollisionType::kRearEnd && candidate.draft.side == Side::kFront;
+    for (const double start : route_.starts) {
+      const double wait = candidate.draft.contact - start;
+      if (candidate.contender->drive_start.speed > 0.0 || wait <= 0.0) break;
+      candidate.draft.wait = wait;
+      candidate.draft.departure = start;
+      consider(candidate);
+    }
+    candidate.draft.wait = 0.0;
     for (const double departure : route_.departures) {
       candidate.draft.departure = departure;
       if (!leads) {
         candidate.draft.late = 0.0;
-        consider(candidate);
+        for (const double lead : route_.leads) {
+          candidate.draft.lead = lead;
+          consider(candidate);
+          // A lean of a few degrees is part of all other types.
+          if (input_.request.type != CollisionType::kOppositeDirection) break;
+        }
         continue;
       }
       for (const double braking : route_.late_braking) {
@@ -139,9 +159,11 @@ class ManoeuvreSearch {
     plan.arrival = draft.contact;
     plan.at = candidate.route->path().seen(target);
     plan.departure = draft.departure;
+    plan.lead = draft.lead;
     plan.late = draft.late;
     plan.late_acceleration = draft.late_acceleration;
-    if (plan.at.along < candidate.route->start().along ||
+    plan.wait = draft.wait;
+    if (plan.at.along < candidate.route->start().along - route_.precision ||
         std::abs(plan.at.lean) > route_.max_lean ||
         std::abs(plan.at.across) > route_.max_departure) {
       return false;
@@ -160,19 +182,17 @@ class ManoeuvreSearch {
     const Contender& contender = *candidate.contender;
     candidate.aim = nearestAim(candidate);
     candidate.score = scorer_.score(*contender.track, points_, candidate.draft.ego);
-    const DrivingStyle& style = route_.styles[candidate.style];
     candidate.objective = candidate.score.share +
                           search_.closeness_weight * candidate.score.closeness -
-                          search_.pattern_weight * missCost(candidate) - style.cost;
+                          search_.pattern_weight * missCost(candidate) - effortOf(candidate);
     const bool full = static_cast<int>(kept_.size()) >= search_.kept;
     if (full && candidate.objective < kept_.back().objective) return;
     const double now = input_.snapshot.now;
     const double until = now + input_.request.tta + input_.request.crash.time_tolerance;
     if (findBrokenDrive(points_, contender.drive_start, until, contender.limits)) return;
     candidate.road =
-        roadUse(points_, contender.track->size,
-                now + candidate.draft.contact - options_.verification.believability.before_contact,
-                input_.lanes, options_.verification.believability);
+        roadUseUntilManoeuvre(points_, contender.track->size, now + candidate.draft.contact,
+                              input_.lanes, options_.verification.believability);
     candidate.objective -= route_.off_lane_weight * (1.0 - candidate.road.on_lane) +
                            route_.off_road_weight * candidate.road.off_road +
                            route_.wrong_way_weight * candidate.road.wrong_way;
@@ -200,6 +220,12 @@ class ManoeuvreSearch {
     const double miss =
         candidate.aim->missedBy(candidate.miss, candidate.contender->track->size, input_.exact);
     return miss / (miss + search_.near_pattern);
+  }
+
+  double effortOf(const Candidate& candidate) const {
+    const double departure = std::min(candidate.draft.departure, candidate.draft.contact);
+    const double early = departure - options_.verification.believability.before_contact;
+    return route_.styles[candidate.style].cost + route_.departure_weight * std::max(0.0, early);
   }
 
   static bool better(const Candidate& a, const Candidate& b) { return a.objective > b.objective; }
@@ -230,6 +256,8 @@ class ManoeuvreSearch {
     draft.slide = std::clamp(draft.slide + random_.bell(0.4 * scale), -kMaxSlide, kMaxSlide);
     draft.heading = wrapAngle(draft.heading + random_.bell(0.05 * scale));
     draft.departure = std::max(search_.step, draft.departure + random_.bell(0.4 * scale));
+    draft.lead = std::max(0.0, draft.lead + random_.bell(0.2 * scale));
+    if (draft.wait > 0.0) draft.wait = std::max(0.0, draft.wait + random_.bell(0.3 * scale));
     if (draft.late > 0.0) {
       draft.late = std::max(search_.step, draft.late + random_.bell(0.3 * scale));
       draft.late_acceleration = std::min(0.0, draft.late_acceleration + random_.bell(1.0 * scale));
@@ -245,6 +273,7 @@ class ManoeuvreSearch {
     found.score = candidate.score;
     found.off_road = candidate.road.off_road;
     found.objective = candidate.objective;
+    found.effort = effortOf(candidate);
     found.aim = candidate.aim->pattern;
     found.miss = candidate.miss;
     for (const std::size_t i : scorer_.hits(*found.attacker, found.points, found.score.met)) {

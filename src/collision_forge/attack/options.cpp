@@ -99,7 +99,7 @@ static DrivingStyle readStyle(Section section) {
 
 static void readOptions(Section& section, RouteDriverOptions& options) {
   Section styles = section.section("styles");
-  for (const char* name : {"gentle", "brisk", "hard"}) {
+  for (const char* name : {"calm", "gentle", "brisk", "hard"}) {
     options.styles.push_back(readStyle(styles.section(name)));
   }
   styles.finish();
@@ -116,9 +116,13 @@ static void readOptions(Section& section, RouteDriverOptions& options) {
   options.heading_margin = section.nonNegative("heading_margin");
   options.contacts = section.numbers("contacts", -1.0, 1.0);
   options.departures = section.positives("departures");
+  options.leads = section.numbers("leads", 0.0, 2.0);
   options.late_braking = section.numbers("late_braking", 0.0, 20.0);
+  options.parking_distance = section.nonNegative("parking_distance");
+  options.starts = section.positives("starts");
   options.rounds = section.count("rounds", 0);
   options.perturbations = section.count("perturbations", 0);
+  options.departure_weight = section.nonNegative("departure_weight");
   options.off_lane_weight = section.nonNegative("off_lane_weight");
   options.off_road_weight = section.nonNegative("off_road_weight");
   options.wrong_way_weight = section.nonNegative("wrong_way_weight");
@@ -147,7 +151,6 @@ static void readOptions(Section& section, AddedVehicleOptions& options) {
   options.kinds = readKinds(section.section("kinds"));
   options.candidates = section.count("candidates", 1);
   options.predicted_candidates = section.count("predicted_candidates", 1);
-  options.together = section.count("together", 1);
   options.preference = section.share("preference");
   options.sensing_range = section.positive("sensing_range");
   options.least_past = section.positive("least_past");
@@ -164,6 +167,8 @@ static void readOptions(Section& section, AddedVehicleOptions& options) {
   options.least_gap = section.positive("least_gap");
   options.train_distance = section.positive("train_distance");
   options.starts = section.positives("starts");
+  options.parked = section.positives("parked");
+  options.aside = section.nonNegative("aside");
   options.wait = section.positive("wait");
   options.least_crossing_speed = section.nonNegative("least_crossing_speed");
 }

@@ -70,9 +70,13 @@ struct RouteDriverOptions {
   double heading_margin = 0.0;
   std::vector<double> contacts;
   std::vector<double> departures;
+  std::vector<double> leads;
   std::vector<double> late_braking;
+  double parking_distance = 0.0;
+  std::vector<double> starts;
   int rounds = 0;
   int perturbations = 0;
+  double departure_weight = 0.0;
   double off_lane_weight = 0.0;
   double off_road_weight = 0.0;
   double wrong_way_weight = 0.0;
@@ -92,7 +96,6 @@ struct AddedVehicleOptions {
   std::vector<AddedKind> kinds;
   int candidates = 0;
   int predicted_candidates = 0;
-  int together = 0;
   double preference = 0.0;
   double sensing_range = 0.0;
   double least_past = 0.0;
@@ -109,6 +112,8 @@ struct AddedVehicleOptions {
   double least_gap = 0.0;
   double train_distance = 0.0;
   std::vector<double> starts;
+  std::vector<double> parked;
+  double aside = 0.0;
   double wait = 0.0;
   double least_crossing_speed = 0.0;
 };

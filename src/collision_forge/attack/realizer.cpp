@@ -148,11 +148,11 @@ double confidenceOf(double share, const std::vector<double>& curve) {
 }
 
 Realization realize(const std::vector<CollisionPattern>& patterns, const VerificationInput& input,
-                    const AttackOptions& options, bool exact) {
+                    const AttackOptions& options, bool exact, const AttackerWays& ways) {
   checkPatterns(patterns, input.snapshot);
   const std::vector<const Track*> searched = everySecond(input.future, 0);
   const std::vector<FoundAttack> attacks = searchAttacks(
-      {input.snapshot, input.future, searched, patterns, input.request, input.lanes, exact},
+      {input.snapshot, input.future, searched, patterns, input.request, input.lanes, exact, ways},
       options);
   Rejections rejections;
   Realization found;
@@ -162,6 +162,7 @@ Realization realize(const std::vector<CollisionPattern>& patterns, const Verific
       rejections.add(found.miss);
       continue;
     }
+    found.effort = attack.effort;
     found.report.confidence = confidenceIn(input, attack, options);
     if (found.report.confidence < input.request.crash.min_confidence) {
       Realization declined;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/attack/attack_search.h"
 #include "collision_forge/attack/options.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/verify/verification.h"
@@ -28,8 +29,9 @@ double confidenceOf(double share, const std::vector<double>& curve);
 /// (isExact()), or there is no answer. Same input and seed, same answer. Declines with
 /// kLowConfidence below `min_confidence`. Throws std::invalid_argument for a pattern whose attacker
 /// is not in the snapshot, whose time is not after now, or with a number that is not finite or a
-/// tolerance below 0.
+/// tolerance below 0. `ways`: of believable attackers.
 Realization realize(const std::vector<CollisionPattern>& patterns, const VerificationInput& input,
-                    const AttackOptions& options, bool exact = false);
+                    const AttackOptions& options, bool exact = false,
+                    const AttackerWays& ways = {});
 
 }  // namespace forge

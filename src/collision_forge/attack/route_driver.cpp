@@ -24,6 +24,7 @@ struct RouteDriver::Cruise {
   double late_from;  // s
   double late_acceleration;
   double step;
+  double wait;  // s
 };
 
 RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
@@ -50,7 +51,11 @@ RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveL
 }
 
 double RouteDriver::keptOffset(double along) const {
-  return start_.across * std::exp(-std::max(0.0, along - start_.along) / options_.return_distance);
+  // Critically damped, from where and how the driver leans now.
+  const double driven = std::max(0.0, along - start_.along);
+  const double fade = options_.return_distance;
+  const double slope = std::tan(std::clamp(start_.lean, -options_.max_lean, options_.max_lean));
+  return (start_.across + (slope + start_.across / fade) * driven) * std::exp(-driven / fade);
 }
 
 double RouteDriver::cap(std::size_t style, double along) const {
@@ -70,6 +75,7 @@ double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) con
   for (double time = 0.0; time < cruise.arrival - 1e-9; time += cruise.step) {
     if (alongs) alongs->push_back(along);
     const double duration = std::min(cruise.step, cruise.arrival - time);
+    if (time < cruise.wait && speed == 0.0) continue;
     const double target = std::min(cruise.speed, cap(cruise.style, along + kLookahead * speed));
     double wanted = std::clamp((target - speed) / options_.settling, -style.braking, style.forward);
     double jerk = style.jerk;
@@ -93,8 +99,9 @@ double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) con
 std::optional<std::size_t> RouteDriver::plan(const RoutePlan& wanted, double step,
                                              std::size_t steps,
                                              std::vector<PlannedStep>& planned) const {
-  Cruise cruise{0,   0.0, wanted.arrival, wanted.arrival - wanted.late, wanted.late_acceleration,
-                step};
+  Cruise cruise{
+      0,    0.0,        wanted.arrival, wanted.arrival - wanted.late, wanted.late_acceleration,
+      step, wanted.wait};
   if (wanted.late <= 0.0) cruise.late_from = wanted.arrival + step;
   for (; cruise.style < options_.styles.size(); ++cruise.style) {
     double low = 0.0;
@@ -117,12 +124,17 @@ std::optional<std::size_t> RouteDriver::plan(const RoutePlan& wanted, double ste
   const double before = wanted.arrival - static_cast<double>(alongs.size() - 1) * step;
   const double last_speed = std::max(0.0, (end - alongs.back()) / std::max(1e-6, before));
   // Across the path: as kept so far, then in a fifth-order polynomial to the arrival.
-  const double departure = std::clamp(wanted.departure, step, wanted.arrival);
+  const double waits = now_.speed > 0.0 ? 0.0 : std::min(wanted.wait, wanted.arrival - step);
+  const double departure = std::clamp(wanted.departure, step, wanted.arrival - waits);
   const double from = wanted.arrival - departure;
+  const double moving = std::max(step, departure - wanted.lead);
   const auto from_step = std::min(static_cast<std::size_t>(from / step), alongs.size() - 1);
   const double kept = keptOffset(alongs[from_step]);
-  const Quintic across({kept, 0.0, 0.0},
-                       {wanted.at.across, last_speed * std::tan(wanted.at.lean), 0.0}, departure);
+  const double drift = last_speed * std::tan(wanted.at.lean);
+  // Who leaves at once goes on as it leans now.
+  const double leaning = from < step ? now_.speed * std::sin(start_.lean) : 0.0;
+  const Quintic across({kept, leaning, 0.0}, {wanted.at.across - wanted.lead * drift, drift, 0.0},
+                       moving);
   planned.resize(steps);
   Pose2 arrived;
   for (std::size_t i = 0; i < steps; ++i) {
@@ -146,8 +158,8 @@ std::optional<std::size_t> RouteDriver::plan(const RoutePlan& wanted, double ste
     if (time < from) {
       offset = keptOffset(alongs[i]);
     } else {
-      const AxisState state = across.at(time - from);
-      offset = state.position;
+      const AxisState state = across.at(std::min(moving, time - from));
+      offset = state.position + std::max(0.0, time - from - moving) * drift;
       rate = state.velocity;
     }
     const double stretch = std::max(0.1, 1.0 - place.curvature * offset);

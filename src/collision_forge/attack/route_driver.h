@@ -14,8 +14,10 @@ struct RoutePlan {
   double arrival = 0.0;            ///< s from now
   PathPose at;                     ///< at the arrival
   double departure = 0.0;          ///< s before the arrival that it begins to leave its lane
+  double lead = 0.0;               ///< s before the arrival that it is where it will arrive, across
   double late = 0.0;               ///< s before the arrival that late_acceleration begins, 0: never
   double late_acceleration = 0.0;  ///< m/s2
+  double wait = 0.0;               ///< s from now that one who stands now waits
 };
 
 /// A driver who follows a route: keeps its offset from the route's middle, drives at a speed that
@@ -28,7 +30,8 @@ class RouteDriver {
 
   const ReferencePath& path() const { return path_; }
   const PathPose& start() const { return start_; }
-  /// The offset that the driver keeps, at a place along the path.
+  /// The offset that the driver keeps, at a place along the path: it goes on as it leans now, and
+  /// comes back to the middle.
   double keptOffset(double along) const;
 
   /// A step every `step` seconds from now on, straight on after the arrival. Empty where no speed

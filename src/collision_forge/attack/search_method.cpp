@@ -7,6 +7,9 @@
 namespace forge {
 namespace {
 
+/// What speaks for an answer.
+double worthOf(const Realization& answer) { return answer.report.confidence - answer.effort; }
+
 /// An attack by an added vehicle may take the place of what the recorded ones came to.
 bool mayBeAdded(const Realization& existing, const Moment& moment, const CollisionRequest& request,
                 const AttackOptions& options) {
@@ -16,8 +19,7 @@ bool mayBeAdded(const Realization& existing, const Moment& moment, const Collisi
     case StatusCode::kOk:
       // As sure as can be, or there are none.
       return request.choice == AttackerChoice::kNew ||
-             existing.report.confidence + options.added.preference <
-                 options.search.confidence_curve.back();
+             worthOf(existing) + options.added.preference < options.search.confidence_curve.back();
     case StatusCode::kNoCandidate:
     case StatusCode::kNoAttackWithinLimits:
     case StatusCode::kNotBelievable:
@@ -36,7 +38,7 @@ bool isPreferred(const Realization& added, const Realization& existing, bool may
            added.status.code == StatusCode::kRoadDoesNotAllow;
   }
   return added.status.code == StatusCode::kOk &&
-         added.report.confidence > existing.report.confidence + options.preference;
+         worthOf(added) > worthOf(existing) + options.preference;
 }
 
 }  // namespace

@@ -106,6 +106,9 @@ struct Realization {
   PatternMiss miss;      ///< of the report's contact from the aim
   AttackerTrajectory trajectory;
   CollisionReport report;
+  /// What driving so costs, as a share of confidence: 0 as most people drive. Of believable attackers
+  /// alone.
+  double effort = 0.0;
 };
 
 }  // namespace forge

@@ -7,6 +7,7 @@
 namespace forge {
 namespace {
 
+constexpr double kStandstill = 0.1;  // m/s
 constexpr double kStep = 0.5;  // m, between the places where road is looked for: a raster's cell
 
 /// How many of a box's places lie where.
@@ -112,11 +113,28 @@ std::vector<FittingLane> fittingLanes(const OrientedBox& ego, const TypeDefiniti
   return found;
 }
 
+RoadUse roadUseUntilManoeuvre(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
+                              double contact, const LaneIndex& lanes,
+                              const BelievabilityOptions& options) {
+  const auto moves = [](const TrajectoryPoint& point) { return point.speed > kStandstill; };
+  const auto first = std::find_if(points.begin(), points.end(), moves);
+  if (first == points.begin()) {
+    return roadUse(points, size, contact - options.before_contact, lanes, options);
+  }
+  const double until = contact - options.pull_out;
+  RoadUse use = roadUse(points, size, until, lanes, options);
+  const RoadUse moving = roadUse({first, points.end()}, size, until, lanes, options);
+  const bool has_moved = first != points.end() && first->time < until;
+  use.on_lane = has_moved ? moving.on_lane : 1.0;
+  use.wrong_way = has_moved ? moving.wrong_way : 0.0;
+  return use;
+}
+
 RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
                         double contact, const LaneIndex& lanes,
                         const BelievabilityOptions& options) {
   RoadUse whole = roadUse(points, size, contact, lanes, options);
-  const RoadUse before = roadUse(points, size, contact - options.before_contact, lanes, options);
+  const RoadUse before = roadUseUntilManoeuvre(points, size, contact, lanes, options);
   whole.on_lane = before.on_lane;
   whole.wrong_way = before.wrong_way;
   return whole;

@@ -20,8 +20,14 @@ namespace forge {
 RoadUse roadUse(const std::vector<TrajectoryPoint>& points, const BoxSize& size, double until,
                 const LaneIndex& lanes, const BelievabilityOptions& options);
 
-/// The same with on_lane and wrong_way until before_contact seconds before `contact` alone, and all
-/// else until `contact`.
+/// The same until before_contact seconds before `contact`, or pull_out seconds before it for who
+/// stands at the first point. Of on_lane and wrong_way the points before it moves off count
+/// nothing: 1 and 0 if it moves off no earlier.
+RoadUse roadUseUntilManoeuvre(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
+                              double contact, const LaneIndex& lanes,
+                              const BelievabilityOptions& options);
+
+/// The same with off_road, on_walkway and on_island until `contact`.
 RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
                         double contact, const LaneIndex& lanes,
                         const BelievabilityOptions& options);

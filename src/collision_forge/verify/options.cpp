@@ -27,6 +27,7 @@ void readOptions(Section& section, BelievabilityOptions& options) {
   options.road_heading = section.angle("road_heading");
   options.island_reach = section.positive("island_reach");
   options.before_contact = section.nonNegative("before_contact");
+  options.pull_out = section.nonNegative("pull_out");
   options.min_on_lane = section.share("min_on_lane");
   options.max_wrong_way = section.share("max_wrong_way");
   options.max_off_road = section.share("max_off_road");

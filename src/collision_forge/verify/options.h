@@ -27,6 +27,7 @@ struct BelievabilityOptions {
   double road_heading = 0.0;
   double island_reach = 0.0;
   double before_contact = 0.0;
+  double pull_out = 0.0;
   double min_on_lane = 0.0;
   double max_wrong_way = 0.0;
   double max_off_road = 0.0;
