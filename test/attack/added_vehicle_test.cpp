@@ -63,6 +63,36 @@ TEST(AddedVehicle, CrashesAsAskedIntoAnEgoThatIsAlone) {
   }
 }
 
+TEST(AddedVehicle, PullsOutWhereTheEgoHasTheOnlyLane) {
+  Case scene;
+  scene.map = twoLaneRoad();
+  scene.map->drivable_area.push_back(rectangle(-200.0, -5.25, 200.0, -1.0));
+  scene.ego = {-40.0, 0.0, 0.0};
+  scene.request = believableRequestFor(CollisionType::kLaneChange);
+  const Realization answer = scene.result();
+  ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
+  for (const AgentState& state : answer.trajectory.past) {
+    EXPECT_NEAR(state.pose.x, answer.trajectory.past.back().pose.x, 1e-6) << "is parked";
+  }
+}
+
+TEST(AddedVehicle, IsTakenEvenIfNothingIsPromised) {
+  Case scene;
+  Future future = scene.future();
+  // The ego drives on in the half of its futures that is searched, and stands in the other.
+  for (int i = 0; i < 8; ++i) {
+    future.ego_samples.push_back(futureTrack(kEgoId, kEgoSize, scene.ego, i % 2 == 0 ? 8.0 : 0.0));
+  }
+  scene.request.crash.min_confidence = 0.0;
+  const Snapshot all = scene.past();
+  const Snapshot now = scene.snapshot();
+  const Realization answer =
+      realizeByAdded({now, &all, future, scene.request, LaneIndex(scene.map)}, scene.options);
+  ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
+  EXPECT_EQ(answer.report.confidence, 0.0);
+  EXPECT_FALSE(answer.trajectory.points.empty());
+}
+
 TEST(AddedVehicle, HasAPastAtAllFramesUntilNow) {
   const Case scene;
   const AddedVehicles vehicles = scene.vehicles();

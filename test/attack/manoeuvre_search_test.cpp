@@ -77,6 +77,16 @@ TEST_F(ManoeuvreSearchTest, ANeighbourCutsInLate) {
   }
 }
 
+TEST_F(ManoeuvreSearchTest, AParkedCarPullsOut) {
+  auto map = twoLaneRoad();
+  map->drivable_area.push_back(rectangle(-200.0, -5.25, 200.0, -1.0));
+  scene(map, {0.0, 0.0, 0.0}, 8.0, {pastTrack("parked", kCarSize, {33.0, -2.6, 0.0}, 0.0)});
+  const Realization answer = expectAttack(CollisionType::kLaneChange);
+  EXPECT_EQ(answer.report.ego_side, Side::kRight);
+  EXPECT_EQ(answer.trajectory.points.front().speed, 0.0);
+  EXPECT_EQ(answer.trajectory.points[5].speed, 0.0) << "waits until the ego is near";
+}
+
 TEST_F(ManoeuvreSearchTest, AnOncomingCarCrossesTheCentreLine) {
   scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 8.0,
         {pastTrack("oncoming", kCarSize, {70.0, 3.5, M_PI}, 8.5)});

@@ -65,10 +65,14 @@ TEST_F(RouteTest, DrivesByTheTamestStyleThatArrives) {
   wanted.arrival = 4.0;
   wanted.at = {34.0, 0.0, 0.0};
   EXPECT_EQ(route.plan(wanted, kStep, kSteps, plan), std::size_t{0}) << "as it drives now";
-  wanted.at.along = 45.0;
-  EXPECT_EQ(route.plan(wanted, kStep, kSteps, plan), std::size_t{1});
-  wanted.at.along = 51.0;
-  EXPECT_EQ(route.plan(wanted, kStep, kSteps, plan), std::size_t{2});
+  std::size_t wildest = 0;
+  for (wanted.at.along = 35.0; wanted.at.along < 58.0; wanted.at.along += 1.0) {
+    const auto style = route.plan(wanted, kStep, kSteps, plan);
+    if (!style) break;
+    EXPECT_GE(*style, wildest) << "the farther, the harder";
+    wildest = *style;
+  }
+  EXPECT_EQ(wildest + 1, options_.styles.size());
   wanted.at.along = 90.0;
   EXPECT_FALSE(route.plan(wanted, kStep, kSteps, plan)) << "nobody gets there";
   wanted.at.along = 8.0;
@@ -105,9 +109,46 @@ TEST_F(RouteTest, BrakesLateWhereThatIsAskedFor) {
 
 TEST_F(RouteTest, TheOffsetFromTheLaneFades) {
   const RouteDriver route = routeAt(2.0, 1.0, 10.0);
-  EXPECT_NEAR(route.keptOffset(route.start().along), 1.0, 0.01);
-  EXPECT_NEAR(route.keptOffset(route.start().along + options_.return_distance), std::exp(-1.0),
+  const double start = route.start().along;
+  EXPECT_NEAR(route.keptOffset(start), 1.0, 0.01);
+  EXPECT_NEAR(route.keptOffset(start + 0.1), 1.0, 0.001) << "it does not lean now";
+  EXPECT_NEAR(route.keptOffset(start + options_.return_distance), 2.0 * std::exp(-1.0), 0.01);
+  EXPECT_LT(std::abs(route.keptOffset(start + 8.0 * options_.return_distance)), 0.01);
+}
+
+TEST_F(RouteTest, WhoLeansNowGoesOnSo) {
+  DriveState now;
+  now.axle = {2.0, 0.0, 0.1};
+  now.speed = 8.0;
+  const RouteDriver route(ReferencePath(bend()), now, limits_, options_);
+  const double start = route.start().along;
+  EXPECT_NEAR((route.keptOffset(start + 0.01) - route.keptOffset(start)) / 0.01, std::tan(0.1),
               0.01);
+}
+
+TEST_F(RouteTest, WhoStandsMayWait) {
+  const RouteDriver route = routeAt(2.0, 0.0, 0.0);
+  std::vector<PlannedStep> plan;
+  RoutePlan wanted;
+  wanted.arrival = 5.0;
+  wanted.wait = 2.5;
+  wanted.at = {5.0, 0.0, 0.0};
+  ASSERT_TRUE(route.plan(wanted, kStep, kSteps, plan));
+  for (std::size_t i = 0; i <= 25; ++i) EXPECT_NEAR(plan[i].middle.x, 2.0, 1e-6) << i;
+  EXPECT_NEAR(plan[50].middle.x, 5.0, 0.4);
+}
+
+TEST_F(RouteTest, LeadsStraightOnBeforeTheArrival) {
+  const RouteDriver route = routeAt(2.0, 0.0, 8.0);
+  std::vector<PlannedStep> plan;
+  RoutePlan wanted;
+  wanted.arrival = 4.0;
+  wanted.at = {36.0, 2.0, 0.0};
+  wanted.departure = 2.0;
+  wanted.lead = 0.6;
+  ASSERT_TRUE(route.plan(wanted, kStep, kSteps, plan));
+  EXPECT_LT(plan[27].middle.y, 1.5);
+  for (std::size_t i = 34; i <= 40; ++i) EXPECT_NEAR(plan[i].middle.y, 2.0, 1e-6) << i;
 }
 
 }  // namespace

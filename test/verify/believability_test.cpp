@@ -58,6 +58,29 @@ TEST(RoadUse, LooksUpToTheFirstPointThen) {
   EXPECT_EQ(useOf(twoLaneRoad(), {201.9, 0.0, 0.0}, 5.0, kNow).on_lane, 1.0);
 }
 
+/// Stands beside the eastbound lane of a road, moves off 3 s before a contact 4 s from now.
+std::vector<TrajectoryPoint> pulledOut(double across) {
+  std::vector<TrajectoryPoint> points;
+  for (int i = 0; i <= 40; ++i) {
+    const double moving = std::max(0.0, 0.1 * i - 1.0);
+    points.push_back({kNow + 0.1 * i, {moving * moving, across, 0.0}, 2.0 * moving, 0.0, 0.0});
+  }
+  return points;
+}
+
+TEST(RoadUse, OfOneWhoPullsOutBeginsWithTheManoeuvre) {
+  const LaneIndex lanes(twoLaneRoad());
+  const auto useUntilManoeuvre = [&](const std::vector<TrajectoryPoint>& points, double contact) {
+    return roadUseUntilManoeuvre(points, kCarSize, kNow + contact, lanes, kOptions);
+  };
+  EXPECT_EQ(useUntilManoeuvre(pulledOut(-3.0), 4.0).on_lane, 1.0) << "who is parked is on no lane";
+  // It drives beside the lane for longer than a manoeuvre lasts.
+  EXPECT_EQ(useUntilManoeuvre(pulledOut(-3.0), 5.5).on_lane, 0.0);
+  EXPECT_EQ(useUntilManoeuvre(pulledOut(0.0), 5.5).on_lane, 1.0);
+  const std::vector<TrajectoryPoint> driven = straightDrive({0.0, -3.0, 0.0}, 5.0, 4.0).points;
+  EXPECT_EQ(useUntilManoeuvre(driven, 4.0).on_lane, 0.0) << "who drives is not parked";
+}
+
 TEST(RoadUse, AChangeBetweenNeighbouringLanesIsOnALane) {
   auto map = emptyMap();
   map->lanes = {straightLane("right", {-200.0, 0.0}, {200.0, 0.0}),
