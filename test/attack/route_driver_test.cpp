@@ -32,8 +32,17 @@ class RouteTest : public testing::Test {
     return {ReferencePath(bend()), now, limits_, options_};
   }
 
-  static double speedAt(const std::vector<PlannedStep>& plan, std::size_t i) {
-    return (plan[i + 1].middle.position() - plan[i].middle.position()).norm() / kStep;
+  /// The style by which it was planned.
+  static std::optional<std::size_t> plan(const RouteDriver& route, const RoutePlan& wanted,
+                                         std::vector<PlannedStep>& planned) {
+    const auto speed = route.speedFor(wanted, kStep);
+    if (!speed) return std::nullopt;
+    route.plan(wanted, *speed, kStep, kSteps, planned);
+    return speed->style;
+  }
+
+  static double speedAt(const std::vector<PlannedStep>& planned, std::size_t i) {
+    return (planned[i + 1].middle.position() - planned[i].middle.position()).norm() / kStep;
   }
 
   const RouteDriverOptions options_ = shippedOptions().route;
@@ -47,64 +56,65 @@ TEST_F(RouteTest, ArrivesInTimeAtTheOffsetAndTheHeadingAskedFor) {
   wanted.arrival = 4.0;
   wanted.at = {38.0, 2.0, 0.2};
   wanted.departure = 1.5;
-  std::vector<PlannedStep> plan;
-  ASSERT_TRUE(route.plan(wanted, kStep, kSteps, plan));
-  ASSERT_EQ(plan.size(), kSteps);
-  EXPECT_NEAR(plan[40].middle.x, 38.0, 0.4);
-  EXPECT_NEAR(plan[40].middle.y, 2.0, 0.1);
-  EXPECT_NEAR(plan[40].middle.yaw, 0.2, 0.02);
+  std::vector<PlannedStep> planned;
+  ASSERT_TRUE(plan(route, wanted, planned));
+  ASSERT_EQ(planned.size(), kSteps);
+  EXPECT_NEAR(planned[40].middle.x, 38.0, 0.4);
+  EXPECT_NEAR(planned[40].middle.y, 2.0, 0.1);
+  EXPECT_NEAR(planned[40].middle.yaw, 0.2, 0.02);
   for (std::size_t i = 0; i <= 24; ++i) {
-    EXPECT_LT(std::abs(plan[i].middle.y - 0.3), 0.2) << "keeps its offset until it departs, " << i;
+    EXPECT_LT(std::abs(planned[i].middle.y - 0.3), 0.2)
+        << "keeps its offset until it departs, " << i;
   }
 }
 
 TEST_F(RouteTest, DrivesByTheTamestStyleThatArrives) {
   const RouteDriver route = routeAt(2.0, 0.0, 8.0);
-  std::vector<PlannedStep> plan;
+  std::vector<PlannedStep> planned;
   RoutePlan wanted;
   wanted.arrival = 4.0;
   wanted.at = {34.0, 0.0, 0.0};
-  EXPECT_EQ(route.plan(wanted, kStep, kSteps, plan), std::size_t{0}) << "as it drives now";
+  EXPECT_EQ(plan(route, wanted, planned), std::size_t{0}) << "as it drives now";
   std::size_t wildest = 0;
   for (wanted.at.along = 35.0; wanted.at.along < 58.0; wanted.at.along += 1.0) {
-    const auto style = route.plan(wanted, kStep, kSteps, plan);
+    const auto style = plan(route, wanted, planned);
     if (!style) break;
     EXPECT_GE(*style, wildest) << "the farther, the harder";
     wildest = *style;
   }
   EXPECT_EQ(wildest + 1, options_.styles.size());
   wanted.at.along = 90.0;
-  EXPECT_FALSE(route.plan(wanted, kStep, kSteps, plan)) << "nobody gets there";
+  EXPECT_FALSE(plan(route, wanted, planned)) << "nobody gets there";
   wanted.at.along = 8.0;
-  EXPECT_FALSE(route.plan(wanted, kStep, kSteps, plan)) << "nobody stops so soon";
+  EXPECT_FALSE(plan(route, wanted, planned)) << "nobody stops so soon";
 }
 
 TEST_F(RouteTest, SlowsDownForABend) {
   const RouteDriver route = routeAt(20.0, 0.0, 12.0);
-  std::vector<PlannedStep> plan;
+  std::vector<PlannedStep> planned;
   RoutePlan wanted;
   wanted.arrival = 5.5;
   wanted.at = {66.0, 0.0, 0.0};
-  const auto style = route.plan(wanted, kStep, kSteps, plan);
+  const auto style = plan(route, wanted, planned);
   ASSERT_TRUE(style);
   const double lateral = options_.styles[*style].lateral;
-  for (std::size_t i = 0; i + 6 < plan.size(); ++i) {
-    if (plan[i].middle.x < 62.0) continue;
-    EXPECT_LT(speedAt(plan, i), 1.25 * std::sqrt(lateral * 12.0)) << i;
+  for (std::size_t i = 0; i + 6 < planned.size(); ++i) {
+    if (planned[i].middle.x < 62.0) continue;
+    EXPECT_LT(speedAt(planned, i), 1.25 * std::sqrt(lateral * 12.0)) << i;
   }
 }
 
 TEST_F(RouteTest, BrakesLateWhereThatIsAskedFor) {
   const RouteDriver route = routeAt(2.0, 0.0, 10.0);
-  std::vector<PlannedStep> plan;
+  std::vector<PlannedStep> planned;
   RoutePlan wanted;
   wanted.arrival = 4.0;
   wanted.at = {36.0, 0.0, 0.0};
   wanted.late = 1.5;
   wanted.late_acceleration = -4.0;
-  ASSERT_TRUE(route.plan(wanted, kStep, kSteps, plan));
-  EXPECT_NEAR(plan[40].middle.x, 36.0, 0.4);
-  EXPECT_LT(speedAt(plan, 38) + 3.0, speedAt(plan, 24));
+  ASSERT_TRUE(plan(route, wanted, planned));
+  EXPECT_NEAR(planned[40].middle.x, 36.0, 0.4);
+  EXPECT_LT(speedAt(planned, 38) + 3.0, speedAt(planned, 24));
 }
 
 TEST_F(RouteTest, TheOffsetFromTheLaneFades) {
@@ -128,27 +138,27 @@ TEST_F(RouteTest, WhoLeansNowGoesOnSo) {
 
 TEST_F(RouteTest, WhoStandsMayWait) {
   const RouteDriver route = routeAt(2.0, 0.0, 0.0);
-  std::vector<PlannedStep> plan;
+  std::vector<PlannedStep> planned;
   RoutePlan wanted;
   wanted.arrival = 5.0;
   wanted.wait = 2.5;
   wanted.at = {5.0, 0.0, 0.0};
-  ASSERT_TRUE(route.plan(wanted, kStep, kSteps, plan));
-  for (std::size_t i = 0; i <= 25; ++i) EXPECT_NEAR(plan[i].middle.x, 2.0, 1e-6) << i;
-  EXPECT_NEAR(plan[50].middle.x, 5.0, 0.4);
+  ASSERT_TRUE(plan(route, wanted, planned));
+  for (std::size_t i = 0; i <= 25; ++i) EXPECT_NEAR(planned[i].middle.x, 2.0, 1e-6) << i;
+  EXPECT_NEAR(planned[50].middle.x, 5.0, 0.4);
 }
 
 TEST_F(RouteTest, LeadsStraightOnBeforeTheArrival) {
   const RouteDriver route = routeAt(2.0, 0.0, 8.0);
-  std::vector<PlannedStep> plan;
+  std::vector<PlannedStep> planned;
   RoutePlan wanted;
   wanted.arrival = 4.0;
   wanted.at = {36.0, 2.0, 0.0};
   wanted.departure = 2.0;
   wanted.lead = 0.6;
-  ASSERT_TRUE(route.plan(wanted, kStep, kSteps, plan));
-  EXPECT_LT(plan[27].middle.y, 1.5);
-  for (std::size_t i = 34; i <= 40; ++i) EXPECT_NEAR(plan[i].middle.y, 2.0, 1e-6) << i;
+  ASSERT_TRUE(plan(route, wanted, planned));
+  EXPECT_LT(planned[27].middle.y, 1.5);
+  for (std::size_t i = 34; i <= 40; ++i) EXPECT_NEAR(planned[i].middle.y, 2.0, 1e-6) << i;
 }
 
 }  // namespace

@@ -168,11 +168,24 @@ class ManoeuvreSearch {
         std::abs(plan.at.across) > route_.max_departure) {
       return false;
     }
-    const auto found = candidate.route->plan(plan, search_.step, count, planned_);
-    if (!found) return false;
-    style = *found;
+    const auto speed = speedFor(*candidate.route, plan);
+    if (!speed) return false;
+    style = speed->style;
+    candidate.route->plan(plan, *speed, search_.step, count, planned_);
     contender.driver->drive(contender.drive_start, input_.snapshot.now, planned_, points_);
     return true;
+  }
+
+  /// Drafts that differ across the route alone come one after the other.
+  std::optional<RouteSpeed> speedFor(const RouteDriver& route, const RoutePlan& plan) {
+    const bool is_same = last_route_ == &route && last_plan_.arrival == plan.arrival &&
+                         last_plan_.at.along == plan.at.along && last_plan_.late == plan.late &&
+                         last_plan_.late_acceleration == plan.late_acceleration &&
+                         last_plan_.wait == plan.wait;
+    if (!is_same) last_speed_ = route.speedFor(plan, search_.step);
+    last_route_ = &route;
+    last_plan_ = plan;
+    return last_speed_;
   }
 
   void consider(Candidate& candidate) {
@@ -292,6 +305,9 @@ class ManoeuvreSearch {
   ArrivalSampler sampler_;
   std::size_t all_points_ = 0;
   std::vector<Candidate> kept_;  // best first
+  const RouteDriver* last_route_ = nullptr;
+  RoutePlan last_plan_;
+  std::optional<RouteSpeed> last_speed_;
   std::vector<PlannedStep> planned_;
   std::vector<TrajectoryPoint> points_;
 };

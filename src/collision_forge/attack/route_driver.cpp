@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include "collision_forge/attack/quintic.h"
 
 namespace forge {
 namespace {
 
-constexpr double kSpacing = 1.0;      // m between the speeds in bends
-constexpr int kBisections = 12;       // of the speed that is driven at
-constexpr double kLookahead = 0.4;    // s that a driver sees a bend before
-constexpr double kMinBend = 1e-3;     // 1/m; straight is no bend
-constexpr double kStandstill = 0.05;  // m/s; nobody moves across without moving along
+constexpr double kSpacing = 1.0;            // m between the speeds in bends
+constexpr double kSpeedPrecision = 0.01;    // m/s, of the speed that is driven at, and ...
+constexpr std::uintmax_t kMostTrials = 20;  // ... of these to find it
+constexpr double kLookahead = 0.4;          // s that a driver sees a bend before
+constexpr double kMinBend = 1e-3;           // 1/m; straight is no bend
+constexpr double kStandstill = 0.05;        // m/s; nobody moves across without moving along
 
 }  // namespace
 
@@ -96,28 +100,38 @@ double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) con
   return along;
 }
 
-std::optional<std::size_t> RouteDriver::plan(const RoutePlan& wanted, double step,
-                                             std::size_t steps,
-                                             std::vector<PlannedStep>& planned) const {
-  Cruise cruise{
-      0,    0.0,        wanted.arrival, wanted.arrival - wanted.late, wanted.late_acceleration,
-      step, wanted.wait};
-  if (wanted.late <= 0.0) cruise.late_from = wanted.arrival + step;
-  for (; cruise.style < options_.styles.size(); ++cruise.style) {
-    double low = 0.0;
-    double high = options_.limit_share * limits_.max_speed;
-    cruise.speed = low;
-    if (drive(cruise, nullptr) > wanted.at.along + options_.precision) continue;
-    cruise.speed = high;
-    if (drive(cruise, nullptr) < wanted.at.along - options_.precision) continue;
-    for (int i = 0; i < kBisections; ++i) {
-      cruise.speed = 0.5 * (low + high);
-      (drive(cruise, nullptr) < wanted.at.along ? low : high) = cruise.speed;
-    }
-    break;
-  }
-  if (cruise.style == options_.styles.size()) return std::nullopt;
+RouteDriver::Cruise RouteDriver::cruiseOf(const RoutePlan& wanted, const RouteSpeed& speed,
+                                          double step) const {
+  const double late_from = wanted.late > 0.0 ? wanted.arrival - wanted.late : wanted.arrival + step;
+  return {speed.style, speed.speed, wanted.arrival, late_from, wanted.late_acceleration,
+          step,        wanted.wait};
+}
 
+std::optional<RouteSpeed> RouteDriver::speedFor(const RoutePlan& wanted, double step) const {
+  RouteSpeed found;
+  const auto beyond = [&](double speed) {
+    return drive(cruiseOf(wanted, {found.style, speed}, step), nullptr) - wanted.at.along;
+  };
+  const double high = options_.limit_share * limits_.max_speed;
+  const auto isNear = [](double a, double b) { return std::abs(a - b) < kSpeedPrecision; };
+  for (; found.style < options_.styles.size(); ++found.style) {
+    const double slowest = beyond(0.0);
+    if (slowest > options_.precision) continue;
+    const double fastest = beyond(high);
+    if (fastest < -options_.precision) continue;
+    if (slowest >= 0.0) return RouteSpeed{found.style, 0.0};
+    if (fastest <= 0.0) return RouteSpeed{found.style, high};
+    std::uintmax_t most = kMostTrials;
+    const auto [below, above] =
+        boost::math::tools::toms748_solve(beyond, 0.0, high, slowest, fastest, isNear, most);
+    return RouteSpeed{found.style, 0.5 * (below + above)};
+  }
+  return std::nullopt;
+}
+
+void RouteDriver::plan(const RoutePlan& wanted, const RouteSpeed& speed, double step,
+                       std::size_t steps, std::vector<PlannedStep>& planned) const {
+  const Cruise cruise = cruiseOf(wanted, speed, step);
   std::vector<double> alongs;
   alongs.reserve(steps);
   const double end = drive(cruise, &alongs);
@@ -166,7 +180,6 @@ std::optional<std::size_t> RouteDriver::plan(const RoutePlan& wanted, double ste
     const double lean = speed > kStandstill ? std::atan2(rate, speed * stretch) : 0.0;
     at = {compose(place.pose, {0.0, offset, lean}), std::hypot(speed * stretch, rate)};
   }
-  return cruise.style;
 }
 
 }  // namespace forge

@@ -20,6 +20,12 @@ struct RoutePlan {
   double wait = 0.0;               ///< s from now that one who stands now waits
 };
 
+/// How a driver comes along its route.
+struct RouteSpeed {
+  std::size_t style = 0;  ///< of RouteDriverOptions::styles
+  double speed = 0.0;     ///< m/s that it chooses
+};
+
 /// A driver who follows a route: keeps its offset from the route's middle, drives at a speed that
 /// it chooses once, slower in bends, and leaves the lane only for what happens at the arrival.
 class RouteDriver {
@@ -34,14 +40,18 @@ class RouteDriver {
   /// comes back to the middle.
   double keptOffset(double along) const;
 
-  /// A step every `step` seconds from now on, straight on after the arrival. Empty where no speed
-  /// brings the driver there in time by the wildest of RouteDriverOptions::styles; else the style,
-  /// the tamest first.
-  std::optional<std::size_t> plan(const RoutePlan& wanted, double step, std::size_t steps,
-                                  std::vector<PlannedStep>& planned) const;
+  /// How the driver gets to the plan's place along the path in time, by the tamest of
+  /// RouteDriverOptions::styles that does, in steps of `step` seconds. Empty where none does. Tells
+  /// the same for plans with the same times, place along and late acceleration.
+  std::optional<RouteSpeed> speedFor(const RoutePlan& wanted, double step) const;
+
+  /// A step every `step` seconds from now on, straight on after the arrival.
+  void plan(const RoutePlan& wanted, const RouteSpeed& speed, double step, std::size_t steps,
+            std::vector<PlannedStep>& planned) const;
 
  private:
   struct Cruise;
+  Cruise cruiseOf(const RoutePlan& wanted, const RouteSpeed& speed, double step) const;
   double drive(const Cruise& cruise, std::vector<double>* alongs) const;
   double cap(std::size_t style, double along) const;
 
