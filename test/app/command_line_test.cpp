@@ -186,9 +186,9 @@ TEST(CommandLine, HelpTellsDefaults) {
 TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {
   for (const std::string command : {"inject", "generate", "requests"}) {
     const std::string line = command + kComplete.at(command);
-    for (const char* good :
-         {" --believable false", " --limits strict", " --attacker-class bus",
-          " --manoeuvre lead_brakes", " --ego-side rear", " --impact-speed 2 9.5"}) {
+    for (const char* good : {" --believable false", " --limits strict", " --attacker-class bus",
+                             " --manoeuvre lead_brakes", " --ego-side rear",
+                             " --impact-speed 2 9.5", " --overlap 0.25 0.5"}) {
       EXPECT_EQ(read(line + good).exit_code, std::nullopt) << command << good;
     }
     for (const char* bad : {" --believable maybe", " --limits none", " --attacker-class pedestrian",
@@ -198,6 +198,7 @@ TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {
       EXPECT_EQ(read(line + bad).exit_code, kExitUsage) << command << bad;
     }
     EXPECT_EQ(read(line + " --impact-speed 2").exit_code, kExitUsage) << command;
+    EXPECT_EQ(read(line + " --overlap 0.5").exit_code, kExitUsage) << command;
     EXPECT_THAT(read(command + " --help").out,
                 AllOf(HasSubstr("lane_change: cut_in, merge, pull_out"), HasSubstr("MIN MAX")));
   }

@@ -70,6 +70,7 @@ TEST(GenerateCollision, RefusesWhatIsNotAsTheControlsWantIt) {
   report.manoeuvre = Manoeuvre::kLeadSlow;
   report.ego_side = Side::kFront;
   report.impact_speed = 5.0;
+  report.overlap = 0.4;
   Told method(report);
   const CollisionRequest plain = requestIn(Mode::kHistory);
   const auto refusalOf = [&](const CollisionRequest& request) {
@@ -96,6 +97,12 @@ TEST(GenerateCollision, RefusesWhatIsNotAsTheControlsWantIt) {
   request.impact_speed = Range{1.0, 4.9};
   EXPECT_NE(refusalOf(request).find("too fast"), std::string::npos);
   request.impact_speed = Range{5.0, 5.0};
+  EXPECT_TRUE(passes(request));
+  request.overlap = Range{0.41, 1.0};
+  EXPECT_NE(refusalOf(request).find("too little"), std::string::npos);
+  request.overlap = Range{0.0, 0.39};
+  EXPECT_NE(refusalOf(request).find("too much"), std::string::npos);
+  request.overlap = Range{0.4, 0.4};
   EXPECT_TRUE(passes(request));
   request = plain;
   request.attacker_class = AgentClass::kTruck;

@@ -205,6 +205,19 @@ TEST(CheckRequest, RefusesImpactSpeedsThatNoneCanHave) {
   EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
 }
 
+TEST(CheckRequest, RefusesOverlapsThatNoneCanHave) {
+  CollisionRequest request = asking(4.0);
+  for (const Range& range :
+       {Range{0.9, 0.2}, Range{-0.1, 0.4}, Range{0.5, 1.01}, Range{kNan, 0.4}, Range{0.1, kNan}}) {
+    request.overlap = range;
+    expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"overlap = ", "0 to 1"});
+  }
+  for (const Range& range : {Range{0.4, 0.4}, Range{0.0, 1.0}}) {
+    request.overlap = range;
+    EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+  }
+}
+
 TEST(CheckRequest, RefusesBelievableAttacksWithinTheStrictLimits) {
   CollisionRequest request = asking(4.0);
   request.crash.limits = LimitSet::kStrict;

@@ -18,12 +18,14 @@ CollisionRequest everything() {
   request.manoeuvre = Manoeuvre::kLeadBrakes;
   request.ego_side = Side::kFront;
   request.impact_speed = Range{2.5, 12.0};
+  request.overlap = Range{0.25, 0.5};
   return request;
 }
 
 const char* const kEverything =
     R"({"choice":"new","believable":false,"limits":"strict","attacker_class":"emergency_vehicle",)"
-    R"("manoeuvre":"lead_brakes","ego_side":"front","impact_speed":{"min":2.5,"max":12}})";
+    R"("manoeuvre":"lead_brakes","ego_side":"front","impact_speed":{"min":2.5,"max":12},)"
+    R"("overlap":{"min":0.25,"max":0.5}})";
 
 std::string lineOf(const CollisionRequest& request, const CrashDefinition* defaults = nullptr) {
   JsonLineWriter writer;
@@ -62,7 +64,7 @@ TEST(RequestFields, AreNullOrLeftOutForAnything) {
   const CrashDefinition defaults;
   EXPECT_EQ(lineOf({}), R"({"choice":"any","believable":true,"limits":"drivable",)"
                         R"("attacker_class":null,"manoeuvre":null,"ego_side":null,)"
-                        R"("impact_speed":null})");
+                        R"("impact_speed":null,"overlap":null})");
   EXPECT_EQ(lineOf({}, &defaults), "{}");
   EXPECT_EQ(lineOf(everything(), &defaults), kEverything);
   EXPECT_EQ(lineOf(readFrom(lineOf({}), false)), lineOf({}));
@@ -85,6 +87,7 @@ TEST(RequestFields, WhatDoesNotExistIsNamed) {
               HasSubstr("impact_speed.max is missing"));
   EXPECT_THAT(complaintAbout(R"({"impact_speed":{"min":1,"max":2,"mean":1}})"),
               HasSubstr("impact_speed.mean"));
+  EXPECT_THAT(complaintAbout(R"({"overlap":0.5})"), HasSubstr("overlap = 0.5"));
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ Scenario attack() {
   report.ego_at_contact = {39.0, 1.0, 0.5};
   report.attacker_at_contact = {34.5, 1.25, 0.5625};
   report.impact_speed = 4.5;
+  report.overlap = 0.375;
   report.off_road_share = 0.75;
   report.manoeuvre_begin = kNow + 1.5;
   report.road = {0.5, 0.25, 0.0, 0.125, 0.0625};
@@ -54,9 +55,9 @@ Scenario attack() {
 
 // Derived by hand from attack() and docs/scenarios.md.
 const char* const kAttackLine =
-    R"({"format":"collision_forge/scenario","version":3,"scene":"scene-0001","now":1531883530.949817,)"
+    R"({"format":"collision_forge/scenario","version":4,"scene":"scene-0001","now":1531883530.949817,)"
     R"("request":{"type":"rear_end","tta":4,"attacker":"a1","choice":"any","believable":false,)"
-    R"("limits":"strict","attacker_class":"truck","manoeuvre":null,"ego_side":"rear","impact_speed":null,)"
+    R"("limits":"strict","attacker_class":"truck","manoeuvre":null,"ego_side":"rear","impact_speed":null,"overlap":null,)"
     R"("mode":"replay","seed":7},)"
     R"("status":{"code":"OK","message":""},"attacker":{"id":"a1","class":"truck","origin":"recorded",)"
     R"("length":4.6,"width":1.9,"past":null,"trajectory":[)"
@@ -66,7 +67,7 @@ const char* const kAttackLine =
     R"("attacker_speed":12.5,"miss_distance":0.25,"miss_heading":0.0625},"confidence":0.6,"report":{"verified":true,"contact":true,"contact_t":3.875,)"
     R"("relative_heading":0.0625,"ego_at_contact":{"x":39,"y":1,"yaw":0.5},)"
     R"("attacker_at_contact":{"x":34.5,"y":1.25,"yaw":0.5625},"ego_side":"rear","attacker_side":"front",)"
-    R"("impact_speed":4.5,"type_kept":true,)"
+    R"("impact_speed":4.5,"overlap":0.375,"type_kept":true,)"
     R"("on_time":true,"limits_kept":true,"broken_limit":null,"first_other":null,"off_road_share":0.75,"manoeuvre":"follower_closes",)"
     R"("manoeuvre_begin_t":1.5,"on_lane":0.5,"wrong_way":0.25,"on_walkway":0.125,"on_island":0.0625,)"
     R"("believable":false,"unbelievable":"is on a walkway for 12 %"},)"
@@ -82,6 +83,7 @@ Scenario addedAttack() {
   request.crash.limits = LimitSet::kDrivable;
   request.manoeuvre = Manoeuvre::kFollowerCloses;
   request.impact_speed = Range{3.0, 6.5};
+  request.overlap = Range{0.25, 1.0};
   AttackerTrajectory& trajectory = scenario.answer.trajectory;
   const Pose2 before{-8.0, 2.0, 0.3};
   trajectory.past = {{kNow - 0.5, before, 9.1234567 * before.heading()},
@@ -138,6 +140,9 @@ TEST(ScenarioFile, ControlsAreReadAsTheyWereAskedFor) {
   ASSERT_TRUE(request.impact_speed);
   EXPECT_EQ(request.impact_speed->min, 3.0);
   EXPECT_EQ(request.impact_speed->max, 6.5);
+  ASSERT_TRUE(request.overlap);
+  EXPECT_EQ(request.overlap->min, 0.25);
+  EXPECT_EQ(request.overlap->max, 1.0);
 }
 
 TEST(ScenarioFile, AnAddedVehicleHasAPastAndItsClass) {
@@ -165,9 +170,9 @@ TEST(ScenarioFile, WhatTheAttackerDoesIsReadBack) {
 }
 
 TEST(ScenarioFile, OlderVersionsAreToBeGeneratedAnew) {
-  for (const char* old : {"1", "2"}) {
-    EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":3", std::string("\"version\":") + old),
-                AllOf(HasSubstr(std::string("version = ") + old + " is not 3"),
+  for (const char* old : {"1", "2", "3"}) {
+    EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":4", std::string("\"version\":") + old),
+                AllOf(HasSubstr(std::string("version = ") + old + " is not 4"),
                       HasSubstr("generate the file anew")));
   }
 }

@@ -153,6 +153,51 @@ TEST(TouchedSide, IsWhereTheOtherBoxStands) {
   }
 }
 
+/// Asks every line along the side's normal on its own whether it meets `other`.
+double overlapByLines(const OrientedBox& box, Side side, const OrientedBox& other) {
+  constexpr int kLines = 20000;
+  const bool is_across = side == Side::kFront || side == Side::kRear;
+  const double length = is_across ? box.size.width : box.size.length;
+  int met = 0;
+  for (int i = 0; i < kLines; ++i) {
+    const double at = ((i + 0.5) / kLines - 0.5) * length;
+    int beyond = 0;
+    for (const Vector2& corner : corners(other)) {
+      const Pose2 local = relativeTo(box.center, {corner.x(), corner.y(), 0.0});
+      beyond += (is_across ? local.y : local.x) > at;
+    }
+    met += beyond > 0 && beyond < 4;
+  }
+  return static_cast<double>(met) / kLines;
+}
+
+TEST(SideOverlap, IsTheShareOfWidthsThatMeetEndToEndAndOfLengthsSideBySide) {
+  const OrientedBox box{{3.0, -7.0, 2.5}, {4.0, 2.0}};
+  const auto overlap = [&](const Pose2& place, const BoxSize& size, Side side) {
+    return sideOverlap(box, side, {compose(box.center, place), size});
+  };
+  // An offset of 1.2 m leaves 0.8 m of two boxes that are 2 m wide.
+  EXPECT_NEAR(overlap({4.0, 1.2, 0.0}, {4.0, 2.0}, Side::kFront), 0.4, 1e-12);
+  EXPECT_NEAR(overlap({-4.0, -1.2, M_PI}, {4.0, 2.0}, Side::kRear), 0.4, 1e-12);
+  EXPECT_NEAR(overlap({1.0, 2.0, 0.0}, {4.0, 2.0}, Side::kLeft), 0.75, 1e-12);
+  EXPECT_NEAR(overlap({-1.0, -3.0, M_PI_2}, {4.0, 2.0}, Side::kRight), 0.5, 1e-12);
+  EXPECT_EQ(overlap({3.0, 0.0, M_PI_2}, {5.0, 2.0}, Side::kFront), 1.0) << "from corner to corner";
+  EXPECT_EQ(overlap({4.0, 2.5, 0.0}, {4.0, 2.0}, Side::kFront), 0.0) << "beside it";
+}
+
+TEST(SideOverlap, IsWhatLinesAlongTheNormalMeet) {
+  const OrientedBox box{{-20.0, 5.0, -1.0}, {4.4, 1.8}};
+  for (const double heading : {0.2, 0.9, 1.5, 2.4, -2.8}) {
+    for (const Pose2& place : {Pose2{3.6, 1.1, heading}, Pose2{-3.8, -0.7, heading},
+                               Pose2{1.9, 2.6, heading}, Pose2{-0.4, -2.2, heading}}) {
+      const OrientedBox other{compose(box.center, place), {4.8, 2.1}};
+      for (const Side side : {Side::kFront, Side::kRear, Side::kLeft, Side::kRight}) {
+        EXPECT_NEAR(sideOverlap(box, side, other), overlapByLines(box, side, other), 1e-4);
+      }
+    }
+  }
+}
+
 TEST(TouchedSide, NamesAreReadBack) {
   for (const Side side : {Side::kFront, Side::kRear, Side::kLeft, Side::kRight}) {
     EXPECT_EQ(sideFromString(toString(side)), side);

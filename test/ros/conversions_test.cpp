@@ -105,7 +105,7 @@ TEST(CollisionRequestMessage, SaysWhatIsNotAsConfigured) {
   EXPECT_FALSE(request.crash.believable);
   EXPECT_EQ(request.crash.time_tolerance, 0.25);
   EXPECT_FALSE(request.attacker_class || request.manoeuvre || request.ego_side ||
-               request.impact_speed);
+               request.impact_speed || request.overlap);
   message.choice = "new";
   message.believable = "true";
   message.limits = "strict";
@@ -113,6 +113,7 @@ TEST(CollisionRequestMessage, SaysWhatIsNotAsConfigured) {
   message.manoeuvre = "lead_brakes";
   message.ego_side = "front";
   message.max_impact_speed = 6.0;
+  message.max_overlap = 0.5;
   request = std::get<CollisionRequest>(fromMessage(message, configured));
   EXPECT_EQ(request.choice, AttackerChoice::kNew);
   EXPECT_TRUE(request.crash.believable);
@@ -122,6 +123,8 @@ TEST(CollisionRequestMessage, SaysWhatIsNotAsConfigured) {
   EXPECT_EQ(request.ego_side, Side::kFront);
   ASSERT_TRUE(request.impact_speed);
   EXPECT_EQ(request.impact_speed->max, 6.0);
+  ASSERT_TRUE(request.overlap);
+  EXPECT_EQ(request.overlap->max, 0.5);
 }
 
 TEST(CollisionRequestMessage, NamesFieldAndValueOfAWordThatMeansNothing) {
@@ -157,6 +160,8 @@ TEST(CollisionRequestMessage, IsWhatTheServiceIsAsked) {
   asked.ego_side = "left";
   asked.min_impact_speed = 2.0;
   asked.max_impact_speed = 9.0;
+  asked.min_overlap = 0.25;
+  asked.max_overlap = 0.75;
   const auto message = requestIn(asked);
   EXPECT_EQ(message.attacker_id, "a");
   EXPECT_EQ(message.choice, "existing");
@@ -167,15 +172,18 @@ TEST(CollisionRequestMessage, IsWhatTheServiceIsAsked) {
   EXPECT_EQ(message.ego_side, "left");
   EXPECT_EQ(message.min_impact_speed, 2.0);
   EXPECT_EQ(message.max_impact_speed, 9.0);
+  EXPECT_EQ(message.min_overlap, 0.25);
+  EXPECT_EQ(message.max_overlap, 0.75);
 }
 
-TEST(CollisionReportMessage, TellsManoeuvreRoadAndBelief) {
+TEST(CollisionReportMessage, TellsOverlapManoeuvreRoadAndBelief) {
   CollisionReport report;
   report.contact = true;
   report.manoeuvre = Manoeuvre::kWrongWay;
   report.manoeuvre_begin = 11.5;
   report.road = {0.5, 0.25, 0.0, 0.125, 0.0625};
   report.unbelievable = "is on a walkway for 12 %";
+  report.overlap = 0.375;
   auto message = toMessage(report, "a", 10.0);
   EXPECT_EQ(message.manoeuvre, "wrong_way");
   EXPECT_EQ(message.manoeuvre_begin, ros::Time(11.5));
@@ -183,6 +191,7 @@ TEST(CollisionReportMessage, TellsManoeuvreRoadAndBelief) {
   EXPECT_EQ(message.wrong_way, 0.25);
   EXPECT_EQ(message.on_walkway, 0.125);
   EXPECT_EQ(message.on_island, 0.0625);
+  EXPECT_EQ(message.overlap, 0.375);
   EXPECT_FALSE(message.believable);
   EXPECT_EQ(message.unbelievable, report.unbelievable);
   report.contact = false;

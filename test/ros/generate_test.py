@@ -136,19 +136,22 @@ class RequestsTest(road.RoadTest):
         self.assertEqual(self.requests('--scene', 'scene-0001', '--types', 'RE', '--tta', 4, '--believable', 'true',
                                        '--limits', 'drivable'), plain)
         asked = self.requests('--scene', 'scene-0001', '--tta', 4, '--attackers', 'existing', '--manoeuvre',
-                              'lead_brakes', '--believable', 'false', '--impact-speed', 2, 9.5)
+                              'lead_brakes', '--believable', 'false', '--impact-speed', 2, 9.5, '--overlap', 0.25, 1)
         self.assertEqual(asked, [dict(request, choice='existing', believable=False, manoeuvre='lead_brakes',
-                                      impact_speed={'min': 2, 'max': 9.5}) for request in plain])
+                                      impact_speed={'min': 2, 'max': 9.5}, overlap={'min': 0.25, 'max': 1})
+                                 for request in plain])
 
     def test_controls_that_contradict_each_other_are_refused(self):
         for arguments, words in ((['--types', 'RE', '--manoeuvre', 'cut_in'], 'manoeuvre = cut_in is none of type rear_end'),
                                  (['--impact-speed', '9', '2'], 'impact_speed = 9 to 2 m/s'),
+                                 (['--overlap', '0.5', '1.5'], 'overlap = 0.5 to 1.5'),
                                  (['--limits', 'strict'], 'believable = false')):
             result = make_requests(self.path('none.jsonl'), *arguments)
             self.assertEqual(result.returncode, 1, arguments)
             self.assertIn(words, result.stderr)
         for arguments in (['--manoeuvre', 'drift'], ['--attacker-class', 'pedestrian'], ['--believable', 'yes'],
-                          ['--limits', 'none'], ['--ego-side', 'top'], ['--impact-speed', '3']):
+                          ['--limits', 'none'], ['--ego-side', 'top'], ['--impact-speed', '3'],
+                          ['--overlap', '0.3']):
             result = make_requests(self.path('none.jsonl'), *arguments)
             self.assertEqual(result.returncode, 2, arguments)
             self.assertIn(arguments[0], result.stderr)
@@ -236,7 +239,7 @@ class GenerateTest(road.RoadTest):
             self.assertEqual(scenario['request'], {'type': request['type'], 'tta': request['tta'], 'attacker': None,
                                                    'choice': 'any', 'believable': True, 'limits': 'drivable',
                                                    'attacker_class': None, 'manoeuvre': None, 'ego_side': None,
-                                                   'impact_speed': None, 'mode': 'history', 'seed': 0})
+                                                   'impact_speed': None, 'overlap': None, 'mode': 'history', 'seed': 0})
         self.assertGreater(len({scenario['status']['code'] for scenario in scenarios}), 1)
 
     def test_the_command_line_precedes_the_list(self):

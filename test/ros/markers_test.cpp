@@ -118,6 +118,7 @@ collision_forge::Attack attack() {
   attack.report.ego_side = "left";
   attack.report.attacker_side = "front";
   attack.report.impact_speed = 12.34;
+  attack.report.overlap = 0.375;
   attack.report.manoeuvre = "straight_crossing";
   attack.report.manoeuvre_begin = ros::Time(11.5);
   attack.report.believable = true;
@@ -298,7 +299,7 @@ TEST(AttackMarkers, SayWhatTheReportSays) {
   ASSERT_EQ(text.size(), 1U);
   EXPECT_EQ(text[0].text,
             "junction_crossing\ncontact in 3.00 s\nheading +90 deg\nfront to ego's left\nimpact "
-            "12.3 m/s\nstraight_crossing from 1.5 s on");
+            "12.3 m/s, overlap 38 %\nstraight_crossing from 1.5 s on");
 }
 
 TEST(AttackMarkers, WarnOfAnAttackThatIsNotVerified) {

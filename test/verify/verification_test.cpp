@@ -144,6 +144,23 @@ TEST(Verify, ImpactSpeedIsThatAtTheContactOfABrakingAttacker) {
   EXPECT_NEAR(report.impact_speed, 10.0, 0.1);
 }
 
+TEST(Verify, OverlapIsTheShareOfTheTouchedSideOfTheEgo) {
+  for (const double offset : {0.0, 0.4, -0.9, 1.3}) {
+    Case attack({20.0 + kAlong, 0.0, 0.0}, 10.0, {0.0, offset, 0.0}, 15.0);
+    const double covered = std::min(0.5 * kEgoSize.width, 0.5 * kCarSize.width + offset) -
+                           std::max(-0.5 * kEgoSize.width, offset - 0.5 * kCarSize.width);
+    EXPECT_NEAR(attack.report().overlap, covered / kEgoSize.width, 1e-9) << offset;
+  }
+  // A standing ego from the right, 0.3 m ahead of its middle and right at its front corner.
+  const auto from_right = [](double ahead) {
+    const CollisionReport report = Case({}, 0.0, {ahead, -30.0, M_PI_2}, 10.0).report();
+    EXPECT_EQ(report.ego_side, Side::kRight);
+    return report.overlap;
+  };
+  EXPECT_NEAR(from_right(0.3), kCarSize.width / kEgoSize.length, 1e-9);
+  EXPECT_NEAR(from_right(0.5 * kEgoSize.length), 0.5 * kCarSize.width / kEgoSize.length, 1e-9);
+}
+
 TEST(Verify, RelativeHeadingIsTheAttackersMinusTheEgos) {
   for (const double ego_yaw : {0.0, 1.0, 3.1, -3.1}) {
     for (const double heading : {0.5, -0.5, 2.0, -2.0}) {

@@ -55,7 +55,8 @@ void printReport(const char* subject, const CollisionReport& report, double now)
             << report.contact_time - now << " s from now, relative heading "
             << report.relative_heading * kDegrees << " degrees, attacker's "
             << toString(report.attacker_side) << " to ego's " << toString(report.ego_side)
-            << ", impact speed " << report.impact_speed << " m/s, "
+            << ", impact speed " << report.impact_speed << " m/s, overlap "
+            << 100.0 * report.overlap << " %, "
             << (report.limits_kept ? "limits kept" : report.broken_limit)
             << (report.first_other_id.empty() ? ""
                                               : ", touches " + report.first_other_id + " first")

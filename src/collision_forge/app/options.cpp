@@ -43,6 +43,17 @@ std::vector<AgentClass> allClasses() {
   return classes;
 }
 
+void addRange(CLI::App& app, const std::string& name, std::optional<Range>& value,
+              const std::string& text) {
+  app.add_option_function<std::pair<double, double>>(
+         name,
+         [&value](const std::pair<double, double>& range) {
+           value = Range{range.first, range.second};
+         },
+         text)
+      ->type_name("MIN MAX");
+}
+
 std::string manoeuvresByType() {
   std::string text;
   for (const CollisionType type : kCollisionTypes) {
@@ -66,6 +77,7 @@ void RequestControls::applyTo(CollisionRequest& request) const {
   if (manoeuvre) request.manoeuvre = manoeuvre;
   if (ego_side) request.ego_side = ego_side;
   if (impact_speed) request.impact_speed = impact_speed;
+  if (overlap) request.overlap = overlap;
 }
 
 void addAttacker(CLI::App& app, RequestControls& controls) {
@@ -94,13 +106,11 @@ void addControls(CLI::App& app, RequestControls& controls) {
       app, "--ego-side", controls.ego_side,
       wordsOf<Side>(std::vector<Side>{Side::kFront, Side::kRear, Side::kLeft, Side::kRight}, any),
       "of the ego, where it is touched; any by default");
-  app.add_option_function<std::pair<double, double>>(
-         "--impact-speed",
-         [&controls](const std::pair<double, double>& range) {
-           controls.impact_speed = Range{range.first, range.second};
-         },
-         "least and greatest, m/s, of the relative velocity at contact; any by default")
-      ->type_name("MIN MAX");
+  addRange(app, "--impact-speed", controls.impact_speed,
+           "least and greatest, m/s, of the relative velocity at contact; any by default");
+  addRange(app, "--overlap", controls.overlap,
+           "least and greatest share, 0 to 1, of the ego's touched side that the attacker covers; "
+           "any by default");
 }
 
 void addDataroot(CLI::App& app, std::string& dataroot) {

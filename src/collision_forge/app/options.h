@@ -45,13 +45,14 @@ struct RequestControls {
   std::optional<Manoeuvre> manoeuvre;
   std::optional<Side> ego_side;
   std::optional<Range> impact_speed;
+  std::optional<Range> overlap;
 
   /// Says so in the request.
   void applyTo(CollisionRequest& request) const;
 };
 /// --attacker.
 void addAttacker(CLI::App& app, RequestControls& controls);
-/// --believable, --limits, --attacker-class, --manoeuvre, --ego-side, --impact-speed.
+/// --believable, --limits, --attacker-class, --manoeuvre, --ego-side, --impact-speed, --overlap.
 void addControls(CLI::App& app, RequestControls& controls);
 
 /// --dataroot, required.

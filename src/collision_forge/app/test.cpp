@@ -149,6 +149,8 @@ ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome) {
   report.ego_side = contact.ego_side;
   report.attacker_side = contact.other_side;
   report.impact_speed = contact.impact_speed;
+  report.overlap = sideOverlap({report.ego_at_contact, view.future.ego.size}, report.ego_side,
+                               {report.attacker_at_contact, scenario.attacker.size});
   report.type_kept = contact.type == one.request.type;
   report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
                    one.request.crash.time_tolerance;

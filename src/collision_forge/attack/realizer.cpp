@@ -132,9 +132,15 @@ std::string shortcomingOf(const CollisionReport& report, const CollisionRequest&
   if (request.ego_side && report.ego_side != *request.ego_side) {
     return std::string("touched the ego's side ") + toString(report.ego_side);
   }
-  if (!request.impact_speed) return "";
-  if (report.impact_speed < request.impact_speed->min) return "hit the ego too slowly";
-  return report.impact_speed > request.impact_speed->max ? "hit the ego too fast" : "";
+  if (request.impact_speed) {
+    if (report.impact_speed < request.impact_speed->min) return "hit the ego too slowly";
+    if (report.impact_speed > request.impact_speed->max) return "hit the ego too fast";
+  }
+  if (request.overlap) {
+    if (report.overlap < request.overlap->min) return "covered too little of the ego's side";
+    if (report.overlap > request.overlap->max) return "covered too much of the ego's side";
+  }
+  return "";
 }
 
 bool isAsAsked(const CollisionReport& report, const CollisionRequest& request) {

@@ -14,8 +14,8 @@ namespace forge {
 /// empty where it is.
 std::string shortcomingOf(const CollisionReport& report, const CollisionRequest& request);
 
-/// Verified, believable if the request wants that, and of the manoeuvre, the ego's side and the
-/// impact speed that it names.
+/// Verified, believable if the request wants that, and of the manoeuvre, the ego's side, the
+/// impact speed and the overlap that it names.
 bool isAsAsked(const CollisionReport& report, const CollisionRequest& request);
 
 /// What a share of the futures is worth as confidence: linear between the points of `curve`, which

@@ -107,6 +107,13 @@ Status checkControls(const CollisionRequest& request) {
                     " m/s is no range from 0 on");
     }
   }
+  if (request.overlap) {
+    const Range& overlap = *request.overlap;
+    if (!(overlap.min >= 0.0 && overlap.max >= overlap.min && overlap.max <= 1.0)) {
+      return refuse(StatusCode::kInvalidInput, "overlap = ", overlap.min, " to ", overlap.max,
+                    " is no range within 0 to 1");
+    }
+  }
   if (request.crash.believable && request.crash.limits == LimitSet::kStrict) {
     return refuse(StatusCode::kInvalidInput,
                   "limits = strict goes with believable = false alone: a believable attacker "

@@ -73,6 +73,7 @@ void writeControls(JsonLineWriter& writer, const CollisionRequest& request,
   writeWord(writer, "manoeuvre", request.manoeuvre, leaves_out);
   writeWord(writer, "ego_side", request.ego_side, leaves_out);
   writeRange(writer, "impact_speed", request.impact_speed, leaves_out);
+  writeRange(writer, "overlap", request.overlap, leaves_out);
 }
 
 void readControls(JsonObject& object, CollisionRequest& request, bool may_lack) {
@@ -97,6 +98,7 @@ void readControls(JsonObject& object, CollisionRequest& request, bool may_lack) 
     request.ego_side = readWordOrNull(object, "ego_side", sideFromString, "is no side of a box");
   }
   if (has("impact_speed")) request.impact_speed = readRange(object, "impact_speed");
+  if (has("overlap")) request.overlap = readRange(object, "overlap");
 }
 
 }  // namespace forge

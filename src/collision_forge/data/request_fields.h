@@ -6,8 +6,8 @@
 namespace forge {
 
 /// What a request says beyond type, time and attacker, as fields of an object: choice, believable,
-/// limits; attacker_class, manoeuvre, ego_side and impact_speed ({min, max}, m/s), null for
-/// anything. With `defaults` only what is not as there, or not null.
+/// limits; attacker_class, manoeuvre, ego_side, impact_speed ({min, max}, m/s) and overlap ({min,
+/// max}), null for anything. With `defaults` only what is not as there, or not null.
 void writeControls(JsonLineWriter& writer, const CollisionRequest& request,
                    const CrashDefinition* defaults = nullptr);
 

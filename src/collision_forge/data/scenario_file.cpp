@@ -11,7 +11,7 @@ namespace {
 constexpr const char* kFormat = "collision_forge/scenario";
 // 1: pattern was the contact, not what was aimed at; 2: nothing of classes, added vehicles,
 // controls and believability.
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 constexpr double kMicroseconds = 1e6;  // in a second
 constexpr const char* kRecorded = "recorded";
 constexpr const char* kAdded = "added";
@@ -126,6 +126,7 @@ void writeReport(JsonLineWriter& writer, const CollisionReport& report, double n
   writer.text("ego_side", toString(report.ego_side));
   writer.text("attacker_side", toString(report.attacker_side));
   writer.number("impact_speed", report.impact_speed);
+  writer.number("overlap", report.overlap);
   writer.flag("type_kept", report.type_kept);
   writer.flag("on_time", report.on_time);
   writer.flag("limits_kept", report.limits_kept);
@@ -274,6 +275,7 @@ CollisionReport readReport(JsonObject object, double now) {
   report.ego_side = readSide(object, "ego_side");
   report.attacker_side = readSide(object, "attacker_side");
   report.impact_speed = object.number("impact_speed");
+  report.overlap = object.number("overlap");
   report.type_kept = object.flag("type_kept");
   report.on_time = object.flag("on_time");
   report.limits_kept = object.flag("limits_kept");

@@ -52,6 +52,10 @@ std::vector<ReportRow> reportRows(const ScenarioView& view, const DrawingOptions
          options.text_color});
     rows.push_back(
         {"Impact speed", decimalText(report.impact_speed, 1) + " m/s", options.text_color});
+    rows.push_back(
+        {"Overlap",
+         decimalText(100 * report.overlap, 0) + " % of ego's " + toString(report.ego_side),
+         options.text_color});
   } else {
     rows.push_back({"Contact", "none", options.failed_color});
   }

@@ -56,6 +56,22 @@ double area(const Outline& outline) {
   return 0.5 * std::max(doubled, 0.0);
 }
 
+/// The bounds of a box in the axes of a frame.
+struct LocalExtent {
+  Vector2 low = Vector2::Constant(1e9);
+  Vector2 high = Vector2::Constant(-1e9);
+};
+
+LocalExtent extentOf(const OrientedBox& box, const Pose2& frame) {
+  LocalExtent extent;
+  for (const Vector2& corner : corners(box)) {
+    const Vector2 local = relativeTo(frame, {corner.x(), corner.y(), 0.0}).position();
+    extent.low = extent.low.cwiseMin(local);
+    extent.high = extent.high.cwiseMax(local);
+  }
+  return extent;
+}
+
 }  // namespace
 
 std::array<Vector2, 4> corners(const OrientedBox& box) {
@@ -179,23 +195,26 @@ std::optional<Side> sideFromString(const std::string& name) {
 }
 
 Side touchedSide(const OrientedBox& box, const OrientedBox& other) {
-  double low_x = 1e9, high_x = -1e9, low_y = 1e9, high_y = -1e9;
-  for (const Vector2& corner : corners(other)) {
-    const Pose2 local = relativeTo(box.center, {corner.x(), corner.y(), 0.0});
-    low_x = std::min(low_x, local.x);
-    high_x = std::max(high_x, local.x);
-    low_y = std::min(low_y, local.y);
-    high_y = std::max(high_y, local.y);
-  }
+  const LocalExtent extent = extentOf(other, box.center);
   const double length = 0.5 * box.size.length;
   const double width = 0.5 * box.size.width;
-  const std::array<std::pair<double, Side>, 4> gaps = {{{low_x - length, Side::kFront},
-                                                        {-high_x - length, Side::kRear},
-                                                        {low_y - width, Side::kLeft},
-                                                        {-high_y - width, Side::kRight}}};
+  const std::array<std::pair<double, Side>, 4> gaps = {{{extent.low.x() - length, Side::kFront},
+                                                        {-extent.high.x() - length, Side::kRear},
+                                                        {extent.low.y() - width, Side::kLeft},
+                                                        {-extent.high.y() - width, Side::kRight}}};
   return std::max_element(gaps.begin(), gaps.end(),
                           [](const auto& a, const auto& b) { return a.first < b.first; })
       ->second;
+}
+
+double sideOverlap(const OrientedBox& box, Side side, const OrientedBox& other) {
+  const bool is_across = side == Side::kFront || side == Side::kRear;
+  const int axis = is_across ? 1 : 0;
+  const double side_length = is_across ? box.size.width : box.size.length;
+  const LocalExtent extent = extentOf(other, box.center);
+  const double covered = std::min(extent.high[axis], 0.5 * side_length) -
+                         std::max(extent.low[axis], -0.5 * side_length);
+  return std::clamp(covered / side_length, 0.0, 1.0);
 }
 
 double circumradius(const BoxSize& size) { return 0.5 * std::hypot(size.length, size.width); }

@@ -67,6 +67,10 @@ std::optional<Side> sideFromString(const std::string& name);
 /// most of `other` beyond it.
 Side touchedSide(const OrientedBox& box, const OrientedBox& other);
 
+/// The share of a side of `box` that `other` covers, seen along the side's normal, [0, 1]: 1 where
+/// it covers the side from corner to corner, 0 where it stands beside it. `box` must have a size.
+double sideOverlap(const OrientedBox& box, Side side, const OrientedBox& other);
+
 /// Radius of the circle around the centre that holds the box, metres.
 double circumradius(const BoxSize& size);
 

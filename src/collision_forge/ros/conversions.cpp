@@ -116,6 +116,9 @@ std::string readControls(const collision_forge::CollisionRequest& message,
   if (message.min_impact_speed != 0.0 || message.max_impact_speed != 0.0) {
     request.impact_speed = Range{message.min_impact_speed, message.max_impact_speed};
   }
+  if (message.min_overlap != 0.0 || message.max_overlap != 0.0) {
+    request.overlap = Range{message.min_overlap, message.max_overlap};
+  }
   return "";
 }
 
@@ -368,6 +371,8 @@ collision_forge::CollisionRequest requestIn(
   request.ego_side = message.ego_side;
   request.min_impact_speed = message.min_impact_speed;
   request.max_impact_speed = message.max_impact_speed;
+  request.min_overlap = message.min_overlap;
+  request.max_overlap = message.max_overlap;
   return request;
 }
 
@@ -474,6 +479,7 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
     message.ego_side = toString(report.ego_side);
     message.attacker_side = toString(report.attacker_side);
     message.impact_speed = report.impact_speed;
+    message.overlap = report.overlap;
     message.manoeuvre = toString(report.manoeuvre);
     message.manoeuvre_begin = stampOf(report.manoeuvre_begin);
   }

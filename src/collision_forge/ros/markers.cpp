@@ -144,6 +144,7 @@ std::string reportText(const collision_forge::CollisionPattern& pattern,
   text += formatted("\nheading %+.0f deg", report.relative_heading * 180 / M_PI);
   text += "\n" + report.attacker_side + " to ego's " + report.ego_side;
   text += formatted("\nimpact %.1f m/s", report.impact_speed);
+  text += formatted(", overlap %.0f %%", 100 * report.overlap);
   if (!report.manoeuvre.empty()) {
     text += "\n" + report.manoeuvre +
             formatted(" from %.1f s on", (report.manoeuvre_begin - report.header.stamp).toSec());

@@ -30,7 +30,7 @@ using collision_forge::GenerateCollision;
 constexpr char kAnyAttacker[] = "any";
 constexpr char kDefaultMethod[] = "default";
 constexpr int kShortestAttackerField = 12;  // letters
-constexpr int kResultLines = 9;
+constexpr int kResultLines = 10;
 
 // Keys in the .rviz file.
 constexpr char kTypeKey[] = "Collision Type";
@@ -51,8 +51,9 @@ QString successText(const GenerateCollision::Response& response) {
              "<tr><td>Relative heading</td><td align=right>%4 deg</td></tr>"
              "<tr><td>Sides</td><td align=right>%5 to ego's %6</td></tr>"
              "<tr><td>Impact speed</td><td align=right>%7 m/s</td></tr>"
-             "<tr><td>Confidence</td><td align=right>%8</td></tr>"
-             "<tr><td>Manoeuvre</td><td align=right>%9</td></tr></table>%10")
+             "<tr><td>Overlap</td><td align=right>%8 %</td></tr>"
+             "<tr><td>Confidence</td><td align=right>%9</td></tr>"
+             "<tr><td>Manoeuvre</td><td align=right>%10</td></tr></table>%11")
       .arg(QString::fromStdString(response.attack.pattern.collision_type),
            QString::fromStdString(report.attacker_id).toHtmlEscaped() +
                (response.attack.trajectory.added ? ", added" : ""))
@@ -60,6 +61,7 @@ QString successText(const GenerateCollision::Response& response) {
       .arg(report.relative_heading * 180 / M_PI, 0, 'f', 0)
       .arg(QString::fromStdString(report.attacker_side), QString::fromStdString(report.ego_side))
       .arg(report.impact_speed, 0, 'f', 1)
+      .arg(100 * report.overlap, 0, 'f', 0)
       .arg(report.confidence, 0, 'f', 2)
       .arg(QString::fromStdString(report.manoeuvre),
            report.believable ? QString()

@@ -78,6 +78,7 @@ struct CollisionReport {
   Side ego_side = Side::kRear;        ///< of the ego's box, where the attacker's touches it
   Side attacker_side = Side::kFront;  ///< of the attacker's box, where the ego's touches it
   double impact_speed = 0.0;          ///< m/s, norm of the relative velocity at contact
+  double overlap = 0.0;               ///< sideOverlap() of the ego's box at that side, [0, 1]
   bool type_kept = false;       ///< relative heading within the type's bands, at contact and now
   bool on_time = false;         ///< |contact time - requested time| within tolerance
   bool limits_kept = false;     ///< every vehicle limit kept from now to contact

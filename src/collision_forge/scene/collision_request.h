@@ -39,6 +39,7 @@ struct CollisionRequest {
   std::optional<Manoeuvre> manoeuvre;
   std::optional<Side> ego_side;       ///< of the ego's box, where the attacker's touches it
   std::optional<Range> impact_speed;  ///< m/s, of CollisionReport::impact_speed
+  std::optional<Range> overlap;       ///< [0, 1], of CollisionReport::overlap
   CrashDefinition crash;  ///< what counts as the crash; filled in where the request is answered
 
   /// Of the request's type. Throws std::out_of_range where `crash` is not filled in.

@@ -94,6 +94,7 @@ void describeContact(const AttackerTrajectory& trajectory, const VerificationInp
   const OrientedBox attacker_box{report.attacker_at_contact, trajectory.size};
   report.ego_side = touchedSide(ego_box, attacker_box);
   report.attacker_side = touchedSide(attacker_box, ego_box);
+  report.overlap = sideOverlap(ego_box, report.ego_side, attacker_box);
   report.impact_speed = (velocityAt(trajectory, report.contact_time) - ego->velocity).norm();
 }
 
