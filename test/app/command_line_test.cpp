@@ -70,6 +70,7 @@ const std::map<std::string, std::string> kComplete = {
     {"train", kLogs + " --out out"},
     {"speeds collect", kLogs + " --out profiles.csv"},
     {"speeds fit", " --profiles profiles.csv --out model.jsonl --config " + kConfig},
+    {"measure controls", kLogs + " --requests " + kFile + " --out controls"},
     {"measure coverage", kLogs + " --out coverage.csv"},
     {"measure ego-futures", kLogs},
     {"measure latency", ""},
@@ -259,7 +260,7 @@ TEST(BashCompletion, KnowsCommandsOptionsAndValues) {
   EXPECT_THAT(script, HasSubstr("complete -o default -F _forge_complete forge\n"));
   EXPECT_THAT(script, HasSubstr("'forge generate --mode') words='history replay'"));
   EXPECT_THAT(script, HasSubstr("'forge generate --requests') words=''"));
-  EXPECT_THAT(script, HasSubstr("'forge measure') words='coverage "));
+  EXPECT_THAT(script, HasSubstr("'forge measure') words='controls coverage "));
   EXPECT_THAT(script, HasSubstr("--scenarios"));
   EXPECT_THAT(script, Not(HasSubstr("'forge convert --force')")));
 }

@@ -344,6 +344,32 @@ class EvaluateRequestsTest(road.RoadTest):
             self.assertIn(named, result.stderr)
         self.assertFalse(out.exists())
 
+    def test_controls_are_asked_for_one_by_one_and_kept(self):
+        out, again = self.path('controls'), self.path('again')
+        few = self.path('few.jsonl')
+        few.write_text(''.join(json.dumps(request) + '\n' for request in self.listed[:2]))
+        command = ['measure', 'controls', '--dataroot', DATAROOT, '--version', VERSION, '--requests', few]
+        result = road.run(*command, '--out', out, '--jobs', 2)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((out / 'table.md').read_text(), result.stdout)
+        rows = rows_of(out)
+        self.assertEqual({row['name'] for row in rows}, {'1', '2'})
+        self.assertEqual({row['control'] for row in rows}, {'none', 'choice', 'attacker_class', 'manoeuvre', 'ego_side',
+                                                            'impact_speed', 'overlap'})
+        self.assertTrue(any(row['status'] == 'OK' for row in rows))
+        for row in rows:
+            self.assertEqual(row['kept'], '1' if row['status'] == 'OK' else '', row)
+        shutil.copytree(str(out), str(again))
+        lines = (again / 'results.csv').read_text().splitlines(keepends=True)
+        (again / 'results.csv').unlink()
+        (again / 'results.csv.part').write_text(''.join(lines[:7]))
+        self.assertEqual(road.run(*command, '--out', again).returncode, 0)
+        for name in ('results.csv', 'table.md', 'table.csv'):
+            self.assertEqual((again / name).read_bytes(), (out / name).read_bytes(), name)
+        result = road.run(*command, '--out', again, '--method', 'nominal')
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('method', result.stderr)
+
 
 if __name__ == '__main__':
     road.main()

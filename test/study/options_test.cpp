@@ -27,6 +27,18 @@ TEST(EvaluationOptions, ThePublishedSearchAimsAtWhatItsProtocolCounts) {
   EXPECT_GT(kOptions.published_search.max_speed, kShipped.attack.verification.limits.max_speed);
 }
 
+TEST(ControlOptions, BandsOfOverlapCoverAllThereIs) {
+  EXPECT_EQ(kOptions.controls.overlaps.front(), 0.0);
+  EXPECT_EQ(kOptions.controls.overlaps.back(), 1.0);
+}
+
+TEST(ControlOptions, BandsHaveAWidth) {
+  for (const auto& ends : {kOptions.controls.impact_speeds, kOptions.controls.overlaps}) {
+    ASSERT_GE(ends.size(), 2u);
+    for (std::size_t i = 1; i < ends.size(); ++i) EXPECT_GT(ends[i], ends[i - 1]);
+  }
+}
+
 TEST(ScorecardOptions, AnAttacksWindowReachesIntoWhatIsGenerated) {
   // The time to accident that the least generated samples need is one that requests have.
   const ScorecardOptions& scorecard = kOptions.scorecard;

@@ -65,6 +65,7 @@ void addDataset(CommandLine& line);
 void addTrain(CommandLine& line);
 void addSpeedsCollect(CommandLine& line);
 void addSpeedsFit(CommandLine& line);
+void addMeasureControls(CommandLine& line);
 void addMeasureCoverage(CommandLine& line);
 void addMeasureEgoFutures(CommandLine& line);
 void addMeasureLatency(CommandLine& line);

@@ -8,6 +8,7 @@ void addCommands(CommandLine& line) {
   addRequests(line);
   addGenerate(line);
   addEvaluate(line);
+  addMeasureControls(line);
   addMeasureCoverage(line);
   addMeasureEgoFutures(line);
   addMeasureLatency(line);

@@ -24,23 +24,12 @@ const std::string& packageFolder() {
   return folder;
 }
 
-/// The names of the values for which `is_meant` holds, each with its value.
-template <typename Value, typename Values, typename IsMeant>
-std::vector<std::pair<std::string, std::optional<Value>>> wordsOf(const Values& values,
-                                                                  IsMeant is_meant) {
+/// The names of the values, each with its value.
+template <typename Value, typename Values>
+std::vector<std::pair<std::string, std::optional<Value>>> wordsOf(const Values& values) {
   std::vector<std::pair<std::string, std::optional<Value>>> words;
-  for (const Value value : values) {
-    if (is_meant(value)) words.emplace_back(toString(value), value);
-  }
+  for (const Value value : values) words.emplace_back(toString(value), value);
   return words;
-}
-
-std::vector<AgentClass> allClasses() {
-  std::vector<AgentClass> classes;
-  for (int number = 0; number <= static_cast<int>(AgentClass::kStaticObject); ++number) {
-    classes.push_back(static_cast<AgentClass>(number));
-  }
-  return classes;
 }
 
 void addRange(CLI::App& app, const std::string& name, std::optional<Range>& value,
@@ -86,25 +75,24 @@ void addAttacker(CLI::App& app, RequestControls& controls) {
 }
 
 void addControls(CLI::App& app, RequestControls& controls) {
-  const auto any = [](auto) { return true; };
   addChoice<std::optional<bool>>(app, "--believable", controls.believable,
                                  {{"true", true}, {"false", false}},
                                  "true: the attacker drives as drivers do until it attacks; false: "
                                  "as it can; default: crash_definition.yaml");
   addChoice<std::optional<LimitSet>>(
       app, "--limits", controls.limits,
-      wordsOf<LimitSet>(std::vector<LimitSet>{LimitSet::kDrivable, LimitSet::kStrict}, any),
+      wordsOf<LimitSet>(std::vector<LimitSet>{LimitSet::kDrivable, LimitSet::kStrict}),
       "of vehicle_limits.yaml; drivable: by the attacker's class; strict: the same for all, with "
       "--believable false; default: crash_definition.yaml");
   addChoice<std::optional<AgentClass>>(app, "--attacker-class", controls.attacker_class,
-                                       wordsOf<AgentClass>(allClasses(), canAttack),
+                                       wordsOf<AgentClass>(kAttackerClasses),
                                        "of the attacker; any by default");
   addChoice<std::optional<Manoeuvre>>(
-      app, "--manoeuvre", controls.manoeuvre, wordsOf<Manoeuvre>(kManoeuvres, any),
+      app, "--manoeuvre", controls.manoeuvre, wordsOf<Manoeuvre>(kManoeuvres),
       "what the attacker does, any by default; " + manoeuvresByType());
   addChoice<std::optional<Side>>(
       app, "--ego-side", controls.ego_side,
-      wordsOf<Side>(std::vector<Side>{Side::kFront, Side::kRear, Side::kLeft, Side::kRight}, any),
+      wordsOf<Side>(std::vector<Side>{Side::kFront, Side::kRear, Side::kLeft, Side::kRight}),
       "of the ego, where it is touched; any by default");
   addRange(app, "--impact-speed", controls.impact_speed,
            "least and greatest, m/s, of the relative velocity at contact; any by default");

@@ -32,16 +32,8 @@ const char* toString(AgentClass agent_class) {
 }
 
 bool canAttack(AgentClass agent_class) {
-  switch (agent_class) {
-    case AgentClass::kCar:
-    case AgentClass::kTruck:
-    case AgentClass::kBus:
-    case AgentClass::kConstructionVehicle:
-    case AgentClass::kEmergencyVehicle:
-      return true;
-    default:
-      return false;
-  }
+  return std::find(std::begin(kAttackerClasses), std::end(kAttackerClasses), agent_class) !=
+         std::end(kAttackerClasses);
 }
 
 std::optional<AgentState> stateAt(const Track& track, double time, double max_gap) {

@@ -24,7 +24,10 @@ enum class AgentClass {
 
 /// Lower-case name as in messages and files, for instance "construction_vehicle".
 const char* toString(AgentClass agent_class);
-/// Cars, trucks, buses, construction and emergency vehicles: what can be made to attack.
+/// What can be made to attack.
+inline constexpr AgentClass kAttackerClasses[] = {
+    AgentClass::kCar, AgentClass::kTruck, AgentClass::kBus, AgentClass::kConstructionVehicle,
+    AgentClass::kEmergencyVehicle};
 bool canAttack(AgentClass agent_class);
 
 /// One agent at one instant. Global map frame; `pose` is the middle of the box.

@@ -1,5 +1,7 @@
 #include "collision_forge/study/options.h"
 
+#include <algorithm>
+
 #include "collision_forge/config/section.h"
 #include "collision_forge/study/motion_windows.h"
 
@@ -58,6 +60,14 @@ static void readOptions(Section& section, ScorecardOptions& options) {
   options.seed = static_cast<std::uint64_t>(section.count("seed", 0));
 }
 
+static void readOptions(Section& section, ControlOptions& options) {
+  options.impact_speeds = section.numbers("impact_speeds", 0.0, 100.0);
+  if (!std::is_sorted(options.impact_speeds.begin(), options.impact_speeds.end())) {
+    section.refuse("impact_speeds", "falls");
+  }
+  options.overlaps = section.risingShares("overlaps");
+}
+
 void readOptions(Section& section, EvaluationOptions& options) {
   section.read("collide", options.collide);
   section.read("published", options.published);
@@ -65,6 +75,7 @@ void readOptions(Section& section, EvaluationOptions& options) {
   section.read("published_search", options.published_search);
   section.read("statistics", options.statistics);
   section.read("scorecard", options.scorecard);
+  section.read("controls", options.controls);
 }
 
 }  // namespace forge

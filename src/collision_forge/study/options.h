@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "collision_forge/attack/options.h"
 #include "collision_forge/data/options.h"
@@ -66,12 +67,19 @@ struct ScorecardOptions {
   std::uint64_t seed = 0;
 };
 
+/// The ends of the bands that are asked for, rising: each number but the last begins a band.
+struct ControlOptions {
+  std::vector<double> impact_speeds;
+  std::vector<double> overlaps;
+};
+
 struct EvaluationOptions {
   CollideOptions collide;
   PublishedOptions published;
   PublishedSearchOptions published_search;
   StatisticsOptions statistics;
   ScorecardOptions scorecard;
+  ControlOptions controls;
 };
 
 /// What attacks are made by and judged by in a study.
