@@ -434,5 +434,17 @@ TEST(GenerateCollision, EveryAnswerHoldsAgainstABruteForceCheck) {
   }
 }
 
+TEST(SearchMethod, SaysThatTheRoadDoesNotAllowWhoeverIsToAttack) {
+  Case scene;
+  scene.request = believableRequestFor(CollisionType::kJunctionCrossing);
+  for (const AttackerChoice choice :
+       {AttackerChoice::kAny, AttackerChoice::kExisting, AttackerChoice::kNew}) {
+    scene.request.choice = choice;
+    scene.expectRefusal(StatusCode::kRoadDoesNotAllow, {"junction_crossing"});
+  }
+  scene.request.crash.believable = false;
+  scene.expectRefusal(StatusCode::kNoCandidate, {"believable, alone"});
+}
+
 }  // namespace
 }  // namespace forge

@@ -58,9 +58,10 @@ Realization SearchMethod::answer(const Moment& moment, const CollisionRequest& r
                        {moment.snapshot, prediction.future, request, *moment.lanes}, options_);
   }
   if (!mayBeAdded(existing, moment, request, options_)) {
-    if (may_exist) return existing;
-    existing.status = {StatusCode::kNoCandidate,
-                       "vehicles are added to maps with lanes, and believable, alone"};
+    if (!may_exist && (!request.crash.believable || moment.lanes->map().lanes.empty())) {
+      existing.status = {StatusCode::kNoCandidate,
+                         "vehicles are added to maps with lanes, and believable, alone"};
+    }
     return existing;
   }
   const Realization added = realizeByAdded(
