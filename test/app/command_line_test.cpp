@@ -205,6 +205,16 @@ TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {
   }
 }
 
+TEST(CommandLine, AlternativesAreAskedForInLists) {
+  for (const std::string command : {"generate", "requests"}) {
+    const std::string line = command + kComplete.at(command) + " --alternatives ";
+    EXPECT_EQ(read(line + "16").exit_code, std::nullopt) << command;
+    for (const char* bad : {"0", "17", "few"}) {
+      EXPECT_EQ(read(line + bad).exit_code, kExitUsage) << command << bad;
+    }
+  }
+}
+
 TEST(RequestControls, SayWhatIsGivenAlone) {
   CollisionRequest request;
   request.attacker = "a";

@@ -218,6 +218,17 @@ TEST(CheckRequest, RefusesOverlapsThatNoneCanHave) {
   }
 }
 
+TEST(CheckRequest, RefusesNoAttacksAndTooMany) {
+  CollisionRequest request = asking(4.0);
+  for (const int count : {-1, 0, kMaxAlternatives + 1}) {
+    request.alternatives = count;
+    expectRefusal(request, twoCars(), StatusCode::kInvalidInput,
+                  {"alternatives = " + std::to_string(count), "1 to 16"});
+  }
+  request.alternatives = kMaxAlternatives;
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+}
+
 TEST(CheckRequest, RefusesBelievableAttacksWithinTheStrictLimits) {
   CollisionRequest request = asking(4.0);
   request.crash.limits = LimitSet::kStrict;

@@ -19,13 +19,14 @@ CollisionRequest everything() {
   request.ego_side = Side::kFront;
   request.impact_speed = Range{2.5, 12.0};
   request.overlap = Range{0.25, 0.5};
+  request.alternatives = 3;
   return request;
 }
 
 const char* const kEverything =
     R"({"choice":"new","believable":false,"limits":"strict","attacker_class":"emergency_vehicle",)"
     R"("manoeuvre":"lead_brakes","ego_side":"front","impact_speed":{"min":2.5,"max":12},)"
-    R"("overlap":{"min":0.25,"max":0.5}})";
+    R"("overlap":{"min":0.25,"max":0.5},"alternatives":3})";
 
 std::string lineOf(const CollisionRequest& request, const CrashDefinition* defaults = nullptr) {
   JsonLineWriter writer;
@@ -64,7 +65,7 @@ TEST(RequestFields, AreNullOrLeftOutForAnything) {
   const CrashDefinition defaults;
   EXPECT_EQ(lineOf({}), R"({"choice":"any","believable":true,"limits":"drivable",)"
                         R"("attacker_class":null,"manoeuvre":null,"ego_side":null,)"
-                        R"("impact_speed":null,"overlap":null})");
+                        R"("impact_speed":null,"overlap":null,"alternatives":1})");
   EXPECT_EQ(lineOf({}, &defaults), "{}");
   EXPECT_EQ(lineOf(everything(), &defaults), kEverything);
   EXPECT_EQ(lineOf(readFrom(lineOf({}), false)), lineOf({}));
@@ -88,6 +89,8 @@ TEST(RequestFields, WhatDoesNotExistIsNamed) {
   EXPECT_THAT(complaintAbout(R"({"impact_speed":{"min":1,"max":2,"mean":1}})"),
               HasSubstr("impact_speed.mean"));
   EXPECT_THAT(complaintAbout(R"({"overlap":0.5})"), HasSubstr("overlap = 0.5"));
+  EXPECT_THAT(complaintAbout(R"({"alternatives":-1})"), HasSubstr("alternatives = -1"));
+  EXPECT_THAT(complaintAbout(R"({"alternatives":4294967296})"), HasSubstr("too many"));
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ Scenario attack() {
 const char* const kAttackLine =
     R"({"format":"collision_forge/scenario","version":4,"scene":"scene-0001","now":1531883530.949817,)"
     R"("request":{"type":"rear_end","tta":4,"attacker":"a1","choice":"any","believable":false,)"
-    R"("limits":"strict","attacker_class":"truck","manoeuvre":null,"ego_side":"rear","impact_speed":null,"overlap":null,)"
+    R"("limits":"strict","attacker_class":"truck","manoeuvre":null,"ego_side":"rear","impact_speed":null,"overlap":null,"alternatives":1,)"
     R"("mode":"replay","seed":7},)"
     R"("status":{"code":"OK","message":""},"attacker":{"id":"a1","class":"truck","origin":"recorded",)"
     R"("length":4.6,"width":1.9,"past":null,"trajectory":[)"
@@ -70,7 +70,7 @@ const char* const kAttackLine =
     R"("impact_speed":4.5,"overlap":0.375,"type_kept":true,)"
     R"("on_time":true,"limits_kept":true,"broken_limit":null,"first_other":null,"off_road_share":0.75,"manoeuvre":"follower_closes",)"
     R"("manoeuvre_begin_t":1.5,"on_lane":0.5,"wrong_way":0.25,"on_walkway":0.125,"on_island":0.0625,)"
-    R"("believable":false,"unbelievable":"is on a walkway for 12 %"},)"
+    R"("believable":false,"unbelievable":"is on a walkway for 12 %"},"alternatives":[],)"
     R"("ego":{"length":4.084,"width":1.73,"center_offset":1.385}})";
 
 /// By a vehicle that was added, on a request that names all that can be.
@@ -89,6 +89,13 @@ Scenario addedAttack() {
   trajectory.past = {{kNow - 0.5, before, 9.1234567 * before.heading()},
                      {kNow, {1.0, 2.0, 0.25}, 9.0 * Pose2{0.0, 0.0, 0.25}.heading()}};
   scenario.answer.report.unbelievable.clear();
+  return scenario;
+}
+
+Scenario threeAttacks() {
+  Scenario scenario = attack();
+  scenario.asked.request.alternatives = 3;
+  scenario.answer.alternatives = {addedAttack().answer, attack().answer};
   return scenario;
 }
 
@@ -118,11 +125,11 @@ TEST(ScenarioFile, ARefusalHasNullsAndItsMessage) {
       AllOf(HasSubstr(R"("attacker":null,"choice":"any")"),
             HasSubstr(
                 R"("status":{"code":"NO_CANDIDATE","message":"nobody \"near\""},"attacker":null,)"
-                R"("pattern":null,"confidence":null,"report":null,"ego":{)")));
+                R"("pattern":null,"confidence":null,"report":null,"alternatives":[],"ego":{)")));
 }
 
 TEST(ScenarioFile, LinesAreReadAsTheyWereWritten) {
-  for (const Scenario& scenario : {attack(), addedAttack(), refusal()}) {
+  for (const Scenario& scenario : {attack(), addedAttack(), threeAttacks(), refusal()}) {
     const std::string line = scenarioLine(scenario);
     EXPECT_EQ(scenarioLine(readScenarioLine("", line)), line);
   }
@@ -143,6 +150,27 @@ TEST(ScenarioFile, ControlsAreReadAsTheyWereAskedFor) {
   ASSERT_TRUE(request.overlap);
   EXPECT_EQ(request.overlap->min, 0.25);
   EXPECT_EQ(request.overlap->max, 1.0);
+}
+
+TEST(ScenarioFile, AlternativesAreReadLikeTheFirstAttack) {
+  const Realization read = readScenarioLine("", scenarioLine(threeAttacks())).answer;
+  ASSERT_EQ(read.alternatives.size(), 2u);
+  EXPECT_TRUE(read.alternatives[0].trajectory.isAdded());
+  EXPECT_FALSE(read.alternatives[1].trajectory.isAdded());
+  for (const Realization& alternative : read.alternatives) {
+    EXPECT_EQ(alternative.status.code, StatusCode::kOk);
+    EXPECT_EQ(alternative.report.confidence, read.report.confidence);
+    EXPECT_EQ(alternative.aim.attacker_id, alternative.trajectory.attacker_id);
+  }
+}
+
+TEST(ScenarioFile, ARefusalHasNoAlternatives) {
+  const std::string line = scenarioLine(threeAttacks());
+  const std::size_t begin = line.find(R"("alternatives":[)");
+  const std::size_t end = line.rfind(R"(,"ego":{)");
+  EXPECT_THAT(complaintAbout(scenarioLine(refusal()), R"("alternatives":[])",
+                             line.substr(begin, end - begin)),
+              HasSubstr("alternatives"));
 }
 
 TEST(ScenarioFile, AnAddedVehicleHasAPastAndItsClass) {

@@ -62,6 +62,7 @@ class BadInputTest(MadeUpTest):
                               (dict(attacker='behind', choice='new'), 'choice = new'),
                               (dict(attacker_class='pedestrian'), 'attacker_class = pedestrian'),
                               (dict(min_impact_speed=9.0, max_impact_speed=2.0), 'impact_speed = 9 to 2 m/s'),
+                              (dict(alternatives=17), 'alternatives = 17'),
                               (dict(min_overlap=0.5, max_overlap=1.5), 'overlap = 0.5 to 1.5'),
                               (dict(believable='true', limits='strict'), 'believable = false')):
             answer = self.ask_for_code('INVALID_INPUT', 'rear_end', 4.0, **fields)

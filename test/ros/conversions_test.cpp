@@ -102,6 +102,7 @@ TEST(CollisionRequestMessage, SaysWhatIsNotAsConfigured) {
   auto message = leadBrakes();
   auto request = std::get<CollisionRequest>(fromMessage(message, configured));
   EXPECT_EQ(request.choice, AttackerChoice::kAny);
+  EXPECT_EQ(request.alternatives, 1);
   EXPECT_FALSE(request.crash.believable);
   EXPECT_EQ(request.crash.time_tolerance, 0.25);
   EXPECT_FALSE(request.attacker_class || request.manoeuvre || request.ego_side ||
@@ -114,6 +115,7 @@ TEST(CollisionRequestMessage, SaysWhatIsNotAsConfigured) {
   message.ego_side = "front";
   message.max_impact_speed = 6.0;
   message.max_overlap = 0.5;
+  message.alternatives = 4;
   request = std::get<CollisionRequest>(fromMessage(message, configured));
   EXPECT_EQ(request.choice, AttackerChoice::kNew);
   EXPECT_TRUE(request.crash.believable);
@@ -125,6 +127,7 @@ TEST(CollisionRequestMessage, SaysWhatIsNotAsConfigured) {
   EXPECT_EQ(request.impact_speed->max, 6.0);
   ASSERT_TRUE(request.overlap);
   EXPECT_EQ(request.overlap->max, 0.5);
+  EXPECT_EQ(request.alternatives, 4);
 }
 
 TEST(CollisionRequestMessage, NamesFieldAndValueOfAWordThatMeansNothing) {
@@ -162,6 +165,7 @@ TEST(CollisionRequestMessage, IsWhatTheServiceIsAsked) {
   asked.max_impact_speed = 9.0;
   asked.min_overlap = 0.25;
   asked.max_overlap = 0.75;
+  asked.alternatives = 3;
   const auto message = requestIn(asked);
   EXPECT_EQ(message.attacker_id, "a");
   EXPECT_EQ(message.choice, "existing");
@@ -174,6 +178,7 @@ TEST(CollisionRequestMessage, IsWhatTheServiceIsAsked) {
   EXPECT_EQ(message.max_impact_speed, 9.0);
   EXPECT_EQ(message.min_overlap, 0.25);
   EXPECT_EQ(message.max_overlap, 0.75);
+  EXPECT_EQ(message.alternatives, 3u);
 }
 
 TEST(CollisionReportMessage, TellsOverlapManoeuvreRoadAndBelief) {

@@ -239,7 +239,7 @@ class GenerateTest(road.RoadTest):
             self.assertEqual(scenario['request'], {'type': request['type'], 'tta': request['tta'], 'attacker': None,
                                                    'choice': 'any', 'believable': True, 'limits': 'drivable',
                                                    'attacker_class': None, 'manoeuvre': None, 'ego_side': None,
-                                                   'impact_speed': None, 'overlap': None, 'mode': 'history', 'seed': 0})
+                                                   'impact_speed': None, 'overlap': None, 'alternatives': 1, 'mode': 'history', 'seed': 0})
         self.assertGreater(len({scenario['status']['code'] for scenario in scenarios}), 1)
 
     def test_the_command_line_precedes_the_list(self):
@@ -254,6 +254,29 @@ class GenerateTest(road.RoadTest):
                              (False, 'truck', 'existing'))
             if scenario['attacker']:
                 self.assertEqual((scenario['attacker']['class'], scenario['attacker']['origin']), ('truck', 'recorded'))
+
+    def test_alternatives_differ_in_attacker_or_manoeuvre_and_leave_the_first_as_it_is(self):
+        few = self.path('few.jsonl')
+        few.write_text('\n'.join(lines_of(self.requests)[::6]) + '\n')
+        result = run(generate_command(few, self.out, '--alternatives', 3))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        validator = jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text()))
+        counts = set()
+        for line, first in zip(lines_of(self.out), lines_of(self.expected)[::6]):
+            scenario, alone = json.loads(line), json.loads(first)
+            validator.validate(scenario)
+            for field in ('status', 'attacker', 'report'):
+                self.assertEqual(scenario[field], alone[field])
+            self.assertEqual(alone['alternatives'], [])
+            if scenario['attacker']:
+                attacks = [scenario] + scenario['alternatives']
+                kinds = {(attack['attacker']['id'], attack['report']['manoeuvre']) for attack in attacks}
+                self.assertEqual(len(kinds), len(attacks))
+                self.assertTrue(all(attack['report']['verified'] for attack in attacks))
+                counts.add(len(attacks))
+            else:
+                self.assertEqual(scenario['alternatives'], [])
+        self.assertEqual(max(counts), 3)
 
     def test_lines_keep_the_schema(self):
         schema = json.loads(SCHEMA.read_text())

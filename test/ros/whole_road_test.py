@@ -119,6 +119,19 @@ class JunctionTest(live.WholeRoadTest):
         for _ in range(3):
             self.assertEqual(ask('rear_end', tta, seed=9), first)
 
+    def test_alternatives_stand_beside_the_same_first_attack(self):
+        first, _ = self.play_and_ask('rear_end', 'history', 0)
+        tta = self.offline('rear_end', 'history')[1]
+        answer = ask('rear_end', tta, alternatives=3)
+        self.assertEqual(answer.attack, first.attack)
+        self.assertEqual(first.alternatives, [])
+        kinds = {(attack.report.attacker_id, attack.report.manoeuvre)
+                 for attack in [answer.attack] + answer.alternatives}
+        self.assertEqual(len(kinds), 1 + len(answer.alternatives))
+        self.assertIn(len(answer.alternatives), (1, 2))
+        for attack in answer.alternatives:
+            self.assertTrue(attack.report.verified)
+
     def test_short_names_of_types_and_default_mode(self):
         first, _ = self.play_and_ask('rear_end', 'history', 0)
         tta = self.offline('rear_end', 'history')[1]

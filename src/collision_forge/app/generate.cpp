@@ -167,6 +167,7 @@ void addGenerate(CommandLine& line) {
   addMode(app, arguments->mode);
   addAttacker(app, arguments->controls);
   addControls(app, arguments->controls);
+  addAlternatives(app, arguments->controls);
   addJobs(app, arguments->jobs, "requests at a time, in every rank of mpirun");
   addConfig(app, arguments->config);
 }

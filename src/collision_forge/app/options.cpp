@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "collision_forge/attack/request_check.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/scene/request_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
@@ -67,6 +68,7 @@ void RequestControls::applyTo(CollisionRequest& request) const {
   if (ego_side) request.ego_side = ego_side;
   if (impact_speed) request.impact_speed = impact_speed;
   if (overlap) request.overlap = overlap;
+  if (alternatives) request.alternatives = *alternatives;
 }
 
 void addAttacker(CLI::App& app, RequestControls& controls) {
@@ -99,6 +101,12 @@ void addControls(CLI::App& app, RequestControls& controls) {
   addRange(app, "--overlap", controls.overlap,
            "least and greatest share, 0 to 1, of the ego's touched side that the attacker covers; "
            "any by default");
+}
+
+void addAlternatives(CLI::App& app, RequestControls& controls) {
+  app.add_option("--alternatives", controls.alternatives,
+                 "attacks asked for, which differ in attacker or manoeuvre; 1 by default")
+      ->check(CLI::Range(1, kMaxAlternatives));
 }
 
 void addDataroot(CLI::App& app, std::string& dataroot) {

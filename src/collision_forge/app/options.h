@@ -46,6 +46,7 @@ struct RequestControls {
   std::optional<Side> ego_side;
   std::optional<Range> impact_speed;
   std::optional<Range> overlap;
+  std::optional<int> alternatives;
 
   /// Says so in the request.
   void applyTo(CollisionRequest& request) const;
@@ -54,6 +55,9 @@ struct RequestControls {
 void addAttacker(CLI::App& app, RequestControls& controls);
 /// --believable, --limits, --attacker-class, --manoeuvre, --ego-side, --impact-speed, --overlap.
 void addControls(CLI::App& app, RequestControls& controls);
+
+/// --alternatives.
+void addAlternatives(CLI::App& app, RequestControls& controls);
 
 /// --dataroot, required.
 void addDataroot(CLI::App& app, std::string& dataroot);

@@ -186,6 +186,7 @@ void addRequests(CommandLine& line) {
       ->check(CLI::IsMember({"any", "existing", "new", kEach}))
       ->capture_default_str();
   addControls(app, arguments->controls);
+  addAlternatives(app, arguments->controls);
   app.add_flag(
       "--allowed-only", arguments->allowed_only,
       "only what the road allows: some lane of the type's direction passes the ego's place "

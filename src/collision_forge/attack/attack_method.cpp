@@ -1,5 +1,6 @@
 #include "collision_forge/attack/attack_method.h"
 
+#include "collision_forge/attack/alternatives.h"
 #include "collision_forge/attack/request_check.h"
 
 namespace forge {
@@ -43,7 +44,12 @@ Realization generateCollision(const AttackMethod& method, const Moment& moment,
   }
   std::string shortcoming = shortcomingOf(answer.report, request);
   if (shortcoming.empty()) shortcoming = wrongAttacker(answer.trajectory, request);
-  if (shortcoming.empty()) return answer;
+  if (shortcoming.empty()) {
+    if (request.alternatives > 1) {
+      answer.alternatives = findAlternatives(answer, method, moment, request, options);
+    }
+    return answer;
+  }
   return refused(StatusCode::kNoAttackWithinLimits, "the method's attack " + shortcoming);
 }
 

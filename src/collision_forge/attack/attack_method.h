@@ -23,7 +23,8 @@ Realization attempt(const AttackMethod& method, const Moment& moment,
 
 /// The way from a request to a verified attack. Refuses without asking the method as checkRequest()
 /// does, and with kNoRecording in replay mode at a moment without a recorded future; an attack that
-/// is not verified is kNoAttackWithinLimits.
+/// is not verified is kNoAttackWithinLimits. With findAlternatives() where the request asks for
+/// more than one.
 Realization generateCollision(const AttackMethod& method, const Moment& moment,
                               const CollisionRequest& request, const PredictionOptions& options);
 

@@ -114,6 +114,10 @@ Status checkControls(const CollisionRequest& request) {
                     " is no range within 0 to 1");
     }
   }
+  if (request.alternatives < 1 || request.alternatives > kMaxAlternatives) {
+    return refuse(StatusCode::kInvalidInput, "alternatives = ", request.alternatives,
+                  " is outside 1 to ", kMaxAlternatives);
+  }
   if (request.crash.believable && request.crash.limits == LimitSet::kStrict) {
     return refuse(StatusCode::kInvalidInput,
                   "limits = strict goes with believable = false alone: a believable attacker "

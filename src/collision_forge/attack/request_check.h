@@ -9,9 +9,13 @@ namespace forge {
 /// A vehicle that is there now, was there in the frame before, and is within candidate_radius.
 bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options);
 
+/// As many attacks may be asked for at once.
+inline constexpr int kMaxAlternatives = 16;
+
 /// What a request says against itself: an attacker's id with the choice of a new one, a class that
-/// cannot attack, a manoeuvre of another type, an impact speed that none can have, believable
-/// attacks within the strict limits (these are those of no vehicle that drives).
+/// cannot attack, a manoeuvre of another type, an impact speed or an overlap that none can
+/// have, less than one attack or more than kMaxAlternatives, believable attacks within the strict
+/// limits (these are those of no vehicle that drives).
 Status checkControls(const CollisionRequest& request);
 
 /// What can be said against a request before any search: TTA out of range or not a number,

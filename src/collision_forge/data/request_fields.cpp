@@ -1,5 +1,7 @@
 #include "collision_forge/data/request_fields.h"
 
+#include <limits>
+
 #include "collision_forge/scene/request_words.h"
 
 namespace forge {
@@ -74,6 +76,9 @@ void writeControls(JsonLineWriter& writer, const CollisionRequest& request,
   writeWord(writer, "ego_side", request.ego_side, leaves_out);
   writeRange(writer, "impact_speed", request.impact_speed, leaves_out);
   writeRange(writer, "overlap", request.overlap, leaves_out);
+  if (!leaves_out || request.alternatives != 1) {
+    writer.count("alternatives", static_cast<std::uint64_t>(request.alternatives));
+  }
 }
 
 void readControls(JsonObject& object, CollisionRequest& request, bool may_lack) {
@@ -99,6 +104,13 @@ void readControls(JsonObject& object, CollisionRequest& request, bool may_lack) 
   }
   if (has("impact_speed")) request.impact_speed = readRange(object, "impact_speed");
   if (has("overlap")) request.overlap = readRange(object, "overlap");
+  if (has("alternatives")) {
+    const std::uint64_t count = object.count("alternatives");
+    if (count > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {
+      object.fail("alternatives", "is too many");
+    }
+    request.alternatives = static_cast<int>(count);
+  }
 }
 
 }  // namespace forge

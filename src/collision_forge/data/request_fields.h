@@ -7,7 +7,7 @@ namespace forge {
 
 /// What a request says beyond type, time and attacker, as fields of an object: choice, believable,
 /// limits; attacker_class, manoeuvre, ego_side, impact_speed ({min, max}, m/s) and overlap ({min,
-/// max}), null for anything. With `defaults` only what is not as there, or not null.
+/// max}), null for anything; alternatives. With `defaults` only what is not as there, or not null.
 void writeControls(JsonLineWriter& writer, const CollisionRequest& request,
                    const CrashDefinition* defaults = nullptr);
 

@@ -145,14 +145,25 @@ void writeReport(JsonLineWriter& writer, const CollisionReport& report, double n
 }
 
 void writeAttack(JsonLineWriter& writer, const Realization& answer, double now) {
-  if (answer.status.code != StatusCode::kOk) {
-    for (const char* key : {"attacker", "pattern", "confidence", "report"}) writer.null(key);
-    return;
-  }
   writeAttacker(writer, answer.trajectory, now);
   writePattern(writer, answer.aim, answer.miss, now);
   writer.number("confidence", answer.report.confidence);
   writeReport(writer, answer.report, now);
+}
+
+void writeAnswer(JsonLineWriter& writer, const Realization& answer, double now) {
+  if (answer.status.code == StatusCode::kOk) {
+    writeAttack(writer, answer, now);
+  } else {
+    for (const char* key : {"attacker", "pattern", "confidence", "report"}) writer.null(key);
+  }
+  writer.beginArray("alternatives");
+  for (const Realization& alternative : answer.alternatives) {
+    writer.beginObject();
+    writeAttack(writer, alternative, now);
+    writer.endObject();
+  }
+  writer.endArray();
 }
 
 Pose2 readPoseFields(JsonObject& object) {
@@ -316,16 +327,8 @@ void checkFormat(JsonObject& object) {
   }
 }
 
-/// The fields that are null unless the answer is OK.
 void readAttack(JsonObject& object, const Scenario& scenario, Realization& answer) {
   const double now = scenario.asked.now;
-  if (answer.status.code != StatusCode::kOk) {
-    for (const char* key : {"attacker", "pattern", "report"}) {
-      if (object.objectOrNull(key)) object.fail(key, "is there without an attack");
-    }
-    if (object.numberOrNull("confidence")) object.fail("confidence", "is there without an attack");
-    return;
-  }
   answer.trajectory = readAttacker(object.object("attacker"), now);
   answer.aim = readPattern(object.object("pattern"), now, answer.miss);
   answer.aim.type = scenario.asked.request.type;
@@ -333,6 +336,25 @@ void readAttack(JsonObject& object, const Scenario& scenario, Realization& answe
   answer.aim.ego.size = scenario.ego.size;
   answer.report = readReport(object.object("report"), now);
   answer.report.confidence = object.number("confidence");
+}
+
+/// The attack is null unless the answer is OK.
+void readAnswer(JsonObject& object, const Scenario& scenario, Realization& answer) {
+  const bool is_attack = answer.status.code == StatusCode::kOk;
+  if (is_attack) {
+    readAttack(object, scenario, answer);
+  } else {
+    for (const char* key : {"attacker", "pattern", "report"}) {
+      if (object.objectOrNull(key)) object.fail(key, "is there without an attack");
+    }
+    if (object.numberOrNull("confidence")) object.fail("confidence", "is there without an attack");
+  }
+  for (JsonObject& entry : object.objects("alternatives")) {
+    if (!is_attack) object.fail("alternatives", "are there without an attack");
+    Realization& alternative = answer.alternatives.emplace_back();
+    readAttack(entry, scenario, alternative);
+    entry.finish();
+  }
 }
 
 }  // namespace
@@ -347,7 +369,7 @@ std::string scenarioLine(const Scenario& scenario) {
   writer.number("now", now);
   writeRequest(writer, scenario.asked.request);
   writeStatus(writer, scenario.answer.status);
-  writeAttack(writer, scenario.answer, now);
+  writeAnswer(writer, scenario.answer, now);
   writer.beginObject("ego");
   writer.number("length", scenario.ego.size.length);
   writer.number("width", scenario.ego.size.width);
@@ -367,7 +389,7 @@ Scenario readScenarioLine(const std::string& where, const std::string& line) {
   scenario.asked.request = readRequest(object.object("request"));
   scenario.ego = readEgo(object.object("ego"));
   scenario.answer.status = readStatus(object.object("status"));
-  readAttack(object, scenario, scenario.answer);
+  readAnswer(object, scenario, scenario.answer);
   object.finish();
   return scenario;
 }

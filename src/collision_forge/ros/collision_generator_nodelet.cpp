@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 
+#include "collision_forge/attack/alternatives.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
@@ -75,7 +76,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   }
 
   bool answer(Request& message, Response& response) {
-    answerWith(response, [&] { return generate(message, response.attack); });
+    answerWith(response, [&] { return generate(message, response); });
     if (response.code == Response::OK) {
       attacks_.publish(response.attack);
     } else {
@@ -90,7 +91,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     return scene_;
   }
 
-  Status generate(const Request& message, collision_forge::Attack& attack) {
+  Status generate(const Request& message, Response& response) {
     const collision_forge::CollisionRequest asked = requestIn(message);
     const auto parsed = fromMessage(asked, config_.crash);
     if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
@@ -111,15 +112,21 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
       if (status.code != StatusCode::kOk) return status;
     }
     if (method != default_method_ || request.choice == AttackerChoice::kNew) {
-      return generateHere(method, scene->snapshot, request, std::move(recorded), attack);
+      return generateHere(method, scene->snapshot, request, recorded, response);
     }
-    const Status status = search_->generate(scene->snapshot, asked, recorded, attack);
-    attack.method = method;
-    if (!leavesRoomForNewOne(status, request)) return status;
-    CollisionRequest by_new = request;
-    by_new.choice = AttackerChoice::kNew;
-    const Status added = generateHere(method, scene->snapshot, by_new, std::move(recorded), attack);
-    return added.code == StatusCode::kOk ? added : status;
+    Status status = search_->generate(scene->snapshot, asked, recorded, response.attack);
+    response.attack.method = method;
+    if (leavesRoomForNewOne(status, request)) {
+      CollisionRequest by_new = request;
+      by_new.choice = AttackerChoice::kNew;
+      by_new.alternatives = 1;
+      const Status added = generateHere(method, scene->snapshot, by_new, recorded, response);
+      if (added.code == StatusCode::kOk) status = added;
+    }
+    if (status.code == StatusCode::kOk && request.alternatives > 1) {
+      addAlternatives(method, scene->snapshot, request, recorded, response);
+    }
+    return status;
   }
 
   /// Nobody who is there can attack as asked, and somebody new may. The services know those alone
@@ -132,16 +139,40 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   }
 
   Status generateHere(const std::string& name, const collision_forge::SceneSnapshot& scene,
-                      const CollisionRequest& request, std::optional<Future> recorded,
-                      collision_forge::Attack& attack) const {
+                      const CollisionRequest& request, const std::optional<Future>& recorded,
+                      Response& response) const {
     const auto lanes = map_->lanes();
     if (!lanes) return {StatusCode::kNoScene, "no usable lane_map has come yet"};
-    const Moment moment{fromMessage(scene), std::move(recorded), lanes};
+    const Moment moment{fromMessage(scene), recorded, lanes};
     const auto method = MethodMaker(name, methods_, config_.attack, foresight_).make();
     const Realization found =
         generateCollision(*method, moment, request, config_.attack.prediction);
-    if (found.status.code == StatusCode::kOk) attack = toMessage(found, name, moment.snapshot.now);
+    if (found.status.code != StatusCode::kOk) return found.status;
+    response.attack = toMessage(found, name, moment.snapshot.now);
+    setAlternatives(found.alternatives, name, moment.snapshot.now, response);
     return found.status;
+  }
+
+  /// Further attacks beside that of the response.
+  void addAlternatives(const std::string& name, const collision_forge::SceneSnapshot& scene,
+                       const CollisionRequest& request, const std::optional<Future>& recorded,
+                       Response& response) const {
+    const auto lanes = map_->lanes();
+    if (!lanes) return;
+    const Moment moment{fromMessage(scene), recorded, lanes};
+    const auto method = MethodMaker(name, methods_, config_.attack, foresight_).make();
+    Realization first;
+    first.trajectory = fromMessage(response.attack.trajectory);
+    first.report.manoeuvre = manoeuvreFromString(response.attack.report.manoeuvre).value();
+    setAlternatives(findAlternatives(first, *method, moment, request, config_.attack.prediction),
+                    name, moment.snapshot.now, response);
+  }
+
+  static void setAlternatives(const std::vector<Realization>& found, const std::string& method,
+                              double now, Response& response) {
+    for (const Realization& alternative : found) {
+      response.alternatives.push_back(toMessage(alternative, method, now));
+    }
   }
 
   Status findRecorded(double now, std::optional<Future>& recorded) const {

@@ -119,6 +119,10 @@ std::string readControls(const collision_forge::CollisionRequest& message,
   if (message.min_overlap != 0.0 || message.max_overlap != 0.0) {
     request.overlap = Range{message.min_overlap, message.max_overlap};
   }
+  constexpr std::uint32_t kMany = std::numeric_limits<int>::max();
+  if (message.alternatives != 0) {
+    request.alternatives = static_cast<int>(std::min(message.alternatives, kMany));
+  }
   return "";
 }
 
@@ -373,6 +377,7 @@ collision_forge::CollisionRequest requestIn(
   request.max_impact_speed = message.max_impact_speed;
   request.min_overlap = message.min_overlap;
   request.max_overlap = message.max_overlap;
+  request.alternatives = message.alternatives;
   return request;
 }
 

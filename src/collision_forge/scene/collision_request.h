@@ -34,6 +34,7 @@ struct CollisionRequest {
   AttackerChoice choice = AttackerChoice::kAny;
   Mode mode = Mode::kHistory;
   std::uint64_t seed = 0;
+  int alternatives = 1;  ///< attacks asked for, which differ in attacker or manoeuvre
   // What the attack is to be beyond type and time; anything where empty.
   std::optional<AgentClass> attacker_class;
   std::optional<Manoeuvre> manoeuvre;
