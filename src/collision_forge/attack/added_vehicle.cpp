@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -344,6 +345,7 @@ class Casting {
     for (const HeadedPlacement& placement :
          placementsAlong(direction, type, input_.request.bands(), input_.lanes.map().driving_side,
                          options_.route.heading_margin, options_.route.max_lean)) {
+      if (!isSideAsked(placement.side)) continue;
       meeting.side = placement.side;
       meeting.heading = placement.heading;
       meeting.across = seen(meeting, size).across;
@@ -360,6 +362,14 @@ class Casting {
     meetings.insert(meetings.end(), possible.begin(), possible.end());
   }
 
+  /// By the request's side of the ego, or by its manoeuvre.
+  bool isSideAsked(Side side) const {
+    const CollisionRequest& request = input_.request;
+    if (request.ego_side && *request.ego_side != side) return false;
+    if (request.type != CollisionType::kRearEnd || !request.manoeuvre) return true;
+    return (*request.manoeuvre == Manoeuvre::kFollowerCloses) == (side == Side::kRear);
+  }
+
   Pose2 offsetOf(const Meeting& meeting, const BoxSize& size) const {
     return attackerOffset(past_.ego.size, size, meeting.side, meeting.heading, 0.0, 0.0);
   }
@@ -372,65 +382,106 @@ class Casting {
 
   // Drives.
 
+  /// What is tried, in this order.
   std::vector<Manner> mannersOf(const Meeting& meeting) const {
-    std::vector<Manner> manners;
-    std::vector<double> speeds = meeting.way->speeds;
-    const double own = past_.ego.states.back().velocity.norm();
-    if (own > kMoving) addSpeed(own, speeds);
-    for (const double speed : added_.speeds) addSpeed(speed, speeds);
-    std::vector<Manner> follows;
-    for (std::size_t i = 0; i < meeting.way->flows.size(); ++i) {
-      follows.push_back({Manner::kFollow, static_cast<double>(i)});
-    }
     switch (input_.request.type) {
       case CollisionType::kRearEnd:
+        return mannersInLane(meeting);
       case CollisionType::kLaneChange:
-        if (input_.request.type == CollisionType::kLaneChange && isEgosOwn(meeting)) {
-          for (const double before : added_.parked) manners.push_back({Manner::kPark, before});
-        }
-        // The faster the one comes to the other, the less does it matter where exactly the ego will
-        // be.
-        if (!isKnown() && input_.request.type == CollisionType::kRearEnd) {
-          if (meeting.side == Side::kFront) manners.push_back({Manner::kStand});
-          std::sort(speeds.begin(), speeds.end(),
-                    [&](double a, double b) { return std::abs(a - own) > std::abs(b - own); });
-          for (const double speed : speeds) manners.push_back({Manner::kCruise, speed});
-        }
-        for (const double closing : added_.closings) manners.push_back({Manner::kTrain, closing});
-        manners.insert(manners.end(), follows.begin(), follows.end());
-        if (!isKnown() && input_.request.type == CollisionType::kRearEnd) return manners;
-        for (const double speed : speeds) manners.push_back({Manner::kCruise, speed});
-        if (meeting.side == Side::kFront) manners.push_back({Manner::kStand});
-        if (input_.request.type == CollisionType::kLaneChange && !isEgosOwn(meeting)) {
-          for (const double before : added_.parked) manners.push_back({Manner::kPark, before});
-        }
-        return manners;
+        return mannersBeside(meeting);
       case CollisionType::kOppositeDirection:
-        // Who comes slowly cannot cross the centre line in time.
-        for (const double speed : speeds) {
-          if (speed >= added_.least_crossing_speed) manners.push_back({Manner::kCruise, speed});
-        }
-        manners.insert(manners.end(), follows.begin(), follows.end());
-        for (const double start : added_.starts) manners.push_back({Manner::kStart, start, false});
-        // Then the same nearer to the centre line.
-        for (std::size_t i = 0, count = manners.size(); i < count; ++i) {
-          manners.push_back(manners[i]);
-          manners.back().aside = std::copysign(added_.aside, meeting.across);
-        }
-        return manners;
+        return mannersOncoming(meeting);
       case CollisionType::kJunctionCrossing:
       case CollisionType::kLtap:
         break;
     }
+    return mannersCrossing(meeting);
+  }
+
+  std::vector<Manner> mannersInLane(const Meeting& meeting) const {
+    std::vector<Manner> trains = trainsOf(meeting);
+    std::vector<Manner> cruises;
+    std::vector<double> speeds = speedsOf(meeting);
+    if (!isKnown()) {
+      // The faster one comes to the other, the less does it matter where exactly the ego will be.
+      const double own = past_.ego.states.back().velocity.norm();
+      std::sort(speeds.begin(), speeds.end(),
+                [&](double a, double b) { return std::abs(a - own) > std::abs(b - own); });
+    }
+    for (const double speed : speeds) cruises.push_back({Manner::kCruise, speed});
+    std::vector<Manner> stands;
+    if (meeting.side == Side::kFront) stands.push_back({Manner::kStand});
+    const bool stands_first = !isKnown() || input_.request.manoeuvre == Manoeuvre::kLeadStopped;
+    return stands_first ? joined({stands, cruises, trains}) : joined({trains, cruises, stands});
+  }
+
+  std::vector<Manner> mannersBeside(const Meeting& meeting) const {
+    std::vector<Manner> parks;
+    for (const double before : added_.parked) parks.push_back({Manner::kPark, before});
+    std::vector<Manner> cruises;
+    for (const double speed : speedsOf(meeting)) cruises.push_back({Manner::kCruise, speed});
+    const std::optional<Manoeuvre>& asked = input_.request.manoeuvre;
+    if (asked == Manoeuvre::kPullOut) return parks;
+    if (asked) return joined({trainsOf(meeting), cruises});
+    return isEgosOwn(meeting) ? joined({parks, trainsOf(meeting), cruises})
+                              : joined({trainsOf(meeting), cruises, parks});
+  }
+
+  std::vector<Manner> mannersOncoming(const Meeting& meeting) const {
+    std::vector<Manner> manners;
+    // Who comes slowly cannot cross the centre line in time.
+    for (const double speed : speedsOf(meeting)) {
+      if (speed >= added_.least_crossing_speed) manners.push_back({Manner::kCruise, speed});
+    }
+    manners = joined({manners, followsOf(meeting)});
+    for (const double start : added_.starts) manners.push_back({Manner::kStart, start, false});
+    std::vector<Manner> nearer = manners;
+    for (Manner& manner : nearer) manner.aside = std::copysign(added_.aside, meeting.across);
+    return joined({manners, nearer});
+  }
+
+  std::vector<Manner> mannersCrossing(const Meeting& meeting) const {
+    const std::vector<double> speeds = speedsOf(meeting);
+    std::vector<Manner> manners;
     for (std::size_t i = 0; i < std::max(speeds.size(), added_.starts.size()); ++i) {
       if (i < speeds.size()) manners.push_back({Manner::kCruise, speeds[i]});
       if (i >= added_.starts.size()) continue;
       manners.push_back({Manner::kStart, added_.starts[i], false});
       manners.push_back({Manner::kStart, added_.starts[i], true});
     }
+    const std::vector<Manner> follows = followsOf(meeting);
     manners.insert(manners.begin() + std::min<std::ptrdiff_t>(2, manners.size()), follows.begin(),
                    follows.end());
     return manners;
+  }
+
+  /// Of the recorded vehicles on its way, of the ego and of the configuration.
+  std::vector<double> speedsOf(const Meeting& meeting) const {
+    std::vector<double> speeds = meeting.way->speeds;
+    const double own = past_.ego.states.back().velocity.norm();
+    if (own > kMoving) addSpeed(own, speeds);
+    for (const double speed : added_.speeds) addSpeed(speed, speeds);
+    return speeds;
+  }
+
+  std::vector<Manner> trainsOf(const Meeting& meeting) const {
+    std::vector<Manner> trains;
+    for (const double closing : added_.closings) trains.push_back({Manner::kTrain, closing});
+    return joined({trains, followsOf(meeting)});
+  }
+
+  std::vector<Manner> followsOf(const Meeting& meeting) const {
+    std::vector<Manner> follows;
+    for (std::size_t i = 0; i < meeting.way->flows.size(); ++i) {
+      follows.push_back({Manner::kFollow, static_cast<double>(i)});
+    }
+    return follows;
+  }
+
+  static std::vector<Manner> joined(std::initializer_list<std::vector<Manner>> lists) {
+    std::vector<Manner> all;
+    for (const std::vector<Manner>& list : lists) all.insert(all.end(), list.begin(), list.end());
+    return all;
   }
 
   /// Goes on backwards, no faster than bends allow, until everything is known or the way begins.

@@ -8,16 +8,19 @@
 #include "collision_forge/attack/arrival_sampler.h"
 #include "collision_forge/attack/contender.h"
 #include "collision_forge/attack/placement.h"
+#include "collision_forge/attack/realizer.h"
 #include "collision_forge/attack/route_driver.h"
 #include "collision_forge/forecast/random.h"
 #include "collision_forge/verify/believability.h"
 #include "collision_forge/verify/drive_check.h"
+#include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {
 
 constexpr double kSlides[] = {-0.7, 0.0, 0.7};
-constexpr double kShrink = 0.7;  // of the moves, a round
+constexpr double kAnotherWay = 2.0;  // taken from the objective: worse than all that are as asked
+constexpr double kShrink = 0.7;      // of the moves, a round
 
 /// What is chosen of one attack; the rest follows.
 struct Draft {
@@ -52,11 +55,13 @@ class ManoeuvreSearch {
         options_(options),
         search_(options.search),
         route_(options.route),
+        names_how_(namesHow(input.request)),
         scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
                 input.lanes.map().driving_side, options),
         contenders_(contendersOf(input, options, options.verification.limits, scorer_.steps())),
         random_(input.request.seed),
         sampler_(input, options, options.verification.limits, random_) {
+    if (names_how_) judged_.agents = input.future.agents;
     const double end = input.request.tta + search_.tail;
     all_points_ = std::max(static_cast<std::size_t>(scorer_.steps()),
                            static_cast<std::size_t>(std::lround(end / search_.step)) + 1);
@@ -107,6 +112,7 @@ class ManoeuvreSearch {
     for (const HeadedPlacement& placement :
          placementsAlong(direction, input_.request.type, input_.request.bands(),
                          input_.lanes.map().driving_side, route_.heading_margin, route_.max_lean)) {
+      if (input_.request.ego_side.value_or(placement.side) != placement.side) continue;
       candidate.draft.side = placement.side;
       candidate.draft.heading = placement.heading;
       for (const double slide : kSlides) {
@@ -210,8 +216,22 @@ class ManoeuvreSearch {
                            route_.off_road_weight * candidate.road.off_road +
                            route_.wrong_way_weight * candidate.road.wrong_way;
     if (candidate.road.on_walkway > 0.0) return;
+    if (names_how_ && candidate.score.share > 0.0 && !isHowAsked(candidate)) {
+      candidate.objective -= kAnotherWay;
+    }
     kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, better), candidate);
     if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();
+  }
+
+  /// In the future that it was scored best in.
+  bool isHowAsked(const Candidate& candidate) {
+    const Track& track = *candidate.contender->track;
+    judged_.ego = *input_.egos[candidate.score.met];
+    const AttackerTrajectory trajectory{track.id, track.agent_class, track.size, points_};
+    const CollisionReport report =
+        verify(trajectory, {input_.snapshot, judged_, input_.request, input_.lanes},
+               options_.verification);
+    return isAsAsked(report, input_.request);
   }
 
   /// Of the contender's patterns the one that the draft's contact is nearest to.
@@ -245,7 +265,8 @@ class ManoeuvreSearch {
 
   bool isGood() const {
     return !kept_.empty() && kept_.front().score.share >= search_.good_share &&
-           kept_.front().style == 0 && kept_.front().road.on_lane >= 1.0 &&
+           kept_.front().style == 0 && (!names_how_ || kept_.front().objective > 0.0) &&
+           kept_.front().road.on_lane >= 1.0 &&
            kept_.front().road.off_road <= search_.good_off_road &&
            (!input_.exact || isExact(kept_.front().miss, search_));
   }
@@ -299,12 +320,14 @@ class ManoeuvreSearch {
   const AttackOptions& options_;
   const SearchOptions& search_;
   const RouteDriverOptions& route_;
+  bool names_how_;
   FutureScorer scorer_;
   std::vector<std::unique_ptr<Contender>> contenders_;
   Random random_;
   ArrivalSampler sampler_;
   std::size_t all_points_ = 0;
   std::vector<Candidate> kept_;  // best first
+  Future judged_;                // with one of the egos; of the others what they do
   const RouteDriver* last_route_ = nullptr;
   RoutePlan last_plan_;
   std::optional<RouteSpeed> last_speed_;

@@ -147,6 +147,10 @@ bool isAsAsked(const CollisionReport& report, const CollisionRequest& request) {
   return shortcomingOf(report, request).empty();
 }
 
+bool namesHow(const CollisionRequest& request) {
+  return request.manoeuvre || request.ego_side || request.impact_speed || request.overlap;
+}
+
 double confidenceOf(double share, const std::vector<double>& curve) {
   const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(curve.size() - 1);
   const std::size_t i = std::min(static_cast<std::size_t>(place), curve.size() - 2);

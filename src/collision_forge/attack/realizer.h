@@ -18,6 +18,9 @@ std::string shortcomingOf(const CollisionReport& report, const CollisionRequest&
 /// impact speed and the overlap that it names.
 bool isAsAsked(const CollisionReport& report, const CollisionRequest& request);
 
+/// The request names more than a type, a time and an attacker: how the crash shall be.
+bool namesHow(const CollisionRequest& request);
+
 /// What a share of the futures is worth as confidence: linear between the points of `curve`, which
 /// are evenly spread over shares from 0 to 1.
 double confidenceOf(double share, const std::vector<double>& curve);
