@@ -54,6 +54,20 @@ std::vector<ReferencePath> ahead(const LaneMap& map, const Pose2& pose, double d
   return pathsAhead(LaneIndex(std::make_shared<LaneMap>(map)), pose, distance, 1.0, 0.5, max_paths);
 }
 
+TEST(ReferencePath, TellsItsBendsEveryMetre) {
+  const ReferencePath left(Polyline(leftBend(15.0, 30.4, 1.0)));
+  const std::vector<double> bends = left.bends();
+  ASSERT_EQ(bends.size(), static_cast<std::size_t>(left.length()) + 1);
+  EXPECT_NEAR(bends[15], 1.0 / 15.0, 2e-3);
+  const std::vector<double> right =
+      ReferencePath(Polyline(mirrored(leftBend(15.0, 30.4, 1.0)))).bends();
+  ASSERT_EQ(right.size(), bends.size());
+  EXPECT_NEAR(right[15], bends[15], 1e-9) << "without a sign";
+  for (const double bend : ReferencePath(Polyline({{0.0, 0.0}, {30.0, 0.0}})).bends()) {
+    EXPECT_EQ(bend, 1e-3) << "straight";
+  }
+}
+
 TEST(ReferencePath, OfAStraightLineIsThatLine) {
   const Pose2 start{3.0, -2.0, 0.7};
   const Vector2 end = compose(start, {30.4, 0.0, 0.0}).position();

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "collision_forge/attack/added_ways.h"
 #include "collision_forge/attack/options.h"
-#include "collision_forge/map/lane_queries.h"
 #include "collision_forge/map/reference_path.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
@@ -15,15 +15,6 @@ struct AddedVehicle {
   Track track;                             ///< from its first frame to now, at the frames' times
   ReferencePath way;                       ///< that it drives along, on through the meeting
   std::vector<CollisionPattern> patterns;  ///< by its track's id, in the futures that it is for
-};
-
-/// What vehicles are added to.
-struct AddedVehicleInput {
-  const Snapshot& snapshot;
-  const Snapshot* past;  ///< Moment::past; null live
-  const Future& future;
-  const CollisionRequest& request;
-  const LaneIndex& lanes;
 };
 
 /// Vehicles that fit into the scene, the ones that drive the most plainly first, or why none does.

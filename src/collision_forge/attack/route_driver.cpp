@@ -11,11 +11,10 @@
 namespace forge {
 namespace {
 
-constexpr double kSpacing = 1.0;            // m between the speeds in bends
+constexpr double kSpacing = ReferencePath::kBendSpacing;
 constexpr double kSpeedPrecision = 0.01;    // m/s, of the speed that is driven at, and ...
 constexpr std::uintmax_t kMostTrials = 20;  // ... of these to find it
 constexpr double kLookahead = 0.4;          // s that a driver sees a bend before
-constexpr double kMinBend = 1e-3;           // 1/m; straight is no bend
 constexpr double kStandstill = 0.05;        // m/s; nobody moves across without moving along
 
 }  // namespace
@@ -35,18 +34,14 @@ RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveL
                          const RouteDriverOptions& options)
     : path_(std::move(path)), options_(options), limits_(limits), now_(now) {
   start_ = path_.seen(compose(now.axle, {limits.axle_to_middle, 0.0, 0.0}));
-  const auto count = static_cast<std::size_t>(path_.length() / kSpacing) + 1;
-  std::vector<double> bends(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    bends[i] = std::max(kMinBend, std::abs(path_.at(static_cast<double>(i) * kSpacing).curvature));
-  }
+  const std::vector<double> bends = path_.bends();
   for (const DrivingStyle& style : options.styles) {
-    std::vector<float> caps(count);
+    std::vector<float> caps(bends.size());
     const double lateral =
         std::min(style.lateral, options.limit_share * limits.max_lateral_acceleration);
     const double braking = std::min(style.braking, options.limit_share * limits.max_braking);
     double next = limits.max_speed * limits.max_speed;
-    for (std::size_t i = count; i-- > 0;) {
+    for (std::size_t i = bends.size(); i-- > 0;) {
       next = std::min(next + 2.0 * braking * kSpacing, lateral / bends[i]);
       caps[i] = static_cast<float>(std::sqrt(next));
     }

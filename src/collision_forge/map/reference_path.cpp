@@ -11,6 +11,7 @@ constexpr int kSmoothingRounds = 2;
 constexpr double kJointGap = 0.2;      // metres, closer points of two lanes are one
 constexpr double kMinLength = 1.0;     // metres, shorter ways are none
 constexpr std::size_t kMaxDepth = 12;  // lanes one after the other
+constexpr double kMinBend = 1e-3;      // 1/m; straight is no bend
 
 /// Points of the line from end to end, evenly spread, about a metre apart.
 std::vector<Vector2> spread(const Polyline& line) {
@@ -109,6 +110,14 @@ ReferencePath::Place ReferencePath::at(double arc_length) const {
   const double cross = velocity.x() * bend.y() - velocity.y() * bend.x();
   const double speed = velocity.norm();
   return {pose, cross / (speed * speed * speed), speed / spacing_};
+}
+
+std::vector<double> ReferencePath::bends() const {
+  std::vector<double> bends(static_cast<std::size_t>(length() / kBendSpacing) + 1);
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    bends[i] = std::max(kMinBend, std::abs(at(static_cast<double>(i) * kBendSpacing).curvature));
+  }
+  return bends;
 }
 
 double ReferencePath::project(const Vector2& point) const {

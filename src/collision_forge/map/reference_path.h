@@ -24,6 +24,8 @@ class ReferencePath {
     double stretch = 1.0;    ///< metres of way a metre of arc length, below 1 in sharp bends
   };
 
+  static constexpr double kBendSpacing = 1.0;  ///< m between bends()
+
   /// A centreline (or several, joined), smoothed over a few metres: recorded centrelines have kinks
   /// that nobody drives.
   explicit ReferencePath(const Polyline& line);
@@ -31,6 +33,9 @@ class ReferencePath {
   double length() const { return spacing_ * static_cast<double>(controls_.size() - 3); }
   /// Beyond either end the path goes straight on.
   Place at(double arc_length) const;
+  /// How sharply it bends, from its begin on every kBendSpacing: 1/m, without a sign. No less than
+  /// 1e-3, so that who goes straight on has a greatest speed, too.
+  std::vector<double> bends() const;
   /// Arc length of the closest place.
   double project(const Vector2& point) const;
   /// Of a pose near the path.
