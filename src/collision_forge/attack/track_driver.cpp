@@ -52,7 +52,6 @@ double TrackDriver::steeringTo(const DriveState& state, const PlannedStep& targe
 double TrackDriver::nextSteering(double wanted, const DriveState& state) const {
   const double change = limits_.max_steering_rate * step_;
   const double towards = smoothed(wanted, state.steering, step_ / kSteeringTime);
-  const double steering = std::clamp(towards, state.steering - change, state.steering + change);
   double most = limits_.max_steering_angle;
   const double faster = state.speed + std::max(0.0, state.acceleration) * step_;
   const double squared = faster * faster;
@@ -62,7 +61,9 @@ double TrackDriver::nextSteering(double wanted, const DriveState& state) const {
                std::sqrt(std::max(0.0, total - state.acceleration * state.acceleration)));
   const double tangent = limits_.wheelbase * across;
   if (tangent < squared * max_tangent_) most = std::atan(tangent / squared);
-  return std::clamp(steering, -most, most);
+  // No hands are faster than that, however fast the vehicle becomes.
+  return std::clamp(std::clamp(towards, -most, most), state.steering - change,
+                    state.steering + change);
 }
 
 double TrackDriver::nextAcceleration(double wanted, double steering,
