@@ -108,6 +108,16 @@ TEST_F(ManoeuvreTest, WhoStandsBesideTheLanesPullsOut) {
     return TrajectoryPoint{0.0, {28.0 + way * way, -4.0 + way, 0.0}, 2.0 * way, 2.0, 0.0};
   });
   EXPECT_EQ(detect(CollisionType::kLaneChange).manoeuvre, Manoeuvre::kPullOut);
+  EXPECT_NEAR(detect(CollisionType::kLaneChange).begin, kNow + 2.3, 0.11) << "when it moves off";
+  const auto movesOffFrom = [&](double across) {
+    attacker([across](double t) {
+      const double way = std::max(0.0, t - 2.0);
+      return TrajectoryPoint{0.0, {28.0 + way * way, across + way, 0.0}, 2.0 * way, 2.0, 0.0};
+    });
+    return detect(CollisionType::kLaneChange).manoeuvre;
+  };
+  EXPECT_EQ(movesOffFrom(-2.2), Manoeuvre::kPullOut) << "parked at the edge of the lane";
+  EXPECT_NE(movesOffFrom(-0.3), Manoeuvre::kPullOut) << "waits in traffic";
 }
 
 TEST_F(ManoeuvreTest, AnOncomingCarCrossesTheCentreLineOrOvertakes) {

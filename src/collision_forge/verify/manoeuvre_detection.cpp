@@ -6,17 +6,19 @@
 namespace forge {
 namespace {
 
-constexpr double kStanding = 0.5;      // m/s
-constexpr double kBraking = 1.0;       // m/s2; who brakes less only slows down
-constexpr double kClosing = 0.5;       // m/s
-constexpr double kOffset = 0.3;        // m from the offset that was kept
-constexpr double kOwnWay = 0.7;        // m; who is so near to where its lane leads has not left it
-constexpr double kTurning = 0.5;       // rad; who turns less goes straight on
-constexpr double kBend = 0.02;         // 1/m, where a turn begins
-constexpr double kAhead = 40.0;        // m; somebody so near ahead is overtaken
-constexpr double kBeside = 1.5;        // m from the way of the one that overtakes
-constexpr double kWay = 200.0;         // m of the lane that it was on
-constexpr double kLaneDistance = 2.5;  // m from its middle
+constexpr double kStanding = 0.5;  // m/s
+constexpr double kBraking = 1.0;   // m/s2; who brakes less only slows down
+constexpr double kClosing = 0.5;   // m/s
+constexpr double kOffset = 0.3;    // m from the offset that was kept
+constexpr double kOwnWay = 0.7;    // m; who is so near to where its lane leads has not left it
+constexpr double kParked =
+    1.0;  // m from the middle of a lane; who stands nearer to it is in traffic
+constexpr double kTurning = 0.5;         // rad; who turns less goes straight on
+constexpr double kBend = 0.02;           // 1/m, where a turn begins
+constexpr double kAhead = 40.0;          // m; somebody so near ahead is overtaken
+constexpr double kBeside = 1.5;          // m from the way of the one that overtakes
+constexpr double kWay = 200.0;           // m of the lane that it was on
+constexpr double kLaneDistance = 2.5;    // m from its middle
 constexpr double kLaneHeading = 0.7854;  // rad
 
 /// The points from the beginning of the window to the contact.
@@ -100,11 +102,13 @@ DetectedManoeuvre detectDeparture(const Window& window, const AttackerTrajectory
                                   const VerificationInput& input,
                                   const VerificationOptions& options) {
   const bool is_lane_change = input.request.type == CollisionType::kLaneChange;
+  const bool stands = window.first().speed < kStanding;
+  const auto moves = [](const TrajectoryPoint& point) { return point.speed >= kStanding; };
   const auto way = wayOf(window, input.lanes);
   if (!way) {
     if (is_lane_change) {
-      const bool stands = window.first().speed < kStanding;
-      return {stands ? Manoeuvre::kPullOut : Manoeuvre::kCutIn, window.first().time};
+      if (stands) return {Manoeuvre::kPullOut, window.since(moves)};
+      return {Manoeuvre::kCutIn, window.first().time};
     }
     const bool is_wrong =
         input.lanes.grid().isWrongWay(window.first().pose, options.believability.lane_distance);
@@ -116,6 +120,9 @@ DetectedManoeuvre detectDeparture(const Window& window, const AttackerTrajectory
   const double kept = offset(window.first());
   const double begin = window.since(
       [&](const TrajectoryPoint& point) { return std::abs(offset(point) - kept) > kOffset; });
+  if (is_lane_change && stands && std::abs(kept) > kParked) {
+    return {Manoeuvre::kPullOut, window.since(moves)};
+  }
   if (is_lane_change) {
     const bool merges = std::abs(offset(window.last()) - kept) < kOwnWay;
     return {merges ? Manoeuvre::kMerge : Manoeuvre::kCutIn, begin};
