@@ -112,6 +112,9 @@ class Check {
                    limits_.max_jerk + kJerkError);
       worst_.check("written_acceleration", std::abs(at.acceleration - acceleration),
                    0.25 * between * limits_.max_jerk + kWrittenAcceleration);
+      worst_.check("total_acceleration",
+                   std::hypot(at.acceleration, at.speed * at.speed * at.curvature),
+                   limits_.max_braking + kAccelerationError);
       worst_.check("written_speed", outside(at.speed, speed, before_.speed()), kWrittenSpeed);
       acceleration_ = acceleration;
     }
