@@ -77,6 +77,10 @@ TEST_F(AddedPastTest, KeepsToItsLane) {
   EXPECT_STREQ(drive(200.0, 8.0, -3.0), "leave their lane or the road");
 }
 
+TEST_F(AddedPastTest, IsNotParkedAgainstTheTraffic) {
+  EXPECT_STREQ(drive(200.0, 0.0, 3.0), "would be parked against the traffic");
+}
+
 TEST_F(AddedPastTest, IsNotParkedInAJunction) {
   scene_.map->drivable_area.push_back(rectangle(-200.0, -5.25, 200.0, -1.0));
   EXPECT_STREQ(drive(200.0, 0.0, -3.0), nullptr);

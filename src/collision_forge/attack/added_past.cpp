@@ -13,6 +13,7 @@ constexpr double kStep = AddedDrive::kStep;
 constexpr int kSteps = 2;           // of a drive, an instant of the traffic
 constexpr int kSmoothing = 3;       // steps to either side that a speed is told from
 constexpr double kUntouched = 0.3;  // s before the contact: until then nobody else is touched
+constexpr double kInLane = 1.75;    // m from the middle of a lane: in it
 
 }  // namespace
 
@@ -124,6 +125,7 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
       roadUse(points_, track.size, past_.now, input_.lanes, options_.verification.believability);
   const bool is_parked = points_.back().speed == 0.0 && points_.front().speed == 0.0;
   if (is_parked && isInJunction(points_.back().pose)) return "would be parked in a junction";
+  if (is_parked && facesTraffic(points_.back().pose)) return "would be parked against the traffic";
   if ((!is_parked && road.on_lane < added_.min_on_lane) || road.on_walkway > 0.0 ||
       road.on_island > 0.0 || road.off_road > added_.max_off_road) {
     return "leave their lane or the road";
@@ -138,6 +140,11 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
   }
   deriveVelocities(track);
   return nullptr;
+}
+
+bool AddedPast::facesTraffic(const Pose2& pose) const {
+  const Pose2 turned{pose.x, pose.y, wrapAngle(pose.yaw + M_PI)};
+  return !input_.lanes.lanesNear(turned, kInLane, options_.prediction.on_lane_heading).empty();
 }
 
 bool AddedPast::isInJunction(const Pose2& pose) const {

@@ -38,6 +38,7 @@ class AddedPast {
   bool isUnseen(const AddedDrive& drive, const ReferencePath& path, double ago) const;
   const char* driveFrom(std::size_t frame, const AddedDrive& drive, const ReferencePath& path,
                         Track& track);
+  bool facesTraffic(const Pose2& pose) const;
   bool isInJunction(const Pose2& pose) const;
 
   const AddedVehicleInput& input_;

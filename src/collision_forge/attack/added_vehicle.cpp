@@ -140,7 +140,11 @@ class Casting {
       meeting.across = meeting.seen(size).across;
       if (std::abs(meeting.across) < options_.route.max_departure) possible.push_back(meeting);
     }
-    if (type != CollisionType::kRearEnd && possible.size() > 1) {
+    // In the ego's own lane who follows or leads comes from either end, who is parked from either
+    // side.
+    const bool all_count = type == CollisionType::kRearEnd ||
+                           (type == CollisionType::kLaneChange && meeting.isEgosOwn());
+    if (!all_count && possible.size() > 1) {
       std::swap(
           possible.front(),
           *std::min_element(possible.begin(), possible.end(), [](const auto& a, const auto& b) {
