@@ -550,7 +550,7 @@ class BadBagTest(road.RoadTest):
                 result = road.inject(bag, self.path('out.bag'), collision_type, 4.0, NOW, '--mode', mode)
                 code = road.code_of(result)
                 self.assertIn(code, ('OK', 'NO_CANDIDATE', 'NO_ATTACK_WITHIN_LIMITS', 'NOT_BELIEVABLE',
-                                     'ROAD_DOES_NOT_ALLOW'), result.stderr)
+                                     'ROAD_DOES_NOT_ALLOW', 'LOW_CONFIDENCE'), result.stderr)
                 if code == 'OK':
                     self.assertTrue(road.read_one(self.path('out.bag'), '/attack').report.verified)
 
