@@ -272,7 +272,7 @@ class ImpossibleRequestTest(road.RoadTest):
 
     def test_out_of_reach(self):
         """Half a second is not enough to turn round."""
-        self.assert_refused('NO_ATTACK_WITHIN_LIMITS', [], 'opposite_direction', 0.5, 2.0)
+        self.assert_refused('NO_ATTACK_WITHIN_LIMITS', [], 'opposite_direction', 0.5, 2.0, '--attacker', 'existing')
 
     def test_errors(self):
         """Exit code 1: the request or a file cannot be understood."""
