@@ -15,8 +15,8 @@ from road import DATAROOT, PACKAGE_FOLDER, VERSION
 SCHEMA = PACKAGE_FOLDER / 'docs' / 'scenario.schema.json'
 SCENES = ['scene-0001', 'scene-0002', 'scene-0007']
 # For a small set and pictures of it.
-CHANGES = {'begin_stride': 1.0, 'lane_change': 3, 'rear_end': 3, 'opposite_direction': 1, 'junction_crossing': 3, 'ltap': 1,
-           'sheet_columns': 2, 'sheet_rows': 1}
+CHANGES = {'begin_stride': 1.0, 'lane_change': 3, 'rear_end': 3, 'opposite_direction': 1, 'junction_crossing': 3,
+           'ltap': 1, 'sheet_columns': 2, 'sheet_rows': 1}
 SPLITS = ['train', 'val', 'test']
 
 
