@@ -126,6 +126,8 @@ class ManoeuvreSearch {
   void draftManners(Candidate& candidate) {
     const bool leads =
         input_.request.type == CollisionType::kRearEnd && candidate.draft.side == Side::kFront;
+    candidate.draft.lead = 0.0;
+    candidate.draft.late = 0.0;
     for (const double start : route_.starts) {
       const double wait = candidate.draft.contact - start;
       if (candidate.contender->drive_start.speed > 0.0 || wait <= 0.0) break;
@@ -137,7 +139,6 @@ class ManoeuvreSearch {
     for (const double departure : route_.departures) {
       candidate.draft.departure = departure;
       if (!leads) {
-        candidate.draft.late = 0.0;
         for (const double lead : route_.leads) {
           candidate.draft.lead = lead;
           consider(candidate);
