@@ -302,7 +302,6 @@ Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& 
   Realization best;
   best.status = vehicles.status;
   bool is_found = false;
-  double best_worth = 0.0;
   // Where the ego is known, the first one that can is as good as any.
   const std::size_t together = input.isFutureKnown() ? 1 : vehicles.found.size();
   for (std::size_t i = 0; i < vehicles.found.size(); i += together) {
@@ -321,16 +320,14 @@ Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& 
       if (i == 0) best.status = answer.status;
       continue;
     }
-    const double worth = answer.report.confidence - answer.effort;
-    if (is_found && worth <= best_worth) continue;
+    if (is_found && worthOf(answer) <= worthOf(best)) continue;
     is_found = true;
-    best_worth = worth;
     best = std::move(answer);
     const auto vehicle = std::find_if(
         vehicles.found.begin(), vehicles.found.end(),
         [&](const AddedVehicle& other) { return other.track.id == best.trajectory.attacker_id; });
     best.trajectory.past = vehicle->track.states;
-    if (best_worth >= options.search.good_share) break;
+    if (worthOf(best) >= options.search.good_share) break;
   }
   return best;
 }

@@ -147,6 +147,8 @@ bool isAsAsked(const CollisionReport& report, const CollisionRequest& request) {
   return shortcomingOf(report, request).empty();
 }
 
+double worthOf(const Realization& answer) { return answer.report.confidence - answer.effort; }
+
 bool namesHow(const CollisionRequest& request) {
   return request.manoeuvre || request.ego_side || request.impact_speed || request.overlap;
 }

@@ -18,6 +18,9 @@ std::string shortcomingOf(const CollisionReport& report, const CollisionRequest&
 /// impact speed and the overlap that it names.
 bool isAsAsked(const CollisionReport& report, const CollisionRequest& request);
 
+/// What speaks for an answer: its confidence less its effort.
+double worthOf(const Realization& answer);
+
 /// The request names more than a type, a time and an attacker: how the crash shall be.
 bool namesHow(const CollisionRequest& request);
 

@@ -3,12 +3,10 @@
 #include <utility>
 
 #include "collision_forge/attack/added_vehicle.h"
+#include "collision_forge/attack/realizer.h"
 
 namespace forge {
 namespace {
-
-/// What speaks for an answer.
-double worthOf(const Realization& answer) { return answer.report.confidence - answer.effort; }
 
 /// An attack by an added vehicle may take the place of what the recorded ones came to.
 bool mayBeAdded(const Realization& existing, const Moment& moment, const CollisionRequest& request,
