@@ -201,7 +201,7 @@ TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {
     EXPECT_EQ(read(line + " --impact-speed 2").exit_code, kExitUsage) << command;
     EXPECT_EQ(read(line + " --overlap 0.5").exit_code, kExitUsage) << command;
     EXPECT_THAT(read(command + " --help").out,
-                AllOf(HasSubstr("lane_change: cut_in, merge, pull_out"), HasSubstr("MIN MAX")));
+                AllOf(HasSubstr("lane_change: cut_in, drift, merge, pull_out"), HasSubstr("MIN MAX")));
   }
 }
 

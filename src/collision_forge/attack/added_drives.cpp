@@ -43,6 +43,13 @@ bool goOn(const AddedMeeting& meeting, double along, double speed, double accele
   return true;
 }
 
+/// So far from the way's middle is who stands or rides `gap` metres farther out than at the
+/// meeting.
+double besideEgo(const AddedMeeting& meeting, const PathPose& place, double gap) {
+  const double outward = place.across - meeting.way->path.seen(meeting.ego.center).across;
+  return place.across + std::copysign(gap, outward);
+}
+
 }  // namespace
 
 bool AddedMeeting::isEgosOwn() const {
@@ -114,9 +121,12 @@ std::vector<AddedManner> AddedDrives::mannersBeside(const AddedMeeting& meeting)
   for (const double speed : speedsOf(meeting)) cruises.push_back({AddedManner::kCruise, speed});
   const std::optional<Manoeuvre>& asked = input_.request.manoeuvre;
   if (asked == Manoeuvre::kPullOut) return parks;
-  if (asked) return joined({trainsOf(meeting), cruises});
-  return meeting.isEgosOwn() ? joined({parks, trainsOf(meeting), cruises})
-                             : joined({trainsOf(meeting), cruises, parks});
+  if (asked) parks.clear();
+  std::vector<AddedManner> drives = joined({trainsOf(meeting), cruises});
+  if (!meeting.isEgosOwn()) return joined({drives, parks});
+  // Beside the ego in its lane is room for motorcycles alone.
+  for (AddedManner& manner : drives) manner.rides = true;
+  return joined({parks, drives});
 }
 
 std::vector<AddedManner> AddedDrives::mannersOncoming(const AddedMeeting& meeting) const {
@@ -163,15 +173,18 @@ std::vector<AddedManner> AddedDrives::trainsOf(const AddedMeeting& meeting) cons
 }
 
 bool AddedDrives::plan(const AddedMeeting& meeting, const AddedManner& manner, const BoxSize& size,
-                       AddedDrive& drive) const {
+                       AddedDrive& drive, const SpeedVariation& variation) const {
   const PathPose place = meeting.seen(size);
   const double along = place.along;
   drive.aside = manner.aside;
+  if (manner.rides) drive.aside = besideEgo(meeting, place, added_.riding_gap);
   drive.back.clear();
   drive.on.clear();
   switch (manner.kind) {
     case AddedManner::kCruise:
-      return cruise(meeting, along, manner.value, drive);
+      if (!cruise(meeting, along, manner.value, drive)) return false;
+      vary(variation, meeting.contact, drive);
+      return true;
     case AddedManner::kTrain:
       return train(meeting, along, size, manner.value, drive);
     case AddedManner::kFollow:
@@ -216,6 +229,20 @@ bool AddedDrives::cruise(const AddedMeeting& meeting, double along, double speed
   return true;
 }
 
+/// The meeting stays; nobody drives backwards.
+void AddedDrives::vary(const SpeedVariation& variation, double contact, AddedDrive& drive) {
+  const double end = variation.way(contact);
+  const auto count = static_cast<double>(drive.on.size());
+  for (std::size_t i = 0; i < drive.on.size(); ++i) {
+    drive.on[i] += variation.way(contact * static_cast<double>(i + 1) / count) - end;
+  }
+  double next = drive.on.empty() ? drive.back.front() : drive.on.front();
+  for (std::size_t i = 0; i < drive.back.size(); ++i) {
+    drive.back[i] += variation.way(-kStep * static_cast<double>(i)) - end;
+    drive.back[i] = next = std::min(next, drive.back[i]);
+  }
+}
+
 /// As the ego drove so far, at a distance at which `closing` brings both together.
 bool AddedDrives::train(const AddedMeeting& meeting, double along, const BoxSize& size,
                         double closing, AddedDrive& drive) const {
@@ -228,7 +255,8 @@ bool AddedDrives::train(const AddedMeeting& meeting, double along, const BoxSize
   const double start = along - speed * contact - 0.5 * closing * contact * contact;
   const double gap = start - way.ego[0];
   const double least = 0.5 * (past_.ego.size.length + size.length) + added_.least_gap;
-  if (std::abs(way.ego_across) < AddedWay::kInLane && std::abs(gap) < least) return false;
+  const double passing = 0.5 * (past_.ego.size.width + size.width);
+  if (std::abs(way.ego_across - drive.aside) < passing && std::abs(gap) < least) return false;
   if (!goOn(meeting, start, speed, closing, drive)) return false;
   for (const double ego : way.ego) {
     drive.back.push_back(ego + gap);
@@ -278,8 +306,7 @@ bool AddedDrives::start(const AddedMeeting& meeting, double along, const AddedMa
 bool AddedDrives::park(const AddedMeeting& meeting, const PathPose& place, double before,
                        AddedDrive& drive) const {
   constexpr double kOutward = 0.15;  // a metre along
-  const double outward = place.across - meeting.way->path.seen(meeting.ego.center).across;
-  drive.aside = place.across + std::copysign(kOutward * before, outward);
+  drive.aside = besideEgo(meeting, place, kOutward * before);
   if (std::abs(drive.aside) > route_.parking_distance) return false;
   drive.back.assign(steps_back_ + 1, place.along - before);
   return goOn(meeting, place.along - before, 0.0, 0.0, drive);

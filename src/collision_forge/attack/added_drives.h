@@ -5,6 +5,7 @@
 
 #include "collision_forge/attack/added_ways.h"
 #include "collision_forge/attack/options.h"
+#include "collision_forge/attack/speed_variation.h"
 #include "collision_forge/geometry/oriented_box.h"
 #include "collision_forge/map/reference_path.h"
 
@@ -43,6 +44,7 @@ struct AddedManner {
   double value = 0.0;
   bool waits = false;  ///< of a start: has not always stood
   double aside = 0.0;  ///< m to the left of the way's middle
+  bool rides = false;  ///< a motorcycle beside the ego in its lane, instead of `aside`
 };
 
 /// Where a vehicle is along its way, m.
@@ -70,9 +72,9 @@ class AddedDrives {
 
   /// The drive in a manner of a vehicle of a size that is at the meeting at the contact (a parked
   /// one a little before it, and farther out), from the first frame on or from where the way
-  /// begins. False where nobody drives so; then `drive` is of no use.
+  /// begins. False where nobody drives so; then `drive` is of no use. Who cruises varies its speed.
   bool plan(const AddedMeeting& meeting, const AddedManner& manner, const BoxSize& size,
-            AddedDrive& drive) const;
+            AddedDrive& drive, const SpeedVariation& variation = {}) const;
 
  private:
   std::vector<AddedManner> mannersInLane(const AddedMeeting& meeting) const;
@@ -84,6 +86,7 @@ class AddedDrives {
 
   void cruiseBack(const AddedWay& way, double speed, double now, std::vector<double>& back) const;
   bool cruise(const AddedMeeting& meeting, double along, double speed, AddedDrive& drive) const;
+  static void vary(const SpeedVariation& variation, double contact, AddedDrive& drive);
   bool train(const AddedMeeting& meeting, double along, const BoxSize& size, double closing,
              AddedDrive& drive) const;
   bool followFlow(const AddedMeeting& meeting, double along, const AddedFlow& flow,

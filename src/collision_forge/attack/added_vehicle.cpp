@@ -50,9 +50,13 @@ class Casting {
           meetings.begin(), meetings.end(),
           [&](const AddedMeeting& a, const AddedMeeting& b) { return rankOf(a) < rankOf(b); });
       tryMeetings(meetings, vehicles.found);
-      if (isEnough(vehicles.found)) return vehicles;
+      if (isEnough(vehicles.found)) break;
     }
     if (vehicles.found.empty()) vehicles.status = refusal();
+    // Motorcycles between the lanes are rarer than cars that change lanes.
+    std::stable_partition(vehicles.found.begin(), vehicles.found.end(), [](const auto& vehicle) {
+      return vehicle.track.agent_class != AgentClass::kMotorcycle;
+    });
     return vehicles;
   }
 
@@ -175,8 +179,8 @@ class Casting {
     for (std::size_t manner = 0; manner < most; ++manner) {
       for (std::size_t i = 0; i < meetings.size(); ++i) {
         if (manner >= manners[i].size()) continue;
-        const AddedKind kind = drawKind();
-        if (const char* reason = tryOne(meetings[i], manners[i][manner], kind, found)) {
+        const char* reason = tryOne(meetings[i], manners[i][manner], found);
+        if (reason) {
           ++reasons_[reason];
           continue;
         }
@@ -188,10 +192,9 @@ class Casting {
   }
 
   /// With its length drawn, too.
-  AddedKind drawKind() {
+  AddedKind drawKind(const std::optional<AgentClass>& asked) {
     double sum = 0.0;
     const auto shareOf = [&](const AddedKind& kind) {
-      const auto& asked = input_.request.attacker_class;
       if (!asked) return kind.share;
       // The last of them where none has a share.
       return kind.agent_class == *asked ? std::max(kind.share, 1e-6) : 0.0;
@@ -210,10 +213,15 @@ class Casting {
   }
 
   /// Adds the vehicle; else why it does not fit.
-  const char* tryOne(const AddedMeeting& meeting, const AddedManner& manner, const AddedKind& kind,
+  const char* tryOne(const AddedMeeting& meeting, const AddedManner& manner,
                      std::vector<AddedVehicle>& found) {
+    const auto& asked = input_.request.attacker_class;
+    if (manner.rides && asked && *asked != AgentClass::kMotorcycle) return "are too wide";
+    const AddedKind kind = drawKind(manner.rides ? AgentClass::kMotorcycle : asked);
     const BoxSize size{kind.length, kind.width};
-    if (!drives_.plan(meeting, manner, size, drive_)) return "cannot drive so";
+    const std::string name = nameOf(found.size());
+    const SpeedVariation variation = variationOf(name, input_.request.seed, options_.route);
+    if (!drives_.plan(meeting, manner, size, drive_, variation)) return "cannot drive so";
     const ReferencePath& path = meeting.way->path;
     const double ego_yaw = past_.ego.states.back().pose.yaw;
     const double approach = angleBetween(ego_yaw, path.at(drive_.back.front()).pose.yaw);
@@ -222,9 +230,10 @@ class Casting {
       return "do not come from where the type wants them";
     }
     has_way_ = true;
-    Track track{nameOf(found.size()), kind.agent_class, size, {}};
+    Track track{name, kind.agent_class, size, {}};
     if (const char* reason = added_past_.drive(drive_, path, meeting.contact, track)) return reason;
-    AddedVehicle vehicle{std::move(track), path, {}};
+    const bool keeps_aside = drive_.aside != 0.0 && manner.kind != AddedManner::kPark;
+    AddedVehicle vehicle{std::move(track), keeps_aside ? path.beside(drive_.aside) : path, {}};
     addPatterns(meeting, vehicle);
     found.push_back(std::move(vehicle));
     return nullptr;
@@ -320,6 +329,10 @@ Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& 
       if (i == 0) best.status = answer.status;
       continue;
     }
+    if (answer.trajectory.agent_class == AgentClass::kMotorcycle &&
+        input.request.attacker_class != AgentClass::kMotorcycle) {
+      answer.effort += options.added.riding_cost;
+    }
     if (is_found && worthOf(answer) <= worthOf(best)) continue;
     is_found = true;
     best = std::move(answer);
@@ -327,7 +340,11 @@ Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& 
         vehicles.found.begin(), vehicles.found.end(),
         [&](const AddedVehicle& other) { return other.track.id == best.trajectory.attacker_id; });
     best.trajectory.past = vehicle->track.states;
-    if (worthOf(best) >= options.search.good_share) break;
+    // Motorcycles come last.
+    if (worthOf(best) >= options.search.good_share ||
+        best.trajectory.agent_class == AgentClass::kMotorcycle) {
+      break;
+    }
   }
   return best;
 }

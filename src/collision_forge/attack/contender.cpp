@@ -18,8 +18,9 @@ void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& 
   const PredictionOptions& prediction = options.prediction;
   const double tta = input.request.tta;
   const DriveState& now = entry.drive_start;
+  const SpeedVariation variation = variationOf(entry.track->id, input.request.seed, route);
   if (const auto way = input.ways.find(entry.track->id); way != input.ways.end()) {
-    entry.routes.emplace_back(way->second, now, entry.driver->limits(), route);
+    entry.routes.emplace_back(way->second, now, entry.driver->limits(), route, variation);
     return;
   }
   const double reach = now.speed * tta + 0.5 * route.styles.back().forward * tta * tta;
@@ -41,7 +42,8 @@ void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& 
       if (static_cast<int>(entry.routes.size()) >= route.ways) return;
       const Polyline way(path.points);
       if (nearEgo(way)) {
-        entry.routes.emplace_back(ReferencePath(way), now, entry.driver->limits(), route);
+        entry.routes.emplace_back(ReferencePath(way), now, entry.driver->limits(), route,
+                                  variation);
       }
     }
   }

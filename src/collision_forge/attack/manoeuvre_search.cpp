@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "collision_forge/attack/arrival_sampler.h"
 #include "collision_forge/attack/contender.h"
@@ -68,7 +71,7 @@ class ManoeuvreSearch {
   }
 
   std::vector<FoundAttack> run() {
-    for (const auto& contender : contenders_) draftFor(*contender);
+    draft();
     for (int round = 0; round < route_.rounds && !isGood(); ++round) {
       perturb(std::pow(kShrink, round));
     }
@@ -80,7 +83,25 @@ class ManoeuvreSearch {
   }
 
  private:
-  /// The drafts that a contender's routes lead to.
+  /// All drafts of the contenders whose first ones come nearest, where there are many.
+  void draft() {
+    const auto most = static_cast<std::size_t>(route_.drafted);
+    std::vector<std::pair<double, const Contender*>> ranked;
+    sketches_ = contenders_.size() > most;
+    for (const auto& contender : contenders_) {
+      best_ = -std::numeric_limits<double>::infinity();
+      if (sketches_) draftFor(*contender);
+      ranked.emplace_back(best_, contender.get());
+    }
+    has_sketches_ = sketches_;
+    sketches_ = false;
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    ranked.resize(std::min(most, ranked.size()));
+    for (const auto& [best, contender] : ranked) draftFor(*contender);
+  }
+
+  /// The drafts that a contender's routes lead to; the first of each kind, or the others.
   void draftFor(const Contender& contender) {
     const double meant = contender.aims.front().pattern->time - input_.snapshot.now;
     const bool has_way = input_.ways.count(contender.track->id) > 0;
@@ -103,7 +124,11 @@ class ManoeuvreSearch {
     const double reach =
         circumradius(input_.snapshot.ego.size) + circumradius(contender.track->size);
     if (std::abs(seen.across) > route_.reach || seen.along < route.start().along - reach) return;
-    const double direction = angleBetween(pose.yaw, route.path().at(seen.along).pose.yaw);
+    // Along a bend the ways to the ego and to where the attacker shall be differ.
+    const Pose2 meant = compose(pose, contender.aims.front().pattern->attacker_offset);
+    const bool has_way = input_.ways.count(contender.track->id) > 0;
+    const double there = has_way ? route.path().project(meant.position()) : seen.along;
+    const double direction = angleBetween(pose.yaw, route.path().at(there).pose.yaw);
     Candidate candidate;
     candidate.contender = &contender;
     candidate.route = &route;
@@ -115,44 +140,51 @@ class ManoeuvreSearch {
       if (input_.request.ego_side.value_or(placement.side) != placement.side) continue;
       candidate.draft.side = placement.side;
       candidate.draft.heading = placement.heading;
+      const std::vector<Draft> drafts = mannersOf(candidate);
       for (const double slide : kSlides) {
-        candidate.draft.slide = slide;
-        draftManners(candidate);
+        if (sketches_ && slide != 0.0) continue;
+        for (std::size_t i = 0; i < drafts.size(); ++i) {
+          const bool is_sketch = slide == 0.0 && i == 0;
+          if (has_sketches_ && slide != 0.0 && i > 0) break;
+          if (sketches_ ? !is_sketch : has_sketches_ && is_sketch) continue;
+          candidate.draft = drafts[i];
+          candidate.draft.slide = slide;
+          consider(candidate);
+        }
       }
     }
   }
 
   /// Different departures, and late changes of speed where the ego runs into the attacker.
-  void draftManners(Candidate& candidate) {
-    const bool leads =
-        input_.request.type == CollisionType::kRearEnd && candidate.draft.side == Side::kFront;
-    candidate.draft.lead = 0.0;
-    candidate.draft.late = 0.0;
+  std::vector<Draft> mannersOf(const Candidate& candidate) const {
+    std::vector<Draft> drafts;
+    Draft draft = candidate.draft;
+    const bool leads = input_.request.type == CollisionType::kRearEnd && draft.side == Side::kFront;
     for (const double start : route_.starts) {
-      const double wait = candidate.draft.contact - start;
-      if (candidate.contender->drive_start.speed > 0.0 || wait <= 0.0) break;
-      candidate.draft.wait = wait;
-      candidate.draft.departure = start;
-      consider(candidate);
+      draft.wait = draft.contact - start;
+      if (candidate.contender->drive_start.speed > 0.0 || draft.wait <= 0.0) break;
+      draft.departure = start;
+      drafts.push_back(draft);
     }
-    candidate.draft.wait = 0.0;
+    draft.wait = 0.0;
     for (const double departure : route_.departures) {
-      candidate.draft.departure = departure;
+      draft.departure = departure;
       if (!leads) {
         for (const double lead : route_.leads) {
-          candidate.draft.lead = lead;
-          consider(candidate);
+          draft.lead = lead;
+          drafts.push_back(draft);
           // A lean of a few degrees is part of all other types.
           if (input_.request.type != CollisionType::kOppositeDirection) break;
         }
         continue;
       }
       for (const double braking : route_.late_braking) {
-        candidate.draft.late = braking > 0.0 ? departure : 0.0;
-        candidate.draft.late_acceleration = -braking;
-        consider(candidate);
+        draft.late = braking > 0.0 ? departure : 0.0;
+        draft.late_acceleration = -braking;
+        drafts.push_back(draft);
       }
     }
+    return drafts;
   }
 
   /// The plan of a draft; false where the route does not lead there.
@@ -205,6 +237,7 @@ class ManoeuvreSearch {
     candidate.objective = candidate.score.share +
                           search_.closeness_weight * candidate.score.closeness -
                           search_.pattern_weight * missCost(candidate) - effortOf(candidate);
+    best_ = std::max(best_, candidate.objective);
     const bool full = static_cast<int>(kept_.size()) >= search_.kept;
     if (full && candidate.objective < kept_.back().objective) return;
     const double now = input_.snapshot.now;
@@ -327,6 +360,9 @@ class ManoeuvreSearch {
   Random random_;
   ArrivalSampler sampler_;
   std::size_t all_points_ = 0;
+  bool sketches_ = false;        // first drafts alone
+  bool has_sketches_ = false;    // ... which are done
+  double best_ = 0.0;            // objective of a contender's drafts
   std::vector<Candidate> kept_;  // best first
   Future judged_;                // with one of the egos; of the others what they do
   const RouteDriver* last_route_ = nullptr;

@@ -103,6 +103,8 @@ static void readOptions(Section& section, RouteDriverOptions& options) {
     options.styles.push_back(readStyle(styles.section(name)));
   }
   styles.finish();
+  options.variation = section.nonNegative("variation");
+  options.variation_periods = section.positives("variation_periods");
   options.limit_share = section.share("limit_share");
   options.settling = section.positive("settling");
   options.return_distance = section.positive("return_distance");
@@ -115,6 +117,7 @@ static void readOptions(Section& section, RouteDriverOptions& options) {
   options.max_lean = section.angle("max_lean");
   options.heading_margin = section.nonNegative("heading_margin");
   options.contacts = section.numbers("contacts", -1.0, 1.0);
+  options.drafted = section.count("drafted", 1);
   options.departures = section.positives("departures");
   options.leads = section.numbers("leads", 0.0, 2.0);
   options.late_braking = section.numbers("late_braking", 0.0, 20.0);
@@ -137,7 +140,8 @@ static std::vector<AddedKind> readKinds(Section section) {
         {"truck", AgentClass::kTruck},
         {"bus", AgentClass::kBus},
         {"construction_vehicle", AgentClass::kConstructionVehicle},
-        {"emergency_vehicle", AgentClass::kEmergencyVehicle}}) {
+        {"emergency_vehicle", AgentClass::kEmergencyVehicle},
+        {"motorcycle", AgentClass::kMotorcycle}}) {
     Section row = section.section(name);
     kinds.push_back({agent_class, row.share("share"), row.positive("length"),
                      row.nonNegative("length_deviation"), row.positive("width")});
@@ -168,6 +172,8 @@ static void readOptions(Section& section, AddedVehicleOptions& options) {
   options.train_distance = section.positive("train_distance");
   options.starts = section.positives("starts");
   options.parked = section.positives("parked");
+  options.riding_gap = section.positive("riding_gap");
+  options.riding_cost = section.nonNegative("riding_cost");
   options.aside = section.nonNegative("aside");
   options.wait = section.positive("wait");
   options.least_crossing_speed = section.nonNegative("least_crossing_speed");

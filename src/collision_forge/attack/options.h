@@ -57,6 +57,8 @@ struct DrivingStyle {
 /// config/search.yaml, section routes
 struct RouteDriverOptions {
   std::vector<DrivingStyle> styles;  ///< the tamest first
+  double variation = 0.0;
+  std::vector<double> variation_periods;
   double limit_share = 0.0;
   double settling = 0.0;
   double return_distance = 0.0;
@@ -68,6 +70,7 @@ struct RouteDriverOptions {
   double max_departure = 0.0;
   double max_lean = 0.0;
   double heading_margin = 0.0;
+  int drafted = 0;
   std::vector<double> contacts;
   std::vector<double> departures;
   std::vector<double> leads;
@@ -113,6 +116,8 @@ struct AddedVehicleOptions {
   double train_distance = 0.0;
   std::vector<double> starts;
   std::vector<double> parked;
+  double riding_gap = 0.0;
+  double riding_cost = 0.0;
   double aside = 0.0;
   double wait = 0.0;
   double least_crossing_speed = 0.0;

@@ -34,8 +34,9 @@ RecordedTraffic::RecordedTraffic(const Snapshot& past, const Future& future, dou
   bodies_.resize(static_cast<std::size_t>(last - first_ + 1));
   const auto add = [&](const Track& track, int from, int to, bool is_ego) {
     if (track.states.empty()) return;
-    const bool is_vehicle =
-        canAttack(track.agent_class) || track.agent_class == AgentClass::kTrailer;
+    const bool hides_others =
+        track.agent_class == AgentClass::kTrailer ||
+        (canAttack(track.agent_class) && track.agent_class != AgentClass::kMotorcycle);
     const double radius = circumradius(track.size);
     const auto instantOf = [&](double time) { return (time - past.now) / interval; };
     // The first instant stands for the first frame, which is less than an interval later.
@@ -50,7 +51,7 @@ RecordedTraffic::RecordedTraffic(const Snapshot& past, const Future& future, dou
       const auto state = stateAt(track, time);
       if (!state) continue;
       bodies_[static_cast<std::size_t>(instant - first_)].push_back(
-          {boxAt(track, state->pose), radius, is_ego, is_vehicle});
+          {boxAt(track, state->pose), radius, is_ego, hides_others});
     }
   };
   add(past.ego, first_, 0, true);
@@ -87,7 +88,7 @@ bool RecordedTraffic::hides(const Vector2& place, int instant) const {
   if (!ego) return false;
   const Vector2 from = ego->box.center.position();
   return std::any_of(bodies->begin(), bodies->end(), [&](const Body& body) {
-    return !body.is_ego && body.is_vehicle && crosses(body.box, from, place);
+    return !body.is_ego && body.hides_others && crosses(body.box, from, place);
   });
 }
 

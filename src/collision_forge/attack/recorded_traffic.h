@@ -35,7 +35,7 @@ class RecordedTraffic {
     OrientedBox box;
     double radius;  // of its circumference
     bool is_ego;
-    bool is_vehicle;
+    bool hides_others;
   };
   const std::vector<Body>* at(int instant) const;
   static const Body* egoOf(const std::vector<Body>* bodies);

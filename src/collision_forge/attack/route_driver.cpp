@@ -15,6 +15,7 @@ constexpr double kSpacing = ReferencePath::kBendSpacing;
 constexpr double kSpeedPrecision = 0.01;    // m/s, of the speed that is driven at, and ...
 constexpr std::uintmax_t kMostTrials = 20;  // ... of these to find it
 constexpr double kLookahead = 0.4;          // s that a driver sees a bend before
+constexpr double kWandering = 2.0;          // m/s; slower ones are about to stand or just moved off
 constexpr double kStandstill = 0.05;        // m/s; nobody moves across without moving along
 
 }  // namespace
@@ -31,8 +32,8 @@ struct RouteDriver::Cruise {
 };
 
 RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
-                         const RouteDriverOptions& options)
-    : path_(std::move(path)), options_(options), limits_(limits), now_(now) {
+                         const RouteDriverOptions& options, const SpeedVariation& variation)
+    : path_(std::move(path)), options_(options), limits_(limits), now_(now), variation_(variation) {
   start_ = path_.seen(compose(now.axle, {limits.axle_to_middle, 0.0, 0.0}));
   const std::vector<double> bends = path_.bends();
   for (const DrivingStyle& style : options.styles) {
@@ -68,16 +69,26 @@ double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) con
   const DrivingStyle& style = options_.styles[cruise.style];
   const DrivingStyle& wildest = options_.styles.back();
   const double share = options_.limit_share;
+  const double jitter = variation_.amplitude * variation_.frequency();
   double along = start_.along;
   double speed = now_.speed;
   double acceleration = now_.acceleration;
+  // The wave, turned on step by step.
+  const double turn = variation_.frequency() * cruise.step;
+  const Vector2 turned{std::cos(turn), std::sin(turn)};
+  Vector2 wave =
+      variation_.amplitude * Vector2{std::cos(variation_.phase), std::sin(variation_.phase)};
   for (double time = 0.0; time < cruise.arrival - 1e-9; time += cruise.step) {
     if (alongs) alongs->push_back(along);
     const double duration = std::min(cruise.step, cruise.arrival - time);
+    const double wander = speed > kWandering ? wave.y() : 0.0;
+    wave = {wave.x() * turned.x() - wave.y() * turned.y(),
+            wave.x() * turned.y() + wave.y() * turned.x()};
     if (time < cruise.wait && speed == 0.0) continue;
     const double target = std::min(cruise.speed, cap(cruise.style, along + kLookahead * speed));
-    double wanted = std::clamp((target - speed) / options_.settling, -style.braking, style.forward);
-    double jerk = style.jerk;
+    double wanted =
+        std::clamp((target - speed) / options_.settling, -style.braking, style.forward) + wander;
+    double jerk = style.jerk + jitter;
     if (time >= cruise.late_from) {
       wanted = cruise.late_acceleration;
       jerk = wildest.jerk;

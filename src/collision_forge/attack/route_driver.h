@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "collision_forge/attack/options.h"
+#include "collision_forge/attack/speed_variation.h"
 #include "collision_forge/attack/track_driver.h"
 #include "collision_forge/map/reference_path.h"
 
@@ -27,12 +28,13 @@ struct RouteSpeed {
 };
 
 /// A driver who follows a route: keeps its offset from the route's middle, drives at a speed that
-/// it chooses once, slower in bends, and leaves the lane only for what happens at the arrival.
+/// it chooses once, slower in bends and wandering a little, and leaves the lane only for what
+/// happens at the arrival.
 class RouteDriver {
  public:
   /// `now`: where the driver is; the limits are its vehicle's.
   RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
-              const RouteDriverOptions& options);
+              const RouteDriverOptions& options, const SpeedVariation& variation = {});
 
   const ReferencePath& path() const { return path_; }
   const PathPose& start() const { return start_; }
@@ -60,6 +62,7 @@ class RouteDriver {
   DriveLimits limits_;
   DriveState now_;
   PathPose start_;
+  SpeedVariation variation_;
   std::vector<std::vector<float>> caps_;  // m/s in bends, one row a style, an entry a metre
 };
 

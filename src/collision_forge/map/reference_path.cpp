@@ -89,6 +89,16 @@ ReferencePath::ReferencePath(const Polyline& line) {
   controls_ = std::move(points);
 }
 
+ReferencePath ReferencePath::beside(double across) const {
+  const auto count = static_cast<std::size_t>(std::ceil(length()));
+  std::vector<Vector2> points;
+  for (std::size_t i = 0; i <= count; ++i) {
+    const double along = length() * static_cast<double>(i) / static_cast<double>(count);
+    points.push_back(compose(at(along).pose, {0.0, across, 0.0}).position());
+  }
+  return ReferencePath(Polyline(points));
+}
+
 ReferencePath::Place ReferencePath::at(double arc_length) const {
   const double on_path = std::clamp(arc_length, 0.0, length());
   const double place = on_path / spacing_;

@@ -30,6 +30,9 @@ class ReferencePath {
   /// that nobody drives.
   explicit ReferencePath(const Polyline& line);
 
+  /// The path so many metres to its left.
+  ReferencePath beside(double across) const;
+
   double length() const { return spacing_ * static_cast<double>(controls_.size() - 3); }
   /// Beyond either end the path goes straight on.
   Place at(double arc_length) const;

@@ -14,6 +14,8 @@ const char* toString(Manoeuvre manoeuvre) {
       return "follower_closes";
     case Manoeuvre::kCutIn:
       return "cut_in";
+    case Manoeuvre::kDrift:
+      return "drift";
     case Manoeuvre::kMerge:
       return "merge";
     case Manoeuvre::kPullOut:

@@ -12,7 +12,8 @@ enum class Manoeuvre {
   kLeadBrakes,          ///< rear end: brakes in front of the ego (25)
   kLeadSlow,            ///< rear end: drives more slowly in front of the ego (24)
   kFollowerCloses,      ///< rear end: does not brake behind the ego (22, 25, 26 seen from behind)
-  kCutIn,               ///< lane change: from a lane beside (18, 19)
+  kCutIn,               ///< lane change: from a lane beside (18)
+  kDrift,               ///< lane change: beside the ego in its lane, nearer and nearer (19)
   kMerge,               ///< lane change: its lane leads into the ego's (16)
   kPullOut,             ///< lane change: from a standstill beside the lanes (17)
   kCentreLineCrossing,  ///< opposite direction: leaves its half of the road (21)
@@ -28,6 +29,7 @@ inline constexpr Manoeuvre kManoeuvres[] = {Manoeuvre::kLeadStopped,
                                             Manoeuvre::kLeadSlow,
                                             Manoeuvre::kFollowerCloses,
                                             Manoeuvre::kCutIn,
+                                            Manoeuvre::kDrift,
                                             Manoeuvre::kMerge,
                                             Manoeuvre::kPullOut,
                                             Manoeuvre::kCentreLineCrossing,

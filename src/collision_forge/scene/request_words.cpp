@@ -40,6 +40,7 @@ CollisionType typeOf(Manoeuvre manoeuvre) {
       break;
     case Manoeuvre::kCutIn:
     case Manoeuvre::kMerge:
+    case Manoeuvre::kDrift:
     case Manoeuvre::kPullOut:
       return CollisionType::kLaneChange;
     case Manoeuvre::kCentreLineCrossing:

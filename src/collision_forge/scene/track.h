@@ -27,7 +27,7 @@ const char* toString(AgentClass agent_class);
 /// What can be made to attack.
 inline constexpr AgentClass kAttackerClasses[] = {
     AgentClass::kCar, AgentClass::kTruck, AgentClass::kBus, AgentClass::kConstructionVehicle,
-    AgentClass::kEmergencyVehicle};
+    AgentClass::kEmergencyVehicle, AgentClass::kMotorcycle};
 bool canAttack(AgentClass agent_class);
 
 /// One agent at one instant. Global map frame; `pose` is the middle of the box.

@@ -9,10 +9,6 @@ namespace {
 
 constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 
-bool isMotorVehicle(AgentClass agent_class) {
-  return canAttack(agent_class) || agent_class == AgentClass::kMotorcycle;
-}
-
 /// Linear between the states; constant beyond them.
 double arcLengthAt(const std::vector<AgentState>& states, const std::vector<double>& arc_lengths,
                    double time) {
@@ -51,7 +47,7 @@ Traffic::Traffic(const CrashScenario& scenario, Background background, const Idm
       if (agent.id == driver.recorded.id) driver.shown.states = agent.states;
     }
     const bool reacts = background == Background::kIdm && !driver.is_attacker &&
-                        isMotorVehicle(driver.recorded.agent_class);
+                        canAttack(driver.recorded.agent_class);
     if (reacts) prepareToReact(driver);
     drivers_.push_back(std::move(driver));
   }

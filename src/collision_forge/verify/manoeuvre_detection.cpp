@@ -16,7 +16,7 @@ constexpr double kParked =
 constexpr double kTurning = 0.5;         // rad; who turns less goes straight on
 constexpr double kBend = 0.02;           // 1/m, where a turn begins
 constexpr double kAhead = 40.0;          // m; somebody so near ahead is overtaken
-constexpr double kBeside = 1.5;          // m from the way of the one that overtakes
+constexpr double kBeside = 1.5;          // m from a way; who is nearer is on it
 constexpr double kWay = 200.0;           // m of the lane that it was on
 constexpr double kLaneDistance = 2.5;    // m from its middle
 constexpr double kLaneHeading = 0.7854;  // rad
@@ -124,8 +124,10 @@ DetectedManoeuvre detectDeparture(const Window& window, const AttackerTrajectory
     return {Manoeuvre::kPullOut, window.since(moves)};
   }
   if (is_lane_change) {
-    const bool merges = std::abs(offset(window.last()) - kept) < kOwnWay;
-    return {merges ? Manoeuvre::kMerge : Manoeuvre::kCutIn, begin};
+    if (std::abs(offset(window.last()) - kept) > kOwnWay) return {Manoeuvre::kCutIn, begin};
+    const auto ego = stateAt(input.future.ego, begin);
+    const bool is_beside = ego && way->project(ego->pose.position()).distance < kBeside;
+    return {is_beside ? Manoeuvre::kDrift : Manoeuvre::kMerge, begin};
   }
   const bool overtakes = isBehindSomebody(*way, poseAt(trajectory, begin), begin, input.future,
                                           trajectory.attacker_id);
