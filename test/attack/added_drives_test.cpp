@@ -182,6 +182,42 @@ TEST_F(AddedDrivesTest, InLaneChangesParkWhereThatIsAskedForOrTheEgoHasTheLane) 
   EXPECT_FALSE(has(kindsOf(own), AddedManner::kPark));
 }
 
+TEST_F(AddedDrivesTest, BesideTheEgoInItsLaneMotorcyclesRide) {
+  scene_.request.type = CollisionType::kLaneChange;
+  const AddedMeeting own = meetingAt(Side::kRight);
+  for (const AddedManner& manner : drives_->mannersOf(own)) {
+    EXPECT_NE(manner.rides, manner.kind == AddedManner::kPark);
+  }
+  for (const AddedManner& manner : drives_->mannersOf(meetingAt(Side::kLeft, 1))) {
+    EXPECT_FALSE(manner.rides);
+  }
+  AddedManner ride{AddedManner::kCruise, 8.0};
+  ride.rides = true;
+  const BoxSize motorcycle{2.1, 0.8};
+  ASSERT_TRUE(drives_->plan(own, ride, motorcycle, drive_));
+  const double side = -0.5 * kEgoSize.width - 0.5 * motorcycle.width;
+  EXPECT_NEAR(drive_.poseAt(own.way->path, 0).y, side - options_.added.riding_gap, 0.05);
+}
+
+TEST_F(AddedDrivesTest, WhoCruisesVariesItsSpeedAndMeetsTheEgoAllTheSame) {
+  const AddedMeeting meeting = meetingAt(Side::kRear);
+  ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 8.0}));
+  const AddedDrive even = drive_;
+  const SpeedVariation variation{0.6, 5.0, 1.0};
+  ASSERT_TRUE(drives_->plan(meeting, {AddedManner::kCruise, 8.0}, kCarSize, drive_, variation));
+  EXPECT_NEAR(drive_.on.back(), even.on.back(), 1e-9);
+  ASSERT_EQ(drive_.back.size(), even.back.size());
+  const auto speedAgo = [](const AddedDrive& drive, std::size_t i) {
+    return (drive.back[i] - drive.back[i + 1]) / AddedDrive::kStep;
+  };
+  double most = 0.0;
+  for (std::size_t i = 0; i + 1 < even.back.size(); ++i) {
+    most = std::max(most, std::abs(speedAgo(drive_, i) - speedAgo(even, i)));
+  }
+  EXPECT_GT(most, 0.3);
+  EXPECT_LT(most, 2.0 * variation.amplitude / variation.frequency());
+}
+
 TEST_F(AddedDrivesTest, OncomingOnesAreQuickAndAtLastNearerToTheEgo) {
   scene_.request.type = CollisionType::kOppositeDirection;
   const AddedMeeting meeting = meetingAt(Side::kFront, 1);

@@ -76,6 +76,22 @@ TEST(AddedVehicle, PullsOutWhereTheEgoHasTheOnlyLane) {
   }
 }
 
+TEST(AddedVehicle, RidesBesideTheEgoWhereNobodyCanBeParked) {
+  Case scene;
+  scene.map = twoLaneRoad();
+  scene.ego = {-40.0, 0.0, 0.0};
+  scene.request = believableRequestFor(CollisionType::kLaneChange);
+  const Realization answer = scene.result();
+  ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
+  EXPECT_EQ(answer.trajectory.agent_class, AgentClass::kMotorcycle);
+  EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kDrift);
+  EXPECT_GE(answer.effort, scene.options.added.riding_cost);
+  scene.request.attacker_class = AgentClass::kMotorcycle;
+  EXPECT_LT(scene.result().effort, scene.options.added.riding_cost) << "was asked for";
+  scene.request.attacker_class = AgentClass::kBus;
+  EXPECT_NE(scene.result().status.code, StatusCode::kOk) << "too wide";
+}
+
 TEST(AddedVehicle, IsTakenEvenIfNothingIsPromised) {
   Case scene;
   Future future = scene.future();

@@ -74,7 +74,7 @@ TEST(FindAlternatives, AsksForOtherManoeuvresVehiclesAndClasses) {
   expected.insert({"far follower_closes", "added car follower_closes",
                    "added truck follower_closes", "added bus follower_closes",
                    "added construction_vehicle follower_closes",
-                   "added emergency_vehicle follower_closes"});
+                   "added emergency_vehicle follower_closes", "added motorcycle follower_closes"});
   EXPECT_EQ(Case().names(), expected);
 }
 

@@ -117,6 +117,17 @@ TEST_F(ManoeuvreSearchTest, ABusDrivesAsABusCan) {
                                answer.report.contact_time, limits));
 }
 
+TEST_F(ManoeuvreSearchTest, OfManyVehiclesTheOneThatCanIsFound) {
+  std::vector<Track> others;
+  for (int i = 0; i < 2 * options_.route.drafted; ++i) {
+    others.push_back(
+        pastTrack("oncoming " + std::to_string(i), kCarSize, {20.0 + 12.0 * i, 3.5, M_PI}, 8.0));
+  }
+  others.push_back(pastTrack("lead", kCarSize, {18.0, 0.2, 0.0}, 9.0));
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 9.0, others);
+  EXPECT_EQ(expectAttack(CollisionType::kRearEnd).trajectory.attacker_id, "lead");
+}
+
 TEST_F(ManoeuvreSearchTest, SameSeedSameAnswer) {
   scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 9.0, {pastTrack("lead", kCarSize, {18.0, 0.2, 0.0}, 9.0)});
   const Realization first = ask(CollisionType::kRearEnd);

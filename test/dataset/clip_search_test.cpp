@@ -22,6 +22,7 @@ constexpr double kTta = 4.0;  // s
 class ClipSearch : public testing::Test {
  protected:
   ClipSearch() {
+    config_.dataset.choice = AttackerChoice::kExisting;
     indexed_.scene.name = "scene-0007";
     for (int i = 0; i <= 30; ++i) indexed_.scene.frame_times.push_back(kNow - 5.0 + 0.5 * i);
     indexed_.scene.ego = track(kEgoId, kEgoSize, {0.0, 0.0, 0.0}, 8.0);
@@ -76,6 +77,16 @@ TEST_F(ClipSearch, AClipTouchesAtTheTargetTimeAsDrawn) {
     EXPECT_NEAR(std::abs(answer.report.relative_heading), drawn,
                 2.0 * config_.dataset.heading_spread);
   }
+}
+
+TEST_F(ClipSearch, AnAddedVehicleMakesAClipWhereNobodyIs) {
+  config_.dataset.choice = AttackerChoice::kAny;
+  indexed_.scene.agents.clear();
+  const Realization answer = found(asked());
+  ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
+  EXPECT_TRUE(answer.trajectory.isAdded());
+  EXPECT_TRUE(answer.report.believable());
+  EXPECT_EQ(answer.trajectory.past.front().time, indexed_.scene.frame_times.front());
 }
 
 TEST_F(ClipSearch, TheHeadingKeepsToANarrowSpread) {

@@ -68,6 +68,17 @@ TEST(ReferencePath, TellsItsBendsEveryMetre) {
   }
 }
 
+TEST(ReferencePath, HasAnotherOneBesideIt) {
+  const ReferencePath left(Polyline(leftBend(15.0, 30.0, 1.0)));
+  const ReferencePath inside = left.beside(2.0);
+  EXPECT_NEAR(inside.length(), left.length() * 13.0 / 15.0, 0.6) << "nearer to the middle";
+  const Pose2 middle = left.at(0.5 * left.length()).pose;
+  const PathPose seen = inside.seen(compose(middle, {0.0, 2.0, 0.0}));
+  EXPECT_NEAR(seen.across, 0.0, 0.05);
+  EXPECT_NEAR(seen.lean, 0.0, 0.02);
+  EXPECT_NEAR(left.beside(-2.0).length(), left.length() * 17.0 / 15.0, 0.6);
+}
+
 TEST(ReferencePath, OfAStraightLineIsThatLine) {
   const Pose2 start{3.0, -2.0, 0.7};
   const Vector2 end = compose(start, {30.4, 0.0, 0.0}).position();

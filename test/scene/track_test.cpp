@@ -24,14 +24,15 @@ TEST(AgentClassNames, DifferAndAreKnown) {
   }
 }
 
-TEST(CanAttack, HoldsForDrivenVehiclesOnFourWheels) {
+TEST(CanAttack, HoldsForMotorVehicles) {
   std::vector<std::string> attackers;
   for (int i = 0; i <= static_cast<int>(AgentClass::kStaticObject); ++i) {
     const auto agent_class = static_cast<AgentClass>(i);
     if (canAttack(agent_class)) attackers.push_back(toString(agent_class));
   }
   EXPECT_THAT(attackers, testing::UnorderedElementsAre(
-                             "car", "truck", "bus", "construction_vehicle", "emergency_vehicle"));
+                             "car", "truck", "bus", "construction_vehicle", "emergency_vehicle",
+                             "motorcycle"));
 }
 
 TEST(StateAt, InterpolatesPoseAndVelocity) {

@@ -325,7 +325,7 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
   expectComplaint("evaluation.yaml", "box_width: 2.0", "box_width: 0.0",
                   {"evaluation.collide.box_width", "0.0"});
   expectComplaint("search.yaml", "  step: 0.1", "  step: 0", {"search.step", "= 0"});
-  for (const std::string count : {"max_attackers: 16", "ego_poses: 3", "draws: 8", "kept: 10"}) {
+  for (const std::string count : {"max_attackers: 24", "ego_poses: 3", "draws: 8", "kept: 10"}) {
     const std::string key = count.substr(0, count.find(':'));
     expectComplaint("search.yaml", count, key + ": 0", {"search." + key, "= 0", "within 1"});
   }

@@ -100,6 +100,16 @@ TEST_F(ManoeuvreTest, WhoLeavesItsLaneCutsInFromThenOn) {
   EXPECT_EQ(detect(CollisionType::kLaneChange).manoeuvre, Manoeuvre::kMerge);
 }
 
+TEST_F(ManoeuvreTest, WhoIsBesideTheEgoInItsLaneDrifts) {
+  road(twoLaneRoad());
+  ego({0.0, 0.0, 0.0}, 8.0);
+  attacker([](double t) {
+    const double y = -1.8 + 0.5 * std::max(0.0, t - 3.0);
+    return TrajectoryPoint{0.0, {8.0 * t, y, 0.0}, 8.0, 0.0, 0.0};
+  });
+  EXPECT_EQ(detect(CollisionType::kLaneChange).manoeuvre, Manoeuvre::kDrift);
+}
+
 TEST_F(ManoeuvreTest, WhoStandsBesideTheLanesPullsOut) {
   road(twoLaneRoad());
   ego({0.0, 0.0, 0.0}, 8.0);

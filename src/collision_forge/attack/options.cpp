@@ -105,6 +105,10 @@ static void readOptions(Section& section, RouteDriverOptions& options) {
   styles.finish();
   options.variation = section.nonNegative("variation");
   options.variation_periods = section.positives("variation_periods");
+  if (options.variation_periods.size() != 2 ||
+      options.variation_periods.front() > options.variation_periods.back()) {
+    section.refuse("variation_periods", "is not a shortest and a longest period");
+  }
   options.limit_share = section.share("limit_share");
   options.settling = section.positive("settling");
   options.return_distance = section.positive("return_distance");

@@ -139,7 +139,7 @@ Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
   const Moment& moment = std::get<Moment>(found);
   CollisionRequest request = asked.request;
   request.crash = clipCrash(study.crash, request, options);
-  request.choice = AttackerChoice::kExisting;  // a clip's history is as recorded
+  request.choice = options.choice;
   const PredictionOptions& prediction = study.attack.prediction;
   const SearchMethod method(study.attack, std::make_shared<ContinuousPatterns>(study.attack));
   scenario.answer = generateCollision(method, moment, request, prediction);

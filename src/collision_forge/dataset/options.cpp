@@ -14,6 +14,10 @@ void readOptions(Section& section, DatasetOptions& options, double time_margin) 
   options.min_length = section.atLeast("min_length", 4.0);
   options.max_length = section.atLeast("max_length", options.min_length);
   options.min_ego_speed = section.nonNegative("min_ego_speed");
+  options.choice =
+      section.choice<AttackerChoice>("choice", {{"any", AttackerChoice::kAny},
+                                                {"existing", AttackerChoice::kExisting},
+                                                {"new", AttackerChoice::kNew}});
   Section attempts = section.section("attempts");
   for (const CollisionType type : kCollisionTypes) {
     options.attempts[type] = attempts.count(toString(type), 0);

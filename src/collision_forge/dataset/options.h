@@ -26,6 +26,7 @@ struct DatasetOptions {
   double min_length = 0.0;
   double max_length = 0.0;
   double min_ego_speed = 0.0;
+  AttackerChoice choice = AttackerChoice::kAny;
   std::map<CollisionType, int> attempts;
   double heading_spread = 0.0;
   double time_tolerance = 0.0;

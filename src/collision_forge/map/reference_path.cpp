@@ -80,9 +80,12 @@ class Walk {
 ReferencePath::ReferencePath(const Polyline& line) {
   std::vector<Vector2> points = spread(line);
   for (int round = 0; round < kSmoothingRounds; ++round) smooth(points);
-  const Polyline smoothed(points);
-  points = spread(smoothed);
-  spacing_ = smoothed.length() / static_cast<double>(points.size() - 1);
+  setControls(Polyline(points));
+}
+
+void ReferencePath::setControls(const Polyline& line) {
+  std::vector<Vector2> points = spread(line);
+  spacing_ = line.length() / static_cast<double>(points.size() - 1);
   // With an end repeated by its mirror image, the spline passes it straight.
   points.insert(points.begin(), 2.0 * points[0] - points[1]);
   points.push_back(2.0 * points.back() - points[points.size() - 2]);
@@ -96,7 +99,9 @@ ReferencePath ReferencePath::beside(double across) const {
     const double along = length() * static_cast<double>(i) / static_cast<double>(count);
     points.push_back(compose(at(along).pose, {0.0, across, 0.0}).position());
   }
-  return ReferencePath(Polyline(points));
+  ReferencePath path = *this;
+  path.setControls(Polyline(points));
+  return path;
 }
 
 ReferencePath::Place ReferencePath::at(double arc_length) const {

@@ -45,6 +45,8 @@ class ReferencePath {
   PathPose seen(const Pose2& pose) const;
 
  private:
+  void setControls(const Polyline& line);
+
   double spacing_;                 // metres between controls
   std::vector<Vector2> controls_;  // of the spline, and one beyond either end
 };
