@@ -193,15 +193,16 @@ TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {
       EXPECT_EQ(read(line + good).exit_code, std::nullopt) << command << good;
     }
     for (const char* bad : {" --believable maybe", " --limits none", " --attacker-class pedestrian",
-                            " --manoeuvre drift", " --ego-side top"}) {
+                            " --manoeuvre swerve", " --ego-side top"}) {
       const std::string word = std::string(bad).substr(std::string(bad).rfind(' ') + 1);
       EXPECT_THAT(read(line + bad).err, HasSubstr(word)) << command;
       EXPECT_EQ(read(line + bad).exit_code, kExitUsage) << command << bad;
     }
     EXPECT_EQ(read(line + " --impact-speed 2").exit_code, kExitUsage) << command;
     EXPECT_EQ(read(line + " --overlap 0.5").exit_code, kExitUsage) << command;
-    EXPECT_THAT(read(command + " --help").out,
-                AllOf(HasSubstr("lane_change: cut_in, drift, merge, pull_out"), HasSubstr("MIN MAX")));
+    EXPECT_THAT(
+        read(command + " --help").out,
+        AllOf(HasSubstr("lane_change: cut_in, drift, merge, pull_out"), HasSubstr("MIN MAX")));
   }
 }
 

@@ -82,7 +82,7 @@ TEST(RequestFields, WhatDoesNotExistIsNamed) {
   EXPECT_THAT(complaintAbout(R"({"believable":1})"), HasSubstr("believable = 1"));
   EXPECT_THAT(complaintAbout(R"({"limits":"none"})"), HasSubstr("limits = \"none\""));
   EXPECT_THAT(complaintAbout(R"({"attacker_class":"van"})"), HasSubstr("attacker_class = \"van\""));
-  EXPECT_THAT(complaintAbout(R"({"manoeuvre":"drift"})"), HasSubstr("manoeuvre = \"drift\""));
+  EXPECT_THAT(complaintAbout(R"({"manoeuvre":"swerve"})"), HasSubstr("manoeuvre = \"swerve\""));
   EXPECT_THAT(complaintAbout(R"({"ego_side":"top"})"), HasSubstr("ego_side = \"top\""));
   EXPECT_THAT(complaintAbout(R"({"impact_speed":{"min":1}})"),
               HasSubstr("impact_speed.max is missing"));

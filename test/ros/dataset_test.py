@@ -74,20 +74,27 @@ class BuildDatasetTest(road.RoadTest):
             scenes[split] = {scenario['scene'] for scenario in scenarios}
         self.assertEqual(sum(map(len, scenes.values())), len(set.union(*scenes.values())), 'a scene in two splits')
 
-    def test_attackers_keep_their_recorded_history(self):
+    def test_recorded_attackers_keep_their_history_and_added_ones_have_one(self):
         tables = DATAROOT / VERSION
         times = {row['token']: row['timestamp'] for row in json.loads((tables / 'sample.json').read_text())}
         recorded = {(row['instance_token'], times[row['sample_token']]): row['translation']
                     for row in json.loads((tables / 'sample_annotation.json').read_text())}
+        added = 0
         for clip in sum(self.clips().values(), []):
             attacker = clip.stem.split('_')[-1]
             with open(clip) as file:
                 rows = [row for row in csv.DictReader(file) if row['TRACK_ID'] == attacker]
             self.assertEqual(len(rows), int(clip.stem.split('_')[-3].split('-')[-1]) + 1)
+            is_added = attacker.startswith('added-')
+            added += is_added
             for row in rows[:8]:
+                if is_added:
+                    self.assertTrue(row['X'] and row['Y'], clip)
+                    continue
                 x, y, _ = recorded[attacker, int(row['TIMESTAMP'])]
                 self.assertAlmostEqual(float(row['X']), x, places=6)
                 self.assertAlmostEqual(float(row['Y']), y, places=6)
+        self.assertGreater(added, 0)
 
     def test_statistics_count_the_clips(self):
         with open(self.out / 'statistics.csv') as file:

@@ -149,7 +149,7 @@ class RequestsTest(road.RoadTest):
             result = make_requests(self.path('none.jsonl'), *arguments)
             self.assertEqual(result.returncode, 1, arguments)
             self.assertIn(words, result.stderr)
-        for arguments in (['--manoeuvre', 'drift'], ['--attacker-class', 'pedestrian'], ['--believable', 'yes'],
+        for arguments in (['--manoeuvre', 'swerve'], ['--attacker-class', 'pedestrian'], ['--believable', 'yes'],
                           ['--limits', 'none'], ['--ego-side', 'top'], ['--impact-speed', '3'],
                           ['--overlap', '0.3']):
             result = make_requests(self.path('none.jsonl'), *arguments)
@@ -295,7 +295,7 @@ class GenerateTest(road.RoadTest):
                        lambda row: row['attacker'].update(trajectory=[]),
                        lambda row: row['attacker'].update(origin='added', past=None),
                        lambda row: row['attacker'].update({'class': 'tank'}),
-                       lambda row: row['request'].update(manoeuvre='drift'),
+                       lambda row: row['request'].update(manoeuvre='swerve'),
                        lambda row: row['report'].update(believable=False, unbelievable=None),
                        lambda row: row['status'].update(code='NO_CANDIDATE')):
             scenario = json.loads(good)

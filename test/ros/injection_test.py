@@ -183,7 +183,7 @@ class InjectionTest(road.RoadTest):
     def test_chosen_attacker_attacks(self):
         attackers = set()
         for collision_type in TYPES:
-            result = road.inject(self.source, self.path('out.bag'), collision_type, 4.0, NOW)
+            result = road.inject(self.source, self.path('out.bag'), collision_type, 4.0, NOW, '--attacker', 'existing')
             if road.code_of(result) == 'OK':
                 attackers.add((collision_type, road.read_one(self.path('out.bag'), '/attack').report.attacker_id))
         self.assertGreater(len({attacker for _, attacker in attackers}), 1)

@@ -30,9 +30,9 @@ TEST(CanAttack, HoldsForMotorVehicles) {
     const auto agent_class = static_cast<AgentClass>(i);
     if (canAttack(agent_class)) attackers.push_back(toString(agent_class));
   }
-  EXPECT_THAT(attackers, testing::UnorderedElementsAre(
-                             "car", "truck", "bus", "construction_vehicle", "emergency_vehicle",
-                             "motorcycle"));
+  EXPECT_THAT(attackers,
+              testing::UnorderedElementsAre("car", "truck", "bus", "construction_vehicle",
+                                            "emergency_vehicle", "motorcycle"));
 }
 
 TEST(StateAt, InterpolatesPoseAndVelocity) {

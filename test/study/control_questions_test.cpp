@@ -65,7 +65,7 @@ TEST(ControlQuestions, AskForEveryValueOnce) {
     EXPECT_EQ(values["choice"], (std::set<std::string>{"existing", "new"}));
     EXPECT_EQ(values["attacker_class"],
               (std::set<std::string>{"car", "truck", "bus", "construction_vehicle",
-                                     "emergency_vehicle"}));
+                                     "emergency_vehicle", "motorcycle"}));
     EXPECT_EQ(values["ego_side"], (std::set<std::string>{"front", "rear", "left", "right"}));
     EXPECT_EQ(values["impact_speed"], (std::set<std::string>{"0 to 5", "5 to 9.5"}));
     EXPECT_EQ(values["overlap"], std::set<std::string>{"0 to 0.4"});

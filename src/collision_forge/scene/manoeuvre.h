@@ -24,20 +24,12 @@ enum class Manoeuvre {
   kTurnAcrossPath,      ///< ltap: turns across the ego's path from the opposite direction (27, 29)
 };
 
-inline constexpr Manoeuvre kManoeuvres[] = {Manoeuvre::kLeadStopped,
-                                            Manoeuvre::kLeadBrakes,
-                                            Manoeuvre::kLeadSlow,
-                                            Manoeuvre::kFollowerCloses,
-                                            Manoeuvre::kCutIn,
-                                            Manoeuvre::kDrift,
-                                            Manoeuvre::kMerge,
-                                            Manoeuvre::kPullOut,
-                                            Manoeuvre::kCentreLineCrossing,
-                                            Manoeuvre::kOvertaking,
-                                            Manoeuvre::kWrongWay,
-                                            Manoeuvre::kStraightCrossing,
-                                            Manoeuvre::kTurnIntoPath,
-                                            Manoeuvre::kTurnAcrossPath};
+inline constexpr Manoeuvre kManoeuvres[] = {
+    Manoeuvre::kLeadStopped,    Manoeuvre::kLeadBrakes,    Manoeuvre::kLeadSlow,
+    Manoeuvre::kFollowerCloses, Manoeuvre::kCutIn,         Manoeuvre::kDrift,
+    Manoeuvre::kMerge,          Manoeuvre::kPullOut,       Manoeuvre::kCentreLineCrossing,
+    Manoeuvre::kOvertaking,     Manoeuvre::kWrongWay,      Manoeuvre::kStraightCrossing,
+    Manoeuvre::kTurnIntoPath,   Manoeuvre::kTurnAcrossPath};
 
 /// "lead_stopped", "lead_brakes", ...
 const char* toString(Manoeuvre manoeuvre);

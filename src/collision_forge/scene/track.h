@@ -25,9 +25,12 @@ enum class AgentClass {
 /// Lower-case name as in messages and files, for instance "construction_vehicle".
 const char* toString(AgentClass agent_class);
 /// What can be made to attack.
-inline constexpr AgentClass kAttackerClasses[] = {
-    AgentClass::kCar, AgentClass::kTruck, AgentClass::kBus, AgentClass::kConstructionVehicle,
-    AgentClass::kEmergencyVehicle, AgentClass::kMotorcycle};
+inline constexpr AgentClass kAttackerClasses[] = {AgentClass::kCar,
+                                                  AgentClass::kTruck,
+                                                  AgentClass::kBus,
+                                                  AgentClass::kConstructionVehicle,
+                                                  AgentClass::kEmergencyVehicle,
+                                                  AgentClass::kMotorcycle};
 bool canAttack(AgentClass agent_class);
 
 /// One agent at one instant. Global map frame; `pose` is the middle of the box.
