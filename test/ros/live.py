@@ -289,13 +289,13 @@ class LiveTest(road.RoadTest):
         """The answer of the service is what forge inject put into a bag."""
         self.assert_close(answer.attack, road.read_one(attacked, '/attack'))
 
-    def offline(self, collision_type, mode, seed=0, nows=(6.0, 4.0, 8.0, 10.0), ttas=(4.0, 6.0, 2.0)):
-        """The first request that forge inject can fulfil by any motion within the limits: now, tta and the bag."""
+    def offline(self, collision_type, mode, seed=0, nows=(6.0, 4.0, 8.0, 10.0), ttas=(4.0, 6.0, 2.0), believable='false'):
+        """The first request that forge inject can fulfil by a recorded vehicle: now, tta and the bag."""
         out = self.path('{}_{}.bag'.format(collision_type, mode))
         for now in nows:
             for tta in ttas:
                 result = road.inject(self.bag(self.SCENES[0]), out, collision_type, tta, now, '--mode', mode,
-                                     '--seed', seed, '--believable', 'false')
+                                     '--seed', seed, '--believable', believable, '--attacker', 'existing')
                 if road.code_of(result) == 'OK':
                     return now, tta, out
         raise AssertionError('no {} in {} mode in {}'.format(collision_type, mode, self.SCENES[0]))
@@ -306,12 +306,12 @@ class WholeRoadTest(LiveTest):
     HEARD = ['/encoded_scene', '/agents', '/injected_agents', '/tested_report', '/map_markers', '/scene_markers',
              '/pattern_markers', '/attack_markers']
 
-    def play_and_ask(self, collision_type, mode, seed):
+    def play_and_ask(self, collision_type, mode, seed, believable='false'):
         """Answered live as offline; returns the answer and the attacked bag."""
-        now, tta, attacked = self.offline(collision_type, mode, seed)
+        now, tta, attacked = self.offline(collision_type, mode, seed, believable=believable)
         end = self.play_to(now).header.stamp
         answer = self.ask_until(lambda answer: answer.code == 0 and answer.attack.pattern.header.stamp == end, collision_type,
-                                tta, mode=mode, seed=seed)
+                                tta, mode=mode, seed=seed, believable=believable, choice='existing')
         self.assertEqual(answer.message, '')
         self.assert_answer(answer, attacked)
         self.assertTrue(answer.attack.report.verified)
@@ -351,8 +351,8 @@ class WholeRoadTest(LiveTest):
             self.assertLess(abs(road.angle_between(tested.relative_heading, offline.relative_heading)), 0.01)
         return tested
 
-    def check(self, collision_type, mode, seed):
-        answer, attacked = self.play_and_ask(collision_type, mode, seed)
+    def check(self, collision_type, mode, seed, believable='false'):
+        answer, attacked = self.play_and_ask(collision_type, mode, seed, believable)
         self.assert_published(answer)
         tested = self.assert_played_on(answer, attacked)
         if mode == 'replay':

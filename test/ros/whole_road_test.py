@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The whole road, live: a bag is played into the suite (nodelets in one process), and every type of collision is asked
 for in both modes. Answers, topics and injected agents are what forge inject makes of the same bag offline."""
+import math
 import threading
 
 import rospy
@@ -9,6 +10,18 @@ import live
 import road
 from collision_forge.srv import TestPlanner, TestPlannerRequest
 from live import Listener, ask, until
+
+
+def is_out_of_sight(place, scene):
+    """From the ego: farther away than sensors see, or with somebody in between."""
+    ego = scene.ego.states[-1].pose
+    to = complex(place.x - ego.x, place.y - ego.y)
+
+    def is_between(agent):
+        here = complex(agent.states[-1].pose.x - ego.x, agent.states[-1].pose.y - ego.y) / (to / abs(to))
+        return 0 < here.real < abs(to) and abs(here.imag) < 0.5 * math.hypot(agent.size.x, agent.size.y)
+    return abs(to) > 60.0 or any(is_between(agent) for agent in scene.agents)
+
 
 class JunctionTest(live.WholeRoadTest):
     SCENES = ['scene-0003']
@@ -131,6 +144,26 @@ class JunctionTest(live.WholeRoadTest):
         self.assertIn(len(answer.alternatives), (1, 2))
         for attack in answer.alternatives:
             self.assertTrue(attack.report.verified)
+
+    def test_a_believable_attack_goes_the_same_road(self):
+        self.check('rear_end', 'replay', 0, believable='true')
+
+    def test_live_who_is_added_is_out_of_sight_now(self):
+        found = 0
+        for now in (4.0, 6.0, 8.0, 10.0):
+            scene = self.play_to(now).snapshot
+            for collision_type in ('rear_end', 'opposite_direction'):
+                answer = self.ask_until(lambda answer: road.CODES[answer.code] != 'NO_SCENE', collision_type, 6.0,
+                                        mode='replay', believable='true', choice='new')
+                if answer.code != 0:
+                    self.assertIn(road.CODES[answer.code],
+                                  ('NO_CANDIDATE', 'ROAD_DOES_NOT_ALLOW', 'NO_ATTACK_WITHIN_LIMITS', 'NOT_BELIEVABLE'))
+                    continue
+                found += 1
+                trajectory = answer.attack.trajectory
+                self.assertTrue(trajectory.added and answer.attack.report.believable)
+                self.assertTrue(is_out_of_sight(trajectory.points[0].pose.position, scene), trajectory.points[0])
+        self.assertGreater(found, 0)
 
     def test_short_names_of_types_and_default_mode(self):
         first, _ = self.play_and_ask('rear_end', 'history', 0)
