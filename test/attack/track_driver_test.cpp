@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/forecast/random.h"
 #include "collision_forge/verify/drive_check.h"
 
 namespace forge {
@@ -82,20 +83,34 @@ TEST(TrackDriver, KeepsTheLimitsOfEveryClassWhateverThePlan) {
                                                      {AgentClass::kMotorcycle, {2.1, 0.8}}};
   for (const auto& [agent_class, size] : vehicles) {
     const DriveLimits limits = limitsOf(agent_class, size);
-    for (const double speed : {0.0, 2.0, 6.0, 12.0}) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      Random random(seed);
+      const double speed = seed % 5 == 0 ? 0.0 : random.uniform(0.0, 14.0);
+      const double swerve = random.uniform(0.5, 5.0);
+      const double sway = random.uniform(0.5, 3.0);
+      const double leap = random.uniform(0.0, 8.0);
+      const double beat = random.uniform(0.5, 4.0);
       // Swerves and leaps that nobody could drive.
       std::vector<PlannedStep> plan;
       for (std::size_t i = 0; i < kSteps; ++i) {
         const double time = kStep * static_cast<double>(i);
-        const double wanted = speed + 5.0 * std::sin(3.0 * time);
-        plan.push_back({{speed * time, 3.0 * std::sin(2.0 * time), std::cos(2.0 * time)},
+        const double wanted = speed + leap * std::sin(beat * time);
+        plan.push_back({{speed * time, swerve * std::sin(sway * time), std::cos(sway * time)},
                         std::max(0.0, wanted)});
       }
       const DriveState start = stateAt({}, speed, limits);
       std::vector<TrajectoryPoint> points;
       driverOf(limits).drive(start, kNow, plan, points);
       const auto broken = findBrokenDrive(points, start, 1e9, limits);
-      EXPECT_FALSE(broken) << toString(agent_class) << " at " << speed << ": " << describe(*broken);
+      EXPECT_FALSE(broken) << toString(agent_class) << ", seed " << seed << ": "
+                           << describe(*broken);
+      for (const TrajectoryPoint& point : points) {
+        const double lateral = point.speed * point.speed * std::abs(point.curvature);
+        EXPECT_LE(lateral, limits.max_lateral_acceleration)
+            << toString(agent_class) << ", seed " << seed << ", " << point.time - kNow << " s";
+        EXPECT_LE(std::hypot(point.acceleration, lateral), limits.max_braking)
+            << toString(agent_class) << ", seed " << seed << ", " << point.time - kNow << " s";
+      }
     }
   }
 }

@@ -12,6 +12,7 @@ constexpr double kSteeringTime = 0.3;   // s in which hands follow what the eyes
 constexpr double kPedalTime = 0.2;      // s; ... feet
 constexpr double kStanding = 0.02;      // m/s; slower is standing
 constexpr double kStopping = 3.0;       // 1/s; the last of the speed goes so quickly
+constexpr double kStraight = 1e-3;      // 1/m; who bends less is nowhere too fast
 constexpr double kNearestTarget = 1.0;  // m; no steering after nearer targets
 
 /// From one value towards another by a share of the way.
@@ -68,16 +69,23 @@ double TrackDriver::nextSteering(double wanted, const DriveState& state) const {
 
 double TrackDriver::nextAcceleration(double wanted, double steering,
                                      const DriveState& state) const {
+  const double change = limits_.max_jerk * step_;
   const double tightest = std::max(std::abs(state.steering), std::abs(steering));
-  const double lateral = state.speed * state.speed * std::tan(tightest) / limits_.wheelbase;
+  // As fast as it may be then: across the vehicle that counts squared.
+  const double faster = state.speed + std::max(0.0, state.acceleration + change) * step_;
+  const double lateral = faster * faster * std::tan(tightest) / limits_.wheelbase;
   const double grip =
       std::sqrt(std::max(0.0, limits_.max_braking * limits_.max_braking - lateral * lateral));
   // Brakes are let go in time to stand without a jolt.
   const double softly = std::min(kStopping, limits_.max_jerk / limits_.max_braking) * state.speed;
-  const double change = limits_.max_jerk * step_;
   const double least = -std::min(grip, softly);
   double most = std::min(grip, limits_.forwardAt(state.speed));
   most = std::min(most, (limits_.max_speed - state.speed) / step_);
+  if (const double bend = std::tan(std::abs(steering)) / limits_.wheelbase; bend > kStraight) {
+    // The speed changes by the mean of both accelerations.
+    const double fastest = std::sqrt(limits_.max_lateral_acceleration / bend);
+    most = std::min(most, 2.0 * (fastest - state.speed) / step_ - state.acceleration);
+  }
   const double towards = smoothed(wanted, state.acceleration, step_ / kPedalTime);
   const double held = std::clamp(towards, std::min(least, most), most);
   return std::clamp(held, state.acceleration - change, state.acceleration + change);
