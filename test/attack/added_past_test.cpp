@@ -12,6 +12,9 @@ constexpr double kMeeting = 300.0;  // m along the eastbound lane, 100 m ahead o
 
 class AddedPastTest : public testing::Test {
  protected:
+  /// The ways shall be long enough.
+  AddedPastTest() { options_.added.speeds.push_back(17.0); }
+
   /// What becomes of somebody who drives east at a steady speed, at a place along the lane now.
   /// Null: it could.
   const char* drive(double now, double speed, double aside = 0.0) {
@@ -31,7 +34,7 @@ class AddedPastTest : public testing::Test {
   }
 
   AddedScene scene_;
-  const AttackOptions options_ = shippedOptions();
+  AttackOptions options_ = shippedOptions();
   Track track_;
 };
 

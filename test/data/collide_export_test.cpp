@@ -163,6 +163,12 @@ TEST(CollideExport, AttackerIsAsRecordedUpToNowThenOnItsTrajectory) {
   }
 }
 
+TEST(CollideExport, AMotorcycleAttacksInNoClip) {
+  Scenario scenario = attack();
+  scenario.answer.trajectory.agent_class = AgentClass::kMotorcycle;
+  EXPECT_EQ(obstacleOf(scenario), ClipObstacle::kNoCar);
+}
+
 TEST(CollideExport, AnAddedAttackerIsAsItsPastSaysUpToNow) {
   Scenario scenario = attack();
   AttackerTrajectory& trajectory = scenario.answer.trajectory;

@@ -57,7 +57,8 @@ class BadInputTest(MadeUpTest):
 
     def test_controls_that_mean_nothing_or_contradict_each_other(self):
         self.show(drive(6))
-        for fields, words in ((dict(choice='old'), 'choice = "old"'), (dict(manoeuvre='swerve'), 'manoeuvre = "swerve"'),
+        for fields, words in ((dict(choice='old'), 'choice = "old"'),
+                              (dict(manoeuvre='swerve'), 'manoeuvre = "swerve"'),
                               (dict(manoeuvre='cut_in'), 'manoeuvre = cut_in is none of type rear_end'),
                               (dict(attacker='behind', choice='new'), 'choice = new'),
                               (dict(attacker_class='pedestrian'), 'attacker_class = pedestrian'),

@@ -289,7 +289,8 @@ class LiveTest(road.RoadTest):
         """The answer of the service is what forge inject put into a bag."""
         self.assert_close(answer.attack, road.read_one(attacked, '/attack'))
 
-    def offline(self, collision_type, mode, seed=0, nows=(6.0, 4.0, 8.0, 10.0), ttas=(4.0, 6.0, 2.0), believable='false'):
+    def offline(self, collision_type, mode, seed=0, nows=(6.0, 4.0, 8.0, 10.0), ttas=(4.0, 6.0, 2.0),
+                believable='false'):
         """The first request that forge inject can fulfil by a recorded vehicle: now, tta and the bag."""
         out = self.path('{}_{}.bag'.format(collision_type, mode))
         for now in nows:

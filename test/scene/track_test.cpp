@@ -35,6 +35,12 @@ TEST(CanAttack, HoldsForMotorVehicles) {
                                             "emergency_vehicle", "motorcycle"));
 }
 
+TEST(CanAttack, AllButMotorcyclesAreCarLike) {
+  EXPECT_FALSE(isCarLike(AgentClass::kMotorcycle));
+  EXPECT_FALSE(isCarLike(AgentClass::kPedestrian));
+  EXPECT_TRUE(isCarLike(AgentClass::kBus));
+}
+
 TEST(StateAt, InterpolatesPoseAndVelocity) {
   Track track = trackOf({{1.0, {0.0, 0.0, 0.0}}, {1.5, {4.0, 2.0, 0.4}}});
   track.states[0].velocity = {8.0, 4.0};

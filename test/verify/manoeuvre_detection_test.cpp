@@ -110,6 +110,18 @@ TEST_F(ManoeuvreTest, WhoIsBesideTheEgoInItsLaneDrifts) {
   EXPECT_EQ(detect(CollisionType::kLaneChange).manoeuvre, Manoeuvre::kDrift);
 }
 
+TEST_F(ManoeuvreTest, WhoseLaneLeadsIntoTheEgosMerges) {
+  auto map = emptyMap();
+  map->lanes = {straightLane("main", {-200.0, 0.0}, {200.0, 0.0}),
+                straightLane("ramp", {-60.0, -12.0}, {60.0, 0.0})};
+  road(map);
+  ego({0.0, 0.0, 0.0}, 8.0);
+  attacker([](double t) {
+    return TrajectoryPoint{0.0, {8.0 * t, -6.0 + 0.8 * t, 0.0997}, 8.0, 0.0, 0.0};
+  });
+  EXPECT_EQ(detect(CollisionType::kLaneChange).manoeuvre, Manoeuvre::kMerge);
+}
+
 TEST_F(ManoeuvreTest, WhoStandsBesideTheLanesPullsOut) {
   road(twoLaneRoad());
   ego({0.0, 0.0, 0.0}, 8.0);

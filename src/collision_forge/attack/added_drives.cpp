@@ -43,8 +43,7 @@ bool goOn(const AddedMeeting& meeting, double along, double speed, double accele
   return true;
 }
 
-/// So far from the way's middle is who stands or rides `gap` metres farther out than at the
-/// meeting.
+/// Offset from the way's middle, `gap` metres farther from the ego than at the meeting.
 double besideEgo(const AddedMeeting& meeting, const PathPose& place, double gap) {
   const double outward = place.across - meeting.way->path.seen(meeting.ego.center).across;
   return place.across + std::copysign(gap, outward);
@@ -124,6 +123,10 @@ std::vector<AddedManner> AddedDrives::mannersBeside(const AddedMeeting& meeting)
   if (asked) parks.clear();
   std::vector<AddedManner> drives = joined({trainsOf(meeting), cruises});
   if (!meeting.isEgosOwn()) return joined({drives, parks});
+  const AddedWay& way = *meeting.way;
+  const bool is_ego_there = !way.ego.empty() && std::abs(way.ego_across) < kOwnLane;
+  // Another lane leads into the ego's.
+  if (!is_ego_there) return joined({parks, drives});
   // Beside the ego in its lane is room for motorcycles alone.
   for (AddedManner& manner : drives) manner.rides = true;
   return joined({parks, drives});
@@ -232,14 +235,16 @@ bool AddedDrives::cruise(const AddedMeeting& meeting, double along, double speed
 /// The meeting stays; nobody drives backwards.
 void AddedDrives::vary(const SpeedVariation& variation, double contact, AddedDrive& drive) {
   const double end = variation.way(contact);
-  const auto count = static_cast<double>(drive.on.size());
-  for (std::size_t i = 0; i < drive.on.size(); ++i) {
-    drive.on[i] += variation.way(contact * static_cast<double>(i + 1) / count) - end;
+  double next = drive.on.back();
+  const auto shift = [&](double& along, double time) {
+    next = along = std::min(next, along + variation.way(time) - end);
+  };
+  const double step = contact / static_cast<double>(drive.on.size());
+  for (std::size_t i = drive.on.size(); i-- > 0;) {
+    shift(drive.on[i], step * static_cast<double>(i + 1));
   }
-  double next = drive.on.empty() ? drive.back.front() : drive.on.front();
   for (std::size_t i = 0; i < drive.back.size(); ++i) {
-    drive.back[i] += variation.way(-kStep * static_cast<double>(i)) - end;
-    drive.back[i] = next = std::min(next, drive.back[i]);
+    shift(drive.back[i], -kStep * static_cast<double>(i));
   }
 }
 

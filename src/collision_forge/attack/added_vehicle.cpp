@@ -19,6 +19,8 @@ namespace {
 
 constexpr double kMinContact = 0.3;  // s from now
 
+bool isCar(const AddedVehicle& vehicle) { return isCarLike(vehicle.track.agent_class); }
+
 class Casting {
  public:
   Casting(const AddedVehicleInput& input, const AttackOptions& options)
@@ -53,10 +55,8 @@ class Casting {
       if (isEnough(vehicles.found)) break;
     }
     if (vehicles.found.empty()) vehicles.status = refusal();
-    // Motorcycles between the lanes are rarer than cars that change lanes.
-    std::stable_partition(vehicles.found.begin(), vehicles.found.end(), [](const auto& vehicle) {
-      return vehicle.track.agent_class != AgentClass::kMotorcycle;
-    });
+    // Motorcycles beside the ego in its lane are rarer than cars that change lanes.
+    std::stable_partition(vehicles.found.begin(), vehicles.found.end(), isCar);
     return vehicles;
   }
 
@@ -216,7 +216,10 @@ class Casting {
   const char* tryOne(const AddedMeeting& meeting, const AddedManner& manner,
                      std::vector<AddedVehicle>& found) {
     const auto& asked = input_.request.attacker_class;
-    if (manner.rides && asked && *asked != AgentClass::kMotorcycle) return "are too wide";
+    if (manner.rides && asked && *asked != AgentClass::kMotorcycle) {
+      has_way_ = true;
+      return "are too wide";
+    }
     const AddedKind kind = drawKind(manner.rides ? AgentClass::kMotorcycle : asked);
     const BoxSize size{kind.length, kind.width};
     const std::string name = nameOf(found.size());
@@ -311,13 +314,17 @@ Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& 
   Realization best;
   best.status = vehicles.status;
   bool is_found = false;
-  // Where the ego is known, the first one that can is as good as any.
-  const std::size_t together = input.isFutureKnown() ? 1 : vehicles.found.size();
-  for (std::size_t i = 0; i < vehicles.found.size(); i += together) {
+  const auto cars =
+      static_cast<std::size_t>(std::count_if(vehicles.found.begin(), vehicles.found.end(), isCar));
+  // Where the ego is known, the first one that can is as good as any; else cars, and motorcycles,
+  // are tried together.
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < vehicles.found.size(); i = next) {
+    next = input.isFutureKnown() ? i + 1 : (i < cars ? cars : vehicles.found.size());
     Snapshot snapshot = input.snapshot;
     std::vector<CollisionPattern> patterns;
     AttackerWays ways;
-    for (std::size_t j = i; j < i + together; ++j) {
+    for (std::size_t j = i; j < next; ++j) {
       const AddedVehicle& vehicle = vehicles.found[j];
       snapshot.agents.push_back(within(vehicle.track, snapshot));
       patterns.insert(patterns.end(), vehicle.patterns.begin(), vehicle.patterns.end());
@@ -329,10 +336,9 @@ Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& 
       if (i == 0) best.status = answer.status;
       continue;
     }
-    if (answer.trajectory.agent_class == AgentClass::kMotorcycle &&
-        input.request.attacker_class != AgentClass::kMotorcycle) {
-      answer.effort += options.added.riding_cost;
-    }
+    const bool is_last_resort = !isCarLike(answer.trajectory.agent_class) &&
+                                input.request.attacker_class != AgentClass::kMotorcycle;
+    if (is_last_resort) answer.effort += options.added.riding_cost;
     if (is_found && worthOf(answer) <= worthOf(best)) continue;
     is_found = true;
     best = std::move(answer);
@@ -340,11 +346,8 @@ Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& 
         vehicles.found.begin(), vehicles.found.end(),
         [&](const AddedVehicle& other) { return other.track.id == best.trajectory.attacker_id; });
     best.trajectory.past = vehicle->track.states;
-    // Motorcycles come last.
-    if (worthOf(best) >= options.search.good_share ||
-        best.trajectory.agent_class == AgentClass::kMotorcycle) {
-      break;
-    }
+    // Behind a last resort there are only others.
+    if (worthOf(best) >= options.search.good_share || is_last_resort) break;
   }
   return best;
 }

@@ -17,7 +17,8 @@ struct AddedVehicle {
   std::vector<CollisionPattern> patterns;  ///< by its track's id, in the futures that it is for
 };
 
-/// Vehicles that fit into the scene, the ones that drive the most plainly first, or why none does.
+/// Vehicles that fit into the scene, the ones that drive the most plainly first and motorcycles
+/// last, or why none does.
 struct AddedVehicles {
   std::vector<AddedVehicle> found;
   Status status;  ///< kNoCandidate or kRoadDoesNotAllow without any

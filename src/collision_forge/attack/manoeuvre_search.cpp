@@ -83,7 +83,7 @@ class ManoeuvreSearch {
   }
 
  private:
-  /// All drafts of the contenders whose first ones come nearest, where there are many.
+  /// Where there are many contenders, one draft of each, and more of those that come nearest.
   void draft() {
     const auto most = static_cast<std::size_t>(route_.drafted);
     std::vector<std::pair<double, const Contender*>> ranked;
@@ -101,7 +101,7 @@ class ManoeuvreSearch {
     for (const auto& [best, contender] : ranked) draftFor(*contender);
   }
 
-  /// The drafts that a contender's routes lead to; the first of each kind, or the others.
+  /// The drafts that a contender's routes lead to, of those that are due.
   void draftFor(const Contender& contender) {
     const double meant = contender.aims.front().pattern->time - input_.snapshot.now;
     const bool has_way = input_.ways.count(contender.track->id) > 0;
@@ -142,11 +142,8 @@ class ManoeuvreSearch {
       candidate.draft.heading = placement.heading;
       const std::vector<Draft> drafts = mannersOf(candidate);
       for (const double slide : kSlides) {
-        if (sketches_ && slide != 0.0) continue;
         for (std::size_t i = 0; i < drafts.size(); ++i) {
-          const bool is_sketch = slide == 0.0 && i == 0;
-          if (has_sketches_ && slide != 0.0 && i > 0) break;
-          if (sketches_ ? !is_sketch : has_sketches_ && is_sketch) continue;
+          if (!isDue(slide, i)) continue;
           candidate.draft = drafts[i];
           candidate.draft.slide = slide;
           consider(candidate);
@@ -155,10 +152,22 @@ class ManoeuvreSearch {
     }
   }
 
+  /// First one draft of every vehicle, then those that differ from it in one thing. Few vehicles
+  /// have all drafts at once.
+  bool isDue(double slide, std::size_t manner) const {
+    const bool is_first = slide == 0.0 && manner == 0;
+    if (sketches_) return is_first;
+    return !has_sketches_ || (!is_first && (slide == 0.0 || manner == 0));
+  }
+
   /// Different departures, and late changes of speed where the ego runs into the attacker.
   std::vector<Draft> mannersOf(const Candidate& candidate) const {
     std::vector<Draft> drafts;
-    Draft draft = candidate.draft;
+    Draft draft;
+    draft.ego = candidate.draft.ego;
+    draft.contact = candidate.draft.contact;
+    draft.side = candidate.draft.side;
+    draft.heading = candidate.draft.heading;
     const bool leads = input_.request.type == CollisionType::kRearEnd && draft.side == Side::kFront;
     for (const double start : route_.starts) {
       draft.wait = draft.contact - start;
@@ -360,9 +369,9 @@ class ManoeuvreSearch {
   Random random_;
   ArrivalSampler sampler_;
   std::size_t all_points_ = 0;
-  bool sketches_ = false;        // first drafts alone
-  bool has_sketches_ = false;    // ... which are done
-  double best_ = 0.0;            // objective of a contender's drafts
+  bool sketches_ = false;        // one draft a contender ...
+  bool has_sketches_ = false;    // ... which was done
+  double best_ = 0.0;            // objective of the contender's drafts so far
   std::vector<Candidate> kept_;  // best first
   Future judged_;                // with one of the egos; of the others what they do
   const RouteDriver* last_route_ = nullptr;

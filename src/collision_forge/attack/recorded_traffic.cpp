@@ -35,8 +35,7 @@ RecordedTraffic::RecordedTraffic(const Snapshot& past, const Future& future, dou
   const auto add = [&](const Track& track, int from, int to, bool is_ego) {
     if (track.states.empty()) return;
     const bool hides_others =
-        track.agent_class == AgentClass::kTrailer ||
-        (canAttack(track.agent_class) && track.agent_class != AgentClass::kMotorcycle);
+        isCarLike(track.agent_class) || track.agent_class == AgentClass::kTrailer;
     const double radius = circumradius(track.size);
     const auto instantOf = [&](double time) { return (time - past.now) / interval; };
     // The first instant stands for the first frame, which is less than an interval later.

@@ -15,7 +15,7 @@ constexpr double kSpacing = ReferencePath::kBendSpacing;
 constexpr double kSpeedPrecision = 0.01;    // m/s, of the speed that is driven at, and ...
 constexpr std::uintmax_t kMostTrials = 20;  // ... of these to find it
 constexpr double kLookahead = 0.4;          // s that a driver sees a bend before
-constexpr double kWandering = 2.0;          // m/s; slower ones are about to stand or just moved off
+constexpr double kWandering = 2.0;          // m/s; slower ones wander less
 constexpr double kStandstill = 0.05;        // m/s; nobody moves across without moving along
 
 }  // namespace
@@ -69,7 +69,7 @@ double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) con
   const DrivingStyle& style = options_.styles[cruise.style];
   const DrivingStyle& wildest = options_.styles.back();
   const double share = options_.limit_share;
-  const double jitter = variation_.amplitude * variation_.frequency();
+  const double wave_jerk = variation_.amplitude * variation_.frequency();
   double along = start_.along;
   double speed = now_.speed;
   double acceleration = now_.acceleration;
@@ -81,14 +81,14 @@ double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) con
   for (double time = 0.0; time < cruise.arrival - 1e-9; time += cruise.step) {
     if (alongs) alongs->push_back(along);
     const double duration = std::min(cruise.step, cruise.arrival - time);
-    const double wander = speed > kWandering ? wave.y() : 0.0;
+    const double wander = wave.y() * std::clamp(speed / kWandering, 0.0, 1.0);
     wave = {wave.x() * turned.x() - wave.y() * turned.y(),
             wave.x() * turned.y() + wave.y() * turned.x()};
     if (time < cruise.wait && speed == 0.0) continue;
     const double target = std::min(cruise.speed, cap(cruise.style, along + kLookahead * speed));
     double wanted =
         std::clamp((target - speed) / options_.settling, -style.braking, style.forward) + wander;
-    double jerk = style.jerk + jitter;
+    double jerk = style.jerk + wave_jerk;
     if (time >= cruise.late_from) {
       wanted = cruise.late_acceleration;
       jerk = wildest.jerk;

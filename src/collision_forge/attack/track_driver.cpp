@@ -87,7 +87,7 @@ double TrackDriver::nextAcceleration(double wanted, double steering,
     most = std::min(most, 2.0 * (fastest - state.speed) / step_ - state.acceleration);
   }
   const double towards = smoothed(wanted, state.acceleration, step_ / kPedalTime);
-  const double held = std::clamp(towards, std::min(least, most), most);
+  const double held = std::clamp(towards, least, std::max(least, most));
   return std::clamp(held, state.acceleration - change, state.acceleration + change);
 }
 

@@ -132,6 +132,7 @@ class ClipBuilder {
     if (!isComplete(ego)) return ClipObstacle::kEgoMissing;
 
     const AttackerTrajectory& trajectory = scenario_.answer.trajectory;
+    if (!isCarLike(trajectory.agent_class)) return ClipObstacle::kNoCar;
     const std::optional<Track> track = pastOf(trajectory);
     if (!track) return ClipObstacle::kAttackerMissing;
     CollideTrack attacker{trajectory.attacker_id, {}};
@@ -149,7 +150,7 @@ class ClipBuilder {
 
   void addOthers() {
     for (const Track& agent : scene_.agents) {
-      if (!canAttack(agent.agent_class)) continue;
+      if (!isCarLike(agent.agent_class)) continue;
       if (agent.id == scenario_.answer.trajectory.attacker_id) continue;
       CollideTrack track{agent.id, {}};
       for (const double time : clip_.times) track.frames.push_back(stateInFrame(agent, time));
@@ -195,6 +196,8 @@ const char* toString(ClipObstacle obstacle) {
       return "without a recorded frame at the collision";
     case ClipObstacle::kTrajectoryEnds:
       return "with a trajectory that ends before the collision frame";
+    case ClipObstacle::kNoCar:
+      return "by a motorcycle, which readers would take for a car";
     case ClipObstacle::kUnfitName:
       return "with a name of map, scene or attacker that cannot be part of a file's";
   }

@@ -17,6 +17,7 @@ enum class ClipObstacle {
   kAttackerMissing,   ///< the attacker is not there in a frame up to now
   kNoCollisionFrame,  ///< the recording ends before the collision frame, or that is not after now
   kTrajectoryEnds,    ///< the attacker's trajectory ends before the collision frame
+  kNoCar,             ///< the attacker is a motorcycle: readers give every track a car's box
   kUnfitName,         ///< map, scene or attacker have a '_' or '/' in their name, or none
 };
 
@@ -26,7 +27,7 @@ const char* toString(ClipObstacle obstacle);
 /// An attack in the layout of COLLIDE; `scene` is the recording that it was asked of.
 ///
 /// Frame kCollideNowFrame is now, the last one the recorded frame that lies TTA / 0.5 s, rounded,
-/// after it. In all frames ego and other vehicles (canAttack()) are as recorded, the attacker up to
+/// after it. In all frames ego and other vehicles (isCarLike()) are as recorded, the attacker up to
 /// now; after now it is on its trajectory. Poses are middles of boxes, the ego's too; a speed is
 /// the norm of the velocity, the attacker's after now that of its trajectory. Tracks are in the
 /// order of their ids; who is in no frame is left out.

@@ -18,9 +18,10 @@ TypeDefinition narrowedAbout(const TypeDefinition& definition, double heading, d
 double drawnHeading(const CollisionRequest& request, const TypeDefinition& definition);
 
 /// Makes the clip of a request of listClipRequests(). The ego's box at the impact and everybody
-/// else are as recorded; candidates are the vehicles recorded in every frame of the clip up to now;
-/// the attack search of replay mode realises a placement of the type at drawnHeading(), touching
-/// within `time_tolerance` of the target time. The answer has code kOk only if
+/// else are as recorded; candidates are the vehicles recorded in every frame of the clip up to now,
+/// and by `choice` vehicles that are added; the attack search of replay mode realises a placement
+/// of the type at drawnHeading(), touching within `time_tolerance` of the target time. The answer
+/// has code kOk only if
 ///
 /// - strictOutcome() bears it out on the recording, by the full definition of the type;
 /// - at most `max_off_road_share` of the attacker is off the road;

@@ -11,7 +11,8 @@ constexpr int kSmoothingRounds = 2;
 constexpr double kJointGap = 0.2;      // metres, closer points of two lanes are one
 constexpr double kMinLength = 1.0;     // metres, shorter ways are none
 constexpr std::size_t kMaxDepth = 12;  // lanes one after the other
-constexpr double kMinBend = 1e-3;      // 1/m; straight is no bend
+constexpr double kTightest = 0.8;  // of the radius of a bend that a path beside it is from the path
+constexpr double kMinBend = 1e-3;  // 1/m; straight is no bend
 
 /// Points of the line from end to end, evenly spread, about a metre apart.
 std::vector<Vector2> spread(const Polyline& line) {
@@ -93,11 +94,13 @@ void ReferencePath::setControls(const Polyline& line) {
 }
 
 ReferencePath ReferencePath::beside(double across) const {
-  const auto count = static_cast<std::size_t>(std::ceil(length()));
+  const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(length())));
   std::vector<Vector2> points;
   for (std::size_t i = 0; i <= count; ++i) {
-    const double along = length() * static_cast<double>(i) / static_cast<double>(count);
-    points.push_back(compose(at(along).pose, {0.0, across, 0.0}).position());
+    const Place place = at(length() * static_cast<double>(i) / static_cast<double>(count));
+    // Within a bend that is tighter the path would go back.
+    if (place.curvature * across > kTightest) continue;
+    points.push_back(compose(place.pose, {0.0, across, 0.0}).position());
   }
   ReferencePath path = *this;
   path.setControls(Polyline(points));

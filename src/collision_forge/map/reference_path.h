@@ -30,7 +30,7 @@ class ReferencePath {
   /// that nobody drives.
   explicit ReferencePath(const Polyline& line);
 
-  /// The path so many metres to its left.
+  /// The path so many metres to its left; it cuts bends that are tighter than that.
   ReferencePath beside(double across) const;
 
   double length() const { return spacing_ * static_cast<double>(controls_.size() - 3); }

@@ -36,6 +36,10 @@ bool canAttack(AgentClass agent_class) {
          std::end(kAttackerClasses);
 }
 
+bool isCarLike(AgentClass agent_class) {
+  return canAttack(agent_class) && agent_class != AgentClass::kMotorcycle;
+}
+
 std::optional<AgentState> stateAt(const Track& track, double time, double max_gap) {
   const auto& states = track.states;
   const auto after =

@@ -77,7 +77,7 @@ inline constexpr std::array<SpeedBand, 4> kSpeedBands = {SpeedBand::kAll, SpeedB
 const char* toString(ClassGroup group);
 const char* toString(SpeedBand band);
 
-/// The smallest group of a class, kAll for one that cannot attack.
+/// The smallest group of a class, kAll for one without a group of its own.
 ClassGroup groupOf(AgentClass agent_class);
 /// The band of a speed, m/s; kAll below 2 m/s.
 SpeedBand bandOf(double speed);

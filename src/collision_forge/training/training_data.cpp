@@ -99,7 +99,7 @@ void collectScene(const Scene& scene, const LaneIndex& lanes, const LearningOpti
   }
   for (std::size_t i = 0; i < scene.agents.size(); ++i) {
     const Track& vehicle = scene.agents[i];
-    if (!canAttack(vehicle.agent_class) ||
+    if (!isCarLike(vehicle.agent_class) ||
         meanSpeed(vehicle) < options.training.min_vehicle_speed) {
       continue;
     }

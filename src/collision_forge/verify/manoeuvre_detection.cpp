@@ -125,8 +125,9 @@ DetectedManoeuvre detectDeparture(const Window& window, const AttackerTrajectory
   }
   if (is_lane_change) {
     if (std::abs(offset(window.last()) - kept) > kOwnWay) return {Manoeuvre::kCutIn, begin};
-    const auto ego = stateAt(input.future.ego, begin);
-    const bool is_beside = ego && way->project(ego->pose.position()).distance < kBeside;
+    const auto ego = stateAt(input.future.ego, window.first().time);
+    // The way begins where the attacker is; the ego may be behind that.
+    const bool is_beside = ego && std::abs(way->project(ego->pose.position()).lateral) < kBeside;
     return {is_beside ? Manoeuvre::kDrift : Manoeuvre::kMerge, begin};
   }
   const bool overtakes = isBehindSomebody(*way, poseAt(trajectory, begin), begin, input.future,
