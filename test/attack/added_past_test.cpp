@@ -82,6 +82,8 @@ TEST_F(AddedPastTest, KeepsToItsLane) {
 
 TEST_F(AddedPastTest, IsNotParkedAgainstTheTraffic) {
   EXPECT_STREQ(drive(200.0, 0.0, 3.0), "would be parked against the traffic");
+  EXPECT_STREQ(drive(200.0, 0.0, 1.2), "would be parked against the traffic")
+      << "between the lanes";
 }
 
 TEST_F(AddedPastTest, IsNotParkedInAJunction) {

@@ -13,7 +13,6 @@ constexpr double kStep = AddedDrive::kStep;
 constexpr int kSteps = 2;           // of a drive, an instant of the traffic
 constexpr int kSmoothing = 3;       // steps to either side that a speed is told from
 constexpr double kUntouched = 0.3;  // s before the contact: until then nobody else is touched
-constexpr double kInLane = 1.75;    // m from the middle of a lane: in it
 
 }  // namespace
 
@@ -144,7 +143,10 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
 
 bool AddedPast::facesTraffic(const Pose2& pose) const {
   const Pose2 turned{pose.x, pose.y, wrapAngle(pose.yaw + M_PI)};
-  return !input_.lanes.lanesNear(turned, kInLane, options_.prediction.on_lane_heading).empty();
+  return !input_.lanes
+              .lanesNear(turned, options_.route.parking_distance,
+                         options_.prediction.on_lane_heading)
+              .empty();
 }
 
 bool AddedPast::isInJunction(const Pose2& pose) const {
