@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 #include "attack/test_scenes.h"
 #include "collision_forge/attack/realizer.h"
 
@@ -129,6 +132,17 @@ TEST(AddedVehicle, HasAPastAtAllFramesUntilNow) {
     for (const CollisionPattern& pattern : vehicle.patterns) {
       EXPECT_EQ(pattern.attacker_id, vehicle.track.id);
     }
+  }
+}
+
+TEST(AddedVehicle, HasANameOfItsOwn) {
+  Case scene;
+  scene.others = {longPast("added-1", kCarSize, {-40.0, 60.0, 0.0}, 0.0)};
+  std::set<std::string> names = {"added-1"};
+  const AddedVehicles vehicles = scene.vehicles();
+  ASSERT_GE(vehicles.found.size(), 2u) << vehicles.status.message;
+  for (const AddedVehicle& vehicle : vehicles.found) {
+    EXPECT_TRUE(names.insert(vehicle.track.id).second) << vehicle.track.id;
   }
 }
 

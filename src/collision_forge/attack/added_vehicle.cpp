@@ -222,7 +222,7 @@ class Casting {
     }
     const AddedKind kind = drawKind(manner.rides ? AgentClass::kMotorcycle : asked);
     const BoxSize size{kind.length, kind.width};
-    const std::string name = nameOf(found.size());
+    const std::string name = newName(found);
     const SpeedVariation variation = variationOf(name, input_.request.seed, options_.route);
     if (!drives_.plan(meeting, manner, size, drive_, variation)) return "cannot drive so";
     const ReferencePath& path = meeting.way->path;
@@ -242,12 +242,18 @@ class Casting {
     return nullptr;
   }
 
-  std::string nameOf(std::size_t index) const {
+  std::string newName(const std::vector<AddedVehicle>& found) const {
     std::string name;
-    const auto isTaken = [&](const Track& agent) { return agent.id == name; };
+    const auto isNamed = [&](const Track& agent) { return agent.id == name; };
+    const auto isTaken = [&] {
+      return std::any_of(past_.agents.begin(), past_.agents.end(), isNamed) ||
+             std::any_of(found.begin(), found.end(),
+                         [&](const AddedVehicle& vehicle) { return isNamed(vehicle.track); });
+    };
+    std::size_t index = found.size();
     do {
       name = "added-" + std::to_string(++index);
-    } while (std::any_of(past_.agents.begin(), past_.agents.end(), isTaken));
+    } while (isTaken());
     return name;
   }
 
@@ -346,7 +352,7 @@ Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& 
         vehicles.found.begin(), vehicles.found.end(),
         [&](const AddedVehicle& other) { return other.track.id == best.trajectory.attacker_id; });
     best.trajectory.past = vehicle->track.states;
-    // Behind a last resort there are only others.
+    // After the first motorcycle come motorcycles alone.
     if (worthOf(best) >= options.search.good_share || is_last_resort) break;
   }
   return best;

@@ -8,10 +8,6 @@ namespace forge {
 
 double SpeedVariation::frequency() const { return 2.0 * M_PI / period; }
 
-double SpeedVariation::at(double time) const {
-  return amplitude * std::sin(frequency() * time + phase);
-}
-
 double SpeedVariation::way(double time) const {
   const double rate = frequency();
   const double turned = rate * time + phase;

@@ -15,9 +15,8 @@ struct SpeedVariation {
   double phase = 0.0;      ///< rad
 
   double frequency() const;  ///< rad/s
-  /// Acceleration, m/s2, at a time from now.
-  double at(double time) const;
-  /// Metres that the driver is ahead then of one who drives evenly, as fast now.
+  /// Metres that the driver is ahead, at a time in s from now, of one who drives evenly, as fast
+  /// now.
   double way(double time) const;
 };
 

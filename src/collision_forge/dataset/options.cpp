@@ -1,6 +1,9 @@
 #include "collision_forge/dataset/options.h"
 
 #include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "collision_forge/config/section.h"
 
@@ -14,10 +17,12 @@ void readOptions(Section& section, DatasetOptions& options, double time_margin) 
   options.min_length = section.atLeast("min_length", 4.0);
   options.max_length = section.atLeast("max_length", options.min_length);
   options.min_ego_speed = section.nonNegative("min_ego_speed");
-  options.choice =
-      section.choice<AttackerChoice>("choice", {{"any", AttackerChoice::kAny},
-                                                {"existing", AttackerChoice::kExisting},
-                                                {"new", AttackerChoice::kNew}});
+  std::vector<std::pair<std::string, AttackerChoice>> choices;
+  for (const AttackerChoice choice :
+       {AttackerChoice::kAny, AttackerChoice::kExisting, AttackerChoice::kNew}) {
+    choices.emplace_back(toString(choice), choice);
+  }
+  options.choice = section.choice("choice", choices);
   Section attempts = section.section("attempts");
   for (const CollisionType type : kCollisionTypes) {
     options.attempts[type] = attempts.count(toString(type), 0);
