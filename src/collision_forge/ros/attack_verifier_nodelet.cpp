@@ -20,7 +20,7 @@ namespace forge {
 /// contact, or at the end of the attacker's trajectory when there was none.
 class AttackVerifierNodelet : public nodelet::Nodelet {
  private:
-  static constexpr std::size_t kQueue = 100;
+  static constexpr std::size_t kKept = 100;  // newest poses and frames
   static constexpr double kAhead = 1.0;  // s; agents of a new replay may come before its odometry
 
   struct Frame {
@@ -35,8 +35,9 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     publisher_ = node.advertise<collision_forge::CollisionReport>(names::kTestedReport, 1, true);
     subscribers_ = {
         node.subscribe(names::kAttack, 1, &AttackVerifierNodelet::receiveAttack, this),
-        node.subscribe(names::kOdometry, kQueue, &AttackVerifierNodelet::receiveOdometry, this),
-        node.subscribe(names::kAgents, kQueue, &AttackVerifierNodelet::receiveAgents, this)};
+        node.subscribe(names::kOdometry, kTopicQueue, &AttackVerifierNodelet::receiveOdometry,
+                       this),
+        node.subscribe(names::kAgents, kTopicQueue, &AttackVerifierNodelet::receiveAgents, this)};
   }
 
   void receiveAttack(const collision_forge::Attack& message) {
@@ -104,7 +105,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
   template <typename Value>
   static void keepNewest(std::deque<Value>& values, const Value& value) {
     values.push_back(value);
-    if (values.size() > kQueue) values.pop_front();
+    if (values.size() > kKept) values.pop_front();
   }
 
   void publishOutcome() {

@@ -6,6 +6,7 @@
 
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/injection.h"
+#include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
@@ -15,15 +16,13 @@ namespace forge {
 /// then.
 class AttackerInjectorNodelet : public nodelet::Nodelet {
  private:
-  static constexpr int kQueue = 100;
-
   void onInit() override {
     ros::NodeHandle& node = getNodeHandle();
-    publisher_ = node.advertise<collision_forge::AgentArray>(names::kInjectedAgents, kQueue);
+    publisher_ = node.advertise<collision_forge::AgentArray>(names::kInjectedAgents, kTopicQueue);
     attack_subscriber_ =
         node.subscribe(names::kAttack, 1, &AttackerInjectorNodelet::receiveAttack, this);
     agents_subscriber_ =
-        node.subscribe(names::kAgents, kQueue, &AttackerInjectorNodelet::receiveAgents, this);
+        node.subscribe(names::kAgents, kTopicQueue, &AttackerInjectorNodelet::receiveAgents, this);
   }
 
   void receiveAttack(const collision_forge::Attack& message) {

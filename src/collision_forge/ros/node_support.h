@@ -17,6 +17,9 @@
 
 namespace forge {
 
+/// Messages of a topic that may wait: a bag may be played as fast as it can be read.
+inline constexpr int kTopicQueue = 10000;
+
 /// The folder named by the private parameter `config_dir`, by default the package's own config/.
 std::string nodeConfigFolder(const ros::NodeHandle& private_node);
 

@@ -19,19 +19,17 @@ namespace forge {
 /// agents + lane_map + tf -> encoded_scene, once a frame of agents.
 class SceneEncoderNodelet : public nodelet::Nodelet {
  private:
-  static constexpr int kQueue = 100;  // messages of a topic
-
   void onInit() override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
     history_.emplace(config_.attack.prediction.history_frames, config_.ego_vehicle);
     ros::NodeHandle& node = getNodeHandle();
     map_ = std::make_unique<LaneMapSubscriber>(node);
-    publisher_ = node.advertise<collision_forge::EncodedScene>(names::kEncodedScene, kQueue);
+    publisher_ = node.advertise<collision_forge::EncodedScene>(names::kEncodedScene, kTopicQueue);
     subscribers_ = {
-        node.subscribe(names::kTf, kQueue, &SceneEncoderNodelet::receiveTransforms, this),
-        node.subscribe(names::kStaticTf, kQueue, &SceneEncoderNodelet::receiveStaticTransforms,
+        node.subscribe(names::kTf, kTopicQueue, &SceneEncoderNodelet::receiveTransforms, this),
+        node.subscribe(names::kStaticTf, kTopicQueue, &SceneEncoderNodelet::receiveStaticTransforms,
                        this),
-        node.subscribe(names::kAgents, kQueue, &SceneEncoderNodelet::receiveAgents, this)};
+        node.subscribe(names::kAgents, kTopicQueue, &SceneEncoderNodelet::receiveAgents, this)};
   }
 
   void receiveTransforms(const tf2_msgs::TFMessage& message) {
