@@ -197,6 +197,21 @@ class InjectionTest(road.RoadTest):
                 answered += 1
         self.assertGreater(answered, 1)
 
+    def test_alternatives_are_distinct_until_there_are_no_more(self):
+        attacks, out = set(), self.path('out.bag')
+        for number in range(1, 17):
+            result = road.inject(self.source, out, 'rear_end', 4.0, NOW, '--seed', 5, '--alternative', number)
+            if result.returncode != 0:
+                break
+            attack = road.read_one(out, '/attack')
+            if number == 1:
+                self.assertEqual(attack.trajectory, self.trajectory)
+            attacks.add((attack.trajectory.attacker_id, attack.report.manoeuvre))
+            self.assertEqual(len(attacks), number)
+        self.assertGreater(len(attacks), 1)
+        self.assertEqual(road.code_of(result), 'NO_ATTACK_WITHIN_LIMITS')
+        self.assertIn('there are {} distinct attacks only'.format(len(attacks)), result.stderr)
+
     def test_attacked_bag_is_a_bag_like_any_other(self):
         result = road.inject(self.attacked, self.path('out.bag'), 'rear_end', 4.0, 2.0)
         self.assertEqual(road.code_of(result), 'OK', result.stderr)

@@ -8,6 +8,7 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/attack/request_check.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/draw_scenario.h"
 #include "collision_forge/ros/bag_reader.h"
@@ -27,6 +28,7 @@ struct Arguments {
   std::string config;
   std::string method;
   double now = 0.0;
+  int alternative = 1;
   collision_forge::CollisionRequest request;
   RequestControls controls;
   Mode mode = Mode::kHistory;
@@ -99,6 +101,19 @@ void checkOutputs(const Arguments& arguments) {
   for (const char* ending : {".png", ".gif"}) checkPicture(arguments.draw + ending, arguments);
 }
 
+/// The attack that is to be injected, `number` 1 the method's own; declined where there are fewer.
+Realization alternativeOf(const Realization& first, int number) {
+  if (first.status.code != StatusCode::kOk || number == 1) return first;
+  const std::size_t others = first.alternatives.size();
+  const auto place = static_cast<std::size_t>(number) - 2;
+  if (place < others) return first.alternatives[place];
+  Realization declined;
+  declined.status = {StatusCode::kNoAttackWithinLimits,
+                     "--alternative " + std::to_string(number) + ": there are " +
+                         std::to_string(others + 1) + " distinct attacks only"};
+  return declined;
+}
+
 int inject(const Arguments& arguments) {
   checkOutputs(arguments);
   collision_forge::CollisionRequest asked = arguments.request;
@@ -108,6 +123,7 @@ int inject(const Arguments& arguments) {
   if (const Status* refusal = std::get_if<Status>(&parsed)) return refuse(*refusal);
   CollisionRequest request = std::get<CollisionRequest>(parsed);
   arguments.controls.applyTo(request);
+  request.alternatives = arguments.alternative;
   std::vector<std::string> warnings;
   const Scene scene = readBag(arguments.bag, config.ego_vehicle, &warnings);
   printWarnings(arguments.bag, warnings);
@@ -117,7 +133,8 @@ int inject(const Arguments& arguments) {
   const Moment moment{snapshotAt(scene, now, prediction.history_frames), recordedFuture(scene, now),
                       std::make_shared<const LaneIndex>(scene.map), pastOf(scene, now)};
   const MethodMaker maker = loadMethod(arguments.method, config, config.attack);
-  const Realization attack = generateCollision(*maker.make(), moment, request, prediction);
+  const Realization attack = alternativeOf(
+      generateCollision(*maker.make(), moment, request, prediction), arguments.alternative);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);
   CollisionReport tested =
       verify(attack.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
@@ -163,6 +180,10 @@ void addInject(CommandLine& line) {
       ->required();
   addAttacker(app, arguments->controls);
   addControls(app, arguments->controls);
+  app.add_option("--alternative", arguments->alternative,
+                 "which of the attacks that differ in attacker or manoeuvre; 1, the default: the "
+                 "surest")
+      ->check(CLI::Range(1, kMaxAlternatives));
   addMethod(app, arguments->method);
   addMode(app, arguments->mode);
   addSeed(app, request.seed, "of the variations tried");
