@@ -98,6 +98,26 @@ TEST(AddedVehicle, RidesBesideTheEgoWhereNobodyCanBeParked) {
   EXPECT_EQ(scene.result().status.code, StatusCode::kNoCandidate) << "too wide";
 }
 
+TEST(AddedVehicle, ComesTheWrongWayIfThatIsAskedFor) {
+  Case scene;
+  scene.map = emptyMap();
+  scene.map->lanes = {straightLane("one_way", {-200.0, 0.0}, {200.0, 0.0})};
+  scene.ego = {-40.0, 0.0, 0.0};
+  scene.request = believableRequestFor(CollisionType::kOppositeDirection);
+  EXPECT_EQ(scene.result().status.code, StatusCode::kRoadDoesNotAllow) << "nobody comes there";
+  scene.request.manoeuvre = Manoeuvre::kWrongWay;
+  const Realization answer = scene.result();
+  ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
+  EXPECT_TRUE(isAsAsked(answer.report, scene.request));
+  EXPECT_TRUE(answer.report.believable()) << answer.report.unbelievable;
+  EXPECT_EQ(answer.report.road.wrong_way, 1.0) << "is told as it is";
+  EXPECT_EQ(answer.report.road.on_lane, 0.0);
+  for (const AgentState& state : answer.trajectory.past) {
+    EXPECT_NEAR(std::abs(state.pose.yaw), M_PI, 0.2);
+    EXPECT_NEAR(state.pose.y, 0.0, 1.0) << "keeps to the lane";
+  }
+}
+
 TEST(AddedVehicle, IsTakenEvenIfNothingIsPromised) {
   Case scene;
   Future future = scene.future();

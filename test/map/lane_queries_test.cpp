@@ -59,6 +59,29 @@ TEST(LaneIndex, ResolvesSuccessorsAndIgnoresUnknownIds) {
   EXPECT_FALSE(index.centerline(4).has_value());
 }
 
+TEST(LaneIndex, ReversedIsDrivenTheOtherWay) {
+  LaneMap map = fork();
+  for (Lane& lane : map.lanes) {
+    for (const std::string& id : lane.outgoing) {
+      for (Lane& next : map.lanes) {
+        if (next.id == id) next.incoming.push_back(lane.id);
+      }
+    }
+  }
+  const LaneIndex index = makeIndex(map);
+  const LaneIndex& reversed = index.reversed();
+  EXPECT_EQ(&reversed, &index.reversed()) << "made once";
+  EXPECT_NE(reversed.map().driving_side, map.driving_side);
+  EXPECT_TRUE(reversed.successors(0).empty());
+  EXPECT_EQ(reversed.successors(1), (std::vector<std::size_t>{0}));
+  const Pose2 end = reversed.pathAhead(5, 0.0, 60.0).poseAt(60.0);
+  EXPECT_NEAR(end.x, 0.0, 0.1) << "from the end of the last lane to the beginning of the first";
+  EXPECT_NEAR(std::abs(end.yaw), M_PI, 1e-6);
+  const Pose2 against{10.0, 0.0, M_PI};
+  EXPECT_FALSE(index.grid().isOnLane(against, 2.0, 0.5));
+  EXPECT_TRUE(reversed.grid().isOnLane(against, 2.0, 0.5));
+}
+
 TEST(LanesNear, KeepsToDistanceAndHeading) {
   const LaneIndex index = makeIndex(fork());
   const auto matches = index.lanesNear({10.0, 1.0, 0.2}, 4.0, 0.5);

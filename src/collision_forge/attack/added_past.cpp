@@ -121,7 +121,7 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
     }
   }
   const RoadUse road =
-      roadUse(points_, track.size, past_.now, input_.lanes, options_.verification.believability);
+      roadUse(points_, track.size, past_.now, input_.driven(), options_.verification.believability);
   const bool is_parked = points_.back().speed == 0.0 && points_.front().speed == 0.0;
   if (is_parked && isInJunction(points_.back().pose)) return "would be parked in a junction";
   if (is_parked && facesTraffic(points_.back().pose)) return "would be parked against the traffic";

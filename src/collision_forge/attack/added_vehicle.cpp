@@ -106,7 +106,7 @@ class Casting {
   void addMeetings(const Track& future, double contact, std::vector<AddedMeeting>& meetings) {
     const OrientedBox ego = {poseOf(future, past_.now + contact), past_.ego.size};
     const std::vector<FittingLane> fitting =
-        fittingLanes(ego, input_.request.bands(), input_.request.type, input_.lanes,
+        fittingLanes(ego, input_.request.bands(), input_.request.type, input_.driven(),
                      options_.verification.believability);
     for (const FittingLane& lane : fitting) {
       // The ways to a lane that follows are the same, and more.

@@ -52,7 +52,7 @@ AddedWays::AddedWays(const AddedVehicleInput& input, const AddedVehicleOptions& 
       options_(options),
       past_(input.known()),
       steps_back_(stepsBack(past_)),
-      ways_to_(input.lanes) {}
+      ways_to_(input.driven()) {}
 
 const std::vector<std::unique_ptr<AddedWay>>& AddedWays::to(const FittingLane& fitting) {
   const auto [entry, is_new] = ways_.try_emplace(fitting.lane);

@@ -24,6 +24,8 @@ struct AddedVehicleInput {
   const CollisionRequest& request;
   const LaneIndex& lanes;
 
+  /// Those that vehicles are added on.
+  const LaneIndex& driven() const { return drivenLanes(request, lanes); }
   /// All that is known up to now.
   const Snapshot& known() const { return past ? *past : snapshot; }
   /// The ego's future is, rather than predicted.

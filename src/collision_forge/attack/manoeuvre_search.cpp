@@ -55,6 +55,7 @@ class ManoeuvreSearch {
  public:
   ManoeuvreSearch(const SearchInput& input, const AttackOptions& options)
       : input_(input),
+        driven_(drivenLanes(input.request, input.lanes)),
         options_(options),
         search_(options.search),
         route_(options.route),
@@ -254,7 +255,7 @@ class ManoeuvreSearch {
     if (findBrokenDrive(points_, contender.drive_start, until, contender.limits)) return;
     candidate.road =
         roadUseUntilManoeuvre(points_, contender.track->size, now + candidate.draft.contact,
-                              input_.lanes, options_.verification.believability);
+                              driven_, options_.verification.believability);
     candidate.objective -= route_.off_lane_weight * (1.0 - candidate.road.on_lane) +
                            route_.off_road_weight * candidate.road.off_road +
                            route_.wrong_way_weight * candidate.road.wrong_way;
@@ -360,6 +361,7 @@ class ManoeuvreSearch {
   }
 
   const SearchInput& input_;
+  const LaneIndex& driven_;
   const AttackOptions& options_;
   const SearchOptions& search_;
   const RouteDriverOptions& route_;

@@ -66,6 +66,17 @@ void appendStretch(const Polyline& line, double from, double to, std::vector<Vec
   }
 }
 
+LaneMap reverseLanes(LaneMap map) {
+  map.driving_side =
+      map.driving_side == DrivingSide::kRight ? DrivingSide::kLeft : DrivingSide::kRight;
+  for (Lane& lane : map.lanes) {
+    std::reverse(lane.centerline.begin(), lane.centerline.end());
+    for (Pose2& pose : lane.centerline) pose.yaw = wrapAngle(pose.yaw + M_PI);
+    std::swap(lane.incoming, lane.outgoing);
+  }
+  return map;
+}
+
 // A path too short to have a heading goes straight on.
 void lengthenToMinimum(LanePath& path) {
   if (path.length < kMinPathLength || path.points.size() < 2) {
@@ -189,6 +200,14 @@ LaneIndex::LaneIndex(std::shared_ptr<const LaneMap> map)
   for (const Polygon& polygon : map_->drivable_area) {
     drivable_bounds_.push_back(boundsOf(polygon.exterior));
   }
+}
+
+const LaneIndex& LaneIndex::reversed() const {
+  std::call_once(reversed_->once, [&] {
+    reversed_->index =
+        std::make_unique<const LaneIndex>(std::make_shared<const LaneMap>(reverseLanes(*map_)));
+  });
+  return *reversed_->index;
 }
 
 std::vector<LaneMatch> LaneIndex::lanesNear(const Pose2& pose, double max_distance,

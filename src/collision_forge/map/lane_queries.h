@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -83,12 +84,21 @@ class LaneIndex {
   /// The same of the walkways.
   const AreaRaster& walkways() const { return walkways_; }
 
+  /// The same map with every lane driven the other way, which turns the driving side round, too.
+  /// Made when it is first asked for (milliseconds); lives as long as this one.
+  const LaneIndex& reversed() const;
+
   /// Share of the box's area off the union of the drivable polygons, in [0, 1], told from the
   /// middles of equal cells at most 0.25 m long and wide. Empty (unknown) when the map has no
   /// drivable area.
   std::optional<double> offRoadShare(const OrientedBox& box) const;
 
  private:
+  struct Reversed {
+    std::once_flag once;
+    std::unique_ptr<const LaneIndex> index;
+  };
+
   const Polyline& existingCenterline(std::size_t lane) const;
   void extend(LanePath& path, std::size_t lane, double from, double distance) const;
 
@@ -100,6 +110,7 @@ class LaneIndex {
   std::vector<std::vector<std::size_t>> successors_;  // one a lane
   std::vector<Eigen::AlignedBox2d> lane_bounds_;      // one a lane, empty without a centreline
   std::vector<Eigen::AlignedBox2d> drivable_bounds_;  // one a drivable polygon
+  std::unique_ptr<Reversed> reversed_ = std::make_unique<Reversed>();
 };
 
 }  // namespace forge

@@ -48,6 +48,10 @@ bool directionFits(double relative_heading, const TypeDefinition& band, Collisio
 
 }  // namespace
 
+const LaneIndex& drivenLanes(const CollisionRequest& request, const LaneIndex& lanes) {
+  return request.manoeuvre == Manoeuvre::kWrongWay ? lanes.reversed() : lanes;
+}
+
 RoadUse roadUse(const std::vector<TrajectoryPoint>& points, const BoxSize& size, double until,
                 const LaneIndex& lanes, const BelievabilityOptions& options) {
   RoadUse use;
@@ -163,12 +167,12 @@ std::string whyUnbelievable(const RoadUse& road, double off_road_now, const Lane
 bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
                 const LaneIndex& lanes, const BelievabilityOptions& options) {
   if (lanes.map().lanes.empty()) return true;
+  const LaneIndex& driven = drivenLanes(request, lanes);
   for (const double share : {0.0, -0.5, 0.5, -1.0, 1.0}) {
     const double time = now + request.tta + share * request.crash.time_tolerance;
     const Pose2 pose = stateAt(ego, time).value_or(ego.states.back()).pose;
-    if (!fittingLanes(boxAt(ego, pose), request.bands(), request.type, lanes, options).empty()) {
-      return true;
-    }
+    const OrientedBox box = boxAt(ego, pose);
+    if (!fittingLanes(box, request.bands(), request.type, driven, options).empty()) return true;
   }
   return false;
 }

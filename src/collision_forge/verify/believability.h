@@ -12,6 +12,10 @@
 
 namespace forge {
 
+/// The lanes as an attacker of the request comes along them: against their direction if it asks for
+/// Manoeuvre::kWrongWay.
+const LaneIndex& drivenLanes(const CollisionRequest& request, const LaneIndex& lanes);
+
 /// Of the points up to and including the first at or after `until` (seconds, clock of the points);
 /// all shares are 0 without points. Poses are box middles in the global map frame; the box's places
 /// are those of placesOf(). Nobody is off a drivable area or on an island of it where the map has
@@ -61,7 +65,7 @@ std::vector<FittingLane> fittingLanes(const OrientedBox& ego, const TypeDefiniti
 
 /// A crash of the request's type and time is one that the road allows: the map has no lanes, or
 /// some lane fits (fittingLanes()) the ego's box at the time asked for or up to the tolerance
-/// before or after it. `ego`: from `now` on, its last state beyond its end.
+/// before or after it; of drivenLanes(). `ego`: from `now` on, its last state beyond its end.
 bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
                 const LaneIndex& lanes, const BelievabilityOptions& options);
 

@@ -209,12 +209,15 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   report.manoeuvre = detected.manoeuvre;
   report.manoeuvre_begin = detected.begin;
   const std::vector<TrajectoryPoint>& points = trajectory.points;
-  report.road = roadUseOfAttack(points, trajectory.size, report.contact_time, input.lanes,
-                                options.believability);
-  const RoadUse now =
-      roadUse(points, trajectory.size, points.front().time, input.lanes, options.believability);
-  report.unbelievable =
-      whyUnbelievable(report.road, now.off_road, input.lanes, options.believability);
+  const BelievabilityOptions& believability = options.believability;
+  const auto roadUseOn = [&](const LaneIndex& lanes) {
+    return roadUseOfAttack(points, trajectory.size, report.contact_time, lanes, believability);
+  };
+  report.road = roadUseOn(input.lanes);
+  const LaneIndex& driven = drivenLanes(input.request, input.lanes);
+  const RoadUse judged = &driven == &input.lanes ? report.road : roadUseOn(driven);
+  const RoadUse now = roadUse(points, trajectory.size, points.front().time, driven, believability);
+  report.unbelievable = whyUnbelievable(judged, now.off_road, driven, believability);
   return report;
 }
 
