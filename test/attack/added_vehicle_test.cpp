@@ -40,11 +40,15 @@ struct Case {
     const Snapshot now = snapshot();
     return addVehicles({now, live ? nullptr : &all, future(), request, LaneIndex(map)}, options);
   }
-  Realization result() const {
+  Realization resultIn(const Future& known,
+                       SearchedMotion motion = SearchedMotion::kByRoutes) const {
     const Snapshot all = past();
     const Snapshot now = snapshot();
-    return realizeByAdded({now, live ? nullptr : &all, future(), request, LaneIndex(map)}, options);
+    const LaneIndex lanes(map);
+    const AddedVehicleInput input{now, live ? nullptr : &all, known, request, lanes};
+    return realizeByAdded(addVehicles(input, options), input, options, motion);
   }
+  Realization result() const { return resultIn(future()); }
 };
 
 TEST(AddedVehicle, CrashesAsAskedIntoAnEgoThatIsAlone) {
@@ -126,13 +130,19 @@ TEST(AddedVehicle, IsTakenEvenIfNothingIsPromised) {
     future.ego_samples.push_back(futureTrack(kEgoId, kEgoSize, scene.ego, i % 2 == 0 ? 8.0 : 0.0));
   }
   scene.request.crash.min_confidence = 0.0;
-  const Snapshot all = scene.past();
-  const Snapshot now = scene.snapshot();
-  const Realization answer =
-      realizeByAdded({now, &all, future, scene.request, LaneIndex(scene.map)}, scene.options);
+  const Realization answer = scene.resultIn(future);
   ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
   EXPECT_EQ(answer.report.confidence, 0.0);
   EXPECT_FALSE(answer.trajectory.points.empty());
+}
+
+TEST(AddedVehicle, MayDriveInAnyMotionFromNowOn) {
+  const Case scene;
+  const Realization answer = scene.resultIn(scene.future(), SearchedMotion::kAny);
+  ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
+  EXPECT_TRUE(isAsAsked(answer.report, scene.request));
+  EXPECT_TRUE(answer.trajectory.isAdded());
+  EXPECT_EQ(answer.effort, scene.options.any_motion.cost);
 }
 
 TEST(AddedVehicle, HasAPastAtAllFramesUntilNow) {

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/attack/realizer.h"
 #include "collision_forge/forecast/kinematic_prediction.h"
 
 namespace forge {
@@ -431,6 +432,24 @@ TEST(GenerateCollision, EveryAnswerHoldsAgainstABruteForceCheck) {
   }
   for (const CollisionType type : kCollisionTypes) {
     EXPECT_GE(answered[type], 6) << toString(type) << ": too few answers to mean anything";
+  }
+}
+
+TEST(SearchMethod, TakesAnyBelievableMotionWhereNobodyCanAttackAlongARoute) {
+  Case scene;
+  scene.request = believableRequestFor(CollisionType::kRearEnd);
+  scene.request.choice = AttackerChoice::kExisting;
+  const Realization along = scene.result();
+  ASSERT_EQ(along.status.code, StatusCode::kOk) << along.status.message;
+  EXPECT_LT(along.effort, scene.options.any_motion.cost);
+  scene.options.route.reach = 0.01;  // so that no route leads to the ego
+  for (const auto& choice : {AttackerChoice::kExisting, AttackerChoice::kAny}) {
+    scene.request.choice = choice;
+    const Realization answer = scene.result();
+    ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
+    EXPECT_TRUE(isAsAsked(answer.report, scene.request));
+    EXPECT_TRUE(answer.report.believable()) << answer.report.unbelievable;
+    EXPECT_EQ(answer.effort, scene.options.any_motion.cost);
   }
 }
 

@@ -309,37 +309,50 @@ Track within(const Track& track, const Snapshot& snapshot) {
   return seen;
 }
 
+/// realize() by all of these vehicles.
+Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehicleInput& input,
+                      const AttackOptions& options, SearchedMotion motion) {
+  Snapshot snapshot = input.snapshot;
+  std::vector<CollisionPattern> patterns;
+  AttackerWays ways;
+  for (const AddedVehicle& vehicle : vehicles) {
+    snapshot.agents.push_back(within(vehicle.track, snapshot));
+    patterns.insert(patterns.end(), vehicle.patterns.begin(), vehicle.patterns.end());
+    ways.emplace(vehicle.track.id, vehicle.way);
+  }
+  Realization answer = realize(patterns, {snapshot, input.future, input.request, input.lanes},
+                               options, false, ways, motion);
+  if (answer.status.code != StatusCode::kOk) return answer;
+  const auto vehicle = std::find_if(
+      vehicles.begin(), vehicles.end(),
+      [&](const AddedVehicle& other) { return other.track.id == answer.trajectory.attacker_id; });
+  answer.trajectory.past = vehicle->track.states;
+  return answer;
+}
+
 }  // namespace
 
 AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& options) {
   return Casting(input, options).run();
 }
 
-Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& options) {
-  const AddedVehicles vehicles = addVehicles(input, options);
+Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
+                           const AttackOptions& options, SearchedMotion motion) {
   Realization best;
   best.status = vehicles.status;
   bool is_found = false;
-  const auto cars =
-      static_cast<std::size_t>(std::count_if(vehicles.found.begin(), vehicles.found.end(), isCar));
+  const auto first = vehicles.found.begin();
+  const auto end = vehicles.found.end();
+  const auto motorcycles = std::partition_point(first, end, isCar);
   // Where the ego is known, the first one that can is as good as any; else cars, and motorcycles,
   // are tried together.
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < vehicles.found.size(); i = next) {
-    next = input.isFutureKnown() ? i + 1 : (i < cars ? cars : vehicles.found.size());
-    Snapshot snapshot = input.snapshot;
-    std::vector<CollisionPattern> patterns;
-    AttackerWays ways;
-    for (std::size_t j = i; j < next; ++j) {
-      const AddedVehicle& vehicle = vehicles.found[j];
-      snapshot.agents.push_back(within(vehicle.track, snapshot));
-      patterns.insert(patterns.end(), vehicle.patterns.begin(), vehicle.patterns.end());
-      ways.emplace(vehicle.track.id, vehicle.way);
-    }
-    Realization answer = realize(patterns, {snapshot, input.future, input.request, input.lanes},
-                                 options, false, ways);
+  auto next = first;
+  for (auto from = first; from != end; from = next) {
+    const bool is_together = !input.isFutureKnown() || motion == SearchedMotion::kAny;
+    next = is_together ? (from < motorcycles ? motorcycles : end) : std::next(from);
+    Realization answer = realizeBy({from, next}, input, options, motion);
     if (answer.status.code != StatusCode::kOk) {
-      if (i == 0) best.status = answer.status;
+      if (from == first) best.status = answer.status;
       continue;
     }
     const bool is_last_resort = !isCarLike(answer.trajectory.agent_class) &&
@@ -348,10 +361,6 @@ Realization realizeByAdded(const AddedVehicleInput& input, const AttackOptions& 
     if (is_found && worthOf(answer) <= worthOf(best)) continue;
     is_found = true;
     best = std::move(answer);
-    const auto vehicle = std::find_if(
-        vehicles.found.begin(), vehicles.found.end(),
-        [&](const AddedVehicle& other) { return other.track.id == best.trajectory.attacker_id; });
-    best.trajectory.past = vehicle->track.states;
     // After the first motorcycle come motorcycles alone.
     if (worthOf(best) >= options.search.good_share || is_last_resort) break;
   }

@@ -11,15 +11,17 @@
 #include "collision_forge/attack/manoeuvre_search.h"
 #include "collision_forge/attack/steering_search.h"
 #include "collision_forge/forecast/random.h"
+#include "collision_forge/verify/believability.h"
 #include "collision_forge/verify/drive_check.h"
 #include "collision_forge/verify/limits.h"
 
 namespace forge {
 namespace {
 
-constexpr double kShrink = 0.6;      // of the perturbations, a round
-constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit is within it
-constexpr double kHome = 0.02;       // m from the pattern: near enough
+constexpr double kShrink = 0.6;        // of the perturbations, a round
+constexpr double kRounding = 0.999;    // of a limit, so that a bicycle at the limit is within it
+constexpr double kUnbelievable = 0.5;  // as a share of the futures: others go first
+constexpr double kHome = 0.02;         // m from the pattern: near enough
 
 VehicleLimits scaled(VehicleLimits limits, double margin) {
   limits.max_forward_acceleration *= margin;
@@ -32,6 +34,15 @@ VehicleLimits scaled(VehicleLimits limits, double margin) {
   return limits;
 }
 
+/// Of believable attackers the bicycle is tried less: few more of them are found by it.
+SearchOptions searchOptionsFor(const SearchInput& input, const AttackOptions& options) {
+  SearchOptions search = options.search;
+  if (!input.request.crash.believable) return search;
+  search.bicycle_targets = options.any_motion.bicycle_targets;
+  search.bicycle_rounds = options.any_motion.bicycle_rounds;
+  return search;
+}
+
 struct Candidate {
   const Contender* contender = nullptr;
   const Aim* aim = nullptr;
@@ -41,7 +52,8 @@ struct Candidate {
   FutureScore score;
   PatternMiss miss;  // with a share above 0
   double off_road = 0.0;
-  double steering = 0.0;  // fastest, 1/(m s)
+  double steering = 0.0;      // fastest, 1/(m s)
+  bool is_believable = true;  // or need not be
   double objective = 0.0;
 };
 
@@ -50,7 +62,7 @@ class Search {
   Search(const SearchInput& input, const AttackOptions& options)
       : input_(input),
         options_(options),
-        search_(options.search),
+        search_(searchOptionsFor(input, options)),
         limits_(scaled(options.verification.limits, options.search.limit_margin)),
         bicycle_(scaled(limits_, kRounding), options.bicycle),
         scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
@@ -70,7 +82,7 @@ class Search {
     }
     if (!isGood()) {
       steerToArrivals();
-      if (bestShare() == 0.0) steerAnyhow();
+      if (!input_.request.crash.believable && bestShare() == 0.0) steerAnyhow();
       for (int round = 0; round < search_.bicycle_rounds && !isGood(); ++round) {
         perturb(bicycles_, search_.bicycle_perturbations, std::pow(kShrink, round));
       }
@@ -169,8 +181,23 @@ class Search {
     candidate.objective -= search_.off_road_weight * candidate.off_road +
                            search_.effort_weight * effort(points_, arrival, limits_) +
                            search_.steering_weight * beyond(candidate.steering);
+    if (input_.request.crash.believable) candidate.objective -= roadCost(candidate);
     kept.insert(std::upper_bound(kept.begin(), kept.end(), candidate, better), candidate);
     if (static_cast<int>(kept.size()) > search_.kept) kept.pop_back();
+  }
+
+  /// Of the points; says, too, whether a driver would use the road so.
+  double roadCost(Candidate& candidate) const {
+    const BelievabilityOptions& believability = options_.verification.believability;
+    const BoxSize& size = candidate.contender->track->size;
+    const LaneIndex& lanes = drivenLanes(input_.request, input_.lanes);
+    const double contact = candidate.contender->start.now + candidate.aimed.arrival.time;
+    const RoadUse road = roadUseOfAttack(points_, size, contact, lanes, believability);
+    const RoadUse now = roadUse(points_, size, points_.front().time, lanes, believability);
+    candidate.is_believable = whyUnbelievable(road, now.off_road, lanes, believability).empty();
+    return options_.route.off_lane_weight * (1.0 - road.on_lane) +
+           options_.route.wrong_way_weight * road.wrong_way +
+           (candidate.is_believable ? 0.0 : kUnbelievable);
   }
 
   /// Compares the contact with the aim. What that counts: nothing within the pattern's tolerance, 1
@@ -205,7 +232,7 @@ class Search {
     const auto good = [this](const std::vector<Candidate>& kept) {
       return !kept.empty() && kept.front().score.share >= search_.good_share &&
              kept.front().off_road <= search_.good_off_road &&
-             kept.front().steering <= search_.good_steering &&
+             kept.front().steering <= search_.good_steering && kept.front().is_believable &&
              (input_.exact ? isExact(kept.front().miss, search_)
                            : beyondTolerance(kept.front()) <= search_.exact_distance);
     };
@@ -326,6 +353,7 @@ class Search {
     found.objective = candidate.objective;
     found.aim = candidate.aim->pattern;
     found.miss = candidate.miss;
+    if (input_.request.crash.believable) found.effort = options_.any_motion.cost;
     for (const std::size_t i : scorer_.hits(*found.attacker, found.points, found.score.met)) {
       found.hits.push_back(input_.egos[i]);
     }
@@ -334,7 +362,7 @@ class Search {
 
   const SearchInput& input_;
   const AttackOptions& options_;
-  const SearchOptions& search_;
+  SearchOptions search_;
   VehicleLimits limits_;
   BicycleFamily bicycle_;
   FutureScorer scorer_;
@@ -354,7 +382,7 @@ bool isExact(const PatternMiss& miss, const SearchOptions& options) {
 }
 
 std::vector<FoundAttack> searchAttacks(const SearchInput& input, const AttackOptions& options) {
-  if (input.request.crash.believable) return searchManoeuvres(input, options);
+  if (input.isByRoutes()) return searchManoeuvres(input, options);
   return Search(input, options).run();
 }
 

@@ -35,6 +35,12 @@ using AttackerWays = std::map<std::string, ReferencePath>;
 
 inline const AttackerWays kNoWays;
 
+/// What motion of attackers that are to be believable is searched.
+enum class SearchedMotion {
+  kByRoutes,  ///< along a route of lanes until their manoeuvre
+  kAny,       ///< as they can within the limits; what use that makes of the road is judged alone
+};
+
 /// What the search is given.
 struct SearchInput {
   const Snapshot& snapshot;
@@ -45,6 +51,11 @@ struct SearchInput {
   const LaneIndex& lanes;
   bool exact = false;  ///< nothing counts as much as a contact at the pattern
   const AttackerWays& ways = kNoWays;
+  SearchedMotion motion = SearchedMotion::kByRoutes;
+
+  bool isByRoutes() const {
+    return request.crash.believable && motion == SearchedMotion::kByRoutes;
+  }
 };
 
 /// True within SearchOptions::exact_distance and exact_heading.
@@ -54,7 +65,8 @@ bool isExact(const PatternMiss& miss, const SearchOptions& options);
 /// and families of motion for attacks whose conditions hold in most of the ego's futures: the
 /// arrivals that the patterns tell, others around them and along the sides that they touch, the
 /// best ones moved nearer to their pattern, perturbations of the best, then the bicycle where no
-/// quintic is good enough. Best first; only attacks with a share above 0. The draws follow from the
+/// quintic is good enough. Believable attackers are searched by searchManoeuvres() instead, unless
+/// any motion will do. Best first; only attacks with a share above 0. The draws follow from the
 /// request's seed.
 std::vector<FoundAttack> searchAttacks(const SearchInput& input, const AttackOptions& options);
 

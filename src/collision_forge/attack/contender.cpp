@@ -70,7 +70,7 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
                           options.search.step);
     entry->drive_start = driveStateNow(agent, options.verification);
   }
-  if (crash.believable) {
+  if (input.isByRoutes()) {
     addRoutes(*entry, input, options);
     return entry;
   }

@@ -97,6 +97,12 @@ static DrivingStyle readStyle(Section section) {
   return style;
 }
 
+static void readOptions(Section& section, AnyMotionOptions& options) {
+  options.cost = section.nonNegative("cost");
+  options.bicycle_targets = section.count("bicycle_targets", 0);
+  options.bicycle_rounds = section.count("bicycle_rounds", 0);
+}
+
 static void readOptions(Section& section, RouteDriverOptions& options) {
   Section styles = section.section("styles");
   for (const char* name : {"calm", "gentle", "brisk", "hard"}) {
@@ -185,6 +191,7 @@ static void readOptions(Section& section, AddedVehicleOptions& options) {
 
 static void readOptions(Section& file, AttackOptions& options) {
   file.read("routes", options.route);
+  file.read("any_motion", options.any_motion);
   file.read("added", options.added);
   file.read("search", options.search);
   file.read("bicycle_family", options.bicycle);

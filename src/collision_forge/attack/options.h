@@ -54,6 +54,13 @@ struct DrivingStyle {
   double cost = 0.0;     ///< as a share of the futures
 };
 
+/// config/search.yaml, section any_motion
+struct AnyMotionOptions {
+  double cost = 0.0;
+  int bicycle_targets = 0;
+  int bicycle_rounds = 0;
+};
+
 /// config/search.yaml, section routes
 struct RouteDriverOptions {
   std::vector<DrivingStyle> styles;  ///< the tamest first
@@ -174,6 +181,7 @@ struct AttackOptions {
   PredictionOptions prediction;
   SearchOptions search;
   RouteDriverOptions route;
+  AnyMotionOptions any_motion;
   AddedVehicleOptions added;
   BicycleOptions bicycle;
   SteeringOptions steering;

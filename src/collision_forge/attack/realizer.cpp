@@ -160,12 +160,14 @@ double confidenceOf(double share, const std::vector<double>& curve) {
 }
 
 Realization realize(const std::vector<CollisionPattern>& patterns, const VerificationInput& input,
-                    const AttackOptions& options, bool exact, const AttackerWays& ways) {
+                    const AttackOptions& options, bool exact, const AttackerWays& ways,
+                    SearchedMotion motion) {
   checkPatterns(patterns, input.snapshot);
   const std::vector<const Track*> searched = everySecond(input.future, 0);
-  const std::vector<FoundAttack> attacks = searchAttacks(
-      {input.snapshot, input.future, searched, patterns, input.request, input.lanes, exact, ways},
-      options);
+  const std::vector<FoundAttack> attacks =
+      searchAttacks({input.snapshot, input.future, searched, patterns, input.request, input.lanes,
+                     exact, ways, motion},
+                    options);
   Rejections rejections;
   Realization found;
   for (const FoundAttack& attack : attacks) {

@@ -35,9 +35,9 @@ double confidenceOf(double share, const std::vector<double>& curve);
 /// (isExact()), or there is no answer. Same input and seed, same answer. Declines with
 /// kLowConfidence below `min_confidence`. Throws std::invalid_argument for a pattern whose attacker
 /// is not in the snapshot, whose time is not after now, or with a number that is not finite or a
-/// tolerance below 0. `ways`: of believable attackers.
+/// tolerance below 0. `ways` and `motion`: of believable attackers.
 Realization realize(const std::vector<CollisionPattern>& patterns, const VerificationInput& input,
-                    const AttackOptions& options, bool exact = false,
-                    const AttackerWays& ways = {});
+                    const AttackOptions& options, bool exact = false, const AttackerWays& ways = {},
+                    SearchedMotion motion = SearchedMotion::kByRoutes);
 
 }  // namespace forge

@@ -1,5 +1,6 @@
 #include "collision_forge/attack/search_method.h"
 
+#include <optional>
 #include <utility>
 
 #include "collision_forge/attack/added_vehicle.h"
@@ -48,23 +49,34 @@ SearchMethod::SearchMethod(const AttackOptions& options,
 Realization SearchMethod::answer(const Moment& moment, const CollisionRequest& request) const {
   const PatternPrediction prediction = predictor_->predict(
       moment.snapshot, *moment.lanes, request, moment.recorded ? &*moment.recorded : nullptr);
-  Realization existing;
-  existing.status = prediction.status;
+  const VerificationInput input{moment.snapshot, prediction.future, request, *moment.lanes};
+  const AddedVehicleInput added_input{moment.snapshot, moment.past.get(), prediction.future,
+                                      request, *moment.lanes};
   const bool may_exist = request.attacker || request.choice != AttackerChoice::kNew;
-  if (may_exist && prediction.status.code == StatusCode::kOk) {
-    existing = realize(prediction.patterns,
-                       {moment.snapshot, prediction.future, request, *moment.lanes}, options_);
-  }
-  if (!mayBeAdded(existing, moment, request, options_)) {
-    if (!may_exist && (!request.crash.believable || moment.lanes->map().lanes.empty())) {
-      existing.status = {StatusCode::kNoCandidate,
-                         "vehicles are added to maps with lanes, and believable, alone"};
+  const bool has_patterns = may_exist && prediction.status.code == StatusCode::kOk;
+  std::optional<AddedVehicles> vehicles;
+  const auto answerBy = [&](SearchedMotion motion) {
+    Realization existing;
+    existing.status = prediction.status;
+    if (has_patterns) {
+      existing = realize(prediction.patterns, input, options_, false, kNoWays, motion);
     }
-    return existing;
+    if (!mayBeAdded(existing, moment, request, options_)) return existing;
+    if (!vehicles) vehicles = addVehicles(added_input, options_);
+    const Realization added = realizeByAdded(*vehicles, added_input, options_, motion);
+    return isPreferred(added, existing, may_exist, options_.added) ? added : existing;
+  };
+
+  if (!may_exist && (!request.crash.believable || moment.lanes->map().lanes.empty())) {
+    Realization refused;
+    refused.status = {StatusCode::kNoCandidate,
+                      "vehicles are added to maps with lanes, and believable, alone"};
+    return refused;
   }
-  const Realization added = realizeByAdded(
-      {moment.snapshot, moment.past.get(), prediction.future, request, *moment.lanes}, options_);
-  return isPreferred(added, existing, may_exist, options_.added) ? added : existing;
+  const Realization answer = answerBy(SearchedMotion::kByRoutes);
+  if (answer.status.code == StatusCode::kOk || !request.crash.believable) return answer;
+  const Realization other = answerBy(SearchedMotion::kAny);
+  return other.status.code == StatusCode::kOk ? other : answer;
 }
 
 }  // namespace forge
