@@ -92,6 +92,22 @@ TEST(FindAlternatives, AsksForNothingThatTheRequestForbids) {
   for (const std::string& name : added.names()) EXPECT_EQ(name.rfind("added bus ", 0), 0u) << name;
 }
 
+TEST(FindAlternatives, SendNobodyTheWrongWayWhoShallBeBelievable) {
+  Case oncoming;
+  oncoming.request.type = CollisionType::kOppositeDirection;
+  oncoming.request.crash.believable = true;
+  oncoming.answer();
+  const auto wrongWay = [](const CollisionRequest& asked) {
+    return asked.manoeuvre == Manoeuvre::kWrongWay;
+  };
+  const auto& asked = oncoming.method.asked;
+  EXPECT_EQ(std::count_if(asked.begin(), asked.end(), wrongWay), 0);
+  oncoming.method.asked.clear();
+  oncoming.request.crash.believable = false;
+  oncoming.answer();
+  EXPECT_EQ(std::count_if(asked.begin(), asked.end(), wrongWay), 1);
+}
+
 TEST(FindAlternatives, StopsWhereThereAreEnough) {
   Case one;
   one.request.alternatives = 1;

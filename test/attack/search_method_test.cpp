@@ -441,7 +441,6 @@ TEST(SearchMethod, TakesAnyBelievableMotionWhereNobodyCanAttackAlongARoute) {
   scene.request.choice = AttackerChoice::kExisting;
   const Realization along = scene.result();
   ASSERT_EQ(along.status.code, StatusCode::kOk) << along.status.message;
-  EXPECT_LT(along.effort, scene.options.any_motion.cost);
   scene.options.route.reach = 0.01;  // so that no route leads to the ego
   for (const auto& choice : {AttackerChoice::kExisting, AttackerChoice::kAny}) {
     scene.request.choice = choice;
@@ -449,7 +448,6 @@ TEST(SearchMethod, TakesAnyBelievableMotionWhereNobodyCanAttackAlongARoute) {
     ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
     EXPECT_TRUE(isAsAsked(answer.report, scene.request));
     EXPECT_TRUE(answer.report.believable()) << answer.report.unbelievable;
-    EXPECT_EQ(answer.effort, scene.options.any_motion.cost);
   }
 }
 

@@ -123,7 +123,8 @@ int inject(const Arguments& arguments) {
   if (const Status* refusal = std::get_if<Status>(&parsed)) return refuse(*refusal);
   CollisionRequest request = std::get<CollisionRequest>(parsed);
   arguments.controls.applyTo(request);
-  request.alternatives = arguments.alternative;
+  // All of them: the others are sorted by how sure they are.
+  request.alternatives = arguments.alternative == 1 ? 1 : kMaxAlternatives;
   std::vector<std::string> warnings;
   const Scene scene = readBag(arguments.bag, config.ego_vehicle, &warnings);
   printWarnings(arguments.bag, warnings);
@@ -182,7 +183,7 @@ void addInject(CommandLine& line) {
   addControls(app, arguments->controls);
   app.add_option("--alternative", arguments->alternative,
                  "which of the attacks that differ in attacker or manoeuvre; 1, the default: the "
-                 "surest")
+                 "method's own; from 2 on the others, the surest first")
       ->check(CLI::Range(1, kMaxAlternatives));
   addMethod(app, arguments->method);
   addMode(app, arguments->mode);

@@ -143,17 +143,17 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
 
 bool AddedPast::facesTraffic(const Pose2& pose) const {
   const Pose2 turned{pose.x, pose.y, wrapAngle(pose.yaw + M_PI)};
-  return !input_.lanes
+  return !input_.driven()
               .lanesNear(turned, options_.route.parking_distance,
                          options_.prediction.on_lane_heading)
               .empty();
 }
 
 bool AddedPast::isInJunction(const Pose2& pose) const {
-  const auto near = input_.lanes.lanesNear(pose, options_.route.parking_distance,
-                                           options_.prediction.on_lane_heading);
+  const auto near = input_.driven().lanesNear(pose, options_.route.parking_distance,
+                                              options_.prediction.on_lane_heading);
   return std::any_of(near.begin(), near.end(), [&](const LaneMatch& match) {
-    const Lane& lane = input_.lanes.map().lanes[match.lane];
+    const Lane& lane = input_.driven().map().lanes[match.lane];
     return lane.is_connector || lane.is_intersection;
   });
 }

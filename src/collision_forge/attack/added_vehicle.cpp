@@ -110,7 +110,7 @@ class Casting {
                      options_.verification.believability);
     for (const FittingLane& lane : fitting) {
       // The ways to a lane that follows are the same, and more.
-      const std::vector<std::size_t>& next = input_.lanes.successors(lane.lane);
+      const std::vector<std::size_t>& next = input_.driven().successors(lane.lane);
       if (std::any_of(fitting.begin(), fitting.end(), [&](const FittingLane& other) {
             return std::find(next.begin(), next.end(), other.lane) != next.end();
           })) {
@@ -344,8 +344,8 @@ Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInpu
   const auto first = vehicles.found.begin();
   const auto end = vehicles.found.end();
   const auto motorcycles = std::partition_point(first, end, isCar);
-  // Where the ego is known, the first one that can is as good as any; else cars, and motorcycles,
-  // are tried together.
+  // Along routes, where the ego is known, the first one that can is as good as any; else cars, and
+  // motorcycles, are tried together.
   auto next = first;
   for (auto from = first; from != end; from = next) {
     const bool is_together = !input.isFutureKnown() || motion == SearchedMotion::kAny;

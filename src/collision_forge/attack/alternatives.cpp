@@ -48,6 +48,8 @@ std::vector<CollisionRequest> furtherRequests(const Realization& first, const Sn
   for (const Manoeuvre manoeuvre : kManoeuvres) {
     if (request.manoeuvre || typeOf(manoeuvre) != request.type) continue;
     if (manoeuvre == first.report.manoeuvre) continue;
+    // Who drives against its lane is believable to those alone who ask for it.
+    if (request.crash.believable && manoeuvre == Manoeuvre::kWrongWay) continue;
     further.push_back(plain);
     further.back().manoeuvre = manoeuvre;
   }

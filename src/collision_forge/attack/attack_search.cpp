@@ -8,6 +8,7 @@
 #include "collision_forge/attack/arrival_sampler.h"
 #include "collision_forge/attack/contender.h"
 #include "collision_forge/attack/ground_use.h"
+#include "collision_forge/attack/how_asked.h"
 #include "collision_forge/attack/manoeuvre_search.h"
 #include "collision_forge/attack/steering_search.h"
 #include "collision_forge/forecast/random.h"
@@ -18,10 +19,10 @@
 namespace forge {
 namespace {
 
-constexpr double kShrink = 0.6;        // of the perturbations, a round
-constexpr double kRounding = 0.999;    // of a limit, so that a bicycle at the limit is within it
-constexpr double kUnbelievable = 0.5;  // as a share of the futures: others go first
-constexpr double kHome = 0.02;         // m from the pattern: near enough
+constexpr double kShrink = 0.6;      // of the perturbations, a round
+constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit is within it
+constexpr double kNotAsAsked = 2.0;  // as a share of the futures: more than all else counts
+constexpr double kHome = 0.02;       // m from the pattern: near enough
 
 VehicleLimits scaled(VehicleLimits limits, double margin) {
   limits.max_forward_acceleration *= margin;
@@ -52,8 +53,8 @@ struct Candidate {
   FutureScore score;
   PatternMiss miss;  // with a share above 0
   double off_road = 0.0;
-  double steering = 0.0;      // fastest, 1/(m s)
-  bool is_believable = true;  // or need not be
+  double steering = 0.0;    // fastest, 1/(m s)
+  bool is_as_asked = true;  // how it uses the road, and how it crashes
   double objective = 0.0;
 };
 
@@ -71,6 +72,7 @@ class Search {
                 std::max(1, static_cast<int>(std::lround(options.verification.off_road_interval /
                                                          options.search.step)))),
         contenders_(contendersOf(input, options, limits_, scorer_.steps())),
+        how_asked_(input, options),
         random_(input.request.seed),
         sampler_(input, options, limits_, random_) {}
 
@@ -181,23 +183,25 @@ class Search {
     candidate.objective -= search_.off_road_weight * candidate.off_road +
                            search_.effort_weight * effort(points_, arrival, limits_) +
                            search_.steering_weight * beyond(candidate.steering);
-    if (input_.request.crash.believable) candidate.objective -= roadCost(candidate);
+    if (input_.request.crash.believable) candidate.objective -= beyondBelief(candidate);
     kept.insert(std::upper_bound(kept.begin(), kept.end(), candidate, better), candidate);
     if (static_cast<int>(kept.size()) > search_.kept) kept.pop_back();
   }
 
-  /// Of the points; says, too, whether a driver would use the road so.
-  double roadCost(Candidate& candidate) const {
+  /// What the use of the road costs; says, too, whether it is a driver's, and the crash as named.
+  double beyondBelief(Candidate& candidate) {
     const BelievabilityOptions& believability = options_.verification.believability;
-    const BoxSize& size = candidate.contender->track->size;
+    const Track& track = *candidate.contender->track;
     const LaneIndex& lanes = drivenLanes(input_.request, input_.lanes);
     const double contact = candidate.contender->start.now + candidate.aimed.arrival.time;
-    const RoadUse road = roadUseOfAttack(points_, size, contact, lanes, believability);
-    const RoadUse now = roadUse(points_, size, points_.front().time, lanes, believability);
-    candidate.is_believable = whyUnbelievable(road, now.off_road, lanes, believability).empty();
+    const RoadUse road = roadUseOfAttack(points_, track.size, contact, lanes, believability);
+    const RoadUse now = roadUse(points_, track.size, points_.front().time, lanes, believability);
+    candidate.is_as_asked =
+        whyUnbelievable(road, now.off_road, lanes, believability).empty() &&
+        (candidate.score.share == 0.0 || how_asked_.holds(track, points_, candidate.score.met));
     return options_.route.off_lane_weight * (1.0 - road.on_lane) +
            options_.route.wrong_way_weight * road.wrong_way +
-           (candidate.is_believable ? 0.0 : kUnbelievable);
+           (candidate.is_as_asked ? 0.0 : kNotAsAsked);
   }
 
   /// Compares the contact with the aim. What that counts: nothing within the pattern's tolerance, 1
@@ -232,7 +236,7 @@ class Search {
     const auto good = [this](const std::vector<Candidate>& kept) {
       return !kept.empty() && kept.front().score.share >= search_.good_share &&
              kept.front().off_road <= search_.good_off_road &&
-             kept.front().steering <= search_.good_steering && kept.front().is_believable &&
+             kept.front().steering <= search_.good_steering && kept.front().is_as_asked &&
              (input_.exact ? isExact(kept.front().miss, search_)
                            : beyondTolerance(kept.front()) <= search_.exact_distance);
     };
@@ -353,7 +357,6 @@ class Search {
     found.objective = candidate.objective;
     found.aim = candidate.aim->pattern;
     found.miss = candidate.miss;
-    if (input_.request.crash.believable) found.effort = options_.any_motion.cost;
     for (const std::size_t i : scorer_.hits(*found.attacker, found.points, found.score.met)) {
       found.hits.push_back(input_.egos[i]);
     }
@@ -368,6 +371,7 @@ class Search {
   FutureScorer scorer_;
   GroundUse ground_;
   std::vector<std::unique_ptr<Contender>> contenders_;
+  HowAsked how_asked_;
   Random random_;
   ArrivalSampler sampler_;
   std::vector<Candidate> quintics_;  // best first

@@ -20,7 +20,8 @@ struct FoundAttack {
   std::vector<TrajectoryPoint> points;  ///< from now to tta + tail
   FutureScore score;
   double off_road = 0.0;  ///< mean share of the box off the drivable area, to the arrival
-  /// What the search maximises: share, closeness, off_road, effort, steering and miss weighed.
+  /// What the search maximises: share, closeness, use of the road, effort, steering and miss
+  /// weighed.
   double objective = 0.0;
   double effort = 0.0;                    ///< Realization::effort
   const CollisionPattern* aim = nullptr;  ///< of those given, the one that it came from

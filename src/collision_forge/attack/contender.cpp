@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "collision_forge/attack/placement.h"
+#include "collision_forge/verify/believability.h"
 #include "collision_forge/verify/verification.h"
 
 namespace forge {
@@ -31,14 +32,15 @@ void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& 
     });
   };
   const Pose2& pose = entry.track->states.back().pose;
+  const LaneIndex& lanes = drivenLanes(input.request, input.lanes);
   // Who stands beside a lane may pull out into it.
   const double aside = now.speed > 0.0
                            ? prediction.on_lane_distance
                            : std::max(prediction.on_lane_distance, route.parking_distance);
-  for (const LaneMatch& match : input.lanes.lanesNear(pose, aside, prediction.on_lane_heading)) {
+  for (const LaneMatch& match : lanes.lanesNear(pose, aside, prediction.on_lane_heading)) {
     for (const LanePath& path :
-         input.lanes.pathsAhead(match.lane, match.projection.arc_length, reach + kBeyondReach,
-                                static_cast<std::size_t>(route.branches))) {
+         lanes.pathsAhead(match.lane, match.projection.arc_length, reach + kBeyondReach,
+                          static_cast<std::size_t>(route.branches))) {
       if (static_cast<int>(entry.routes.size()) >= route.ways) return;
       const Polyline way(path.points);
       if (nearEgo(way)) {
@@ -74,9 +76,10 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
     addRoutes(*entry, input, options);
     return entry;
   }
-  entry->paths = pathsAhead(input.lanes, agent.states.back().pose, reach + kBeyondReach,
-                            prediction.on_lane_distance, prediction.on_lane_heading,
-                            static_cast<std::size_t>(options.search.lane_paths));
+  entry->paths =
+      pathsAhead(drivenLanes(input.request, input.lanes), agent.states.back().pose,
+                 reach + kBeyondReach, prediction.on_lane_distance, prediction.on_lane_heading,
+                 static_cast<std::size_t>(options.search.lane_paths));
   entry->quintics.push_back(std::make_unique<QuinticFamily>());
   for (const ReferencePath& path : entry->paths) {
     entry->quintics.push_back(std::make_unique<QuinticFamily>(path));

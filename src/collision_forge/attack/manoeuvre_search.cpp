@@ -10,13 +10,12 @@
 
 #include "collision_forge/attack/arrival_sampler.h"
 #include "collision_forge/attack/contender.h"
+#include "collision_forge/attack/how_asked.h"
 #include "collision_forge/attack/placement.h"
-#include "collision_forge/attack/realizer.h"
 #include "collision_forge/attack/route_driver.h"
 #include "collision_forge/forecast/random.h"
 #include "collision_forge/verify/believability.h"
 #include "collision_forge/verify/drive_check.h"
-#include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {
@@ -59,13 +58,12 @@ class ManoeuvreSearch {
         options_(options),
         search_(options.search),
         route_(options.route),
-        names_how_(namesHow(input.request)),
+        how_asked_(input, options),
         scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
                 input.lanes.map().driving_side, options),
         contenders_(contendersOf(input, options, options.verification.limits, scorer_.steps())),
         random_(input.request.seed),
         sampler_(input, options, options.verification.limits, random_) {
-    if (names_how_) judged_.agents = input.future.agents;
     const double end = input.request.tta + search_.tail;
     all_points_ = std::max(static_cast<std::size_t>(scorer_.steps()),
                            static_cast<std::size_t>(std::lround(end / search_.step)) + 1);
@@ -260,22 +258,12 @@ class ManoeuvreSearch {
                            route_.off_road_weight * candidate.road.off_road +
                            route_.wrong_way_weight * candidate.road.wrong_way;
     if (candidate.road.on_walkway > 0.0) return;
-    if (names_how_ && candidate.score.share > 0.0 && !isHowAsked(candidate)) {
+    if (candidate.score.share > 0.0 &&
+        !how_asked_.holds(*contender.track, points_, candidate.score.met)) {
       candidate.objective -= kAnotherWay;
     }
     kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, better), candidate);
     if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();
-  }
-
-  /// In the future that it was scored best in.
-  bool isHowAsked(const Candidate& candidate) {
-    const Track& track = *candidate.contender->track;
-    judged_.ego = *input_.egos[candidate.score.met];
-    const AttackerTrajectory trajectory{track.id, track.agent_class, track.size, points_};
-    const CollisionReport report =
-        verify(trajectory, {input_.snapshot, judged_, input_.request, input_.lanes},
-               options_.verification);
-    return isAsAsked(report, input_.request);
   }
 
   /// Of the contender's patterns the one that the draft's contact is nearest to.
@@ -309,7 +297,7 @@ class ManoeuvreSearch {
 
   bool isGood() const {
     return !kept_.empty() && kept_.front().score.share >= search_.good_share &&
-           kept_.front().style == 0 && (!names_how_ || kept_.front().objective > 0.0) &&
+           kept_.front().style == 0 && (!how_asked_.isNamed() || kept_.front().objective > 0.0) &&
            kept_.front().road.on_lane >= 1.0 &&
            kept_.front().road.off_road <= search_.good_off_road &&
            (!input_.exact || isExact(kept_.front().miss, search_));
@@ -365,7 +353,7 @@ class ManoeuvreSearch {
   const AttackOptions& options_;
   const SearchOptions& search_;
   const RouteDriverOptions& route_;
-  bool names_how_;
+  HowAsked how_asked_;
   FutureScorer scorer_;
   std::vector<std::unique_ptr<Contender>> contenders_;
   Random random_;
@@ -375,7 +363,6 @@ class ManoeuvreSearch {
   bool has_sketches_ = false;    // ... which was done
   double best_ = 0.0;            // objective of the contender's drafts so far
   std::vector<Candidate> kept_;  // best first
-  Future judged_;                // with one of the egos; of the others what they do
   const RouteDriver* last_route_ = nullptr;
   RoutePlan last_plan_;
   std::optional<RouteSpeed> last_speed_;

@@ -98,7 +98,6 @@ static DrivingStyle readStyle(Section section) {
 }
 
 static void readOptions(Section& section, AnyMotionOptions& options) {
-  options.cost = section.nonNegative("cost");
   options.bicycle_targets = section.count("bicycle_targets", 0);
   options.bicycle_rounds = section.count("bicycle_rounds", 0);
 }

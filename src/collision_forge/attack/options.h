@@ -56,7 +56,6 @@ struct DrivingStyle {
 
 /// config/search.yaml, section any_motion
 struct AnyMotionOptions {
-  double cost = 0.0;
   int bicycle_targets = 0;
   int bicycle_rounds = 0;
 };

@@ -76,7 +76,11 @@ Realization SearchMethod::answer(const Moment& moment, const CollisionRequest& r
   const Realization answer = answerBy(SearchedMotion::kByRoutes);
   if (answer.status.code == StatusCode::kOk || !request.crash.believable) return answer;
   const Realization other = answerBy(SearchedMotion::kAny);
-  return other.status.code == StatusCode::kOk ? other : answer;
+  const StatusCode code = other.status.code;
+  const bool tells_more =
+      answer.status.code == StatusCode::kNoAttackWithinLimits &&
+      (code == StatusCode::kNotBelievable || code == StatusCode::kLowConfidence);
+  return code == StatusCode::kOk || tells_more ? other : answer;
 }
 
 }  // namespace forge

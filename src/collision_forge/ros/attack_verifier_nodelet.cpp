@@ -53,6 +53,10 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
       request.tta = attack_->pattern.tta;
       request.mode = Mode::kReplay;
       request.crash = config_.crash;
+      // Who comes the wrong way was asked to: nobody else does.
+      if (attack_->report.manoeuvre == toString(Manoeuvre::kWrongWay)) {
+        request.manoeuvre = Manoeuvre::kWrongWay;
+      }
       test_.emplace(fromMessage(attack_->trajectory), request, config_.ego_vehicle);
       for (const AgentState& ego : egos_) test_->addEgo(ego);
       for (const Frame& frame : frames_) test_->addAgents(frame.agents);

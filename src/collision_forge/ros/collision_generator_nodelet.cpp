@@ -116,12 +116,11 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     }
     Status status = search_->generate(scene->snapshot, asked, recorded, response.attack);
     response.attack.method = method;
-    if (leavesRoomForNewOne(status, request)) {
-      CollisionRequest by_new = request;
-      by_new.choice = AttackerChoice::kNew;
-      by_new.alternatives = 1;
-      const Status added = generateHere(method, scene->snapshot, by_new, recorded, response);
-      if (added.code == StatusCode::kOk) status = added;
+    if (mayBeAnsweredHere(status, request)) {
+      CollisionRequest again = request;
+      again.alternatives = 1;
+      const Status here = generateHere(method, scene->snapshot, again, recorded, response);
+      if (here.code == StatusCode::kOk) status = here;
     }
     if (status.code == StatusCode::kOk && request.alternatives > 1) {
       addAlternatives(method, scene->snapshot, request, recorded, response);
@@ -129,10 +128,10 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     return status;
   }
 
-  /// Nobody who is there can attack as asked, and somebody new may. The services know those alone
-  /// who are there.
-  static bool leavesRoomForNewOne(const Status& status, const CollisionRequest& request) {
-    if (request.attacker || request.choice != AttackerChoice::kAny) return false;
+  /// Nobody who is there attacks as asked along a route, and the services know of no others: a new
+  /// vehicle may, or somebody by any other motion.
+  static bool mayBeAnsweredHere(const Status& status, const CollisionRequest& request) {
+    if (!request.crash.believable) return false;
     return status.code == StatusCode::kNoCandidate ||
            status.code == StatusCode::kNoAttackWithinLimits ||
            status.code == StatusCode::kNotBelievable || status.code == StatusCode::kLowConfidence;

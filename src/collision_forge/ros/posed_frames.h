@@ -37,10 +37,11 @@ class PosedFrames {
   std::optional<PosedFrame> next();
 
  private:
-  static constexpr double kRestart = 1.0;     // s
-  static constexpr std::size_t kQueue = 100;  // frames that may wait
+  static constexpr double kRestart = 1.0;      // s
+  static constexpr double kCache = 600.0;      // s of transforms that may come before their frames
+  static constexpr std::size_t kQueue = 1000;  // frames that may wait
 
-  tf2::BufferCore buffer_;
+  tf2::BufferCore buffer_{ros::Duration(kCache)};
   ros::Time newest_pose_;
   std::deque<collision_forge::AgentArray::ConstPtr> waiting_;
 };

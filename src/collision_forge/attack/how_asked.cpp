@@ -1,0 +1,23 @@
+#include "collision_forge/attack/how_asked.h"
+
+#include "collision_forge/attack/realizer.h"
+#include "collision_forge/verify/verification.h"
+
+namespace forge {
+
+HowAsked::HowAsked(const SearchInput& input, const AttackOptions& options)
+    : input_(input), options_(options.verification), is_named_(namesHow(input.request)) {
+  if (is_named_) judged_.agents = input.future.agents;
+}
+
+bool HowAsked::holds(const Track& attacker, const std::vector<TrajectoryPoint>& points,
+                     std::size_t ego) {
+  if (!is_named_) return true;
+  judged_.ego = *input_.egos[ego];
+  const CollisionReport report =
+      verify({attacker.id, attacker.agent_class, attacker.size, points},
+             {input_.snapshot, judged_, input_.request, input_.lanes}, options_);
+  return isAsAsked(report, input_.request);
+}
+
+}  // namespace forge
