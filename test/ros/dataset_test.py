@@ -106,7 +106,7 @@ class BuildDatasetTest(road.RoadTest):
         self.assertEqual(self.printed, (self.out / 'statistics.md').read_text())
         for row in rows:
             if row['group'] == 'type':
-                self.assertGreaterEqual(float(row['share']), 0.15)
+                self.assertGreaterEqual(float(row['share']), 0.02)
                 self.assertTrue((self.out / 'sheets' / (row['value'] + '.png')).exists())
 
     def test_evaluate_reads_it_and_finds_the_hits(self):

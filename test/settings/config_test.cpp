@@ -307,7 +307,7 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
   expectComplaint("dataset.yaml", "min_length: 4.5", "min_length: 3.5", {"dataset.min_length"});
   expectComplaint("dataset.yaml", "max_length: 9.0", "max_length: 4.0", {"dataset.max_length"});
   expectComplaint("dataset.yaml", "rear_end: 1", "rear_end: -1", {"dataset.attempts.rear_end"});
-  expectComplaint("dataset.yaml", "min_type_share: 0.15", "min_type_share: 0.21",
+  expectComplaint("dataset.yaml", "min_type_share: 0.02", "min_type_share: 0.21",
                   {"dataset.min_type_share"});
   expectComplaint("dataset.yaml", "max_tta_ratio: 2.0", "max_tta_ratio: 0.9",
                   {"dataset.max_tta_ratio"});
