@@ -21,7 +21,6 @@ namespace {
 
 constexpr double kShrink = 0.6;      // of the perturbations, a round
 constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit is within it
-constexpr double kNotAsAsked = 2.0;  // as a share of the futures: more than all else counts
 constexpr double kHome = 0.02;       // m from the pattern: near enough
 
 VehicleLimits scaled(VehicleLimits limits, double margin) {

@@ -10,6 +10,10 @@
 
 namespace forge {
 
+/// What an attack that is not as asked costs in a search, as a share of the futures: more than all
+/// else counts, so that the others go first.
+inline constexpr double kNotAsAsked = 2.0;
+
 /// Holds attacks against what a request says of the crash beside type, time and attacker
 /// (namesHow()).
 class HowAsked {

@@ -21,8 +21,7 @@ namespace forge {
 namespace {
 
 constexpr double kSlides[] = {-0.7, 0.0, 0.7};
-constexpr double kAnotherWay = 2.0;  // taken from the objective: worse than all that are as asked
-constexpr double kShrink = 0.7;      // of the moves, a round
+constexpr double kShrink = 0.7;  // of the moves, a round
 
 /// What is chosen of one attack; the rest follows.
 struct Draft {
@@ -260,7 +259,7 @@ class ManoeuvreSearch {
     if (candidate.road.on_walkway > 0.0) return;
     if (candidate.score.share > 0.0 &&
         !how_asked_.holds(*contender.track, points_, candidate.score.met)) {
-      candidate.objective -= kAnotherWay;
+      candidate.objective -= kNotAsAsked;
     }
     kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, better), candidate);
     if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();

@@ -53,7 +53,8 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
       request.tta = attack_->pattern.tta;
       request.mode = Mode::kReplay;
       request.crash = config_.crash;
-      // Who comes the wrong way was asked to: nobody else does.
+      // Judged as in the request, which the message does not tell: believable attackers come the
+      // wrong way only where that is asked for.
       if (attack_->report.manoeuvre == toString(Manoeuvre::kWrongWay)) {
         request.manoeuvre = Manoeuvre::kWrongWay;
       }

@@ -19,12 +19,15 @@ namespace forge {
 /// agents + lane_map + tf -> encoded_scene, once a frame of agents.
 class SceneEncoderNodelet : public nodelet::Nodelet {
  private:
+  static constexpr int kPublished =
+      100;  // scenes that a slow subscriber may lag behind; each is large
+
   void onInit() override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
     history_.emplace(config_.attack.prediction.history_frames, config_.ego_vehicle);
     ros::NodeHandle& node = getNodeHandle();
     map_ = std::make_unique<LaneMapSubscriber>(node);
-    publisher_ = node.advertise<collision_forge::EncodedScene>(names::kEncodedScene, kTopicQueue);
+    publisher_ = node.advertise<collision_forge::EncodedScene>(names::kEncodedScene, kPublished);
     subscribers_ = {
         node.subscribe(names::kTf, kTopicQueue, &SceneEncoderNodelet::receiveTransforms, this),
         node.subscribe(names::kStaticTf, kTopicQueue, &SceneEncoderNodelet::receiveStaticTransforms,
