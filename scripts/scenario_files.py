@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 CONFIG = Path(__file__).resolve().parent.parent / 'config'
-VERSION = 4
+VERSION = 5
 
 STRICT = ('max_forward_acceleration', 'max_braking', 'max_total_acceleration', 'max_curvature', 'max_speed',
           'curvature_min_speed', 'heading_slack', 'heading_per_metre')

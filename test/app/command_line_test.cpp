@@ -176,8 +176,8 @@ TEST(CommandLine, MethodsAndProtocolsOfClipsAreRefusedForRequests) {
 }
 
 TEST(CommandLine, HelpTellsDefaults) {
-  EXPECT_THAT(read("generate --help").out,
-              AllOf(HasSubstr("{history,replay}=history"), HasSubstr("{jsonl,csv-collide}=jsonl")));
+  EXPECT_THAT(read("generate --help").out, AllOf(HasSubstr("{history,replay,adaptive}=history"),
+                                                 HasSubstr("{jsonl,csv-collide}=jsonl")));
   EXPECT_THAT(read("test --help").out,
               AllOf(HasSubstr("{replay,idm}=replay"),
                     HasSubstr("{recorded,history,replay}=recorded"), HasSubstr("=val")));
@@ -269,7 +269,7 @@ TEST(BashCompletion, KnowsCommandsOptionsAndValues) {
   const Forge forge;
   const std::string script = bashCompletion(forge.app());
   EXPECT_THAT(script, HasSubstr("complete -o default -F _forge_complete forge\n"));
-  EXPECT_THAT(script, HasSubstr("'forge generate --mode') words='history replay'"));
+  EXPECT_THAT(script, HasSubstr("'forge generate --mode') words='history replay adaptive'"));
   EXPECT_THAT(script, HasSubstr("'forge generate --requests') words=''"));
   EXPECT_THAT(script, HasSubstr("'forge measure') words='controls coverage "));
   EXPECT_THAT(script, HasSubstr("--scenarios"));

@@ -117,6 +117,49 @@ TEST_F(ManoeuvreSearchTest, ABusDrivesAsABusCan) {
                                answer.report.contact_time, limits));
 }
 
+TEST_F(ManoeuvreSearchTest, OneThatIsUnderwayGoesOnFromItsStateOrFindsBetter) {
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 7.0, {pastTrack("back", kCarSize, {-22.0, 0.0, 0.0}, 8.0)});
+  CollisionRequest request = believableRequestFor(CollisionType::kRearEnd);
+  request.mode = Mode::kReplay;
+  request.attacker = "back";
+  const Realization answer = generateCollision(
+      searchMethod(options_), {snapshot_, recorded_, std::make_shared<const LaneIndex>(map_)},
+      request, options_.prediction);
+  ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
+  const std::size_t from = 10;
+  const auto& points = answer.trajectory.points;
+  const auto middle = points.begin() + from;
+  const DriveLimits limits = driveLimitsOf(snapshot_.agents[0], options_.verification);
+  const Underway underway{driveStateOf(points[from], limits),
+                          {points.begin(), middle},
+                          {middle, points.end()},
+                          ReferencePath(Polyline({{-22.0, 0.0}, {100.0, 0.0}})),
+                          std::nullopt};
+  request.tta = 4.0 - 0.1 * from;
+  Snapshot later = snapshot_;
+  later.now = points[from].time;
+  later.agents[0].states.push_back({later.now, points[from].pose, {points[from].speed, 0.0}});
+  const auto searched = [&](const Track& ego) {
+    const std::vector<const Track*> egos = {&ego};
+    const std::vector<CollisionPattern> patterns = {answer.aim};
+    const LaneIndex lanes(map_);
+    SearchInput input{later, recorded_, egos, patterns, request, lanes};
+    input.underway = &underway;
+    return searchManoeuvres(input, options_);
+  };
+  const auto kept = searched(recorded_.ego);
+  ASSERT_FALSE(kept.empty());
+  EXPECT_TRUE(kept.front().is_underway) << "it meets the ego as it is";
+  EXPECT_EQ(kept.front().points.size(), underway.planned.size());
+  const Track slower =
+      straightTrack("ego", kEgoSize, {7.0, 0.0, 0.0}, 3.0, kNow + 1.0, kNow + 1.0, kNow + 10.0);
+  const auto changed = searched(slower);
+  ASSERT_FALSE(changed.empty());
+  EXPECT_FALSE(changed.front().is_underway);
+  EXPECT_GT(changed.front().score.share, 0.0);
+  EXPECT_FALSE(findBrokenDrive(changed.front().points, underway.state, kNow + 4.0, limits));
+}
+
 TEST_F(ManoeuvreSearchTest, OfManyVehiclesTheOneThatCanIsFound) {
   // All but the leader are too far away to be there in time.
   std::vector<Track> others;

@@ -100,6 +100,19 @@ TEST(CheckRequest, PassesWhatCanBeAnswered) {
   }
 }
 
+TEST(CheckRequest, RefusesWhatAnAdaptiveAttackerCannotBe) {
+  CollisionRequest request = asking(4.0);
+  request.mode = Mode::kAdaptive;
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+  request.alternatives = 3;
+  expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"alternatives = 3", "adaptive"});
+  request.alternatives = 1;
+  request.crash.believable = false;
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+  request.crash.limits = LimitSet::kStrict;
+  expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"limits = strict", "adaptive"});
+}
+
 TEST(CheckRequest, RefusesATtaOutOfRange) {
   for (const auto& [tta, text] : std::vector<std::pair<double, std::string>>{
            {0.49, "0.49"}, {9.01, "9.01"}, {-1.0, "-1"}, {0.0, "0"}, {kNan, "nan"}}) {

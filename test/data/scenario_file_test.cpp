@@ -55,7 +55,7 @@ Scenario attack() {
 
 // Derived by hand from attack() and docs/scenarios.md.
 const char* const kAttackLine =
-    R"({"format":"collision_forge/scenario","version":4,"scene":"scene-0001","now":1531883530.949817,)"
+    R"({"format":"collision_forge/scenario","version":5,"scene":"scene-0001","now":1531883530.949817,)"
     R"("request":{"type":"rear_end","tta":4,"attacker":"a1","choice":"any","believable":false,)"
     R"("limits":"strict","attacker_class":"truck","manoeuvre":null,"ego_side":"rear","impact_speed":null,"overlap":null,"alternatives":1,)"
     R"("mode":"replay","seed":7},)"
@@ -70,7 +70,7 @@ const char* const kAttackLine =
     R"("impact_speed":4.5,"overlap":0.375,"type_kept":true,)"
     R"("on_time":true,"limits_kept":true,"broken_limit":null,"first_other":null,"off_road_share":0.75,"manoeuvre":"follower_closes",)"
     R"("manoeuvre_begin_t":1.5,"on_lane":0.5,"wrong_way":0.25,"on_walkway":0.125,"on_island":0.0625,)"
-    R"("believable":false,"unbelievable":"is on a walkway for 12 %"},"alternatives":[],)"
+    R"("believable":false,"unbelievable":"is on a walkway for 12 %"},"alternatives":[],"plans":[],)"
     R"("ego":{"length":4.084,"width":1.73,"center_offset":1.385}})";
 
 /// By a vehicle that was added, on a request that names all that can be.
@@ -99,6 +99,19 @@ Scenario threeAttacks() {
   return scenario;
 }
 
+/// The attacker braked after half a second, and committed.
+Scenario adaptiveAttack() {
+  Scenario scenario = attack();
+  scenario.asked.request.mode = Mode::kAdaptive;
+  scenario.asked.request.crash.limits = LimitSet::kDrivable;
+  const std::vector<TrajectoryPoint>& points = scenario.answer.trajectory.points;
+  scenario.plans = {
+      {kNow, kNow, AttackerPhase::kAttacking, "sets out", points},
+      {kNow + 0.5, kNow + 0.8, AttackerPhase::kAttacking, "meets 94 %", {points.back()}},
+      {kNow + 4.0, kNow + 4.3, AttackerPhase::kCommitted, "too late", {}}};
+  return scenario;
+}
+
 Scenario refusal() {
   Scenario scenario = attack();
   scenario.asked.request.attacker.reset();
@@ -117,15 +130,38 @@ std::string complaintAbout(std::string line, const std::string& from, const std:
   return "";
 }
 
+TEST(ScenarioFile, ThePlansOfAnAdaptiveAttackerReadBack) {
+  const std::string line = scenarioLine(adaptiveAttack());
+  EXPECT_THAT(line, HasSubstr(R"({"seen_t":0.5,"from_t":0.8,"phase":"attacking",)"
+                              R"("reason":"meets 94 %","trajectory":[{"t":0.1,)"));
+  const Scenario read = readScenarioLine("here", line);
+  ASSERT_EQ(read.plans.size(), 3u);
+  EXPECT_EQ(read.plans[2].phase, AttackerPhase::kCommitted);
+  EXPECT_TRUE(read.plans[2].points.empty());
+  EXPECT_EQ(scenarioLine(read), line);
+}
+
+TEST(ScenarioFile, PlansGoWithAdaptiveAttacksAlone) {
+  const std::string line = scenarioLine(adaptiveAttack());
+  EXPECT_THAT(complaintAbout(line, R"("mode":"adaptive")", R"("mode":"history")"),
+              AllOf(HasSubstr("plans"), HasSubstr("line 9")));
+  EXPECT_THAT(complaintAbout(line, R"("phase":"committed")", R"("phase":"asleep")"),
+              HasSubstr("phase"));
+  Scenario bare = adaptiveAttack();
+  bare.plans.clear();
+  EXPECT_THAT(complaintAbout(scenarioLine(bare), "", ""), HasSubstr("plans"));
+}
+
 TEST(ScenarioFile, AnAttackHasTheDocumentedForm) { EXPECT_EQ(scenarioLine(attack()), kAttackLine); }
 
 TEST(ScenarioFile, ARefusalHasNullsAndItsMessage) {
   EXPECT_THAT(
       scenarioLine(refusal()),
-      AllOf(HasSubstr(R"("attacker":null,"choice":"any")"),
-            HasSubstr(
-                R"("status":{"code":"NO_CANDIDATE","message":"nobody \"near\""},"attacker":null,)"
-                R"("pattern":null,"confidence":null,"report":null,"alternatives":[],"ego":{)")));
+      AllOf(
+          HasSubstr(R"("attacker":null,"choice":"any")"),
+          HasSubstr(
+              R"("status":{"code":"NO_CANDIDATE","message":"nobody \"near\""},"attacker":null,)"
+              R"("pattern":null,"confidence":null,"report":null,"alternatives":[],"plans":[],"ego":{)")));
 }
 
 TEST(ScenarioFile, LinesAreReadAsTheyWereWritten) {
@@ -167,7 +203,7 @@ TEST(ScenarioFile, AlternativesAreReadLikeTheFirstAttack) {
 TEST(ScenarioFile, ARefusalHasNoAlternatives) {
   const std::string line = scenarioLine(threeAttacks());
   const std::size_t begin = line.find(R"("alternatives":[)");
-  const std::size_t end = line.rfind(R"(,"ego":{)");
+  const std::size_t end = line.rfind(R"(,"plans":[)");
   EXPECT_THAT(complaintAbout(scenarioLine(refusal()), R"("alternatives":[])",
                              line.substr(begin, end - begin)),
               HasSubstr("alternatives"));
@@ -198,9 +234,9 @@ TEST(ScenarioFile, WhatTheAttackerDoesIsReadBack) {
 }
 
 TEST(ScenarioFile, OlderVersionsAreToBeGeneratedAnew) {
-  for (const char* old : {"1", "2", "3"}) {
-    EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":4", std::string("\"version\":") + old),
-                AllOf(HasSubstr(std::string("version = ") + old + " is not 4"),
+  for (const char* old : {"1", "2", "3", "4"}) {
+    EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":5", std::string("\"version\":") + old),
+                AllOf(HasSubstr(std::string("version = ") + old + " is not 5"),
                       HasSubstr("generate the file anew")));
   }
 }

@@ -101,8 +101,8 @@ class TestPlannersTest(road.RoadTest):
                 for row in result['planners'] if row['contact'] and row['contact']['attacker']}
         self.assertTrue(hits)
         for planner in hits:
-            self.assertEqual((self.expected / 'worst' / (planner + '_1.png')).read_bytes()[:4], PNG)
-            self.assertEqual((self.expected / 'worst' / (planner + '_1.gif')).read_bytes()[:4], b'GIF8')
+            self.assertEqual((self.expected / 'worst' / (planner + '_fixed_1.png')).read_bytes()[:4], PNG)
+            self.assertEqual((self.expected / 'worst' / (planner + '_fixed_1.gif')).read_bytes()[:4], b'GIF8')
 
     def test_pictures_of_rollouts_have_no_verdict(self):
         """Whether an attack on the planner's ego is verified is not known: its place in the header is blank."""
@@ -153,7 +153,7 @@ class TestPlannersTest(road.RoadTest):
         ego = next(result for result in lines_of(self.expected) if result['status'] == 'OK')
         touching['attacker']['trajectory'][0].update(self.ego_pose(parsed))
         scenarios.write_text('\n'.join([
-            attack.replace('"version":4', '"version":7'),
+            attack.replace('"version":5', '"version":7'),
             attack.replace(parsed['scene'], 'scene-9999'),
             attack.replace('"now":', '"now":1'),
             json.dumps(touching),

@@ -14,8 +14,7 @@ TEST(CollisionRequest, UnknownNamesAreNoMode) {
 }
 
 TEST(CollisionRequest, ModeNamesAreReadBack) {
-  EXPECT_EQ(modeFromString(toString(Mode::kHistory)), Mode::kHistory);
-  EXPECT_EQ(modeFromString(toString(Mode::kReplay)), Mode::kReplay);
+  for (const Mode mode : kModes) EXPECT_EQ(modeFromString(toString(mode)), mode);
   EXPECT_EQ(modeFromString("REPLAY"), Mode::kReplay);
 }
 

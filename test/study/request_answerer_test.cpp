@@ -24,7 +24,7 @@ class RequestAnswererTest : public testing::Test {
   const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   SceneSource scenes_{kDataroot, "v1.0-embedded", {"scene-0001"}, config_, 1};
   const MethodMaker method_ = loadMethod("", config_, config_.attack);
-  RequestAnswerer answerer_{scenes_, method_, config_.crash, config_.ego_vehicle};
+  RequestAnswerer answerer_{scenes_, method_, config_.crash, config_.ego_vehicle, config_.adaptive};
 };
 
 TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
@@ -47,6 +47,28 @@ TEST_F(RequestAnswererTest, ReplayKnowsTheRecording) {
   EXPECT_NE(answerer_.answer(request).answer.status.code, StatusCode::kNoRecording);
   request.now = scenes_.at("scene-0001")->scene.frame_times.back();
   EXPECT_EQ(answerer_.answer(request).answer.status.code, StatusCode::kBeyondRecording);
+}
+
+TEST_F(RequestAnswererTest, AnAdaptiveAttackIsAsAskedInTheRecordingOrDeclined) {
+  int attacks = 0;
+  for (const CollisionType type : kCollisionTypes) {
+    SceneRequest request = asked(type);
+    request.request.mode = Mode::kAdaptive;
+    const Scenario scenario = answerer_.answer(request);
+    EXPECT_EQ(scenarioLine(answerer_.answer(request)), scenarioLine(scenario)) << "deterministic";
+    EXPECT_EQ(scenario.plans.empty(), scenario.answer.status.code != StatusCode::kOk);
+    if (scenario.answer.status.code != StatusCode::kOk) continue;
+    ++attacks;
+    const auto moment = std::get<Moment>(momentAt(*scenes_.at("scene-0001"), request.now, 8));
+    request.request.crash = config_.crash;
+    const CollisionReport report =
+        verify(scenario.answer.trajectory,
+               {moment.snapshot, *moment.recorded, request.request, *moment.lanes},
+               config_.attack.verification);
+    EXPECT_TRUE(report.verified()) << report.broken_limit;
+    EXPECT_TRUE(report.believable()) << report.unbelievable;
+  }
+  EXPECT_GT(attacks, 0);
 }
 
 TEST_F(RequestAnswererTest, AnAbsentAttackerIsAnswered) {

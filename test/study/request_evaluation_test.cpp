@@ -149,7 +149,7 @@ TEST_F(RequestEvaluationTest, SearchesAreTheAnswerersWithTheirRulesAgainstTheRec
         in_mode.request.mode = mode;
         const Realization answer =
             RequestAnswerer(scenes_, {"search", builtInMethods(), config_.attack, {}}, crash,
-                            config_.ego_vehicle)
+                            config_.ego_vehicle, config_.adaptive)
                 .answer(in_mode)
                 .answer;
         const ResultRow& row = rowOf(evaluated, std::string(name) + column);
@@ -176,6 +176,27 @@ TEST_F(RequestEvaluationTest, SearchesAreTheAnswerersWithTheirRulesAgainstTheRec
     }
   }
   EXPECT_GT(answered, 8);
+}
+
+TEST_F(RequestEvaluationTest, AdaptiveAttackersStandBesideTheFixedOnes) {
+  plan_.mode = Mode::kHistory;
+  const EvaluatedRequest fixed = evaluate(asked(CollisionType::kLaneChange));
+  plan_.mode = Mode::kAdaptive;
+  EXPECT_THAT(requestRowMethods(plan_),
+              ElementsAre("constant_velocity", "nominal", "adaptive_full_definitions",
+                          "search_full_definitions", "replay_full_definitions"));
+  const EvaluatedRequest evaluated = evaluate(asked(CollisionType::kLaneChange));
+  ASSERT_EQ(evaluated.rows.size(), rowsPerRequest(plan_));
+  EXPECT_EQ(toCsv(rowOf(evaluated, "search_full_definitions")),
+            toCsv(rowOf(fixed, "search_full_definitions")));
+  const ResultRow& row = rowOf(evaluated, "adaptive_full_definitions");
+  ASSERT_EQ(row.status, "OK") << row.note;
+  EXPECT_TRUE(meets(row, "limits_kept"));
+  EXPECT_EQ(row.request->attack.has_value(), meets(row, "contact"));
+  const auto looks = std::count_if(
+      evaluated.times.begin(), evaluated.times.end(),
+      [](const SearchTime& time) { return time.method == "adaptive, a look at a frame"; });
+  EXPECT_GT(looks, 4);
 }
 
 TEST_F(RequestEvaluationTest, ConfiguredCrashChangesNothingButByThePlan) {

@@ -16,6 +16,8 @@ TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
   result.rows[1].outcome.failure_message = "point 3 is not finite";
   result.rows[1].outcome.contact.reset();
   result.rows[1].published_hit.reset();
+  result.rows[1].attacker = {
+      PolicyKind::kAdaptive, AttackerPhase::kDrivingOn, 7, "max_jerk 9 > 8", "somebody", true};
   const std::string line = plannerResultLine(result);
   const PlannerTestResult read = readPlannerResultLine("here", line);
   EXPECT_EQ(read.rows.size(), 2u);
@@ -24,6 +26,9 @@ TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
   EXPECT_EQ(read.rows[1].outcome.failure, PlannerFailure::kNotFinite);
   EXPECT_EQ(read.avoidability.from_now, result.avoidability.from_now);
   EXPECT_EQ(read.avoidability.last, result.avoidability.last);
+  EXPECT_EQ(read.rows[1].attacker.policy, PolicyKind::kAdaptive);
+  EXPECT_EQ(read.rows[1].attacker.phase, AttackerPhase::kDrivingOn);
+  EXPECT_EQ(read.rows[1].attacker.broken_limit, "max_jerk 9 > 8");
   EXPECT_EQ(plannerResultLine(read), line);
 }
 
@@ -45,7 +50,7 @@ TEST(PlannerResultFile, OfACaseThatCannotBeReadOnlyTheNameIsKnown) {
 
 TEST(PlannerResultFile, AnotherFormatIsRefusedByField) {
   std::string line = plannerResultLine(tested());
-  line.replace(line.find("\"version\":2"), 11, "\"version\":3");
+  line.replace(line.find("\"version\":3"), 11, "\"version\":2");
   try {
     readPlannerResultLine("results.jsonl: line 4", line);
     ADD_FAILURE();

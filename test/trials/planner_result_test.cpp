@@ -24,11 +24,27 @@ TEST(PlannerResult, EveryPlannerHasARow) {
   EXPECT_EQ(result.rows[0].published_hit, true);
 }
 
+TEST(PlannerResult, EachPolicyOfTheAttackerHasARowOfItsOwn) {
+  PlannerCase one = rearEnd();
+  one.request.crash.limits = LimitSet::kDrivable;
+  const TestPlan plan{
+      {"idm", "pdm"}, Background::kReplay, {PolicyKind::kFixed, PolicyKind::kAdaptive}, {}};
+  const PlannerTestResult result = testPlanners(one, plan, config(), config().planners);
+  ASSERT_EQ(result.rows.size(), 4u);
+  const std::vector<std::string> names = rowNames(plan);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const PlannerRow& row = result.rows[i];
+    EXPECT_EQ(rowName(row.planner, row.attacker.policy), names[i]);
+    EXPECT_EQ(row.attacker.broken_limit, "");
+    EXPECT_EQ(row.published_hit.has_value(), row.attacker.policy == PolicyKind::kFixed);
+  }
+  EXPECT_TRUE(result.rows[1].attacker.as_asked) << "IDM, hit by one who sees it";
+}
+
 TEST(PlannerResult, ACaseWithoutAnAttackIsNotTested) {
   PlannerCase one = rearEnd();
   one.status = {StatusCode::kNoCandidate, "nobody"};
-  const PlannerTestResult result =
-      testPlanners(one, {"idm"}, Background::kReplay, config(), config().planners);
+  const PlannerTestResult result = testPlanners(one, {{"idm"}}, config(), config().planners);
   EXPECT_EQ(result.status, "NO_CANDIDATE");
   EXPECT_EQ(result.message, "nobody");
   EXPECT_FALSE(result.isTested());
@@ -38,8 +54,7 @@ TEST(PlannerResult, ACaseWithoutAnAttackIsNotTested) {
 TEST(PlannerResult, AnAttackerThatTouchesTheEgoAlreadyIsUnfit) {
   PlannerCase one = rearEnd();
   one.scenario.attacker.points.front().pose = {-3.0, 0.0, 0.0};
-  const PlannerTestResult result =
-      testPlanners(one, {"idm"}, Background::kReplay, config(), config().planners);
+  const PlannerTestResult result = testPlanners(one, {{"idm"}}, config(), config().planners);
   EXPECT_EQ(result.status, "UNFIT");
   EXPECT_NE(result.message.find("touches the ego"), std::string::npos);
 }
@@ -49,7 +64,7 @@ TEST(PlannerResult, OfAnUnfitClipThePublishedHitOfThePublishedIdmIsKnown) {
   one.scenario.attacker.points.front().pose = {-3.0, 0.0, 0.0};
   one.clip = straightClip(CollisionType::kRearEnd, 0.0, 12, 8.0, {-3.0, 0.0, 0.0}, 8.0);
   const PlannerTestResult result =
-      testPlanners(one, {"idm", "idm_published"}, Background::kReplay, config(), config().planners);
+      testPlanners(one, {{"idm", "idm_published"}}, config(), config().planners);
   EXPECT_EQ(result.status, "UNFIT");
   ASSERT_EQ(result.rows.size(), 1u);
   EXPECT_EQ(result.rows[0].planner, "idm_published");

@@ -26,8 +26,7 @@ inline PlannerCase rearEnd() {
 
 /// Driven by two planners.
 inline PlannerTestResult tested() {
-  return testPlanners(rearEnd(), {"idm", "idm_published"}, Background::kReplay, config(),
-                      config().planners);
+  return testPlanners(rearEnd(), {{"idm", "idm_published"}}, config(), config().planners);
 }
 
 }  // namespace forge

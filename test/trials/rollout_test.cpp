@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -48,6 +49,55 @@ FunctionPlanner keepingSpeed() {
 RolloutOutcome drive(Planner& planner, const CrashScenario& scenario,
                      Background background = Background::kReplay) {
   return rollout(planner, {0.1, false}, scenario, shippedSetup(background));
+}
+
+/// Looks at what is there, and stops at a time.
+class StoppingAttacker : public AttackerPolicy {
+ public:
+  explicit StoppingAttacker(AttackerTrajectory trajectory) : trajectory_(std::move(trajectory)) {}
+  void observe(const Frame& seen) override {
+    seen_.push_back(seen);
+    if (seen.time < kNow + 1.0 - 1e-6) return;
+    for (TrajectoryPoint& point : trajectory_.points) {
+      if (point.time <= seen.time + 1e-6) stop_ = point;
+      if (point.time > kNow + 1.0 + 1e-6) point.pose = stop_.pose;
+    }
+  }
+  const AttackerTrajectory& trajectory() const override { return trajectory_; }
+  AttackerPhase phase() const override { return AttackerPhase::kDrivingOn; }
+  const std::vector<AttackerPlan>& plans() const override { return plans_; }
+  const std::vector<Frame>& seen() const { return seen_; }
+
+ private:
+  AttackerTrajectory trajectory_;
+  TrajectoryPoint stop_;
+  std::vector<AttackerPlan> plans_;
+  std::vector<Frame> seen_;
+};
+
+TEST(Rollout, AnAttackerSeesTheEgoAsItComesAndDrivesWhatItThenMeansTo) {
+  const CrashScenario scenario = roadScenario(8.0, straightDrive({40.0, 0.0, M_PI}, 5.0, 6.0),
+                                              {straightCar("other", {-30.0, 3.5, 0.0}, 4.0)});
+  FunctionPlanner planner = keepingSpeed();
+  StoppingAttacker attacker(scenario.attacker);
+  RolloutSetup setup = shippedSetup();
+  setup.attacker = &attacker;
+  const RolloutOutcome outcome = rollout(planner, {0.1, true}, scenario, setup);
+  ASSERT_TRUE(outcome.contact);
+  // It stands at x = 35 from the second on.
+  const double gap = 35.0 - 0.5 * (kEgoSize.length + kCarSize.length);
+  EXPECT_NEAR(outcome.contact->time, kNow + gap / 8.0, 1e-3);
+  EXPECT_EQ(outcome.phase, AttackerPhase::kDrivingOn);
+  EXPECT_NEAR(outcome.attacker.points.back().pose.x, 35.0, 1e-6);
+  ASSERT_GT(attacker.seen().size(), 12u);
+  const Frame& tenth = attacker.seen()[10];
+  EXPECT_NEAR(tenth.time, kNow + 1.0, 1e-9);
+  EXPECT_NEAR(tenth.ego.x, 8.0, 1e-6);
+  const auto other = std::find_if(tenth.agents.begin(), tenth.agents.end(),
+                                  [](const Track& agent) { return agent.id == "other"; });
+  ASSERT_NE(other, tenth.agents.end());
+  ASSERT_EQ(other->states.size(), 1u);
+  EXPECT_NEAR(other->states.front().pose.x, -26.0, 1e-6);
 }
 
 TEST(Rollout, AnEgoThatKeepsItsSpeedMeetsTheOncomingAttackerWhereBothAre) {

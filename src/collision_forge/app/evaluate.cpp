@@ -29,7 +29,7 @@ void addPlan(CLI::App& app, EvaluationPlan& plan) {
                       "how crashes are judged; of requests strict alone");
   app.add_option("--method", plan.method,
                  "measured beside the baselines; recorded by default, of requests search");
-  addMode(app, plan.mode);
+  addMode(app, plan.mode, true);
   app.add_option("--seeds", plan.seeds,
                  "of a search, all pooled: 0 to this minus one; of requests counted from theirs")
       ->check(CLI::PositiveNumber)
@@ -53,6 +53,9 @@ void addCrash(CLI::App& app, EvaluationArguments& arguments, CLI::Option* reques
 void completePlan(const CLI::App& app, const std::string& directory, bool is_of_clips,
                   EvaluationPlan& plan) {
   if (!is_of_clips && app.count("--method") == 0) plan.method = "search";
+  if (is_of_clips && plan.mode == Mode::kAdaptive) {
+    throw CLI::ValidationError("--mode", "adaptive needs --requests");
+  }
   try {
     const Config config = loadConfig(directory);
     MethodRegistry methods = loadMethods(config);

@@ -129,7 +129,8 @@ int generate(const Arguments& arguments) {
   run.work = [&](std::size_t index) {
     try {
       const SceneRequest& asked = list.requests[index];
-      const RequestAnswerer answerer(scenes, method, asked.request.crash, config.ego_vehicle);
+      const RequestAnswerer answerer(scenes, method, asked.request.crash, config.ego_vehicle,
+                                     config.adaptive);
       return scenarioLine(answerer.answer(asked));
     } catch (const std::exception& error) {
       throw std::runtime_error(arguments.requests + ": line " + std::to_string(index + 1) +
@@ -164,7 +165,7 @@ void addGenerate(CommandLine& line) {
                     "jsonl; csv-collide: scenarios.jsonl and a clip of COLLIDE's layout an attack, "
                     "in trajectory/val");
   addMethod(app, arguments->method);
-  addMode(app, arguments->mode);
+  addMode(app, arguments->mode, true);
   addAttacker(app, arguments->controls);
   addControls(app, arguments->controls);
   addAlternatives(app, arguments->controls);

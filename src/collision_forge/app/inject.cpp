@@ -11,6 +11,7 @@
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/draw_scenario.h"
+#include "collision_forge/policy/adaptive_answer.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/injection.h"
@@ -114,6 +115,20 @@ Realization alternativeOf(const Realization& first, int number) {
   return declined;
 }
 
+Realization answerOf(const MethodMaker& maker, const Moment& moment, const Scene& scene,
+                     const CollisionRequest& request, const Arguments& arguments,
+                     const Config& config) {
+  if (request.mode == Mode::kAdaptive) {
+    const AttackerSetup setup{maker.egoFutures(), config.attack, config.adaptive};
+    return withoutMisses(
+               answerAdaptively(*maker.make(), moment, scene, config.ego_vehicle, request, setup),
+               request)
+        .attack;
+  }
+  return alternativeOf(generateCollision(*maker.make(), moment, request, config.attack.prediction),
+                       arguments.alternative);
+}
+
 int inject(const Arguments& arguments) {
   checkOutputs(arguments);
   collision_forge::CollisionRequest asked = arguments.request;
@@ -134,8 +149,7 @@ int inject(const Arguments& arguments) {
   const Moment moment{snapshotAt(scene, now, prediction.history_frames), recordedFuture(scene, now),
                       std::make_shared<const LaneIndex>(scene.map), pastOf(scene, now)};
   const MethodMaker maker = loadMethod(arguments.method, config, config.attack);
-  const Realization attack = alternativeOf(
-      generateCollision(*maker.make(), moment, request, prediction), arguments.alternative);
+  const Realization attack = answerOf(maker, moment, scene, request, arguments, config);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);
   CollisionReport tested =
       verify(attack.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
@@ -186,7 +200,7 @@ void addInject(CommandLine& line) {
                  "method's own; from 2 on the others, the surest first")
       ->check(CLI::Range(1, kMaxAlternatives));
   addMethod(app, arguments->method);
-  addMode(app, arguments->mode);
+  addMode(app, arguments->mode, true);
   addSeed(app, request.seed, "of the variations tried");
   addOut(app, arguments->out, "bag to write");
   app.add_option("--draw", arguments->draw, "also draw to this name + .png and .gif");

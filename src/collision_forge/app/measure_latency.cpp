@@ -69,7 +69,7 @@ void addMeasureLatency(CommandLine& line) {
   request.tta = 4.0;
   app.add_option("--type", request.collision_type, "collision type")->capture_default_str();
   app.add_option("--tta", request.tta, "seconds from now to impact")->capture_default_str();
-  addMode(app, arguments->mode);
+  addMode(app, arguments->mode, false);
   app.add_option("--calls", arguments->calls, "number of calls, the seed counting up")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

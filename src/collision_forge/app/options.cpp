@@ -173,9 +173,17 @@ void addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text) {
   app.add_option("--seed", seed, text)->capture_default_str();
 }
 
-void addMode(CLI::App& app, Mode& mode) {
-  addChoice<Mode>(app, "--mode", mode, {{"history", Mode::kHistory}, {"replay", Mode::kReplay}},
-                  "history: use only what was seen up to now; replay: use the recorded future");
+void addMode(CLI::App& app, Mode& mode, bool may_adapt) {
+  if (!may_adapt) {
+    addChoice<Mode>(app, "--mode", mode, {{"history", Mode::kHistory}, {"replay", Mode::kReplay}},
+                    "history: use only what was seen up to now; replay: use the recorded future");
+    return;
+  }
+  addChoice<Mode>(
+      app, "--mode", mode,
+      {{"history", Mode::kHistory}, {"replay", Mode::kReplay}, {"adaptive", Mode::kAdaptive}},
+      "history: use only what was seen up to now; replay: use the recorded future; "
+      "adaptive: as history, and the attacker looks again at every frame that comes");
 }
 
 void addPlannerFile(CLI::App& app, std::string& file) {

@@ -85,7 +85,8 @@ void addJobs(CLI::App& app, int& jobs, const std::string& text);
 /// --seed.
 void addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text);
 /// --mode, history or replay.
-void addMode(CLI::App& app, Mode& mode);
+/// `may_adapt`: mode adaptive is one of them.
+void addMode(CLI::App& app, Mode& mode, bool may_adapt);
 /// --method of attack; empty: the suite's own.
 CLI::Option* addMethod(CLI::App& app, std::string& method);
 /// --planner-file: a learned planner in place of the one that the configuration names.

@@ -13,6 +13,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/data/collide_set.h"
+#include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/draw_scenario.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/planners/planner_factory.h"
@@ -37,6 +38,7 @@ struct Arguments {
   std::size_t limit = 0;
   std::vector<std::string> planners = {"idm", "rule_based", "pdm"};
   std::string planner_file;
+  std::vector<std::string> policies = {"fixed"};
   Background background = Background::kReplay;
   std::size_t worst = 3;
   std::string out;
@@ -68,6 +70,7 @@ ResumableFile::Options runOptions(const Arguments& arguments, const PlannerCases
       inputsOf(config, arguments.config, arguments.dataroot, arguments.version);
   options["cases"] = cases.fingerprint();
   options["planners"] = joined(arguments.planners);
+  options["attacker_policy"] = joined(arguments.policies);
   addPlannerFingerprint(options, arguments.planners, config.planners);
   options["background"] = arguments.background == Background::kIdm ? "idm" : "replay";
   return options;
@@ -110,13 +113,22 @@ std::string csvOf(const std::vector<PlannerTestResult>& results) {
   return text;
 }
 
+TestPlan planOf(const Arguments& arguments, const Config& config) {
+  TestPlan plan{arguments.planners, arguments.background, {}, {}};
+  for (const std::string& name : arguments.policies) {
+    plan.policies.push_back(*policyKindFromString(name));
+    if (plan.policies.back() == PolicyKind::kAdaptive) plan.foresight = loadForesight(config);
+  }
+  return plan;
+}
+
 void report(const std::vector<PlannerTestResult>& results, const Arguments& arguments,
-            const Config& config) {
+            const TestPlan& plan, const Config& config) {
   const StatisticsOptions& statistics = config.evaluation.statistics;
   std::string text =
       reportTitle("Planners in closed loop", statistics) + "\n" + describeCases(results);
   std::string csv = rateCsvHeader() + "\n";
-  for (const PlannerTable& entry : plannerTables(results, arguments.planners, statistics)) {
+  for (const PlannerTable& entry : plannerTables(results, rowNames(plan), statistics)) {
     text += "\n" + toMarkdown(entry.table, entry.unit);
     csv += toCsv(entry.table);
     if (entry.table.measure.is_headline) {
@@ -158,22 +170,30 @@ ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome) {
 }
 
 void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& results,
-               const Arguments& arguments, const Config& config) {
+               const Arguments& arguments, const TestPlan& plan, const Config& config) {
   const fs::path folder = fs::path(arguments.out) / "worst";
   fs::create_directories(folder);
   std::map<std::string, int> ranks;
-  for (const WorstCase& worst : worstCases(results, arguments.planners, arguments.worst)) {
-    const PlannerCase one = cases.at(worst.result);
-    const PlannerUnderTest made =
-        makePlanner(worst.planner, config.planners, one.scenario.attacker.attacker_id);
-    const RolloutOutcome outcome =
-        rollout(*made.planner, made.driving, one.scenario,
-                {config.planners, config.attack, config.crash.types, arguments.background});
-    const ScenarioView view = viewOf(one, outcome);
-    const std::string name =
-        (folder / (worst.planner + "_" + std::to_string(++ranks[worst.planner]))).string();
-    drawScenarioPng(name + ".png", view, config.drawing);
-    drawScenarioGif(name + ".gif", view, config.drawing);
+  for (const std::string& planner : plan.planners) {
+    for (const PolicyKind policy : plan.policies) {
+      const std::string row = rowName(planner, policy);
+      for (const WorstCase& worst : worstCases(results, {row}, arguments.worst)) {
+        PlannerCase one = cases.at(worst.result);
+        const PlannerUnderTest made =
+            makePlanner(planner, config.planners, one.scenario.attacker.attacker_id);
+        const auto attacker = makeAttacker(one, policy, plan.foresight, config);
+        const RolloutOutcome outcome = rollout(*made.planner, made.driving, one.scenario,
+                                               {config.planners, config.attack, config.crash.types,
+                                                arguments.background, true, attacker.get()});
+        one.scenario.attacker = outcome.attacker;
+        const ScenarioView view = viewOf(one, outcome);
+        const std::string name =
+            (folder / (planner + "_" + toString(policy) + "_" + std::to_string(++ranks[row])))
+                .string();
+        drawScenarioPng(name + ".png", view, config.drawing);
+        drawScenarioGif(name + ".gif", view, config.drawing);
+      }
+    }
   }
 }
 
@@ -197,18 +217,18 @@ int drive(const Arguments& arguments) {
   run.jobs = arguments.jobs;
   if (isMaster()) fs::create_directories(arguments.out);
   PlanningTimes times;
+  const TestPlan plan = planOf(arguments, config);
   const auto test = [&](const PlannerCase& one) {
-    const PlannerTestResult result =
-        testPlanners(one, arguments.planners, arguments.background, config, config.planners);
+    const PlannerTestResult result = testPlanners(one, plan, config, config.planners);
     times.add(result);
     return result;
   };
   const std::vector<PlannerTestResult> results = testCases(run, *cases, test);
   if (!isMaster()) return kExitOk;
   checkTested(results, run.path);
-  report(results, arguments, config);
+  report(results, arguments, plan, config);
   times.print();
-  drawWorst(*cases, results, arguments, config);
+  drawWorst(*cases, results, arguments, plan, config);
   return kExitOk;
 }
 
@@ -239,6 +259,13 @@ void addTest(CommandLine& line) {
   app.add_option("--planners", arguments->planners, "names, separated by commas")
       ->delimiter(',')
       ->check(CLI::IsMember(plannerNames()))
+      ->capture_default_str();
+  app.add_option("--attacker-policy", arguments->policies,
+                 "who drives the attacker, separated by commas: fixed, its trajectory as it is; "
+                 "adaptive, one that sees the ego and plans anew; with --scenarios")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"fixed", "adaptive"}))
+      ->excludes(collide)
       ->capture_default_str();
   addPlannerFile(app, arguments->planner_file);
   addBackground(app, arguments->background);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,30 @@
 #include "collision_forge/map/reference_path.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
+#include "collision_forge/verify/drive_limits.h"
 
 namespace forge {
+
+/// What is chosen of an attack along a route; the rest follows.
+struct RouteDraft {
+  std::size_t ego = 0;      ///< the future that it meets, an index into SearchInput::egos
+  double contact = 0.0;     ///< s from now
+  Side side = Side::kLeft;  ///< of the ego's box
+  double heading = 0.0;     ///< of the attacker from the ego, rad
+  double slide = 0.0;       ///< along the side, as of attackerOffset()
+  // As of RoutePlan:
+  double departure = 0.0;
+  double lead = 0.0;
+  double late = 0.0;
+  double late_acceleration = 0.0;
+  double wait = 0.0;
+};
+
+/// A draft with the way that it is along.
+struct DraftedWay {
+  ReferencePath way;
+  RouteDraft draft;
+};
 
 /// One attack that the search found; drivable within the limits.
 struct FoundAttack {
@@ -20,6 +43,7 @@ struct FoundAttack {
   std::vector<TrajectoryPoint> points;  ///< from now to tta + tail
   FutureScore score;
   double off_road = 0.0;  ///< mean share of the box off the drivable area, to the arrival
+  RoadUse road;           ///< of attacks along routes, as of CollisionReport::road
   /// What the search maximises: share, closeness, use of the road, effort, steering and miss
   /// weighed.
   double objective = 0.0;
@@ -29,6 +53,8 @@ struct FoundAttack {
   /// The futures in which all conditions hold: score.met first, then round from there. Preferred is
   /// the one in which the ego comes nearest to the aim's box.
   std::vector<const Track*> hits;
+  std::optional<DraftedWay> drafted;  ///< of attacks along routes
+  bool is_underway = false;           ///< goes on as Underway::planned
 };
 
 /// The ways that some attackers drive along, by id, in place of those of their lanes.
@@ -42,6 +68,15 @@ enum class SearchedMotion {
   kAny,       ///< as they can within the limits; what use that makes of the road is judged alone
 };
 
+/// An attacker that is on its way already, as it is at the snapshot's now.
+struct Underway {
+  DriveState state;                      ///< in place of what its track tells
+  std::vector<TrajectoryPoint> driven;   ///< from where its use of the road counts, to before now
+  std::vector<TrajectoryPoint> planned;  ///< from now on, as it means to; as long as others
+  ReferencePath way;                     ///< beside those of its lanes
+  std::optional<RouteDraft> draft;       ///< of the plan, along the way
+};
+
 /// What the search is given.
 struct SearchInput {
   const Snapshot& snapshot;
@@ -53,9 +88,10 @@ struct SearchInput {
   bool exact = false;  ///< nothing counts as much as a contact at the pattern
   const AttackerWays& ways = kNoWays;
   SearchedMotion motion = SearchedMotion::kByRoutes;
+  const Underway* underway = nullptr;  ///< of a search along routes for one attacker
 
   bool isByRoutes() const {
-    return request.crash.believable && motion == SearchedMotion::kByRoutes;
+    return underway != nullptr || (request.crash.believable && motion == SearchedMotion::kByRoutes);
   }
 };
 

@@ -19,10 +19,17 @@ void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& 
   const PredictionOptions& prediction = options.prediction;
   const double tta = input.request.tta;
   const DriveState& now = entry.drive_start;
-  const SpeedVariation variation = variationOf(entry.track->id, input.request.seed, route);
+  SpeedVariation variation = variationOf(entry.track->id, input.request.seed, route);
+  if (input.underway != nullptr && !input.underway->driven.empty()) {
+    const double since = input.snapshot.now - input.underway->driven.front().time;
+    variation.phase += variation.frequency() * since;
+  }
   if (const auto way = input.ways.find(entry.track->id); way != input.ways.end()) {
     entry.routes.emplace_back(way->second, now, entry.driver->limits(), route, variation);
     return;
+  }
+  if (input.underway != nullptr) {
+    entry.routes.emplace_back(input.underway->way, now, entry.driver->limits(), route, variation);
   }
   const double reach = now.speed * tta + 0.5 * route.styles.back().forward * tta * tta;
   const auto nearEgo = [&](const Polyline& way) {
@@ -70,7 +77,8 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
     entry->limits = driveLimitsOf(agent, options.verification);
     entry->driver.emplace(entry->limits, options.route.limit_share, options.route.preview,
                           options.search.step);
-    entry->drive_start = driveStateNow(agent, options.verification);
+    entry->drive_start = input.underway != nullptr ? input.underway->state
+                                                   : driveStateNow(agent, options.verification);
   }
   if (input.isByRoutes()) {
     addRoutes(*entry, input, options);

@@ -23,30 +23,17 @@ namespace {
 constexpr double kSlides[] = {-0.7, 0.0, 0.7};
 constexpr double kShrink = 0.7;  // of the moves, a round
 
-/// What is chosen of one attack; the rest follows.
-struct Draft {
-  std::size_t ego = 0;   // the future
-  double contact = 0.0;  // s from now
-  Side side = Side::kLeft;
-  double heading = 0.0;    // of the attacker from the ego, rad
-  double slide = 0.0;      // along the side
-  double departure = 0.0;  // s
-  double lead = 0.0;       // s
-  double late = 0.0;       // s
-  double late_acceleration = 0.0;
-  double wait = 0.0;  // s
-};
-
 struct Candidate {
   const Contender* contender = nullptr;
   const RouteDriver* route = nullptr;
-  Draft draft;
+  RouteDraft draft;
   const Aim* aim = nullptr;
   FutureScore score;
   PatternMiss miss;
   RoadUse road;
   std::size_t style = 0;
   double objective = 0.0;
+  bool is_underway = false;  // not a draft, but what the attacker means to do
 };
 
 class ManoeuvreSearch {
@@ -69,18 +56,45 @@ class ManoeuvreSearch {
   }
 
   std::vector<FoundAttack> run() {
-    draft();
+    if (input_.underway != nullptr && !contenders_.empty()) goOn();
+    if (!isGood()) draft();
     for (int round = 0; round < route_.rounds && !isGood(); ++round) {
       perturb(std::pow(kShrink, round));
     }
     std::vector<FoundAttack> found;
     for (const Candidate& candidate : kept_) {
-      if (candidate.score.share > 0.0) found.push_back(finished(candidate));
+      if (candidate.is_underway) continue;
+      if (candidate.score.share > 0.0 || present_) found.push_back(finished(candidate));
     }
+    if (present_) found.push_back(finished(*present_));
     return found;
   }
 
  private:
+  /// What the attacker means to do, and the same at each of the ego's places.
+  void goOn() {
+    Candidate candidate;
+    candidate.contender = contenders_.front().get();
+    candidate.route = &contenders_.front()->routes.front();
+    candidate.is_underway = true;
+    candidate.draft = input_.underway->draft.value_or(RouteDraft{});
+    if (!input_.underway->draft) candidate.draft.contact = input_.request.tta;
+    points_ = input_.underway->planned;
+    judge(candidate);
+    present_ = candidate;
+    if (!input_.underway->draft || isGood()) return;
+    candidate.is_underway = false;
+    for (const std::size_t ego : sampler_.egos()) {
+      for (const double early : route_.contacts) {
+        candidate.draft = *input_.underway->draft;
+        candidate.draft.ego = ego;
+        candidate.draft.contact =
+            std::clamp(candidate.draft.contact + early, sampler_.earliest(), sampler_.latest());
+        consider(candidate);
+      }
+    }
+  }
+
   /// Where there are many contenders, one draft of each, and more of those that come nearest.
   void draft() {
     const auto most = static_cast<std::size_t>(route_.drafted);
@@ -138,7 +152,7 @@ class ManoeuvreSearch {
       if (input_.request.ego_side.value_or(placement.side) != placement.side) continue;
       candidate.draft.side = placement.side;
       candidate.draft.heading = placement.heading;
-      const std::vector<Draft> drafts = mannersOf(candidate);
+      const std::vector<RouteDraft> drafts = mannersOf(candidate);
       for (const double slide : kSlides) {
         for (std::size_t i = 0; i < drafts.size(); ++i) {
           if (!isDue(slide, i)) continue;
@@ -155,13 +169,14 @@ class ManoeuvreSearch {
   bool isDue(double slide, std::size_t manner) const {
     const bool is_first = slide == 0.0 && manner == 0;
     if (sketches_) return is_first;
+    if (input_.underway != nullptr) return slide == 0.0 || manner == 0;
     return !has_sketches_ || (!is_first && (slide == 0.0 || manner == 0));
   }
 
   /// Different departures, and late changes of speed where the ego runs into the attacker.
-  std::vector<Draft> mannersOf(const Candidate& candidate) const {
-    std::vector<Draft> drafts;
-    Draft draft;
+  std::vector<RouteDraft> mannersOf(const Candidate& candidate) const {
+    std::vector<RouteDraft> drafts;
+    RouteDraft draft;
     draft.ego = candidate.draft.ego;
     draft.contact = candidate.draft.contact;
     draft.side = candidate.draft.side;
@@ -196,7 +211,7 @@ class ManoeuvreSearch {
 
   /// The plan of a draft; false where the route does not lead there.
   bool planOf(const Candidate& candidate, std::size_t count, std::size_t& style) {
-    const Draft& draft = candidate.draft;
+    const RouteDraft& draft = candidate.draft;
     const Contender& contender = *candidate.contender;
     const Pose2 offset = attackerOffset(input_.snapshot.ego.size, contender.track->size, draft.side,
                                         draft.heading, draft.slide, search_.depth);
@@ -235,9 +250,13 @@ class ManoeuvreSearch {
   }
 
   void consider(Candidate& candidate) {
-    candidate.score = {};
     const auto steps = static_cast<std::size_t>(scorer_.steps());
-    if (!planOf(candidate, steps, candidate.style)) return;
+    if (planOf(candidate, steps, candidate.style)) judge(candidate);
+  }
+
+  /// Keeps the candidate, whose points are there, if it is one of the best.
+  void judge(Candidate& candidate) {
+    candidate.score = {};
     const Contender& contender = *candidate.contender;
     candidate.aim = nearestAim(candidate);
     candidate.score = scorer_.score(*contender.track, points_, candidate.draft.ego);
@@ -251,7 +270,7 @@ class ManoeuvreSearch {
     const double until = now + input_.request.tta + input_.request.crash.time_tolerance;
     if (findBrokenDrive(points_, contender.drive_start, until, contender.limits)) return;
     candidate.road =
-        roadUseUntilManoeuvre(points_, contender.track->size, now + candidate.draft.contact,
+        roadUseUntilManoeuvre(whole(), contender.track->size, now + candidate.draft.contact,
                               driven_, options_.verification.believability);
     candidate.objective -= route_.off_lane_weight * (1.0 - candidate.road.on_lane) +
                            route_.off_road_weight * candidate.road.off_road +
@@ -263,6 +282,14 @@ class ManoeuvreSearch {
     }
     kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, better), candidate);
     if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();
+  }
+
+  /// The points with what was driven before.
+  const std::vector<TrajectoryPoint>& whole() {
+    if (input_.underway == nullptr) return points_;
+    whole_ = input_.underway->driven;
+    whole_.insert(whole_.end(), points_.begin(), points_.end());
+    return whole_;
   }
 
   /// Of the contender's patterns the one that the draft's contact is nearest to.
@@ -296,7 +323,8 @@ class ManoeuvreSearch {
 
   bool isGood() const {
     return !kept_.empty() && kept_.front().score.share >= search_.good_share &&
-           kept_.front().style == 0 && (!how_asked_.isNamed() || kept_.front().objective > 0.0) &&
+           (kept_.front().style == 0 || kept_.front().is_underway) &&
+           (!how_asked_.isNamed() || kept_.front().objective > 0.0) &&
            kept_.front().road.on_lane >= 1.0 &&
            kept_.front().road.off_road <= search_.good_off_road &&
            (!input_.exact || isExact(kept_.front().miss, search_));
@@ -310,12 +338,13 @@ class ManoeuvreSearch {
       const std::size_t rank =
           std::min(random_.index(parents.size()), random_.index(parents.size()));
       Candidate candidate = parents[rank];
+      candidate.is_underway = false;
       move(candidate.draft, scale);
       consider(candidate);
     }
   }
 
-  void move(Draft& draft, double scale) {
+  void move(RouteDraft& draft, double scale) {
     draft.contact = std::clamp(draft.contact + random_.bell(0.15 * scale), sampler_.earliest(),
                                sampler_.latest());
     draft.slide = std::clamp(draft.slide + random_.bell(0.4 * scale), -kMaxSlide, kMaxSlide);
@@ -332,11 +361,18 @@ class ManoeuvreSearch {
   FoundAttack finished(const Candidate& candidate) {
     FoundAttack found;
     found.attacker = candidate.contender->track;
-    std::size_t style = 0;
-    planOf(candidate, all_points_, style);
-    found.points = points_;
+    found.is_underway = candidate.is_underway;
+    if (candidate.is_underway) {
+      found.points = input_.underway->planned;
+    } else {
+      std::size_t style = 0;
+      planOf(candidate, all_points_, style);
+      found.points = points_;
+    }
     found.score = candidate.score;
     found.off_road = candidate.road.off_road;
+    found.road = candidate.road;
+    found.drafted = DraftedWay{candidate.route->path(), candidate.draft};
     found.objective = candidate.objective;
     found.effort = effortOf(candidate);
     found.aim = candidate.aim->pattern;
@@ -358,15 +394,17 @@ class ManoeuvreSearch {
   Random random_;
   ArrivalSampler sampler_;
   std::size_t all_points_ = 0;
-  bool sketches_ = false;        // one draft a contender ...
-  bool has_sketches_ = false;    // ... which was done
-  double best_ = 0.0;            // objective of the contender's drafts so far
-  std::vector<Candidate> kept_;  // best first
+  bool sketches_ = false;             // one draft a contender ...
+  bool has_sketches_ = false;         // ... which was done
+  double best_ = 0.0;                 // objective of the contender's drafts so far
+  std::vector<Candidate> kept_;       // best first
+  std::optional<Candidate> present_;  // what the attacker means to do
   const RouteDriver* last_route_ = nullptr;
   RoutePlan last_plan_;
   std::optional<RouteSpeed> last_speed_;
   std::vector<PlannedStep> planned_;
   std::vector<TrajectoryPoint> points_;
+  std::vector<TrajectoryPoint> whole_;
 };
 
 }  // namespace

@@ -73,30 +73,32 @@ const Track& mostCentral(const std::vector<Track>& tracks, double time) {
 
 }  // namespace
 
+Future foreseenFuture(const Snapshot& snapshot, const LaneIndex& lanes,
+                      const EgoFutureSampler& ego_futures, double horizon, double central,
+                      int samples, std::uint64_t seed, const PredictionOptions& options) {
+  Future future = predictFuture(snapshot, lanes, horizon, options);
+  future.ego_samples = ego_futures.sample(snapshot, lanes, horizon, samples, seed);
+  if (!future.ego_samples.empty()) {
+    future.ego = mostCentral(future.ego_samples, snapshot.now + central);
+  }
+  return future;
+}
+
 KinematicPatternPredictor::KinematicPatternPredictor(
     const AttackOptions& options, std::shared_ptr<const EgoFutureSampler> ego_futures)
     : options_(options.prediction),
       believability_(options.verification.believability),
       ego_futures_(std::move(ego_futures)) {}
 
-Future KinematicPatternPredictor::predictedFuture(const Snapshot& snapshot, const LaneIndex& lanes,
-                                                  const CollisionRequest& request) const {
-  const double horizon = request.tta + options_.tail;
-  Future future = predictFuture(snapshot, lanes, horizon, options_);
-  future.ego_samples =
-      ego_futures_->sample(snapshot, lanes, horizon, options_.ego_samples, request.seed);
-  if (!future.ego_samples.empty()) {
-    future.ego = mostCentral(future.ego_samples, snapshot.now + request.tta);
-  }
-  return future;
-}
-
 PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
                                                      const LaneIndex& lanes,
                                                      const CollisionRequest& request,
                                                      const Future* recorded) const {
   PatternPrediction prediction;
-  prediction.future = recorded ? *recorded : predictedFuture(snapshot, lanes, request);
+  prediction.future =
+      recorded ? *recorded
+               : foreseenFuture(snapshot, lanes, *ego_futures_, request.tta + options_.tail,
+                                request.tta, options_.ego_samples, request.seed, options_);
   const auto ego = stateAt(prediction.future.ego, snapshot.now + request.tta);
   if (!ego) {
     prediction.status = {StatusCode::kBeyondRecording,

@@ -30,6 +30,13 @@ class PatternPredictor {
                                     const Future* recorded) const = 0;
 };
 
+/// From the snapshot's now to `horizon` seconds later: `samples` equally likely futures of the ego,
+/// the most central of them `central` seconds from now as the likeliest, and all others as
+/// predictFuture() says. The same arguments give the same future.
+Future foreseenFuture(const Snapshot& snapshot, const LaneIndex& lanes,
+                      const EgoFutureSampler& ego_futures, double horizon, double central,
+                      int samples, std::uint64_t seed, const PredictionOptions& options);
+
 /// No learning: the ego moves as the sampler says, all others as predictFuture() says (or everybody
 /// as recorded), and each candidate attacker is placed at the ego's pose at impact with the type's
 /// nominal heading. Declines with kRoadDoesNotAllow where that is asked for (roadAllows()).
@@ -42,9 +49,6 @@ class KinematicPatternPredictor : public PatternPredictor {
                             const CollisionRequest& request, const Future* recorded) const override;
 
  private:
-  Future predictedFuture(const Snapshot& snapshot, const LaneIndex& lanes,
-                         const CollisionRequest& request) const;
-
   PredictionOptions options_;
   BelievabilityOptions believability_;
   std::shared_ptr<const EgoFutureSampler> ego_futures_;

@@ -118,6 +118,15 @@ Status checkControls(const CollisionRequest& request) {
     return refuse(StatusCode::kInvalidInput, "alternatives = ", request.alternatives,
                   " is outside 1 to ", kMaxAlternatives);
   }
+  if (request.mode == Mode::kAdaptive && request.crash.limits == LimitSet::kStrict) {
+    return refuse(StatusCode::kInvalidInput,
+                  "limits = strict is not for mode = adaptive, whose attackers drive within the "
+                  "limits of their class");
+  }
+  if (request.mode == Mode::kAdaptive && request.alternatives > 1) {
+    return refuse(StatusCode::kInvalidInput, "alternatives = ", request.alternatives,
+                  " is not for mode = adaptive, which drives one attacker");
+  }
   if (request.crash.believable && request.crash.limits == LimitSet::kStrict) {
     return refuse(StatusCode::kInvalidInput,
                   "limits = strict goes with believable = false alone: a believable attacker "

@@ -10,8 +10,8 @@ namespace {
 
 constexpr const char* kFormat = "collision_forge/scenario";
 // 1: pattern was the contact, not what was aimed at; 2: nothing of classes, added vehicles,
-// controls and believability.
-constexpr int kVersion = 4;
+// controls and believability; 3: no alternatives; 4: nothing of adaptive attackers.
+constexpr int kVersion = 5;
 constexpr double kMicroseconds = 1e6;  // in a second
 constexpr const char* kRecorded = "recorded";
 constexpr const char* kAdded = "added";
@@ -81,16 +81,9 @@ void writePast(JsonLineWriter& writer, const std::vector<AgentState>& past, doub
   writer.endArray();
 }
 
-void writeAttacker(JsonLineWriter& writer, const AttackerTrajectory& trajectory, double now) {
-  writer.beginObject("attacker");
-  writer.text("id", trajectory.attacker_id);
-  writer.text("class", toString(trajectory.agent_class));
-  writer.text("origin", trajectory.isAdded() ? kAdded : kRecorded);
-  writer.number("length", trajectory.size.length);
-  writer.number("width", trajectory.size.width);
-  writePast(writer, trajectory.past, now);
+void writePoints(JsonLineWriter& writer, const std::vector<TrajectoryPoint>& points, double now) {
   writer.beginArray("trajectory");
-  for (const TrajectoryPoint& point : trajectory.points) {
+  for (const TrajectoryPoint& point : points) {
     writer.beginObject();
     writer.number("t", fromNow(point.time, now));
     writePoseFields(writer, point.pose);
@@ -100,6 +93,31 @@ void writeAttacker(JsonLineWriter& writer, const AttackerTrajectory& trajectory,
     writer.endObject();
   }
   writer.endArray();
+}
+
+void writePlans(JsonLineWriter& writer, const std::vector<AttackerPlan>& plans, double now) {
+  writer.beginArray("plans");
+  for (const AttackerPlan& plan : plans) {
+    writer.beginObject();
+    writer.number("seen_t", fromNow(plan.seen, now));
+    writer.number("from_t", fromNow(plan.from, now));
+    writer.text("phase", toString(plan.phase));
+    writer.text("reason", plan.reason);
+    writePoints(writer, plan.points, now);
+    writer.endObject();
+  }
+  writer.endArray();
+}
+
+void writeAttacker(JsonLineWriter& writer, const AttackerTrajectory& trajectory, double now) {
+  writer.beginObject("attacker");
+  writer.text("id", trajectory.attacker_id);
+  writer.text("class", toString(trajectory.agent_class));
+  writer.text("origin", trajectory.isAdded() ? kAdded : kRecorded);
+  writer.number("length", trajectory.size.length);
+  writer.number("width", trajectory.size.width);
+  writePast(writer, trajectory.past, now);
+  writePoints(writer, trajectory.points, now);
   writer.endObject();
 }
 
@@ -181,7 +199,7 @@ CollisionRequest readRequest(JsonObject object) {
   const auto type = collisionTypeFromString(object.text("type"));
   if (!type) object.fail("type", "is no collision type");
   const auto mode = modeFromString(object.text("mode"));
-  if (!mode) object.fail("mode", "is neither history nor replay");
+  if (!mode) object.fail("mode", "is neither history nor replay nor adaptive");
   request.type = *type;
   request.tta = object.number("tta");
   request.attacker = object.textOrNull("attacker");
@@ -235,6 +253,20 @@ bool readIsAdded(JsonObject& object) {
   return origin == kAdded;
 }
 
+std::vector<TrajectoryPoint> readPoints(JsonObject& object, double now) {
+  std::vector<TrajectoryPoint> points;
+  for (JsonObject& entry : object.objects("trajectory")) {
+    TrajectoryPoint& point = points.emplace_back();
+    point.time = now + entry.number("t");
+    point.pose = readPoseFields(entry);
+    point.speed = entry.number("v");
+    point.acceleration = entry.number("a");
+    point.curvature = entry.number("kappa");
+    entry.finish();
+  }
+  return points;
+}
+
 AttackerTrajectory readAttacker(JsonObject object, double now) {
   AttackerTrajectory trajectory;
   trajectory.attacker_id = object.text("id");
@@ -243,18 +275,31 @@ AttackerTrajectory readAttacker(JsonObject object, double now) {
   trajectory.agent_class = *agent_class;
   trajectory.past = readPast(object, readIsAdded(object), now);
   trajectory.size = {readPositive(object, "length"), readPositive(object, "width")};
-  for (JsonObject& entry : object.objects("trajectory")) {
-    TrajectoryPoint point;
-    point.time = now + entry.number("t");
-    point.pose = readPoseFields(entry);
-    point.speed = entry.number("v");
-    point.acceleration = entry.number("a");
-    point.curvature = entry.number("kappa");
-    entry.finish();
-    trajectory.points.push_back(point);
-  }
+  trajectory.points = readPoints(object, now);
   object.finish();
   return trajectory;
+}
+
+std::vector<AttackerPlan> readPlans(JsonObject& object, const Scenario& scenario) {
+  std::vector<AttackerPlan> plans;
+  const double now = scenario.asked.now;
+  for (JsonObject& entry : object.objects("plans")) {
+    AttackerPlan& plan = plans.emplace_back();
+    plan.seen = now + entry.number("seen_t");
+    plan.from = now + entry.number("from_t");
+    const auto phase = attackerPhaseFromString(entry.text("phase"));
+    if (!phase) entry.fail("phase", "is no phase of an attacker");
+    plan.phase = *phase;
+    plan.reason = entry.text("reason");
+    plan.points = readPoints(entry, now);
+    entry.finish();
+  }
+  const bool is_adaptive = scenario.asked.request.mode == Mode::kAdaptive &&
+                           scenario.answer.status.code == StatusCode::kOk;
+  if (is_adaptive == plans.empty()) {
+    object.fail("plans", "are those of an attack in mode adaptive, and of no other");
+  }
+  return plans;
 }
 
 CollisionPattern readPattern(JsonObject object, double now, PatternMiss& miss) {
@@ -370,6 +415,7 @@ std::string scenarioLine(const Scenario& scenario) {
   writeRequest(writer, scenario.asked.request);
   writeStatus(writer, scenario.answer.status);
   writeAnswer(writer, scenario.answer, now);
+  writePlans(writer, scenario.plans, now);
   writer.beginObject("ego");
   writer.number("length", scenario.ego.size.length);
   writer.number("width", scenario.ego.size.width);
@@ -390,6 +436,7 @@ Scenario readScenarioLine(const std::string& where, const std::string& line) {
   scenario.ego = readEgo(object.object("ego"));
   scenario.answer.status = readStatus(object.object("status"));
   readAnswer(object, scenario, scenario.answer);
+  scenario.plans = readPlans(object, scenario);
   object.finish();
   return scenario;
 }

@@ -4,6 +4,7 @@
 
 #include "collision_forge/attack/realizer.h"
 #include "collision_forge/data/json_line.h"
+#include "collision_forge/policy/attacker_policy.h"
 #include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/scene.h"
 
@@ -13,7 +14,8 @@ namespace forge {
 struct Scenario {
   SceneRequest asked;
   EgoVehicle ego;
-  Realization answer;  ///< times on the scene's clock
+  Realization answer;                    ///< times on the scene's clock
+  std::vector<AttackerPlan> plans = {};  ///< of an adaptive attacker, AttackerPolicy::plans()
 };
 
 /// One line, without a line end, as docs/scenarios.md and docs/scenario.schema.json have it: times

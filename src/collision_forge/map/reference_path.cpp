@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace forge {
 namespace {
@@ -139,11 +140,14 @@ std::vector<double> ReferencePath::bends() const {
 }
 
 double ReferencePath::project(const Vector2& point) const {
-  const auto closest = std::min_element(
-      controls_.begin() + 1, controls_.end() - 1, [&](const Vector2& a, const Vector2& b) {
-        return (a - point).squaredNorm() < (b - point).squaredNorm();
-      });
-  const double arc_length = spacing_ * static_cast<double>(closest - controls_.begin() - 1);
+  std::size_t closest = 1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i + 1 < controls_.size(); ++i) {
+    const double distance = (controls_[i] - point).squaredNorm();
+    if (distance < least) closest = i;
+    least = std::min(least, distance);
+  }
+  const double arc_length = spacing_ * static_cast<double>(closest - 1);
   const Pose2 place = at(arc_length).pose;
   return arc_length + place.heading().dot(point - place.position());
 }

@@ -26,6 +26,14 @@ class MethodMaker {
   std::unique_ptr<const AttackMethod> makeWithoutScene(const std::string& scene) const {
     return makeOf(foresight_.withoutScene(scene));
   }
+  /// How the ego may drive on.
+  std::shared_ptr<const EgoFutureSampler> egoFutures() const {
+    return foresight_.egoFutures(options_.ego_futures);
+  }
+  /// How the ego of a scene on test may drive on, by models that know nothing of it.
+  std::shared_ptr<const EgoFutureSampler> egoFuturesWithoutScene(const std::string& scene) const {
+    return foresight_.withoutScene(scene).egoFutures(options_.ego_futures);
+  }
 
  private:
   std::unique_ptr<const AttackMethod> makeOf(const Foresight& foresight) const;

@@ -96,6 +96,11 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     const auto parsed = fromMessage(asked, config_.crash);
     if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
     const CollisionRequest& request = std::get<CollisionRequest>(parsed);
+    if (request.mode == Mode::kAdaptive) {
+      return {StatusCode::kInvalidInput,
+              "mode = adaptive is for recordings (forge generate, inject, evaluate) and planner "
+              "tests (forge test --attacker-policy)"};
+    }
     const std::string method = message.method.empty() ? default_method_ : message.method;
     if (!methods_.has(method)) {
       return {StatusCode::kInvalidInput,

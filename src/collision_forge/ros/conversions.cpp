@@ -347,7 +347,7 @@ std::variant<CollisionRequest, Status> fromMessage(const collision_forge::Collis
   const auto mode = modeFromString(message.mode.empty() ? "history" : message.mode);
   if (!mode) {
     return Status{StatusCode::kInvalidInput,
-                  "mode = \"" + message.mode + "\" is neither history nor replay"};
+                  "mode = \"" + message.mode + "\" is neither history nor replay nor adaptive"};
   }
   request.type = *type;
   request.tta = message.tta;

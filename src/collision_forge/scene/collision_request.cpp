@@ -14,12 +14,23 @@ std::string lowered(std::string text) {
 
 }  // namespace
 
-const char* toString(Mode mode) { return mode == Mode::kHistory ? "history" : "replay"; }
+const char* toString(Mode mode) {
+  switch (mode) {
+    case Mode::kHistory:
+      return "history";
+    case Mode::kReplay:
+      return "replay";
+    case Mode::kAdaptive:
+      break;
+  }
+  return "adaptive";
+}
 
 std::optional<Mode> modeFromString(const std::string& name) {
   const std::string key = lowered(name);
-  if (key == "history") return Mode::kHistory;
-  if (key == "replay") return Mode::kReplay;
+  for (const Mode mode : kModes) {
+    if (key == toString(mode)) return mode;
+  }
   return std::nullopt;
 }
 

@@ -16,6 +16,7 @@ void readMethods(Section file, Config& config) {
 Config loadConfig(const std::string& directory) {
   Config config;
   readAttackOptions(directory, config.attack);
+  readConfigFile(directory, "adaptive", config.adaptive);
   readConfigFile(directory, "crash_definition", config.crash, config.attack.search.time_margin);
   readMethods(openConfigFile(directory, "methods.yaml"), config);
   readConfigFile(directory, "speed_model_fit", config.speed_model_fit);

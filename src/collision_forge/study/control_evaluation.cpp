@@ -49,11 +49,12 @@ ControlEvaluator::ControlEvaluator(SceneSource& scenes, MethodMaker method,
       method_(std::move(method)),
       verification_(options.attack.verification),
       history_frames_(options.attack.prediction.history_frames),
-      ego_(ego) {}
+      ego_(ego),
+      adaptive_(options.adaptive) {}
 
 ControlAnswer ControlEvaluator::answer(const ControlQuestion& question) const {
   const SceneRequest& asked = question.asked;
-  const RequestAnswerer answerer(scenes_, method_, asked.request.crash, ego_);
+  const RequestAnswerer answerer(scenes_, method_, asked.request.crash, ego_, adaptive_);
   const Realization answer = answerer.answer(asked).answer;
   if (answer.status.code != StatusCode::kOk) return {answer.status.code, false};
   const auto scene = scenes_.at(asked.scene);

@@ -36,6 +36,7 @@ class ControlEvaluator {
   VerificationOptions verification_;
   int history_frames_;
   EgoVehicle ego_;
+  AdaptiveOptions adaptive_;
 };
 
 /// A line a question: what was asked, the status and whether it was kept (empty without answer).

@@ -6,6 +6,7 @@
 #include "collision_forge/attack/options.h"
 #include "collision_forge/data/options.h"
 #include "collision_forge/geometry/oriented_box.h"
+#include "collision_forge/policy/options.h"
 
 namespace forge {
 
@@ -86,6 +87,7 @@ struct EvaluationOptions {
 struct StudyOptions : DataOptions, ModelOptions {
   CrashDefinition crash;
   AttackOptions attack;
+  AdaptiveOptions adaptive;
   EvaluationOptions evaluation;
 };
 

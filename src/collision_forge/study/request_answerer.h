@@ -3,6 +3,7 @@
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/network/method_maker.h"
+#include "collision_forge/policy/options.h"
 
 namespace forge {
 
@@ -12,9 +13,10 @@ class RequestAnswerer {
  public:
   /// `scenes` must outlive it; `crash` is what counts in every request.
   RequestAnswerer(SceneSource& scenes, MethodMaker method, CrashDefinition crash,
-                  const EgoVehicle& ego);
+                  const EgoVehicle& ego, const AdaptiveOptions& adaptive);
 
-  /// generateCollision() at the frame of the request; the status of momentAt() where there is none.
+  /// generateCollision() at the frame of the request, in adaptive mode answerAdaptively() without
+  /// misses; the status of momentAt() where there is none.
   /// Throws as SceneSource::at() does.
   Scenario answer(const SceneRequest& asked) const;
 
@@ -23,6 +25,7 @@ class RequestAnswerer {
   MethodMaker method_;
   CrashDefinition crash_;
   EgoVehicle ego_;
+  AdaptiveOptions adaptive_;
 };
 
 }  // namespace forge

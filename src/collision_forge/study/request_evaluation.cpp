@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "collision_forge/attack/request_check.h"
+#include "collision_forge/policy/adaptive_answer.h"
 #include "collision_forge/study/allowed_requests.h"
 #include "collision_forge/study/strict.h"
 
@@ -17,17 +18,17 @@ std::vector<RequestEvaluator::MethodRow> methodRows(const EvaluationPlan& plan) 
   const bool is_baseline =
       std::find(kBaselines.begin(), kBaselines.end(), plan.method) != kBaselines.end();
   if (is_baseline) return {};
-  const bool is_replay = plan.mode == Mode::kReplay;
-  if (!plan.is_seeded) return {{plan.method, TypeRules::kFull, is_replay, 1}};
+  if (!plan.is_seeded) return {{plan.method, TypeRules::kFull, plan.mode, 1}};
   std::vector<RequestEvaluator::MethodRow> rows;
-  const auto add = [&](const std::string& searcher, bool knows_future) {
+  const auto add = [&](const std::string& searcher, Mode mode) {
     if (!plan.believable) {
-      rows.push_back({searcher + "_angle_bands", TypeRules::kAngle, knows_future, plan.seeds});
+      rows.push_back({searcher + "_angle_bands", TypeRules::kAngle, mode, plan.seeds});
     }
-    rows.push_back({searcher + "_full_definitions", TypeRules::kFull, knows_future, plan.seeds});
+    rows.push_back({searcher + "_full_definitions", TypeRules::kFull, mode, plan.seeds});
   };
-  add(plan.method, is_replay);
-  if (!is_replay) add("replay", true);
+  if (plan.mode == Mode::kAdaptive) add("adaptive", Mode::kAdaptive);
+  add(plan.method, plan.mode == Mode::kReplay ? Mode::kReplay : Mode::kHistory);
+  if (plan.mode != Mode::kReplay) add("replay", Mode::kReplay);
   return rows;
 }
 
@@ -163,6 +164,14 @@ void evaluateBaseline(const AttackMethod& method, const RequestCase& request_cas
   }
 }
 
+void judgeAnswer(const RequestCase& request_case, const Realization& answer, ResultRow& row) {
+  if (answer.status.code == StatusCode::kOk) {
+    judge(request_case, answer.trajectory, request_case.outcomeOf(answer.trajectory), row);
+  } else {
+    refuse(answer.status, row);
+  }
+}
+
 /// An answer with the time that it took.
 struct TimedAnswer {
   Realization answer;
@@ -174,11 +183,7 @@ TimedAnswer evaluateMethod(const AttackMethod& method, const RequestCase& reques
   const auto begin = std::chrono::steady_clock::now();
   Realization answer = attempt(method, request_case.moment, request);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
-  if (answer.status.code == StatusCode::kOk) {
-    judge(request_case, answer.trajectory, request_case.outcomeOf(answer.trajectory), row);
-  } else {
-    refuse(answer.status, row);
-  }
+  judgeAnswer(request_case, answer, row);
   return {std::move(answer), time.count()};
 }
 
@@ -259,12 +264,25 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
       row.seed += static_cast<std::uint64_t>(seed);
       if (status.code != StatusCode::kOk) continue;
       CollisionRequest seeded = request;
-      seeded.mode = kind.knows_future ? Mode::kReplay : Mode::kHistory;
+      seeded.mode = kind.mode;
       seeded.seed = row.seed;
       seeded.crash.rules = kind.rules;
-      const auto [answer, time] =
-          evaluateMethod(*method, {request, *moment, study_.attack}, seeded, row);
-      if (method_.isSeeded()) evaluated.times.push_back({kind.name, time});
+      const RequestCase request_case{request, *moment, study_.attack};
+      Realization answer;
+      if (kind.mode == Mode::kAdaptive) {
+        AdaptiveAnswer adaptive = answerAdaptively(
+            *method, *moment, recording->scene, study_.ego_vehicle, seeded,
+            {method_.egoFuturesWithoutScene(asked.scene), study_.attack, study_.adaptive});
+        for (const double time : adaptive.milliseconds) {
+          evaluated.times.push_back({"adaptive, a look at a frame", time});
+        }
+        answer = std::move(adaptive.attack);
+        judgeAnswer(request_case, answer, row);
+      } else {
+        TimedAnswer timed = evaluateMethod(*method, request_case, seeded, row);
+        if (method_.isSeeded()) evaluated.times.push_back({kind.name, timed.milliseconds});
+        answer = std::move(timed.answer);
+      }
       if (answer.status.code != StatusCode::kOk) continue;
       if (method_.isSeeded()) row.confidence = answer.report.confidence;
       if (answer.report.contact) {

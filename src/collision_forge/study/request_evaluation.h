@@ -57,7 +57,7 @@ class RequestEvaluator {
   struct MethodRow {
     std::string name;
     TypeRules rules;
-    bool knows_future;
+    Mode mode;
     int seeds;
   };
 

@@ -113,7 +113,7 @@ std::vector<ResultRow> rowsThatReplayMeets(const std::vector<ResultRow>& rows,
 }
 
 bool isHistorySearch(const EvaluationPlan& plan) {
-  return plan.mode == Mode::kHistory && plan.is_seeded;
+  return plan.mode != Mode::kReplay && plan.is_seeded;
 }
 
 Measure givenReplay(const Column& column) {

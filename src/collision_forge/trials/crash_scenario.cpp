@@ -7,7 +7,10 @@
 namespace forge {
 
 Track attackerTrack(const CrashScenario& scenario) {
-  const AttackerTrajectory& attacker = scenario.attacker;
+  return attackerTrack(scenario, scenario.attacker);
+}
+
+Track attackerTrack(const CrashScenario& scenario, const AttackerTrajectory& attacker) {
   const auto seen =
       std::find_if(scenario.snapshot.agents.begin(), scenario.snapshot.agents.end(),
                    [&](const Track& agent) { return agent.id == attacker.attacker_id; });

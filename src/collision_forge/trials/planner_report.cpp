@@ -59,6 +59,14 @@ ValueOf shareOfCollisions(const std::function<bool(const PlannerContact&)>& is_m
   };
 }
 
+/// 1 where it is true of the attacker, of the rollouts without a failure.
+ValueOf ofAttackers(const std::function<bool(const AttackerSummary&)>& is_met) {
+  return [=](const PlannerTestResult&, const PlannerRow& row) -> std::optional<double> {
+    if (hasFailed(row.outcome)) return std::nullopt;
+    return is_met(row.attacker) ? 1.0 : 0.0;
+  };
+}
+
 std::optional<double> publishedHit(const PlannerTestResult&, const PlannerRow& row) {
   if (!row.published_hit) return std::nullopt;
   return *row.published_hit ? 1.0 : 0.0;
@@ -109,6 +117,20 @@ std::vector<RolloutMeasure> rolloutMeasures() {
         false},
        kShare,
        shareOf(isStrictAvoidable, collides)},
+      {{"as_asked", "Collisions with the attacker of the type and at the time asked for", {}, true},
+       kShare,
+       ofAttackers([](const AttackerSummary& attacker) { return attacker.as_asked; })},
+      {{"gave_up", "Attackers that gave up, or were done, before the end", {}, false},
+       kShare,
+       ofAttackers([](const AttackerSummary& attacker) {
+         return attacker.phase == AttackerPhase::kDrivingOn;
+       })},
+      {{"attacker_limits", "Attackers that broke a limit of their class", {}, false},
+       kShare,
+       ofAttackers([](const AttackerSummary& attacker) { return !attacker.broken_limit.empty(); })},
+      {{"attacker_touched", "Attackers that touched somebody else", {}, false},
+       kShare,
+       ofAttackers([](const AttackerSummary& attacker) { return !attacker.touched.empty(); })},
       {{"published_hit", "Collisions with the attacker by the published protocol", {}, false},
        kShare,
        publishedHit,
@@ -179,7 +201,7 @@ PlannerTable rolloutTable(const RolloutMeasure& measure,
       for (const PlannerTestResult& result : results) {
         if (!(result.isTested() || measure.counts_unfit) || result.source != source) continue;
         for (const PlannerRow& row : result.rows) {
-          if (row.planner != planner) continue;
+          if (rowName(row.planner, row.attacker.policy) != planner) continue;
           const auto value = measure.value(result, row);
           if (value) trials.back().second.push_back(trialOf(result, *value));
         }
@@ -270,7 +292,8 @@ std::vector<WorstCase> worstCases(const std::vector<PlannerTestResult>& results,
       if (!results[i].isTested() || !isAvoidable(results[i])) continue;
       for (const PlannerRow& row : results[i].rows) {
         const auto speed = impactSpeed(results[i], row);
-        if (row.planner == planner && speed) contacts.emplace_back(-*speed, i);
+        if (rowName(row.planner, row.attacker.policy) == planner && speed)
+          contacts.emplace_back(-*speed, i);
       }
     }
     std::sort(contacts.begin(), contacts.end());

@@ -15,12 +15,12 @@ struct PlannerTable {
   TableUnit unit;
 };
 
-/// What results of planner tests say, with intervals over scenes: a row a planner (and source,
-/// where there are several), a column a type. docs/planners.md defines every measure. Cases that
-/// were not tested count in no table, rollouts that a failure of the planner ended in that of
-/// failures alone.
+/// What results of planner tests say, with intervals over scenes: a row each of `rows` (rowName();
+/// and source, where there are several), a column a type. docs/planners.md defines every measure.
+/// Cases that were not tested count in no table, rollouts that a failure of the planner ended in
+/// that of failures alone.
 std::vector<PlannerTable> plannerTables(const std::vector<PlannerTestResult>& results,
-                                        const std::vector<std::string>& planners,
+                                        const std::vector<std::string>& rows,
                                         const StatisticsOptions& options);
 
 /// How many cases were tested, and why the others were not; as Markdown lines.

@@ -1,8 +1,11 @@
 #include "collision_forge/trials/planner_result.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/policy/adaptive_attacker.h"
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published.h"
 #include "collision_forge/study/strict.h"
@@ -28,10 +31,43 @@ AvoidabilitySummary summaryOf(const Avoidability& found, double now) {
 }
 
 RolloutOutcome drive(const PlannerCase& one, const std::string& planner, Background background,
-                     bool ends_at_contact, const StudyOptions& study, const TrialOptions& trials) {
+                     bool ends_at_contact, AttackerPolicy* attacker, const StudyOptions& study,
+                     const TrialOptions& trials) {
   const PlannerUnderTest made = makePlanner(planner, trials, one.scenario.attacker.attacker_id);
   return rollout(*made.planner, made.driving, one.scenario,
-                 {trials, study.attack, study.crash.types, background, ends_at_contact});
+                 {trials, study.attack, study.crash.types, background, ends_at_contact, attacker});
+}
+
+/// What the attacker did, held against the ego as it was driven and the others as recorded.
+AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, const RolloutOutcome& outcome,
+                          const StudyOptions& study) {
+  AttackerSummary summary;
+  summary.policy = policy;
+  summary.phase = outcome.phase;
+  summary.plans = static_cast<int>(outcome.attacker_plans.size());
+  const CrashScenario& scenario = one.scenario;
+  Future driven = scenario.recorded;
+  driven.ego.states.clear();
+  for (const TrajectoryPoint& point : outcome.driven) {
+    driven.ego.states.push_back({point.time, point.pose, point.speed * point.pose.heading()});
+  }
+  AttackerTrajectory attacker = outcome.attacker;
+  const double end = outcome.driven.back().time;
+  const auto after = std::find_if(attacker.points.begin(), attacker.points.end(),
+                                  [=](const TrajectoryPoint& point) { return point.time >= end; });
+  if (after != attacker.points.end())
+    attacker.points.erase(std::next(after), attacker.points.end());
+  const CollisionReport report =
+      verifyDrive(attacker, {scenario.snapshot, driven, one.request, *scenario.lanes},
+                  study.attack.verification);
+  summary.broken_limit = report.broken_limit;
+  summary.touched = report.first_other_id;
+  if (outcome.contact && outcome.contact->is_attacker) {
+    const double off = outcome.contact->time - scenario.snapshot.now - one.request.tta;
+    summary.as_asked =
+        outcome.contact->type == one.request.type && std::abs(off) <= study.crash.time_tolerance;
+  }
+  return summary;
 }
 
 bool isPublishedIdmHit(const CollideClip& clip, const StudyOptions& study,
@@ -49,7 +85,7 @@ std::optional<bool> isPublishedHit(const PlannerCase& one, const std::string& pl
                                    Background background, const StudyOptions& study,
                                    const TrialOptions& trials) {
   if (planner == kPublishedIdm) return isPublishedIdmHit(*one.clip, study, trials);
-  const RolloutOutcome outcome = drive(one, planner, background, false, study, trials);
+  const RolloutOutcome outcome = drive(one, planner, background, false, nullptr, study, trials);
   if (outcome.failure != PlannerFailure::kNone) return std::nullopt;
   const CollideClip driven = withEgo(*one.clip, outcome.driven);
   return publishedOutcome(driven, recordedFrames(driven), study.evaluation.published).isHit();
@@ -94,28 +130,60 @@ PlannerTestResult judgeCase(const PlannerCase& one, const StudyOptions& study,
   return result;
 }
 
-PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Background background,
-                       const StudyOptions& study, const TrialOptions& trials) {
-  PlannerRow row{planner, drive(one, planner, background, true, study, trials), {}};
+std::string rowName(const std::string& planner, PolicyKind policy) {
+  return policy == PolicyKind::kFixed ? planner : planner + ", adaptive attacker";
+}
+
+std::vector<std::string> rowNames(const TestPlan& plan) {
+  std::vector<std::string> names;
+  for (const std::string& planner : plan.planners) {
+    for (const PolicyKind policy : plan.policies) names.push_back(rowName(planner, policy));
+  }
+  return names;
+}
+
+std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
+                                             const Foresight& foresight,
+                                             const StudyOptions& study) {
+  if (policy == PolicyKind::kFixed) return nullptr;
+  const CrashScenario& scenario = one.scenario;
+  return std::make_unique<AdaptiveAttacker>(
+      AttackerTask{scenario.snapshot, scenario.lanes, scenario.ego, one.request, one.pattern,
+                   scenario.attacker},
+      AttackerSetup{foresight.withoutScene(one.scene).egoFutures(study.attack.ego_futures),
+                    study.attack, study.adaptive});
+}
+
+PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                       const TestPlan& plan, const StudyOptions& study,
+                       const TrialOptions& trials) {
+  const auto attacker = makeAttacker(one, policy, plan.foresight, study);
+  PlannerRow row;
+  row.planner = planner;
+  row.outcome = drive(one, planner, plan.background, true, attacker.get(), study, trials);
+  row.attacker = summaryOf(one, policy, row.outcome, study);
   row.outcome.driven.clear();
-  if (one.clip && row.outcome.failure == PlannerFailure::kNone) {
-    row.published_hit = isPublishedHit(one, planner, background, study, trials);
+  row.outcome.attacker = {};
+  row.outcome.attacker_plans.clear();
+  if (one.clip && policy == PolicyKind::kFixed && row.outcome.failure == PlannerFailure::kNone) {
+    row.published_hit = isPublishedHit(one, planner, plan.background, study, trials);
   }
   return row;
 }
 
-PlannerTestResult testPlanners(const PlannerCase& one, const std::vector<std::string>& planners,
-                               Background background, const StudyOptions& study,
-                               const TrialOptions& trials) {
+PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
+                               const StudyOptions& study, const TrialOptions& trials) {
   PlannerTestResult result = judgeCase(one, study, trials);
-  for (const std::string& name : planners) {
+  for (const std::string& name : plan.planners) {
     if (result.status == kUnfit && one.clip && name == kPublishedIdm) {
-      result.rows.push_back({name, {}, isPublishedIdmHit(*one.clip, study, trials)});
+      result.rows.push_back({name, {}, {}, isPublishedIdmHit(*one.clip, study, trials)});
     }
   }
   if (!result.isTested()) return result;
-  for (const std::string& name : planners) {
-    result.rows.push_back(testPlanner(one, name, background, study, trials));
+  for (const std::string& name : plan.planners) {
+    for (const PolicyKind policy : plan.policies) {
+      result.rows.push_back(testPlanner(one, name, policy, plan, study, trials));
+    }
   }
   return result;
 }

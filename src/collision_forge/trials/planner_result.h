@@ -1,9 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "collision_forge/network/foresight.h"
+#include "collision_forge/policy/attacker_policy.h"
 #include "collision_forge/trials/avoidability.h"
 #include "collision_forge/trials/planner_case.h"
 #include "collision_forge/trials/rollout.h"
@@ -20,14 +23,41 @@ struct AvoidabilitySummary {
   double off_road_share = 0.0;
 };
 
-/// One planner in one case; `driven` is left empty.
+/// Who is tested, and against whom.
+struct TestPlan {
+  std::vector<std::string> planners;
+  Background background = Background::kReplay;
+  std::vector<PolicyKind> policies = {PolicyKind::kFixed};
+  Foresight foresight = {};  ///< of adaptive attackers
+};
+
+/// What tables call a planner that is tested against such an attacker: its own name where the
+/// attacker is fixed.
+std::string rowName(const std::string& planner, PolicyKind policy);
+/// Of all rows of a plan, in their order: the policies of a planner beside each other.
+std::vector<std::string> rowNames(const TestPlan& plan);
+
+/// What became of an attacker.
+struct AttackerSummary {
+  PolicyKind policy = PolicyKind::kFixed;
+  AttackerPhase phase = AttackerPhase::kCommitted;  ///< at the end
+  int plans = 0;                                    ///< that it made, the first one counted
+  std::string broken_limit;  ///< of its class, by what it drove; empty where all are kept
+  std::string touched;       ///< whom it touched before the end, the ego aside; empty if nobody
+  /// It touched the ego as the type that was asked for, at most the tolerance before or after the
+  /// time asked for.
+  bool as_asked = false;
+};
+
+/// One planner in one case; of the outcome `driven`, `attacker` and `attacker_plans` are empty.
 struct PlannerRow {
   std::string planner;
   RolloutOutcome outcome;
+  AttackerSummary attacker;
   /// In a clip of COLLIDE: the published protocol sees the attacker hit the ego that the planner
   /// drives to the last frame, through whom it may touch: from now on, with idm_published as
   /// publishedIdmDrive() has it.
-  std::optional<bool> published_hit;
+  std::optional<bool> published_hit = {};
 };
 
 /// Status of a case that cannot be read: its name alone is known.
@@ -48,8 +78,8 @@ struct PlannerTestResult {
   std::string message;     ///< for people; empty with OK
   bool is_strict = false;  ///< with OK: all conditions of the strict protocol against the recording
   AvoidabilitySummary avoidability;  ///< these two with OK
-  /// With OK a row a planner. Of an unfit clip idm_published alone, with `published_hit` alone:
-  /// that test drives the clip from its first frame.
+  /// With OK a row a planner and policy, in the order of rowNames(). Of an unfit clip idm_published
+  /// alone, with `published_hit` alone: that test drives the clip from its first frame.
   std::vector<PlannerRow> rows;
 
   bool isTested() const { return status == "OK"; }
@@ -65,16 +95,19 @@ PlannerTestResult untested(const PlannerCase& one, const std::string& status,
 PlannerTestResult judgeCase(const PlannerCase& one, const StudyOptions& study,
                             const TrialOptions& trials);
 
-/// Drives a planner through a case that judgeCase() finds OK. Throws std::invalid_argument for an
-/// unknown planner.
-PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Background background,
-                       const StudyOptions& study, const TrialOptions& trials);
+/// Who drives the attacker of a case; null for PolicyKind::kFixed.
+std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
+                                             const Foresight& foresight, const StudyOptions& study);
 
-/// Drives every planner through the case as judgeCase() finds it; rows as PlannerTestResult has
-/// them. Throws as testPlanner().
-PlannerTestResult testPlanners(const PlannerCase& one, const std::vector<std::string>& planners,
-                               Background background, const StudyOptions& study,
-                               const TrialOptions& trials);
+/// Drives a planner through a case that judgeCase() finds OK; of the plan the background and the
+/// foresight count. Throws std::invalid_argument for an unknown planner.
+PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                       const TestPlan& plan, const StudyOptions& study, const TrialOptions& trials);
+
+/// Drives every planner of the plan through the case as judgeCase() finds it, against an attacker
+/// of each policy; rows as PlannerTestResult has them. Throws as testPlanner().
+PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
+                               const StudyOptions& study, const TrialOptions& trials);
 
 /// s from `now`, to the microsecond, the clock's resolution.
 double fromNow(double time, double now);

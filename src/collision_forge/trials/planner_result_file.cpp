@@ -11,7 +11,7 @@ namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/planner_test";
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 void writeAvoidability(JsonLineWriter& writer, const AvoidabilitySummary& summary) {
   writer.beginObject("avoidability");
@@ -67,10 +67,22 @@ void writeNuplan(JsonLineWriter& writer, const NuplanScore& score) {
   writer.endObject();
 }
 
+void writeAttacker(JsonLineWriter& writer, const AttackerSummary& attacker) {
+  writer.beginObject("attacker");
+  writer.text("policy", toString(attacker.policy));
+  writer.text("phase", toString(attacker.phase));
+  writer.count("plans", static_cast<std::uint64_t>(attacker.plans));
+  writer.text("broken_limit", attacker.broken_limit);
+  writer.text("touched", attacker.touched);
+  writer.flag("as_asked", attacker.as_asked);
+  writer.endObject();
+}
+
 void writeRow(JsonLineWriter& writer, const PlannerRow& row, double now) {
   const RolloutOutcome& outcome = row.outcome;
   writer.beginObject();
   writer.text("planner", row.planner);
+  writeAttacker(writer, row.attacker);
   writer.text("failure", toString(outcome.failure));
   writer.text("message", outcome.failure_message);
   writeContact(writer, outcome, now);
@@ -176,9 +188,22 @@ NuplanScore readNuplan(JsonObject object) {
   return score;
 }
 
+AttackerSummary readAttacker(JsonObject object) {
+  AttackerSummary attacker;
+  attacker.policy = readName(object, "policy", policyKindFromString);
+  attacker.phase = readName(object, "phase", attackerPhaseFromString);
+  attacker.plans = static_cast<int>(object.count("plans"));
+  attacker.broken_limit = object.text("broken_limit");
+  attacker.touched = object.text("touched");
+  attacker.as_asked = object.flag("as_asked");
+  object.finish();
+  return attacker;
+}
+
 PlannerRow readRow(JsonObject& object, double now) {
   PlannerRow row;
   row.planner = object.text("planner");
+  row.attacker = readAttacker(object.object("attacker"));
   row.outcome.failure = readName(object, "failure", plannerFailureFromString);
   row.outcome.failure_message = object.text("message");
   if (auto contact = object.objectOrNull("contact")) {
@@ -235,13 +260,19 @@ std::string csvNuplan(const NuplanScore& score) {
   return values;
 }
 
+std::string csvAttacker(const AttackerSummary& attacker) {
+  return std::string(toString(attacker.policy)) + ',' + toString(attacker.phase) + ',' +
+         std::to_string(attacker.plans) + ',' + attacker.broken_limit + ',' + attacker.touched +
+         ',' + (attacker.as_asked ? "1" : "0");
+}
+
 std::string csvHit(const std::optional<bool>& hit) { return hit ? (*hit ? "1" : "0") : ""; }
 
 /// One without a planner where there is none.
 std::vector<std::string> untestedCsvRows(const std::string& start,
                                          const std::vector<PlannerRow>& rows) {
   constexpr std::size_t kBefore = 5;  // columns up to the planner's
-  const std::size_t after = 19 + nuplanParts().size();
+  const std::size_t after = 25 + nuplanParts().size();
   if (rows.empty()) return {start + std::string(kBefore + after, ',')};
   std::vector<std::string> lines;
   for (const PlannerRow& row : rows) {
@@ -294,7 +325,8 @@ PlannerTestResult readPlannerResultLine(const std::string& where, const std::str
 
 std::string plannerResultCsvHeader() {
   return "name,source,scene,type,tta,status,strict,avoidable,last_manoeuvre,last_start,planner,"
-         "failure,other,attacker,contact_after,contact_type,relative_heading,ego_side,other_side,"
+         "policy,phase,attacker_plans,broken_limit,touched,as_asked,failure,other,attacker,contact_"
+         "after,contact_type,relative_heading,ego_side,other_side,"
          "impact_speed,ego_speed,cause,at_fault,duration,max_braking,hard_braking,off_road_share,"
          "progress,recorded_progress" +
          nuplanColumns() + ",published_hit";
@@ -320,9 +352,9 @@ std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
     std::snprintf(numbers, sizeof(numbers), "%.3f,%.3f,%.3f,%.4f,%.3f,%.3f", outcome.duration,
                   outcome.max_braking, outcome.hard_braking, outcome.off_road_share,
                   outcome.progress, outcome.recorded_progress);
-    rows.push_back(start + ',' + row.planner + ',' + toString(outcome.failure) + ',' +
-                   csvContact(outcome.contact, result.now) + ',' + numbers +
-                   csvNuplan(outcome.nuplan) + ',' + csvHit(row.published_hit));
+    rows.push_back(start + ',' + row.planner + ',' + csvAttacker(row.attacker) + ',' +
+                   toString(outcome.failure) + ',' + csvContact(outcome.contact, result.now) + ',' +
+                   numbers + csvNuplan(outcome.nuplan) + ',' + csvHit(row.published_hit));
   }
   return rows;
 }

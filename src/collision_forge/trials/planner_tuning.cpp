@@ -109,8 +109,11 @@ PlannerTestResult testVariants(const PlannerCase& one, const std::string& planne
                                const TrialOptions& trials) {
   PlannerTestResult result = judgeCase(one, study, trials);
   if (!result.isTested() || (only_avoidable && !result.avoidability.is_avoidable)) return result;
+  TestPlan plan;
+  plan.background = background;
   for (const PlannerVariant& variant : variants) {
-    result.rows.push_back(testPlanner(one, planner, background, study, variant.options));
+    result.rows.push_back(
+        testPlanner(one, planner, PolicyKind::kFixed, plan, study, variant.options));
     result.rows.back().planner = variant.name;
   }
   return result;

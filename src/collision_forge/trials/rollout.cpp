@@ -161,6 +161,8 @@ class Run {
         scenario_(scenario),
         setup_(setup),
         options_(setup.planners.rollout),
+        fixed_(scenario.attacker),
+        attacker_(setup.attacker != nullptr ? *setup.attacker : fixed_),
         task_{scenario.lanes,
               routeOf(scenario.recorded.ego, *scenario.lanes, setup.planners.planning.route),
               scenario.ego, setup.planners.car.wheelbase},
@@ -238,6 +240,7 @@ class Run {
   }
 
   void advance() {
+    showAttacker();
     const double next = timeOfStep(++steps_);
     const TrajectoryPoint from = ego_.point();
     const std::vector<Track> before = traffic_.agents();
@@ -251,6 +254,17 @@ class Run {
       judge_.see(ego_.point(), traffic_.agents(), ignored_);
       checkRoad();
     }
+  }
+
+  /// Lets the attacker look at what is there now.
+  void showAttacker() {
+    if (setup_.attacker == nullptr) return;
+    Frame seen{now(), ego_.point().pose, {}};
+    for (const Track& agent : traffic_.agents()) {
+      seen.agents.push_back({agent.id, agent.agent_class, agent.size, {agent.states.back()}});
+    }
+    attacker_.observe(seen);
+    traffic_.redirectAttacker(attackerTrack(scenario_, attacker_.trajectory()));
   }
 
   void findContact(const TrajectoryPoint& from, const std::vector<Track>& before) {
@@ -342,6 +356,9 @@ class Run {
         recorded ? recorded->pose : scenario_.recorded.ego.states.back().pose;
     outcome_.progress = along(driven.back().pose) - start;
     outcome_.recorded_progress = along(recorded_end) - start;
+    outcome_.attacker = attacker_.trajectory();
+    outcome_.phase = attacker_.phase();
+    outcome_.attacker_plans = attacker_.plans();
     outcome_.nuplan = judge_.score(nuplan_contact_, outcome_.progress, outcome_.recorded_progress);
   }
 
@@ -350,6 +367,8 @@ class Run {
   const CrashScenario& scenario_;
   const RolloutSetup& setup_;
   const RolloutOptions& options_;
+  FixedAttacker fixed_;
+  AttackerPolicy& attacker_;
   DrivingTask task_;
   RouteRoad road_;
   NuplanJudge judge_;

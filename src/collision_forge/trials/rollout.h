@@ -7,6 +7,7 @@
 #include "collision_forge/attack/options.h"
 #include "collision_forge/planners/planner.h"
 #include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/policy/attacker_policy.h"
 #include "collision_forge/trials/crash_scenario.h"
 #include "collision_forge/trials/nuplan_score.h"
 #include "collision_forge/trials/options.h"
@@ -22,6 +23,8 @@ struct RolloutSetup {
   Background background = Background::kReplay;
   /// Otherwise the ego drives on to the end, through whom it touches.
   bool ends_at_contact = true;
+  /// Who drives the attacker, from the scenario's trajectory on; null: that trajectory as it is.
+  AttackerPolicy* attacker = nullptr;
 };
 
 /// What a planner did that ended its rollout.
@@ -66,12 +69,16 @@ struct RolloutOutcome {
   double recorded_progress = 0.0;  ///< m along the route, of the recorded ego over the same time
   NuplanScore nuplan;
   std::vector<TrajectoryPoint> driven;  ///< the ego every step, the last at the end
-  int plans = 0;                        ///< calls of the planner
+  AttackerTrajectory attacker;          ///< as it drove up to the end, and meant to after it
+  AttackerPhase phase = AttackerPhase::kCommitted;  ///< of the attacker at the end
+  std::vector<AttackerPlan> attacker_plans;         ///< AttackerPolicy::plans()
+  int plans = 0;                                    ///< calls of the planner
   double planning_seconds = 0.0;  ///< of computing in these calls; the one thing that is measured
 };
 
 /// Drives the ego by the planner from now on until its first contact (unless the setup says
-/// otherwise), a failure of the planner or the end of the attacker's trajectory. The start is the
+/// otherwise), a failure of the planner or the end of the attacker's trajectory. Whoever drives the
+/// attacker is shown every step as it comes. The start is the
 /// recorded state now, its speed told from the past (estimateMotion()). Within a step ego and
 /// others move linearly, so contacts are found to `overlap_tolerance`. Who overlaps the ego already
 /// now, the attacker aside, is not looked at. Same input, same outcome (planning_seconds aside).

@@ -11,7 +11,8 @@ namespace forge {
 /// How everybody but ego and attacker moves.
 enum class Background { kReplay, kIdm };
 
-/// Everybody but the ego, step by step. The attacker follows its trajectory to the end; the others
+/// Everybody but the ego, step by step. The attacker follows its trajectory, or what it is
+/// redirected to; the others
 /// replay their recorded tracks. With kIdm a vehicle that the recording moves drives its recorded
 /// way by a clock of its own, which falls behind the recording where the intelligent driver model
 /// says that somebody (the ego, the attacker, another) is in its way, and catches up no faster than
@@ -26,6 +27,9 @@ class Traffic {
   /// Those in sight now, each with its states of the last `history` seconds, the newest at time().
   /// Velocities are told from the past alone, the attacker's from its trajectory.
   const std::vector<Track>& agents() const { return agents_; }
+
+  /// From now on the attacker follows this, its motion up to time() unchanged.
+  void redirectAttacker(Track motion) { drivers_.front().recorded = std::move(motion); }
 
   /// On to `time` (> time()); `ego` has its newest state at time().
   void advance(double time, const Track& ego);

@@ -1,0 +1,48 @@
+#include "collision_forge/policy/adaptive_answer.h"
+
+#include <utility>
+
+#include "collision_forge/policy/recorded_drive.h"
+
+namespace forge {
+
+AdaptiveAnswer answerAdaptively(const AttackMethod& method, const Moment& moment,
+                                const Scene& recording, const EgoVehicle& ego,
+                                const CollisionRequest& request, const AttackerSetup& setup) {
+  AdaptiveAnswer answer;
+  CollisionRequest first = request;
+  first.crash.min_confidence = 0.0;
+  answer.attack = generateCollision(method, moment, first, setup.attack.prediction);
+  if (answer.attack.status.code != StatusCode::kOk) return answer;
+  AdaptiveAttacker attacker(
+      {moment.snapshot, moment.lanes, ego, first, answer.attack.aim, answer.attack.trajectory},
+      setup);
+  answer.milliseconds = driveOverRecording(attacker, recording, moment.snapshot.now);
+  answer.plans = attacker.plans();
+  Realization& driven = answer.attack;
+  driven.trajectory = attacker.trajectory();
+  const double confidence = driven.report.confidence;
+  driven.report =
+      verify(driven.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
+             setup.attack.verification);
+  driven.report.confidence = confidence;
+  if (driven.report.contact) {
+    driven.miss =
+        missBetween(driven.aim.attacker_offset,
+                    relativeTo(driven.report.ego_at_contact, driven.report.attacker_at_contact));
+  }
+  return answer;
+}
+
+AdaptiveAnswer withoutMisses(AdaptiveAnswer answer, const CollisionRequest& request) {
+  if (answer.attack.status.code != StatusCode::kOk) return answer;
+  const std::string shortcoming = shortcomingOf(answer.attack.report, request);
+  if (shortcoming.empty()) return answer;
+  AdaptiveAnswer declined;
+  declined.attack.status = {
+      StatusCode::kNoAttackWithinLimits,
+      "the attacker " + shortcoming + "; its last decision: " + answer.plans.back().reason};
+  return declined;
+}
+
+}  // namespace forge

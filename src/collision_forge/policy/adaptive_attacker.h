@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "collision_forge/attack/attack_search.h"
+#include "collision_forge/attack/options.h"
+#include "collision_forge/forecast/ego_futures.h"
+#include "collision_forge/policy/attacker_policy.h"
+#include "collision_forge/policy/observed_scene.h"
+#include "collision_forge/policy/options.h"
+#include "collision_forge/scene/collision_request.h"
+
+namespace forge {
+
+/// What an adaptive attacker is told at the attack's now.
+struct AttackerTask {
+  Snapshot snapshot;  ///< known at now
+  std::shared_ptr<const LaneIndex> lanes;
+  EgoVehicle ego;
+  CollisionRequest request;  ///< with what counts as the crash
+  CollisionPattern aim;      ///< that the first plan came from
+  AttackerTrajectory plan;   ///< the first one, from now on
+};
+
+/// What adaptive attackers know and are tuned by.
+struct AttackerSetup {
+  std::shared_ptr<const EgoFutureSampler> ego_futures;
+  AttackOptions attack;
+  AdaptiveOptions adaptive;
+};
+
+/// An attacker that sees and reacts: at every frame it asks how the ego may drive on from there,
+/// and where its plan does not meet most of these futures as asked, it plans the rest anew
+/// (searchManoeuvres()), to the same type at the same instant. What it sees changes what it drives
+/// AdaptiveOptions::reaction_time later; until then it drives what it had planned, and goes on from
+/// the state that this leads to, so that the whole drive keeps the limits of its class. It commits
+/// shortly before the contact. Where no plan comes near the crash any more, or the ego is out of
+/// sight or jumps, it gives up and drives on (driveOn()).
+class AdaptiveAttacker : public AttackerPolicy {
+ public:
+  AdaptiveAttacker(AttackerTask task, AttackerSetup setup);
+
+  void observe(const Frame& seen) override;
+  const AttackerTrajectory& trajectory() const override { return task_.plan; }
+  AttackerPhase phase() const override { return phase_; }
+  const std::vector<AttackerPlan>& plans() const override { return plans_; }
+
+ private:
+  double timeOf(std::size_t index) const { return task_.plan.points[index].time; }
+  std::size_t firstAfter(double time) const;
+  bool isLost(const Frame& seen) const;
+  Future foresee(const Snapshot& snapshot) const;
+  void replan(const Frame& seen, std::size_t from);
+  bool touchesOthers(const Future& future, std::size_t from) const;
+  void giveUp(double seen, std::size_t from, const std::string& reason);
+  void driveOnFrom(double seen, std::size_t from, const std::string& reason);
+  void take(double seen, std::size_t from, std::vector<TrajectoryPoint> points,
+            const std::string& reason);
+  bool isBelievable(std::size_t from, const std::vector<TrajectoryPoint>& points,
+                    double contact) const;
+  Snapshot asOf(std::size_t from, Snapshot snapshot) const;
+  ReferencePath ownWay() const;
+  Underway underwayFrom(std::size_t from) const;
+
+  AttackerTask task_;  // its plan: driven so far, then planned
+  AttackerSetup setup_;
+  Track vehicle_;  // without states
+  DriveLimits limits_;
+  ObservedScene scene_;
+  double impact_;  // s, the scene's clock; asked for
+  double newest_;  // s, time of the newest frame with an ego
+  AttackerPhase phase_ = AttackerPhase::kAttacking;
+  std::optional<DraftedWay> drafted_;  // of the plan; its contact in s on the scene's clock
+  std::vector<AttackerPlan> plans_;
+};
+
+}  // namespace forge

@@ -1,0 +1,47 @@
+#include "collision_forge/policy/recorded_drive.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace forge {
+
+namespace {
+
+constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
+constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+Frame frameAt(const Scene& scene, double time) {
+  Frame frame;
+  frame.time = time;
+  const auto ego = stateAt(scene.ego, time);
+  frame.ego = ego ? ego->pose : Pose2{kNowhere, kNowhere, kNowhere};
+  for (const Track& agent : scene.agents) {
+    const auto state = std::find_if(
+        agent.states.begin(), agent.states.end(),
+        [=](const AgentState& seen) { return std::abs(seen.time - time) < kTimeEpsilon; });
+    if (state == agent.states.end()) continue;
+    frame.agents.push_back({agent.id, agent.agent_class, agent.size, {*state}});
+  }
+  return frame;
+}
+
+std::vector<double> driveOverRecording(AttackerPolicy& policy, const Scene& scene, double now) {
+  std::vector<double> milliseconds;
+  const double end = policy.trajectory().points.back().time;
+  for (const double time : scene.frame_times) {
+    if (time <= now + kTimeEpsilon || time >= end) continue;
+    const Frame frame = frameAt(scene, time);
+    const auto begin = std::chrono::steady_clock::now();
+    policy.observe(frame);
+    const std::chrono::duration<double, std::milli> taken =
+        std::chrono::steady_clock::now() - begin;
+    milliseconds.push_back(taken.count());
+  }
+  return milliseconds;
+}
+
+}  // namespace forge

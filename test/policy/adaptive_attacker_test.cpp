@@ -1,0 +1,192 @@
+#include "collision_forge/policy/adaptive_attacker.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <string>
+
+#include "collision_forge/verify/drive_check.h"
+#include "policy/policy_scenes.h"
+
+namespace forge {
+namespace {
+
+double steady(double /*seconds*/) { return 8.0; }
+double braking(double seconds) { return std::max(3.0, 8.0 - 2.5 * seconds); }
+
+const AttackerPlan& lastPlan(const AttackerPolicy& policy) { return policy.plans().back(); }
+
+TEST(AdaptiveAttacker, MeetsAnEgoThatBrakesWhereAFixedOneIsTooEarly) {
+  const Chase chase;
+  const Track ego = egoAt(braking);
+  FixedAttacker fixed(chase.firstAttack().trajectory);
+  EXPECT_FALSE(reportOf(fixed, ego, chase).on_time);
+  AdaptiveAttacker attacker = chase.attacker();
+  watch(attacker, ego, 5.5);
+  const CollisionReport report = reportOf(attacker, ego, chase);
+  EXPECT_TRUE(report.verified()) << report.broken_limit << " " << lastPlan(attacker).reason;
+  EXPECT_EQ(report.unbelievable, "");
+  EXPECT_GT(attacker.plans().size(), 1u);
+}
+
+TEST(AdaptiveAttacker, KeepsAPlanThatMeetsTheEgoAsItDrives) {
+  const Chase chase;
+  AdaptiveAttacker attacker = chase.attacker();
+  const Track ego = egoAt(steady);
+  watch(attacker, ego, 5.5);
+  EXPECT_TRUE(reportOf(attacker, ego, chase).verified());
+}
+
+TEST(AdaptiveAttacker, ChangesNothingBeforeItsReactionTimeIsOver) {
+  const Chase chase;
+  AdaptiveAttacker attacker = chase.attacker();
+  const Track ego = egoAt(braking);
+  for (int i = 1; i <= 45; ++i) {
+    const std::vector<TrajectoryPoint> before = attacker.trajectory().points;
+    const double time = kNow + 0.1 * i;
+    attacker.observe(frameOf(ego, time));
+    const std::vector<TrajectoryPoint>& after = attacker.trajectory().points;
+    ASSERT_EQ(after.size(), before.size());
+    for (std::size_t j = 0; j < after.size(); ++j) {
+      if (after[j].time > time + shippedAdaptive().reaction_time - 1e-6) break;
+      ASSERT_EQ(after[j].pose.x, before[j].pose.x) << i << " " << j;
+    }
+  }
+}
+
+TEST(AdaptiveAttacker, KnowsNothingOfWhatComes) {
+  const Chase chase;
+  AdaptiveAttacker one = chase.attacker();
+  AdaptiveAttacker other = chase.attacker();
+  const auto parting = [](double seconds) { return seconds < 2.0 ? 8.0 : 12.0; };
+  watch(one, egoAt(steady), 5.5);
+  watch(other, egoAt(parting), 5.5);
+  bool parted = false;
+  for (std::size_t i = 0; i < one.trajectory().points.size(); ++i) {
+    const TrajectoryPoint& a = one.trajectory().points[i];
+    const TrajectoryPoint& b = other.trajectory().points[i];
+    if (a.time <= kNow + 2.0 + shippedAdaptive().reaction_time) {
+      ASSERT_EQ(a.pose.x, b.pose.x) << a.time;
+    }
+    parted = parted || a.pose.x != b.pose.x;
+  }
+  EXPECT_TRUE(parted);
+}
+
+TEST(AdaptiveAttacker, TheSameFramesGiveTheSameTrajectory) {
+  const Chase chase;
+  AdaptiveAttacker one = chase.attacker();
+  AdaptiveAttacker other = chase.attacker();
+  watch(one, egoAt(braking), 5.5);
+  watch(other, egoAt(braking), 5.5);
+  for (std::size_t i = 0; i < one.trajectory().points.size(); ++i) {
+    EXPECT_EQ(one.trajectory().points[i].pose.x, other.trajectory().points[i].pose.x);
+    EXPECT_EQ(one.trajectory().points[i].curvature, other.trajectory().points[i].curvature);
+  }
+}
+
+TEST(AdaptiveAttacker, TheWholeDriveKeepsTheLimitsWhateverTheEgoDoes) {
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> change(-4.0, 3.0);
+  const Chase chase;
+  const DriveLimits limits = driveLimitsOf(chase.snapshot.agents[0], shippedOptions().verification);
+  const DriveState start = driveStateNow(chase.snapshot.agents[0], shippedOptions().verification);
+  for (int run = 0; run < 12; ++run) {
+    const double first = change(generator);
+    const double then = change(generator);
+    const Track ego = egoAt([&](double t) {
+      return std::max(0.0, 8.0 + first * std::min(t, 2.0) + then * std::max(0.0, t - 2.0));
+    });
+    AdaptiveAttacker attacker = chase.attacker();
+    watch(attacker, ego, 5.8);
+    const auto broken = findBrokenDrive(attacker.trajectory().points, start,
+                                        std::numeric_limits<double>::infinity(), limits);
+    EXPECT_FALSE(broken) << describe(*broken) << " " << first << " " << then;
+  }
+}
+
+TEST(AdaptiveAttacker, GivesUpWhereTheEgoJumps) {
+  const Chase chase;
+  AdaptiveAttacker attacker = chase.attacker();
+  const Track ego = egoAt(steady);
+  watch(attacker, ego, 1.0);
+  Frame jumped = frameOf(ego, kNow + 1.1);
+  jumped.ego.x += 80.0;
+  attacker.observe(jumped);
+  EXPECT_EQ(attacker.phase(), AttackerPhase::kDrivingOn);
+  EXPECT_EQ(lastPlan(attacker).reason, "the ego jumped");
+}
+
+TEST(AdaptiveAttacker, GivesUpWhereTheEgoIsGoneForLong) {
+  const Chase chase;
+  AdaptiveAttacker attacker = chase.attacker();
+  watch(attacker, egoAt(steady), 1.0);
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  attacker.observe({kNow + 1.5, {nowhere, nowhere, nowhere}, {}});
+  EXPECT_EQ(attacker.phase(), AttackerPhase::kAttacking) << "for a moment nothing is given up";
+  attacker.observe({kNow + 2.5, {nowhere, nowhere, nowhere}, {}});
+  EXPECT_EQ(attacker.phase(), AttackerPhase::kDrivingOn);
+  EXPECT_EQ(lastPlan(attacker).reason, "the ego is out of sight");
+}
+
+TEST(AdaptiveAttacker, GivesUpAndTouchesNobodyWhereTheEgoIsFarAway) {
+  const Chase chase;
+  AdaptiveAttacker attacker = chase.attacker();
+  // It leaves at four times the speed.
+  const Track ego = egoAt([](double t) { return std::min(32.0, 8.0 + 12.0 * t); });
+  watch(attacker, ego, 5.8);
+  EXPECT_EQ(attacker.phase(), AttackerPhase::kDrivingOn);
+  EXPECT_FALSE(reportOf(attacker, ego, chase).contact);
+}
+
+TEST(AdaptiveAttacker, PassesOverFramesThatAreLateOrTooMany) {
+  const Chase chase;
+  AdaptiveAttacker attacker = chase.attacker();
+  AdaptiveAttacker plain = chase.attacker();
+  const Track ego = egoAt(braking);
+  for (int i = 1; i <= 50; ++i) {
+    const double time = kNow + 0.1 * i;
+    plain.observe(frameOf(ego, time));
+    attacker.observe(frameOf(ego, time));
+    attacker.observe(frameOf(egoAt(steady), time + 0.03));
+    attacker.observe(frameOf(egoAt(steady), time - 0.4 + 0.4 * (i < 5)));
+  }
+  for (std::size_t i = 0; i < plain.trajectory().points.size(); ++i) {
+    EXPECT_EQ(plain.trajectory().points[i].pose.x, attacker.trajectory().points[i].pose.x);
+  }
+}
+
+TEST(AdaptiveAttacker, GivesUpWhereSomebodyIsInItsWay) {
+  const Chase chase;
+  AdaptiveAttacker attacker = chase.attacker();
+  const Track ego = egoAt(steady);
+  Track wall = pastTrack("wall", {4.6, 4.0}, {6.0, 0.0, 0.0}, 0.0);
+  wall.states = {{0.0, {6.0, 0.0, 0.0}, {0.0, 0.0}}};
+  for (int i = 6; i <= 50; ++i) {
+    Frame frame = frameOf(ego, kNow + 0.1 * i);
+    wall.states.front().time = frame.time;
+    frame.agents = {wall};
+    attacker.observe(frame);
+  }
+  EXPECT_EQ(attacker.phase(), AttackerPhase::kDrivingOn);
+  EXPECT_LT(attacker.trajectory().points.back().pose.x + 0.5 * kCarSize.length, 6.0 - 2.3)
+      << "it stops before the wall";
+}
+
+TEST(AdaptiveAttacker, CommitsWhereItIsTooLateToChangeAnything) {
+  const Chase chase;
+  AdaptiveAttacker attacker = chase.attacker();
+  const Track ego = egoAt(steady);
+  watch(attacker, ego, 3.8);
+  EXPECT_EQ(attacker.phase(), AttackerPhase::kAttacking);
+  watch(attacker, ego, 4.2);
+  EXPECT_EQ(attacker.phase(), AttackerPhase::kCommitted);
+  watch(attacker, ego, 5.0);
+  EXPECT_EQ(attacker.phase(), AttackerPhase::kDrivingOn);
+}
+
+}  // namespace
+}  // namespace forge
