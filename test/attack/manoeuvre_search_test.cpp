@@ -130,15 +130,20 @@ TEST_F(ManoeuvreSearchTest, OneThatIsUnderwayGoesOnFromItsStateOrFindsBetter) {
   const auto& points = answer.trajectory.points;
   const auto middle = points.begin() + from;
   const DriveLimits limits = driveLimitsOf(snapshot_.agents[0], options_.verification);
-  const Underway underway{driveStateOf(points[from], limits),
-                          {points.begin(), middle},
-                          {middle, points.end()},
-                          ReferencePath(Polyline({{-22.0, 0.0}, {100.0, 0.0}})),
-                          std::nullopt};
+  Underway underway{snapshot_,
+                    {},
+                    driveStateOf(points[from], limits),
+                    {points.begin(), middle},
+                    {middle, points.end()},
+                    ReferencePath(Polyline({{-22.0, 0.0}, {100.0, 0.0}})),
+                    std::nullopt};
   request.tta = 4.0 - 0.1 * from;
   Snapshot later = snapshot_;
   later.now = points[from].time;
   later.agents[0].states.push_back({later.now, points[from].pose, {points[from].speed, 0.0}});
+  for (int i = 0; i < static_cast<int>(from); ++i) {
+    underway.ego.push_back({kNow + 0.1 * i, {0.7 * i, 0.0, 0.0}, {7.0, 0.0}});
+  }
   const auto searched = [&](const Track& ego) {
     const std::vector<const Track*> egos = {&ego};
     const std::vector<CollisionPattern> patterns = {answer.aim};
@@ -158,6 +163,17 @@ TEST_F(ManoeuvreSearchTest, OneThatIsUnderwayGoesOnFromItsStateOrFindsBetter) {
   EXPECT_FALSE(changed.front().is_underway);
   EXPECT_GT(changed.front().score.share, 0.0);
   EXPECT_FALSE(findBrokenDrive(changed.front().points, underway.state, kNow + 4.0, limits));
+  EXPECT_TRUE(changed.back().is_underway) << "what it means to do comes last";
+  // With the draft of the better plan, and the manoeuvre named, which the whole drive tells.
+  underway.way = changed.front().drafted->way;
+  underway.draft = changed.front().drafted->draft;
+  underway.planned = changed.front().points;
+  request.manoeuvre = Manoeuvre::kFollowerCloses;
+  const auto again = searched(slower);
+  ASSERT_FALSE(again.empty());
+  EXPECT_GT(again.front().objective, 0.0) << "it is as asked";
+  request.manoeuvre = Manoeuvre::kLeadBrakes;
+  for (const FoundAttack& attack : searched(slower)) EXPECT_LT(attack.objective, 0.0);
 }
 
 TEST_F(ManoeuvreSearchTest, OfManyVehiclesTheOneThatCanIsFound) {

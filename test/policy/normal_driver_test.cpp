@@ -52,7 +52,7 @@ TEST_F(DriveOnTest, StopsBehindWhoStandsInItsWay) {
   EXPECT_LT(points.back().pose.x, 35.0 - kCarSize.length);
 }
 
-TEST_F(DriveOnTest, WhereNobodyCanStopInTimeItBrakesAsHardAsCanBe) {
+TEST_F(DriveOnTest, WhereNobodyCanStopInTimeItTouchesAsLateAsCanBe) {
   const Track wall = futureTrack("wall", kCarSize, {11.0, 0.0, 0.0}, 0.0);
   const auto points = driveFrom({0.0, 0.0, 0.0}, 15.0, {wall}, road_);
   EXPECT_TRUE(firstTouch(points, kCarSize, {&wall}));

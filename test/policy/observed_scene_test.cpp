@@ -49,6 +49,20 @@ TEST_F(ObservedSceneTest, HoweverOftenItLookedTheFramesAreAnIntervalApart) {
   }
 }
 
+TEST_F(ObservedSceneTest, ClocksThatRoundChangeNothing) {
+  constexpr double kEpoch = 1533000000.0;  // s, as nuScenes' clock
+  ObservedScene scene({kEpoch, {kEgoId, AgentClass::kCar, kEgoSize, {{kEpoch, {}, {}}}}, {}, {}},
+                      {kEgoSize, 0.0}, kFrames, kInterval);
+  for (int i = 1; i <= 40; ++i) {
+    scene.add({kEpoch + 0.1 * i, {0.6 * i, 0.0, 0.0}, {}});
+    if (i < 20) continue;
+    const auto states = scene.snapshot().ego.states;
+    for (std::size_t j = 0; j + 1 < states.size(); ++j) {
+      ASSERT_NEAR(states[j + 1].time - states[j].time, kInterval, 1e-5) << i;
+    }
+  }
+}
+
 TEST_F(ObservedSceneTest, FramesThatJitterAreNotLost) {
   for (const double time : {0.46, 0.97, 1.51, 1.93}) {
     scene_.add({kNow + time, {6.0 * time, 0.0, 0.0}, {}});

@@ -70,8 +70,10 @@ enum class SearchedMotion {
 
 /// An attacker that is on its way already, as it is at the snapshot's now.
 struct Underway {
+  Snapshot start;                        ///< known when it set out
+  std::vector<AgentState> ego;           ///< what was seen of the ego since, before its futures
   DriveState state;                      ///< in place of what its track tells
-  std::vector<TrajectoryPoint> driven;   ///< from where its use of the road counts, to before now
+  std::vector<TrajectoryPoint> driven;   ///< since it set out, to before now
   std::vector<TrajectoryPoint> planned;  ///< from now on, as it means to; as long as others
   ReferencePath way;                     ///< beside those of its lanes
   std::optional<RouteDraft> draft;       ///< of the plan, along the way

@@ -73,7 +73,7 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
   const double reach =
       tta * std::min(limits.max_speed, motion.speed + 0.5 * limits.max_forward_acceleration * tta);
   const CrashDefinition& crash = input.request.crash;
-  if (crash.limits == LimitSet::kDrivable || crash.believable) {
+  if (crash.limits == LimitSet::kDrivable || crash.believable || input.underway != nullptr) {
     entry->limits = driveLimitsOf(agent, options.verification);
     entry->driver.emplace(entry->limits, options.route.limit_share, options.route.preview,
                           options.search.step);

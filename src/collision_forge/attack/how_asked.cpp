@@ -14,9 +14,16 @@ bool HowAsked::holds(const Track& attacker, const std::vector<TrajectoryPoint>& 
                      std::size_t ego) {
   if (!is_named_) return true;
   judged_.ego = *input_.egos[ego];
-  const CollisionReport report =
-      verify({attacker.id, attacker.agent_class, attacker.size, points},
-             {input_.snapshot, judged_, input_.request, input_.lanes}, options_);
+  const Snapshot* start = &input_.snapshot;
+  CollisionRequest request = input_.request;
+  if (input_.underway != nullptr) {
+    start = &input_.underway->start;
+    request.tta += input_.snapshot.now - start->now;
+    auto& states = judged_.ego.states;
+    states.insert(states.begin(), input_.underway->ego.begin(), input_.underway->ego.end());
+  }
+  const CollisionReport report = verify({attacker.id, attacker.agent_class, attacker.size, points},
+                                        {*start, judged_, request, input_.lanes}, options_);
   return isAsAsked(report, input_.request);
 }
 

@@ -24,7 +24,8 @@ class HowAsked {
   /// The request says something.
   bool isNamed() const { return is_named_; }
 
-  /// isAsAsked() in the future `ego` of SearchInput::egos; true where nothing is named.
+  /// isAsAsked() in the future `ego` of SearchInput::egos; true where nothing is named. `points`:
+  /// of an attacker that is underway since it set out.
   bool holds(const Track& attacker, const std::vector<TrajectoryPoint>& points, std::size_t ego);
 
  private:

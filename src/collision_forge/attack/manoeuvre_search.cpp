@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -268,20 +269,27 @@ class ManoeuvreSearch {
     if (full && candidate.objective < kept_.back().objective) return;
     const double now = input_.snapshot.now;
     const double until = now + input_.request.tta + input_.request.crash.time_tolerance;
-    if (findBrokenDrive(points_, contender.drive_start, until, contender.limits)) return;
+    // What an attacker means to do is held against the others, whatever it is.
+    const bool may_be_any = candidate.is_underway;
+    const auto broken = findBrokenDrive(points_, contender.drive_start, until, contender.limits);
+    if (broken && !may_be_any) return;
     candidate.road =
         roadUseUntilManoeuvre(whole(), contender.track->size, now + candidate.draft.contact,
                               driven_, options_.verification.believability);
     candidate.objective -= route_.off_lane_weight * (1.0 - candidate.road.on_lane) +
                            route_.off_road_weight * candidate.road.off_road +
                            route_.wrong_way_weight * candidate.road.wrong_way;
-    if (candidate.road.on_walkway > 0.0) return;
-    if (candidate.score.share > 0.0 &&
-        !how_asked_.holds(*contender.track, points_, candidate.score.met)) {
-      candidate.objective -= kNotAsAsked;
-    }
+    if (candidate.road.on_walkway > 0.0 && !may_be_any) return;
+    if (!isAsAsked(candidate)) candidate.objective -= kNotAsAsked;
     kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, better), candidate);
     if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();
+  }
+
+  /// Who is underway is not to change to a plan that meets nobody where something is named.
+  bool isAsAsked(const Candidate& candidate) {
+    if (!how_asked_.isNamed()) return true;
+    if (candidate.score.share == 0.0) return input_.underway == nullptr;
+    return how_asked_.holds(*candidate.contender->track, whole(), candidate.score.met);
   }
 
   /// The points with what was driven before.
@@ -332,7 +340,11 @@ class ManoeuvreSearch {
 
   /// Moves away from the kept candidates, better ones more often.
   void perturb(double scale) {
-    const std::vector<Candidate> parents = kept_;
+    // A plan that came from elsewhere is none that can be moved.
+    const bool may_move = input_.underway == nullptr || input_.underway->draft.has_value();
+    std::vector<Candidate> parents;
+    std::copy_if(kept_.begin(), kept_.end(), std::back_inserter(parents),
+                 [=](const Candidate& kept) { return may_move || !kept.is_underway; });
     if (parents.empty()) return;
     for (int i = 0; i < route_.perturbations && !isGood(); ++i) {
       const std::size_t rank =

@@ -27,6 +27,34 @@ AttackOptions replanning(AttackOptions options, const AdaptiveOptions& adaptive)
   return options;
 }
 
+/// The points every `step` seconds up to `end`, straight on where they end earlier.
+std::vector<TrajectoryPoint> spread(const std::vector<TrajectoryPoint>& points, double step,
+                                    double end) {
+  const AttackerTrajectory whole{"", AgentClass::kCar, {}, points};
+  const TrajectoryPoint& last = points.back();
+  const auto steps = static_cast<std::size_t>(std::lround((end - points.front().time) / step)) + 1;
+  std::vector<TrajectoryPoint> found;
+  auto next = points.begin();
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double time = points.front().time + static_cast<double>(i) * step;
+    while (next != points.end() && next->time < time - kTimeEpsilon) ++next;
+    TrajectoryPoint point = next == points.end() ? last : *next;
+    if (next == points.end()) {
+      point.pose = compose(last.pose, {(time - last.time) * last.speed, 0.0, 0.0});
+      point.acceleration = 0.0;
+      point.curvature = 0.0;
+    } else if (std::abs(next->time - time) > kTimeEpsilon) {
+      point.pose = poseAt(whole, time);
+    } else {
+      found.push_back(*next);
+      continue;
+    }
+    point.time = time;
+    found.push_back(point);
+  }
+  return found;
+}
+
 std::string shareText(double share) {
   char text[64];
   std::snprintf(text, sizeof(text), "meets %.0f %% of the ego's futures", 100.0 * share);
@@ -43,10 +71,13 @@ AdaptiveAttacker::AdaptiveAttacker(AttackerTask task, AttackerSetup setup)
       scene_(task_.snapshot, task_.ego, setup_.attack.prediction.history_frames,
              setup_.adaptive.frame_interval),
       impact_(task_.snapshot.now + task_.request.tta),
-      newest_(task_.snapshot.now) {
+      last_ego_(task_.snapshot.now) {
   setup_.attack = replanning(setup_.attack, setup_.adaptive);
   task_.request.attacker = vehicle_.id;
   task_.request.crash.min_confidence = 0.0;
+  task_.request.crash.limits = LimitSet::kDrivable;
+  const double end = std::max(impact_ + setup_.attack.search.tail, task_.plan.points.back().time);
+  task_.plan.points = spread(task_.plan.points, setup_.attack.search.step, end);
   plans_.push_back(firstPlan(task_.plan, phase_));
 }
 
@@ -58,9 +89,7 @@ std::size_t AdaptiveAttacker::firstAfter(double time) const {
   return static_cast<std::size_t>(found - points.begin());
 }
 
-/// The frame shows nothing of the ego that can be true.
-bool AdaptiveAttacker::isLost(const Frame& seen) const {
-  if (!seen.ego.isFinite()) return true;
+bool AdaptiveAttacker::hasJumped(const Frame& seen) const {
   const Frame& before = scene_.newest();
   const double way = (seen.ego.position() - before.ego.position()).norm();
   return way > setup_.adaptive.max_ego_speed * (seen.time - before.time);
@@ -71,21 +100,23 @@ void AdaptiveAttacker::observe(const Frame& seen) {
   if (seen.time < scene_.newest().time + options.period - kTimeEpsilon) return;
   const std::size_t from = firstAfter(seen.time + options.reaction_time);
   if (from + 1 >= task_.plan.points.size()) return;
-  if (isLost(seen)) {
-    const bool is_long = seen.time - newest_ > options.lost_after;
-    if (phase_ != AttackerPhase::kDrivingOn && (seen.ego.isFinite() || is_long)) {
-      giveUp(seen.time, from, seen.ego.isFinite() ? "the ego jumped" : "the ego is out of sight");
-    }
-    return;
-  }
-  scene_.add(seen);
-  newest_ = seen.time;
+  const bool is_there = seen.ego.isFinite();
+  const bool has_jumped = is_there && hasJumped(seen);
+  Frame kept = seen;
+  if (!is_there) kept.ego = scene_.newest().ego;  // the others are seen all the same
+  scene_.add(kept);
+  seen_ego_.push_back({kept.time, kept.ego, Vector2::Zero()});
+  if (is_there) last_ego_ = seen.time;
   if (phase_ == AttackerPhase::kDrivingOn) {
     driveOnFrom(seen.time, from, "");
+  } else if (has_jumped) {
+    giveUp(seen.time, from, "the ego jumped");
+  } else if (seen.time - last_ego_ > options.lost_after) {
+    giveUp(seen.time, from, "the ego is out of sight");
   } else if (seen.time > impact_ + task_.request.crash.time_tolerance) {
     giveUp(seen.time, from, "the time asked for is over");
   } else if (timeOf(from) + options.commit_time < impact_ + task_.request.crash.time_tolerance) {
-    replan(seen, from);
+    if (is_there) replan(seen, from);
   } else if (phase_ == AttackerPhase::kAttacking) {
     phase_ = AttackerPhase::kCommitted;
     plans_.push_back({seen.time, timeOf(from), phase_, "too late to change anything", {}});
@@ -134,14 +165,15 @@ ReferencePath AdaptiveAttacker::ownWay() const {
 Underway AdaptiveAttacker::underwayFrom(std::size_t from) const {
   const auto& points = task_.plan.points;
   const auto now = points.begin() + static_cast<std::ptrdiff_t>(from);
-  Underway underway{driveStateOf(*now, limits_),
-                    {points.begin(), now},
-                    {now, points.end()},
-                    drafted_ ? drafted_->way : ownWay(),
+  Underway underway{task_.snapshot,        seen_ego_,           driveStateOf(*now, limits_),
+                    {points.begin(), now}, {now, points.end()}, drafted_ ? drafted_->way : ownWay(),
                     std::nullopt};
   if (drafted_) {
     underway.draft = drafted_->draft;
     underway.draft->contact -= now->time;
+    if (underway.draft->wait > 0.0) {
+      underway.draft->wait = std::max(0.0, underway.draft->wait - now->time);
+    }
   }
   return underway;
 }
@@ -173,6 +205,7 @@ void AdaptiveAttacker::replan(const Frame& seen, std::size_t from) {
   if (better != present) {
     drafted_ = better->drafted;
     drafted_->draft.contact += snapshot.now;
+    if (drafted_->draft.wait > 0.0) drafted_->draft.wait += snapshot.now;
     take(seen.time, from, better->points, shareText(better->score.share));
   } else if (present->score.share == 0.0 && present->score.closeness < setup_.adaptive.min_hope) {
     giveUp(seen.time, from, "no plan comes near the crash any more");
@@ -218,7 +251,8 @@ void AdaptiveAttacker::giveUp(double seen, std::size_t from, const std::string& 
 }
 
 void AdaptiveAttacker::driveOnFrom(double seen, std::size_t from, const std::string& reason) {
-  const Future future = foresee(scene_.snapshot());
+  Future future = foresee(scene_.snapshot());
+  if (last_ego_ < seen - kTimeEpsilon) future.ego.states.clear();  // nobody knows where it is
   const auto& points = task_.plan.points;
   const DriveState state = driveStateOf(points[from], limits_);
   take(seen, from,

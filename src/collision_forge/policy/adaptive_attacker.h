@@ -20,7 +20,7 @@ struct AttackerTask {
   EgoVehicle ego;
   CollisionRequest request;  ///< with what counts as the crash
   CollisionPattern aim;      ///< that the first plan came from
-  AttackerTrajectory plan;   ///< the first one, from now on
+  AttackerTrajectory plan;   ///< the first one, from now on; at least two points
 };
 
 /// What adaptive attackers know and are tuned by.
@@ -35,7 +35,8 @@ struct AttackerSetup {
 /// (searchManoeuvres()), to the same type at the same instant. What it sees changes what it drives
 /// AdaptiveOptions::reaction_time later; until then it drives what it had planned, and goes on from
 /// the state that this leads to, so that the whole drive keeps the limits of its class. It commits
-/// shortly before the contact. Where no plan comes near the crash any more, or the ego is out of
+/// shortly before the contact. Whatever limits the request names, what it plans anew keeps those of
+/// its class. Where no plan comes near the crash any more, or the ego is out of
 /// sight or jumps, it gives up and drives on (driveOn()).
 class AdaptiveAttacker : public AttackerPolicy {
  public:
@@ -49,7 +50,7 @@ class AdaptiveAttacker : public AttackerPolicy {
  private:
   double timeOf(std::size_t index) const { return task_.plan.points[index].time; }
   std::size_t firstAfter(double time) const;
-  bool isLost(const Frame& seen) const;
+  bool hasJumped(const Frame& seen) const;
   Future foresee(const Snapshot& snapshot) const;
   void replan(const Frame& seen, std::size_t from);
   bool touchesOthers(const Future& future, std::size_t from) const;
@@ -68,10 +69,12 @@ class AdaptiveAttacker : public AttackerPolicy {
   Track vehicle_;  // without states
   DriveLimits limits_;
   ObservedScene scene_;
-  double impact_;  // s, the scene's clock; asked for
-  double newest_;  // s, time of the newest frame with an ego
+  double impact_;                     // s, the scene's clock; asked for
+  double last_ego_;                   // s, when the ego was seen last
+  std::vector<AgentState> seen_ego_;  // since the attack's now
   AttackerPhase phase_ = AttackerPhase::kAttacking;
-  std::optional<DraftedWay> drafted_;  // of the plan; its contact in s on the scene's clock
+  std::optional<DraftedWay>
+      drafted_;  // of the plan; its contact and wait are instants on the scene's clock
   std::vector<AttackerPlan> plans_;
 };
 

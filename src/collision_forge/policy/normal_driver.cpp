@@ -1,6 +1,7 @@
 #include "collision_forge/policy/normal_driver.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "collision_forge/attack/route_driver.h"
 #include "collision_forge/attack/track_driver.h"
@@ -36,8 +37,7 @@ std::vector<const Track*> othersOf(const DriveOnInput& input, const OrientedBox&
   for (const Track& agent : input.future.agents) {
     if (agent.id != input.vehicle.id) add(agent);
   }
-  for (const Track& ego : input.future.ego_samples) add(ego);
-  if (input.future.ego_samples.empty()) add(input.future.ego);
+  add(input.future.ego);
   return others;
 }
 
@@ -76,6 +76,8 @@ std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const DriveOnOpt
   plan.lead = std::max(0.0, plan.arrival - options.back_time);
   std::vector<PlannedStep> planned;
   std::vector<TrajectoryPoint> points;
+  std::vector<TrajectoryPoint> best;
+  double latest = -std::numeric_limits<double>::infinity();
   for (const double clearance : {options.clearance, 0.0}) {
     const BoxSize size{input.vehicle.size.length + 2.0 * clearance,
                        input.vehicle.size.width + 2.0 * clearance};
@@ -83,12 +85,17 @@ std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const DriveOnOpt
       for (std::size_t style = 0; style < route.styles.size(); ++style) {
         along.plan(plan, {style, share * input.state.speed}, step, input.steps, planned);
         driver.drive(input.state, input.time, planned, points);
-        if (!firstTouch(points, size, others)) return points;
+        const auto touch = firstTouch(points, size, others);
+        if (!touch) return points;
+        if (clearance == 0.0 && *touch >= latest) {
+          latest = *touch;
+          best = points;
+        }
         if (share >= 1.0) break;  // no style is needed to keep a speed
       }
     }
   }
-  return points;
+  return best;
 }
 
 }  // namespace forge

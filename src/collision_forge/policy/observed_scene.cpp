@@ -1,13 +1,14 @@
 #include "collision_forge/policy/observed_scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace forge {
 namespace {
 
 constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
-constexpr double kLeastShare = 0.8;    // of the interval between two frames that are shown
 
 /// The agents of a snapshot that have a state at `time`, with that state alone.
 std::vector<Track> agentsAt(const Snapshot& snapshot, double time) {
@@ -39,11 +40,17 @@ void ObservedScene::add(const Frame& frame) {
 }
 
 Snapshot ObservedScene::snapshot() const {
-  std::vector<const Frame*> shown;  // newest first
-  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
-    const bool is_due = shown.empty() || shown.back()->time - frame->time > kLeastShare * interval_;
-    if (is_due) shown.push_back(&*frame);
-    if (static_cast<int>(shown.size()) == count_) break;
+  std::vector<const Frame*> shown = {&frames_.back()};  // newest first
+  auto next = std::next(frames_.rbegin());
+  while (next != frames_.rend() && static_cast<int>(shown.size()) < count_) {
+    const auto offInterval = [&](const Frame& frame) {
+      return std::abs(shown.back()->time - frame.time - interval_);
+    };
+    const auto best = std::min_element(next, frames_.rend(), [&](const Frame& a, const Frame& b) {
+      return offInterval(a) < offInterval(b);
+    });
+    shown.push_back(&*best);
+    next = std::next(best);
   }
   SceneHistory history(count_, ego_);
   for (auto frame = shown.rbegin(); frame != shown.rend(); ++frame) history.add(**frame);

@@ -11,8 +11,8 @@ namespace forge {
 /// interval apart, however often somebody looked.
 class ObservedScene {
  public:
-  /// Begins with the frames of `start`. snapshot() has at most `frames` frames, at least `interval`
-  /// seconds apart, to a fifth of it.
+  /// Begins with the frames of `start`. snapshot() has at most `frames` frames: the newest, then
+  /// each time the one whose distance in time is nearest to `interval` seconds.
   ObservedScene(const Snapshot& start, const EgoVehicle& ego, int frames, double interval);
 
   /// A frame that is later than the newest, with a finite ego. Agents that are not usable

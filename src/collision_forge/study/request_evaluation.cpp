@@ -18,7 +18,14 @@ std::vector<RequestEvaluator::MethodRow> methodRows(const EvaluationPlan& plan) 
   const bool is_baseline =
       std::find(kBaselines.begin(), kBaselines.end(), plan.method) != kBaselines.end();
   if (is_baseline) return {};
-  if (!plan.is_seeded) return {{plan.method, TypeRules::kFull, plan.mode, 1}};
+  const Mode fixed = plan.mode == Mode::kReplay ? Mode::kReplay : Mode::kHistory;
+  if (!plan.is_seeded) {
+    std::vector<RequestEvaluator::MethodRow> rows = {{plan.method, TypeRules::kFull, fixed, 1}};
+    if (plan.mode == Mode::kAdaptive) {
+      rows.insert(rows.begin(), {"adaptive", TypeRules::kFull, Mode::kAdaptive, 1});
+    }
+    return rows;
+  }
   std::vector<RequestEvaluator::MethodRow> rows;
   const auto add = [&](const std::string& searcher, Mode mode) {
     if (!plan.believable) {
@@ -27,7 +34,7 @@ std::vector<RequestEvaluator::MethodRow> methodRows(const EvaluationPlan& plan) 
     rows.push_back({searcher + "_full_definitions", TypeRules::kFull, mode, plan.seeds});
   };
   if (plan.mode == Mode::kAdaptive) add("adaptive", Mode::kAdaptive);
-  add(plan.method, plan.mode == Mode::kReplay ? Mode::kReplay : Mode::kHistory);
+  add(plan.method, fixed);
   if (plan.mode != Mode::kReplay) add("replay", Mode::kReplay);
   return rows;
 }
@@ -233,7 +240,7 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
   const auto found = momentAt(*recording, asked.now, study_.attack.prediction.history_frames);
   const Moment* moment = std::get_if<Moment>(&found);
   CollisionRequest request = asked.request;
-  request.mode = plan_.mode;
+  request.mode = plan_.mode == Mode::kReplay ? Mode::kReplay : Mode::kHistory;
   request.crash = study_.crash;
   Status status;
   if (moment) {

@@ -15,7 +15,8 @@ namespace forge {
 /// What one row a request (of seeded methods one a seed) is of: the baselines "constant_velocity"
 /// and "nominal", which every plan measures beside its method, then the method; of a seeded one a
 /// column of the strict protocol, and in history mode the same with the recorded future known:
-/// "search_full_definitions" (or "network+search_..."), "replay_full_definitions". Where the
+/// "search_full_definitions" (or "network+search_..."), "replay_full_definitions"; in adaptive mode
+/// before these two "adaptive_full_definitions", of a method without seeds "adaptive". Where the
 /// attacker need not be believable there are the angle bands, too, each before the other column:
 /// "search_angle_bands", "replay_angle_bands".
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan);

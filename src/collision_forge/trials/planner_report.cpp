@@ -125,10 +125,10 @@ std::vector<RolloutMeasure> rolloutMeasures() {
        ofAttackers([](const AttackerSummary& attacker) {
          return attacker.phase == AttackerPhase::kDrivingOn;
        })},
-      {{"attacker_limits", "Attackers that broke a limit of their class", {}, false},
+      {{"attacker_limits", "Attackers that broke a limit that they were to keep", {}, false},
        kShare,
        ofAttackers([](const AttackerSummary& attacker) { return !attacker.broken_limit.empty(); })},
-      {{"attacker_touched", "Attackers that touched somebody else", {}, false},
+      {{"attacker_touched", "Attackers that touched somebody else, who does not react", {}, false},
        kShare,
        ofAttackers([](const AttackerSummary& attacker) { return !attacker.touched.empty(); })},
       {{"published_hit", "Collisions with the attacker by the published protocol", {}, false},

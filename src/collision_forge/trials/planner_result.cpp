@@ -39,14 +39,16 @@ RolloutOutcome drive(const PlannerCase& one, const std::string& planner, Backgro
 }
 
 /// What the attacker did, held against the ego as it was driven and the others as recorded.
-AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, const RolloutOutcome& outcome,
-                          const StudyOptions& study) {
+AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, Background background,
+                          const RolloutOutcome& outcome, const StudyOptions& study) {
   AttackerSummary summary;
   summary.policy = policy;
   summary.phase = outcome.phase;
   summary.plans = static_cast<int>(outcome.attacker_plans.size());
   const CrashScenario& scenario = one.scenario;
-  Future driven = scenario.recorded;
+  Future driven;
+  // Where they react, nobody knows afterwards where the others were.
+  if (background == Background::kReplay) driven.agents = scenario.recorded.agents;
   driven.ego.states.clear();
   for (const TrajectoryPoint& point : outcome.driven) {
     driven.ego.states.push_back({point.time, point.pose, point.speed * point.pose.heading()});
@@ -161,7 +163,7 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
   PlannerRow row;
   row.planner = planner;
   row.outcome = drive(one, planner, plan.background, true, attacker.get(), study, trials);
-  row.attacker = summaryOf(one, policy, row.outcome, study);
+  row.attacker = summaryOf(one, policy, plan.background, row.outcome, study);
   row.outcome.driven.clear();
   row.outcome.attacker = {};
   row.outcome.attacker_plans.clear();

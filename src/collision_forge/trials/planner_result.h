@@ -42,8 +42,9 @@ struct AttackerSummary {
   PolicyKind policy = PolicyKind::kFixed;
   AttackerPhase phase = AttackerPhase::kCommitted;  ///< at the end
   int plans = 0;                                    ///< that it made, the first one counted
-  std::string broken_limit;  ///< of its class, by what it drove; empty where all are kept
-  std::string touched;       ///< whom it touched before the end, the ego aside; empty if nobody
+  std::string broken_limit;  ///< that it was to keep, by what it drove; empty where all are kept
+  /// Whom it touched before the end, the ego aside; empty if nobody, and where the others react.
+  std::string touched;
   /// It touched the ego as the type that was asked for, at most the tolerance before or after the
   /// time asked for.
   bool as_asked = false;
