@@ -130,8 +130,9 @@ TEST_F(ManoeuvreSearchTest, OneThatIsUnderwayGoesOnFromItsStateOrFindsBetter) {
   const auto& points = answer.trajectory.points;
   const auto middle = points.begin() + from;
   const DriveLimits limits = driveLimitsOf(snapshot_.agents[0], options_.verification);
+  std::vector<AgentState> seen;
   Underway underway{snapshot_,
-                    {},
+                    seen,
                     driveStateOf(points[from], limits),
                     {points.begin(), middle},
                     {middle, points.end()},
@@ -142,7 +143,7 @@ TEST_F(ManoeuvreSearchTest, OneThatIsUnderwayGoesOnFromItsStateOrFindsBetter) {
   later.now = points[from].time;
   later.agents[0].states.push_back({later.now, points[from].pose, {points[from].speed, 0.0}});
   for (int i = 0; i < static_cast<int>(from); ++i) {
-    underway.ego.push_back({kNow + 0.1 * i, {0.7 * i, 0.0, 0.0}, {7.0, 0.0}});
+    seen.push_back({kNow + 0.1 * i, {0.7 * i, 0.0, 0.0}, {7.0, 0.0}});
   }
   const auto searched = [&](const Track& ego) {
     const std::vector<const Track*> egos = {&ego};

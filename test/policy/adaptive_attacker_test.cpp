@@ -30,6 +30,17 @@ TEST(AdaptiveAttacker, MeetsAnEgoThatBrakesWhereAFixedOneIsTooEarly) {
   EXPECT_GT(attacker.plans().size(), 1u);
 }
 
+TEST(AdaptiveAttacker, KeepsWhatTheRequestNames) {
+  Chase chase;
+  chase.request.manoeuvre = Manoeuvre::kFollowerCloses;
+  chase.request.ego_side = Side::kRear;
+  AdaptiveAttacker attacker = chase.attacker();
+  const Track ego = egoAt(braking);
+  watch(attacker, ego, 5.5);
+  EXPECT_EQ(shortcomingOf(reportOf(attacker, ego, chase), chase.request), "");
+  EXPECT_GT(attacker.plans().size(), 1u);
+}
+
 TEST(AdaptiveAttacker, KeepsAPlanThatMeetsTheEgoAsItDrives) {
   const Chase chase;
   AdaptiveAttacker attacker = chase.attacker();

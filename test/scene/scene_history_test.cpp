@@ -151,5 +151,16 @@ TEST(SceneHistory, EqualsTheSnapshotOfTheSameFramesInAScene) {
   }
 }
 
+TEST(AgentsAt, AreThoseWithAStateThenAndThatStateAlone) {
+  const Track here{
+      "here", {}, {4.0, 2.0}, {{1.0, {1.0, 0.0, 0.0}, {}}, {2.0, {2.0, 0.0, 0.0}, {}}}};
+  const Track gone{"gone", {}, {4.0, 2.0}, {{1.0, {9.0, 0.0, 0.0}, {}}}};
+  const std::vector<Track> agents = agentsAt({here, gone}, 2.0 + 5e-7);
+  ASSERT_EQ(agents.size(), 1u);
+  EXPECT_EQ(agents[0].id, "here");
+  ASSERT_EQ(agents[0].states.size(), 1u);
+  EXPECT_EQ(agents[0].states[0].pose.x, 2.0);
+}
+
 }  // namespace
 }  // namespace forge

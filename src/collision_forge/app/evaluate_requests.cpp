@@ -80,7 +80,7 @@ ResumableFile::Options runOptions(const EvaluationArguments& arguments, const Co
   return options;
 }
 
-/// Milliseconds of the searches of this process, by method.
+/// Milliseconds that a request, or a look, took in this process, by method.
 class SearchTimes {
  public:
   void add(const std::vector<SearchTime>& times) {
@@ -93,8 +93,8 @@ class SearchTimes {
       std::sort(times.begin(), times.end());
       const double mean = std::accumulate(times.begin(), times.end(), 0.0) / times.size();
       std::printf(
-          "%s: %.1f ms a request on one core in the mean, median %.1f ms, 95 %% quantile "
-          "%.1f ms (%zu searches of this process)\n",
+          "%s: %.1f ms on one core in the mean, median %.1f ms, 95 %% quantile %.1f ms (%zu times "
+          "in this process)\n",
           method.c_str(), mean, quantile(times, 0.5), quantile(times, 0.95), times.size());
     }
   }

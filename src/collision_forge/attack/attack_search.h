@@ -43,7 +43,6 @@ struct FoundAttack {
   std::vector<TrajectoryPoint> points;  ///< from now to tta + tail
   FutureScore score;
   double off_road = 0.0;  ///< mean share of the box off the drivable area, to the arrival
-  RoadUse road;           ///< of attacks along routes, as of CollisionReport::road
   /// What the search maximises: share, closeness, use of the road, effort, steering and miss
   /// weighed.
   double objective = 0.0;
@@ -70,8 +69,8 @@ enum class SearchedMotion {
 
 /// An attacker that is on its way already, as it is at the snapshot's now.
 struct Underway {
-  Snapshot start;                        ///< known when it set out
-  std::vector<AgentState> ego;           ///< what was seen of the ego since, before its futures
+  const Snapshot& start;                 ///< known when it set out
+  const std::vector<AgentState>& ego;    ///< what was seen of the ego since, before its futures
   DriveState state;                      ///< in place of what its track tells
   std::vector<TrajectoryPoint> driven;   ///< since it set out, to before now
   std::vector<TrajectoryPoint> planned;  ///< from now on, as it means to; as long as others

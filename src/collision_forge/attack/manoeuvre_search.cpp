@@ -383,7 +383,6 @@ class ManoeuvreSearch {
     }
     found.score = candidate.score;
     found.off_road = candidate.road.off_road;
-    found.road = candidate.road;
     found.drafted = DraftedWay{candidate.route->path(), candidate.draft};
     found.objective = candidate.objective;
     found.effort = effortOf(candidate);

@@ -40,14 +40,10 @@ std::vector<TrajectoryPoint> spread(const std::vector<TrajectoryPoint>& points, 
     while (next != points.end() && next->time < time - kTimeEpsilon) ++next;
     TrajectoryPoint point = next == points.end() ? last : *next;
     if (next == points.end()) {
-      point.pose = compose(last.pose, {(time - last.time) * last.speed, 0.0, 0.0});
-      point.acceleration = 0.0;
-      point.curvature = 0.0;
+      point = {time, compose(last.pose, {(time - last.time) * last.speed, 0.0, 0.0}), last.speed,
+               0.0, 0.0};
     } else if (std::abs(next->time - time) > kTimeEpsilon) {
       point.pose = poseAt(whole, time);
-    } else {
-      found.push_back(*next);
-      continue;
     }
     point.time = time;
     found.push_back(point);
@@ -71,7 +67,8 @@ AdaptiveAttacker::AdaptiveAttacker(AttackerTask task, AttackerSetup setup)
       scene_(task_.snapshot, task_.ego, setup_.attack.prediction.history_frames,
              setup_.adaptive.frame_interval),
       impact_(task_.snapshot.now + task_.request.tta),
-      last_ego_(task_.snapshot.now) {
+      last_ego_(task_.snapshot.now),
+      seen_ego_{task_.snapshot.ego.states.back()} {
   setup_.attack = replanning(setup_.attack, setup_.adaptive);
   task_.request.attacker = vehicle_.id;
   task_.request.crash.min_confidence = 0.0;
@@ -105,7 +102,6 @@ void AdaptiveAttacker::observe(const Frame& seen) {
   Frame kept = seen;
   if (!is_there) kept.ego = scene_.newest().ego;  // the others are seen all the same
   scene_.add(kept);
-  seen_ego_.push_back({kept.time, kept.ego, Vector2::Zero()});
   if (is_there) last_ego_ = seen.time;
   if (phase_ == AttackerPhase::kDrivingOn) {
     driveOnFrom(seen.time, from, "");
@@ -121,6 +117,7 @@ void AdaptiveAttacker::observe(const Frame& seen) {
     phase_ = AttackerPhase::kCommitted;
     plans_.push_back({seen.time, timeOf(from), phase_, "too late to change anything", {}});
   }
+  seen_ego_.push_back({kept.time, kept.ego, Vector2::Zero()});
 }
 
 Future AdaptiveAttacker::foresee(const Snapshot& snapshot) const {

@@ -34,10 +34,10 @@ struct AttackerSetup {
 /// and where its plan does not meet most of these futures as asked, it plans the rest anew
 /// (searchManoeuvres()), to the same type at the same instant. What it sees changes what it drives
 /// AdaptiveOptions::reaction_time later; until then it drives what it had planned, and goes on from
-/// the state that this leads to, so that the whole drive keeps the limits of its class. It commits
-/// shortly before the contact. Whatever limits the request names, what it plans anew keeps those of
-/// its class. Where no plan comes near the crash any more, or the ego is out of
-/// sight or jumps, it gives up and drives on (driveOn()).
+/// the state that this leads to. So the whole drive keeps the limits of its class, whatever limits
+/// the request names, if its first plan does. It commits shortly before the contact. Where no plan
+/// comes near the crash any more, or the ego is out of sight or jumps, it gives up and drives on
+/// (driveOn()).
 class AdaptiveAttacker : public AttackerPolicy {
  public:
   AdaptiveAttacker(AttackerTask task, AttackerSetup setup);
@@ -71,10 +71,10 @@ class AdaptiveAttacker : public AttackerPolicy {
   ObservedScene scene_;
   double impact_;                     // s, the scene's clock; asked for
   double last_ego_;                   // s, when the ego was seen last
-  std::vector<AgentState> seen_ego_;  // since the attack's now
+  std::vector<AgentState> seen_ego_;  // from the attack's now on, before the newest frame
   AttackerPhase phase_ = AttackerPhase::kAttacking;
-  std::optional<DraftedWay>
-      drafted_;  // of the plan; its contact and wait are instants on the scene's clock
+  /// Of the plan; contact and wait are instants on the scene's clock.
+  std::optional<DraftedWay> drafted_;
   std::vector<AttackerPlan> plans_;
 };
 

@@ -23,7 +23,7 @@ struct DriveOnInput {
   const DriveState& state;  ///< at `time`
   double time = 0.0;        ///< s, the scene's clock
   std::size_t steps = 0;    ///< points that are wanted, SearchOptions::step apart
-  const Future& future;     ///< of the ego and the others, who may touch nobody
+  const Future& future;     ///< of the ego, if it is known, and the others
   const LaneIndex& lanes;
 };
 

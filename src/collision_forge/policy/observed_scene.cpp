@@ -6,30 +6,11 @@
 #include <vector>
 
 namespace forge {
-namespace {
-
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
-
-/// The agents of a snapshot that have a state at `time`, with that state alone.
-std::vector<Track> agentsAt(const Snapshot& snapshot, double time) {
-  std::vector<Track> agents;
-  for (const Track& agent : snapshot.agents) {
-    const auto state = std::find_if(
-        agent.states.begin(), agent.states.end(),
-        [=](const AgentState& seen) { return std::abs(seen.time - time) < kTimeEpsilon; });
-    if (state == agent.states.end()) continue;
-    agents.push_back({agent.id, agent.agent_class, agent.size, {*state}});
-  }
-  return agents;
-}
-
-}  // namespace
-
 ObservedScene::ObservedScene(const Snapshot& start, const EgoVehicle& ego, int frames,
                              double interval)
     : map_(start.map), ego_(ego), count_(frames), interval_(interval) {
   for (const AgentState& state : start.ego.states) {
-    frames_.push_back({state.time, state.pose, agentsAt(start, state.time)});
+    frames_.push_back({state.time, state.pose, agentsAt(start.agents, state.time)});
   }
 }
 

@@ -1,12 +1,9 @@
 #include "collision_forge/policy/recorded_drive.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <limits>
 
 namespace forge {
-
 namespace {
 
 constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
@@ -15,18 +12,9 @@ constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 Frame frameAt(const Scene& scene, double time) {
-  Frame frame;
-  frame.time = time;
   const auto ego = stateAt(scene.ego, time);
-  frame.ego = ego ? ego->pose : Pose2{kNowhere, kNowhere, kNowhere};
-  for (const Track& agent : scene.agents) {
-    const auto state = std::find_if(
-        agent.states.begin(), agent.states.end(),
-        [=](const AgentState& seen) { return std::abs(seen.time - time) < kTimeEpsilon; });
-    if (state == agent.states.end()) continue;
-    frame.agents.push_back({agent.id, agent.agent_class, agent.size, {*state}});
-  }
-  return frame;
+  return {time, ego ? ego->pose : Pose2{kNowhere, kNowhere, kNowhere},
+          agentsAt(scene.agents, time)};
 }
 
 std::vector<double> driveOverRecording(AttackerPolicy& policy, const Scene& scene, double now) {

@@ -13,6 +13,19 @@ bool isUsable(const Track& agent) {
          std::isfinite(agent.size.width) && agent.size.width > 0.0;
 }
 
+std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time) {
+  constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
+  std::vector<Track> agents;
+  for (const Track& track : tracks) {
+    const auto state = std::find_if(
+        track.states.begin(), track.states.end(),
+        [=](const AgentState& seen) { return std::abs(seen.time - time) < kTimeEpsilon; });
+    if (state == track.states.end()) continue;
+    agents.push_back({track.id, track.agent_class, track.size, {*state}});
+  }
+  return agents;
+}
+
 SceneHistory::SceneHistory(int frames, const EgoVehicle& ego)
     : capacity_(static_cast<std::size_t>(frames)), ego_(ego) {}
 

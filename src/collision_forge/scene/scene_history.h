@@ -16,6 +16,10 @@ struct Frame {
 /// True for an agent of a frame whose pose and size are finite, the size positive.
 bool isUsable(const Track& agent);
 
+/// Those who have a state at `time` (to a microsecond), each with that state alone: the agents of a
+/// Frame.
+std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time);
+
 /// Keeps the newest frames of a running scene. Not thread-safe.
 class SceneHistory {
  public:

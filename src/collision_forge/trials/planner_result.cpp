@@ -46,9 +46,9 @@ AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, Background 
   summary.phase = outcome.phase;
   summary.plans = static_cast<int>(outcome.attacker_plans.size());
   const CrashScenario& scenario = one.scenario;
-  Future driven;
+  Future driven = scenario.recorded;
   // Where they react, nobody knows afterwards where the others were.
-  if (background == Background::kReplay) driven.agents = scenario.recorded.agents;
+  if (background == Background::kIdm) driven.agents.clear();
   driven.ego.states.clear();
   for (const TrajectoryPoint& point : outcome.driven) {
     driven.ego.states.push_back({point.time, point.pose, point.speed * point.pose.heading()});

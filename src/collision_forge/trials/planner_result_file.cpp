@@ -325,9 +325,9 @@ PlannerTestResult readPlannerResultLine(const std::string& where, const std::str
 
 std::string plannerResultCsvHeader() {
   return "name,source,scene,type,tta,status,strict,avoidable,last_manoeuvre,last_start,planner,"
-         "policy,phase,attacker_plans,broken_limit,touched,as_asked,failure,other,attacker,contact_"
-         "after,contact_type,relative_heading,ego_side,other_side,"
-         "impact_speed,ego_speed,cause,at_fault,duration,max_braking,hard_braking,off_road_share,"
+         "policy,phase,attacker_plans,broken_limit,touched,as_asked,failure,other,attacker,"
+         "contact_after,contact_type,relative_heading,ego_side,other_side,impact_speed,ego_speed,"
+         "cause,at_fault,duration,max_braking,hard_braking,off_road_share,"
          "progress,recorded_progress" +
          nuplanColumns() + ",published_hit";
 }

@@ -259,11 +259,7 @@ class Run {
   /// Lets the attacker look at what is there now.
   void showAttacker() {
     if (setup_.attacker == nullptr) return;
-    Frame seen{now(), ego_.point().pose, {}};
-    for (const Track& agent : traffic_.agents()) {
-      seen.agents.push_back({agent.id, agent.agent_class, agent.size, {agent.states.back()}});
-    }
-    attacker_.observe(seen);
+    attacker_.observe({now(), ego_.point().pose, agentsAt(traffic_.agents(), now())});
     traffic_.redirectAttacker(attackerTrack(scenario_, attacker_.trajectory()));
   }
 

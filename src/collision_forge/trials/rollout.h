@@ -78,11 +78,11 @@ struct RolloutOutcome {
 
 /// Drives the ego by the planner from now on until its first contact (unless the setup says
 /// otherwise), a failure of the planner or the end of the attacker's trajectory. Whoever drives the
-/// attacker is shown every step as it comes. The start is the
-/// recorded state now, its speed told from the past (estimateMotion()). Within a step ego and
-/// others move linearly, so contacts are found to `overlap_tolerance`. Who overlaps the ego already
-/// now, the attacker aside, is not looked at. Same input, same outcome (planning_seconds aside).
-/// Throws as checkScenario() and routeOf().
+/// attacker is shown every step as it comes. The start is the recorded state now, its speed told
+/// from the past (estimateMotion()). Within a step ego and others move linearly, so contacts are
+/// found to `overlap_tolerance`. Who overlaps the ego already now, the attacker aside, is not
+/// looked at. Same input, same outcome (planning_seconds aside). Throws as checkScenario() and
+/// routeOf().
 RolloutOutcome rollout(Planner& planner, const Driving& driving, const CrashScenario& scenario,
                        const RolloutSetup& setup);
 

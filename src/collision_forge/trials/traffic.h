@@ -12,11 +12,10 @@ namespace forge {
 enum class Background { kReplay, kIdm };
 
 /// Everybody but the ego, step by step. The attacker follows its trajectory, or what it is
-/// redirected to; the others
-/// replay their recorded tracks. With kIdm a vehicle that the recording moves drives its recorded
-/// way by a clock of its own, which falls behind the recording where the intelligent driver model
-/// says that somebody (the ego, the attacker, another) is in its way, and catches up no faster than
-/// the model accelerates. Nobody is ever ahead of the recording.
+/// redirected to; the others replay their recorded tracks. With kIdm a vehicle that the recording
+/// moves drives its recorded way by a clock of its own, which falls behind the recording where the
+/// intelligent driver model says that somebody (the ego, the attacker, another) is in its way, and
+/// catches up no faster than the model accelerates. Nobody is ever ahead of the recording.
 class Traffic {
  public:
   /// `history`: seconds of past states that agents() holds.
