@@ -65,7 +65,7 @@ TEST(AdaptiveAttacker, ChangesNothingBeforeItsReactionTimeIsOver) {
       const bool is_same = after[j].pose.x == before[j].pose.x &&
                            after[j].pose.y == before[j].pose.y && after[j].speed == before[j].speed;
       changes += !is_same;
-      if (after[j].time > time + shippedAdaptive().reaction_time - 1e-6) continue;
+      if (after[j].time > time + shippedAdaptive().fairness.reaction_time - 1e-6) continue;
       ASSERT_TRUE(is_same) << i << " " << j;
     }
   }
@@ -83,7 +83,7 @@ TEST(AdaptiveAttacker, KnowsNothingOfWhatComes) {
   for (std::size_t i = 0; i < one.trajectory().points.size(); ++i) {
     const TrajectoryPoint& a = one.trajectory().points[i];
     const TrajectoryPoint& b = other.trajectory().points[i];
-    if (a.time <= kNow + 2.0 + shippedAdaptive().reaction_time) {
+    if (a.time <= kNow + 2.0 + shippedAdaptive().fairness.reaction_time) {
       ASSERT_EQ(a.pose.x, b.pose.x) << a.time;
     }
     parted = parted || a.pose.x != b.pose.x;
@@ -123,6 +123,30 @@ TEST(AdaptiveAttacker, TheWholeDriveKeepsTheLimitsWhateverTheEgoDoes) {
                                         std::numeric_limits<double>::infinity(), limits);
     EXPECT_FALSE(broken) << describe(*broken) << " " << first << " " << then;
   }
+}
+
+TEST(AdaptiveAttacker, NewPlansUseAShareOfTheLimitsWhereItIsToBeGentle) {
+  const double share = 0.5;
+  const Chase chase;
+  const Realization first = chase.firstAttack();
+  AttackerSetup setup = shippedSetupOfAttackers();
+  setup.adaptive.fairness.aggressiveness = share;
+  AdaptiveAttacker attacker(
+      {chase.snapshot, chase.lanes, chase.ego, chase.request, first.aim, first.trajectory}, setup);
+  watch(attacker, egoAt(braking), 3.5);
+  const DriveLimits limits = driveLimitsOf(chase.snapshot.agents[0], shippedOptions().verification);
+  int planned = 0;
+  for (std::size_t i = 1; i < attacker.plans().size(); ++i) {
+    const AttackerPlan& plan = attacker.plans()[i];
+    if (plan.phase != AttackerPhase::kAttacking) continue;
+    ++planned;
+    for (const TrajectoryPoint& point : plan.points) {
+      if (point.time < plan.from + 1.0) continue;  // it comes from harder braking
+      EXPECT_GT(point.acceleration, -share * limits.max_braking - 1e-6) << point.time;
+      EXPECT_LT(point.acceleration, share * limits.max_forward_acceleration + 1e-6) << point.time;
+    }
+  }
+  EXPECT_GT(planned, 0);
 }
 
 TEST(AdaptiveAttacker, GivesUpWhereTheEgoJumps) {

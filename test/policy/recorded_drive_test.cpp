@@ -12,6 +12,9 @@ namespace {
 /// Writes down what it sees.
 class Witness : public AttackerPolicy {
  public:
+  std::unique_ptr<AttackerPolicy> clone() const override {
+    return std::make_unique<Witness>(*this);
+  }
   explicit Witness(double duration) : trajectory_(straightDrive({0.0, 0.0, 0.0}, 1.0, duration)) {}
   void observe(const Frame& seen) override { seen_.push_back(seen); }
   const AttackerTrajectory& trajectory() const override { return trajectory_; }

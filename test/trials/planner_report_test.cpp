@@ -99,9 +99,8 @@ TEST(PlannerReport, SourcesHaveRowsOfTheirOwn) {
   EXPECT_EQ(table.rates[1].back().trials, 1);
 }
 
-TEST(PlannerReport, TheWorstAreTheHardestAvoidableImpactsOneAScene) {
+TEST(PlannerReport, TheWorstAreTheHardestFairImpactsOneAScene) {
   auto all = results();
-  all[1].avoidability.is_avoidable = true;
   PlannerTestResult again = result("b", true, {row("idm", 7.0)});
   all.push_back(again);
   const auto worst = worstCases(all, {"idm"}, 5);
@@ -109,6 +108,25 @@ TEST(PlannerReport, TheWorstAreTheHardestAvoidableImpactsOneAScene) {
   EXPECT_EQ(worst[0].result, 1u);
   EXPECT_EQ(worst[1].result, 0u);
   EXPECT_EQ(worstCases(all, {"idm"}, 1).size(), 1u);
+  all[1].rows[0].is_fair = false;
+  all.back().rows[0].is_fair = false;
+  EXPECT_EQ(worstCases(all, {"idm"}, 5).front().result, 0u);
+}
+
+TEST(PlannerReport, UnfairCollisionsAreNoTrials) {
+  auto all = results();
+  all[1].rows[0].is_fair = false;
+  EXPECT_EQ(rateOf(all, "collision_fair").trials, 3);
+  EXPECT_NEAR(rateOf(all, "collision_fair").value, 1.0 / 3.0, 1e-12);
+}
+
+TEST(PlannerReport, TellsWhichCollisionsCouldBeEscaped) {
+  auto all = results();
+  EXPECT_EQ(rateOf(all, "escape").trials, 0);
+  all[0].rows[0].escape = AvoidabilitySummary{true, {}, EvasiveManoeuvre::kBraking, 1.0, 0.0};
+  all[1].rows[0].escape = AvoidabilitySummary{};
+  EXPECT_EQ(rateOf(all, "escape").trials, 2);
+  EXPECT_DOUBLE_EQ(rateOf(all, "escape").value, 0.5);
 }
 
 TEST(PlannerReport, SaysWhyCasesWereNotTested) {

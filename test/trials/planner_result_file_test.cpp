@@ -18,6 +18,8 @@ TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
   result.rows[1].published_hit.reset();
   result.rows[1].attacker = {
       PolicyKind::kAdaptive, AttackerPhase::kDrivingOn, 7, "max_jerk 9 > 8", "somebody", true};
+  result.rows[1].escape = AvoidabilitySummary{true, {}, EvasiveManoeuvre::kBoth, 2.5, 0.25};
+  result.rows[1].is_fair = false;
   const std::string line = plannerResultLine(result);
   const PlannerTestResult read = readPlannerResultLine("here", line);
   EXPECT_EQ(read.rows.size(), 2u);
@@ -29,6 +31,11 @@ TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
   EXPECT_EQ(read.rows[1].attacker.policy, PolicyKind::kAdaptive);
   EXPECT_EQ(read.rows[1].attacker.phase, AttackerPhase::kDrivingOn);
   EXPECT_EQ(read.rows[1].attacker.broken_limit, "max_jerk 9 > 8");
+  EXPECT_FALSE(read.rows[0].escape);
+  EXPECT_TRUE(read.rows[0].is_fair);
+  ASSERT_TRUE(read.rows[1].escape);
+  EXPECT_EQ(read.rows[1].escape->last_after, 2.5);
+  EXPECT_FALSE(read.rows[1].is_fair);
   EXPECT_EQ(plannerResultLine(read), line);
 }
 
@@ -50,7 +57,7 @@ TEST(PlannerResultFile, OfACaseThatCannotBeReadOnlyTheNameIsKnown) {
 
 TEST(PlannerResultFile, AnotherFormatIsRefusedByField) {
   std::string line = plannerResultLine(tested());
-  line.replace(line.find("\"version\":3"), 11, "\"version\":2");
+  line.replace(line.find("\"version\":4"), 11, "\"version\":2");
   try {
     readPlannerResultLine("results.jsonl: line 4", line);
     ADD_FAILURE();

@@ -39,6 +39,20 @@ TEST(PlannerResult, EachPolicyOfTheAttackerHasARowOfItsOwn) {
     EXPECT_EQ(row.published_hit.has_value(), row.attacker.policy == PolicyKind::kFixed);
   }
   EXPECT_TRUE(result.rows[1].attacker.as_asked) << "IDM, hit by one who sees it";
+  ASSERT_TRUE(result.rows[1].escape);
+  EXPECT_TRUE(result.rows[1].escape->is_avoidable);
+  EXPECT_TRUE(result.rows[1].is_fair);
+  EXPECT_FALSE(result.rows[0].escape) << "asked of attackers that react alone";
+}
+
+TEST(PlannerResult, AHitThatCannotBeEscapedForAsLongAsIsWantedIsUnfair) {
+  PlannerCase one = rearEnd();
+  Config strict = config();
+  strict.adaptive.fairness.avoidable_for = one.request.tta;
+  const PlannerTestResult result = testPlanners(one, {{"idm"}}, strict, strict.planners);
+  ASSERT_TRUE(result.rows[0].outcome.contact);
+  EXPECT_LT(result.avoidability.last_after, one.request.tta);
+  EXPECT_FALSE(result.rows[0].is_fair);
 }
 
 TEST(PlannerResult, ACaseWithoutAnAttackIsNotTested) {

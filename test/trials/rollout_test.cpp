@@ -55,8 +55,11 @@ RolloutOutcome drive(Planner& planner, const CrashScenario& scenario,
 class StoppingAttacker : public AttackerPolicy {
  public:
   explicit StoppingAttacker(AttackerTrajectory trajectory) : trajectory_(std::move(trajectory)) {}
+  std::unique_ptr<AttackerPolicy> clone() const override {
+    return std::make_unique<StoppingAttacker>(*this);
+  }
   void observe(const Frame& seen) override {
-    seen_.push_back(seen);
+    seen_->push_back(seen);
     if (seen.time < kNow + 1.0 - 1e-6) return;
     for (TrajectoryPoint& point : trajectory_.points) {
       if (point.time <= seen.time + 1e-6) stop_ = point;
@@ -66,13 +69,14 @@ class StoppingAttacker : public AttackerPolicy {
   const AttackerTrajectory& trajectory() const override { return trajectory_; }
   AttackerPhase phase() const override { return AttackerPhase::kDrivingOn; }
   const std::vector<AttackerPlan>& plans() const override { return plans_; }
-  const std::vector<Frame>& seen() const { return seen_; }
+  /// What its copies have seen, too.
+  const std::vector<Frame>& seen() const { return *seen_; }
 
  private:
   AttackerTrajectory trajectory_;
   TrajectoryPoint stop_;
   std::vector<AttackerPlan> plans_;
-  std::vector<Frame> seen_;
+  std::shared_ptr<std::vector<Frame>> seen_ = std::make_shared<std::vector<Frame>>();
 };
 
 TEST(Rollout, AnAttackerSeesTheEgoAsItComesAndDrivesWhatItThenMeansTo) {

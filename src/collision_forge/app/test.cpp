@@ -148,10 +148,7 @@ ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome) {
   ScenarioView view{one.scene,         one.request.tta, one.request.mode,  scenario.snapshot,
                     scenario.recorded, one.pattern,     scenario.attacker, {}};
   view.contact_alone = true;
-  view.future.ego.states.clear();
-  for (const TrajectoryPoint& point : outcome.driven) {
-    view.future.ego.states.push_back({point.time, point.pose, point.speed * point.pose.heading()});
-  }
+  view.future.ego.states = toStates(outcome.driven);
   CollisionReport& report = view.report;
   report.contact = true;
   report.contact_time = contact.time;

@@ -20,10 +20,18 @@ constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 constexpr double kOwnSpacing = 1.0;    // m between the points of its own way
 constexpr double kOwnBeyond = 40.0;    // m that its own way goes straight on
 
-AttackOptions replanning(AttackOptions options, const AdaptiveOptions& adaptive) {
+AttackOptions optionsOfPlans(AttackOptions options, const AdaptiveOptions& adaptive) {
   options.route.ways = adaptive.ways;
   options.route.rounds = adaptive.rounds;
   options.route.perturbations = adaptive.perturbations;
+  const double share = adaptive.fairness.aggressiveness;
+  for (DriveLimits& limits : options.verification.drivable.rows) {
+    limits.max_braking *= share;
+    limits.max_forward_acceleration *= share;
+    limits.max_lateral_acceleration *= share;
+    limits.max_jerk *= share;
+    limits.max_steering_rate *= share;
+  }
   return options;
 }
 
@@ -62,6 +70,7 @@ std::string shareText(double share) {
 AdaptiveAttacker::AdaptiveAttacker(AttackerTask task, AttackerSetup setup)
     : task_(std::move(task)),
       setup_(std::move(setup)),
+      planning_(optionsOfPlans(setup_.attack, setup_.adaptive)),
       vehicle_{task_.plan.attacker_id, task_.plan.agent_class, task_.plan.size, {}},
       limits_(driveLimitsOf(vehicle_, setup_.attack.verification)),
       scene_(task_.snapshot, task_.ego, setup_.attack.prediction.history_frames,
@@ -69,7 +78,6 @@ AdaptiveAttacker::AdaptiveAttacker(AttackerTask task, AttackerSetup setup)
       impact_(task_.snapshot.now + task_.request.tta),
       last_ego_(task_.snapshot.now),
       seen_ego_{task_.snapshot.ego.states.back()} {
-  setup_.attack = replanning(setup_.attack, setup_.adaptive);
   task_.request.attacker = vehicle_.id;
   task_.request.crash.min_confidence = 0.0;
   task_.request.crash.limits = LimitSet::kDrivable;
@@ -95,7 +103,7 @@ bool AdaptiveAttacker::hasJumped(const Frame& seen) const {
 void AdaptiveAttacker::observe(const Frame& seen) {
   const AdaptiveOptions& options = setup_.adaptive;
   if (seen.time < scene_.newest().time + options.period - kTimeEpsilon) return;
-  const std::size_t from = firstAfter(seen.time + options.reaction_time);
+  const std::size_t from = firstAfter(seen.time + options.fairness.reaction_time);
   if (from + 1 >= task_.plan.points.size()) return;
   const bool is_there = seen.ego.isFinite();
   const bool has_jumped = is_there && hasJumped(seen);
@@ -192,7 +200,7 @@ void AdaptiveAttacker::replan(const Frame& seen, std::size_t from) {
   const Underway underway = underwayFrom(from);
   SearchInput input{snapshot, future, egos, patterns, request, *task_.lanes};
   input.underway = &underway;
-  const std::vector<FoundAttack> found = searchManoeuvres(input, setup_.attack);
+  const std::vector<FoundAttack> found = searchManoeuvres(input, planning_);
   if (found.empty()) return;
   const auto present = std::prev(found.end());
   const auto better = std::find_if(found.begin(), present, [&](const FoundAttack& attack) {

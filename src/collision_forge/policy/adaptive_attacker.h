@@ -33,7 +33,7 @@ struct AttackerSetup {
 /// An attacker that sees and reacts: at every frame it asks how the ego may drive on from there,
 /// and where its plan does not meet most of these futures as asked, it plans the rest anew
 /// (searchManoeuvres()), to the same type at the same instant. What it sees changes what it drives
-/// AdaptiveOptions::reaction_time later; until then it drives what it had planned, and goes on from
+/// FairnessOptions::reaction_time later; until then it drives what it had planned, and goes on from
 /// the state that this leads to. So the whole drive keeps the limits of its class, whatever limits
 /// the request names, if its first plan does. It commits shortly before the contact. Where no plan
 /// comes near the crash any more, or the ego is out of sight or jumps, it gives up and drives on
@@ -42,6 +42,9 @@ class AdaptiveAttacker : public AttackerPolicy {
  public:
   AdaptiveAttacker(AttackerTask task, AttackerSetup setup);
 
+  std::unique_ptr<AttackerPolicy> clone() const override {
+    return std::make_unique<AdaptiveAttacker>(*this);
+  }
   void observe(const Frame& seen) override;
   const AttackerTrajectory& trajectory() const override { return task_.plan; }
   AttackerPhase phase() const override { return phase_; }
@@ -66,7 +69,8 @@ class AdaptiveAttacker : public AttackerPolicy {
 
   AttackerTask task_;  // its plan: driven so far, then planned
   AttackerSetup setup_;
-  Track vehicle_;  // without states
+  AttackOptions planning_;  // of new plans
+  Track vehicle_;           // without states
   DriveLimits limits_;
   ObservedScene scene_;
   double impact_;                     // s, the scene's clock; asked for

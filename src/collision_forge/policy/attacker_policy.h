@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,9 @@ class AttackerPolicy {
  public:
   virtual ~AttackerPolicy() = default;
 
+  /// Another that has seen the same and means to drive the same.
+  virtual std::unique_ptr<AttackerPolicy> clone() const = 0;
+
   /// Looks at a frame: the ego and everybody else then, and nothing of what comes. Frames come in
   /// order. One that is not later than the one before is passed over.
   virtual void observe(const Frame& seen) = 0;
@@ -64,6 +68,9 @@ class FixedAttacker : public AttackerPolicy {
     plans_.push_back(firstPlan(trajectory_, AttackerPhase::kCommitted));
   }
 
+  std::unique_ptr<AttackerPolicy> clone() const override {
+    return std::make_unique<FixedAttacker>(*this);
+  }
   void observe(const Frame& /*seen*/) override {}
   const AttackerTrajectory& trajectory() const override { return trajectory_; }
   AttackerPhase phase() const override { return AttackerPhase::kCommitted; }

@@ -10,9 +10,15 @@ static void readOptions(Section& section, DriveOnOptions& options) {
   options.clearance = section.nonNegative("clearance");
 }
 
+static void readOptions(Section& section, FairnessOptions& options) {
+  constexpr double kGentlest = 0.1;
+  options.reaction_time = section.nonNegative("reaction_time");
+  options.aggressiveness = section.within("aggressiveness", kGentlest, 1.0);
+  options.avoidable_for = section.nonNegative("avoidable_for");
+}
+
 void readOptions(Section& section, AdaptiveOptions& options) {
   options.period = section.positive("period");
-  options.reaction_time = section.nonNegative("reaction_time");
   options.commit_time = section.nonNegative("commit_time");
   options.frame_interval = section.positive("frame_interval");
   options.ego_samples = section.count("ego_samples", 1);
@@ -25,6 +31,7 @@ void readOptions(Section& section, AdaptiveOptions& options) {
   options.rounds = section.count("rounds", 0);
   options.perturbations = section.count("perturbations", 0);
   section.read("drive_on", options.drive_on);
+  section.read("fairness", options.fairness);
 }
 
 }  // namespace forge

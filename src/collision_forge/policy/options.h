@@ -13,10 +13,16 @@ struct DriveOnOptions {
   double clearance = 0.0;
 };
 
+/// What keeps a test fair.
+struct FairnessOptions {
+  double reaction_time = 0.0;
+  double aggressiveness = 0.0;
+  double avoidable_for = 0.0;
+};
+
 /// config/adaptive.yaml, where each number's unit and source stand.
 struct AdaptiveOptions {
   double period = 0.0;
-  double reaction_time = 0.0;
   double commit_time = 0.0;
   double frame_interval = 0.0;
   int ego_samples = 0;
@@ -29,6 +35,7 @@ struct AdaptiveOptions {
   int rounds = 0;
   int perturbations = 0;
   DriveOnOptions drive_on;
+  FairnessOptions fairness;
 };
 
 void readOptions(Section& section, AdaptiveOptions& options);

@@ -15,6 +15,14 @@ double cornerMiss(const PatternMiss& miss, const BoxSize& attacker) {
   return miss.distance + circumradius(attacker) * miss.heading;
 }
 
+std::vector<AgentState> toStates(const std::vector<TrajectoryPoint>& points) {
+  std::vector<AgentState> states;
+  for (const TrajectoryPoint& point : points) {
+    states.push_back({point.time, point.pose, point.speed * point.pose.heading()});
+  }
+  return states;
+}
+
 Pose2 poseAt(const AttackerTrajectory& trajectory, double time) {
   const auto& points = trajectory.points;
   const auto after = std::lower_bound(

@@ -42,6 +42,9 @@ struct TrajectoryPoint {
   double curvature = 0.0;     ///< 1/m, positive to the left
 };
 
+/// The same as states, whose velocity is along the heading.
+std::vector<AgentState> toStates(const std::vector<TrajectoryPoint>& points);
+
 /// What the attacker drives from now on, evenly sampled from now to past the impact.
 struct AttackerTrajectory {
   std::string attacker_id;

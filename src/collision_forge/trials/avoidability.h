@@ -1,41 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "collision_forge/attack/options.h"
-#include "collision_forge/planners/route.h"
-#include "collision_forge/trials/crash_scenario.h"
+#include "collision_forge/trials/evasive_drives.h"
 
 namespace forge {
-
-/// config/planners.yaml, section avoidability, where each number's unit and source stand.
-struct AvoidabilityOptions {
-  double interval = 0.0;
-  double step = 0.0;
-  std::vector<double> accelerations;
-  std::vector<double> offsets;
-  std::vector<double> durations;
-  double return_time = 0.0;
-  double min_return_distance = 0.0;
-  double margin = 0.0;
-  int draws = 0;
-  std::uint64_t seed = 0;
-};
-
-/// What an ego does to avoid a crash.
-enum class EvasiveManoeuvre {
-  kKeeping,       ///< nothing: it drives on as recorded
-  kBraking,       ///< along its way
-  kAccelerating,  ///< along its way
-  kSteering,      ///< to a way beside, at its speed
-  kBoth,          ///< braking or accelerating, and steering
-};
-/// "keeping", "braking", "accelerating", "steering", "both".
-const char* toString(EvasiveManoeuvre manoeuvre);
-std::optional<EvasiveManoeuvre> evasiveManoeuvreFromString(const std::string& name);
 
 /// A motion of the ego that touches nobody: the witness that a crash can be avoided.
 struct Avoidance {

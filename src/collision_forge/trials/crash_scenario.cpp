@@ -7,20 +7,13 @@
 namespace forge {
 
 Track attackerTrack(const CrashScenario& scenario) {
-  return attackerTrack(scenario, scenario.attacker);
-}
-
-Track attackerTrack(const CrashScenario& scenario, const AttackerTrajectory& attacker) {
+  const AttackerTrajectory& attacker = scenario.attacker;
   const auto seen =
       std::find_if(scenario.snapshot.agents.begin(), scenario.snapshot.agents.end(),
                    [&](const Track& agent) { return agent.id == attacker.attacker_id; });
   const bool is_known = seen != scenario.snapshot.agents.end();
-  Track track{
-      attacker.attacker_id, is_known ? seen->agent_class : attacker.agent_class, attacker.size, {}};
-  for (const TrajectoryPoint& point : attacker.points) {
-    track.states.push_back({point.time, point.pose, point.speed * point.pose.heading()});
-  }
-  return track;
+  return {attacker.attacker_id, is_known ? seen->agent_class : attacker.agent_class, attacker.size,
+          toStates(attacker.points)};
 }
 
 std::vector<Track> othersFromNow(const CrashScenario& scenario) {

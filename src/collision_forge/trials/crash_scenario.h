@@ -20,10 +20,7 @@ struct CrashScenario {
   double end() const { return attacker.points.back().time; }
 };
 
-/// The attacker's motion as a track, where it drives so; nothing before now.
-Track attackerTrack(const CrashScenario& scenario, const AttackerTrajectory& attacker);
-
-/// The same as the scenario has it.
+/// The attacker's motion as a track; nothing before now.
 Track attackerTrack(const CrashScenario& scenario);
 
 /// Everybody but the ego from now on: the attacker first, as it drives, then the others as

@@ -34,6 +34,7 @@ static void readOptions(Section& section, AvoidabilityOptions& options,
   options.margin = section.nonNegative("margin");
   options.draws = section.count("draws", 0);
   options.seed = static_cast<std::uint64_t>(section.count("seed", 0));
+  options.tries = section.count("tries", 1);
 }
 
 static void readOptions(Section& section, NuplanScoreOptions& options) {

@@ -67,6 +67,17 @@ ValueOf ofAttackers(const std::function<bool(const AttackerSummary&)>& is_met) {
   };
 }
 
+/// Without unfair hits, which say nothing of the planner.
+std::optional<double> fairCollision(const PlannerTestResult&, const PlannerRow& row) {
+  if (hasFailed(row.outcome) || !row.is_fair) return std::nullopt;
+  return hitsAttacker(row.outcome) ? 1.0 : 0.0;
+}
+
+std::optional<double> canEscape(const PlannerTestResult&, const PlannerRow& row) {
+  if (hasFailed(row.outcome) || !row.escape) return std::nullopt;
+  return row.escape->is_avoidable ? 1.0 : 0.0;
+}
+
 std::optional<double> publishedHit(const PlannerTestResult&, const PlannerRow& row) {
   if (!row.published_hit) return std::nullopt;
   return *row.published_hit ? 1.0 : 0.0;
@@ -117,6 +128,15 @@ std::vector<RolloutMeasure> rolloutMeasures() {
         false},
        kShare,
        shareOf(isStrictAvoidable, collides)},
+      {{"collision_fair", "Collisions with the attacker, without unfair ones", {}, true},
+       kShare,
+       fairCollision},
+      {{"escape",
+        "Collisions that the ego could escape, of those with attackers that see and react",
+        {},
+        false},
+       kShare,
+       canEscape},
       {{"as_asked", "Collisions with the attacker of the type and at the time asked for", {}, true},
        kShare,
        ofAttackers([](const AttackerSummary& attacker) { return attacker.as_asked; })},
@@ -289,11 +309,12 @@ std::vector<WorstCase> worstCases(const std::vector<PlannerTestResult>& results,
   for (const std::string& planner : planners) {
     std::vector<std::pair<double, std::size_t>> contacts;  // impact speed, negative; index
     for (std::size_t i = 0; i < results.size(); ++i) {
-      if (!results[i].isTested() || !isAvoidable(results[i])) continue;
+      if (!results[i].isTested()) continue;
       for (const PlannerRow& row : results[i].rows) {
         const auto speed = impactSpeed(results[i], row);
-        if (rowName(row.planner, row.attacker.policy) == planner && speed)
+        if (rowName(row.planner, row.attacker.policy) == planner && row.is_fair && speed) {
           contacts.emplace_back(-*speed, i);
+        }
       }
     }
     std::sort(contacts.begin(), contacts.end());

@@ -32,8 +32,8 @@ struct WorstCase {
   std::string planner;
 };
 
-/// Of each planner the `count` contacts with the attacker of the highest impact speed among
-/// avoidable crashes, worst first; at most one a scene.
+/// Of each planner the `count` fair contacts (PlannerRow::is_fair) with the attacker of the highest
+/// impact speed, worst first; at most one a scene.
 std::vector<WorstCase> worstCases(const std::vector<PlannerTestResult>& results,
                                   const std::vector<std::string>& planners, std::size_t count);
 

@@ -9,6 +9,7 @@
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published.h"
 #include "collision_forge/study/strict.h"
+#include "collision_forge/trials/escape.h"
 #include "collision_forge/trials/published_planner.h"
 
 namespace forge {
@@ -30,12 +31,17 @@ AvoidabilitySummary summaryOf(const Avoidability& found, double now) {
   return summary;
 }
 
-RolloutOutcome drive(const PlannerCase& one, const std::string& planner, Background background,
-                     bool ends_at_contact, AttackerPolicy* attacker, const StudyOptions& study,
-                     const TrialOptions& trials) {
-  const PlannerUnderTest made = makePlanner(planner, trials, one.scenario.attacker.attacker_id);
-  return rollout(*made.planner, made.driving, one.scenario,
-                 {trials, study.attack, study.crash.types, background, ends_at_contact, attacker});
+AvoidabilitySummary summaryOf(const std::optional<Avoidance>& escape, double now) {
+  Avoidability found;
+  found.last = escape;
+  return summaryOf(found, now);
+}
+
+RolloutOutcome drive(const PlannerCase& one, const std::string& planner,
+                     const RolloutSetup& setup) {
+  const PlannerUnderTest made =
+      makePlanner(planner, setup.planners, one.scenario.attacker.attacker_id);
+  return rollout(*made.planner, made.driving, one.scenario, setup);
 }
 
 /// What the attacker did, held against the ego as it was driven and the others as recorded.
@@ -49,10 +55,7 @@ AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, Background 
   Future driven = scenario.recorded;
   // Where they react, nobody knows afterwards where the others were.
   if (background == Background::kIdm) driven.agents.clear();
-  driven.ego.states.clear();
-  for (const TrajectoryPoint& point : outcome.driven) {
-    driven.ego.states.push_back({point.time, point.pose, point.speed * point.pose.heading()});
-  }
+  driven.ego.states = toStates(outcome.driven);
   AttackerTrajectory attacker = outcome.attacker;
   const double end = outcome.driven.back().time;
   const auto after = std::find_if(attacker.points.begin(), attacker.points.end(),
@@ -87,7 +90,8 @@ std::optional<bool> isPublishedHit(const PlannerCase& one, const std::string& pl
                                    Background background, const StudyOptions& study,
                                    const TrialOptions& trials) {
   if (planner == kPublishedIdm) return isPublishedIdmHit(*one.clip, study, trials);
-  const RolloutOutcome outcome = drive(one, planner, background, false, nullptr, study, trials);
+  const RolloutOutcome outcome =
+      drive(one, planner, {trials, study.attack, study.crash.types, background, false});
   if (outcome.failure != PlannerFailure::kNone) return std::nullopt;
   const CollideClip driven = withEgo(*one.clip, outcome.driven);
   return publishedOutcome(driven, recordedFrames(driven), study.evaluation.published).isHit();
@@ -156,14 +160,24 @@ std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind 
                     study.attack, study.adaptive});
 }
 
-PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                       const TestPlan& plan, const StudyOptions& study,
-                       const TrialOptions& trials) {
+PlannerRow testPlanner(const PlannerCase& one, const AvoidabilitySummary& avoidability,
+                       const std::string& planner, PolicyKind policy, const TestPlan& plan,
+                       const StudyOptions& study, const TrialOptions& trials) {
   const auto attacker = makeAttacker(one, policy, plan.foresight, study);
+  const RolloutSetup setup{trials,          study.attack, study.crash.types,
+                           plan.background, true,         attacker.get()};
   PlannerRow row;
   row.planner = planner;
-  row.outcome = drive(one, planner, plan.background, true, attacker.get(), study, trials);
+  row.outcome = drive(one, planner, setup);
   row.attacker = summaryOf(one, policy, plan.background, row.outcome, study);
+  if (row.outcome.contact && row.outcome.contact->is_attacker) {
+    if (attacker) {
+      row.escape =
+          summaryOf(findEscape(one.scenario, row.outcome.driven, setup), one.scenario.snapshot.now);
+    }
+    const AvoidabilitySummary& known = row.escape ? *row.escape : avoidability;
+    row.is_fair = known.is_avoidable && known.last_after >= study.adaptive.fairness.avoidable_for;
+  }
   row.outcome.driven.clear();
   row.outcome.attacker = {};
   row.outcome.attacker_plans.clear();
@@ -178,13 +192,14 @@ PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
   PlannerTestResult result = judgeCase(one, study, trials);
   for (const std::string& name : plan.planners) {
     if (result.status == kUnfit && one.clip && name == kPublishedIdm) {
-      result.rows.push_back({name, {}, {}, isPublishedIdmHit(*one.clip, study, trials)});
+      result.rows.push_back({name, {}, {}, {}, true, isPublishedIdmHit(*one.clip, study, trials)});
     }
   }
   if (!result.isTested()) return result;
   for (const std::string& name : plan.planners) {
     for (const PolicyKind policy : plan.policies) {
-      result.rows.push_back(testPlanner(one, name, policy, plan, study, trials));
+      result.rows.push_back(
+          testPlanner(one, result.avoidability, name, policy, plan, study, trials));
     }
   }
   return result;

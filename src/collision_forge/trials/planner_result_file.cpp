@@ -11,10 +11,11 @@ namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/planner_test";
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 
-void writeAvoidability(JsonLineWriter& writer, const AvoidabilitySummary& summary) {
-  writer.beginObject("avoidability");
+void writeAvoidability(JsonLineWriter& writer, const char* key,
+                       const AvoidabilitySummary& summary) {
+  writer.beginObject(key);
   writer.flag("avoidable", summary.is_avoidable);
   std::vector<std::string> names;
   for (const EvasiveManoeuvre manoeuvre : summary.from_now) names.emplace_back(toString(manoeuvre));
@@ -86,6 +87,12 @@ void writeRow(JsonLineWriter& writer, const PlannerRow& row, double now) {
   writer.text("failure", toString(outcome.failure));
   writer.text("message", outcome.failure_message);
   writeContact(writer, outcome, now);
+  if (row.escape) {
+    writeAvoidability(writer, "escape", *row.escape);
+  } else {
+    writer.null("escape");
+  }
+  writer.flag("fair", row.is_fair);
   writer.number("duration", outcome.duration);
   writer.number("max_braking", outcome.max_braking);
   writer.number("hard_braking", outcome.hard_braking);
@@ -209,6 +216,8 @@ PlannerRow readRow(JsonObject& object, double now) {
   if (auto contact = object.objectOrNull("contact")) {
     row.outcome.contact = readContact(*contact, now);
   }
+  if (auto escape = object.objectOrNull("escape")) row.escape = readAvoidability(*escape);
+  row.is_fair = object.flag("fair");
   row.outcome.duration = object.number("duration");
   row.outcome.max_braking = object.number("max_braking");
   row.outcome.hard_braking = object.number("hard_braking");
@@ -266,13 +275,21 @@ std::string csvAttacker(const AttackerSummary& attacker) {
          ',' + (attacker.as_asked ? "1" : "0");
 }
 
+/// Manoeuvre and s from now of the last witness; without them where there is none.
+std::string csvLast(const AvoidabilitySummary& summary) {
+  if (!summary.is_avoidable) return ",";
+  char text[64];
+  std::snprintf(text, sizeof(text), "%s,%.3f", toString(summary.last), summary.last_after);
+  return text;
+}
+
 std::string csvHit(const std::optional<bool>& hit) { return hit ? (*hit ? "1" : "0") : ""; }
 
 /// One without a planner where there is none.
 std::vector<std::string> untestedCsvRows(const std::string& start,
                                          const std::vector<PlannerRow>& rows) {
   constexpr std::size_t kBefore = 5;  // columns up to the planner's
-  const std::size_t after = 25 + nuplanParts().size();
+  const std::size_t after = 28 + nuplanParts().size();
   if (rows.empty()) return {start + std::string(kBefore + after, ',')};
   std::vector<std::string> lines;
   for (const PlannerRow& row : rows) {
@@ -294,7 +311,7 @@ std::string plannerResultLine(const PlannerTestResult& result) {
   writer.text("status", result.status);
   writer.text("message", result.message);
   writer.flag("strict", result.is_strict);
-  writeAvoidability(writer, result.avoidability);
+  writeAvoidability(writer, "avoidability", result.avoidability);
   writer.beginArray("planners");
   for (const PlannerRow& row : result.rows) writeRow(writer, row, result.now);
   writer.endArray();
@@ -325,7 +342,8 @@ PlannerTestResult readPlannerResultLine(const std::string& where, const std::str
 
 std::string plannerResultCsvHeader() {
   return "name,source,scene,type,tta,status,strict,avoidable,last_manoeuvre,last_start,planner,"
-         "policy,phase,attacker_plans,broken_limit,touched,as_asked,failure,other,attacker,"
+         "policy,phase,attacker_plans,broken_limit,touched,as_asked,escape_manoeuvre,escape_start,"
+         "fair,failure,other,attacker,"
          "contact_after,contact_type,relative_heading,ego_side,other_side,impact_speed,ego_speed,"
          "cause,at_fault,duration,max_braking,hard_braking,off_road_share,"
          "progress,recorded_progress" +
@@ -337,14 +355,7 @@ std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
   if (!result.isTested()) return untestedCsvRows(start, result.rows);
   const AvoidabilitySummary& avoidability = result.avoidability;
   start += result.is_strict ? ",1" : ",0";
-  if (avoidability.is_avoidable) {
-    char text[64];
-    std::snprintf(text, sizeof(text), ",1,%s,%.3f", toString(avoidability.last),
-                  avoidability.last_after);
-    start += text;
-  } else {
-    start += ",0,,";
-  }
+  start += (avoidability.is_avoidable ? ",1," : ",0,") + csvLast(avoidability);
   std::vector<std::string> rows;
   for (const PlannerRow& row : result.rows) {
     const RolloutOutcome& outcome = row.outcome;
@@ -353,6 +364,7 @@ std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
                   outcome.max_braking, outcome.hard_braking, outcome.off_road_share,
                   outcome.progress, outcome.recorded_progress);
     rows.push_back(start + ',' + row.planner + ',' + csvAttacker(row.attacker) + ',' +
+                   (row.escape ? csvLast(*row.escape) : ",") + (row.is_fair ? ",1," : ",0,") +
                    toString(outcome.failure) + ',' + csvContact(outcome.contact, result.now) + ',' +
                    numbers + csvNuplan(outcome.nuplan) + ',' + csvHit(row.published_hit));
   }

@@ -10,10 +10,7 @@ namespace forge {
 
 CollideClip withEgo(CollideClip clip, const std::vector<TrajectoryPoint>& driven) {
   if (driven.empty()) throw std::invalid_argument("the ego of " + clip.name + " has no motion");
-  Track ego{kEgoId, AgentClass::kCar, {}, {}};
-  for (const TrajectoryPoint& point : driven) {
-    ego.states.push_back({point.time, point.pose, point.speed * point.pose.heading()});
-  }
+  const Track ego{kEgoId, AgentClass::kCar, {}, toStates(driven)};
   for (CollideTrack& track : clip.tracks) {
     if (track.id != kEgoId) continue;
     for (std::size_t frame = 0; frame < track.frames.size(); ++frame) {

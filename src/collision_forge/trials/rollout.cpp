@@ -151,6 +151,12 @@ Track trackAt(const TrajectoryPoint& point, const BoxSize& size) {
   return {kEgoId, AgentClass::kCar, size, {{point.time, point.pose, velocityOf(point)}}};
 }
 
+std::unique_ptr<AttackerPolicy> attackerOf(const CrashScenario& scenario,
+                                           const RolloutSetup& setup) {
+  if (setup.attacker) return setup.attacker->clone();
+  return std::make_unique<FixedAttacker>(scenario.attacker);
+}
+
 /// One rollout, step by step.
 class Run {
  public:
@@ -161,15 +167,14 @@ class Run {
         scenario_(scenario),
         setup_(setup),
         options_(setup.planners.rollout),
-        fixed_(scenario.attacker),
-        attacker_(setup.attacker != nullptr ? *setup.attacker : fixed_),
         task_{scenario.lanes,
               routeOf(scenario.recorded.ego, *scenario.lanes, setup.planners.planning.route),
               scenario.ego, setup.planners.car.wheelbase},
         road_(roadAlong(*scenario.lanes, task_.route, setup.planners.route_centerline,
                         setup.planners.pdm.map)),
         judge_(road_.map, scenario.ego, setup.planners.pdm.scoring, setup.planners.nuplan_score),
-        traffic_(scenario, setup.background, setup.planners.idm, setup.planners.planning.history),
+        traffic_(scenario, attackerOf(scenario, setup), setup.background, setup.planners.idm,
+                 setup.planners.planning.history),
         ego_(startOf(scenario, setup.attack), driving, scenario.ego, setup.planners) {
     const OrientedBox box{ego_.point().pose, scenario.ego.size};
     for (const Track& agent : traffic_.agents()) {
@@ -240,7 +245,6 @@ class Run {
   }
 
   void advance() {
-    showAttacker();
     const double next = timeOfStep(++steps_);
     const TrajectoryPoint from = ego_.point();
     const std::vector<Track> before = traffic_.agents();
@@ -254,13 +258,6 @@ class Run {
       judge_.see(ego_.point(), traffic_.agents(), ignored_);
       checkRoad();
     }
-  }
-
-  /// Lets the attacker look at what is there now.
-  void showAttacker() {
-    if (setup_.attacker == nullptr) return;
-    attacker_.observe({now(), ego_.point().pose, agentsAt(traffic_.agents(), now())});
-    traffic_.redirectAttacker(attackerTrack(scenario_, attacker_.trajectory()));
   }
 
   void findContact(const TrajectoryPoint& from, const std::vector<Track>& before) {
@@ -352,9 +349,9 @@ class Run {
         recorded ? recorded->pose : scenario_.recorded.ego.states.back().pose;
     outcome_.progress = along(driven.back().pose) - start;
     outcome_.recorded_progress = along(recorded_end) - start;
-    outcome_.attacker = attacker_.trajectory();
-    outcome_.phase = attacker_.phase();
-    outcome_.attacker_plans = attacker_.plans();
+    outcome_.attacker = traffic_.attacker().trajectory();
+    outcome_.phase = traffic_.attacker().phase();
+    outcome_.attacker_plans = traffic_.attacker().plans();
     outcome_.nuplan = judge_.score(nuplan_contact_, outcome_.progress, outcome_.recorded_progress);
   }
 
@@ -363,8 +360,6 @@ class Run {
   const CrashScenario& scenario_;
   const RolloutSetup& setup_;
   const RolloutOptions& options_;
-  FixedAttacker fixed_;
-  AttackerPolicy& attacker_;
   DrivingTask task_;
   RouteRoad road_;
   NuplanJudge judge_;

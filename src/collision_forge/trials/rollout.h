@@ -23,8 +23,9 @@ struct RolloutSetup {
   Background background = Background::kReplay;
   /// Otherwise the ego drives on to the end, through whom it touches.
   bool ends_at_contact = true;
-  /// Who drives the attacker, from the scenario's trajectory on; null: that trajectory as it is.
-  AttackerPolicy* attacker = nullptr;
+  /// Who drives the attacker, from the scenario's trajectory on; null: that trajectory as it is. A
+  /// copy of it does.
+  const AttackerPolicy* attacker = nullptr;
 };
 
 /// What a planner did that ended its rollout.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace forge {
 namespace {
@@ -34,9 +35,9 @@ double timeAt(const std::vector<AgentState>& states, const std::vector<double>& 
 
 }  // namespace
 
-Traffic::Traffic(const CrashScenario& scenario, Background background, const IdmOptions& idm,
-                 double history)
-    : idm_(idm), history_(history), time_(scenario.snapshot.now) {
+Traffic::Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> attacker,
+                 Background background, const IdmOptions& idm, double history)
+    : attacker_(std::move(attacker)), idm_(idm), history_(history), time_(scenario.snapshot.now) {
   for (Track& track : othersFromNow(scenario)) {
     Driver driver;
     driver.shown = Track{track.id, track.agent_class, track.size, {}};
@@ -56,6 +57,14 @@ Traffic::Traffic(const CrashScenario& scenario, Background background, const Idm
   }
   collect();
 }
+
+Traffic::Traffic(const Traffic& other)
+    : attacker_(other.attacker_->clone()),
+      idm_(other.idm_),
+      history_(other.history_),
+      time_(other.time_),
+      drivers_(other.drivers_),
+      agents_(other.agents_) {}
 
 /// Who hardly moves in the recording has no way, and stays a replay.
 void Traffic::prepareToReact(Driver& driver) {
@@ -78,6 +87,8 @@ void Traffic::prepareToReact(Driver& driver) {
 }
 
 void Traffic::advance(double time, const Track& ego) {
+  attacker_->observe({time_, ego.states.back().pose, agentsAt(agents_, time_)});
+  drivers_.front().recorded.states = toStates(attacker_->trajectory().points);
   std::vector<Track> in_sight = agents_;
   in_sight.push_back(ego);
   const double step = time - time_;

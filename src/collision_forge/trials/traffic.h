@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "collision_forge/planners/idm.h"
+#include "collision_forge/policy/attacker_policy.h"
 #include "collision_forge/trials/crash_scenario.h"
 
 namespace forge {
@@ -11,24 +13,26 @@ namespace forge {
 /// How everybody but ego and attacker moves.
 enum class Background { kReplay, kIdm };
 
-/// Everybody but the ego, step by step. The attacker follows its trajectory, or what it is
-/// redirected to; the others replay their recorded tracks. With kIdm a vehicle that the recording
-/// moves drives its recorded way by a clock of its own, which falls behind the recording where the
-/// intelligent driver model says that somebody (the ego, the attacker, another) is in its way, and
-/// catches up no faster than the model accelerates. Nobody is ever ahead of the recording.
+/// Everybody but the ego, step by step. The attacker looks at every step before it is driven, and
+/// follows its policy's trajectory; the others replay their recorded tracks. With kIdm a vehicle
+/// that the recording moves drives its recorded way by a clock of its own, which falls behind the
+/// recording where the intelligent driver model says that somebody (the ego, the attacker, another)
+/// is in its way, and catches up no faster than the model accelerates. Nobody is ever ahead of the
+/// recording.
 class Traffic {
  public:
-  /// `history`: seconds of past states that agents() holds.
-  Traffic(const CrashScenario& scenario, Background background, const IdmOptions& idm,
-          double history);
+  /// `history`: seconds of past states that agents() holds. `attacker`: who drives the attacker,
+  /// from the scenario's trajectory on.
+  Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> attacker,
+          Background background, const IdmOptions& idm, double history);
+  Traffic(const Traffic& other);
 
   double time() const { return time_; }
   /// Those in sight now, each with its states of the last `history` seconds, the newest at time().
   /// Velocities are told from the past alone, the attacker's from its trajectory.
   const std::vector<Track>& agents() const { return agents_; }
 
-  /// From now on the attacker follows this, its motion up to time() unchanged.
-  void redirectAttacker(Track motion) { drivers_.front().recorded = std::move(motion); }
+  const AttackerPolicy& attacker() const { return *attacker_; }
 
   /// On to `time` (> time()); `ego` has its newest state at time().
   void advance(double time, const Track& ego);
@@ -51,6 +55,7 @@ class Traffic {
   void show(Driver& driver, double step) const;
   void collect();
 
+  std::unique_ptr<AttackerPolicy> attacker_;
   IdmOptions idm_;
   double history_;
   double time_;
