@@ -22,7 +22,7 @@ TEST(PlannedTrajectoryMessage, NeedsItsOrientations) {
 TEST(PlannerOutcomeMessage, TellsTheContactAndNuplansScore) {
   PlannerTrial trial;
   trial.outcome.driven.push_back({100.0, {1.0, 2.0, 0.5}, 3.0, 0.0, 0.0});
-  EXPECT_FALSE(toMessage(trial, "pdm", "a").collided);
+  EXPECT_FALSE(toMessage(trial, "pdm", PolicyKind::kFixed).collided);
   PlannerContact contact;
   contact.other_id = "b";
   contact.time = 101.5;
@@ -30,7 +30,16 @@ TEST(PlannerOutcomeMessage, TellsTheContactAndNuplansScore) {
   trial.outcome.contact = contact;
   trial.outcome.nuplan.comfort = 0.0;
   trial.outcome.nuplan.total = 0.25;
-  const collision_forge::PlannerOutcome message = toMessage(trial, "pdm", "a");
+  trial.outcome.attacker.attacker_id = "a";
+  trial.outcome.phase = AttackerPhase::kDrivingOn;
+  trial.outcome.attacker_plans.push_back(
+      {100.5, 100.8, AttackerPhase::kDrivingOn, "the ego jumped", {}});
+  const collision_forge::PlannerOutcome message = toMessage(trial, "pdm", PolicyKind::kAdaptive);
+  EXPECT_EQ(message.attacker_id, "a");
+  EXPECT_EQ(message.attacker_policy, "adaptive");
+  EXPECT_EQ(message.attacker_phase, "driving_on");
+  EXPECT_EQ(message.attacker_plans, 1u);
+  EXPECT_EQ(message.attacker_decision, "the ego jumped");
   EXPECT_EQ(message.planner, "pdm");
   EXPECT_EQ(message.other_id, "b");
   EXPECT_EQ((message.contact_time - message.header.stamp).toSec(), 1.5);

@@ -43,7 +43,7 @@ class PlannerTesterTest(road.RoadTest):
                                 '--stride', 8, '--tta', 2, 4),
                        road.run('generate', *ROOT, '--requests', requests, '--out', cls.scenarios, '--mode', 'replay'),
                        road.run('test', *ROOT, '--scenarios', cls.scenarios, '--planners', ','.join(PLANNERS),
-                                '--out', cls.folder / 'bulk', '--worst', 0)):
+                                '--attacker-policy', 'fixed,adaptive', '--out', cls.folder / 'bulk', '--worst', 0)):
             assert result.returncode == 0, result.stderr
         cls.lines = cls.scenarios.read_text().splitlines()
         cls.bulk = [json.loads(line) for line in (cls.folder / 'bulk' / 'results.jsonl').read_text().splitlines()]
@@ -96,21 +96,28 @@ class PlannerTesterTest(road.RoadTest):
     # Planners of the suite.
 
     def test_every_planner_drives_as_in_bulk(self):
-        contacts = 0
+        contacts, escaped = 0, 0
         for number in self.tested[:6]:
             result = self.bulk[number - 1]
             for row in result['planners']:
-                outcome = self.outcome(scenario=str(number), planner=row['planner'])
+                policy = row['attacker']['policy']
+                outcome = self.outcome(scenario=str(number), planner=row['planner'], attacker_policy=policy)
                 self.assertEqual(outcome.planner, row['planner'])
+                self.assertEqual(outcome.attacker_policy, policy)
+                self.assertEqual(outcome.attacker_phase, row['attacker']['phase'])
+                self.assertEqual(outcome.attacker_plans, row['attacker']['plans'])
                 self.assertEqual(outcome.failure, row['failure'])
                 self.assertEqual(outcome.collided, row['contact'] is not None)
                 for name in ('duration', 'max_braking', 'hard_braking', 'off_road_share', 'progress', 'recorded_progress'):
                     self.assertAlmostEqual(getattr(outcome, name), row[name], 6, name)
                 self.assertEqual(outcome.ticks, row['plans'])
-                self.assertEqual(outcome.avoidable, result['avoidability']['avoidable'])
-                self.assertEqual(outcome.avoided_by, result['avoidability']['from_now'])
-                if outcome.avoidable:
-                    last = result['avoidability']['last']
+                known = result['avoidability'] if policy == 'fixed' else row['escape']
+                if known is not None:
+                    self.assertEqual(outcome.avoidable, known['avoidable'])
+                    self.assertEqual(outcome.avoided_by, known['from_now'])
+                    escaped += policy == 'adaptive' and known['avoidable']
+                if known is not None and outcome.avoidable:
+                    last = known['last']
                     self.assertEqual(outcome.last_manoeuvre, last['manoeuvre'])
                     self.assertAlmostEqual((outcome.last_moment - outcome.header.stamp).to_sec(), last['start_t'], 5)
                 if row['contact'] is not None:
@@ -121,6 +128,7 @@ class PlannerTesterTest(road.RoadTest):
                 self.assertGreater(outcome.mean_call_time, 0.0)
                 self.assertGreaterEqual(outcome.max_call_time, outcome.mean_call_time)
         self.assertGreater(contacts, 3)
+        self.assertGreater(escaped, 0)
 
     def assert_contact(self, outcome, contact):
         self.assertEqual((outcome.other_id, outcome.is_attacker, outcome.collision_type or None, outcome.ego_side,
@@ -154,6 +162,9 @@ class PlannerTesterTest(road.RoadTest):
         self.assertEqual(outcome.attacker_id, trajectory.attacker_id)
         self.ask('UNKNOWN_TYPE', trajectory=trajectory, collision_type='magic', planner='idm')
         self.ask('NO_SCENARIO', planner='idm')
+        answer = self.ask('INVALID_INPUT', trajectory=trajectory, collision_type='RE', planner='idm',
+                          attacker_policy='adaptive')
+        self.assertIn('attacker_policy = adaptive', answer.message)
         publisher = rospy.Publisher('/attack', Attack, latch=True, queue_size=1)
         self.addCleanup(publisher.unregister)
         publisher.publish(attack)
@@ -165,6 +176,7 @@ class PlannerTesterTest(road.RoadTest):
             return CODES[newest[-1].code] == 'OK'
         until(is_answered, lambda: newest[-1].message)
         self.assert_close(newest[-1].outcome.driven, outcome.driven, 0.0)
+        self.assertGreater(self.outcome(planner='idm', attacker_policy='adaptive').attacker_plans, 0)
 
     def test_what_was_tested_is_published_latched(self):
         number = self.tested[0]
@@ -256,12 +268,13 @@ class PlannerTesterTest(road.RoadTest):
 
     # Planners in a node of their own.
 
-    def ask_external(self, timeout=live.TIMEOUT):
-        return self.outcome(scenario=str(self.tested[0]), planner='external', parameters=[('external.timeout', timeout)])
+    def ask_external(self, timeout=live.TIMEOUT, **fields):
+        return self.outcome(scenario=str(self.tested[0]), planner='external',
+                            parameters=[('external.timeout', timeout)], **fields)
 
-    def odd(self, mode):
+    def odd(self, mode, **fields):
         self.run_external(Path(__file__).resolve().parent / 'odd_planner.py', mode)
-        return self.ask_external(SILENCE if mode == 'never' else live.TIMEOUT)
+        return self.ask_external(SILENCE if mode == 'never' else live.TIMEOUT, **fields)
 
     def assert_failed(self, outcome, failure, word):
         """Ended by that after the good ticks, and the next planner is tested as if nothing had been."""
@@ -280,6 +293,20 @@ class PlannerTesterTest(road.RoadTest):
         self.assertGreater(first.progress, 5.0)
         self.assertGreater(first.max_braking, 1.0, 'it brakes for the attacker')
         self.assert_close(second.driven, first.driven, 0.0)
+
+    def test_external_planner_and_an_attacker_that_reacts_go_in_lock_step(self):
+        self.run_external('/usr/bin/rosrun', road.PACKAGE, 'external_planner.py')
+        first, second = (self.ask_external(attacker_policy='adaptive') for _ in range(2))
+        self.assertEqual(first.failure, 'none', first.failure_message)
+        self.assertGreater(first.attacker_plans, 1, 'it plans anew for an ego that brakes')
+        self.assert_close(second.driven, first.driven, 0.0)
+        self.assertEqual(second.attacker_decision, first.attacker_decision)
+
+    def test_planner_that_dies_before_an_attacker_that_reacts(self):
+        outcome = self.odd('dies', attacker_policy='adaptive')
+        self.assert_failed(outcome, 'timed_out', '/planned_trajectory is gone')
+        self.assertEqual(outcome.attacker_phase, 'attacking')
+        self.assertFalse(outcome.avoidable)
 
     def test_external_planner_without_reason_drives_straight(self):
         outcome = self.odd('straight')

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/trials/escape.h"
 #include "trials/rollout_scenes.h"
 
 namespace forge {
@@ -51,6 +52,26 @@ TEST(PlannerTrial, IsTheRolloutAndTheAvoidabilityOfTheScenario) {
                                                      setup.planners.planning.route, setup.attack);
   EXPECT_EQ(trial.avoidability.isAvoidable(), avoidability.isAvoidable());
   EXPECT_EQ(trial.avoidability.from_now.size(), avoidability.from_now.size());
+}
+
+TEST(PlannerTrial, OfAnAttackerWhoReactsTheEscapeIsToldOrWhatTheEgoDroveInstead) {
+  CrashScenario scenario = oncoming();
+  RolloutSetup setup = shippedSetup();
+  const PlannerUnderTest idm = makePlanner("idm", setup.planners, "attacker");
+  const FixedAttacker attacker(scenario.attacker);
+  setup.attacker = &attacker;
+  const PlannerTrial hit = tryPlanner(*idm.planner, idm.driving, scenario, setup);
+  ASSERT_TRUE(hit.outcome.contact && hit.outcome.contact->is_attacker);
+  const auto escape = findEscape(scenario, hit.outcome.driven, setup);
+  ASSERT_TRUE(escape && hit.avoidability.last);
+  EXPECT_EQ(hit.avoidability.last->start, escape->start);
+  EXPECT_TRUE(hit.avoidability.from_now.empty());
+  const FixedAttacker away(straightDrive({40.0, 3.5, M_PI}, 5.0, 6.0));
+  setup.attacker = &away;
+  const PlannerTrial missed = tryPlanner(*idm.planner, idm.driving, scenario, setup);
+  ASSERT_FALSE(missed.outcome.contact);
+  ASSERT_TRUE(missed.avoidability.last);
+  EXPECT_EQ(missed.avoidability.last->manoeuvre, EvasiveManoeuvre::kKeeping);
 }
 
 TEST(PlannerTrial, KeepsTheProposalsOfTheLastCallAndTheTimeOfTheLongest) {

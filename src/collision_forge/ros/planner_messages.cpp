@@ -64,13 +64,19 @@ std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajector
 }
 
 collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::string& planner,
-                                          const std::string& attacker_id) {
+                                          PolicyKind policy) {
   const RolloutOutcome& outcome = trial.outcome;
   collision_forge::PlannerOutcome message;
   message.header.frame_id = names::kMapFrame;
   message.header.stamp = stampOf(outcome.driven.front().time);
   message.planner = planner;
-  message.attacker_id = attacker_id;
+  message.attacker_id = outcome.attacker.attacker_id;
+  message.attacker_policy = toString(policy);
+  message.attacker_phase = toString(outcome.phase);
+  message.attacker_plans = static_cast<std::uint32_t>(outcome.attacker_plans.size());
+  if (!outcome.attacker_plans.empty()) {
+    message.attacker_decision = outcome.attacker_plans.back().reason;
+  }
   message.failure = toString(outcome.failure);
   message.failure_message = outcome.failure_message;
   message.duration = outcome.duration;

@@ -24,6 +24,6 @@ collision_forge::PlanningState toMessage(const Observation& observation, const D
 std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajectory& message);
 
 collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::string& planner,
-                                          const std::string& attacker_id);
+                                          PolicyKind policy);
 
 }  // namespace forge

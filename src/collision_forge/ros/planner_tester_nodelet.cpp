@@ -13,6 +13,7 @@
 
 #include "collision_forge/config/section.h"
 #include "collision_forge/data/nuscenes_map.h"
+#include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/external_planner.h"
@@ -22,6 +23,7 @@
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/ros/trial_scenarios.h"
 #include "collision_forge/trials/planner_grid.h"
+#include "collision_forge/trials/planner_result.h"
 
 namespace forge {
 namespace {
@@ -51,6 +53,16 @@ Background backgroundOf(const std::string& name) {
   return Background::kIdm;
 }
 
+PolicyKind policyOf(const std::string& name) {
+  if (name.empty()) return PolicyKind::kFixed;
+  const auto policy = policyKindFromString(name);
+  if (!policy) {
+    refuse(Response::INVALID_INPUT,
+           "attacker_policy = \"" + name + "\" is neither fixed nor adaptive");
+  }
+  return *policy;
+}
+
 }  // namespace
 
 /// Answers test_planner: drives a planner in closed loop through a generated crash, and shows how
@@ -65,6 +77,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     planners_path_ = nodeConfigFolder(own) + "/planners.yaml";
     planners_text_ = readText(planners_path_);
     loadLogged("scenarios", [&] { openSources(own); });
+    loadLogged("network", [&] { foresight_ = loadForesight(config_); });
     external_ = std::make_unique<ExternalPlanner>(node, config_.planners.external);
     outcomes_ = node.advertise<collision_forge::PlannerOutcome>(names::kPlannerOutcome, 1, true);
     markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kPlannerMarkers, 1, true);
@@ -116,15 +129,18 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
   void test(const Request& request, Response& response) {
     const TrialOptions options = optionsWith(request.parameters);
     const Background background = backgroundOf(request.background);
-    const CrashScenario scenario = scenarioOf(request);
-    const std::string& attacker_id = scenario.attacker.attacker_id;
-    PlannerUnderTest made = makeByName(request.planner, options, attacker_id);
+    const PolicyKind policy = policyOf(request.attacker_policy);
+    PlannerCase one = caseOf(request, policy);
+    const CrashScenario& scenario = one.scenario;
+    PlannerUnderTest made = makeByName(request.planner, options, scenario.attacker.attacker_id);
     showPlace(scenario);
-    const PlannerTrial trial =
-        tryPlanner(made.planner ? *made.planner : *external_, made.driving, scenario,
-                   {options, config_.attack, config_.crash.types, background});
-    response.outcome = toMessage(trial, request.planner, attacker_id);
+    const auto attacker = makeAttacker(one, policy, foresight_, config_);
+    const PlannerTrial trial = tryPlanner(
+        made.planner ? *made.planner : *external_, made.driving, scenario,
+        {options, config_.attack, config_.crash.types, background, true, attacker.get()});
+    response.outcome = toMessage(trial, request.planner, policy);
     outcomes_.publish(response.outcome);
+    one.scenario.attacker = trial.outcome.attacker;
     markers_.publish(plannerMarkers(trial, scenario, request.planner));
   }
 
@@ -161,43 +177,51 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     }
   }
 
-  CrashScenario scenarioOf(const Request& request) {
-    CrashScenario scenario = request.scenario.empty() ? scenarioOfTrajectory(request)
-                                                      : scenarios_->ofLine(request.scenario);
+  PlannerCase caseOf(const Request& request, PolicyKind policy) {
+    PlannerCase one = request.scenario.empty() ? caseOfTrajectory(request, policy)
+                                               : scenarios_->ofLine(request.scenario);
     try {
-      checkScenario(scenario);
+      checkScenario(one.scenario);
     } catch (const std::invalid_argument& error) {
       refuse(Response::UNFIT, error.what());
     }
-    return scenario;
+    return one;
   }
 
-  CrashScenario scenarioOfTrajectory(const Request& request) {
-    const collision_forge::AttackerTrajectory message = trajectoryOf(request);
-    const AttackerTrajectory trajectory = fromMessage(message);
-    const std::string type = request.collision_type.empty() ? newestTypeOf(message.header.stamp)
-                                                            : request.collision_type;
+  /// With request and pattern where the trajectory is that of the newest attack.
+  PlannerCase caseOfTrajectory(const Request& request, PolicyKind policy) {
+    const collision_forge::AttackConstPtr newest = newestAttack();
+    const bool is_given = !request.trajectory.points.empty();
+    if (is_given && policy == PolicyKind::kAdaptive) {
+      refuse(Response::INVALID_INPUT,
+             "attacker_policy = adaptive: of a trajectory alone nobody knows when it is to hit; "
+             "give a scenario, or leave the trajectory out to test the newest attack");
+    }
+    if (!is_given && (!newest || newest->trajectory.points.empty())) {
+      refuse(Response::NO_SCENARIO,
+             "neither scenario nor trajectory is given, and no attack has come yet");
+    }
+    const auto& message = is_given ? request.trajectory : newest->trajectory;
+    const bool is_newest = newest && newest->header.stamp == message.header.stamp;
+    std::string type = request.collision_type;
+    if (type.empty() && is_newest) type = newest->pattern.collision_type;
     const auto parsed = collisionTypeFromString(type);
     if (!parsed) {
       refuse(Response::UNKNOWN_TYPE, "collision_type = \"" + type + "\" is no collision type");
     }
-    return scenarios_->ofTrajectory(trajectory, *parsed);
-  }
-
-  collision_forge::AttackerTrajectory trajectoryOf(const Request& request) {
-    if (!request.trajectory.points.empty()) return request.trajectory;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!attack_ || attack_->trajectory.points.empty()) {
-      refuse(Response::NO_SCENARIO,
-             "neither scenario nor trajectory is given, and no attack has come yet");
+    PlannerCase one = scenarios_->ofTrajectory(fromMessage(message), *parsed);
+    one.request.type = *parsed;
+    one.request.crash = config_.crash;
+    if (!is_given) {
+      one.request.tta = newest->pattern.tta;
+      one.pattern = fromMessage(newest->pattern);
     }
-    return attack_->trajectory;
+    return one;
   }
 
-  /// Empty where the newest attack is another one.
-  std::string newestTypeOf(const ros::Time& now) {
+  collision_forge::AttackConstPtr newestAttack() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return attack_ && attack_->header.stamp == now ? attack_->pattern.collision_type : "";
+    return attack_;
   }
 
   /// The map around the test, and a frame at the ego for RViz to look at.
@@ -224,6 +248,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
   std::string planners_path_;
   std::string planners_text_;
   std::unique_ptr<TrialScenarios> scenarios_;
+  Foresight foresight_;  // of attackers that see and react
   std::unique_ptr<ExternalPlanner> external_;
   std::mutex mutex_;
   collision_forge::AttackConstPtr attack_;  // the newest, behind the mutex

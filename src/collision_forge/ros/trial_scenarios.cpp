@@ -10,7 +10,6 @@
 #include "collision_forge/data/nuscenes_json.h"
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/ros/bag_reader.h"
-#include "collision_forge/trials/planner_case.h"
 
 namespace forge {
 namespace {
@@ -54,7 +53,7 @@ TrialScenarios::TrialScenarios(TrialSources sources, const Config& config,
   recording_->lanes = std::make_shared<const LaneIndex>(recording_->scene.map);
 }
 
-CrashScenario TrialScenarios::ofLine(const std::string& line) {
+PlannerCase TrialScenarios::ofLine(const std::string& line) {
   const bool is_number = !line.empty() && line.front() != '{';
   const std::string where =
       is_number ? sources_.scenarios + ": line " + line : std::string("scenario");
@@ -67,7 +66,7 @@ CrashScenario TrialScenarios::ofLine(const std::string& line) {
       throw TestRefusal(static_cast<std::uint8_t>(one.status.code),
                         where + ": " + one.status.message);
     }
-    return std::move(one.scenario);
+    return one;
   } catch (const JsonLineError& error) {
     throw TestRefusal(Codes::UNREADABLE, error.what());
   } catch (const NuScenesError& error) {
@@ -120,8 +119,8 @@ std::shared_ptr<const IndexedScene> TrialScenarios::sceneOf(const std::string& n
   return source_->at(name);
 }
 
-CrashScenario TrialScenarios::ofTrajectory(const AttackerTrajectory& trajectory,
-                                           CollisionType type) const {
+PlannerCase TrialScenarios::ofTrajectory(const AttackerTrajectory& trajectory,
+                                         CollisionType type) const {
   if (!recording_) {
     throw TestRefusal(Codes::NO_RECORDING,
                       "a trajectory is tested over the parameter recording, which is not set");
@@ -129,10 +128,12 @@ CrashScenario TrialScenarios::ofTrajectory(const AttackerTrajectory& trajectory,
   const double now = frameAt(recording_->scene, trajectory.points.front().time);
   const auto moment =
       std::get<Moment>(momentAt(*recording_, now, config_.attack.prediction.history_frames));
-  CrashScenario scenario{moment.snapshot,     *moment.recorded, trajectory, type,
-                         config_.ego_vehicle, recording_->lanes};
-  showPast(scenario);
-  return scenario;
+  PlannerCase one;
+  one.scenario = {moment.snapshot,     *moment.recorded, trajectory, type,
+                  config_.ego_vehicle, recording_->lanes};
+  one.scene = recording_->scene.name;
+  showPast(one.scenario);
+  return one;
 }
 
 }  // namespace forge

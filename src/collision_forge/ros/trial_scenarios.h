@@ -11,7 +11,7 @@
 
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/settings/config.h"
-#include "collision_forge/trials/crash_scenario.h"
+#include "collision_forge/trials/planner_case.h"
 
 namespace forge {
 
@@ -40,10 +40,11 @@ class TrialScenarios {
 
   /// A line of a scenario file over its scene: `line` is its number, from 1 on, in the scenario
   /// file, or the line itself. Throws TestRefusal.
-  CrashScenario ofLine(const std::string& line);
+  PlannerCase ofLine(const std::string& line);
 
-  /// A trajectory over the recording, at the frame where it starts. Throws TestRefusal.
-  CrashScenario ofTrajectory(const AttackerTrajectory& trajectory, CollisionType type) const;
+  /// A trajectory over the recording, at the frame where it starts; of the case the scenario alone
+  /// is known. Throws TestRefusal.
+  PlannerCase ofTrajectory(const AttackerTrajectory& trajectory, CollisionType type) const;
 
  private:
   std::string numberedLine(const std::string& number) const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "collision_forge/trials/escape.h"
+
 namespace forge {
 namespace {
 
@@ -38,6 +40,20 @@ class WatchedPlanner : public Planner {
   std::vector<std::vector<Pose2>> proposals_;
 };
 
+/// Of an attacker that sees and reacts.
+Avoidability avoidabilityOf(const RolloutOutcome& outcome, const CrashScenario& scenario,
+                            const RolloutSetup& setup) {
+  Avoidability found;
+  if (outcome.contact) {
+    if (outcome.contact->is_attacker) found.last = findEscape(scenario, outcome.driven, setup);
+  } else if (outcome.failure == PlannerFailure::kNone) {
+    found.last = Avoidance{EvasiveManoeuvre::kKeeping, scenario.snapshot.now, outcome.driven,
+                           outcome.off_road_share};
+    found.from_now.push_back(*found.last);
+  }
+  return found;
+}
+
 }  // namespace
 
 PlannerTrial tryPlanner(Planner& planner, const Driving& driving, const CrashScenario& scenario,
@@ -46,8 +62,10 @@ PlannerTrial tryPlanner(Planner& planner, const Driving& driving, const CrashSce
   WatchedPlanner watched(planner);
   trial.outcome = rollout(watched, driving, scenario, setup);
   watched.report(trial);
-  trial.avoidability = findAvoidability(scenario, setup.planners.avoidability,
-                                        setup.planners.planning.route, setup.attack);
+  trial.avoidability = setup.attacker
+                           ? avoidabilityOf(trial.outcome, scenario, setup)
+                           : findAvoidability(scenario, setup.planners.avoidability,
+                                              setup.planners.planning.route, setup.attack);
   return trial;
 }
 

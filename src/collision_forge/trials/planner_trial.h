@@ -16,7 +16,8 @@ struct PlannerTrial {
   double max_call = 0.0;
 };
 
-/// rollout() and findAvoidability(). Throws as they do.
+/// rollout() and findAvoidability(), or findEscape() where the setup's attacker has hit the ego;
+/// one that it escaped is avoidable by what it drove. Throws as they do.
 PlannerTrial tryPlanner(Planner& planner, const Driving& driving, const CrashScenario& scenario,
                         const RolloutSetup& setup);
 
