@@ -112,6 +112,43 @@ class TestPlannersTest(road.RoadTest):
             self.assertEqual({value for row in rows[first:] for value in row[-pixel * verdict:]}, {255}, path)
             self.assertGreater(len({value for row in rows[first:] for value in row}), 1, 'the request is written there')
 
+    def test_until_hit_shows_weaknesses_with_witnesses(self):
+        out, again = self.path('hit'), self.path('again')
+        for folder, jobs in ((out, 1), (again, 2)):
+            result = road.run('test', *ROOT, '--until-hit', '--scene', 'scene-0001', 'scene-0007', '--planners', 'idm',
+                              '--tries', 24, '--worst', 0, '--jobs', jobs, '--out', folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+        for name in ('results.jsonl', 'weaknesses.md', 'weaknesses.jsonl', 'witnesses.jsonl'):
+            self.assertEqual((again / name).read_bytes(), (out / name).read_bytes(), name)
+        self.assertIn((out / 'weaknesses.md').read_text(), result.stdout)
+        results = {result['name']: result for result in lines_of(out)}
+        self.assertEqual(len(results), 24)
+        witnesses = [json.loads(line) for line in (out / 'witnesses.jsonl').read_text().splitlines()]
+        self.assertGreater(len(witnesses), 1)
+        speeds = []
+        for rank, witness in enumerate(witnesses, 1):
+            row = results[witness['name']]['planners'][0]
+            self.assertTrue(row['contact']['attacker'] and row['fair'])
+            self.assertEqual(row['escape']['last']['start_t'], witness['start_t'])
+            self.assertLess(witness['start_t'], row['contact']['t'])
+            self.assertGreater(witness['ego'][-1]['t'], row['contact']['t'])
+            speeds.append(row['contact']['impact_speed'])
+            for name in ('{}.png', '{}_escape.png'):
+                self.assertEqual((out / 'weaknesses' / name.format(rank)).read_bytes()[:4], PNG)
+        self.assertEqual(speeds, sorted(speeds, reverse=True))
+        tested = road.run('test', *ROOT, '--scenarios', out / 'weaknesses.jsonl', '--planners', 'idm',
+                          '--attacker-policy', 'adaptive', '--worst', 0, '--out', self.path('tested'))
+        self.assertEqual(tested.returncode, 0, tested.stderr)
+        for result, speed in zip(lines_of(self.path('tested')), speeds):
+            self.assertAlmostEqual(result['planners'][0]['contact']['impact_speed'], speed, 3)
+
+    def test_until_hit_needs_no_other_cases(self):
+        for arguments in (('--until-hit', '--scenarios', self.scenarios), ('--scenarios', self.scenarios, '--tries', 3),
+                          ('--until-hit', '--scene', 'scene-9999')):
+            result = road.run('test', *ROOT, *arguments, '--out', self.path('out'))
+            self.assertNotEqual(result.returncode, 0)
+            self.assertIn(str(arguments[-2])[2:] if arguments[-2] != '--scene' else 'scene-9999', result.stderr)
+
     def test_threads_do_not_change_a_byte(self):
         out = self.path('out')
         self.assertEqual(self.run_on(self.scenarios, out, '--jobs', 3, '--worst', 0).returncode, 0)

@@ -106,6 +106,19 @@ TEST(ContactJudgement, NamesTheTypeThatFits) {
   EXPECT_EQ(type({0.0, 1.8, 0.0}, {0.0, 1.73, 0.0}, CollisionType::kRearEnd), std::nullopt);
 }
 
+TEST(ContactJudgement, TellsLanesFromJunctionsAndTheRest) {
+  auto map = outlinedRoad();
+  map->lanes[0].polygon = rectangle(-200.0, -1.75, 0.0, 1.75).exterior;
+  map->lanes.push_back(straightLane("through", {0.0, 0.0}, {20.0, 0.0}));
+  map->lanes.back().is_connector = true;
+  const LaneIndex lanes(map);
+  EXPECT_EQ(placeOf({-1.0, 0.0}, lanes, 15.0), ContactPlace::kLane) << "and near the junction";
+  EXPECT_EQ(placeOf({10.0, 0.0}, lanes, 15.0), ContactPlace::kJunction);
+  EXPECT_EQ(placeOf({10.0, 90.0}, lanes, 15.0), ContactPlace::kElsewhere);
+  EXPECT_EQ(contactPlaceFromString("junction"), ContactPlace::kJunction);
+  EXPECT_EQ(contactPlaceFromString("field"), std::nullopt);
+}
+
 TEST(ContactJudgement, CausesAreReadByName) {
   EXPECT_EQ(contactCauseFromString(toString(ContactCause::kLateral)), ContactCause::kLateral);
   EXPECT_EQ(contactCauseFromString("sideways"), std::nullopt);

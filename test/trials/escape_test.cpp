@@ -68,18 +68,23 @@ TEST(Escape, AWitnessEscapesInClosedLoopAndLaterThanThatNoneIsFound) {
   ASSERT_TRUE(hit.contact && hit.contact->is_attacker);
   const auto escape = findEscape(one.scenario, hit.driven, setup);
   ASSERT_TRUE(escape);
-  EXPECT_LT(escape->start, hit.contact->time);
-  EXPECT_GT(escape->start, hit.contact->time - 2.0) << "a follower can be escaped late";
+  EXPECT_LT(escape->ego.start, hit.contact->time);
+  EXPECT_GT(escape->ego.start, hit.contact->time - 2.0) << "a follower can be escaped late";
 
   std::vector<TrajectoryPoint> whole;
   for (const TrajectoryPoint& point : hit.driven) {
-    if (point.time < escape->start - 1e-6) whole.push_back(point);
+    if (point.time < escape->ego.start - 1e-6) whole.push_back(point);
   }
-  whole.insert(whole.end(), escape->motion.begin(), escape->motion.end());
+  whole.insert(whole.end(), escape->ego.motion.begin(), escape->ego.motion.end());
   Reader reader(whole);
   const RolloutOutcome escaped = rollout(reader, kExact, one.scenario, setup);
   EXPECT_EQ(escaped.failure, PlannerFailure::kNone) << escaped.failure_message;
   EXPECT_FALSE(escaped.contact);
+  const auto& told = escape->attacker.points;
+  ASSERT_EQ(told.size(), escaped.attacker.points.size());
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    EXPECT_NEAR(told[i].pose.x, escaped.attacker.points[i].pose.x, 1e-6);
+  }
 }
 
 TEST(Escape, NobodyEscapesOneWhoIsAlwaysThere) {
@@ -106,7 +111,7 @@ TEST(Escape, AFixedAttackerIsEscapedAsFindAvoidabilityTells) {
   const Avoidability known = findAvoidability(scenario, setup.planners.avoidability,
                                               setup.planners.planning.route, setup.attack);
   ASSERT_TRUE(escape && known.last);
-  EXPECT_NEAR(escape->start, known.last->start, 1e-6);
+  EXPECT_NEAR(escape->ego.start, known.last->start, 1e-6);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(PlannerTrial, OfAnAttackerWhoReactsTheEscapeIsToldOrWhatTheEgoDroveInstead)
   ASSERT_TRUE(hit.outcome.contact && hit.outcome.contact->is_attacker);
   const auto escape = findEscape(scenario, hit.outcome.driven, setup);
   ASSERT_TRUE(escape && hit.avoidability.last);
-  EXPECT_EQ(hit.avoidability.last->start, escape->start);
+  EXPECT_EQ(hit.avoidability.last->start, escape->ego.start);
   EXPECT_TRUE(hit.avoidability.from_now.empty());
   const FixedAttacker away(straightDrive({40.0, 3.5, M_PI}, 5.0, 6.0));
   setup.attacker = &away;

@@ -11,10 +11,11 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/app/planner_pictures.h"
+#include "collision_forge/app/until_hit.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/drawing/draw_scenario.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/settings/config_fingerprint.h"
@@ -22,6 +23,7 @@
 #include "collision_forge/trials/planner_report.h"
 #include "collision_forge/trials/planner_result_file.h"
 #include "collision_forge/trials/planner_run.h"
+#include "collision_forge/trials/request_cases.h"
 
 namespace forge {
 namespace {
@@ -32,19 +34,36 @@ struct Arguments {
   std::string dataroot;
   std::string version;
   std::vector<std::string> scenarios;
+  bool until_hit = false;
+  std::vector<std::string> scenes;
+  std::optional<std::size_t> tries;
+  std::uint64_t seed = 0;
   std::string collide;
   std::string split = "val";
   ClipAttacker attacker = ClipAttacker::kRecorded;
   std::size_t limit = 0;
   std::vector<std::string> planners = {"idm", "rule_based", "pdm"};
   std::string planner_file;
-  std::vector<std::string> policies = {"fixed"};
+  std::vector<std::string> policies;  ///< empty: adaptive with until_hit, else fixed
   Background background = Background::kReplay;
   std::size_t worst = 3;
   std::string out;
   std::string config;
   std::string method;
   int jobs = defaultJobs();
+};
+
+/// Collisions that can be asked for in scenes.
+struct DrawnCases {
+  DrawnCases(const Arguments& arguments, const Config& config)
+      : scenes(arguments.dataroot, arguments.version, arguments.scenes, config,
+               static_cast<std::size_t>(arguments.jobs) + 1),
+        requests(scenes, loadMethod(arguments.method, config, config.attack), config,
+                 {config.requests, arguments.tries.value_or(config.planners.until_hit.tries),
+                  arguments.seed}) {}
+
+  SceneSource scenes;
+  RequestCases requests;
 };
 
 std::unique_ptr<PlannerCases> openCases(const Arguments& arguments, const Config& config) {
@@ -141,31 +160,6 @@ void report(const std::vector<PlannerTestResult>& results, const Arguments& argu
   std::cout << text;
 }
 
-/// The rollout again, as a picture: the ego is the planner's.
-ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome) {
-  const CrashScenario& scenario = one.scenario;
-  const PlannerContact& contact = *outcome.contact;
-  ScenarioView view{one.scene,         one.request.tta, one.request.mode,  scenario.snapshot,
-                    scenario.recorded, one.pattern,     scenario.attacker, {}};
-  view.contact_alone = true;
-  view.future.ego.states = toStates(outcome.driven);
-  CollisionReport& report = view.report;
-  report.contact = true;
-  report.contact_time = contact.time;
-  report.relative_heading = contact.relative_heading;
-  report.ego_at_contact = outcome.driven.back().pose;
-  report.attacker_at_contact = stateAt(attackerTrack(scenario), contact.time)->pose;
-  report.ego_side = contact.ego_side;
-  report.attacker_side = contact.other_side;
-  report.impact_speed = contact.impact_speed;
-  report.overlap = sideOverlap({report.ego_at_contact, view.future.ego.size}, report.ego_side,
-                               {report.attacker_at_contact, scenario.attacker.size});
-  report.type_kept = contact.type == one.request.type;
-  report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
-                   one.request.crash.time_tolerance;
-  return view;
-}
-
 void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& results,
                const Arguments& arguments, const TestPlan& plan, const Config& config) {
   const fs::path folder = fs::path(arguments.out) / "worst";
@@ -175,20 +169,11 @@ void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& 
     for (const PolicyKind policy : plan.policies) {
       const std::string row = rowName(planner, policy);
       for (const WorstCase& worst : worstCases(results, {row}, arguments.worst)) {
-        PlannerCase one = cases.at(worst.result);
-        const PlannerUnderTest made =
-            makePlanner(planner, config.planners, one.scenario.attacker.attacker_id);
-        const auto attacker = makeAttacker(one, policy, plan.foresight, config);
-        const RolloutOutcome outcome = rollout(*made.planner, made.driving, one.scenario,
-                                               {config.planners, config.attack, config.crash.types,
-                                                arguments.background, true, attacker.get()});
-        one.scenario.attacker = outcome.attacker;
-        const ScenarioView view = viewOf(one, outcome);
+        const PlannerCase one = cases.at(worst.result);
         const std::string name =
-            (folder / (planner + "_" + toString(policy) + "_" + std::to_string(++ranks[row])))
-                .string();
-        drawScenarioPng(name + ".png", view, config.drawing);
-        drawScenarioGif(name + ".gif", view, config.drawing);
+            planner + "_" + toString(policy) + "_" + std::to_string(++ranks[row]);
+        drawView((folder / name).string(),
+                 viewOf(one, driveAgain(one, planner, policy, plan, config)), config.drawing);
       }
     }
   }
@@ -204,13 +189,23 @@ void checkTested(const std::vector<PlannerTestResult>& results, const std::strin
                            first.status + ": " + first.message);
 }
 
-int drive(const Arguments& arguments) {
+int drive(Arguments arguments) {
+  if (arguments.policies.empty()) {
+    arguments.policies = {arguments.until_hit ? "adaptive" : "fixed"};
+  }
   Config config = loadConfig(arguments.config);
   usePlannerFile(arguments.planner_file, arguments.planners, config.planners);
-  const auto cases = openCases(arguments, config);
+  std::optional<DrawnCases> drawn;
+  std::unique_ptr<PlannerCases> given;
+  if (arguments.until_hit) {
+    drawn.emplace(arguments, config);
+  } else {
+    given = openCases(arguments, config);
+  }
+  const PlannerCases& cases = drawn ? drawn->requests : *given;
   Run run;
   run.path = (fs::path(arguments.out) / "results.jsonl").string();
-  run.options = runOptions(arguments, *cases, config);
+  run.options = runOptions(arguments, cases, config);
   run.jobs = arguments.jobs;
   if (isMaster()) fs::create_directories(arguments.out);
   PlanningTimes times;
@@ -220,12 +215,13 @@ int drive(const Arguments& arguments) {
     times.add(result);
     return result;
   };
-  const std::vector<PlannerTestResult> results = testCases(run, *cases, test);
+  const std::vector<PlannerTestResult> results = testCases(run, cases, test);
   if (!isMaster()) return kExitOk;
   checkTested(results, run.path);
   report(results, arguments, plan, config);
   times.print();
-  drawWorst(*cases, results, arguments, plan, config);
+  drawWorst(cases, results, arguments, plan, config);
+  if (drawn) reportWeaknesses(drawn->requests, results, plan, arguments.out, config);
   return kExitOk;
 }
 
@@ -241,6 +237,16 @@ void addTest(CommandLine& line) {
   CLI::Option_group* source = app.add_option_group("what they are driven through");
   source->add_option("--scenarios", arguments->scenarios, "scenario files of forge generate")
       ->needs(version);
+  CLI::Option* until_hit =
+      source->add_flag("--until-hit", arguments->until_hit,
+                       "collisions drawn from all that can be asked for in scenes; writes the "
+                       "planners' weaknesses, the worst first");
+  until_hit->needs(version);
+  addScenes(app, arguments->scenes)->needs(until_hit);
+  app.add_option("--tries", arguments->tries, "collisions that are tried; see planners.yaml")
+      ->check(CLI::PositiveNumber)
+      ->needs(until_hit);
+  addSeed(app, arguments->seed, "of the draw of --until-hit");
   CLI::Option* collide = addCollide(*source, arguments->collide);
   source->require_option(1);
   addSplit(app, arguments->split, collide);
@@ -252,18 +258,18 @@ void addTest(CommandLine& line) {
                           "who attacks in clips: the set's own attacker as recorded, or ours in "
                           "history or replay mode")
       ->needs(collide);
-  addMethod(app, arguments->method)->needs(collide);
+  addMethod(app, arguments->method)->excludes(source->get_option("--scenarios"));
   app.add_option("--planners", arguments->planners, "names, separated by commas")
       ->delimiter(',')
       ->check(CLI::IsMember(plannerNames()))
       ->capture_default_str();
   app.add_option("--attacker-policy", arguments->policies,
                  "who drives the attacker, separated by commas: fixed, its trajectory as it is; "
-                 "adaptive, one that sees the ego and plans anew; with --scenarios")
+                 "adaptive, one that sees the ego and plans anew, not with --collide; by default "
+                 "adaptive with --until-hit, else fixed")
       ->delimiter(',')
       ->check(CLI::IsMember({"fixed", "adaptive"}))
-      ->excludes(collide)
-      ->capture_default_str();
+      ->excludes(collide);
   addPlannerFile(app, arguments->planner_file);
   addBackground(app, arguments->background);
   app.add_option("--worst", arguments->worst, "pictures a planner, of the hardest impacts")

@@ -16,6 +16,12 @@ constexpr std::array<std::pair<ContactCause, const char*>, 5> kCauseNames = {{
     {ContactCause::kLateral, "lateral"},
 }};
 
+constexpr std::array<std::pair<ContactPlace, const char*>, 3> kPlaceNames = {{
+    {ContactPlace::kLane, "lane"},
+    {ContactPlace::kJunction, "junction"},
+    {ContactPlace::kElsewhere, "elsewhere"},
+}};
+
 OrientedBox frontEdge(const OrientedBox& box) {
   return {compose(box.center, {0.5 * box.size.length, 0.0, 0.0}), {0.0, box.size.width}};
 }
@@ -113,6 +119,33 @@ bool isInSeveralLanes(const OrientedBox& box, const LaneIndex& lanes, double rad
     }
   }
   return is_in_any;
+}
+
+const char* toString(ContactPlace place) {
+  for (const auto& [value, name] : kPlaceNames) {
+    if (value == place) return name;
+  }
+  return "unknown";
+}
+
+std::optional<ContactPlace> contactPlaceFromString(const std::string& name) {
+  for (const auto& [value, text] : kPlaceNames) {
+    if (name == text) return value;
+  }
+  return std::nullopt;
+}
+
+ContactPlace placeOf(const Vector2& point, const LaneIndex& lanes, double radius) {
+  ContactPlace place = ContactPlace::kElsewhere;
+  for (const std::size_t index : lanes.lanesWithin(point, radius)) {
+    const Lane& lane = lanes.map().lanes[index];
+    if (lane.is_connector || lane.is_intersection) {
+      place = ContactPlace::kJunction;
+    } else if (contains(Polygon{lane.polygon, {}}, point)) {
+      return ContactPlace::kLane;
+    }
+  }
+  return place;
 }
 
 std::optional<CollisionType> typeOf(const ContactPoses& poses, CollisionType asked,

@@ -56,6 +56,19 @@ bool isAtFault(ContactCause cause, const OrientedBox& ego, const LaneIndex& lane
 /// its four corners, and one holds some of them. False where the map has no polygons.
 bool isInSeveralLanes(const OrientedBox& box, const LaneIndex& lanes, double radius);
 
+/// What road a contact is on.
+enum class ContactPlace {
+  kLane,       ///< a lane outside junctions
+  kJunction,   ///< otherwise near a lane or connector of a junction
+  kElsewhere,  ///< anything else
+};
+/// "lane", "junction", "elsewhere".
+const char* toString(ContactPlace place);
+std::optional<ContactPlace> contactPlaceFromString(const std::string& name);
+
+/// `radius`: metres within which lanes and connectors are near.
+ContactPlace placeOf(const Vector2& point, const LaneIndex& lanes, double radius);
+
 /// The two at the start and at the contact.
 struct ContactPoses {
   Pose2 ego_now;

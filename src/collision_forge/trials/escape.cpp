@@ -35,7 +35,7 @@ class Search {
     ignored_.erase(scenario.attacker.attacker_id);
   }
 
-  std::optional<Avoidance> run(const std::vector<TrajectoryPoint>& driven) const {
+  std::optional<Escape> run(const std::vector<TrajectoryPoint>& driven) const {
     const std::vector<Traffic> moments = momentsOf(driven);
     for (auto moment = moments.rbegin(); moment != moments.rend(); ++moment) {
       const auto here = std::find_if(driven.begin(), driven.end(), [&](const auto& point) {
@@ -64,13 +64,15 @@ class Search {
     return {kEgoId, AgentClass::kCar, scenario_.ego.size, toStates({point})};
   }
 
-  std::optional<Avoidance> searchFrom(const Traffic& moment, const TrajectoryPoint& from) const {
+  std::optional<Escape> searchFrom(const Traffic& moment, const TrajectoryPoint& from) const {
     const AgentState state = toStates({from}).front();
     for (Trial& trial : trialsFrom(moment, state)) {
-      const auto report = drive(moment, trial.points);
+      Traffic traffic = moment;
+      const auto report = drive(traffic, trial.points);
       if (!report || !EvasiveDrives::isEvasion(*report)) continue;
-      return Avoidance{trial.manoeuvre, state.time, trial.points,
-                       drives_.shareOff(trial.points, *report)};
+      return Escape{
+          {trial.manoeuvre, state.time, trial.points, drives_.shareOff(trial.points, *report)},
+          traffic.attacker().trajectory()};
     }
     return std::nullopt;
   }
@@ -122,7 +124,7 @@ class Search {
   }
 
   /// Drives the motion in closed loop; empty where it touches somebody on the way.
-  std::optional<CollisionReport> drive(Traffic traffic,
+  std::optional<CollisionReport> drive(Traffic& traffic,
                                        const std::vector<TrajectoryPoint>& points) const {
     std::map<std::string, Track> met;
     const auto look = [&] {
@@ -164,9 +166,9 @@ class Search {
 
 }  // namespace
 
-std::optional<Avoidance> findEscape(const CrashScenario& scenario,
-                                    const std::vector<TrajectoryPoint>& driven,
-                                    const RolloutSetup& setup) {
+std::optional<Escape> findEscape(const CrashScenario& scenario,
+                                 const std::vector<TrajectoryPoint>& driven,
+                                 const RolloutSetup& setup) {
   checkScenario(scenario);
   return Search(scenario, setup).run(driven);
 }

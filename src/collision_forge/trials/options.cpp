@@ -51,11 +51,17 @@ static void readOptions(Section& section, NuplanScoreOptions& options) {
   options.comfort_weight = section.nonNegative("comfort_weight");
 }
 
+static void readOptions(Section& section, UntilHitOptions& options) {
+  options.tries = section.count("tries", 1);
+  options.min_impact_speed = section.nonNegative("min_impact_speed");
+}
+
 void readOptions(Section& file, TrialOptions& options, const VehicleLimits& limits) {
   readOptions(file, static_cast<PlannerOptions&>(options), limits);
   file.read("rollout", options.rollout);
   file.read("nuplan_score", options.nuplan_score);
   file.read("avoidability", options.avoidability, limits);
+  file.read("until_hit", options.until_hit);
 }
 
 }  // namespace forge

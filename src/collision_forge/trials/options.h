@@ -14,11 +14,18 @@ struct RolloutOptions {
   FaultOptions fault;
 };
 
+/// config/planners.yaml, section until_hit.
+struct UntilHitOptions {
+  int tries = 0;
+  double min_impact_speed = 0.0;
+};
+
 /// config/planners.yaml: the planners, and how they are tried.
 struct TrialOptions : PlannerOptions {
   RolloutOptions rollout;
   NuplanScoreOptions nuplan_score;
   AvoidabilityOptions avoidability;
+  UntilHitOptions until_hit;
 };
 
 /// Reads all of planners.yaml; `limits` are those of the ego. Throws ConfigError for a missing,

@@ -31,9 +31,9 @@ AvoidabilitySummary summaryOf(const Avoidability& found, double now) {
   return summary;
 }
 
-AvoidabilitySummary summaryOf(const std::optional<Avoidance>& escape, double now) {
+AvoidabilitySummary summaryOf(const std::optional<Escape>& escape, double now) {
   Avoidability found;
-  found.last = escape;
+  if (escape) found.last = escape->ego;
   return summaryOf(found, now);
 }
 

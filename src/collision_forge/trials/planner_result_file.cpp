@@ -42,6 +42,7 @@ void writeContact(JsonLineWriter& writer, const RolloutOutcome& outcome, double 
   writer.text("other", contact.other_id);
   writer.flag("attacker", contact.is_attacker);
   writer.number("t", fromNow(contact.time, now));
+  writer.text("place", toString(contact.place));
   if (contact.type) {
     writer.text("type", toString(*contact.type));
   } else {
@@ -172,6 +173,7 @@ PlannerContact readContact(JsonObject object, double now) {
   contact.other_id = object.text("other");
   contact.is_attacker = object.flag("attacker");
   contact.time = now + object.number("t");
+  contact.place = readName(object, "place", contactPlaceFromString);
   if (const auto type = object.textOrNull("type")) {
     contact.type = collisionTypeFromString(*type);
     if (!contact.type) object.fail("type", "is no collision type");
@@ -241,7 +243,7 @@ std::string csvStart(const PlannerTestResult& result) {
 }
 
 std::string csvContact(const std::optional<PlannerContact>& contact, double now) {
-  if (!contact) return std::string(10, ',');
+  if (!contact) return std::string(11, ',');
   constexpr double kDegrees = 180.0 / M_PI;
   char numbers[128];
   std::snprintf(numbers, sizeof(numbers), "%.3f,%s,%.2f,%s,%s,%.2f,%.2f", contact->time - now,
@@ -249,7 +251,8 @@ std::string csvContact(const std::optional<PlannerContact>& contact, double now)
                 toString(contact->ego_side), toString(contact->other_side), contact->impact_speed,
                 contact->ego_speed);
   return contact->other_id + ',' + (contact->is_attacker ? "1," : "0,") + numbers + ',' +
-         toString(contact->cause) + ',' + (contact->at_fault ? "1" : "0");
+         toString(contact->cause) + ',' + (contact->at_fault ? "1," : "0,") +
+         toString(contact->place);
 }
 
 /// Their names, each after a comma.
@@ -289,7 +292,7 @@ std::string csvHit(const std::optional<bool>& hit) { return hit ? (*hit ? "1" : 
 std::vector<std::string> untestedCsvRows(const std::string& start,
                                          const std::vector<PlannerRow>& rows) {
   constexpr std::size_t kBefore = 5;  // columns up to the planner's
-  const std::size_t after = 28 + nuplanParts().size();
+  const std::size_t after = 29 + nuplanParts().size();
   if (rows.empty()) return {start + std::string(kBefore + after, ',')};
   std::vector<std::string> lines;
   for (const PlannerRow& row : rows) {
@@ -345,7 +348,7 @@ std::string plannerResultCsvHeader() {
          "policy,phase,attacker_plans,broken_limit,touched,as_asked,escape_manoeuvre,escape_start,"
          "fair,failure,other,attacker,"
          "contact_after,contact_type,relative_heading,ego_side,other_side,impact_speed,ego_speed,"
-         "cause,at_fault,duration,max_braking,hard_braking,off_road_share,"
+         "cause,at_fault,place,duration,max_braking,hard_braking,off_road_share,"
          "progress,recorded_progress" +
          nuplanColumns() + ",published_hit";
 }

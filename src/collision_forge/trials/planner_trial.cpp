@@ -45,7 +45,9 @@ Avoidability avoidabilityOf(const RolloutOutcome& outcome, const CrashScenario& 
                             const RolloutSetup& setup) {
   Avoidability found;
   if (outcome.contact) {
-    if (outcome.contact->is_attacker) found.last = findEscape(scenario, outcome.driven, setup);
+    if (outcome.contact->is_attacker) {
+      if (auto escape = findEscape(scenario, outcome.driven, setup)) found.last = escape->ego;
+    }
   } else if (outcome.failure == PlannerFailure::kNone) {
     found.last = Avoidance{EvasiveManoeuvre::kKeeping, scenario.snapshot.now, outcome.driven,
                            outcome.off_road_share};

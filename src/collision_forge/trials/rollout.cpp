@@ -292,6 +292,7 @@ class Run {
     contact.other_id = other.id;
     contact.is_attacker = other.id == scenario_.attacker.attacker_id;
     contact.time = ego.time;
+    contact.place = placeOf(ego.pose.position(), *scenario_.lanes, options_.fault.lane_radius);
     contact.relative_heading = angleBetween(ego.pose.yaw, other_pose.yaw);
     contact.ego_side = touchedSide(ego_box, other_box);
     contact.other_side = touchedSide(other_box, ego_box);

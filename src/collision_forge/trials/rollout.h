@@ -47,13 +47,14 @@ std::optional<PlannerFailure> plannerFailureFromString(const std::string& name);
 struct PlannerContact {
   std::string other_id;
   bool is_attacker = false;
-  double time = 0.0;                  ///< s, the scene's clock
-  std::optional<CollisionType> type;  ///< see typeOf(); empty when it is of none
-  double relative_heading = 0.0;      ///< rad (-pi, pi], the other's yaw minus the ego's
-  Side ego_side = Side::kFront;       ///< of the ego's box, where the other's touches it
-  Side other_side = Side::kFront;     ///< of the other's box
-  double impact_speed = 0.0;          ///< m/s, norm of the relative velocity
-  double ego_speed = 0.0;             ///< m/s
+  double time = 0.0;                              ///< s, the scene's clock
+  ContactPlace place = ContactPlace::kElsewhere;  ///< of the ego
+  std::optional<CollisionType> type;              ///< see typeOf(); empty when it is of none
+  double relative_heading = 0.0;   ///< rad (-pi, pi], the other's yaw minus the ego's
+  Side ego_side = Side::kFront;    ///< of the ego's box, where the other's touches it
+  Side other_side = Side::kFront;  ///< of the other's box
+  double impact_speed = 0.0;       ///< m/s, norm of the relative velocity
+  double ego_speed = 0.0;          ///< m/s
   ContactCause cause = ContactCause::kLateral;
   bool at_fault = false;
 };

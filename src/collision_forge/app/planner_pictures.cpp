@@ -1,0 +1,56 @@
+#include "collision_forge/app/planner_pictures.h"
+
+#include <cmath>
+
+#include "collision_forge/drawing/draw_scenario.h"
+#include "collision_forge/planners/planner_factory.h"
+
+namespace forge {
+
+RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                          const TestPlan& plan, const Config& config) {
+  const PlannerUnderTest made =
+      makePlanner(planner, config.planners, one.scenario.attacker.attacker_id);
+  const auto attacker = makeAttacker(one, policy, plan.foresight, config);
+  return rollout(
+      *made.planner, made.driving, one.scenario,
+      {config.planners, config.attack, config.crash.types, plan.background, true, attacker.get()});
+}
+
+ScenarioView viewOf(const PlannerCase& one, const std::vector<TrajectoryPoint>& ego,
+                    const AttackerTrajectory& attacker) {
+  const CrashScenario& scenario = one.scenario;
+  ScenarioView view{one.scene,         one.request.tta, one.request.mode, scenario.snapshot,
+                    scenario.recorded, one.pattern,     attacker,         {}};
+  view.contact_alone = true;
+  view.future.ego.states = toStates(ego);
+  return view;
+}
+
+ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome) {
+  const CrashScenario& scenario = one.scenario;
+  const PlannerContact& contact = *outcome.contact;
+  ScenarioView view = viewOf(one, outcome.driven, outcome.attacker);
+  CollisionReport& report = view.report;
+  report.contact = true;
+  report.contact_time = contact.time;
+  report.relative_heading = contact.relative_heading;
+  report.ego_at_contact = outcome.driven.back().pose;
+  report.attacker_at_contact = poseAt(outcome.attacker, contact.time);
+  report.ego_side = contact.ego_side;
+  report.attacker_side = contact.other_side;
+  report.impact_speed = contact.impact_speed;
+  report.overlap = sideOverlap({report.ego_at_contact, view.future.ego.size}, report.ego_side,
+                               {report.attacker_at_contact, scenario.attacker.size});
+  report.type_kept = contact.type == one.request.type;
+  report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
+                   one.request.crash.time_tolerance;
+  return view;
+}
+
+void drawView(const std::string& path, const ScenarioView& view, const DrawingOptions& drawing) {
+  drawScenarioPng(path + ".png", view, drawing);
+  drawScenarioGif(path + ".gif", view, drawing);
+}
+
+}  // namespace forge

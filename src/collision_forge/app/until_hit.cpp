@@ -1,0 +1,150 @@
+#include "collision_forge/app/until_hit.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+#include "collision_forge/app/planner_pictures.h"
+#include "collision_forge/data/json_line.h"
+#include "collision_forge/files/aside_file.h"
+#include "collision_forge/trials/escape.h"
+#include "collision_forge/trials/weaknesses.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
+
+/// The hardest hit of a weakness, driven again.
+struct Shown {
+  PlannerCase one;
+  RolloutOutcome outcome;
+  Escape escape;
+};
+
+Shown show(const Weakness& weakness, const RequestCases& cases, const TestPlan& plan,
+           const Config& config) {
+  Shown shown{cases.at(weakness.results.front()), {}, {}};
+  const CrashScenario& scenario = shown.one.scenario;
+  shown.outcome = driveAgain(shown.one, weakness.planner, weakness.policy, plan, config);
+  if (const auto attacker = makeAttacker(shown.one, weakness.policy, plan.foresight, config)) {
+    shown.escape = findEscape(scenario, shown.outcome.driven,
+                              {config.planners, config.attack, config.crash.types, plan.background,
+                               true, attacker.get()})
+                       .value();
+  } else {
+    const Avoidability found = findAvoidability(scenario, config.planners.avoidability,
+                                                config.planners.planning.route, config.attack);
+    shown.escape = {found.last.value(), scenario.attacker};
+  }
+  return shown;
+}
+
+/// What the ego does in place of its drive: the same up to the start of the escape.
+std::vector<TrajectoryPoint> wholeEscape(const Shown& shown) {
+  const Avoidance& escape = shown.escape.ego;
+  std::vector<TrajectoryPoint> whole;
+  for (const TrajectoryPoint& point : shown.outcome.driven) {
+    if (point.time < escape.start - kTimeEpsilon) whole.push_back(point);
+  }
+  whole.insert(whole.end(), escape.motion.begin(), escape.motion.end());
+  return whole;
+}
+
+void writeMotion(JsonLineWriter& writer, const char* key,
+                 const std::vector<TrajectoryPoint>& points, double now) {
+  writer.beginArray(key);
+  for (const TrajectoryPoint& point : points) {
+    writer.beginObject();
+    writer.number("t", fromNow(point.time, now));
+    writer.number("x", point.pose.x);
+    writer.number("y", point.pose.y);
+    writer.number("yaw", point.pose.yaw);
+    writer.number("speed", point.speed);
+    writer.endObject();
+  }
+  writer.endArray();
+}
+
+std::string witnessLine(const Weakness& weakness, const Shown& shown) {
+  const double now = shown.one.scenario.snapshot.now;
+  const Avoidance& escape = shown.escape.ego;
+  JsonLineWriter writer;
+  writer.beginObject();
+  writer.text("name", shown.one.name);
+  writer.text("planner", weakness.planner);
+  writer.text("policy", toString(weakness.policy));
+  writer.text("manoeuvre", toString(escape.manoeuvre));
+  writer.number("start_t", fromNow(escape.start, now));
+  writeMotion(writer, "ego", wholeEscape(shown), now);
+  writeMotion(writer, "attacker", shown.escape.attacker.points, now);
+  writer.endObject();
+  return writer.line();
+}
+
+std::string tableRow(int rank, const Weakness& weakness, const Shown& shown) {
+  const PlannerContact& contact = *shown.outcome.contact;
+  const Avoidance& escape = shown.escape.ego;
+  char numbers[160];
+  std::snprintf(numbers, sizeof(numbers), "%.1f m/s | %.1f s | %s, up to %.1f s before | %zu",
+                contact.impact_speed, fromNow(contact.time, shown.one.scenario.snapshot.now),
+                toString(escape.manoeuvre), contact.time - escape.start, weakness.results.size());
+  return "| " + std::to_string(rank) + " | " + rowName(weakness.planner, weakness.policy) + " | " +
+         shown.one.name + " | " + toString(weakness.manoeuvre) + " | " +
+         (weakness.at_fault ? "planner" : "attacker") + " | " + toString(weakness.place) + " | " +
+         numbers + " |\n";
+}
+
+/// How many tries it took until the last weakness showed.
+std::size_t triesTo(const std::vector<Weakness>& weaknesses) {
+  std::size_t last = 0;
+  for (const Weakness& weakness : weaknesses) {
+    const auto& results = weakness.results;
+    last = std::max(last, *std::min_element(results.begin(), results.end()) + 1);
+  }
+  return last;
+}
+
+std::string headOf(const std::vector<Weakness>& weaknesses, std::size_t tries) {
+  if (weaknesses.empty()) return "No weakness showed in " + std::to_string(tries) + " tries.\n";
+  return std::to_string(weaknesses.size()) +
+         " weaknesses, the hardest impact first; the last new one showed with try " +
+         std::to_string(triesTo(weaknesses)) + " of " + std::to_string(tries) +
+         ".\n\n| | planner | hardest hit | manoeuvre | to blame | place | impact | after | "
+         "escape | hits |\n|---|---|---|---|---|---|---|---|---|---|\n";
+}
+
+}  // namespace
+
+void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestResult>& results,
+                      const TestPlan& plan, const std::string& folder, const Config& config) {
+  const auto weaknesses = findWeaknesses(
+      results, [&](std::size_t index) { return *cases.request(index).manoeuvre; },
+      config.planners.until_hit);
+  const fs::path pictures = fs::path(folder) / "weaknesses";
+  fs::remove_all(pictures);
+  fs::create_directories(pictures);
+  std::string table = headOf(weaknesses, results.size());
+  std::string scenarios;
+  std::string witnesses;
+  int rank = 0;
+  for (const Weakness& weakness : weaknesses) {
+    const Shown shown = show(weakness, cases, plan, config);
+    table += tableRow(++rank, weakness, shown);
+    scenarios += scenarioLine(cases.scenario(weakness.results.front())) + "\n";
+    witnesses += witnessLine(weakness, shown) + "\n";
+    const std::string picture = (pictures / std::to_string(rank)).string();
+    drawView(picture, viewOf(shown.one, shown.outcome), config.drawing);
+    drawView(picture + "_escape", viewOf(shown.one, wholeEscape(shown), shown.escape.attacker),
+             config.drawing);
+  }
+  writeText(folder + "/weaknesses.md", table);
+  writeText(folder + "/weaknesses.jsonl", scenarios);
+  writeText(folder + "/witnesses.jsonl", witnesses);
+  std::cout << "\n" << table;
+}
+
+}  // namespace forge

@@ -1,0 +1,95 @@
+#include "collision_forge/trials/request_cases.h"
+
+#include <cstdio>
+#include <random>
+#include <stdexcept>
+#include <utility>
+
+#include "collision_forge/attack/request_list.h"
+#include "collision_forge/data/request_file.h"
+#include "collision_forge/files/fingerprint.h"
+#include "collision_forge/study/allowed_requests.h"
+
+namespace forge {
+namespace {
+
+CrashDefinition withoutThreshold(CrashDefinition crash) {
+  crash.min_confidence = 0.0;
+  return crash;
+}
+
+/// Every request of a scene: each manoeuvre of each type, by a recorded vehicle or a new one.
+std::vector<SceneRequest> everyRequestOf(const Scene& scene, const RequestListOptions& list,
+                                         const StudyOptions& study) {
+  std::vector<SceneRequest> requests;
+  CollisionRequest asked;
+  asked.crash = withoutThreshold(study.crash);
+  for (const Manoeuvre manoeuvre : kManoeuvres) {
+    for (const AttackerChoice choice : {AttackerChoice::kExisting, AttackerChoice::kNew}) {
+      asked.manoeuvre = manoeuvre;
+      asked.choice = choice;
+      for (SceneRequest& request :
+           listRequests(scene, list, study.attack.prediction, study.crash.time_tolerance, asked)) {
+        requests.push_back(std::move(request));
+      }
+    }
+  }
+  return requests;
+}
+
+std::string nameOf(const SceneRequest& asked, const Scene& scene) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "/%.1f/%s/%g/", asked.now - scene.frame_times.front(),
+                toString(asked.request.type), asked.request.tta);
+  return asked.scene + text + toString(*asked.request.manoeuvre) + "/" +
+         toString(asked.request.choice);
+}
+
+}  // namespace
+
+RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
+                           const StudyOptions& study, const RequestDraw& draw)
+    : scenes_(scenes),
+      study_(study),
+      answerer_(scenes, method, withoutThreshold(study.crash), study.ego_vehicle, study.adaptive),
+      method_(method.name()) {
+  std::vector<SceneRequest> all;
+  for (const std::string& name : scenes.names()) {
+    for (SceneRequest& request : everyRequestOf(scenes.at(name)->scene, draw.list, study)) {
+      all.push_back(std::move(request));
+    }
+  }
+  std::mt19937_64 generator(draw.seed);
+  while (!all.empty() && requests_.size() < draw.tries) {
+    std::swap(all[generator() % all.size()], all.back());
+    const auto recording = scenes.at(all.back().scene);
+    if (roadAllowsAsked(all.back(), *recording, study)) {
+      names_.push_back(nameOf(all.back(), recording->scene));
+      requests_.push_back(std::move(all.back()));
+    }
+    all.pop_back();
+  }
+  if (requests_.empty()) {
+    throw std::runtime_error(
+        "no collision can be asked for in these scenes: each is too short, "
+        "its ego too slow, or the road allows none");
+  }
+}
+
+std::string RequestCases::fingerprint() const {
+  std::string found;
+  for (const SceneRequest& request : requests_) {
+    found = forge::fingerprint(requestLine(request), found);
+  }
+  return std::to_string(requests_.size()) + " requests answered by " + method_ + ", fingerprint " +
+         found;
+}
+
+PlannerCase RequestCases::at(std::size_t index) const {
+  PlannerCase one = caseOfScenario(scenario(index), *scenes_.at(requests_[index].scene), study_);
+  one.name = names_[index];
+  one.source = "until_hit";
+  return one;
+}
+
+}  // namespace forge
