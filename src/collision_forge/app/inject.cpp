@@ -115,18 +115,19 @@ Realization alternativeOf(const Realization& first, int number) {
   return declined;
 }
 
-Realization answerOf(const MethodMaker& maker, const Moment& moment, const Scene& scene,
-                     const CollisionRequest& request, const Arguments& arguments,
-                     const Config& config) {
+/// Without plans where the attacker does not react.
+AdaptiveAnswer answerOf(const MethodMaker& maker, const Moment& moment, const Scene& scene,
+                        const CollisionRequest& request, const Arguments& arguments,
+                        const Config& config) {
   if (request.mode == Mode::kAdaptive) {
     const AttackerSetup setup{maker.egoFutures(), config.attack, config.adaptive};
     return withoutMisses(
-               answerAdaptively(*maker.make(), moment, scene, config.ego_vehicle, request, setup),
-               request)
-        .attack;
+        answerAdaptively(*maker.make(), moment, scene, config.ego_vehicle, request, setup),
+        request);
   }
-  return alternativeOf(generateCollision(*maker.make(), moment, request, config.attack.prediction),
-                       arguments.alternative);
+  const Realization first =
+      generateCollision(*maker.make(), moment, request, config.attack.prediction);
+  return {alternativeOf(first, arguments.alternative), {}, {}};
 }
 
 int inject(const Arguments& arguments) {
@@ -149,15 +150,20 @@ int inject(const Arguments& arguments) {
   const Moment moment{snapshotAt(scene, now, prediction.history_frames), recordedFuture(scene, now),
                       std::make_shared<const LaneIndex>(scene.map), pastOf(scene, now)};
   const MethodMaker maker = loadMethod(arguments.method, config, config.attack);
-  const Realization attack = answerOf(maker, moment, scene, request, arguments, config);
+  const auto [attack, plans, _] = answerOf(maker, moment, scene, request, arguments, config);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);
   CollisionReport tested =
       verify(attack.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
              config.attack.verification);
   tested.confidence = attack.report.confidence;
   const std::string& attacker = attack.trajectory.attacker_id;
-  injectIntoBag(arguments.bag, arguments.out, toMessage(attack, maker.name(), now),
-                toMessage(tested, attacker, now));
+  collision_forge::Attack message = toMessage(attack, maker.name(), now);
+  collision_forge::CollisionReport tested_message = toMessage(tested, attacker, now);
+  if (!plans.empty()) {
+    setPlans(plans, message);
+    tested_message.decision = message.decision;
+  }
+  injectIntoBag(arguments.bag, arguments.out, message, tested_message);
   std::cout << toString(request.type) << " by " << attacker << ", "
             << (attack.trajectory.isAdded() ? "an added " : "a recorded ")
             << toString(attack.trajectory.agent_class)

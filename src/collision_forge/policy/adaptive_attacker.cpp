@@ -76,6 +76,7 @@ AdaptiveAttacker::AdaptiveAttacker(AttackerTask task, AttackerSetup setup)
       scene_(task_.snapshot, task_.ego, setup_.attack.prediction.history_frames,
              setup_.adaptive.frame_interval),
       impact_(task_.snapshot.now + task_.request.tta),
+      last_look_(task_.snapshot.now),
       last_ego_(task_.snapshot.now),
       seen_ego_{task_.snapshot.ego.states.back()} {
   task_.request.attacker = vehicle_.id;
@@ -102,15 +103,18 @@ bool AdaptiveAttacker::hasJumped(const Frame& seen) const {
 
 void AdaptiveAttacker::observe(const Frame& seen) {
   const AdaptiveOptions& options = setup_.adaptive;
-  if (seen.time < scene_.newest().time + options.period - kTimeEpsilon) return;
+  if (seen.time < last_look_ + options.period - kTimeEpsilon) return;
   const std::size_t from = firstAfter(seen.time + options.fairness.reaction_time);
   if (from + 1 >= task_.plan.points.size()) return;
   const bool is_there = seen.ego.isFinite();
   const bool has_jumped = is_there && hasJumped(seen);
-  Frame kept = seen;
-  if (!is_there) kept.ego = scene_.newest().ego;  // the others are seen all the same
-  scene_.add(kept);
+  last_look_ = seen.time;
   if (is_there) last_ego_ = seen.time;
+  if (is_there || !seen.agents.empty()) {
+    Frame kept = seen;
+    if (!is_there) kept.ego = scene_.newest().ego;  // the others are seen all the same
+    scene_.add(kept);
+  }
   if (phase_ == AttackerPhase::kDrivingOn) {
     driveOnFrom(seen.time, from, "");
   } else if (has_jumped) {
@@ -125,7 +129,20 @@ void AdaptiveAttacker::observe(const Frame& seen) {
     phase_ = AttackerPhase::kCommitted;
     plans_.push_back({seen.time, timeOf(from), phase_, "too late to change anything", {}});
   }
-  seen_ego_.push_back({kept.time, kept.ego, Vector2::Zero()});
+  const Frame& newest = scene_.newest();
+  if (newest.time > seen_ego_.back().time) {
+    seen_ego_.push_back({newest.time, newest.ego, Vector2::Zero()});
+  }
+}
+
+Future AdaptiveAttacker::outlook() const {
+  Future future = foresee(scene_.snapshot());
+  std::vector<AgentState> ego = seen_ego_;
+  for (const AgentState& state : future.ego.states) {
+    if (state.time > ego.back().time + kTimeEpsilon) ego.push_back(state);
+  }
+  future.ego.states = std::move(ego);
+  return future;
 }
 
 Future AdaptiveAttacker::foresee(const Snapshot& snapshot) const {

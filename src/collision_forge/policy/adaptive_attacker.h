@@ -37,7 +37,8 @@ struct AttackerSetup {
 /// the state that this leads to. So the whole drive keeps the limits of its class, whatever limits
 /// the request names, if its first plan does. It commits shortly before the contact. Where no plan
 /// comes near the crash any more, or the ego is out of sight or jumps, it gives up and drives on
-/// (driveOn()).
+/// (driveOn()). A frame without ego and agents says that nobody was seen: forecasts go on from the
+/// frame before.
 class AdaptiveAttacker : public AttackerPolicy {
  public:
   AdaptiveAttacker(AttackerTask task, AttackerSetup setup);
@@ -49,6 +50,10 @@ class AdaptiveAttacker : public AttackerPolicy {
   const AttackerTrajectory& trajectory() const override { return task_.plan; }
   AttackerPhase phase() const override { return phase_; }
   const std::vector<AttackerPlan>& plans() const override { return plans_; }
+
+  /// The ego since now as it was seen, then its likeliest future; the others' from the newest frame
+  /// on.
+  Future outlook() const;
 
  private:
   double timeOf(std::size_t index) const { return task_.plan.points[index].time; }
@@ -74,8 +79,9 @@ class AdaptiveAttacker : public AttackerPolicy {
   DriveLimits limits_;
   ObservedScene scene_;
   double impact_;                     // s, the scene's clock; asked for
+  double last_look_;                  // s
   double last_ego_;                   // s, when the ego was seen last
-  std::vector<AgentState> seen_ego_;  // from the attack's now on, before the newest frame
+  std::vector<AgentState> seen_ego_;  // from the attack's now on, before the newest look
   AttackerPhase phase_ = AttackerPhase::kAttacking;
   /// Of the plan; contact and wait are instants on the scene's clock.
   std::optional<DraftedWay> drafted_;

@@ -17,7 +17,8 @@
 namespace forge {
 
 /// Verifies the newest attack against the ego as it comes and publishes tested_report: at the
-/// contact, or at the end of the attacker's trajectory when there was none.
+/// contact, or at the end of the attacker's trajectory when there was none. One whose attacker
+/// reacts goes on being tested when it comes again.
 class AttackVerifierNodelet : public nodelet::Nodelet {
  private:
   static constexpr std::size_t kKept = 100;  // newest poses and frames
@@ -41,8 +42,29 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
   }
 
   void receiveAttack(const collision_forge::Attack& message) {
+    const bool goes_on = isNextOf(message);
     attack_ = message;
-    startTest();
+    if (!goes_on) {
+      startTest();
+    } else if (test_) {
+      changeTest();
+    }
+  }
+
+  /// It is what became of the attack that there is.
+  bool isNextOf(const collision_forge::Attack& message) const {
+    return attack_ && attack_->adaptive && message.adaptive && message.plans > 1 &&
+           attack_->header.stamp == message.header.stamp &&
+           attack_->trajectory.attacker_id == message.trajectory.attacker_id;
+  }
+
+  void changeTest() {
+    try {
+      test_->changeTrajectory(fromMessage(attack_->trajectory));
+    } catch (const std::exception& error) {
+      NODELET_ERROR_STREAM("attack left out: " << error.what());
+      test_.reset();
+    }
   }
 
   void startTest() {
@@ -118,8 +140,10 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     if (!lanes) return;
     const auto report = test_->outcome(*lanes, config_.attack.verification);
     if (!report) return;
-    publisher_.publish(
-        toMessage(*report, attack_->trajectory.attacker_id, attack_->header.stamp.toSec()));
+    collision_forge::CollisionReport message =
+        toMessage(*report, attack_->trajectory.attacker_id, attack_->header.stamp.toSec());
+    message.decision = attack_->decision;
+    publisher_.publish(message);
     test_.reset();
   }
 

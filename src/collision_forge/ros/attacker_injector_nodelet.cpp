@@ -32,6 +32,7 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
       NODELET_ERROR_STREAM("attack left out: " << error.what());
       return;
     }
+    if (injector_ && injector_->change(message.trajectory)) return;
     injector_.emplace(message.trajectory);
     if (last_) injector_->remember(*last_);
   }

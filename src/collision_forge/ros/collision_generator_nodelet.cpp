@@ -12,6 +12,7 @@
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/live_attacker.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/service_search.h"
 #include "collision_forge/ros/topic_names.h"
@@ -20,12 +21,15 @@ namespace forge {
 
 /// The front door: answers generate_collision and publishes the attack. The default method goes by
 /// way of predict_pattern and realize_trajectory, all others run here, and so do vehicles that are
-/// added. Replay mode needs the
-/// private parameter `recording`, the bag on replay.
+/// added. An attacker that sees and reacts is driven here, too. Replay mode needs the private
+/// parameter `recording`, the bag on replay.
 class CollisionGeneratorNodelet : public nodelet::Nodelet {
  private:
   using Request = collision_forge::GenerateCollision::Request;
   using Response = collision_forge::GenerateCollision::Response;
+
+  static constexpr double kWatchInterval = 0.5;      // s of the wall clock
+  static constexpr std::uint32_t kSceneQueue = 100;  // scenes that may wait for an attacker's look
 
   void onInit() override {
     ros::NodeHandle& node = getNodeHandle();
@@ -40,8 +44,13 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     search_ = std::make_unique<ServiceSearch>(node);
     attacks_ = node.advertise<collision_forge::Attack>(names::kAttack, 1, true);
     publishMethods(node);
-    scene_subscriber_ =
-        node.subscribe(names::kEncodedScene, 1, &CollisionGeneratorNodelet::receive, this);
+    live_ = std::make_unique<LiveAttacker>(
+        [this](const collision_forge::Attack& attack) { attacks_.publish(attack); });
+    scene_subscriber_ = node.subscribe(names::kEncodedScene, kSceneQueue,
+                                       &CollisionGeneratorNodelet::receive, this);
+    watch_ = node.createWallTimer(
+        ros::WallDuration(kWatchInterval),
+        [this](const ros::WallTimerEvent& /*event*/) { live_->watch(ros::Time::now().toSec()); });
     service_ = std::make_unique<OwnThreadService>(node, names::kGenerateCollision,
                                                   &CollisionGeneratorNodelet::answer, this);
   }
@@ -71,15 +80,21 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   }
 
   void receive(const collision_forge::EncodedScene::ConstPtr& message) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    scene_ = message;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      scene_ = message;
+    }
+    try {
+      live_->see(newestFrame(fromMessage(message->snapshot)), ros::Time::now().toSec());
+    } catch (const std::exception& error) {
+      NODELET_ERROR_STREAM_THROTTLE(1.0,
+                                    "encoded_scene not shown to the attacker: " << error.what());
+    }
   }
 
   bool answer(Request& message, Response& response) {
     answerWith(response, [&] { return generate(message, response); });
-    if (response.code == Response::OK) {
-      attacks_.publish(response.attack);
-    } else {
+    if (response.code != Response::OK) {
       NODELET_INFO_STREAM(toString(static_cast<StatusCode>(response.code))
                           << ": " << response.message);
     }
@@ -96,10 +111,9 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     const auto parsed = fromMessage(asked, config_.crash);
     if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
     const CollisionRequest& request = std::get<CollisionRequest>(parsed);
-    if (request.mode == Mode::kAdaptive) {
+    if (message.adaptive && request.mode == Mode::kReplay) {
       return {StatusCode::kInvalidInput,
-              "mode = adaptive is for recordings (forge generate, inject, evaluate) and planner "
-              "tests (forge test --attacker-policy)"};
+              "adaptive = true is not for mode = replay, which knows what comes"};
     }
     const std::string method = message.method.empty() ? default_method_ : message.method;
     if (!methods_.has(method)) {
@@ -111,24 +125,50 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
       return {StatusCode::kNoScene,
               "no encoded_scene yet: agents, lane_map and /tf must be published"};
     }
+    const Status status = findAttack(method, *scene, asked, request, response);
+    if (status.code != StatusCode::kOk) return status;
+    return setOut(scene->snapshot, request, response);
+  }
+
+  /// Publishes the attack of the response.
+  Status setOut(const collision_forge::SceneSnapshot& scene, const CollisionRequest& request,
+                Response& response) {
+    if (request.mode != Mode::kAdaptive) {
+      live_->setOut(response.attack);
+      return {};
+    }
+    const auto lanes = map_->lanes();
+    if (!lanes) return {StatusCode::kNoScene, "no usable lane_map has come yet"};
+    collision_forge::Attack& attack = response.attack;
+    attack = live_->setOut(
+        attack,
+        {fromMessage(scene), lanes, config_.ego_vehicle, request, fromMessage(attack.pattern),
+         fromMessage(attack.trajectory)},
+        {foresight_.egoFutures(config_.attack.ego_futures), config_.attack, config_.adaptive});
+    return {};
+  }
+
+  Status findAttack(const std::string& method, const collision_forge::EncodedScene& scene,
+                    const collision_forge::CollisionRequest& asked, const CollisionRequest& request,
+                    Response& response) const {
     std::optional<Future> recorded;
     if (request.mode == Mode::kReplay) {
-      const Status status = findRecorded(scene->header.stamp.toSec(), recorded);
+      const Status status = findRecorded(scene.header.stamp.toSec(), recorded);
       if (status.code != StatusCode::kOk) return status;
     }
     if (method != default_method_ || request.choice == AttackerChoice::kNew) {
-      return generateHere(method, scene->snapshot, request, recorded, response);
+      return generateHere(method, scene.snapshot, request, recorded, response);
     }
-    Status status = search_->generate(scene->snapshot, asked, recorded, response.attack);
+    Status status = search_->generate(scene.snapshot, asked, recorded, response.attack);
     response.attack.method = method;
     if (mayBeAnsweredHere(status, request)) {
       CollisionRequest again = request;
       again.alternatives = 1;
-      const Status here = generateHere(method, scene->snapshot, again, recorded, response);
+      const Status here = generateHere(method, scene.snapshot, again, recorded, response);
       if (here.code == StatusCode::kOk) status = here;
     }
     if (status.code == StatusCode::kOk && request.alternatives > 1) {
-      addAlternatives(method, scene->snapshot, request, recorded, response);
+      addAlternatives(method, scene.snapshot, request, recorded, response);
     }
     return status;
   }
@@ -207,6 +247,8 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   ros::Subscriber scene_subscriber_;
   ros::Publisher attacks_;
   ros::Publisher methods_publisher_;
+  std::unique_ptr<LiveAttacker> live_;
+  ros::WallTimer watch_;
   std::unique_ptr<OwnThreadService> service_;
 };
 

@@ -353,6 +353,7 @@ std::variant<CollisionRequest, Status> fromMessage(const collision_forge::Collis
   request.tta = message.tta;
   if (!message.attacker_id.empty()) request.attacker = message.attacker_id;
   request.mode = *mode;
+  if (request.mode == Mode::kAdaptive) request.crash.min_confidence = 0.0;
   request.seed = message.seed;
   const std::string problem = readControls(message, request);
   if (!problem.empty()) return Status{StatusCode::kInvalidInput, problem};
@@ -367,6 +368,8 @@ collision_forge::CollisionRequest requestIn(
   request.attacker_id = message.attacker_id;
   request.choice = message.choice;
   request.mode = message.mode;
+  const bool is_history = message.mode.empty() || modeFromString(message.mode) == Mode::kHistory;
+  if (message.adaptive && is_history) request.mode = toString(Mode::kAdaptive);
   request.seed = message.seed;
   request.believable = message.believable;
   request.limits = message.limits;
@@ -466,6 +469,16 @@ collision_forge::Attack toMessage(const Realization& answer, const std::string& 
   message.trajectory = toMessage(answer.trajectory);
   message.report = toMessage(answer.report, answer.trajectory.attacker_id, now);
   return message;
+}
+
+void setPlans(const std::vector<AttackerPlan>& plans, collision_forge::Attack& message) {
+  const AttackerPlan& last = plans.back();
+  message.adaptive = true;
+  message.phase = toString(last.phase);
+  message.decision = last.reason;
+  message.decided = stampOf(last.from);
+  message.plans = static_cast<std::uint32_t>(plans.size());
+  message.report.decision = last.reason;
 }
 
 collision_forge::CollisionReport toMessage(const CollisionReport& report,

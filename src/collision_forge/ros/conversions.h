@@ -23,6 +23,7 @@
 
 #include "collision_forge/attack/realizer.h"
 #include "collision_forge/network/scene_encoding.h"
+#include "collision_forge/policy/attacker_policy.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
 #include "collision_forge/scene/scene_history.h"
@@ -70,10 +71,12 @@ collision_forge::SceneSnapshot toMessage(const Snapshot& snapshot);
 collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEncoding& encoding);
 
 /// The request, or why there is none: UNKNOWN_TYPE or INVALID_INPUT. An empty mode is history. What
-/// counts as the crash is `crash`, unless the message says otherwise.
+/// counts as the crash is `crash`, unless the message says otherwise; an adaptive attacker sets out
+/// however little its first plan promises.
 std::variant<CollisionRequest, Status> fromMessage(const collision_forge::CollisionRequest& message,
                                                    const CrashDefinition& crash);
-/// What generate_collision is asked, but for the method.
+/// What generate_collision is asked, but for the method. Mode history of an adaptive attacker is
+/// mode adaptive.
 collision_forge::CollisionRequest requestIn(
     const collision_forge::GenerateCollision::Request& message);
 
@@ -91,5 +94,8 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
 
 /// An answer with kOk. `now`: of the snapshot.
 collision_forge::Attack toMessage(const Realization& answer, const std::string& method, double now);
+
+/// Says in an attack that its attacker sees and reacts, and what it decided last.
+void setPlans(const std::vector<AttackerPlan>& plans, collision_forge::Attack& message);
 
 }  // namespace forge

@@ -69,6 +69,15 @@ AttackerInjector::AttackerInjector(collision_forge::AttackerTrajectory trajector
   attacker_.size = trajectory_.size;
 }
 
+bool AttackerInjector::change(const collision_forge::AttackerTrajectory& trajectory) {
+  const bool is_same = trajectory.attacker_id == trajectory_.attacker_id &&
+                       trajectory.header.stamp == trajectory_.header.stamp &&
+                       trajectory.agent_class == trajectory_.agent_class &&
+                       trajectory.size == trajectory_.size && trajectory.past == trajectory_.past;
+  if (is_same) trajectory_ = trajectory;
+  return is_same;
+}
+
 void AttackerInjector::remember(const collision_forge::AgentArray& recorded) {
   for (const collision_forge::Agent& agent : recorded.agents) {
     if (agent.id != attacker_.id) continue;

@@ -17,6 +17,10 @@ class AttackerInjector {
  public:
   explicit AttackerInjector(collision_forge::AttackerTrajectory trajectory);
 
+  /// Drives on by another trajectory of the same vehicle from the same now, and keeps what it
+  /// remembers; false, and nothing is changed, where it is of another attack.
+  bool change(const collision_forge::AttackerTrajectory& trajectory);
+
   /// Takes height and z from a recorded frame, if the attacker is in it. inject() does so itself
   /// with frames up to the trajectory's start, and later ones where there was none.
   void remember(const collision_forge::AgentArray& recorded);

@@ -27,6 +27,7 @@ constexpr double kPatternHeight = 4.7;
 constexpr double kLaneWidth = 0.12;     // m, of lines
 constexpr double kTrailWidth = 0.25;    // m
 constexpr double kPatternWidth = 0.22;  // m
+constexpr double kDrivenWidth = 0.8;    // m
 constexpr std::size_t kShownPatterns = 5;
 constexpr float kPatternAlpha = 0.5F;  // of the first; each next one has half of it
 
@@ -134,11 +135,11 @@ void addPast(const collision_forge::AttackerTrajectory& trajectory, MarkerList& 
   addId("added", box, markers);
 }
 
-std::string reportText(const collision_forge::CollisionPattern& pattern,
-                       const collision_forge::AttackerTrajectory& trajectory,
-                       const collision_forge::CollisionReport& report) {
-  std::string text = pattern.collision_type;
-  if (trajectory.added) text += ", added vehicle";
+std::string reportText(const collision_forge::Attack& attack) {
+  const collision_forge::CollisionReport& report = attack.report;
+  std::string text = attack.pattern.collision_type;
+  if (attack.trajectory.added) text += ", added vehicle";
+  if (attack.adaptive) text += "\n" + attack.phase + ": " + attack.decision;
   if (!report.contact) return text + ": no contact";
   text += formatted("\ncontact in %.2f s", (report.contact_time - report.header.stamp).toSec());
   text += formatted("\nheading %+.0f deg", report.relative_heading * 180 / M_PI);
@@ -166,6 +167,20 @@ std::vector<TrajectoryPoint> pointsOf(const collision_forge::AttackerTrajectory&
     points.push_back({point.stamp.toSec(), fromMessage(point.pose)});
   }
   return points;
+}
+
+/// What was driven until `now`, as a line; returns what is to be driven then, to `end`.
+std::vector<TrajectoryPoint> addDriven(const std::vector<TrajectoryPoint>& points, double now,
+                                       double end, MarkerList& markers) {
+  std::vector<Vector2> path;
+  auto point = points.begin();
+  for (; point != points.end() && point->time <= std::min(now, end); ++point) {
+    path.push_back(point->pose.position());
+  }
+  std::vector<Vector2> lines;
+  appendPolyline(path, lines);
+  markers.addLines("driven", lines, kDrivenWidth, kPathHeight, colors::kAttacker);
+  return {path.empty() ? point : std::prev(point), points.end()};
 }
 
 void addPatternBox(const OrientedBox& box, const std::string& name_space,
@@ -226,7 +241,7 @@ MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
   return markers.take();
 }
 
-MarkerArray attackMarkers(const collision_forge::Attack& attack) {
+MarkerArray attackMarkers(const collision_forge::Attack& attack, const ros::Time& now) {
   const auto& pattern = attack.pattern;
   const auto& trajectory = attack.trajectory;
   const auto& report = attack.report;
@@ -235,8 +250,9 @@ MarkerArray attackMarkers(const collision_forge::Attack& attack) {
   const OrientedBox pattern_attacker{
       compose(pattern_ego.center, fromMessage(pattern.attacker_offset)), sizeOf(trajectory.size)};
   const double end = report.contact ? report.contact_time.toSec() : kInfinity;
-  addWay("attacker", pointsOf(trajectory), end, sizeOf(trajectory.size), colors::kAttacker,
-         markers);
+  std::vector<TrajectoryPoint> points = pointsOf(trajectory);
+  if (attack.adaptive) points = addDriven(points, now.toSec(), end, markers);
+  addWay("attacker", points, end, sizeOf(trajectory.size), colors::kAttacker, markers);
   if (!trajectory.past.empty()) addPast(trajectory, markers);
   addPatternBox(pattern_ego, "pattern_ego", colors::kPatternEgo, markers);
   addPatternBox(pattern_attacker, "pattern_attacker", colors::kPatternAttacker, markers);
@@ -248,8 +264,7 @@ MarkerArray attackMarkers(const collision_forge::Attack& attack) {
     attacker.center = fromMessage(report.attacker_at_contact);
     place = addContact(ego, attacker, colors::kAttacker, markers);
   }
-  addReport(reportText(pattern, trajectory, report), place, aheadOf(ego.center, attacker.center),
-            markers);
+  addReport(reportText(attack), place, aheadOf(ego.center, attacker.center), markers);
   return markers.take();
 }
 

@@ -24,8 +24,11 @@ visualization_msgs::MarkerArray patternMarkers(const collision_forge::PredictedP
 
 /// The attacker's way to the contact with a ghost every half second, the pattern's two boxes, both
 /// vehicles at contact, and what the report says in words. Of an attacker that was added also its
-/// past and its box now, in namespaces of their own ("added_past", "added").
-visualization_msgs::MarkerArray attackMarkers(const collision_forge::Attack& attack);
+/// past and its box now, in namespaces of their own ("added_past", "added"). Of an attacker that
+/// sees and reacts what it drove until `now` is a broad line ("driven"), and the way and the ghosts
+/// are those of its plan.
+visualization_msgs::MarkerArray attackMarkers(const collision_forge::Attack& attack,
+                                              const ros::Time& now = ros::Time());
 
 /// A box and the start of its id for everybody.
 visualization_msgs::MarkerArray annotationMarkers(const collision_forge::AgentArray& agents);

@@ -34,6 +34,7 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
     scene_ = scene;
     scene_markers_.publish(sceneMarkers(scene->snapshot));
     clearFutureAttack(*scene);
+    if (attack_ && attack_->adaptive) showAttack();
   }
 
   /// Of the newest scene, as requests are.
@@ -43,9 +44,18 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
     patterns_start_ = predicted->header.stamp;
   }
 
-  void onAttack(const collision_forge::Attack& attack) {
-    attack_markers_.publish(attackMarkers(attack));
-    attack_start_ = attack.header.stamp;
+  void onAttack(const collision_forge::AttackConstPtr& attack) {
+    attack_ = attack;
+    showAttack();
+  }
+
+  /// One that sees and reacts as driven up to the newest scene, and only from its now on: it comes
+  /// again when the recording starts anew.
+  void showAttack() {
+    const ros::Time now = scene_ ? scene_->header.stamp : attack_->header.stamp;
+    if (attack_->adaptive && now < attack_->header.stamp) return;
+    attack_markers_.publish(attackMarkers(*attack_, now));
+    attack_start_ = attack_->header.stamp;
   }
 
   /// A scene from before the attack was made means that the recording started anew.
@@ -64,6 +74,7 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
   ros::Publisher pattern_markers_;
   ros::Publisher attack_markers_;
   collision_forge::EncodedSceneConstPtr scene_;
+  collision_forge::AttackConstPtr attack_;
   ros::Time patterns_start_;  ///< "now" of the patterns that are shown; zero: none
   ros::Time attack_start_;    ///< "now" of the attack that is shown; zero: none
   std::vector<ros::Subscriber> subscribers_;

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
@@ -30,7 +31,7 @@ using collision_forge::GenerateCollision;
 constexpr char kAnyAttacker[] = "any";
 constexpr char kDefaultMethod[] = "default";
 constexpr int kShortestAttackerField = 12;  // letters
-constexpr int kResultLines = 10;
+constexpr int kResultLines = 13;
 
 // Keys in the .rviz file.
 constexpr char kTypeKey[] = "Collision Type";
@@ -38,33 +39,43 @@ constexpr char kTtaKey[] = "Time To Accident";
 constexpr char kAttackerKey[] = "Attacker";
 constexpr char kChoiceKey[] = "Attacker Choice";
 constexpr char kBelievableKey[] = "Believable";
+constexpr char kAdaptiveKey[] = "Adaptive";
 constexpr char kModeKey[] = "Mode";
 constexpr char kSeedKey[] = "Seed";
 constexpr char kMethodKey[] = "Method";
 
-QString successText(const GenerateCollision::Response& response) {
-  const auto& report = response.attack.report;
+QString attackText(const collision_forge::Attack& attack) {
+  const auto& report = attack.report;
+  QString text = QString("<b>%1</b> by %2")
+                     .arg(QString::fromStdString(attack.pattern.collision_type),
+                          QString::fromStdString(report.attacker_id).toHtmlEscaped() +
+                              (attack.trajectory.added ? ", added" : ""));
+  if (attack.adaptive) {
+    text += QString("<br>%1: %2")
+                .arg(QString::fromStdString(attack.phase),
+                     QString::fromStdString(attack.decision).toHtmlEscaped());
+  }
+  if (!report.contact) return text + "<br>No contact is foreseen.";
   const double contact_time = (report.contact_time - report.header.stamp).toSec();
-  return QString(
-             "<b>%1</b> by %2<table>"
-             "<tr><td>Contact in</td><td align=right>%3 s</td></tr>"
-             "<tr><td>Relative heading</td><td align=right>%4 deg</td></tr>"
-             "<tr><td>Sides</td><td align=right>%5 to ego's %6</td></tr>"
-             "<tr><td>Impact speed</td><td align=right>%7 m/s</td></tr>"
-             "<tr><td>Overlap</td><td align=right>%8 %</td></tr>"
-             "<tr><td>Confidence</td><td align=right>%9</td></tr>"
-             "<tr><td>Manoeuvre</td><td align=right>%10</td></tr></table>%11")
-      .arg(QString::fromStdString(response.attack.pattern.collision_type),
-           QString::fromStdString(report.attacker_id).toHtmlEscaped() +
-               (response.attack.trajectory.added ? ", added" : ""))
-      .arg(contact_time, 0, 'f', 2)
-      .arg(report.relative_heading * 180 / M_PI, 0, 'f', 0)
-      .arg(QString::fromStdString(report.attacker_side), QString::fromStdString(report.ego_side))
-      .arg(report.impact_speed, 0, 'f', 1)
-      .arg(100 * report.overlap, 0, 'f', 0)
-      .arg(report.confidence, 0, 'f', 2)
-      .arg(QString::fromStdString(report.manoeuvre),
-           report.believable ? QString()
+  return text + QString(
+                    "<table>"
+                    "<tr><td>Contact in</td><td align=right>%1 s</td></tr>"
+                    "<tr><td>Relative heading</td><td align=right>%2 deg</td></tr>"
+                    "<tr><td>Sides</td><td align=right>%3 to ego's %4</td></tr>"
+                    "<tr><td>Impact speed</td><td align=right>%5 m/s</td></tr>"
+                    "<tr><td>Overlap</td><td align=right>%6 %</td></tr>"
+                    "<tr><td>Confidence</td><td align=right>%7</td></tr>"
+                    "<tr><td>Manoeuvre</td><td align=right>%8</td></tr></table>%9")
+                    .arg(contact_time, 0, 'f', 2)
+                    .arg(report.relative_heading * 180 / M_PI, 0, 'f', 0)
+                    .arg(QString::fromStdString(report.attacker_side),
+                         QString::fromStdString(report.ego_side))
+                    .arg(report.impact_speed, 0, 'f', 1)
+                    .arg(100 * report.overlap, 0, 'f', 0)
+                    .arg(report.confidence, 0, 'f', 2)
+                    .arg(QString::fromStdString(report.manoeuvre),
+                         report.believable
+                             ? QString()
                              : "Not believable: it " +
                                    QString::fromStdString(report.unbelievable).toHtmlEscaped());
 }
@@ -106,7 +117,9 @@ GeneratePanel::GeneratePanel(QWidget* parent) : rviz::Panel(parent) {
   for (QComboBox* box : {type_, attacker_, choice_, mode_, method_}) {
     connect(box, &QComboBox::currentTextChanged, this, &rviz::Panel::configChanged);
   }
-  connect(believable_, &QCheckBox::toggled, this, &rviz::Panel::configChanged);
+  for (QCheckBox* box : {believable_, adaptive_}) {
+    connect(box, &QCheckBox::toggled, this, &rviz::Panel::configChanged);
+  }
   connect(tta_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
           &rviz::Panel::configChanged);
   connect(seed_, qOverload<int>(&QSpinBox::valueChanged), this, &rviz::Panel::configChanged);
@@ -114,6 +127,7 @@ GeneratePanel::GeneratePanel(QWidget* parent) : rviz::Panel(parent) {
   methods_subscriber_ =
       node_.subscribe(names::kAttackMethods, 1, &GeneratePanel::showMethods, this);
   scene_subscriber_ = node_.subscribe(names::kEncodedScene, 1, &GeneratePanel::showScene, this);
+  attack_subscriber_ = node_.subscribe(names::kAttack, 1, &GeneratePanel::showAttack, this);
 }
 
 void GeneratePanel::createFields() {
@@ -137,6 +151,7 @@ void GeneratePanel::createFields() {
   }
   believable_ = new QCheckBox("believable");
   believable_->setChecked(true);
+  adaptive_ = new QCheckBox("sees and reacts");
   mode_ = new QComboBox;
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) mode_->addItem(toString(mode));
   method_ = new QComboBox;
@@ -157,7 +172,10 @@ void GeneratePanel::createLayout() {
   form->addRow("Time to accident", tta_);
   form->addRow("Attacker", attacker_);
   form->addRow("Existing or new", choice_);
-  form->addRow("Drives", believable_);
+  auto* drives = new QHBoxLayout;
+  drives->addWidget(believable_);
+  drives->addWidget(adaptive_);
+  form->addRow("Drives", drives);
   form->addRow("Mode", mode_);
   form->addRow("Method", method_);
   form->addRow("Seed", seed_);
@@ -175,6 +193,7 @@ GenerateCollision::Request GeneratePanel::request() const {
   if (attacker != kAnyAttacker) request.attacker_id = attacker.toStdString();
   request.choice = choice_->currentText().toStdString();
   request.believable = believable_->isChecked() ? "true" : "false";
+  request.adaptive = adaptive_->isChecked();
   request.mode = mode_->currentText().toStdString();
   if (method_->currentText() != kDefaultMethod) {
     request.method = method_->currentText().toStdString();
@@ -196,14 +215,23 @@ void GeneratePanel::generate() {
 void GeneratePanel::showAnswer() {
   generate_->setEnabled(true);
   const Answer answer = answer_.result();
+  answered_.reset();
   if (!answer) {
     const QString name = QString::fromStdString(node_.resolveName(names::kGenerateCollision));
     result_->setText("<b>No answer</b> from " + name);
   } else if (answer->code == GenerateCollision::Response::OK) {
-    result_->setText(successText(*answer));
+    answered_ = answer->attack;
+    result_->setText(attackText(*answered_));
   } else {
     result_->setText(failureText(*answer));
   }
+}
+
+/// What becomes of the attack that was answered.
+void GeneratePanel::showAttack(const collision_forge::Attack& attack) {
+  if (!attack.adaptive || !answered_ || attack.header.stamp != answered_->header.stamp) return;
+  if (attack.report.attacker_id != answered_->report.attacker_id) return;
+  result_->setText(attackText(attack));
 }
 
 void GeneratePanel::showScene(const collision_forge::EncodedSceneConstPtr& scene) {
@@ -236,6 +264,8 @@ void GeneratePanel::load(const rviz::Config& config) {
   load_text(kChoiceKey, choice_);
   bool is_believable = true;
   if (config.mapGetBool(kBelievableKey, &is_believable)) believable_->setChecked(is_believable);
+  bool is_adaptive = false;
+  if (config.mapGetBool(kAdaptiveKey, &is_adaptive)) adaptive_->setChecked(is_adaptive);
   load_text(kModeKey, mode_);
   QString method;
   if (config.mapGetString(kMethodKey, &method)) {
@@ -255,6 +285,7 @@ void GeneratePanel::save(rviz::Config config) const {
   config.mapSetValue(kAttackerKey, attacker_->currentText());
   config.mapSetValue(kChoiceKey, choice_->currentText());
   config.mapSetValue(kBelievableKey, believable_->isChecked());
+  config.mapSetValue(kAdaptiveKey, adaptive_->isChecked());
   config.mapSetValue(kModeKey, mode_->currentText());
   config.mapSetValue(kMethodKey, method_->currentText());
   config.mapSetValue(kSeedKey, seed_->value());

@@ -39,6 +39,7 @@ class GeneratePanel : public rviz::Panel {
   collision_forge::GenerateCollision::Request request() const;
   void generate();
   void showAnswer();
+  void showAttack(const collision_forge::Attack& attack);
   void showMethods(const collision_forge::AttackMethods& methods);
   void showScene(const collision_forge::EncodedSceneConstPtr& scene);
 
@@ -47,6 +48,7 @@ class GeneratePanel : public rviz::Panel {
   QComboBox* attacker_ = nullptr;
   QComboBox* choice_ = nullptr;
   QCheckBox* believable_ = nullptr;
+  QCheckBox* adaptive_ = nullptr;
   QComboBox* mode_ = nullptr;
   QComboBox* method_ = nullptr;
   QSpinBox* seed_ = nullptr;
@@ -56,7 +58,9 @@ class GeneratePanel : public rviz::Panel {
   ros::NodeHandle node_;
   ros::Subscriber methods_subscriber_;
   ros::Subscriber scene_subscriber_;
-  QFutureWatcher<Answer> answer_;  ///< of the call in flight
+  ros::Subscriber attack_subscriber_;
+  std::optional<collision_forge::Attack> answered_;  ///< by the newest answer
+  QFutureWatcher<Answer> answer_;                    ///< of the call in flight
   QThreadPool
       caller_;  ///< last: it waits for the call in flight, then this library may be unloaded
 };

@@ -26,6 +26,10 @@ std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time) {
   return agents;
 }
 
+Frame newestFrame(const Snapshot& snapshot) {
+  return {snapshot.now, snapshot.ego.states.back().pose, agentsAt(snapshot.agents, snapshot.now)};
+}
+
 SceneHistory::SceneHistory(int frames, const EgoVehicle& ego)
     : capacity_(static_cast<std::size_t>(frames)), ego_(ego) {}
 

@@ -20,6 +20,9 @@ bool isUsable(const Track& agent);
 /// Frame.
 std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time);
 
+/// The newest frame of a snapshot that has one.
+Frame newestFrame(const Snapshot& snapshot);
+
 /// Keeps the newest frames of a running scene. Not thread-safe.
 class SceneHistory {
  public:

@@ -28,12 +28,15 @@ Track upTo(double now, Track track) {
 
 EgoTest::EgoTest(AttackerTrajectory trajectory, const CollisionRequest& request,
                  const EgoVehicle& ego)
-    : trajectory_(std::move(trajectory)),
-      request_(request),
-      ego_{kEgoId, AgentClass::kCar, ego.size, {}} {
-  if (trajectory_.points.empty()) {
-    throw std::invalid_argument("the trajectory of " + trajectory_.attacker_id + " has no points");
+    : request_(request), ego_{kEgoId, AgentClass::kCar, ego.size, {}} {
+  changeTrajectory(std::move(trajectory));
+}
+
+void EgoTest::changeTrajectory(AttackerTrajectory trajectory) {
+  if (trajectory.points.empty()) {
+    throw std::invalid_argument("the trajectory of " + trajectory.attacker_id + " has no points");
   }
+  trajectory_ = std::move(trajectory);
 }
 
 void EgoTest::addEgo(const AgentState& state) { append(ego_, state); }

@@ -14,6 +14,10 @@ class EgoTest {
   /// The trajectory must have points; throws std::invalid_argument otherwise.
   EgoTest(AttackerTrajectory trajectory, const CollisionRequest& request, const EgoVehicle& ego);
 
+  /// What it drives now: the attacker reacts to the ego. All that was seen is kept. Throws as the
+  /// constructor.
+  void changeTrajectory(AttackerTrajectory trajectory);
+
   /// Middle of the ego's box. States from before the trajectory's start may be given.
   void addEgo(const AgentState& state);
   /// Everybody else at one time, one state each; who is not usable (isUsable()) is left out.
