@@ -276,5 +276,51 @@ TEST(AdaptiveAttacker, CommitsWhereItIsTooLateToChangeAnything) {
   EXPECT_EQ(attacker.phase(), AttackerPhase::kDrivingOn);
 }
 
+TEST(AdaptiveAttacker, NobodySeenTellsNothingOfWhereAnybodyIs) {
+  const Chase chase;
+  AdaptiveAttacker attacker = chase.attacker();
+  const Track ego = egoAt(steady);
+  Track wall = pastTrack("wall", {4.6, 4.0}, {34.0, 0.0, 0.0}, 0.0);
+  for (int i = 1; i <= 10; ++i) {
+    const double time = kNow + 0.1 * i;
+    wall.states = {{time, {34.0, 0.0, 0.0}, {0.0, 0.0}}};
+    attacker.observe(frameOf(ego, time, {wall}));
+  }
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  attacker.observe({kNow + 2.2, {nowhere, nowhere, nowhere}, {}});
+  EXPECT_EQ(lastPlan(attacker).reason, "the ego is out of sight");
+  EXPECT_LT(attacker.trajectory().points.back().pose.x + 0.5 * kCarSize.length, 34.0 - 2.3)
+      << "the wall is still there";
+}
+
+TEST(AdaptiveAttacker, FramesAfterOneOfNobodyAreSeenAgain) {
+  const Chase chase;
+  AdaptiveAttacker attacker = chase.attacker();
+  const Track ego = egoAt(braking);
+  watch(attacker, ego, 0.5);
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  attacker.observe({kNow + 0.9, {nowhere, nowhere, nowhere}, {}});
+  EXPECT_EQ(attacker.outlook().ego.states[5].time, kNow + 0.5);
+  for (int i = 10; i <= 55; ++i) attacker.observe(frameOf(ego, kNow + 0.1 * i));
+  EXPECT_TRUE(reportOf(attacker, ego, chase).verified()) << lastPlan(attacker).reason;
+}
+
+TEST(AdaptiveAttacker, ItsOutlookIsWhatWasSeenAndThenAForecast) {
+  const Chase chase;
+  AdaptiveAttacker attacker = chase.attacker();
+  const Track ego = egoAt(braking);
+  watch(attacker, ego, 3.0);
+  const std::vector<AgentState> states = attacker.outlook().ego.states;
+  ASSERT_GT(states.size(), 31u);
+  for (std::size_t i = 0; i <= 30; ++i) {
+    EXPECT_NEAR(states[i].time, kNow + 0.1 * static_cast<double>(i), 1e-9);
+    EXPECT_NEAR(states[i].pose.x, ego.states[i].pose.x, 1e-6);
+  }
+  for (std::size_t i = 1; i < states.size(); ++i) EXPECT_GT(states[i].time, states[i - 1].time);
+  EXPECT_NEAR(states.back().time, attacker.trajectory().points.back().time, 0.2);
+  const double forecast = states.back().pose.x - states[30].pose.x;
+  EXPECT_LT(forecast, 8.0 * (states.back().time - states[30].time)) << "it has braked";
+}
+
 }  // namespace
 }  // namespace forge

@@ -146,5 +146,31 @@ TEST(AttackerInjector, OneThatWasAddedIsAsHighAsTheNearestOfItsClass) {
   }
 }
 
+TEST(AttackerInjector, AChangedTrajectoryIsDrivenAtTheSameHeight) {
+  AttackerInjector injector(trajectory());
+  injector.inject(frame(10.0, 1.6));
+  auto changed = trajectory();
+  for (auto& point : changed.points) point.pose.position.y = -2.0;
+  EXPECT_TRUE(injector.change(changed));
+  const auto injected = injector.inject(frame(10.5, 1.7));
+  EXPECT_EQ(injected.agents[1].pose.position.y, -2.0);
+  EXPECT_EQ(injected.agents[1].pose.position.z, 0.8);
+  EXPECT_EQ(injected.agents[1].size.z, 1.6);
+}
+
+TEST(AttackerInjector, ATrajectoryOfAnotherAttackIsNoChange) {
+  AttackerInjector injector(trajectory());
+  auto of_another = trajectory();
+  of_another.attacker_id = "other";
+  auto later = trajectory();
+  later.header.stamp = ros::Time(10.5);
+  for (auto* changed : {&of_another, &later}) {
+    for (auto& point : changed->points) point.pose.position.y = -2.0;
+    EXPECT_FALSE(injector.change(*changed));
+  }
+  EXPECT_FALSE(injector.change(addedTrajectory()));
+  EXPECT_EQ(injector.inject(frame(10.5, 1.6)).agents[1].pose.position.y, 0.0);
+}
+
 }  // namespace
 }  // namespace forge

@@ -206,5 +206,43 @@ TEST(CollisionReportMessage, TellsOverlapManoeuvreRoadAndBelief) {
   EXPECT_EQ(message.manoeuvre, "");
 }
 
+TEST(CollisionRequestMessage, HistoryOfAnAdaptiveAttackerIsModeAdaptive) {
+  collision_forge::GenerateCollision::Request asked;
+  asked.adaptive = true;
+  for (const char* mode : {"", "history", "HISTORY", "adaptive"}) {
+    asked.mode = mode;
+    EXPECT_EQ(requestIn(asked).mode, "adaptive") << mode;
+  }
+  for (const char* mode : {"replay", "odd"}) {
+    asked.mode = mode;
+    EXPECT_EQ(requestIn(asked).mode, mode);
+  }
+  asked.adaptive = false;
+  asked.mode = "history";
+  EXPECT_EQ(requestIn(asked).mode, "history");
+}
+
+TEST(CollisionRequestMessage, AnAdaptiveAttackerSetsOutHoweverLittleItPromises) {
+  CrashDefinition configured;
+  configured.min_confidence = 0.3;
+  auto message = leadBrakes();
+  EXPECT_EQ(std::get<CollisionRequest>(fromMessage(message, configured)).crash.min_confidence, 0.3);
+  message.mode = "adaptive";
+  EXPECT_EQ(std::get<CollisionRequest>(fromMessage(message, configured)).crash.min_confidence, 0.0);
+}
+
+TEST(AttackMessage, TellsWhatTheAttackerDecidedLast) {
+  collision_forge::Attack message;
+  setPlans({{10.0, 10.0, AttackerPhase::kAttacking, "sets out", {}},
+            {12.0, 12.3, AttackerPhase::kDrivingOn, "the ego jumped", {}}},
+           message);
+  EXPECT_TRUE(message.adaptive);
+  EXPECT_EQ(message.phase, "driving_on");
+  EXPECT_EQ(message.decision, "the ego jumped");
+  EXPECT_EQ(message.decided, ros::Time(12.3));
+  EXPECT_EQ(message.plans, 2u);
+  EXPECT_EQ(message.report.decision, "the ego jumped");
+}
+
 }  // namespace
 }  // namespace forge

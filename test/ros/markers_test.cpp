@@ -448,5 +448,28 @@ TEST(MarkerColors, TellEverythingApart) {
   }
 }
 
+TEST(AttackMarkers, ShowWhatWasDrivenApartFromThePlan) {
+  auto message = attack();
+  message.adaptive = true;
+  message.phase = "attacking";
+  message.decision = "meets 40 % of the ego's futures";
+  EXPECT_EQ(inNamespace(attackMarkers(attack(), ros::Time(11.0)), "driven").size(), 0u);
+  const MarkerArray markers = attackMarkers(message, ros::Time(11.0));
+  const auto driven = inNamespace(markers, "driven");
+  const auto planned = inNamespace(markers, "attacker_path");
+  ASSERT_EQ(driven.size(), 1u);
+  ASSERT_EQ(planned.size(), 1u);
+  EXPECT_EQ(driven[0].points.front().y, -30.0);
+  EXPECT_EQ(driven[0].points.back().y, -20.0);
+  EXPECT_EQ(planned[0].points.front().y, -20.0);
+  EXPECT_EQ(planned[0].points.back().y, 0.0);
+  EXPECT_GT(driven[0].scale.x, planned[0].scale.x);
+  EXPECT_EQ(inNamespace(attackMarkers(message, ros::Time(14.0)), "attacker_path").size(), 0u)
+      << "all is driven";
+  const auto report = inNamespace(markers, "report");
+  ASSERT_EQ(report.size(), 1u);
+  EXPECT_NE(report[0].text.find("attacking: meets 40 % of the ego's futures"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace forge

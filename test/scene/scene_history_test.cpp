@@ -162,5 +162,18 @@ TEST(AgentsAt, AreThoseWithAStateThenAndThatStateAlone) {
   EXPECT_EQ(agents[0].states[0].pose.x, 2.0);
 }
 
+TEST(NewestFrame, IsTheEgoNowAndThoseWhoAreThere) {
+  Snapshot snapshot;
+  snapshot.now = 2.0;
+  snapshot.ego.states = {{1.0, {1.0, 0.0, 0.0}, {}}, {2.0, {3.0, 0.0, 0.0}, {}}};
+  snapshot.agents = {{"here", {}, {4.0, 2.0}, {{2.0, {2.0, 0.0, 0.0}, {}}}},
+                     {"gone", {}, {4.0, 2.0}, {{1.0, {9.0, 0.0, 0.0}, {}}}}};
+  const Frame frame = newestFrame(snapshot);
+  EXPECT_EQ(frame.time, 2.0);
+  EXPECT_EQ(frame.ego.x, 3.0);
+  ASSERT_EQ(frame.agents.size(), 1u);
+  EXPECT_EQ(frame.agents[0].id, "here");
+}
+
 }  // namespace
 }  // namespace forge

@@ -102,5 +102,22 @@ TEST(EgoTest, RefusesATrajectoryWithoutPoints) {
                std::invalid_argument);
 }
 
+TEST(EgoTest, AChangedTrajectoryIsHeldAgainstAllThatWasSeen) {
+  AttackerTrajectory aside = straightAttack();
+  for (TrajectoryPoint& point : aside.points) point.pose.y = 10.0;
+  EgoTest test(aside, rearEnd(1.0), EgoVehicle{kEgoSize, 0.0});
+  test.addAgents(frame(kNow));
+  for (double t = 0.0; t < 1.55; t += 0.1) test.addEgo(standing(kNow + t, 15.0));
+  test.addAgents(frame(kNow + 1.5));
+  EXPECT_FALSE(test.outcome(emptyMap(), shippedOptions().verification));
+  test.changeTrajectory(straightAttack());
+  const auto report = test.outcome(emptyMap(), shippedOptions().verification);
+  ASSERT_TRUE(report);
+  const double contact = (15.0 - 0.5 * (kEgoSize.length + kCarSize.length)) / kSpeed;
+  EXPECT_NEAR(report->contact_time, kNow + contact, 1e-3);
+  EXPECT_THROW(test.changeTrajectory({"attacker", AgentClass::kCar, kCarSize, {}}),
+               std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace forge

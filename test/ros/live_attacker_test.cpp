@@ -1,0 +1,178 @@
+#include "collision_forge/ros/live_attacker.h"
+
+#include <gtest/gtest.h>
+
+#include "collision_forge/ros/conversions.h"
+#include "policy/policy_scenes.h"
+
+namespace forge {
+namespace {
+
+constexpr double kClock = 5000.0;  // s; that of the node goes its own way
+
+double steady(double /*seconds*/) { return 8.0; }
+double braking(double seconds) { return std::max(3.0, 8.0 - 2.5 * seconds); }
+
+class LiveAttackerTest : public testing::Test {
+ protected:
+  collision_forge::Attack setOut() {
+    const Realization first = chase_.firstAttack();
+    return live_.setOut(
+        toMessage(first, "search", kNow),
+        {chase_.snapshot, chase_.lanes, chase_.ego, chase_.request, first.aim, first.trajectory},
+        shippedSetupOfAttackers());
+  }
+
+  /// Frames after `from` seconds from kNow up to `until`.
+  void see(const SpeedOf& speed, double from, double until) {
+    const Track ego = egoAt(speed);
+    for (int i = static_cast<int>(std::lround(10.0 * from)) + 1; 0.1 * i <= until + 1e-9; ++i) {
+      live_.see(frameOf(ego, kNow + 0.1 * i), kClock + 0.1 * i);
+    }
+  }
+
+  /// One from before kNow.
+  void seeTheStart() { live_.see({kNow - 1.0, {-8.0, 0.0, 0.0}, {}}, kClock + 9.0); }
+
+  collision_forge::AttackerTrajectory drivenBy(const SpeedOf& speed, double until) const {
+    AdaptiveAttacker attacker = chase_.attacker();
+    watch(attacker, egoAt(speed), until);
+    return toMessage(attacker.trajectory());
+  }
+
+  Chase chase_;
+  std::vector<collision_forge::Attack> published_;
+  LiveAttacker live_{[this](const auto& attack) { published_.push_back(attack); }};
+};
+
+TEST_F(LiveAttackerTest, SetsOutWithTheAnswer) {
+  const collision_forge::Attack first = setOut();
+  ASSERT_EQ(published_.size(), 1u);
+  EXPECT_EQ(published_[0], first);
+  EXPECT_EQ(first.trajectory, toMessage(chase_.firstAttack().trajectory));
+  EXPECT_TRUE(first.adaptive);
+  EXPECT_EQ(first.phase, "attacking");
+  EXPECT_EQ(first.decision, "sets out");
+  EXPECT_EQ(first.decided, stampOf(kNow));
+  EXPECT_EQ(first.plans, 1u);
+}
+
+TEST_F(LiveAttackerTest, PublishesItAnewWhereItDecidesAndTellsWhatItForesees) {
+  setOut();
+  see(braking, 0.0, 5.5);
+  ASSERT_GT(published_.size(), 2u);
+  for (std::size_t i = 1; i < published_.size(); ++i) {
+    const collision_forge::Attack& attack = published_[i];
+    EXPECT_EQ(attack.header, published_[0].header);
+    EXPECT_EQ(attack.pattern, published_[0].pattern);
+    EXPECT_EQ(attack.report.confidence, published_[0].report.confidence);
+    EXPECT_EQ(attack.report.decision, attack.decision);
+    EXPECT_GE(attack.plans, published_[i - 1].plans);
+  }
+  const collision_forge::Attack& last = published_.back();
+  EXPECT_EQ(last.trajectory, drivenBy(braking, 5.5));
+  EXPECT_EQ(last.phase, "driving_on");
+  EXPECT_EQ(last.decision, "the time asked for is over");
+  const CollisionReport report =
+      reportOf(FixedAttacker(fromMessage(last.trajectory)), egoAt(braking), chase_);
+  EXPECT_TRUE(last.report.verified);
+  EXPECT_NEAR(last.report.contact_time.toSec(), report.contact_time, 0.01);
+  EXPECT_NE(last.report.contact_time, published_[0].report.contact_time);
+}
+
+TEST_F(LiveAttackerTest, PublishesNothingWhereNothingChanges) {
+  AdaptiveAttacker attacker = chase_.attacker();
+  const Track ego = egoAt(steady);
+  std::size_t changes = 0;
+  for (int i = 1; i <= 42; ++i) {
+    const auto before = toMessage(attacker.trajectory());
+    const std::size_t plans = attacker.plans().size();
+    attacker.observe(frameOf(ego, kNow + 0.1 * i));
+    changes += attacker.plans().size() > plans || !(toMessage(attacker.trajectory()) == before);
+  }
+  setOut();
+  see(steady, 0.0, 4.2);
+  EXPECT_EQ(published_.size(), 1u + changes);
+  EXPECT_LT(changes, 10u);
+}
+
+TEST_F(LiveAttackerTest, SeesWhatCameWhileTheRequestWasAnswered) {
+  see(braking, -0.5, 1.5);
+  const collision_forge::Attack first = setOut();
+  EXPECT_EQ(published_.front(), first);
+  EXPECT_EQ(published_.back().trajectory, drivenBy(braking, 1.5));
+  EXPECT_GT(published_.back().plans, 1u);
+  see(braking, 1.5, 5.5);
+  EXPECT_EQ(published_.back().trajectory, drivenBy(braking, 5.5));
+}
+
+TEST_F(LiveAttackerTest, SetsOutAnewWhereTheReplayStartsAgain) {
+  const collision_forge::Attack first = setOut();
+  see(braking, 0.0, 3.0);
+  ASSERT_GT(published_.back().plans, 1u);
+  seeTheStart();
+  EXPECT_EQ(published_.back(), first);
+  const std::size_t before = published_.size();
+  see(steady, -0.5, 0.0);
+  EXPECT_EQ(published_.size(), before);
+  see(braking, 0.0, 5.5);
+  EXPECT_EQ(published_.back().trajectory, drivenBy(braking, 5.5));
+}
+
+TEST_F(LiveAttackerTest, EndsWhereTheReplayGoesBackHalfWay) {
+  setOut();
+  see(braking, 0.0, 3.0);
+  const std::size_t before = published_.size();
+  see(braking, 0.5, 5.5);
+  EXPECT_EQ(published_.size(), before);
+  seeTheStart();
+  EXPECT_EQ(published_.back().plans, 1u) << "from the start on it can drive again";
+  see(braking, 0.0, 5.5);
+  EXPECT_EQ(published_.back().trajectory, drivenBy(braking, 5.5));
+}
+
+TEST_F(LiveAttackerTest, GivesUpWhereNoFrameComesAnyMore) {
+  setOut();
+  see(braking, 0.0, 1.0);
+  const std::size_t before = published_.size();
+  live_.watch(kClock + 1.5);
+  live_.watch(kClock + 2.0);
+  EXPECT_EQ(published_.size(), before) << "for a moment nothing is given up";
+  live_.watch(kClock + 2.5);
+  ASSERT_EQ(published_.size(), before + 1);
+  EXPECT_EQ(published_.back().phase, "driving_on");
+  EXPECT_EQ(published_.back().decision, "the ego is out of sight");
+  EXPECT_NEAR(published_.back().decided.toSec(), kNow + 2.5 + shippedAdaptive().reaction_time, 0.1);
+  live_.watch(kClock + 3.0);
+  EXPECT_EQ(published_.size(), before + 1);
+}
+
+TEST_F(LiveAttackerTest, IsNotBlindWhereTheClockAloneIsFast) {
+  setOut();
+  see(braking, 0.0, 1.0);
+  const std::size_t before = published_.size();
+  live_.watch(kClock + 9.0);
+  see(braking, 1.0, 1.1);
+  live_.watch(kClock + 9.0);
+  for (std::size_t i = before; i < published_.size(); ++i) {
+    EXPECT_EQ(published_[i].phase, "attacking");
+  }
+}
+
+TEST_F(LiveAttackerTest, AFixedAttackTakesItsPlace) {
+  setOut();
+  see(braking, 0.0, 0.5);
+  collision_forge::Attack fixed;
+  fixed.method = "fixed";
+  live_.setOut(fixed);
+  EXPECT_EQ(published_.back(), fixed);
+  const std::size_t before = published_.size();
+  see(braking, 0.5, 3.0);
+  seeTheStart();
+  live_.watch(kClock + 20.0);
+  live_.watch(kClock + 30.0);
+  EXPECT_EQ(published_.size(), before);
+}
+
+}  // namespace
+}  // namespace forge
