@@ -217,6 +217,31 @@ class InjectionTest(road.RoadTest):
         self.assertEqual(road.code_of(result), 'OK', result.stderr)
 
 
+class AdaptiveInjectionTest(road.RoadTest):
+    """An attacker that sees and reacts says in its bag what it decided."""
+    SCENES = ['scene-0007']
+
+    def reports(self, mode):
+        out = self.path(mode + '.bag')
+        result = road.inject(self.bag('scene-0007'), out, 'rear_end', 4.0, 4.0, '--mode', mode)
+        self.assertEqual(road.code_of(result), 'OK', result.stderr)
+        return road.read_one(out, '/attack'), road.read_one(out, '/tested_report')
+
+    def test_decisions_are_in_the_bag(self):
+        attack, tested = self.reports('adaptive')
+        self.assertTrue(attack.adaptive)
+        self.assertEqual(attack.phase, 'driving_on')
+        self.assertEqual(attack.decision, 'the time asked for is over')
+        self.assertEqual((attack.report.decision, tested.decision), (attack.decision, attack.decision))
+        self.assertGreater(attack.plans, 1)
+        self.assertGreater(attack.decided, attack.report.contact_time)
+
+    def test_a_fixed_attacker_decides_nothing(self):
+        attack, tested = self.reports('replay')
+        self.assertEqual((attack.adaptive, attack.phase, attack.decision, attack.plans), (False, '', '', 0))
+        self.assertEqual((attack.report.decision, tested.decision), ('', ''))
+
+
 class ImpossibleRequestTest(road.RoadTest):
     """Exit code 3 and the code's name where the answer is no; nothing is written."""
     SCENES = [SCENE]

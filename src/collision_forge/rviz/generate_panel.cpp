@@ -222,16 +222,22 @@ void GeneratePanel::showAnswer() {
   } else if (answer->code == GenerateCollision::Response::OK) {
     answered_ = answer->attack;
     result_->setText(attackText(*answered_));
+    if (attack_) showWhatBecame();
   } else {
     result_->setText(failureText(*answer));
   }
 }
 
-/// What becomes of the attack that was answered.
-void GeneratePanel::showAttack(const collision_forge::Attack& attack) {
-  if (!attack.adaptive || !answered_ || attack.header.stamp != answered_->header.stamp) return;
-  if (attack.report.attacker_id != answered_->report.attacker_id) return;
-  result_->setText(attackText(attack));
+void GeneratePanel::showAttack(const collision_forge::AttackConstPtr& attack) {
+  attack_ = attack;
+  if (answered_) showWhatBecame();
+}
+
+/// Of the attack that was answered: where its attacker reacts, the newest says more.
+void GeneratePanel::showWhatBecame() {
+  if (!attack_->adaptive || attack_->header.stamp != answered_->header.stamp) return;
+  if (attack_->report.attacker_id != answered_->report.attacker_id) return;
+  result_->setText(attackText(*attack_));
 }
 
 void GeneratePanel::showScene(const collision_forge::EncodedSceneConstPtr& scene) {

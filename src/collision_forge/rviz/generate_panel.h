@@ -39,7 +39,8 @@ class GeneratePanel : public rviz::Panel {
   collision_forge::GenerateCollision::Request request() const;
   void generate();
   void showAnswer();
-  void showAttack(const collision_forge::Attack& attack);
+  void showAttack(const collision_forge::AttackConstPtr& attack);
+  void showWhatBecame();
   void showMethods(const collision_forge::AttackMethods& methods);
   void showScene(const collision_forge::EncodedSceneConstPtr& scene);
 
@@ -59,6 +60,7 @@ class GeneratePanel : public rviz::Panel {
   ros::Subscriber methods_subscriber_;
   ros::Subscriber scene_subscriber_;
   ros::Subscriber attack_subscriber_;
+  collision_forge::AttackConstPtr attack_;           ///< the newest
   std::optional<collision_forge::Attack> answered_;  ///< by the newest answer
   QFutureWatcher<Answer> answer_;                    ///< of the call in flight
   QThreadPool
