@@ -118,13 +118,16 @@ class AdaptiveTest(live.LiveTest):
         self.play_on(NOW + 5.0)
         self.heard['/attack'].wait(lambda attack: attack.plans > 1)
         driven = self.attacks()[-1]
-        self.heard['/attack'].clear()
+        for topic in ('/attack', '/tested_report'):
+            self.heard[topic].clear()
         self.play_to(1.0)
         self.assert_close(self.heard['/attack'].wait(), first, tolerance=0.0)
         self.player.play_to(NOW)
         self.play_on(NOW + 5.0)
         self.heard['/attack'].wait(lambda attack: attack.plans == driven.plans)
         self.assert_close(self.attacks()[-1].trajectory, driven.trajectory)
+        self.heard['/tested_report'].wait()
+        self.assertEqual(len(self.heard['/tested_report'].all()), 1, 'it is tested again, once')
 
     def test_gives_up_where_nothing_comes_any_more(self):
         self.ask(adaptive=True)

@@ -173,6 +173,8 @@ TEST(NewestFrame, IsTheEgoNowAndThoseWhoAreThere) {
   EXPECT_EQ(frame.ego.x, 3.0);
   ASSERT_EQ(frame.agents.size(), 1u);
   EXPECT_EQ(frame.agents[0].id, "here");
+  snapshot.ego.states.pop_back();
+  EXPECT_FALSE(newestFrame(snapshot).ego.isFinite());
 }
 
 }  // namespace

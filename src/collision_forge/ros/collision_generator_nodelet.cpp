@@ -125,27 +125,26 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
       return {StatusCode::kNoScene,
               "no encoded_scene yet: agents, lane_map and /tf must be published"};
     }
+    if (request.mode == Mode::kAdaptive && !map_->lanes()) return noMap();
     const Status status = findAttack(method, *scene, asked, request, response);
-    if (status.code != StatusCode::kOk) return status;
-    return setOut(scene->snapshot, request, response);
+    if (status.code == StatusCode::kOk) setOut(scene->snapshot, request, response.attack);
+    return status;
   }
 
-  /// Publishes the attack of the response.
-  Status setOut(const collision_forge::SceneSnapshot& scene, const CollisionRequest& request,
-                Response& response) {
+  static Status noMap() { return {StatusCode::kNoScene, "no usable lane_map has come yet"}; }
+
+  /// Publishes the attack.
+  void setOut(const collision_forge::SceneSnapshot& scene, const CollisionRequest& request,
+              collision_forge::Attack& attack) {
     if (request.mode != Mode::kAdaptive) {
-      live_->setOut(response.attack);
-      return {};
+      live_->setOut(attack);
+      return;
     }
-    const auto lanes = map_->lanes();
-    if (!lanes) return {StatusCode::kNoScene, "no usable lane_map has come yet"};
-    collision_forge::Attack& attack = response.attack;
     attack = live_->setOut(
         attack,
-        {fromMessage(scene), lanes, config_.ego_vehicle, request, fromMessage(attack.pattern),
-         fromMessage(attack.trajectory)},
+        {fromMessage(scene), map_->lanes(), config_.ego_vehicle, request,
+         fromMessage(attack.pattern), fromMessage(attack.trajectory)},
         {foresight_.egoFutures(config_.attack.ego_futures), config_.attack, config_.adaptive});
-    return {};
   }
 
   Status findAttack(const std::string& method, const collision_forge::EncodedScene& scene,
@@ -186,7 +185,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
                       const CollisionRequest& request, const std::optional<Future>& recorded,
                       Response& response) const {
     const auto lanes = map_->lanes();
-    if (!lanes) return {StatusCode::kNoScene, "no usable lane_map has come yet"};
+    if (!lanes) return noMap();
     const Moment moment{fromMessage(scene), recorded, lanes};
     const auto method = MethodMaker(name, methods_, config_.attack, foresight_).make();
     const Realization found =

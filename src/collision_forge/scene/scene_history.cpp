@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -27,7 +28,10 @@ std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time) {
 }
 
 Frame newestFrame(const Snapshot& snapshot) {
-  return {snapshot.now, snapshot.ego.states.back().pose, agentsAt(snapshot.agents, snapshot.now)};
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  const Pose2 ego = newestAt(snapshot.ego, snapshot.now) ? snapshot.ego.states.back().pose
+                                                         : Pose2{kNowhere, kNowhere, kNowhere};
+  return {snapshot.now, ego, agentsAt(snapshot.agents, snapshot.now)};
 }
 
 SceneHistory::SceneHistory(int frames, const EgoVehicle& ego)

@@ -20,7 +20,7 @@ bool isUsable(const Track& agent);
 /// Frame.
 std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time);
 
-/// The newest frame of a snapshot that has one.
+/// The frame at a snapshot's now. The ego's pose is not finite where it was not seen then.
 Frame newestFrame(const Snapshot& snapshot);
 
 /// Keeps the newest frames of a running scene. Not thread-safe.
