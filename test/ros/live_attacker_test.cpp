@@ -142,7 +142,8 @@ TEST_F(LiveAttackerTest, GivesUpWhereNoFrameComesAnyMore) {
   ASSERT_EQ(published_.size(), before + 1);
   EXPECT_EQ(published_.back().phase, "driving_on");
   EXPECT_EQ(published_.back().decision, "the ego is out of sight");
-  EXPECT_NEAR(published_.back().decided.toSec(), kNow + 2.5 + shippedAdaptive().reaction_time, 0.1);
+  EXPECT_NEAR(published_.back().decided.toSec(),
+              kNow + 2.5 + shippedAdaptive().fairness.reaction_time, 0.1);
   live_.watch(kClock + 3.0);
   EXPECT_EQ(published_.size(), before + 1);
 }
