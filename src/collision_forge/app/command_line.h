@@ -70,6 +70,7 @@ void addMeasureCoverage(CommandLine& line);
 void addMeasureEgoFutures(CommandLine& line);
 void addMeasureLatency(CommandLine& line);
 void addMeasurePatterns(CommandLine& line);
+void addMeasureAttackers(CommandLine& line);
 void addMeasurePlanners(CommandLine& line);
 void addCompletion(CommandLine& line);
 

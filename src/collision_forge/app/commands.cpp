@@ -13,6 +13,7 @@ void addCommands(CommandLine& line) {
   addMeasureEgoFutures(line);
   addMeasureLatency(line);
   addMeasurePatterns(line);
+  addMeasureAttackers(line);
   addMeasurePlanners(line);
   addTest(line);
   addTune(line);

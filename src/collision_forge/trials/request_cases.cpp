@@ -85,6 +85,10 @@ std::string RequestCases::fingerprint() const {
          found;
 }
 
+Scenario RequestCases::scenario(std::size_t index) const {
+  return readScenarioLine(names_[index], scenarioLine(answerer_.answer(requests_[index])));
+}
+
 PlannerCase RequestCases::at(std::size_t index) const {
   PlannerCase one = caseOfScenario(scenario(index), *scenes_.at(requests_[index].scene), study_);
   one.name = names_[index];

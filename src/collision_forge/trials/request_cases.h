@@ -37,8 +37,8 @@ class RequestCases : public PlannerCases {
   PlannerCase at(std::size_t index) const override;
 
   const CollisionRequest& request(std::size_t index) const { return requests_[index].request; }
-  /// The first plan of the attacker, as a line of a scenario file.
-  Scenario scenario(std::size_t index) const { return answerer_.answer(requests_[index]); }
+  /// The first plan of the attacker, as a scenario file has it: cases can be tested again from one.
+  Scenario scenario(std::size_t index) const;
 
  private:
   SceneSource& scenes_;

@@ -1,0 +1,133 @@
+#include "collision_forge/trials/attacker_stress.h"
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "collision_forge/trials/evasive_drives.h"
+#include "collision_forge/verify/verification.h"
+
+namespace forge {
+namespace {
+
+constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
+constexpr double kJump = 30.0;         // m ahead
+constexpr double kReverseSpeed = 3.0;  // m/s
+constexpr double kLatestStart = 0.9;   // of the time asked for
+constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+
+/// From 0 to 1, the same with every library.
+double share(std::mt19937_64& generator) {
+  return static_cast<double>(generator() >> 11) * 0x1.0p-53;
+}
+
+/// The recorded state at `time`; straight on where the recording has ended.
+AgentState recordedAt(const Track& ego, double time) {
+  if (const auto state = stateAt(ego, time)) return *state;
+  AgentState last = ego.states.back();
+  const double way = last.velocity.dot(last.pose.heading()) * (time - last.time);
+  last.pose = compose(last.pose, {way, 0.0, 0.0});
+  last.time = time;
+  return last;
+}
+
+/// Where an ego is that was at `from` when it began to confuse.
+AgentState confusing(EgoConduct conduct, const AgentState& from, double time) {
+  AgentState state = from;
+  state.time = time;
+  const double since = time - from.time;
+  const double speed = from.velocity.dot(from.pose.heading());
+  switch (conduct) {
+    case EgoConduct::kEvades:
+      break;
+    case EgoConduct::kStops:
+      state.velocity = Vector2::Zero();
+      break;
+    case EgoConduct::kReverses:
+      state.pose = compose(from.pose, {-kReverseSpeed * since, 0.0, 0.0});
+      break;
+    case EgoConduct::kJumps:
+      state.pose = compose(from.pose, {kJump + speed * since, 0.0, 0.0});
+      break;
+    case EgoConduct::kVanishes:
+      state.pose = {kNowhere, kNowhere, kNowhere};
+      break;
+  }
+  return state;
+}
+
+/// The ego every step, from now to the scenario's end.
+Track egoOf(const CrashScenario& scenario, double tta, EgoConduct conduct, std::uint64_t seed,
+            const RolloutSetup& setup) {
+  const double step = setup.planners.rollout.step;
+  const double now = scenario.snapshot.now;
+  std::mt19937_64 generator(seed);
+  const double start = now + kLatestStart * tta * share(generator);
+  Track ego{kEgoId, AgentClass::kCar, scenario.ego.size, {}};
+  double time = now;
+  for (; time < start - kTimeEpsilon; time += step) {
+    ego.states.push_back(recordedAt(scenario.recorded.ego, time));
+  }
+  const AgentState from = recordedAt(scenario.recorded.ego, time);
+  if (conduct == EgoConduct::kEvades) {
+    const EvasiveDrives drives(scenario, setup.planners.avoidability, setup.planners.planning.route,
+                               setup.attack);
+    std::vector<TrajectoryPoint> points;
+    drives.drive(from, drives.plans()[generator() % drives.plans().size()], points);
+    for (const AgentState& state : toStates(points)) ego.states.push_back(state);
+    return ego;
+  }
+  for (; time < scenario.end() - kTimeEpsilon; time += step) {
+    ego.states.push_back(confusing(conduct, from, time));
+  }
+  return ego;
+}
+
+/// Without the states in which it is nowhere.
+Track seenOf(Track ego) {
+  auto& states = ego.states;
+  states.erase(std::remove_if(states.begin(), states.end(),
+                              [](const AgentState& state) { return !state.pose.isFinite(); }),
+               states.end());
+  return ego;
+}
+
+}  // namespace
+
+const char* toString(EgoConduct conduct) {
+  switch (conduct) {
+    case EgoConduct::kEvades:
+      return "evades";
+    case EgoConduct::kStops:
+      return "stops";
+    case EgoConduct::kReverses:
+      return "reverses";
+    case EgoConduct::kJumps:
+      return "jumps";
+    case EgoConduct::kVanishes:
+      break;
+  }
+  return "vanishes";
+}
+
+StressOutcome stressAttacker(const CrashScenario& scenario, const CollisionRequest& request,
+                             EgoConduct conduct, std::uint64_t seed, const RolloutSetup& setup) {
+  checkScenario(scenario);
+  const Track ego = egoOf(scenario, request.tta, conduct, seed, setup);
+  Traffic traffic(scenario, setup.attacker->clone(), setup.background, setup.planners.idm,
+                  setup.planners.planning.history);
+  for (std::size_t i = 1; i < ego.states.size(); ++i) {
+    Track seen = ego;
+    seen.states = {ego.states[i - 1]};
+    traffic.advance(ego.states[i].time, seen);
+  }
+  Future driven = scenario.recorded;
+  driven.ego = seenOf(ego);
+  const CollisionReport report =
+      verifyDrive(traffic.attacker().trajectory(),
+                  {scenario.snapshot, driven, request, *scenario.lanes}, setup.attack.verification);
+  return {report.broken_limit, report.first_other_id, report.contact, traffic.attacker().phase()};
+}
+
+}  // namespace forge
