@@ -53,16 +53,17 @@ TEST(Weaknesses, DifferByManoeuvreFaultPlaceAndPlanner) {
 }
 
 TEST(Weaknesses, AreShownByFairHardHitsOfAttackersThatKeepTheirLimits) {
-  std::vector<PlannerTestResult> results(7, hit(5.0));
+  std::vector<PlannerTestResult> results(8, hit(5.0));
   results[0].rows[0].is_fair = false;
   results[1].rows[0].outcome.contact->is_attacker = false;
   results[2].rows[0].outcome.contact->impact_speed = 0.9;
   results[3].rows[0].attacker.broken_limit = "max_jerk";
   results[4].rows[0].attacker.touched = "somebody";
+  results[6].rows[0].attacker.phase = AttackerPhase::kDrivingOn;
   results[5].rows[0].outcome.failure = PlannerFailure::kOffMap;
-  const auto found = weaknessesOf(results, std::vector<Manoeuvre>(7, Manoeuvre::kDrift));
+  const auto found = weaknessesOf(results, std::vector<Manoeuvre>(8, Manoeuvre::kDrift));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].results, std::vector<std::size_t>{6});
+  EXPECT_EQ(found[0].results, std::vector<std::size_t>{7});
 }
 
 }  // namespace

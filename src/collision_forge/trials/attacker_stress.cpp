@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <random>
 #include <vector>
 
+#include "collision_forge/forecast/random.h"
 #include "collision_forge/trials/evasive_drives.h"
 #include "collision_forge/verify/verification.h"
 
@@ -16,11 +16,6 @@ constexpr double kJump = 30.0;         // m ahead
 constexpr double kReverseSpeed = 3.0;  // m/s
 constexpr double kLatestStart = 0.9;   // of the time asked for
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-
-/// From 0 to 1, the same with every library.
-double share(std::mt19937_64& generator) {
-  return static_cast<double>(generator() >> 11) * 0x1.0p-53;
-}
 
 /// The recorded state at `time`; straight on where the recording has ended.
 AgentState recordedAt(const Track& ego, double time) {
@@ -62,8 +57,8 @@ Track egoOf(const CrashScenario& scenario, double tta, EgoConduct conduct, std::
             const RolloutSetup& setup) {
   const double step = setup.planners.rollout.step;
   const double now = scenario.snapshot.now;
-  std::mt19937_64 generator(seed);
-  const double start = now + kLatestStart * tta * share(generator);
+  Random random(seed);
+  const double start = now + random.uniform(0.0, kLatestStart * tta);
   Track ego{kEgoId, AgentClass::kCar, scenario.ego.size, {}};
   double time = now;
   for (; time < start - kTimeEpsilon; time += step) {
@@ -74,7 +69,7 @@ Track egoOf(const CrashScenario& scenario, double tta, EgoConduct conduct, std::
     const EvasiveDrives drives(scenario, setup.planners.avoidability, setup.planners.planning.route,
                                setup.attack);
     std::vector<TrajectoryPoint> points;
-    drives.drive(from, drives.plans()[generator() % drives.plans().size()], points);
+    drives.drive(from, drives.plans()[random.index(drives.plans().size())], points);
     for (const AgentState& state : toStates(points)) ego.states.push_back(state);
     return ego;
   }

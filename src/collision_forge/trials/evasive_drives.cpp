@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
 
+#include "collision_forge/forecast/random.h"
 #include "collision_forge/verify/verification.h"
 
 namespace forge {
@@ -19,15 +19,6 @@ constexpr std::array<std::pair<EvasiveManoeuvre, const char*>, 5> kManoeuvreName
     {EvasiveManoeuvre::kSteering, "steering"},
     {EvasiveManoeuvre::kBoth, "both"},
 }};
-
-/// From 0 to 1, the same with every library.
-double share(std::mt19937_64& generator) {
-  return static_cast<double>(generator() >> 11) * 0x1.0p-53;
-}
-
-double between(std::mt19937_64& generator, double low, double high) {
-  return low + share(generator) * (high - low);
-}
 
 std::vector<EvasivePlan> listPlans(const AvoidabilityOptions& options,
                                    const VehicleLimits& limits) {
@@ -44,15 +35,15 @@ std::vector<EvasivePlan> listPlans(const AvoidabilityOptions& options,
   double widest = kNarrowest;
   for (const double offset : options.offsets) widest = std::max(widest, std::abs(offset));
   const double longest = *std::max_element(options.durations.begin(), options.durations.end());
-  std::mt19937_64 generator(options.seed);
+  Random random(options.seed);
   const auto draw = [&] {
     const double acceleration =
-        between(generator, -limits.max_braking, limits.max_forward_acceleration);
-    return EvasiveDemand{acceleration, between(generator, -widest, widest)};
+        random.uniform(-limits.max_braking, limits.max_forward_acceleration);
+    return EvasiveDemand{acceleration, random.uniform(-widest, widest)};
   };
   for (int i = 0; i < options.draws; ++i) {
     const EvasiveDemand first = draw();
-    const double duration = between(generator, 0.0, longest);
+    const double duration = random.uniform(0.0, longest);
     plans.push_back({first, duration, draw()});
   }
   const auto strength = [&](const EvasivePlan& plan) {

@@ -1,13 +1,13 @@
 #include "collision_forge/trials/request_cases.h"
 
 #include <cstdio>
-#include <random>
 #include <stdexcept>
 #include <utility>
 
 #include "collision_forge/attack/request_list.h"
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/files/fingerprint.h"
+#include "collision_forge/forecast/random.h"
 #include "collision_forge/study/allowed_requests.h"
 
 namespace forge {
@@ -59,9 +59,9 @@ RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
       all.push_back(std::move(request));
     }
   }
-  std::mt19937_64 generator(draw.seed);
+  Random random(draw.seed);
   while (!all.empty() && requests_.size() < draw.tries) {
-    std::swap(all[generator() % all.size()], all.back());
+    std::swap(all[random.index(all.size())], all.back());
     const auto recording = scenes.at(all.back().scene);
     if (roadAllowsAsked(all.back(), *recording, study)) {
       names_.push_back(nameOf(all.back(), recording->scene));

@@ -17,7 +17,8 @@ struct Hit {
 bool showsWeakness(const PlannerRow& row, const UntilHitOptions& options) {
   const RolloutOutcome& outcome = row.outcome;
   return outcome.failure == PlannerFailure::kNone && outcome.contact &&
-         outcome.contact->is_attacker && row.is_fair && row.attacker.broken_limit.empty() &&
+         outcome.contact->is_attacker && row.is_fair &&
+         row.attacker.phase != AttackerPhase::kDrivingOn && row.attacker.broken_limit.empty() &&
          row.attacker.touched.empty() && outcome.contact->impact_speed >= options.min_impact_speed;
 }
 
