@@ -77,6 +77,7 @@ TEST_F(LiveAttackerTest, PublishesItAnewWhereItDecidesAndTellsWhatItForesees) {
       reportOf(FixedAttacker(fromMessage(last.trajectory)), egoAt(braking), chase_);
   EXPECT_TRUE(last.report.verified);
   EXPECT_NEAR(last.report.contact_time.toSec(), report.contact_time, 0.01);
+  EXPECT_NEAR(last.report.impact_speed, report.impact_speed, 0.3);
   EXPECT_NE(last.report.contact_time, published_[0].report.contact_time);
 }
 

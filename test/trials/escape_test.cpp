@@ -56,7 +56,7 @@ std::vector<TrajectoryPoint> straightOn(const CrashScenario& scenario, double sp
   return points;
 }
 
-TEST(Escape, AWitnessEscapesInClosedLoopAndLaterThanThatNoneIsFound) {
+TEST(Escape, AWitnessEscapesInClosedLoop) {
   PlannerCase one = rearEnd();
   one.request.crash.limits = LimitSet::kDrivable;
   const auto attacker = makeAttacker(one, PolicyKind::kAdaptive, {}, config());

@@ -12,6 +12,10 @@ namespace {
 
 const TrialOptions& trials() { return shippedConfig().planners; }
 
+TEST(AvoidabilityOptions, StepAsRolloutsDoSoThatEscapesCanBeDrivenAgain) {
+  EXPECT_EQ(trials().avoidability.step, trials().rollout.step);
+}
+
 TEST(TrialOptions, PlannersAreCalledEveryFewStepsOfTheRollout) {
   for (const std::string& name : plannerNames()) {
     const double steps = makePlanner(name, trials(), "").driving.interval / trials().rollout.step;

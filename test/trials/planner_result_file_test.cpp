@@ -31,7 +31,7 @@ TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
   EXPECT_EQ(read.rows[1].attacker.policy, PolicyKind::kAdaptive);
   EXPECT_EQ(read.rows[1].attacker.phase, AttackerPhase::kDrivingOn);
   EXPECT_EQ(read.rows[1].attacker.broken_limit, "max_jerk 9 > 8");
-  EXPECT_FALSE(read.rows[0].escape);
+  EXPECT_TRUE(read.rows[0].escape);
   EXPECT_TRUE(read.rows[0].is_fair);
   ASSERT_TRUE(read.rows[1].escape);
   EXPECT_EQ(read.rows[1].escape->last_after, 2.5);

@@ -42,7 +42,8 @@ TEST(PlannerResult, EachPolicyOfTheAttackerHasARowOfItsOwn) {
   ASSERT_TRUE(result.rows[1].escape);
   EXPECT_TRUE(result.rows[1].escape->is_avoidable);
   EXPECT_TRUE(result.rows[1].is_fair);
-  EXPECT_FALSE(result.rows[0].escape) << "asked of attackers that react alone";
+  EXPECT_EQ(result.rows[0].escape.has_value(),
+            result.rows[0].outcome.contact && result.rows[0].outcome.contact->is_attacker);
 }
 
 TEST(PlannerResult, AHitThatCannotBeEscapedForAsLongAsIsWantedIsUnfair) {
@@ -51,7 +52,8 @@ TEST(PlannerResult, AHitThatCannotBeEscapedForAsLongAsIsWantedIsUnfair) {
   strict.adaptive.fairness.avoidable_for = one.request.tta;
   const PlannerTestResult result = testPlanners(one, {{"idm"}}, strict, strict.planners);
   ASSERT_TRUE(result.rows[0].outcome.contact);
-  EXPECT_LT(result.avoidability.last_after, one.request.tta);
+  ASSERT_TRUE(result.rows[0].escape);
+  EXPECT_LT(result.rows[0].escape->last_after, one.request.tta);
   EXPECT_FALSE(result.rows[0].is_fair);
 }
 

@@ -169,8 +169,8 @@ CLI::Option* addMethod(CLI::App& app, std::string& method) {
   return app.add_option("--method", method, "how attacks are made; by default the suite's own way");
 }
 
-void addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text) {
-  app.add_option("--seed", seed, text)->capture_default_str();
+CLI::Option* addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text) {
+  return app.add_option("--seed", seed, text)->capture_default_str();
 }
 
 void addMode(CLI::App& app, Mode& mode, bool may_adapt) {

@@ -83,7 +83,7 @@ void addOut(CLI::App& app, std::string& out, const std::string& text);
 /// --jobs, from 1 to 256.
 void addJobs(CLI::App& app, int& jobs, const std::string& text);
 /// --seed.
-void addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text);
+CLI::Option* addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text);
 /// --mode, history or replay.
 /// `may_adapt`: mode adaptive is one of them.
 void addMode(CLI::App& app, Mode& mode, bool may_adapt);

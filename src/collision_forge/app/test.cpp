@@ -53,11 +53,12 @@ struct Arguments {
   int jobs = defaultJobs();
 };
 
-/// Collisions that can be asked for in scenes.
+/// Collisions that can be asked for in scenes. They come in no order of the scenes.
 struct DrawnCases {
+  static constexpr std::size_t kScenesKept = 64;
+
   DrawnCases(const Arguments& arguments, const Config& config)
-      : scenes(arguments.dataroot, arguments.version, arguments.scenes, config,
-               static_cast<std::size_t>(arguments.jobs) + 1),
+      : scenes(arguments.dataroot, arguments.version, arguments.scenes, config, kScenesKept),
         requests(scenes, loadMethod(arguments.method, config, config.attack), config,
                  {config.requests, arguments.tries.value_or(config.planners.until_hit.tries),
                   arguments.seed}) {}
@@ -172,8 +173,9 @@ void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& 
         const PlannerCase one = cases.at(worst.result);
         const std::string name =
             planner + "_" + toString(policy) + "_" + std::to_string(++ranks[row]);
-        drawView((folder / name).string(),
-                 viewOf(one, driveAgain(one, planner, policy, plan, config)), config.drawing);
+        const RolloutOutcome outcome = driveAgain(one, planner, policy, plan, config);
+        if (!outcome.contact) continue;  // of a planner that is timed by the wall clock
+        drawView((folder / name).string(), viewOf(one, outcome), config.drawing);
       }
     }
   }
@@ -246,7 +248,7 @@ void addTest(CommandLine& line) {
   app.add_option("--tries", arguments->tries, "collisions that are tried; see planners.yaml")
       ->check(CLI::PositiveNumber)
       ->needs(until_hit);
-  addSeed(app, arguments->seed, "of the draw of --until-hit");
+  addSeed(app, arguments->seed, "of the draw of --until-hit")->needs(until_hit);
   CLI::Option* collide = addCollide(*source, arguments->collide);
   source->require_option(1);
   addSplit(app, arguments->split, collide);

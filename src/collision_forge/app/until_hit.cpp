@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <optional>
+#include <set>
 
 #include "collision_forge/app/planner_pictures.h"
 #include "collision_forge/data/json_line.h"
@@ -20,26 +22,25 @@ constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 
 /// The hardest hit of a weakness, driven again.
 struct Shown {
+  Scenario scenario;
   PlannerCase one;
   RolloutOutcome outcome;
   Escape escape;
 };
 
-Shown show(const Weakness& weakness, const RequestCases& cases, const TestPlan& plan,
-           const Config& config) {
-  Shown shown{cases.at(weakness.results.front()), {}, {}};
-  const CrashScenario& scenario = shown.one.scenario;
+/// Empty where it does not come again, as with a planner that is timed by the wall clock.
+std::optional<Shown> show(const Weakness& weakness, const RequestCases& cases, const TestPlan& plan,
+                          const Config& config) {
+  const std::size_t hardest = weakness.results.front();
+  Shown shown{cases.scenario(hardest), cases.at(hardest), {}, {}};
   shown.outcome = driveAgain(shown.one, weakness.planner, weakness.policy, plan, config);
-  if (const auto attacker = makeAttacker(shown.one, weakness.policy, plan.foresight, config)) {
-    shown.escape = findEscape(scenario, shown.outcome.driven,
-                              {config.planners, config.attack, config.crash.types, plan.background,
-                               true, attacker.get()})
-                       .value();
-  } else {
-    const Avoidability found = findAvoidability(scenario, config.planners.avoidability,
-                                                config.planners.planning.route, config.attack);
-    shown.escape = {found.last.value(), scenario.attacker};
-  }
+  if (!shown.outcome.contact || !shown.outcome.contact->is_attacker) return std::nullopt;
+  const auto attacker = makeAttacker(shown.one, weakness.policy, plan.foresight, config);
+  const auto escape = findEscape(
+      shown.one.scenario, shown.outcome.driven,
+      {config.planners, config.attack, config.crash.types, plan.background, true, attacker.get()});
+  if (!escape) return std::nullopt;
+  shown.escape = *escape;
   return shown;
 }
 
@@ -130,15 +131,22 @@ void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestRe
   std::string table = headOf(weaknesses, results.size());
   std::string scenarios;
   std::string witnesses;
+  std::set<std::size_t> written;
   int rank = 0;
   for (const Weakness& weakness : weaknesses) {
-    const Shown shown = show(weakness, cases, plan, config);
-    table += tableRow(++rank, weakness, shown);
-    scenarios += scenarioLine(cases.scenario(weakness.results.front())) + "\n";
-    witnesses += witnessLine(weakness, shown) + "\n";
+    const std::size_t hardest = weakness.results.front();
+    const auto shown = show(weakness, cases, plan, config);
+    if (!shown) {
+      std::cerr << cases.names()[hardest] << ": " << weakness.planner
+                << " was hit, but is not when it is driven again: left out\n";
+      continue;
+    }
+    table += tableRow(++rank, weakness, *shown);
+    if (written.insert(hardest).second) scenarios += scenarioLine(shown->scenario) + "\n";
+    witnesses += witnessLine(weakness, *shown) + "\n";
     const std::string picture = (pictures / std::to_string(rank)).string();
-    drawView(picture, viewOf(shown.one, shown.outcome), config.drawing);
-    drawView(picture + "_escape", viewOf(shown.one, wholeEscape(shown), shown.escape.attacker),
+    drawView(picture, viewOf(shown->one, shown->outcome), config.drawing);
+    drawView(picture + "_escape", viewOf(shown->one, wholeEscape(*shown), shown->escape.attacker),
              config.drawing);
   }
   writeText(folder + "/weaknesses.md", table);

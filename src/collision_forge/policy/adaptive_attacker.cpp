@@ -96,8 +96,8 @@ std::size_t AdaptiveAttacker::firstAfter(double time) const {
 }
 
 bool AdaptiveAttacker::hasJumped(const Frame& seen) const {
-  const Frame& before = scene_.newest();
-  const double way = (seen.ego.position() - before.ego.position()).norm();
+  const AgentState& before = seen_ego_.back();
+  const double way = (seen.ego.position() - before.pose.position()).norm();
   return way > setup_.adaptive.max_ego_speed * (seen.time - before.time);
 }
 
@@ -129,10 +129,7 @@ void AdaptiveAttacker::observe(const Frame& seen) {
     phase_ = AttackerPhase::kCommitted;
     plans_.push_back({seen.time, timeOf(from), phase_, "too late to change anything", {}});
   }
-  const Frame& newest = scene_.newest();
-  if (newest.time > seen_ego_.back().time) {
-    seen_ego_.push_back({newest.time, newest.ego, Vector2::Zero()});
-  }
+  if (is_there) seen_ego_.push_back({seen.time, seen.ego, Vector2::Zero()});
 }
 
 Future AdaptiveAttacker::outlook() const {
@@ -142,6 +139,7 @@ Future AdaptiveAttacker::outlook() const {
     if (state.time > ego.back().time + kTimeEpsilon) ego.push_back(state);
   }
   future.ego.states = std::move(ego);
+  deriveVelocities(future.ego);
   return future;
 }
 

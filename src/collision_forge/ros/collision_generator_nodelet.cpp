@@ -48,9 +48,10 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
         [this](const collision_forge::Attack& attack) { attacks_.publish(attack); });
     scene_subscriber_ = node.subscribe(names::kEncodedScene, kSceneQueue,
                                        &CollisionGeneratorNodelet::receive, this);
-    watch_ = node.createWallTimer(
-        ros::WallDuration(kWatchInterval),
-        [this](const ros::WallTimerEvent& /*event*/) { live_->watch(ros::Time::now().toSec()); });
+    watch_ = node.createWallTimer(ros::WallDuration(kWatchInterval),
+                                  [this](const ros::WallTimerEvent& /*event*/) {
+                                    attempt([this] { live_->watch(ros::Time::now().toSec()); });
+                                  });
     service_ = std::make_unique<OwnThreadService>(node, names::kGenerateCollision,
                                                   &CollisionGeneratorNodelet::answer, this);
   }
@@ -84,11 +85,16 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
       const std::lock_guard<std::mutex> lock(mutex_);
       scene_ = message;
     }
+    attempt(
+        [&] { live_->see(newestFrame(fromMessage(message->snapshot)), ros::Time::now().toSec()); });
+  }
+
+  template <typename Look>
+  void attempt(const Look& look) {
     try {
-      live_->see(newestFrame(fromMessage(message->snapshot)), ros::Time::now().toSec());
+      look();
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM_THROTTLE(1.0,
-                                    "encoded_scene not shown to the attacker: " << error.what());
+      NODELET_ERROR_STREAM_THROTTLE(1.0, "the attacker cannot look: " << error.what());
     }
   }
 
@@ -243,10 +249,10 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   std::unique_ptr<ServiceSearch> search_;
   std::mutex mutex_;
   collision_forge::EncodedScene::ConstPtr scene_;  // the newest, behind the mutex
-  ros::Subscriber scene_subscriber_;
   ros::Publisher attacks_;
   ros::Publisher methods_publisher_;
   std::unique_ptr<LiveAttacker> live_;
+  ros::Subscriber scene_subscriber_;  // these two last: they call what is above
   ros::WallTimer watch_;
   std::unique_ptr<OwnThreadService> service_;
 };

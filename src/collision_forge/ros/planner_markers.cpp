@@ -55,6 +55,7 @@ std::string words(const PlannerTrial& trial, double now, const std::string& plan
     text += formatted(": no contact in %.2f s", outcome.duration);
   }
   const std::optional<Avoidance>& last = trial.avoidability.last;
+  if (!last && outcome.failure != PlannerFailure::kNone) return text;
   if (!last) return text + "\nno way to avoid it was found";
   text += formatted("\navoidable up to %.1f s", last->start - now);
   return text + " by " + toString(last->manoeuvre);

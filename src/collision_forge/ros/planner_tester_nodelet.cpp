@@ -106,7 +106,11 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
 
   void receiveAttack(const collision_forge::AttackConstPtr& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    attack_ = message;
+    // What an attacker made of its plan later, it did not know when it set out.
+    const bool goes_on = attack_ && message->adaptive && message->plans > 1 &&
+                         message->header.stamp == attack_->header.stamp &&
+                         message->trajectory.attacker_id == attack_->trajectory.attacker_id;
+    if (!goes_on) attack_ = message;
   }
 
   bool answer(Request& request, Response& response) {
@@ -208,6 +212,12 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     const auto parsed = collisionTypeFromString(type);
     if (!parsed) {
       refuse(Response::UNKNOWN_TYPE, "collision_type = \"" + type + "\" is no collision type");
+    }
+    const bool is_other = !is_given && *parsed != fromMessage(newest->pattern).type;
+    if (is_other && policy == PolicyKind::kAdaptive) {
+      refuse(Response::INVALID_INPUT, "collision_type = \"" + type +
+                                          "\" is not that of the newest attack, which an adaptive "
+                                          "attacker is after");
     }
     PlannerCase one = scenarios_->ofTrajectory(fromMessage(message), *parsed);
     one.request.type = *parsed;

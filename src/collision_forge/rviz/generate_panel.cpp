@@ -235,7 +235,8 @@ void GeneratePanel::showAttack(const collision_forge::AttackConstPtr& attack) {
 
 /// Of the attack that was answered: where its attacker reacts, the newest says more.
 void GeneratePanel::showWhatBecame() {
-  if (!attack_->adaptive || attack_->header.stamp != answered_->header.stamp) return;
+  if (!answered_->adaptive || !attack_->adaptive) return;
+  if (attack_->header.stamp != answered_->header.stamp) return;
   if (attack_->report.attacker_id != answered_->report.attacker_id) return;
   result_->setText(attackText(*attack_));
 }

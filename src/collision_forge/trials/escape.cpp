@@ -17,7 +17,7 @@ struct Trial {
   EvasiveManoeuvre manoeuvre = EvasiveManoeuvre::kKeeping;
   std::vector<TrajectoryPoint> points;
   bool leaves_road = false;
-  double distance = 0.0;  ///< m, least between the middles of the ego and the attacker's plan
+  double distance = 0.0;  ///< m, mean between the middles of the ego and the attacker's plan
 };
 
 class Search {
@@ -49,8 +49,8 @@ class Search {
  private:
   /// Everybody as they were at the instants that are asked about, before the contact.
   std::vector<Traffic> momentsOf(const std::vector<TrajectoryPoint>& driven) const {
-    Traffic traffic(scenario_, setup_.attacker->clone(), setup_.background, setup_.planners.idm,
-                    setup_.planners.planning.history);
+    Traffic traffic(scenario_, attackerOf(scenario_, setup_), setup_.background,
+                    setup_.planners.idm, setup_.planners.planning.history);
     std::vector<Traffic> moments = {traffic};
     for (std::size_t i = 1; i + 1 < driven.size(); ++i) {
       traffic.advance(driven[i].time, egoAt(driven[i - 1]));
@@ -113,14 +113,17 @@ class Search {
     return others;
   }
 
+  /// In the mean over the points.
   static double distanceTo(const Track& attacker, const std::vector<TrajectoryPoint>& points) {
-    double least = std::numeric_limits<double>::infinity();
+    double sum = 0.0;
+    int count = 0;
     for (const TrajectoryPoint& point : points) {
       const auto state = stateAt(attacker, point.time);
       if (!state) continue;
-      least = std::min(least, (state->pose.position() - point.pose.position()).norm());
+      sum += (state->pose.position() - point.pose.position()).norm();
+      ++count;
     }
-    return least;
+    return count > 0 ? sum / count : std::numeric_limits<double>::infinity();
   }
 
   /// Drives the motion in closed loop; empty where it touches somebody on the way.

@@ -132,7 +132,7 @@ std::vector<RolloutMeasure> rolloutMeasures() {
        kShare,
        fairCollision},
       {{"escape",
-        "Collisions that the ego could escape, of those with attackers that see and react",
+        "Collisions with the attacker that the ego could escape, of all these",
         {},
         false},
        kShare,

@@ -160,9 +160,9 @@ std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind 
                     study.attack, study.adaptive});
 }
 
-PlannerRow testPlanner(const PlannerCase& one, const AvoidabilitySummary& avoidability,
-                       const std::string& planner, PolicyKind policy, const TestPlan& plan,
-                       const StudyOptions& study, const TrialOptions& trials) {
+PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                       const TestPlan& plan, const StudyOptions& study,
+                       const TrialOptions& trials) {
   const auto attacker = makeAttacker(one, policy, plan.foresight, study);
   const RolloutSetup setup{trials,          study.attack, study.crash.types,
                            plan.background, true,         attacker.get()};
@@ -171,12 +171,10 @@ PlannerRow testPlanner(const PlannerCase& one, const AvoidabilitySummary& avoida
   row.outcome = drive(one, planner, setup);
   row.attacker = summaryOf(one, policy, plan.background, row.outcome, study);
   if (row.outcome.contact && row.outcome.contact->is_attacker) {
-    if (attacker) {
-      row.escape =
-          summaryOf(findEscape(one.scenario, row.outcome.driven, setup), one.scenario.snapshot.now);
-    }
-    const AvoidabilitySummary& known = row.escape ? *row.escape : avoidability;
-    row.is_fair = known.is_avoidable && known.last_after >= study.adaptive.fairness.avoidable_for;
+    row.escape =
+        summaryOf(findEscape(one.scenario, row.outcome.driven, setup), one.scenario.snapshot.now);
+    row.is_fair =
+        row.escape->is_avoidable && row.escape->last_after >= study.adaptive.fairness.avoidable_for;
   }
   row.outcome.driven.clear();
   row.outcome.attacker = {};
@@ -198,8 +196,7 @@ PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
   if (!result.isTested()) return result;
   for (const std::string& name : plan.planners) {
     for (const PolicyKind policy : plan.policies) {
-      result.rows.push_back(
-          testPlanner(one, result.avoidability, name, policy, plan, study, trials));
+      result.rows.push_back(testPlanner(one, name, policy, plan, study, trials));
     }
   }
   return result;

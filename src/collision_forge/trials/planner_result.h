@@ -56,10 +56,10 @@ struct PlannerRow {
   std::string planner;
   RolloutOutcome outcome;
   AttackerSummary attacker;
-  /// Where an attacker that sees and reacts has hit the ego: findEscape().
+  /// Where the attacker has hit the ego: findEscape().
   std::optional<AvoidabilitySummary> escape = {};
-  /// False where it was hit by an attacker that it could not have escaped, driving as it did, for
-  /// at least FairnessOptions::avoidable_for: as `escape` tells, or the case where there is none.
+  /// False of a hit that the ego could not have escaped, driving as it did, for at least
+  /// FairnessOptions::avoidable_for.
   bool is_fair = true;
   /// In a clip of COLLIDE: the published protocol sees the attacker hit the ego that the planner
   /// drives to the last frame, through whom it may touch: from now on, with idm_published as
@@ -106,11 +106,10 @@ PlannerTestResult judgeCase(const PlannerCase& one, const StudyOptions& study,
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
                                              const Foresight& foresight, const StudyOptions& study);
 
-/// Drives a planner through a case that judgeCase() finds OK, and so avoidable; of the plan the
-/// background and the foresight count. Throws std::invalid_argument for an unknown planner.
-PlannerRow testPlanner(const PlannerCase& one, const AvoidabilitySummary& avoidability,
-                       const std::string& planner, PolicyKind policy, const TestPlan& plan,
-                       const StudyOptions& study, const TrialOptions& trials);
+/// Drives a planner through a case that judgeCase() finds OK; of the plan the background and the
+/// foresight count. Throws std::invalid_argument for an unknown planner.
+PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                       const TestPlan& plan, const StudyOptions& study, const TrialOptions& trials);
 
 /// Drives every planner of the plan through the case as judgeCase() finds it, against an attacker
 /// of each policy; rows as PlannerTestResult has them. Throws as testPlanner().

@@ -45,13 +45,10 @@ Avoidability avoidabilityOf(const RolloutOutcome& outcome, const CrashScenario& 
                             const RolloutSetup& setup) {
   Avoidability found;
   if (outcome.contact) {
-    if (outcome.contact->is_attacker) {
-      if (auto escape = findEscape(scenario, outcome.driven, setup)) found.last = escape->ego;
-    }
+    if (auto escape = findEscape(scenario, outcome.driven, setup)) found.last = escape->ego;
   } else if (outcome.failure == PlannerFailure::kNone) {
     found.last = Avoidance{EvasiveManoeuvre::kKeeping, scenario.snapshot.now, outcome.driven,
                            outcome.off_road_share};
-    found.from_now.push_back(*found.last);
   }
   return found;
 }

@@ -16,8 +16,9 @@ struct PlannerTrial {
   double max_call = 0.0;
 };
 
-/// rollout() and findAvoidability(), or findEscape() where the setup's attacker has hit the ego;
-/// one that it escaped is avoidable by what it drove. Throws as they do.
+/// rollout() and findAvoidability(). Where the setup has an attacker of its own, findEscape() from
+/// the contact; what drove on without one is avoidable by that, and of a failure nothing is known.
+/// Throws as they do.
 PlannerTrial tryPlanner(Planner& planner, const Driving& driving, const CrashScenario& scenario,
                         const RolloutSetup& setup);
 

@@ -112,8 +112,8 @@ PlannerTestResult testVariants(const PlannerCase& one, const std::string& planne
   TestPlan plan;
   plan.background = background;
   for (const PlannerVariant& variant : variants) {
-    result.rows.push_back(testPlanner(one, result.avoidability, planner, PolicyKind::kFixed, plan,
-                                      study, variant.options));
+    result.rows.push_back(
+        testPlanner(one, planner, PolicyKind::kFixed, plan, study, variant.options));
     result.rows.back().planner = variant.name;
   }
   return result;

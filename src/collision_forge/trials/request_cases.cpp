@@ -1,6 +1,7 @@
 #include "collision_forge/trials/request_cases.h"
 
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -24,6 +25,7 @@ std::vector<SceneRequest> everyRequestOf(const Scene& scene, const RequestListOp
   std::vector<SceneRequest> requests;
   CollisionRequest asked;
   asked.crash = withoutThreshold(study.crash);
+  asked.crash.types = {};  // the same for all, and large
   for (const Manoeuvre manoeuvre : kManoeuvres) {
     for (const AttackerChoice choice : {AttackerChoice::kExisting, AttackerChoice::kNew}) {
       asked.manoeuvre = manoeuvre;
@@ -37,10 +39,11 @@ std::vector<SceneRequest> everyRequestOf(const Scene& scene, const RequestListOp
   return requests;
 }
 
-std::string nameOf(const SceneRequest& asked, const Scene& scene) {
+/// `start`: s, the scene's first frame.
+std::string nameOf(const SceneRequest& asked, double start) {
   char text[64];
-  std::snprintf(text, sizeof(text), "/%.1f/%s/%g/", asked.now - scene.frame_times.front(),
-                toString(asked.request.type), asked.request.tta);
+  std::snprintf(text, sizeof(text), "/%.1f/%s/%g/", asked.now - start, toString(asked.request.type),
+                asked.request.tta);
   return asked.scene + text + toString(*asked.request.manoeuvre) + "/" +
          toString(asked.request.choice);
 }
@@ -54,19 +57,19 @@ RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
       answerer_(scenes, method, withoutThreshold(study.crash), study.ego_vehicle, study.adaptive),
       method_(method.name()) {
   std::vector<SceneRequest> all;
+  std::map<std::string, double> starts;
   for (const std::string& name : scenes.names()) {
-    for (SceneRequest& request : everyRequestOf(scenes.at(name)->scene, draw.list, study)) {
-      all.push_back(std::move(request));
+    const auto recording = scenes.at(name);
+    starts[name] = recording->scene.frame_times.front();
+    for (SceneRequest& request : everyRequestOf(recording->scene, draw.list, study)) {
+      if (roadAllowsAsked(request, *recording, study)) all.push_back(std::move(request));
     }
   }
   Random random(draw.seed);
   while (!all.empty() && requests_.size() < draw.tries) {
     std::swap(all[random.index(all.size())], all.back());
-    const auto recording = scenes.at(all.back().scene);
-    if (roadAllowsAsked(all.back(), *recording, study)) {
-      names_.push_back(nameOf(all.back(), recording->scene));
-      requests_.push_back(std::move(all.back()));
-    }
+    names_.push_back(nameOf(all.back(), starts.at(all.back().scene)));
+    requests_.push_back(std::move(all.back()));
     all.pop_back();
   }
   if (requests_.empty()) {

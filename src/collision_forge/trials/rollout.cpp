@@ -151,12 +151,6 @@ Track trackAt(const TrajectoryPoint& point, const BoxSize& size) {
   return {kEgoId, AgentClass::kCar, size, {{point.time, point.pose, velocityOf(point)}}};
 }
 
-std::unique_ptr<AttackerPolicy> attackerOf(const CrashScenario& scenario,
-                                           const RolloutSetup& setup) {
-  if (setup.attacker) return setup.attacker->clone();
-  return std::make_unique<FixedAttacker>(scenario.attacker);
-}
-
 /// One rollout, step by step.
 class Run {
  public:
@@ -389,6 +383,12 @@ std::optional<PlannerFailure> plannerFailureFromString(const std::string& name) 
     if (name == text) return value;
   }
   return std::nullopt;
+}
+
+std::unique_ptr<AttackerPolicy> attackerOf(const CrashScenario& scenario,
+                                           const RolloutSetup& setup) {
+  if (setup.attacker) return setup.attacker->clone();
+  return std::make_unique<FixedAttacker>(scenario.attacker);
 }
 
 RolloutOutcome rollout(Planner& planner, const Driving& driving, const CrashScenario& scenario,

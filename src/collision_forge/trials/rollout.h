@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,6 +78,10 @@ struct RolloutOutcome {
   int plans = 0;                                    ///< calls of the planner
   double planning_seconds = 0.0;  ///< of computing in these calls; the one thing that is measured
 };
+
+/// Who drives the attacker of a rollout, as it sets out.
+std::unique_ptr<AttackerPolicy> attackerOf(const CrashScenario& scenario,
+                                           const RolloutSetup& setup);
 
 /// Drives the ego by the planner from now on until its first contact (unless the setup says
 /// otherwise), a failure of the planner or the end of the attacker's trajectory. Whoever drives the
