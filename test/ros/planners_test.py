@@ -116,13 +116,13 @@ class TestPlannersTest(road.RoadTest):
         out, again = self.path('hit'), self.path('again')
         for folder, jobs in ((out, 1), (again, 2)):
             result = road.run('test', *ROOT, '--until-hit', '--scene', 'scene-0001', 'scene-0007', '--planners', 'idm',
-                              '--tries', 24, '--worst', 0, '--jobs', jobs, '--out', folder)
+                              '--tries', 28, '--worst', 0, '--jobs', jobs, '--out', folder)
             self.assertEqual(result.returncode, 0, result.stderr)
         for name in ('results.jsonl', 'weaknesses.md', 'weaknesses.jsonl', 'witnesses.jsonl'):
             self.assertEqual((again / name).read_bytes(), (out / name).read_bytes(), name)
         self.assertIn((out / 'weaknesses.md').read_text(), result.stdout)
         results = {result['name']: result for result in lines_of(out)}
-        self.assertEqual(len(results), 24)
+        self.assertEqual(len(results), 28)
         witnesses = [json.loads(line) for line in (out / 'witnesses.jsonl').read_text().splitlines()]
         self.assertGreater(len(witnesses), 1)
         speeds = []
