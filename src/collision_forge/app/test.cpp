@@ -14,6 +14,7 @@
 #include "collision_forge/app/planner_pictures.h"
 #include "collision_forge/app/until_hit.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/files/aside_file.h"
@@ -61,8 +62,11 @@ struct DrawnCases {
       : scenes(arguments.dataroot, arguments.version, arguments.scenes, config, kScenesKept),
         requests(scenes, loadMethod(arguments.method, config, config.attack), config,
                  {config.requests, arguments.tries.value_or(config.planners.until_hit.tries),
-                  arguments.seed}) {}
+                  arguments.seed, [this](std::size_t done, std::size_t count) {
+                    if (isMaster()) progress.show(done, count);
+                  }}) {}
 
+  ProgressLine progress{"scenes"};
   SceneSource scenes;
   RequestCases requests;
 };

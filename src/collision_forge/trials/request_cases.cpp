@@ -58,12 +58,14 @@ RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
       method_(method.name()) {
   std::vector<SceneRequest> all;
   std::map<std::string, double> starts;
-  for (const std::string& name : scenes.names()) {
+  const std::vector<std::string> names = scenes.names();
+  for (const std::string& name : names) {
     const auto recording = scenes.at(name);
     starts[name] = recording->scene.frame_times.front();
     for (SceneRequest& request : everyRequestOf(recording->scene, draw.list, study)) {
       if (roadAllowsAsked(request, *recording, study)) all.push_back(std::move(request));
     }
+    if (draw.on_scene) draw.on_scene(starts.size(), names.size());
   }
   Random random(draw.seed);
   while (!all.empty() && requests_.size() < draw.tries) {

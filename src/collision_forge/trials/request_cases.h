@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ struct RequestDraw {
   RequestListOptions list;  ///< instants, TTAs and types
   std::size_t tries = 0;
   std::uint64_t seed = 0;  ///< of the draw
+  /// Called with the scenes that were looked through, and their number.
+  std::function<void(std::size_t, std::size_t)> on_scene = {};
 };
 
 /// Collisions that can be asked for in recorded scenes, drawn from every instant, type, TTA,
