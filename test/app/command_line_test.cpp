@@ -70,6 +70,7 @@ const std::map<std::string, std::string> kComplete = {
     {"train", kLogs + " --out out"},
     {"speeds collect", kLogs + " --out profiles.csv"},
     {"speeds fit", " --profiles profiles.csv --out model.jsonl --config " + kConfig},
+    {"measure attackers", kLogs + " --scenarios " + kFile},
     {"measure controls", kLogs + " --requests " + kFile + " --out controls"},
     {"measure coverage", kLogs + " --out coverage.csv"},
     {"measure ego-futures", kLogs},
