@@ -35,6 +35,7 @@ TEST(PlannerResult, EachPolicyOfTheAttackerHasARowOfItsOwn) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const PlannerRow& row = result.rows[i];
     EXPECT_EQ(rowName(row.planner, row.attacker.policy), names[i]);
+    EXPECT_EQ(names[i].find(','), std::string::npos) << "it is a cell of CSV files";
     EXPECT_EQ(row.attacker.broken_limit, "");
     EXPECT_EQ(row.published_hit.has_value(), row.attacker.policy == PolicyKind::kFixed);
   }

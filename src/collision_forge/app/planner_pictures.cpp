@@ -17,20 +17,21 @@ RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, Po
       {config.planners, config.attack, config.crash.types, plan.background, true, attacker.get()});
 }
 
-ScenarioView viewOf(const PlannerCase& one, const std::vector<TrajectoryPoint>& ego,
-                    const AttackerTrajectory& attacker) {
+ScenarioView viewOf(const PlannerCase& one, PolicyKind policy,
+                    const std::vector<TrajectoryPoint>& ego, const AttackerTrajectory& attacker) {
   const CrashScenario& scenario = one.scenario;
-  ScenarioView view{one.scene,         one.request.tta, one.request.mode, scenario.snapshot,
-                    scenario.recorded, one.pattern,     attacker,         {}};
+  const Mode mode = policy == PolicyKind::kAdaptive ? Mode::kAdaptive : one.request.mode;
+  ScenarioView view{one.scene,         one.request.tta, mode,     scenario.snapshot,
+                    scenario.recorded, one.pattern,     attacker, {}};
   view.contact_alone = true;
   view.future.ego.states = toStates(ego);
   return view;
 }
 
-ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome) {
+ScenarioView viewOf(const PlannerCase& one, PolicyKind policy, const RolloutOutcome& outcome) {
   const CrashScenario& scenario = one.scenario;
   const PlannerContact& contact = *outcome.contact;
-  ScenarioView view = viewOf(one, outcome.driven, outcome.attacker);
+  ScenarioView view = viewOf(one, policy, outcome.driven, outcome.attacker);
   CollisionReport& report = view.report;
   report.contact = true;
   report.contact_time = contact.time;

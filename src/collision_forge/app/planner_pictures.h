@@ -16,11 +16,11 @@ RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, Po
                           const TestPlan& plan, const Config& config);
 
 /// The ego and the attacker as they drove, without a contact.
-ScenarioView viewOf(const PlannerCase& one, const std::vector<TrajectoryPoint>& ego,
-                    const AttackerTrajectory& attacker);
+ScenarioView viewOf(const PlannerCase& one, PolicyKind policy,
+                    const std::vector<TrajectoryPoint>& ego, const AttackerTrajectory& attacker);
 
 /// The same with the contact of the outcome, which has one.
-ScenarioView viewOf(const PlannerCase& one, const RolloutOutcome& outcome);
+ScenarioView viewOf(const PlannerCase& one, PolicyKind policy, const RolloutOutcome& outcome);
 
 /// PATH.png and PATH.gif.
 void drawView(const std::string& path, const ScenarioView& view, const DrawingOptions& drawing);

@@ -179,7 +179,7 @@ void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& 
             planner + "_" + toString(policy) + "_" + std::to_string(++ranks[row]);
         const RolloutOutcome outcome = driveAgain(one, planner, policy, plan, config);
         if (!outcome.contact) continue;  // of a planner that is timed by the wall clock
-        drawView((folder / name).string(), viewOf(one, outcome), config.drawing);
+        drawView((folder / name).string(), viewOf(one, policy, outcome), config.drawing);
       }
     }
   }

@@ -145,8 +145,9 @@ void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestRe
     if (written.insert(hardest).second) scenarios += scenarioLine(shown->scenario) + "\n";
     witnesses += witnessLine(weakness, *shown) + "\n";
     const std::string picture = (pictures / std::to_string(rank)).string();
-    drawView(picture, viewOf(shown->one, shown->outcome), config.drawing);
-    drawView(picture + "_escape", viewOf(shown->one, wholeEscape(*shown), shown->escape.attacker),
+    drawView(picture, viewOf(shown->one, weakness.policy, shown->outcome), config.drawing);
+    drawView(picture + "_escape",
+             viewOf(shown->one, weakness.policy, wholeEscape(*shown), shown->escape.attacker),
              config.drawing);
   }
   writeText(folder + "/weaknesses.md", table);

@@ -137,7 +137,7 @@ PlannerTestResult judgeCase(const PlannerCase& one, const StudyOptions& study,
 }
 
 std::string rowName(const std::string& planner, PolicyKind policy) {
-  return policy == PolicyKind::kFixed ? planner : planner + ", adaptive attacker";
+  return policy == PolicyKind::kFixed ? planner : planner + " against adaptive";
 }
 
 std::vector<std::string> rowNames(const TestPlan& plan) {
