@@ -73,6 +73,16 @@ TEST_F(AttackerStressTest, TellsABrokenLimitAndWhoWasTouched) {
   EXPECT_EQ(stress(EgoConduct::kVanishes, FixedAttacker(one_.scenario.attacker)).touched, "wall");
 }
 
+TEST_F(AttackerStressTest, TheLimitsHoldAfterTheContactToo) {
+  one_.request.crash.limits = LimitSet::kDrivable;
+  AttackerTrajectory odd = one_.scenario.attacker;
+  EXPECT_TRUE(stress(EgoConduct::kStops, FixedAttacker(odd)).touches_ego);
+  EXPECT_EQ(stress(EgoConduct::kStops, FixedAttacker(odd)).broken_limit, "");
+  odd.points[odd.points.size() - 2].pose.y += 1.0;
+  EXPECT_TRUE(stress(EgoConduct::kStops, FixedAttacker(odd)).touches_ego);
+  EXPECT_NE(stress(EgoConduct::kStops, FixedAttacker(odd)).broken_limit, "");
+}
+
 TEST_F(AttackerStressTest, AnAttackerThatReactsKeepsItsLimitsAndGivesUpOnWhoIsGone) {
   one_.request.crash.limits = LimitSet::kDrivable;
   const auto attacker = makeAttacker(one_, PolicyKind::kAdaptive, {}, config());

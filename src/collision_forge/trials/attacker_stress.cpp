@@ -1,6 +1,5 @@
 #include "collision_forge/trials/attacker_stress.h"
 
-#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -58,7 +57,7 @@ Track egoOf(const CrashScenario& scenario, double tta, EgoConduct conduct, std::
   const double step = setup.planners.rollout.step;
   const double now = scenario.snapshot.now;
   Random random(seed);
-  const double start = now + random.uniform(0.0, kLatestStart * tta);
+  const double start = now + random.uniform(step, kLatestStart * tta);
   Track ego{kEgoId, AgentClass::kCar, scenario.ego.size, {}};
   double time = now;
   for (; time < start - kTimeEpsilon; time += step) {
@@ -76,15 +75,6 @@ Track egoOf(const CrashScenario& scenario, double tta, EgoConduct conduct, std::
   for (; time < scenario.end() - kTimeEpsilon; time += step) {
     ego.states.push_back(confusing(conduct, from, time));
   }
-  return ego;
-}
-
-/// Without the states in which it is nowhere.
-Track seenOf(Track ego) {
-  auto& states = ego.states;
-  states.erase(std::remove_if(states.begin(), states.end(),
-                              [](const AgentState& state) { return !state.pose.isFinite(); }),
-               states.end());
   return ego;
 }
 
@@ -110,19 +100,26 @@ StressOutcome stressAttacker(const CrashScenario& scenario, const CollisionReque
                              EgoConduct conduct, std::uint64_t seed, const RolloutSetup& setup) {
   checkScenario(scenario);
   const Track ego = egoOf(scenario, request.tta, conduct, seed, setup);
-  Traffic traffic(scenario, setup.attacker->clone(), setup.background, setup.planners.idm,
+  Traffic traffic(scenario, attackerOf(scenario, setup), setup.background, setup.planners.idm,
                   setup.planners.planning.history);
-  for (std::size_t i = 1; i < ego.states.size(); ++i) {
-    Track seen = ego;
-    seen.states = {ego.states[i - 1]};
-    traffic.advance(ego.states[i].time, seen);
-  }
   Future driven = scenario.recorded;
-  driven.ego = seenOf(ego);
-  const CollisionReport report =
-      verifyDrive(traffic.attacker().trajectory(),
-                  {scenario.snapshot, driven, request, *scenario.lanes}, setup.attack.verification);
-  return {report.broken_limit, report.first_other_id, report.contact, traffic.attacker().phase()};
+  driven.ego.states.clear();
+  for (std::size_t i = 0; i < ego.states.size(); ++i) {
+    const AgentState& state = ego.states[i];
+    if (state.pose.isFinite()) driven.ego.states.push_back(state);
+    if (i + 1 < ego.states.size()) {
+      traffic.advance(ego.states[i + 1].time, {ego.id, ego.agent_class, ego.size, {state}});
+    }
+  }
+  const AttackerTrajectory& trajectory = traffic.attacker().trajectory();
+  const auto verified = [&] {
+    return verifyDrive(trajectory, {scenario.snapshot, driven, request, *scenario.lanes},
+                       setup.attack.verification);
+  };
+  const bool touches_ego = verified().contact;
+  driven.ego.states.resize(1);  // without a contact all that was driven is held to the limits
+  const CollisionReport whole = verified();
+  return {whole.broken_limit, whole.first_other_id, touches_ego, traffic.attacker().phase()};
 }
 
 }  // namespace forge

@@ -13,8 +13,8 @@ namespace forge {
 enum class EgoConduct {
   kEvades,    ///< drives one of the plans of EvasiveDrives
   kStops,     ///< stands at once
-  kReverses,  ///< drives backwards at once
-  kJumps,     ///< is elsewhere at once, and drives on there
+  kReverses,  ///< drives backwards at once, at 3 m/s
+  kJumps,     ///< is 30 m ahead at once, and drives on there
   kVanishes,  ///< is not seen any more
 };
 inline constexpr std::array<EgoConduct, 5> kEgoConducts = {
@@ -32,8 +32,8 @@ struct StressOutcome {
 };
 
 /// Drives the setup's attacker to the scenario's end against an ego that drives as recorded, and
-/// from a random instant before the time asked for on does `conduct`. The ego drives on through
-/// whom it touches. Deterministic by the seed. Throws as checkScenario().
+/// from a random instant on, within nine tenths of the time asked for, does `conduct`. Both drive
+/// on through whom they touch. Deterministic by the seed. Throws as checkScenario().
 StressOutcome stressAttacker(const CrashScenario& scenario, const CollisionRequest& request,
                              EgoConduct conduct, std::uint64_t seed, const RolloutSetup& setup);
 
