@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace forge {
@@ -9,22 +10,18 @@ namespace {
 
 constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 
-double speedOf(const AgentState& state) {
-  return std::max(state.velocity.dot(state.pose.heading()), 0.0);
-}
-
 /// The search in one scenario.
 class Search {
  public:
   Search(const CrashScenario& scenario, const AvoidabilityOptions& options,
          const RouteOptions& route, const AttackOptions& attack)
       : scenario_(scenario), options_(options), drives_(scenario, options, route, attack) {
-    const OrientedBox now{scenario.recorded.ego.states.front().pose, scenario.ego.size};
     others_.ego = attackerTrack(scenario);
+    const std::set<std::string> ignored = overlappingNow(scenario);
     for (const Track& agent : scenario.recorded.agents) {
-      if (agent.id == scenario.attacker.attacker_id) continue;
-      const auto state = stateAt(agent, scenario.snapshot.now);
-      if (!state || !overlaps(now, boxAt(agent, state->pose))) others_.agents.push_back(agent);
+      if (agent.id != scenario.attacker.attacker_id && ignored.count(agent.id) == 0) {
+        others_.agents.push_back(agent);
+      }
     }
   }
 

@@ -24,6 +24,19 @@ std::vector<Track> othersFromNow(const CrashScenario& scenario) {
   return others;
 }
 
+std::set<std::string> overlappingNow(const CrashScenario& scenario) {
+  const OrientedBox ego{scenario.recorded.ego.states.front().pose, scenario.ego.size};
+  std::set<std::string> ids;
+  for (const Track& agent : scenario.recorded.agents) {
+    const auto state = stateAt(agent, scenario.snapshot.now);
+    if (agent.id != scenario.attacker.attacker_id && state &&
+        overlaps(ego, boxAt(agent, state->pose))) {
+      ids.insert(agent.id);
+    }
+  }
+  return ids;
+}
+
 void showPast(CrashScenario& scenario) {
   const AttackerTrajectory& attacker = scenario.attacker;
   if (!attacker.isAdded()) return;

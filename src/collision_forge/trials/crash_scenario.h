@@ -1,6 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/scene/attack.h"
@@ -26,6 +29,10 @@ Track attackerTrack(const CrashScenario& scenario);
 /// Everybody but the ego from now on: the attacker first, as it drives, then the others as
 /// recorded.
 std::vector<Track> othersFromNow(const CrashScenario& scenario);
+
+/// The ids of those, the attacker aside, whose recorded boxes overlap the ego's now: what is made
+/// of a recording may be so, and is no contact.
+std::set<std::string> overlappingNow(const CrashScenario& scenario);
 
 /// Puts the past of an attacker that was added among what was seen up to now.
 void showPast(CrashScenario& scenario);

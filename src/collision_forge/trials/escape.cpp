@@ -26,14 +26,8 @@ class Search {
       : scenario_(scenario),
         setup_(setup),
         options_(setup.planners.avoidability),
-        drives_(scenario, options_, setup.planners.planning.route, setup.attack) {
-    const OrientedBox now{scenario.recorded.ego.states.front().pose, scenario.ego.size};
-    for (const Track& agent : scenario.recorded.agents) {
-      const auto state = stateAt(agent, scenario.snapshot.now);
-      if (state && overlaps(now, boxAt(agent, state->pose))) ignored_.insert(agent.id);
-    }
-    ignored_.erase(scenario.attacker.attacker_id);
-  }
+        drives_(scenario, options_, setup.planners.planning.route, setup.attack),
+        ignored_(overlappingNow(scenario)) {}
 
   std::optional<Escape> run(const std::vector<TrajectoryPoint>& driven) const {
     const std::vector<Traffic> moments = momentsOf(driven);

@@ -146,10 +146,6 @@ class PlanDriver {
   double total_;  // m/s2
 };
 
-double speedOf(const AgentState& state) {
-  return std::max(state.velocity.dot(state.pose.heading()), 0.0);
-}
-
 }  // namespace
 
 const char* toString(EvasiveManoeuvre manoeuvre) {
@@ -164,6 +160,10 @@ std::optional<EvasiveManoeuvre> evasiveManoeuvreFromString(const std::string& na
     if (name == text) return value;
   }
   return std::nullopt;
+}
+
+double speedOf(const AgentState& state) {
+  return std::max(state.velocity.dot(state.pose.heading()), 0.0);
 }
 
 EvasiveManoeuvre kindOf(const EvasivePlan& plan) {

@@ -55,6 +55,9 @@ struct EvasivePlan {
 
 EvasiveManoeuvre kindOf(const EvasivePlan& plan);
 
+/// m/s along the heading; an ego that reverses stands.
+double speedOf(const AgentState& state);
+
 /// Where everybody but the ego is at instants `step` seconds apart.
 class Obstacles {
  public:
