@@ -21,7 +21,8 @@ TIMEOUT = 120.0  # s; a command takes less than one
 
 CODES = ['OK', 'UNKNOWN_TYPE', 'TTA_OUT_OF_RANGE', 'UNKNOWN_ATTACKER', 'ABSENT_ATTACKER', 'TOO_LITTLE_HISTORY',
          'NO_CANDIDATE', 'NO_ATTACK_WITHIN_LIMITS', 'NO_SCENE', 'NO_RECORDING', 'BEYOND_RECORDING', 'INVALID_INPUT',
-         'NODE_UNAVAILABLE', 'LOW_CONFIDENCE', 'NOT_BELIEVABLE', 'ROAD_DOES_NOT_ALLOW']  # GenerateCollision.srv, by number
+         'NODE_UNAVAILABLE', 'LOW_CONFIDENCE', 'NOT_BELIEVABLE', 'ROAD_DOES_NOT_ALLOW',
+         'STALE_SCENE']  # GenerateCollision.srv, by number
 
 ATTACK_TOPICS = ['/attack', '/tested_report']
 ATTACKED_TOPICS = ['/agents', '/annotation_markers']

@@ -89,13 +89,15 @@ const char* toString(StatusCode code) {
       return "NOT_BELIEVABLE";
     case StatusCode::kRoadDoesNotAllow:
       return "ROAD_DOES_NOT_ALLOW";
+    case StatusCode::kStaleScene:
+      return "STALE_SCENE";
   }
   return "UNKNOWN";
 }
 
 std::optional<StatusCode> statusCodeFromString(const std::string& name) {
   for (auto number = static_cast<int>(StatusCode::kOk);
-       number <= static_cast<int>(StatusCode::kRoadDoesNotAllow); ++number) {
+       number <= static_cast<int>(StatusCode::kStaleScene); ++number) {
     const auto code = static_cast<StatusCode>(number);
     if (name == toString(code)) return code;
   }

@@ -74,6 +74,7 @@ enum class StatusCode : std::uint8_t {
   kLowConfidence = 13,        ///< the best attack promises less than min_confidence
   kNotBelievable = 14,        ///< attacks exist, but no driver would drive so
   kRoadDoesNotAllow = 15,     ///< no lane of the type's direction passes the ego's place then
+  kStaleScene = 16,           ///< no scene has come for longer than allowed
 };
 const char* toString(StatusCode code);
 /// Empty for an unknown name; names are those of toString(), in capitals.
