@@ -34,6 +34,23 @@ void expectRefusal(const CollisionRequest& request, const Snapshot& snapshot, St
   }
 }
 
+TEST(WithFullId, TheBeginningOfAnIdIsEnoughWhereItNamesNobodyElse) {
+  Snapshot snapshot = twoCars();
+  snapshot.agents = {pastTrack("33dd9cf264db", kCarSize, {30.0, 3.5, M_PI}, 10.0),
+                     pastTrack("33dd9cf9", kCarSize, {60.0, 3.5, M_PI}, 10.0),
+                     pastTrack("519c8d", kCarSize, {90.0, 3.5, M_PI}, 10.0)};
+  const auto fullId = [&](const std::string& id) {
+    return *withFullId(asking(4.0, id), snapshot).attacker;
+  };
+  EXPECT_EQ(fullId("33dd9cf2"), "33dd9cf264db");
+  EXPECT_EQ(fullId("33dd9cf264db"), "33dd9cf264db");
+  EXPECT_EQ(fullId("519c8d"), "519c8d");
+  EXPECT_EQ(fullId("33dd9c"), "33dd9c") << "both begin so";
+  EXPECT_EQ(fullId("33dd9cf264dbff"), "33dd9cf264dbff");
+  EXPECT_EQ(fullId("519c8"), "519c8") << "too short";
+  EXPECT_FALSE(withFullId(asking(4.0), snapshot).attacker);
+}
+
 TEST(IsCandidate, HoldsForAVehicleSeenNowAndBefore) {
   const Snapshot snapshot = twoCars();
   EXPECT_TRUE(isCandidate(snapshot.agents[0], snapshot, kOptions));

@@ -32,6 +32,7 @@ def place_at(attack, stamp):
 
 class AdaptiveTest(live.LiveTest):
     SCENES = ['scene-0007']
+    ARGUMENTS = {'keep_attack': 'true'}
     HEARD = ['/encoded_scene', '/attack', '/injected_agents', '/tested_report', '/attack_markers']
 
     def ask(self, **controls):

@@ -26,17 +26,17 @@ NODES = {
     'pattern_predictor': ([], ['/lane_map'], ['/predict_pattern']),
     'trajectory_realizer': ([], ['/lane_map'], ['/realize_trajectory']),
     'attack_verifier': (['/tested_report'],
-                        ['/agents', '/attack', '/lane_map', '/odom'], []),
+                        ['/agents', '/attack', '/lane_map', '/tf'], []),
     'planner_tester': (['/planner_markers', '/planner_outcome', '/planning_state', '/tested_map'],
                        ['/attack', '/planned_trajectory'], ['/test_planner']),
     'collision_generator': (['/attack', '/attack_methods', '/predicted_patterns'], ['/encoded_scene', '/lane_map'],
-                            ['/generate_collision']),
+                            ['/generate_collision', '/generate_collisions', '/list_collisions', '/reset']),
     'attacker_injector': (['/injected_agents'], ['/agents', '/attack'], []),
     'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers'],
                          ['/attack', '/encoded_scene', '/lane_map', '/predicted_patterns'], []),
 }
 MANAGER = 'collision_forge_manager'
-PLAYED = ['/agents', '/lane_map', '/odom', '/tf']  # what the suite hears of a bag
+PLAYED = ['/agents', '/lane_map', '/tf']  # what the suite hears of a bag
 
 TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/encoded_scene': EncodedScene,
          '/attack': Attack, '/attack_methods': AttackMethods, '/tested_report': CollisionReport,

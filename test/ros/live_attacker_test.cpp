@@ -15,6 +15,9 @@ double braking(double seconds) { return std::max(3.0, 8.0 - 2.5 * seconds); }
 
 class LiveAttackerTest : public testing::Test {
  protected:
+  explicit LiveAttackerTest(bool keeps_attack = true)
+      : live_([this](const auto& attack) { published_.push_back(attack); }, keeps_attack) {}
+
   collision_forge::Attack setOut() {
     const Realization first = chase_.firstAttack();
     return live_.setOut(
@@ -42,8 +45,45 @@ class LiveAttackerTest : public testing::Test {
 
   Chase chase_;
   std::vector<collision_forge::Attack> published_;
-  LiveAttacker live_{[this](const auto& attack) { published_.push_back(attack); }};
+  LiveAttacker live_;
 };
+
+class ForgetfulLiveAttackerTest : public LiveAttackerTest {
+ protected:
+  ForgetfulLiveAttackerTest() : LiveAttackerTest(false) {}
+};
+
+TEST_F(ForgetfulLiveAttackerTest, AReplayThatStartsAgainBeginsWithoutTheAttack) {
+  setOut();
+  see(braking, 0.0, 3.0);
+  seeTheStart();
+  EXPECT_EQ(published_.back(), collision_forge::Attack());
+  const std::size_t before = published_.size();
+  see(braking, -0.5, 5.5);
+  EXPECT_EQ(published_.size(), before);
+}
+
+TEST_F(ForgetfulLiveAttackerTest, AFixedOneIsForgottenToo) {
+  collision_forge::Attack fixed;
+  fixed.header.stamp = stampOf(kNow);
+  live_.setOut(fixed);
+  see(steady, 0.0, 1.0);
+  see(steady, 0.4, 1.0);
+  EXPECT_EQ(published_.size(), 1u) << "a replay that goes back, but not to before the attack";
+  seeTheStart();
+  EXPECT_EQ(published_.back(), collision_forge::Attack());
+}
+
+TEST_F(LiveAttackerTest, IsForgottenOnceWhereThatIsAskedFor) {
+  EXPECT_FALSE(live_.forget());
+  setOut();
+  EXPECT_TRUE(live_.forget());
+  EXPECT_EQ(published_.back(), collision_forge::Attack());
+  EXPECT_FALSE(live_.forget());
+  const std::size_t before = published_.size();
+  see(braking, 0.0, 3.0);
+  EXPECT_EQ(published_.size(), before);
+}
 
 TEST_F(LiveAttackerTest, SetsOutWithTheAnswer) {
   const collision_forge::Attack first = setOut();

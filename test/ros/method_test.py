@@ -116,7 +116,7 @@ class LiveMethodTest(live.LiveTest):
                  for kind in ('rear_end', 'lane_change', 'opposite_direction') for tta in (2.0, 3.0, 4.0)}
         self.assertLessEqual(codes, {'OK', 'NO_ATTACK_WITHIN_LIMITS', 'NO_CANDIDATE', 'ROAD_DOES_NOT_ALLOW'})
         self.assertIn('OK', codes)
-        self.assertEqual(self.heard['/attack'].wait().method, METHOD)
+        self.assertEqual(self.heard['/attack'].wait(lambda attack: attack.trajectory.attacker_id).method, METHOD)
 
     def test_methods_that_are_not_there_are_refused(self):
         self.play_to(10.0)

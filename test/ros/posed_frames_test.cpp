@@ -1,5 +1,6 @@
 #include "collision_forge/ros/posed_frames.h"
 
+#include <collision_forge/AgentArray.h>
 #include <gtest/gtest.h>
 
 #include <boost/make_shared.hpp>
@@ -38,7 +39,7 @@ class PosedFramesTest : public testing::Test {
   std::vector<double> ready() {
     std::vector<double> times;
     while (const auto found = frames_.next()) {
-      const double seconds = (found->agents->header.stamp - at(0.0)).toSec();
+      const double seconds = (found->message->header.stamp - at(0.0)).toSec();
       EXPECT_NEAR(found->pose.translation.x, 10.0 * seconds, 1e-6);
       dropped_ += found->dropped;
       times.push_back(seconds);
@@ -47,7 +48,7 @@ class PosedFramesTest : public testing::Test {
   }
 
   using Times = std::vector<double>;
-  PosedFrames frames_;
+  PosedFrames<collision_forge::AgentArray> frames_;
   std::size_t dropped_ = 0;
 };
 

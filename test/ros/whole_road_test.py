@@ -25,6 +25,7 @@ def is_out_of_sight(place, scene):
 
 class JunctionTest(live.WholeRoadTest):
     SCENES = ['scene-0003']
+    ARGUMENTS = {'keep_attack': 'true'}
 
     def test_history_lane_change(self):
         self.check('lane_change', 'history', 0)

@@ -28,15 +28,15 @@ TEST(CollisionRequest, ChoicesAreReadBack) {
 
 TEST(CollisionRequest, StatusNamesAreDistinct) {
   std::set<std::string> names;
-  for (int code = 0; code <= 15; ++code) names.insert(toString(static_cast<StatusCode>(code)));
-  EXPECT_EQ(names.size(), 16u);
+  for (int code = 0; code <= 16; ++code) names.insert(toString(static_cast<StatusCode>(code)));
+  EXPECT_EQ(names.size(), 17u);
   EXPECT_EQ(names.count("UNKNOWN"), 0u);
-  EXPECT_STREQ(toString(static_cast<StatusCode>(16)), "UNKNOWN");
+  EXPECT_STREQ(toString(static_cast<StatusCode>(17)), "UNKNOWN");
   EXPECT_STREQ(toString(StatusCode::kTtaOutOfRange), "TTA_OUT_OF_RANGE");
 }
 
 TEST(CollisionRequest, StatusNamesAreReadBack) {
-  for (int code = 0; code <= 15; ++code) {
+  for (int code = 0; code <= 16; ++code) {
     const auto status = static_cast<StatusCode>(code);
     EXPECT_EQ(statusCodeFromString(toString(status)), status);
   }

@@ -102,16 +102,69 @@ TEST(SceneHistory, RefusesAnEgoPoseThatIsNotFinite) {
 }
 
 TEST(SceneHistory, StartsAnewWhenTimeDoesNotAdvance) {
-  for (const double restart : {0.5, 0.0, -10.0}) {
+  SceneHistory history(4, kVehicle);
+  history.add(frameAt(0.0, {seen("a", {})}));
+  history.add(frameAt(0.5, {seen("a", {})}));
+  history.add(frameAt(-10.0));
+  const Snapshot snapshot = history.snapshot();
+  EXPECT_EQ(snapshot.now, -10.0);
+  EXPECT_EQ(snapshot.ego.states.size(), 1u);
+  EXPECT_TRUE(snapshot.agents.empty());
+}
+
+TEST(SceneHistory, FramesWhoseStampsJitterAreLateAndNoRestart) {
+  SceneHistory history(4, kVehicle);
+  EXPECT_FALSE(history.isLate(0.0));
+  history.add(frameAt(5.0));
+  EXPECT_FALSE(history.isLate(5.01));
+  EXPECT_TRUE(history.isLate(5.0));
+  EXPECT_TRUE(history.isLate(4.98));
+  EXPECT_TRUE(history.isLate(5.0 - kRestart));
+  EXPECT_FALSE(history.isLate(5.0 - 1.01 * kRestart)) << "a replay that starts again";
+}
+
+TEST(SceneHistory, HoweverOftenFramesComeThoseShownAreAnIntervalApart) {
+  constexpr double kEpoch = 1533000000.0;  // s, as nuScenes' clock, which rounds
+  for (const double rate : {4.0, 10.0, 20.0}) {
     SceneHistory history(4, kVehicle);
-    history.add(frameAt(0.0, {seen("a", {})}));
-    history.add(frameAt(0.5, {seen("a", {})}));
-    history.add(frameAt(restart));
+    for (int i = 0; i <= 5 * static_cast<int>(rate); ++i) {
+      history.add(frameAt(kEpoch + i / rate, {seen("a", {0.0, 0.1 * i, 0.0})}));
+    }
     const Snapshot snapshot = history.snapshot();
-    EXPECT_EQ(snapshot.now, restart);
-    EXPECT_EQ(snapshot.ego.states.size(), 1u);
-    EXPECT_TRUE(snapshot.agents.empty());
+    EXPECT_NEAR(snapshot.now, kEpoch + 5.0, 1e-6);
+    for (const Track& track : {snapshot.ego, snapshot.agents.at(0)}) {
+      ASSERT_EQ(track.states.size(), 4u) << rate << " Hz";
+      for (std::size_t i = 0; i + 1 < 4; ++i) {
+        EXPECT_NEAR(track.states[i + 1].time - track.states[i].time, kFrameInterval, 1e-5) << rate;
+      }
+    }
   }
+}
+
+TEST(SceneHistory, RareFramesAreKept) {
+  SceneHistory history(4, kVehicle);
+  for (int i = 0; i < 6; ++i) history.add(frameAt(2.0 * i));
+  const Snapshot snapshot = history.snapshot();
+  ASSERT_EQ(snapshot.ego.states.size(), 4u);
+  EXPECT_EQ(snapshot.ego.states.front().time, 4.0);
+}
+
+TEST(SceneHistory, GoesOnFromASnapshotAndItsMap) {
+  Snapshot start;
+  start.now = 1.0;
+  start.map = std::make_shared<const LaneMap>();
+  start.ego = {
+      kEgoId, AgentClass::kCar, kVehicle.size, {{0.5, {}, {}}, {1.0, {2.0, 0.0, 0.0}, {}}}};
+  start.agents = {{"a", AgentClass::kCar, {4.0, 2.0}, {{1.0, {9.0, 0.0, 0.0}, {}}}}};
+  SceneHistory history(4, kVehicle, start);
+  history.add(frameAt(1.5, {seen("a", {10.0, 0.0, 0.0})}));
+  const Snapshot snapshot = history.snapshot();
+  EXPECT_EQ(snapshot.map, start.map);
+  EXPECT_EQ(history.newest().time, 1.5);
+  ASSERT_EQ(snapshot.ego.states.size(), 3u);
+  EXPECT_EQ(snapshot.ego.states[1].pose.x, 2.0);
+  ASSERT_EQ(snapshot.agents.size(), 1u);
+  EXPECT_NEAR(snapshot.agents[0].states.back().velocity.x(), 2.0, 1e-9);
 }
 
 TEST(SceneHistory, KeepsOneStateOfAnAgentNamedTwiceInAFrame) {

@@ -56,6 +56,16 @@ TEST(SnapshotAt, HoldsTheNewestFramesAndNothingLater) {
   EXPECT_EQ(snapshot.agents[1].size.length, 6.0);
 }
 
+TEST(HistoryTimes, AreAnIntervalApartHoweverOftenFramesCame) {
+  using Times = std::vector<double>;
+  EXPECT_EQ(historyTimes({}, 3), Times());
+  EXPECT_EQ(historyTimes({1.0, 1.5, 2.0, 2.5}, 3), (Times{1.5, 2.0, 2.5}));
+  EXPECT_EQ(historyTimes({1.0, 1.25, 1.5, 1.75, 2.0, 2.25, 2.5}, 3), (Times{1.5, 2.0, 2.5}));
+  EXPECT_EQ(historyTimes({1.04, 1.46, 2.03, 2.5}, 8), (Times{1.04, 1.46, 2.03, 2.5})) << "jitter";
+  EXPECT_EQ(historyTimes({1.0, 2.0, 4.0}, 8), (Times{1.0, 2.0, 4.0})) << "rare frames";
+  EXPECT_EQ(historyTimes({2.3, 2.4, 2.5}, 8), (Times{2.3, 2.5})) << "too short for a second one";
+}
+
 TEST(SnapshotAt, LeavesOutAgentsThatAreInNoneOfItsFrames) {
   const Snapshot snapshot = snapshotAt(tenFrames(), 102.5, 3);
   ASSERT_EQ(snapshot.agents.size(), 1u);

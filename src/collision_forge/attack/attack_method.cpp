@@ -31,7 +31,8 @@ Realization attempt(const AttackMethod& method, const Moment& moment,
 }
 
 Realization generateCollision(const AttackMethod& method, const Moment& moment,
-                              const CollisionRequest& request, const PredictionOptions& options) {
+                              const CollisionRequest& asked, const PredictionOptions& options) {
+  const CollisionRequest request = withFullId(asked, moment.snapshot);
   const Status status = checkRequest(request, moment.snapshot, options);
   if (status.code != StatusCode::kOk) return refused(status.code, status.message);
   if (request.mode == Mode::kReplay && !moment.recorded) {

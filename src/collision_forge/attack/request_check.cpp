@@ -87,6 +87,19 @@ bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionO
   return (agent.states.back().pose.position() - ego).norm() <= options.candidate_radius;
 }
 
+CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot) {
+  if (!request.attacker || request.attacker->size() < kShortId) return request;
+  std::vector<std::string> named;
+  for (const Track& agent : snapshot.agents) {
+    if (agent.id == *request.attacker) return request;
+    if (agent.id.compare(0, request.attacker->size(), *request.attacker) == 0) {
+      named.push_back(agent.id);
+    }
+  }
+  if (named.size() == 1) request.attacker = named.front();
+  return request;
+}
+
 Status checkControls(const CollisionRequest& request) {
   if (request.attacker && request.choice == AttackerChoice::kNew) {
     return refuse(StatusCode::kInvalidInput, "choice = new, but attacker_id = \"",

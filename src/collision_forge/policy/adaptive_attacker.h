@@ -7,7 +7,6 @@
 #include "collision_forge/attack/options.h"
 #include "collision_forge/forecast/ego_futures.h"
 #include "collision_forge/policy/attacker_policy.h"
-#include "collision_forge/policy/observed_scene.h"
 #include "collision_forge/policy/options.h"
 #include "collision_forge/scene/collision_request.h"
 
@@ -77,7 +76,7 @@ class AdaptiveAttacker : public AttackerPolicy {
   AttackOptions planning_;  // of new plans
   Track vehicle_;           // without states
   DriveLimits limits_;
-  ObservedScene scene_;
+  SceneHistory scene_;
   double impact_;                     // s, the scene's clock; asked for
   double last_look_;                  // s
   double last_ego_;                   // s, when the ego was seen last

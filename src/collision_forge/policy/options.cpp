@@ -20,7 +20,6 @@ static void readOptions(Section& section, FairnessOptions& options) {
 void readOptions(Section& section, AdaptiveOptions& options) {
   options.period = section.positive("period");
   options.commit_time = section.nonNegative("commit_time");
-  options.frame_interval = section.positive("frame_interval");
   options.ego_samples = section.count("ego_samples", 1);
   options.min_gain = section.nonNegative("min_gain");
   options.ways = section.count("ways", 1);

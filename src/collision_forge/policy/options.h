@@ -24,7 +24,6 @@ struct FairnessOptions {
 struct AdaptiveOptions {
   double period = 0.0;
   double commit_time = 0.0;
-  double frame_interval = 0.0;
   int ego_samples = 0;
   double min_gain = 0.0;
   int ways = 0;

@@ -1,28 +1,31 @@
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/Attack.h>
 #include <collision_forge/CollisionReport.h>
-#include <nav_msgs/Odometry.h>
+#include <geometry_msgs/TransformStamped.h>
 #include <nodelet/nodelet.h>
 #include <ros/ros.h>
+#include <tf2_msgs/TFMessage.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <boost/make_shared.hpp>
 #include <deque>
 #include <optional>
 
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/posed_frames.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/verify/ego_test.h"
 
 namespace forge {
 
-/// Verifies the newest attack against the ego as it comes and publishes tested_report: at the
+/// Verifies the newest attack against the ego as it comes (/tf) and publishes tested_report: at the
 /// contact, or at the end of the attacker's trajectory when there was none. One whose attacker
 /// reacts goes on being tested when it comes again.
 class AttackVerifierNodelet : public nodelet::Nodelet {
  private:
   static constexpr std::size_t kKept = 100;  // newest poses and frames
-  static constexpr double kAhead = 1.0;  // s; agents of a new replay may come before its odometry
+  static constexpr double kAhead = 1.0;      // s; agents of a new replay may come before its poses
 
   struct Frame {
     double time = 0.0;
@@ -36,15 +39,19 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     publisher_ = node.advertise<collision_forge::CollisionReport>(names::kTestedReport, 1, true);
     subscribers_ = {
         node.subscribe(names::kAttack, 1, &AttackVerifierNodelet::receiveAttack, this),
-        node.subscribe(names::kOdometry, kTopicQueue, &AttackVerifierNodelet::receiveOdometry,
-                       this),
+        node.subscribe(names::kTf, kTopicQueue, &AttackVerifierNodelet::receiveTransforms, this),
+        node.subscribe(names::kStaticTf, kTopicQueue,
+                       &AttackVerifierNodelet::receiveStaticTransforms, this),
         node.subscribe(names::kAgents, kTopicQueue, &AttackVerifierNodelet::receiveAgents, this)};
   }
 
   void receiveAttack(const collision_forge::Attack& message) {
     const bool goes_on = isNextOf(message);
     attack_ = message;
-    if (!goes_on) {
+    if (isNone(message)) {
+      attack_.reset();
+      test_.reset();
+    } else if (!goes_on) {
       startTest();
     } else if (test_) {
       changeTest();
@@ -88,13 +95,34 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     }
   }
 
-  void receiveOdometry(const nav_msgs::Odometry& message) {
-    const Pose2 base = fromMessage(message.pose.pose);
-    const AgentState ego{message.header.stamp.toSec(),
-                         compose(base, {config_.ego_vehicle.center_offset, 0.0, 0.0}),
-                         message.twist.twist.linear.x * base.heading()};
+  void receiveTransforms(const tf2_msgs::TFMessage& message) {
+    for (const geometry_msgs::TransformStamped& transform : message.transforms) {
+      if (transform.child_frame_id == names::kBaseFrame) {
+        poses_.addFrame(boost::make_shared<geometry_msgs::TransformStamped>(transform));
+      }
+    }
+    poses_.addTransforms(message, false);
+    addEgos();
+  }
+
+  void receiveStaticTransforms(const tf2_msgs::TFMessage& message) {
+    poses_.addTransforms(message, true);
+    addEgos();
+  }
+
+  /// Where the ego is in the map, whatever frames lie between: as soon as all of them are known.
+  void addEgos() {
+    while (const auto posed = poses_.next()) {
+      addEgo({posed->message->header.stamp.toSec(),
+              compose(fromMessage(posed->pose), {config_.ego_vehicle.center_offset, 0.0, 0.0}),
+              Vector2::Zero()});
+    }
+  }
+
+  void addEgo(const AgentState& ego) {
     if (!ego.pose.isFinite()) return;
-    if (!egos_.empty() && ego.time < egos_.back().time) {
+    if (!egos_.empty() && ego.time <= egos_.back().time) {
+      if (ego.time >= egos_.back().time - kRestart) return;
       // The replay was restarted. An attack that is still to come is tested again.
       egos_.clear();
       dropFramesAfter(ego.time + kAhead);
@@ -114,12 +142,16 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
 
   void receiveAgents(const collision_forge::AgentArray& message) {
     const double time = message.header.stamp.toSec();
+    if (!frames_.empty() && time <= frames_.back().time && time >= frames_.back().time - kRestart) {
+      return;
+    }
     try {
+      requireMapFrame(message.header, names::kAgents);
       Frame frame{time, fromMessage(message)};
       dropFramesAfter(time);
       keepNewest(frames_, frame);
       if (test_) test_->addAgents(frame.agents);
-    } catch (const MessageError& error) {
+    } catch (const std::exception& error) {
       NODELET_ERROR_STREAM_THROTTLE(1.0, "frame left out: " << error.what());
     }
   }
@@ -150,6 +182,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
   Config config_;
   std::unique_ptr<LaneMapSubscriber> map_;
   std::optional<collision_forge::Attack> attack_;
+  PosedFrames<geometry_msgs::TransformStamped> poses_;
   std::deque<AgentState> egos_;  // the newest, as an answer is later than its "now"
   std::deque<Frame> frames_;     // the same of everybody else
   std::optional<EgoTest> test_;

@@ -26,6 +26,10 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
   }
 
   void receiveAttack(const collision_forge::Attack& message) {
+    if (isNone(message)) {
+      injector_.reset();
+      return;
+    }
     try {
       static_cast<void>(fromMessage(message.trajectory));  // as the injector will for every frame
     } catch (const MessageError& error) {

@@ -1,28 +1,31 @@
 #include <collision_forge/AttackMethods.h>
 #include <collision_forge/EncodedScene.h>
 #include <collision_forge/GenerateCollision.h>
+#include <collision_forge/GenerateCollisions.h>
+#include <collision_forge/ListCollisions.h>
 #include <nodelet/nodelet.h>
+#include <std_srvs/Trigger.h>
+#include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
-#include <cmath>
-#include <mutex>
-#include <optional>
+#include <algorithm>
+#include <deque>
+#include <memory>
 
-#include "collision_forge/attack/alternatives.h"
-#include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/ros/bag_reader.h"
+#include "collision_forge/ros/attack_finder.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/live_attacker.h"
 #include "collision_forge/ros/node_support.h"
-#include "collision_forge/ros/service_search.h"
+#include "collision_forge/ros/possible_collisions.h"
+#include "collision_forge/ros/scene_memory.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 
-/// The front door: answers generate_collision and publishes the attack. The default method goes by
-/// way of predict_pattern and realize_trajectory, all others run here, and so do vehicles that are
-/// added. An attacker that sees and reacts is driven here, too. Replay mode needs the private
-/// parameter `recording`, the bag on replay.
+/// The front door: answers generate_collision and publishes the attack; lists what is possible,
+/// and answers for many types and times at once. An attacker that sees and reacts is driven here,
+/// too. With the private parameter `keep_attack` an attack is tested again when its replay starts
+/// again; without, a new replay begins without it.
 class CollisionGeneratorNodelet : public nodelet::Nodelet {
  private:
   using Request = collision_forge::GenerateCollision::Request;
@@ -35,43 +38,32 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     ros::NodeHandle& node = getNodeHandle();
     config_ = loadNodeConfig(getPrivateNodeHandle());
     loadLogged("methods", [&] {
-      methods_ = loadMethods(config_);
-      foresight_ = loadForesight(config_);
+      finder_ = std::make_unique<AttackFinder>(node, getPrivateNodeHandle(), config_);
     });
-    default_method_ = defaultMethod(foresight_.network != nullptr);
-    loadRecording(config_.ego_vehicle);
-    map_ = std::make_unique<LaneMapSubscriber>(node);
-    search_ = std::make_unique<ServiceSearch>(node);
+    scenes_ = std::make_unique<SceneMemory>(config_.live);
     attacks_ = node.advertise<collision_forge::Attack>(names::kAttack, 1, true);
     publishMethods(node);
     live_ = std::make_unique<LiveAttacker>(
-        [this](const collision_forge::Attack& attack) { attacks_.publish(attack); });
+        [this](const collision_forge::Attack& attack) { attacks_.publish(attack); },
+        getPrivateNodeHandle().param("keep_attack", false));
     scene_subscriber_ = node.subscribe(names::kEncodedScene, kSceneQueue,
                                        &CollisionGeneratorNodelet::receive, this);
     watch_ = node.createWallTimer(ros::WallDuration(kWatchInterval),
                                   [this](const ros::WallTimerEvent& /*event*/) {
                                     attempt([this] { live_->watch(ros::Time::now().toSec()); });
                                   });
-    service_ = std::make_unique<OwnThreadService>(node, names::kGenerateCollision,
-                                                  &CollisionGeneratorNodelet::answer, this);
-  }
-
-  void loadRecording(const EgoVehicle& ego) {
-    const auto path = getPrivateNodeHandle().param<std::string>("recording", "");
-    if (path.empty()) return;
-    std::vector<std::string> warnings;
-    try {
-      recording_ = readBag(path, ego, &warnings);
-    } catch (const BagError& error) {
-      NODELET_ERROR_STREAM("no replay mode: " << error.what());
-    }
-    for (const std::string& warning : warnings) NODELET_WARN_STREAM(path << ": " << warning);
+    services_.emplace_back(node, names::kGenerateCollision, &CollisionGeneratorNodelet::generate,
+                           this);
+    services_.emplace_back(node, names::kGenerateCollisions,
+                           &CollisionGeneratorNodelet::generateEach, this);
+    services_.emplace_back(node, names::kListCollisions, &CollisionGeneratorNodelet::list, this);
+    services_.emplace_back(node, names::kReset, &CollisionGeneratorNodelet::reset, this);
   }
 
   void publishMethods(ros::NodeHandle& node) {
     collision_forge::AttackMethods message;
-    message.default_method = default_method_;
-    for (const MethodRegistry::Entry& entry : methods_.entries()) {
+    message.default_method = finder_->defaultMethod();
+    for (const MethodRegistry::Entry& entry : finder_->methods().entries()) {
       message.names.push_back(entry.name);
       message.descriptions.push_back(entry.description);
     }
@@ -81,12 +73,11 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   }
 
   void receive(const collision_forge::EncodedScene::ConstPtr& message) {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      scene_ = message;
-    }
-    attempt(
-        [&] { live_->see(newestFrame(fromMessage(message->snapshot)), ros::Time::now().toSec()); });
+    const double clock = ros::Time::now().toSec();
+    // A scene may be faster than the /clock of its time, which comes over another connection.
+    scenes_->add(boost::make_shared<collision_forge::SceneSnapshot>(message->snapshot),
+                 std::max(clock, message->header.stamp.toSec()));
+    attempt([&] { live_->see(newestFrame(fromMessage(message->snapshot)), clock); });
   }
 
   template <typename Look>
@@ -98,21 +89,22 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     }
   }
 
-  bool answer(Request& message, Response& response) {
-    answerWith(response, [&] { return generate(message, response); });
+  std::variant<SceneMemory::Scene, Status> sceneAt(const ros::Time& stamp) const {
+    return stamp.isZero() ? scenes_->newest(ros::Time::now().toSec()) : scenes_->at(stamp);
+  }
+
+  /// What is shown is the answer to the last request: a declined one shows nothing.
+  bool generate(Request& message, Response& response) {
+    answerWith(response, [&] { return generateOne(message, response); });
     if (response.code != Response::OK) {
+      live_->forget();
       NODELET_INFO_STREAM(toString(static_cast<StatusCode>(response.code))
                           << ": " << response.message);
     }
     return true;
   }
 
-  collision_forge::EncodedScene::ConstPtr newestScene() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return scene_;
-  }
-
-  Status generate(const Request& message, Response& response) {
+  Status generateOne(const Request& message, Response& response) {
     const collision_forge::CollisionRequest asked = requestIn(message);
     const auto parsed = fromMessage(asked, config_.crash);
     if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
@@ -121,23 +113,17 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
       return {StatusCode::kInvalidInput,
               "adaptive = true is not for mode = replay, which knows what comes"};
     }
-    const std::string method = message.method.empty() ? default_method_ : message.method;
-    if (!methods_.has(method)) {
-      return {StatusCode::kInvalidInput,
-              "method = \"" + method + "\" is none of the topic attack_methods"};
-    }
-    const auto scene = newestScene();
-    if (!scene) {
-      return {StatusCode::kNoScene,
-              "no encoded_scene yet: agents, lane_map and /tf must be published"};
-    }
-    if (request.mode == Mode::kAdaptive && !map_->lanes()) return noMap();
-    const Status status = findAttack(method, *scene, asked, request, response);
-    if (status.code == StatusCode::kOk) setOut(scene->snapshot, request, response.attack);
+    const auto scene = sceneAt(message.stamp);
+    if (const Status* none = std::get_if<Status>(&scene)) return *none;
+    const collision_forge::SceneSnapshot& snapshot = *std::get<SceneMemory::Scene>(scene);
+    collision_forge::CollisionAnswer answer = finder_->answer(snapshot, asked, message.method);
+    const Status status = statusOf(answer);
+    if (status.code != StatusCode::kOk) return status;
+    response.attack = std::move(answer.attack);
+    response.alternatives = std::move(answer.alternatives);
+    setOut(snapshot, request, response.attack);
     return status;
   }
-
-  static Status noMap() { return {StatusCode::kNoScene, "no usable lane_map has come yet"}; }
 
   /// Publishes the attack.
   void setOut(const collision_forge::SceneSnapshot& scene, const CollisionRequest& request,
@@ -146,115 +132,74 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
       live_->setOut(attack);
       return;
     }
-    attack = live_->setOut(
-        attack,
-        {fromMessage(scene), map_->lanes(), config_.ego_vehicle, request,
-         fromMessage(attack.pattern), fromMessage(attack.trajectory)},
-        {foresight_.egoFutures(config_.attack.ego_futures), config_.attack, config_.adaptive});
+    attack = live_->setOut(attack,
+                           {fromMessage(scene), finder_->lanes(), config_.ego_vehicle, request,
+                            fromMessage(attack.pattern), fromMessage(attack.trajectory)},
+                           {finder_->foresight().egoFutures(config_.attack.ego_futures),
+                            config_.attack, config_.adaptive});
   }
 
-  Status findAttack(const std::string& method, const collision_forge::EncodedScene& scene,
-                    const collision_forge::CollisionRequest& asked, const CollisionRequest& request,
-                    Response& response) const {
-    std::optional<Future> recorded;
-    if (request.mode == Mode::kReplay) {
-      const Status status = findRecorded(scene.header.stamp.toSec(), recorded);
+  bool generateEach(collision_forge::GenerateCollisions::Request& message,
+                    collision_forge::GenerateCollisions::Response& response) {
+    return answerWith(response, [&]() -> Status {
+      if (modeFromString(message.request.mode) == Mode::kAdaptive) {
+        return {StatusCode::kInvalidInput,
+                "mode = adaptive is not for generate_collisions: one attacker sees and reacts, "
+                "that of generate_collision"};
+      }
+      return askForEach(message, response, response.answers);
+    });
+  }
+
+  bool list(collision_forge::ListCollisions::Request& message,
+            collision_forge::ListCollisions::Response& response) {
+    return answerWith(response, [&]() -> Status {
+      std::vector<collision_forge::CollisionAnswer> answers;
+      const Status status = askForEach(message, response, answers);
       if (status.code != StatusCode::kOk) return status;
-    }
-    if (method != default_method_ || request.choice == AttackerChoice::kNew) {
-      return generateHere(method, scene.snapshot, request, recorded, response);
-    }
-    Status status = search_->generate(scene.snapshot, asked, recorded, response.attack);
-    response.attack.method = method;
-    if (mayBeAnsweredHere(status, request)) {
-      CollisionRequest again = request;
-      again.alternatives = 1;
-      const Status here = generateHere(method, scene.snapshot, again, recorded, response);
-      if (here.code == StatusCode::kOk) status = here;
-    }
-    if (status.code == StatusCode::kOk && request.alternatives > 1) {
-      addAlternatives(method, scene.snapshot, request, recorded, response);
-    }
-    return status;
+      return listPossible(answers, response.collisions);
+    });
   }
 
-  /// Nobody who is there attacks as asked along a route, and the services know of no others: a new
-  /// vehicle may, or somebody by any other motion.
-  static bool mayBeAnsweredHere(const Status& status, const CollisionRequest& request) {
-    if (!request.crash.believable) return false;
-    return status.code == StatusCode::kNoCandidate ||
-           status.code == StatusCode::kNoAttackWithinLimits ||
-           status.code == StatusCode::kNotBelievable || status.code == StatusCode::kLowConfidence;
-  }
-
-  Status generateHere(const std::string& name, const collision_forge::SceneSnapshot& scene,
-                      const CollisionRequest& request, const std::optional<Future>& recorded,
-                      Response& response) const {
-    const auto lanes = map_->lanes();
-    if (!lanes) return noMap();
-    const Moment moment{fromMessage(scene), recorded, lanes};
-    const auto method = MethodMaker(name, methods_, config_.attack, foresight_).make();
-    const Realization found =
-        generateCollision(*method, moment, request, config_.attack.prediction);
-    if (found.status.code != StatusCode::kOk) return found.status;
-    response.attack = toMessage(found, name, moment.snapshot.now);
-    setAlternatives(found.alternatives, name, moment.snapshot.now, response);
-    return found.status;
-  }
-
-  /// Further attacks beside that of the response.
-  void addAlternatives(const std::string& name, const collision_forge::SceneSnapshot& scene,
-                       const CollisionRequest& request, const std::optional<Future>& recorded,
-                       Response& response) const {
-    const auto lanes = map_->lanes();
-    if (!lanes) return;
-    const Moment moment{fromMessage(scene), recorded, lanes};
-    const auto method = MethodMaker(name, methods_, config_.attack, foresight_).make();
-    Realization first;
-    first.trajectory = fromMessage(response.attack.trajectory);
-    first.report.manoeuvre = manoeuvreFromString(response.attack.report.manoeuvre).value();
-    setAlternatives(findAlternatives(first, *method, moment, request, config_.attack.prediction),
-                    name, moment.snapshot.now, response);
-  }
-
-  static void setAlternatives(const std::vector<Realization>& found, const std::string& method,
-                              double now, Response& response) {
-    for (const Realization& alternative : found) {
-      response.alternatives.push_back(toMessage(alternative, method, now));
+  /// For each type and time of the message.
+  template <typename Asked, typename Response>
+  Status askForEach(const Asked& message, Response& response,
+                    std::vector<collision_forge::CollisionAnswer>& answers) const {
+    const auto requests = requestsForEach(message.request, message.collision_types, message.ttas,
+                                          config_.requests.ttas);
+    if (const Status* refusal = std::get_if<Status>(&requests)) return *refusal;
+    const auto scene = sceneAt(message.stamp);
+    if (const Status* none = std::get_if<Status>(&scene)) return *none;
+    const collision_forge::SceneSnapshot& snapshot = *std::get<SceneMemory::Scene>(scene);
+    response.now = snapshot.header.stamp;
+    for (const auto& request : std::get<std::vector<collision_forge::CollisionRequest>>(requests)) {
+      answers.push_back(finder_->answer(snapshot, request, message.method));
     }
-  }
-
-  Status findRecorded(double now, std::optional<Future>& recorded) const {
-    if (!recording_) {
-      return {StatusCode::kNoRecording,
-              "mode = replay needs the parameter recording, the bag on replay"};
-    }
-    constexpr double kFrameTolerance = 1e-3;  // s
-    const auto frame = lastFrameTime(*recording_, now);
-    if (!frame || std::abs(*frame - now) > kFrameTolerance) {
-      return {StatusCode::kNoRecording, "recording \"" + recording_->name +
-                                            "\" has no frame at now = " + std::to_string(now) +
-                                            " s: is another bag playing?"};
-    }
-    recorded = recordedFuture(*recording_, *frame);
+    finder_->forgetPatterns();
     return {};
   }
 
+  bool reset(std_srvs::Trigger::Request& /*message*/, std_srvs::Trigger::Response& response) {
+    response.success = static_cast<std::uint8_t>(true);
+    response.message = forget() ? "the attack is forgotten" : "there was no attack";
+    return true;
+  }
+
+  /// True when there was an attack.
+  bool forget() {
+    finder_->forgetPatterns();
+    return live_->forget();
+  }
+
   Config config_;
-  MethodRegistry methods_;
-  Foresight foresight_;
-  std::string default_method_;
-  std::optional<Scene> recording_;
-  std::unique_ptr<LaneMapSubscriber> map_;
-  std::unique_ptr<ServiceSearch> search_;
-  std::mutex mutex_;
-  collision_forge::EncodedScene::ConstPtr scene_;  // the newest, behind the mutex
+  std::unique_ptr<AttackFinder> finder_;
+  std::unique_ptr<SceneMemory> scenes_;
   ros::Publisher attacks_;
   ros::Publisher methods_publisher_;
   std::unique_ptr<LiveAttacker> live_;
-  ros::Subscriber scene_subscriber_;  // these two last: they call what is above
+  ros::Subscriber scene_subscriber_;  // from here on: they call what is above
   ros::WallTimer watch_;
-  std::unique_ptr<OwnThreadService> service_;
+  std::deque<OwnThreadService> services_;
 };
 
 }  // namespace forge

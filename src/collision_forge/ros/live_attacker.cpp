@@ -27,7 +27,25 @@ bool isSame(const AttackerTrajectory& one, const AttackerTrajectory& other) {
 void LiveAttacker::setOut(const collision_forge::Attack& attack) {
   const std::lock_guard<std::mutex> lock(mutex_);
   driven_.reset();
+  publish(attack);
+}
+
+void LiveAttacker::publish(const collision_forge::Attack& attack) {
+  now_ = attack.header.stamp.toSec();
   publish_(attack);
+}
+
+bool LiveAttacker::forget() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return forgetLocked();
+}
+
+bool LiveAttacker::forgetLocked() {
+  driven_.reset();
+  if (!now_) return false;
+  now_.reset();
+  publish_({});
+  return true;
 }
 
 collision_forge::Attack LiveAttacker::setOut(collision_forge::Attack attack, AttackerTask task,
@@ -36,7 +54,7 @@ collision_forge::Attack LiveAttacker::setOut(collision_forge::Attack attack, Att
   setPlans(start.plans(), attack);
   const std::lock_guard<std::mutex> lock(mutex_);
   driven_ = Driven{attack, std::move(task), setup, start, start};
-  publish_(attack);
+  publish(attack);
   for (const Frame& frame : frames_) show(frame);
   return attack;
 }
@@ -63,10 +81,12 @@ void LiveAttacker::watch(double clock) {
 
 void LiveAttacker::goBackTo(double time) {
   frames_.clear();
+  const bool is_before = now_ && time <= *now_;
+  if (is_before && !keeps_attack_) forgetLocked();
   if (!driven_) return;
-  if (time <= driven_->task.snapshot.now) {
+  if (is_before) {
     driven_->policy = driven_->start;
-    publish_(driven_->first);
+    publish(driven_->first);
   } else if (driven_->policy) {
     ROS_WARN_STREAM("the replay went back while " << driven_->first.trajectory.attacker_id
                                                   << " was driving: it reacts no more");
@@ -81,7 +101,7 @@ void LiveAttacker::show(const Frame& frame) {
   const std::size_t plans = policy.plans().size();
   policy.observe(frame);
   if (policy.plans().size() == plans && isSame(policy.trajectory(), before)) return;
-  publish_(attackNow());
+  publish(attackNow());
 }
 
 collision_forge::Attack LiveAttacker::attackNow() const {

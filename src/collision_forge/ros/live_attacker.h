@@ -13,11 +13,13 @@ namespace forge {
 
 /// Publishes attacks, and lets the newest one's attacker, if it sees and reacts, see the scene as
 /// it comes: where its trajectory changes or it decides something, the attack is published again.
-/// Thread-safe.
+/// A scene from before the attack's now is of a replay that starts again: the attack is forgotten,
+/// or, if it is to be kept, set out anew. Thread-safe.
 class LiveAttacker {
  public:
   using Publish = std::function<void(const collision_forge::Attack&)>;
-  explicit LiveAttacker(Publish publish) : publish_(std::move(publish)) {}
+  LiveAttacker(Publish publish, bool keeps_attack)
+      : publish_(std::move(publish)), keeps_attack_(keeps_attack) {}
 
   /// Publishes a fixed attack. Nobody sees and reacts any more.
   void setOut(const collision_forge::Attack& attack);
@@ -27,9 +29,12 @@ class LiveAttacker {
   collision_forge::Attack setOut(collision_forge::Attack attack, AttackerTask task,
                                  const AttackerSetup& setup);
 
-  /// The newest frame of the scene; `clock`, s, is when it came. One from before the attack's now
-  /// is of a replay that starts again: the attacker sets out anew. Where a replay goes back, but
-  /// not so far, nothing more is published.
+  /// Publishes an attack by nobody (isNone()) in place of the one that there is, if any. Returns
+  /// whether there was one.
+  bool forget();
+
+  /// The newest frame of the scene; `clock`, s, is when it came. Where a replay goes back, but not
+  /// to before the attack's now, an attacker that sees and reacts does so no more.
   void see(const Frame& frame, double clock);
 
   /// To be called now and then: where no frame has come since the call before, nor for `lost_after`
@@ -47,15 +52,19 @@ class LiveAttacker {
     std::optional<AdaptiveAttacker> policy;  // empty: a replay went back while it was driving
   };
 
+  void publish(const collision_forge::Attack& attack);
+  bool forgetLocked();
   void show(const Frame& frame);
   void goBackTo(double time);
   collision_forge::Attack attackNow() const;
 
   std::mutex mutex_;  // of all that follows
   Publish publish_;
-  std::deque<Frame> frames_;  // the newest: a request is answered later than its now
-  double came_ = 0.0;         // s, the clock when the newest came
-  bool is_watched_ = false;   // since the newest came
+  bool keeps_attack_;
+  std::optional<double> now_;  // of the attack that there is
+  std::deque<Frame> frames_;   // the newest: a request is answered later than its now
+  double came_ = 0.0;          // s, the clock when the newest came
+  bool is_watched_ = false;    // since the newest came
   std::optional<Driven> driven_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <ros/package.h>
 
+#include <stdexcept>
+
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/topic_names.h"
@@ -15,6 +17,12 @@ std::string nodeConfigFolder(const ros::NodeHandle& private_node) {
 
 Config loadNodeConfig(const ros::NodeHandle& private_node) {
   return loadLogged("configuration", [&] { return loadConfig(nodeConfigFolder(private_node)); });
+}
+
+void requireMapFrame(const std_msgs::Header& header, const char* topic) {
+  if (header.frame_id.empty() || header.frame_id == names::kMapFrame) return;
+  throw std::invalid_argument(std::string(topic) + " are in frame \"" + header.frame_id +
+                              "\", not in \"" + names::kMapFrame + "\"");
 }
 
 LaneMapSubscriber::LaneMapSubscriber(ros::NodeHandle& node)
@@ -43,6 +51,7 @@ std::variant<CheckedRequest, Status> checkedRequest(
   const auto parsed = fromMessage(request, crash);
   if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
   CheckedRequest checked{map.lanes(), fromMessage(scene), std::get<CollisionRequest>(parsed)};
+  checked.request = withFullId(checked.request, checked.snapshot);
   if (!checked.lanes) return Status{StatusCode::kNoScene, "no usable lane_map has come yet"};
   const Status status = checkRequest(checked.request, checked.snapshot, options);
   if (status.code != StatusCode::kOk) return status;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <collision_forge/Attack.h>
 #include <collision_forge/CollisionRequest.h>
 #include <collision_forge/LaneMap.h>
 #include <collision_forge/SceneSnapshot.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <std_msgs/Header.h>
 
 #include <memory>
 #include <mutex>
@@ -36,6 +38,15 @@ auto loadLogged(const char* what, Load load) {
     ROS_FATAL_STREAM("no " << what << ": " << error.what());
     throw;
   }
+}
+
+/// Throws std::invalid_argument, naming topic and frame, where a message is in another frame than
+/// `map`; one without a frame is taken to be in it.
+void requireMapFrame(const std_msgs::Header& header, const char* topic);
+
+/// What is published in place of an attack that is over and done with.
+inline bool isNone(const collision_forge::Attack& attack) {
+  return attack.trajectory.attacker_id.empty();
 }
 
 /// Keeps the newest lane map, ready for queries. Thread-safe.

@@ -6,6 +6,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include <optional>
+#include <stdexcept>
 
 #include "collision_forge/network/scene_encoding.h"
 #include "collision_forge/ros/conversions.h"
@@ -54,7 +55,7 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
     while (const auto frame = frames_.next()) {
       if (frame->dropped > 0) {
         NODELET_WARN_STREAM_THROTTLE(1.0, frame->dropped << " frames before "
-                                                         << frame->agents->header.stamp
+                                                         << frame->message->header.stamp
                                                          << " left out: no transform came");
       }
       try {
@@ -62,15 +63,19 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
         publish();
       } catch (const std::exception& error) {
         NODELET_ERROR_STREAM_THROTTLE(
-            1.0, "frame at " << frame->agents->header.stamp << " left out: " << error.what());
+            1.0, "frame at " << frame->message->header.stamp << " left out: " << error.what());
       }
     }
   }
 
-  void add(const PosedFrames::PosedFrame& posed) {
-    const collision_forge::AgentArray& message = *posed.agents;
+  void add(const PosedFrames<collision_forge::AgentArray>::PosedFrame& posed) {
+    const collision_forge::AgentArray& message = *posed.message;
+    requireMapFrame(message.header, names::kAgents);
     Frame frame;
     frame.time = message.header.stamp.toSec();
+    if (history_->isLate(frame.time)) {
+      throw std::invalid_argument("it is no later than the one before");
+    }
     frame.ego = compose(fromMessage(posed.pose), {config_.ego_vehicle.center_offset, 0.0, 0.0});
     frame.agents = fromMessage(message);
     if (const int dropped = history_->add(std::move(frame))) {
@@ -95,7 +100,7 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
   std::optional<SceneHistory> history_;
   std::unique_ptr<LaneMapSubscriber> map_;
   ros::Publisher publisher_;
-  PosedFrames frames_;
+  PosedFrames<collision_forge::AgentArray> frames_;
   std::vector<ros::Subscriber> subscribers_;
 };
 

@@ -4,6 +4,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "collision_forge/ros/markers.h"
+#include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
@@ -39,12 +40,23 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
 
   /// Of the newest scene, as requests are.
   void onPredicted(const collision_forge::PredictedPatternsConstPtr& predicted) {
+    if (predicted->patterns.empty()) {
+      patterns_start_ = ros::Time();
+      pattern_markers_.publish(noMarkers(predicted->header));
+      return;
+    }
     if (!scene_) return;
     pattern_markers_.publish(patternMarkers(*predicted, scene_->snapshot));
     patterns_start_ = predicted->header.stamp;
   }
 
   void onAttack(const collision_forge::AttackConstPtr& attack) {
+    if (isNone(*attack)) {
+      attack_.reset();
+      attack_start_ = ros::Time();
+      attack_markers_.publish(noMarkers(attack->header));
+      return;
+    }
     attack_ = attack;
     showAttack();
   }

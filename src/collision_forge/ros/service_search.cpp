@@ -57,12 +57,16 @@ Status ServiceSearch::generate(const collision_forge::SceneSnapshot& scene,
   predict.request.request = request;
   if (recorded) predict.request.recorded_future = toMessage(*recorded);
   const Status predicted = callService(predict_name_, predict);
-  if (predicted.code != StatusCode::kOk) return predicted;
+  if (predicted.code != StatusCode::kOk) {
+    forgetPatterns();
+    return predicted;
+  }
 
   collision_forge::PredictedPatterns patterns;
   patterns.header = scene.header;
   patterns.patterns = predict.response.patterns;
   patterns_.publish(patterns);
+  has_patterns_ = true;
 
   collision_forge::RealizeTrajectory realize;
   realize.request.scene = std::move(predict.request.scene);
@@ -72,6 +76,10 @@ Status ServiceSearch::generate(const collision_forge::SceneSnapshot& scene,
   const Status realized = callService(realize_name_, realize);
   if (realized.code == StatusCode::kOk) attack = std::move(realize.response.attack);
   return realized;
+}
+
+void ServiceSearch::forgetPatterns() const {
+  if (has_patterns_.exchange(false)) patterns_.publish(collision_forge::PredictedPatterns());
 }
 
 }  // namespace forge

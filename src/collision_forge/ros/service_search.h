@@ -5,6 +5,7 @@
 #include <collision_forge/SceneSnapshot.h>
 #include <ros/ros.h>
 
+#include <atomic>
 #include <optional>
 #include <string>
 
@@ -26,10 +27,14 @@ class ServiceSearch {
                   const collision_forge::CollisionRequest& request,
                   const std::optional<Future>& recorded, collision_forge::Attack& attack) const;
 
+  /// Publishes that there are no patterns, where there were some.
+  void forgetPatterns() const;
+
  private:
   std::string predict_name_;
   std::string realize_name_;
   ros::Publisher patterns_;
+  mutable std::atomic<bool> has_patterns_{false};
 };
 
 }  // namespace forge

@@ -6,7 +6,7 @@ namespace forge::names {
 // As recorded.
 inline constexpr char kAgents[] = "agents";     // AgentArray
 inline constexpr char kLaneMap[] = "lane_map";  // LaneMap, latched
-inline constexpr char kOdometry[] = "odom";     // nav_msgs/Odometry
+inline constexpr char kOdometry[] = "odom";     // nav_msgs/Odometry, in bags alone
 inline constexpr char kAnnotationMarkers[] =
     "annotation_markers";  // visualization_msgs/MarkerArray
 inline constexpr char kTf[] = "/tf";
@@ -33,6 +33,9 @@ inline constexpr char kPlannedTrajectory[] = "planned_trajectory";  // PlannedTr
 
 // Services.
 inline constexpr char kGenerateCollision[] = "generate_collision";
+inline constexpr char kGenerateCollisions[] = "generate_collisions";
+inline constexpr char kListCollisions[] = "list_collisions";
+inline constexpr char kReset[] = "reset";  // std_srvs/Trigger
 inline constexpr char kPredictPattern[] = "predict_pattern";
 inline constexpr char kRealizeTrajectory[] = "realize_trajectory";
 inline constexpr char kTestPlanner[] = "test_planner";

@@ -10,6 +10,12 @@ void readOptions(Section& section, EgoVehicle& vehicle) {
   vehicle.center_offset = section.within("center_offset", -half_length, half_length);
 }
 
+void readOptions(Section& section, LiveOptions& live) {
+  live.max_scene_age = section.positive("max_scene_age");
+  live.kept_for = section.nonNegative("kept_for");
+  live.wait_for = section.nonNegative("wait_for");
+}
+
 static void readOptions(Section& section, TypeDefinition& definition) {
   definition.min_heading = section.angle("min_heading");
   definition.max_heading = section.angle("max_heading", definition.min_heading);

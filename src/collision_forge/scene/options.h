@@ -1,6 +1,7 @@
 #pragma once
 
 #include "collision_forge/scene/crash_definition.h"
+#include "collision_forge/scene/live_options.h"
 #include "collision_forge/scene/scene.h"
 
 namespace forge {
@@ -8,6 +9,7 @@ namespace forge {
 class Section;
 
 void readOptions(Section& section, EgoVehicle& vehicle);
+void readOptions(Section& section, LiveOptions& live);
 /// Attacks keep `time_margin` to the ends of the time tolerance.
 void readOptions(Section& section, CrashDefinition& crash, double time_margin);
 

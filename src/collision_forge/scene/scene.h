@@ -43,11 +43,19 @@ struct Future {
   std::vector<Track> ego_samples;  ///< equally likely; empty when `ego` is known for certain
 };
 
+/// s between the frames that a snapshot holds, however often the scene was seen: nuScenes' and
+/// COLLIDE's 2 Hz, from which forecasts and networks learned.
+inline constexpr double kFrameInterval = 0.5;
+
+/// Which of these instants (ascending) a snapshot of the last one holds, ascending, at most
+/// `count`: the last, then each time the one whose distance in time is nearest to kFrameInterval.
+std::vector<double> historyTimes(const std::vector<double>& times, int count);
+
 /// The last frame at or before `time`; empty when the scene starts later.
 std::optional<double> lastFrameTime(const Scene& scene, double time);
 
-/// States of the `frames` newest annotation frames up to the one at `now`. Agents absent from all
-/// of them are left out.
+/// States at the historyTimes() of the annotation frames up to the one at `now`, `frames` of them.
+/// Agents absent from all of them are left out.
 Snapshot snapshotAt(const Scene& scene, double now, int frames);
 
 /// The recording from the frame at `now` to its end.

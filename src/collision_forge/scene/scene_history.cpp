@@ -34,8 +34,18 @@ Frame newestFrame(const Snapshot& snapshot) {
   return {snapshot.now, ego, agentsAt(snapshot.agents, snapshot.now)};
 }
 
-SceneHistory::SceneHistory(int frames, const EgoVehicle& ego)
-    : capacity_(static_cast<std::size_t>(frames)), ego_(ego) {}
+SceneHistory::SceneHistory(int frames, const EgoVehicle& ego) : count_(frames), ego_(ego) {}
+
+SceneHistory::SceneHistory(int frames, const EgoVehicle& ego, const Snapshot& start)
+    : count_(frames), ego_(ego), map_(start.map) {
+  for (const AgentState& state : start.ego.states) {
+    frames_.push_back({state.time, state.pose, agentsAt(start.agents, state.time)});
+  }
+}
+
+bool SceneHistory::isLate(double time) const {
+  return !frames_.empty() && time <= frames_.back().time && time >= frames_.back().time - kRestart;
+}
 
 int SceneHistory::add(Frame frame) {
   if (!frame.ego.isFinite()) throw std::invalid_argument("the ego's pose is not a number");
@@ -44,17 +54,26 @@ int SceneHistory::add(Frame frame) {
   const auto dropped = static_cast<int>(std::distance(usable_end, frame.agents.end()));
   frame.agents.erase(usable_end, frame.agents.end());
   frames_.push_back(std::move(frame));
-  if (frames_.size() > capacity_) frames_.pop_front();
+  const double oldest = frames_.back().time - kFrameInterval * (count_ + 1);
+  // Where frames are rare, those that are shown are kept however old they are.
+  while (static_cast<int>(frames_.size()) > count_ && frames_.front().time < oldest) {
+    frames_.pop_front();
+  }
   return dropped;
 }
 
 Snapshot SceneHistory::snapshot() const {
   Snapshot snapshot;
   snapshot.ego = Track{kEgoId, AgentClass::kCar, ego_.size, {}};
+  snapshot.map = map_;
   if (frames_.empty()) return snapshot;
   snapshot.now = frames_.back().time;
+  std::vector<double> times;
+  for (const Frame& frame : frames_) times.push_back(frame.time);
+  const std::vector<double> shown = historyTimes(times, count_);
   std::map<std::string, Track> tracks;
   for (const Frame& frame : frames_) {
+    if (!std::binary_search(shown.begin(), shown.end(), frame.time)) continue;
     snapshot.ego.states.push_back({frame.time, frame.ego, Vector2::Zero()});
     for (const Track& agent : frame.agents) {
       Track& track = tracks.try_emplace(agent.id, Track{agent.id, {}, {}, {}}).first->second;

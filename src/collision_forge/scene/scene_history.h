@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 
 #include "collision_forge/scene/scene.h"
 
@@ -23,25 +24,40 @@ std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time);
 /// The frame at a snapshot's now. The ego's pose is not finite where it was not seen then.
 Frame newestFrame(const Snapshot& snapshot);
 
-/// Keeps the newest frames of a running scene. Not thread-safe.
+/// s; a frame that is older than the newest by no more is late: its stamp jitters, or it was
+/// overtaken. One that is older by more is of a replay that starts again.
+inline constexpr double kRestart = 1.0;
+
+/// Keeps the newest frames of a running scene, and shows those that a snapshot holds
+/// (historyTimes()), however often frames come. Not thread-safe.
 class SceneHistory {
  public:
+  /// snapshot() has at most `frames` frames.
   SceneHistory(int frames, const EgoVehicle& ego);
 
-  /// Takes a frame. Agents that are not usable are left out; their number is returned. A frame
-  /// whose time is not after the last one's starts the history anew (a replay was restarted).
+  /// Begins with the frames of `start`.
+  SceneHistory(int frames, const EgoVehicle& ego, const Snapshot& start);
+
+  /// At the newest frame's time, or before it by no more than kRestart.
+  bool isLate(double time) const;
+
+  /// Takes a frame that is not late. Agents that are not usable are left out; their number is
+  /// returned. A frame from before the newest starts the history anew (a replay was restarted).
   /// Throws std::invalid_argument for an ego pose that is not finite.
   int add(Frame frame);
 
   bool empty() const { return frames_.empty(); }
+  const Frame& newest() const { return frames_.back(); }
 
-  /// As snapshotAt() of the same frames in a Scene, agents sorted by id; the map is left empty.
+  /// As snapshotAt() of the same frames in a Scene, agents sorted by id; the map is that of the
+  /// snapshot that it began with, or none.
   Snapshot snapshot() const;
 
  private:
-  std::size_t capacity_;
+  int count_;
   EgoVehicle ego_;
-  std::deque<Frame> frames_;
+  std::shared_ptr<const LaneMap> map_;
+  std::deque<Frame> frames_;  // oldest first
 };
 
 }  // namespace forge

@@ -25,6 +25,7 @@ Config loadConfig(const std::string& directory) {
   readConfigFile(directory, "planner_training", config.planner_training);
   readConfigFile(directory, "ego_vehicle", config.ego_vehicle);
   readConfigFile(directory, "encoding", config.encoding);
+  readConfigFile(directory, "live", config.live);
   readConfigFile(directory, "conversion", config.conversion);
   readConfigFile(directory, "locations", config.locations);
   readConfigFile(directory, "drawing", config.drawing);

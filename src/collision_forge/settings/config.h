@@ -20,6 +20,7 @@ namespace forge {
 struct Config : LearningOptions {
   SpeedModelFitOptions speed_model_fit;
   EncodingOptions encoding;
+  LiveOptions live;
   DrawingOptions drawing;
   RequestListOptions requests;
   DatasetOptions dataset;

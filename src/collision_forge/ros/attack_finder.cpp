@@ -1,0 +1,140 @@
+#include "collision_forge/ros/attack_finder.h"
+
+#include <cmath>
+
+#include "collision_forge/attack/alternatives.h"
+#include "collision_forge/attack/request_check.h"
+#include "collision_forge/ros/bag_reader.h"
+#include "collision_forge/ros/conversions.h"
+
+namespace forge {
+namespace {
+
+/// Nobody who is there attacks as asked along a route, and the services know of no others: a new
+/// vehicle may, or somebody by any other motion.
+bool mayBeAnsweredHere(const Status& status, const CollisionRequest& request) {
+  if (!request.crash.believable) return false;
+  return status.code == StatusCode::kNoCandidate ||
+         status.code == StatusCode::kNoAttackWithinLimits ||
+         status.code == StatusCode::kNotBelievable || status.code == StatusCode::kLowConfidence;
+}
+
+void setAlternatives(const std::vector<Realization>& found, const std::string& method, double now,
+                     collision_forge::CollisionAnswer& answer) {
+  for (const Realization& alternative : found) {
+    answer.alternatives.push_back(toMessage(alternative, method, now));
+  }
+}
+
+}  // namespace
+
+AttackFinder::AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                           const Config& config)
+    : config_(config),
+      methods_(loadMethods(config)),
+      foresight_(loadForesight(config)),
+      default_method_(forge::defaultMethod(foresight_.network != nullptr)),
+      map_(node),
+      search_(node) {
+  loadRecording(private_node.param<std::string>("recording", ""));
+}
+
+void AttackFinder::loadRecording(const std::string& path) {
+  if (path.empty()) return;
+  std::vector<std::string> warnings;
+  try {
+    recording_ = readBag(path, config_.ego_vehicle, &warnings);
+  } catch (const BagError& error) {
+    ROS_ERROR_STREAM("no replay mode: " << error.what());
+  }
+  for (const std::string& warning : warnings) ROS_WARN_STREAM(path << ": " << warning);
+}
+
+collision_forge::CollisionAnswer AttackFinder::answer(
+    const collision_forge::SceneSnapshot& scene, const collision_forge::CollisionRequest& asked,
+    const std::string& method) const {
+  collision_forge::CollisionAnswer answer;
+  answer.collision_type = asked.collision_type;
+  answer.tta = asked.tta;
+  const Status status = find(method.empty() ? default_method_ : method, scene, asked, answer);
+  answer.code = static_cast<std::uint8_t>(status.code);
+  answer.message = status.message;
+  if (status.code != StatusCode::kOk) answer.attack = {};
+  return answer;
+}
+
+Status AttackFinder::find(const std::string& method, const collision_forge::SceneSnapshot& scene,
+                          collision_forge::CollisionRequest asked,
+                          collision_forge::CollisionAnswer& answer) const {
+  const auto parsed = fromMessage(asked, config_.crash);
+  if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
+  if (!methods_.has(method)) {
+    return {StatusCode::kInvalidInput,
+            "method = \"" + method + "\" is none of the topic attack_methods"};
+  }
+  Moment moment{fromMessage(scene), std::nullopt, map_.lanes()};
+  const CollisionRequest request = withFullId(std::get<CollisionRequest>(parsed), moment.snapshot);
+  if (request.attacker) asked.attacker_id = *request.attacker;
+  if (request.mode == Mode::kReplay) {
+    const Status status = findRecorded(moment.snapshot.now, moment.recorded);
+    if (status.code != StatusCode::kOk) return status;
+  }
+  if (!moment.lanes) return {StatusCode::kNoScene, "no usable lane_map has come yet"};
+  if (method != default_method_ || request.choice == AttackerChoice::kNew) {
+    forgetPatterns();
+    return generateHere(method, moment, request, answer);
+  }
+  Status status = search_.generate(scene, asked, moment.recorded, answer.attack);
+  answer.attack.method = method;
+  if (mayBeAnsweredHere(status, request)) {
+    CollisionRequest again = request;
+    again.alternatives = 1;
+    const Status here = generateHere(method, moment, again, answer);
+    if (here.code == StatusCode::kOk) status = here;
+  }
+  if (status.code == StatusCode::kOk && request.alternatives > 1) {
+    addAlternatives(method, moment, request, answer);
+  }
+  return status;
+}
+
+Status AttackFinder::generateHere(const std::string& name, const Moment& moment,
+                                  const CollisionRequest& request,
+                                  collision_forge::CollisionAnswer& answer) const {
+  const auto method = MethodMaker(name, methods_, config_.attack, foresight_).make();
+  const Realization found = generateCollision(*method, moment, request, config_.attack.prediction);
+  if (found.status.code != StatusCode::kOk) return found.status;
+  answer.attack = toMessage(found, name, moment.snapshot.now);
+  setAlternatives(found.alternatives, name, moment.snapshot.now, answer);
+  return found.status;
+}
+
+/// Further attacks beside that of the answer.
+void AttackFinder::addAlternatives(const std::string& name, const Moment& moment,
+                                   const CollisionRequest& request,
+                                   collision_forge::CollisionAnswer& answer) const {
+  const auto method = MethodMaker(name, methods_, config_.attack, foresight_).make();
+  Realization first;
+  first.trajectory = fromMessage(answer.attack.trajectory);
+  first.report.manoeuvre = manoeuvreFromString(answer.attack.report.manoeuvre).value();
+  setAlternatives(findAlternatives(first, *method, moment, request, config_.attack.prediction),
+                  name, moment.snapshot.now, answer);
+}
+
+Status AttackFinder::findRecorded(double now, std::optional<Future>& recorded) const {
+  if (!recording_) {
+    return {StatusCode::kNoRecording,
+            "mode = replay needs the parameter recording, the bag on replay"};
+  }
+  constexpr double kFrameTolerance = 1e-3;  // s
+  const auto frame = lastFrameTime(*recording_, now);
+  if (!frame || std::abs(*frame - now) > kFrameTolerance) {
+    return {StatusCode::kNoRecording, "recording \"" + recording_->name +
+                                          "\" has no frame at now = " + std::to_string(now) +
+                                          " s: is another bag playing?"};
+  }
+  recorded = recordedFuture(*recording_, *frame);
+  return {};
+}
+
+}  // namespace forge

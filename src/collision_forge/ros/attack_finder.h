@@ -1,0 +1,63 @@
+#pragma once
+
+#include <collision_forge/CollisionAnswer.h>
+#include <ros/ros.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/service_search.h"
+#include "collision_forge/scene/moment.h"
+#include "collision_forge/settings/config.h"
+
+namespace forge {
+
+/// Answers what is asked of a scene. The default method goes by way of predict_pattern and
+/// realize_trajectory, all others run here, and so do vehicles that are added. Replay mode needs
+/// the private parameter `recording`, the bag on replay. Thread-safe.
+class AttackFinder {
+ public:
+  /// `config` must outlive it. Throws what the loading of methods and weights throws.
+  AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private_node, const Config& config);
+
+  const MethodRegistry& methods() const { return methods_; }
+  const std::string& defaultMethod() const { return default_method_; }
+  const Foresight& foresight() const { return foresight_; }
+  /// Null until a usable map has come.
+  std::shared_ptr<const LaneIndex> lanes() const { return map_.lanes(); }
+
+  /// Type, tta, code and message are always filled in, attack and alternatives with kOk alone.
+  /// An empty `method` is the default one. Throws what the conversion of messages throws.
+  collision_forge::CollisionAnswer answer(const collision_forge::SceneSnapshot& scene,
+                                          const collision_forge::CollisionRequest& asked,
+                                          const std::string& method) const;
+
+  /// Takes the patterns of the last request from predicted_patterns.
+  void forgetPatterns() const { search_.forgetPatterns(); }
+
+ private:
+  void loadRecording(const std::string& path);
+  Status find(const std::string& method, const collision_forge::SceneSnapshot& scene,
+              collision_forge::CollisionRequest asked,
+              collision_forge::CollisionAnswer& answer) const;
+  Status generateHere(const std::string& name, const Moment& moment,
+                      const CollisionRequest& request,
+                      collision_forge::CollisionAnswer& answer) const;
+  void addAlternatives(const std::string& name, const Moment& moment,
+                       const CollisionRequest& request,
+                       collision_forge::CollisionAnswer& answer) const;
+  Status findRecorded(double now, std::optional<Future>& recorded) const;
+
+  const Config& config_;
+  MethodRegistry methods_;
+  Foresight foresight_;
+  std::string default_method_;
+  std::optional<Scene> recording_;
+  LaneMapSubscriber map_;
+  ServiceSearch search_;
+};
+
+}  // namespace forge

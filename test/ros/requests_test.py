@@ -1,0 +1,244 @@
+#!/usr/bin/python3
+"""The services beside generate_collision, requests for a stamp, stale scenes, and sources of other rates and frames."""
+import threading
+
+import live
+import road
+import rospy
+from geometry_msgs.msg import TransformStamped
+from live import ask, until
+from made_up import HISTORY, SPEED, MadeUpTest, agent, drive, traffic
+from rosgraph_msgs.msg import Clock
+from std_srvs.srv import Trigger
+from tf2_msgs.msg import TFMessage
+
+from collision_forge.msg import AgentArray, CollisionRequest
+from collision_forge.srv import GenerateCollisions, ListCollisions
+
+NOW = 2.5  # s after the first frame: the last of drive(6)
+
+
+def call(name, service, **fields):
+    fields.setdefault('request', CollisionRequest(believable='false', seed=3))
+    return rospy.ServiceProxy(name, service)(**fields)
+
+
+def list_collisions(**fields):
+    return call('/list_collisions', ListCollisions, **fields)
+
+
+def generate_collisions(**fields):
+    return call('/generate_collisions', GenerateCollisions, **fields)
+
+
+class RequestsTest(MadeUpTest):
+    HEARD = ['/encoded_scene', '/injected_agents', '/attack', '/tested_report', '/attack_markers', '/pattern_markers']
+
+    def time(self, seconds):
+        return rospy.Time(self.start) + rospy.Duration(seconds)
+
+    def attacked(self):
+        """A scene with an attack; the answer."""
+        self.show(drive(6))
+        answer = self.ask_until(lambda answer: answer.code == 0 and answer.attack.header.stamp == self.time(NOW))
+        self.heard['/attack'].wait(lambda attack: attack.trajectory == answer.attack.trajectory)
+        self.heard['/attack_markers'].wait(lambda array: len(array.markers) > 1)
+        for topic in ('/attack', '/attack_markers'):
+            self.heard[topic].clear()
+        return answer
+
+    def assert_forgotten(self):
+        """By all nodes: no markers, and agents pass as they are."""
+        self.assertEqual(self.heard['/attack'].wait().trajectory.attacker_id, '')
+        self.heard['/attack_markers'].wait(lambda array: len(array.markers) == 1)
+        message = AgentArray(agents=traffic(NOW + 1.0))
+        message.header.stamp, message.header.frame_id = self.time(NOW + 1.0), 'map'
+        self.publishers['/agents'].publish(message)
+        injected = self.heard['/injected_agents'].wait(lambda agents: agents.header.stamp == message.header.stamp)
+        self.assertEqual(injected.agents, message.agents)
+
+    # Services
+
+    def test_what_is_listed_is_what_is_answered(self):
+        self.attacked()
+        listed = list_collisions()
+        self.assertEqual((listed.code, listed.message, listed.now), (0, '', self.time(NOW)))
+        given = generate_collisions()
+        self.assertEqual(len(given.answers), 25)
+        self.assertEqual(len({(answer.collision_type, answer.tta) for answer in given.answers}), 25)
+        possible = [answer for answer in given.answers if answer.code == 0]
+        self.assertEqual([(one.collision_type, one.tta, one.attacker_id, one.confidence) for one in listed.collisions],
+                         [(one.collision_type, one.tta, one.attack.trajectory.attacker_id, one.attack.report.confidence)
+                          for one in possible])
+        self.assertGreater(len(possible), 3)
+        for answer in given.answers:
+            single = ask(answer.collision_type, answer.tta, seed=3)
+            self.assertEqual((single.code, single.message), (answer.code, answer.message))
+            self.assert_close(single.attack, answer.attack, tolerance=0.0)
+
+    def test_alternatives_are_listed_too_the_surest_first(self):
+        self.show(drive(6, lambda seconds: traffic(seconds) + [agent('beside', -12.0 + 10.5 * seconds, 3.5)]))
+        self.ask_for_code('OK', attacker='beside')
+        wanted = CollisionRequest(believable='false', alternatives=8)
+        listed = list_collisions(collision_types=['RE'], ttas=[3.0, 4.0], request=wanted).collisions
+        self.assertEqual({one.collision_type for one in listed}, {'rear_end'})
+        for tta in (3.0, 4.0):
+            sure = [one.confidence for one in listed if one.tta == tta]
+            self.assertGreater(len(sure), 1)
+            self.assertEqual(sure, sorted(sure, reverse=True))
+
+    def test_lists_publish_nothing(self):
+        self.attacked()
+        list_collisions()
+        generate_collisions(collision_types=['rear_end'], ttas=[3.0])
+        answer = ask(tta=5.0)
+        self.heard['/attack'].wait()
+        self.assertEqual([attack.trajectory for attack in self.heard['/attack'].all()], [answer.attack.trajectory])
+
+    def test_lists_name_what_is_wrong(self):
+        self.attacked()
+        for fields, code, words in (
+                (dict(collision_types=['sideswipe']), 'UNKNOWN_TYPE', '"sideswipe"'),
+                (dict(ttas=[99.0]), 'TTA_OUT_OF_RANGE', '99'),
+                (dict(request=CollisionRequest(tta=4.0)), 'INVALID_INPUT', 'request.tta'),
+                (dict(request=CollisionRequest(attacker_id='nobody')), 'UNKNOWN_ATTACKER', 'nobody'),
+                (dict(method='magic'), 'INVALID_INPUT', 'magic')):
+            answer = list_collisions(**fields)
+            self.assertEqual(road.CODES[answer.code], code)
+            self.assertIn(words, answer.message)
+        answer = generate_collisions(request=CollisionRequest(mode='adaptive'))
+        self.assertEqual(road.CODES[answer.code], 'INVALID_INPUT')
+
+    def test_a_short_id_is_enough(self):
+        self.attacked()
+        self.assertEqual(ask(attacker='behin').code, road.CODES.index('UNKNOWN_ATTACKER'))
+        self.assertEqual(self.ask_for_code('OK', attacker='behind').attack.trajectory.attacker_id, 'behind')
+        self.assertEqual(self.ask_for_code('OK', 'opposite_direction', attacker='oncomi').attack.trajectory.attacker_id,
+                         'oncoming')
+
+    # An attack that is over
+
+    def test_reset_forgets_the_attack(self):
+        self.attacked()
+        reset = rospy.ServiceProxy('/reset', Trigger)
+        self.assertTrue(reset().success)
+        self.assert_forgotten()
+        self.assertIn('no attack', reset().message)
+
+    def test_a_declined_request_shows_nothing_of_the_attack_before(self):
+        self.attacked()
+        self.ask_for_code('UNKNOWN_ATTACKER', attacker='nobody')
+        self.assert_forgotten()
+
+    def test_a_new_replay_begins_without_the_attack(self):
+        self.attacked()
+        type(self).start -= 50.0
+        self.show(drive(6))
+        self.assert_forgotten()
+
+    # Scenes: which, and how old
+
+    def test_a_source_that_is_dead_is_told(self):
+        self.attacked()
+        self.publishers['/clock'].publish(Clock(self.time(NOW + 30.0)))
+        message = self.ask_for_code('STALE_SCENE').message
+        self.assertIn('/tf', message)
+        listed = list_collisions()
+        self.assertEqual(road.CODES[listed.code], 'STALE_SCENE')
+        self.assert_works()
+
+    def test_a_request_names_a_scene_by_its_stamp(self):
+        self.attacked()
+        answer = ask(stamp=self.time(2.2))
+        self.assertEqual((answer.code, answer.attack.header.stamp), (0, self.time(2.0)))
+        self.assertEqual(list_collisions(stamp=self.time(2.0)).now, self.time(2.0))
+        old = ask(stamp=self.time(-5.0))
+        self.assertEqual(road.CODES[old.code], 'NO_SCENE')
+
+    def test_a_request_waits_for_a_scene_that_is_to_come(self):
+        self.attacked()
+        answers = []
+        asker = threading.Thread(target=lambda: answers.append(ask(stamp=self.time(3.5))))
+        asker.start()
+        for seconds in (3.0, 3.5):
+            asker.join(0.3)
+            self.assertEqual(answers, [])
+            self.publishers['/clock'].publish(Clock(self.time(seconds)))
+            self.publish_transform(self.time(seconds), SPEED * seconds)
+            message = AgentArray(agents=traffic(seconds))
+            message.header.stamp, message.header.frame_id = self.time(seconds), 'map'
+            self.publishers['/agents'].publish(message)
+        asker.join(live.TIMEOUT)
+        self.assertEqual((answers[0].code, answers[0].attack.header.stamp), (0, self.time(3.5)))
+
+    # Sources of other rates and frames
+
+    def test_frames_at_ten_hertz_are_a_history_of_three_and_a_half_seconds(self):
+        scene = self.show_at([0.1 * i for i in range(51)])
+        stamps = [(state.stamp - self.time(0.0)).to_sec() for state in scene.snapshot.ego.states]
+        self.assertEqual(len(stamps), HISTORY)
+        for stamp, expected in zip(stamps, [1.5 + 0.5 * i for i in range(HISTORY)]):
+            self.assertAlmostEqual(stamp, expected, places=6)
+        self.ask_until(lambda answer: answer.code == 0 and answer.attack.header.stamp == self.time(5.0))
+
+    def test_stamps_that_jitter_do_not_reset_the_history(self):
+        times = [0.5 * i for i in range(8)]
+        jittered = sorted(times + [2.01]) + [3.49, 3.6]
+        jittered.remove(2.01)
+        jittered.insert(jittered.index(2.5), 1.98)
+        scene = self.show_at(jittered)
+        self.assertEqual(len(scene.snapshot.ego.states), 8)
+
+    def test_agents_in_another_frame_are_refused(self):
+        self.attacked()
+        message = AgentArray(agents=traffic(3.0))
+        message.header.stamp, message.header.frame_id = self.time(3.0), 'odom'
+        self.publish_transform(self.time(3.0), SPEED * 3.0)
+        self.publishers['/agents'].publish(message)
+        until(lambda: 'agents are in frame "odom"' in self.suite.output(), 'the message about the frame')
+
+    def test_the_ego_is_tested_where_tf_has_it_though_odometry_drifts(self):
+        """map -> odom takes back a drift of odom -> base_link, 0.3 m/s to the side."""
+        answer = self.attacked()
+        self.heard['/tested_report'].clear()
+        for i in range(1, 71):
+            seconds = NOW + 0.1 * i
+            self.publishers['/clock'].publish(Clock(self.time(seconds)))
+            self.publish_drifting(self.time(seconds), seconds)
+            if i % 5 == 0:
+                message = AgentArray(agents=traffic(seconds))
+                message.header.stamp, message.header.frame_id = self.time(seconds), 'map'
+                self.publishers['/agents'].publish(message)
+        tested = self.heard['/tested_report'].wait()
+        self.assertTrue(tested.contact)
+        self.assertLess(abs((tested.contact_time - answer.attack.report.contact_time).to_sec()), 0.3)
+
+    def publish_drifting(self, time, seconds):
+        transforms = []
+        for parent, child, x, y in (('map', 'odom', 0.0, -0.3 * seconds), ('odom', 'base_link', SPEED * seconds, 0.3 * seconds)):
+            transform = TransformStamped()
+            transform.header.stamp, transform.header.frame_id, transform.child_frame_id = time, parent, child
+            transform.transform.translation.x, transform.transform.translation.y = x, y
+            transform.transform.rotation.w = 1.0
+            transforms.append(transform)
+        for transform in transforms:
+            self.publishers['/tf'].publish(TFMessage([transform]))
+
+    def show_at(self, times):
+        """Frames at these seconds, in this order; the scene of the last."""
+        def shown():
+            self.heard['/encoded_scene'].clear()
+            self.publish([(seconds, SPEED * seconds, traffic(seconds)) for seconds in times])
+            try:
+                return self.heard['/encoded_scene'].wait(lambda scene: scene.header.stamp == self.time(times[-1]),
+                                                         timeout=2.0)
+            except AssertionError:
+                type(self).start -= 50.0
+                return None
+        self.show(drive(6))  # a map, and all connections
+        type(self).start -= 50.0
+        return until(shown, 'the scene of the last frame')
+
+
+if __name__ == '__main__':
+    live.main('requests_test')
