@@ -1,12 +1,6 @@
+#include "collision_forge/ros/attacker_injector.h"
+
 #include <gtest/gtest.h>
-#include <rosbag/view.h>
-#include <unistd.h>
-
-#include <filesystem>
-
-#include "collision_forge/ros/bag_file.h"
-#include "collision_forge/ros/injection.h"
-#include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 namespace {
@@ -26,6 +20,9 @@ collision_forge::AttackerTrajectory trajectory() {
   return message;
 }
 
+/// From the trajectory's end on: from 10 m/s with 5 m/s2.
+BrakingSlide slide() { return {11.0, {10.0, 0.0}, 5.0}; }
+
 /// A frame with the attacker at y = 3, and somebody else.
 collision_forge::AgentArray frame(double time, double height) {
   collision_forge::AgentArray message;
@@ -43,8 +40,8 @@ collision_forge::AgentArray frame(double time, double height) {
   return message;
 }
 
-TEST(AttackerInjector, TheAttackerDrivesItsTrajectoryAndIsGoneAfterwards) {
-  AttackerInjector injector(trajectory());
+TEST(AttackerInjector, TheAttackerDrivesItsTrajectoryAndSlidesToAStandAfterwards) {
+  AttackerInjector injector(trajectory(), slide());
   EXPECT_EQ(injector.inject(frame(10.0, 1.6)), frame(10.0, 1.6));
   const auto injected = injector.inject(frame(10.5, 1.7));
   EXPECT_EQ(injected.agents[0], frame(10.5, 1.7).agents[0]);
@@ -52,13 +49,24 @@ TEST(AttackerInjector, TheAttackerDrivesItsTrajectoryAndIsGoneAfterwards) {
   EXPECT_EQ(injected.agents[1].pose.position.y, 0.0);
   EXPECT_EQ(injected.agents[1].velocity.x, 10.0);
   EXPECT_EQ(injected.agents[1].size.z, 1.6);
-  const auto after = injector.inject(frame(11.1, 1.6));
-  ASSERT_EQ(after.agents.size(), 1u);
-  EXPECT_EQ(after.agents[0].id, "other");
+  for (const double time : {13.0, 100.0}) {  // it stands after 2 s and 10 m
+    const auto after = injector.inject(frame(time, 1.6));
+    ASSERT_EQ(after.agents.size(), 2u);
+    EXPECT_EQ(after.agents[0], frame(time, 1.6).agents[0]);
+    EXPECT_NEAR(after.agents[1].pose.position.x, 20.0, 1e-9);
+    EXPECT_NEAR(after.agents[1].velocity.x, 0.0, 1e-9);
+  }
+}
+
+TEST(AttackerInjector, OneThatWasRecordedTwiceIsThereOnce) {
+  AttackerInjector injector(trajectory(), slide());
+  auto recorded = frame(10.5, 1.6);
+  recorded.agents.push_back(recorded.agents[1]);
+  EXPECT_EQ(injector.inject(recorded).agents.size(), 2u);
 }
 
 TEST(AttackerInjector, OneThatStartsLateTakesTheHeightFromTheFirstFrameThatHasIt) {
-  AttackerInjector injector(trajectory());
+  AttackerInjector injector(trajectory(), slide());
   auto without = frame(10.2, 1.6);
   without.agents.pop_back();
   EXPECT_EQ(injector.inject(without).agents[1].size.z, 0.0);
@@ -86,7 +94,7 @@ collision_forge::AttackerTrajectory addedTrajectory() {
 }
 
 TEST(AttackerInjector, OneThatWasAddedIsANewAgentFromItsFirstStateOn) {
-  AttackerInjector injector(addedTrajectory());
+  AttackerInjector injector(addedTrajectory(), slide());
   EXPECT_EQ(injector.inject(frame(8.5, 1.6)), frame(8.5, 1.6));
   double x = -10.0;
   for (const double time : {9.0, 9.5, 10.0, 10.5}) {
@@ -102,38 +110,20 @@ TEST(AttackerInjector, OneThatWasAddedIsANewAgentFromItsFirstStateOn) {
     EXPECT_EQ(added.velocity.x, 10.0);
     x += 5.0;
   }
-  EXPECT_EQ(injector.inject(frame(11.1, 1.6)), frame(11.1, 1.6));
 }
 
-TEST(InjectIntoBag, OneThatWasAddedIsThereFromItsFirstStateOn) {
-  const auto folder = std::filesystem::temp_directory_path() /
-                      ("collision_forge_injection_" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
-  const std::string in = folder / "in.bag";
-  const std::string out = folder / "out.bag";
-  const std::string agents = bagTopic(names::kAgents);
-  const std::vector<double> times = {8.5, 9.0, 9.5, 10.0, 10.5, 11.5};
-  {
-    NewBag bag(in);
-    for (const double time : times) bag.write(agents, ros::Time(time), frame(time, 1.6));
-    bag.commit();
-  }
-  collision_forge::Attack attack;
-  attack.trajectory = addedTrajectory();
-  attack.trajectory.header.stamp = ros::Time(10.0);
-  injectIntoBag(in, out, attack, {});
-  const rosbag::Bag bag(out, rosbag::bagmode::Read);
-  std::vector<std::size_t> counts;
-  for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(agents))) {
-    counts.push_back(instance.instantiate<collision_forge::AgentArray>()->agents.size());
-  }
-  EXPECT_EQ(counts, (std::vector<std::size_t>{2, 3, 3, 3, 3, 2}));
-  EXPECT_EQ(rosbag::View(bag, rosbag::TopicQuery(bagTopic(names::kAttack))).size(), 1u);
-  std::filesystem::remove_all(folder);
+TEST(AttackerInjector, TheTrajectoryIsLeftWhereTheSlideBegins) {
+  AttackerInjector injector(trajectory(), {10.5, {0.0, 4.0}, 4.0});  // stands after 1 s and 2 m
+  const auto sliding = injector.inject(frame(11.0, 1.6)).agents[1];
+  EXPECT_EQ(sliding.pose.position.x, 5.0);
+  EXPECT_NEAR(sliding.pose.position.y, 1.5, 1e-9);
+  EXPECT_NEAR(sliding.velocity.y, 2.0, 1e-9);
+  EXPECT_EQ(sliding.velocity.x, 0.0);
+  EXPECT_NEAR(injector.inject(frame(20.0, 1.6)).agents[1].pose.position.y, 2.0, 1e-9);
 }
 
 TEST(AttackerInjector, OneThatWasAddedIsAsHighAsTheNearestOfItsClass) {
-  AttackerInjector injector(addedTrajectory());
+  AttackerInjector injector(addedTrajectory(), slide());
   auto recorded = frame(9.5, 1.6);
   recorded.agents[0].agent_class = collision_forge::Agent::TRUCK;
   recorded.agents[0].size.z = 3.0;
@@ -147,11 +137,11 @@ TEST(AttackerInjector, OneThatWasAddedIsAsHighAsTheNearestOfItsClass) {
 }
 
 TEST(AttackerInjector, AChangedTrajectoryIsDrivenAtTheSameHeight) {
-  AttackerInjector injector(trajectory());
+  AttackerInjector injector(trajectory(), slide());
   injector.inject(frame(10.0, 1.6));
   auto changed = trajectory();
   for (auto& point : changed.points) point.pose.position.y = -2.0;
-  EXPECT_TRUE(injector.change(changed));
+  EXPECT_TRUE(injector.change(changed, slide()));
   const auto injected = injector.inject(frame(10.5, 1.7));
   EXPECT_EQ(injected.agents[1].pose.position.y, -2.0);
   EXPECT_EQ(injected.agents[1].pose.position.z, 0.8);
@@ -159,16 +149,16 @@ TEST(AttackerInjector, AChangedTrajectoryIsDrivenAtTheSameHeight) {
 }
 
 TEST(AttackerInjector, ATrajectoryOfAnotherAttackIsNoChange) {
-  AttackerInjector injector(trajectory());
+  AttackerInjector injector(trajectory(), slide());
   auto of_another = trajectory();
   of_another.attacker_id = "other";
   auto later = trajectory();
   later.header.stamp = ros::Time(10.5);
   for (auto* changed : {&of_another, &later}) {
     for (auto& point : changed->points) point.pose.position.y = -2.0;
-    EXPECT_FALSE(injector.change(*changed));
+    EXPECT_FALSE(injector.change(*changed, slide()));
   }
-  EXPECT_FALSE(injector.change(addedTrajectory()));
+  EXPECT_FALSE(injector.change(addedTrajectory(), slide()));
   EXPECT_EQ(injector.inject(frame(10.5, 1.6)).agents[1].pose.position.y, 0.0);
 }
 

@@ -130,6 +130,29 @@ TEST(CollisionRequestMessage, SaysWhatIsNotAsConfigured) {
   EXPECT_EQ(request.alternatives, 4);
 }
 
+TEST(CollisionRequestMessage, SaysTheSameThereAndBack) {
+  CrashDefinition configured;
+  auto message = leadBrakes();
+  message.attacker_id = "a";
+  message.choice = "existing";
+  message.mode = "replay";
+  message.seed = 7;
+  message.believable = "false";
+  message.limits = "strict";
+  message.attacker_class = "bus";
+  message.manoeuvre = "lead_brakes";
+  message.ego_side = "front";
+  message.min_impact_speed = 2.0;
+  message.max_impact_speed = 6.0;
+  message.min_overlap = 0.25;
+  message.max_overlap = 0.5;
+  message.alternatives = 4;
+  EXPECT_EQ(toMessage(std::get<CollisionRequest>(fromMessage(message, configured))), message);
+  const auto plain = toMessage(std::get<CollisionRequest>(fromMessage(leadBrakes(), configured)));
+  EXPECT_EQ(plain.attacker_class + plain.manoeuvre + plain.ego_side + plain.attacker_id, "");
+  EXPECT_EQ(plain.max_impact_speed + plain.max_overlap, 0.0);
+}
+
 TEST(CollisionRequestMessage, NamesFieldAndValueOfAWordThatMeansNothing) {
   using Message = collision_forge::CollisionRequest;
   const std::pair<const char*, std::string Message::*> fields[] = {

@@ -13,6 +13,7 @@ import road
 
 SCENE = 'scene-0003'
 NOW = 6.0  # s from the first frame
+ASKED = ('--mode', 'replay', '--attacker', 'existing')  # against the recorded ego: there is a contact in the bag
 TYPES = ['lane_change', 'opposite_direction', 'rear_end', 'junction_crossing']
 
 
@@ -26,26 +27,73 @@ class InjectionTest(road.RoadTest):
         cls.source = cls.folder / (SCENE + '.bag')
         cls.attacked = cls.folder / 'attacked.bag'
         cls.drawing = cls.folder / 'attack'
-        cls.result = road.inject(cls.source, cls.attacked, 'rear_end', 4.0, NOW, '--seed', 5, '--draw', cls.drawing)
+        cls.result = road.inject(cls.source, cls.attacked, 'rear_end', 4.0, NOW, *ASKED, '--seed', 5,
+                                 '--draw', cls.drawing)
         assert cls.result.returncode == 0, cls.result.stderr
         cls.trajectory = road.read_one(cls.attacked, '/attack').trajectory
+        cls.driven_on = cls.folder / 'driven_on.bag'
+        result = road.inject(cls.source, cls.driven_on, 'rear_end', 4.0, NOW, *ASKED, '--seed', 5,
+                             '--after-contact', 'drive_on')
+        assert result.returncode == 0, result.stderr
+        tested = road.read_one(cls.attacked, '/tested_report')
+        assert tested.contact
+        cls.contact = tested.contact_time
         cls.attacker = cls.trajectory.attacker_id
         cls.now = cls.trajectory.header.stamp
         cls.end = cls.trajectory.points[-1].stamp
 
     def test_all_other_topics_are_copied_byte_for_byte(self):
-        before, after = road.read_raw(self.source), road.read_raw(self.attacked)
-        self.assertEqual(sorted(after), sorted(list(before) + road.ATTACK_TOPICS))
-        for topic in set(before) - set(road.ATTACKED_TOPICS):
-            self.assertEqual(after[topic], before[topic], topic)
+        before = road.read_raw(self.source)
+        for bag, changed in ((self.attacked, road.ATTACKED_TOPICS + road.EGO_TOPICS),
+                             (self.driven_on, road.ATTACKED_TOPICS)):
+            after = road.read_raw(bag)
+            self.assertEqual(sorted(after), sorted(list(before) + road.ATTACK_TOPICS))
+            for topic in set(before) - set(changed):
+                self.assertEqual(after[topic], before[topic], topic)
 
-    def test_frames_up_to_now_are_copied_byte_for_byte(self):
+    def test_messages_up_to_the_change_are_copied_byte_for_byte(self):
+        """Of the agents up to now, of the ego up to the contact."""
         before, after = road.read_raw(self.source), road.read_raw(self.attacked)
-        for topic in road.ATTACKED_TOPICS:
+        for topics, change in ((road.ATTACKED_TOPICS, self.now), (road.EGO_TOPICS, self.contact)):
+            for topic in topics:
+                first, last = ([message for message in messages[topic] if message[0] <= change.to_nsec()]
+                               for messages in (before, after))
+                self.assertEqual(last, first)
+                self.assertGreater(len(before[topic]), len(first), topic)
+                self.assertNotEqual(after[topic][-1], before[topic][-1], topic)
+        for topic in road.EGO_TOPICS:
             self.assertEqual([time for time, _ in after[topic]], [time for time, _ in before[topic]])
-            changed = [old[0] for old, new in zip(before[topic], after[topic]) if old != new]
-            self.assertGreater(len(changed), 0)
-            self.assertGreater(min(changed), self.now.to_nsec(), topic)
+
+    def test_frames_come_ten_times_a_second_from_now_on(self):
+        """Recorded ones at their stamps among them."""
+        stamps = [message.header.stamp.to_sec() for message, _ in road.read(self.attacked, '/agents')]
+        recorded = [message.header.stamp.to_sec() for message, _ in road.read(self.source, '/agents')]
+        self.assertLessEqual(set(recorded), set(stamps))
+        later = [stamp for stamp in stamps if stamp >= self.now.to_sec()]
+        self.assertLess(max(end - start for start, end in zip(later, later[1:])), 0.1 + 1e-6)
+        self.assertEqual([stamp for stamp in stamps if stamp < later[0]],
+                         [stamp for stamp in recorded if stamp < later[0]])
+        self.assertLess(min(abs(stamp - self.contact.to_sec()) for stamp in stamps), 2e-3)
+
+    def test_others_move_linearly_between_recorded_frames(self):
+        recorded = [message for message, _ in road.read(self.source, '/agents')]
+        between = 0
+        for message, _ in road.read(self.attacked, '/agents'):
+            stamp = message.header.stamp
+            after = next(frame for frame in recorded if frame.header.stamp >= stamp)
+            if after.header.stamp == stamp:
+                continue
+            before = next(frame for frame in reversed(recorded) if frame.header.stamp < stamp)
+            ratio = (stamp - before.header.stamp) / (after.header.stamp - before.header.stamp)
+            places = [{agent.id: agent.pose.position for agent in frame.agents} for frame in (before, after)]
+            moved = {agent.id: agent.pose.position for agent in message.agents if agent.id != self.attacker}
+            self.assertEqual(set(moved), set(places[0]) & set(places[1]) - {self.attacker})
+            for agent, place in moved.items():
+                first, second = places[0][agent], places[1][agent]
+                self.assertAlmostEqual(place.x, first.x + ratio * (second.x - first.x), places=6)
+                self.assertAlmostEqual(place.y, first.y + ratio * (second.y - first.y), places=6)
+                between += 1
+        self.assertGreater(between, 100)
 
     def test_connections_keep_type_definition_and_latching(self):
         headers = []
@@ -62,11 +110,13 @@ class InjectionTest(road.RoadTest):
     def test_attack_is_recorded_once_and_at_now(self):
         start = road.read(self.source, '/agents')[0][1]
         self.assertEqual((self.now - start).to_sec(), NOW)
-        for topic in road.ATTACK_TOPICS:
+        for topic in road.TOPICS_AT_NOW:
             (message, time), = road.read(self.attacked, topic)
             self.assertEqual(time, self.now, topic)
             self.assertEqual(message.header.stamp, self.now, topic)
             self.assertEqual(message.header.frame_id, 'map', topic)
+        for topic in ('/attack', '/tested_report'):
+            message = road.read_one(self.attacked, topic)
             report = message.report if topic == '/attack' else message
             self.assertEqual(report.attacker_id, self.attacker, topic)
 
@@ -87,7 +137,9 @@ class InjectionTest(road.RoadTest):
     def test_attacker_drives_its_trajectory_and_others_are_as_recorded(self):
         driven = 0
         last_seen = None
-        for (before, _), (after, _) in zip(road.read(self.source, '/agents'), road.read(self.attacked, '/agents')):
+        frames = {message.header.stamp: message for message, _ in road.read(self.driven_on, '/agents')}
+        for before, _ in road.read(self.source, '/agents'):
+            after = frames[before.header.stamp]
             recorded = {agent.id: agent for agent in before.agents}
             attacked = {agent.id: agent for agent in after.agents}
             self.assertEqual(len(attacked), len(after.agents), 'an agent is there twice')
@@ -98,8 +150,8 @@ class InjectionTest(road.RoadTest):
             recorded.pop(self.attacker, None)
             attacker = attacked.pop(self.attacker, None)
             self.assertEqual(attacked, recorded)
-            self.assertEqual(attacker is not None, before.header.stamp <= self.end, 'there until its trajectory ends')
-            if attacker is None:
+            self.assertIsNotNone(attacker, 'it stays in the scene')
+            if before.header.stamp > self.end:
                 continue
             driven += 1
             x, y, yaw, speed = self.expected_state(before.header.stamp)
@@ -119,6 +171,59 @@ class InjectionTest(road.RoadTest):
                       for marker in markers.markers}
             for agent in agents.agents:
                 self.assertIn((round(agent.pose.position.x, 6), round(agent.pose.position.y, 6)), places)
+
+    def test_the_attacker_stands_after_its_trajectory(self):
+        attacker, = [agent for agent in road.read(self.driven_on, '/agents')[-1][0].agents if agent.id == self.attacker]
+        self.assertAlmostEqual(math.hypot(attacker.velocity.x, attacker.velocity.y), 0.0)
+        end = self.trajectory.points[-1]
+        yaw = road.yaw_of(end.pose.orientation)
+        ahead = (math.cos(yaw) * (attacker.pose.position.x - end.pose.position.x) +
+                 math.sin(yaw) * (attacker.pose.position.y - end.pose.position.y))
+        self.assertAlmostEqual(ahead, end.speed ** 2 / 2 / 8.0, places=3, msg='a car brakes with 8 m/s2')
+
+    def test_ego_and_attacker_come_to_a_stand_together(self):
+        transforms = [message.transforms[0] for message, _ in road.read(self.attacked, '/tf')]
+        places = {}
+        for transform in transforms:
+            place = transform.transform.translation
+            places[transform.header.stamp] = (place.x, place.y)
+        self.assertEqual(places[transforms[-1].header.stamp], places[transforms[-2].header.stamp])
+        gaps = set()
+        for message, _ in road.read(self.attacked, '/agents'):
+            stamp = message.header.stamp
+            if stamp <= self.contact or stamp not in places:
+                continue
+            attacker, = [agent for agent in message.agents if agent.id == self.attacker]
+            gaps.add((round(attacker.pose.position.x - places[stamp][0], 4),
+                      round(attacker.pose.position.y - places[stamp][1], 4)))
+        self.assertEqual(len(gaps), 1, gaps)
+
+    def test_the_bag_may_end_after_the_contact(self):
+        out = self.path('out.bag')
+        result = road.inject(self.source, out, 'rear_end', 4.0, NOW, *ASKED, '--seed', 5, '--after-contact', 'end')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('after the contact: the bag ends 0.5 s later', result.stdout)
+        with rosbag.Bag(str(out)) as bag:
+            self.assertAlmostEqual(bag.get_end_time(), self.contact.to_sec() + 0.5, delta=0.11)
+
+    def test_what_was_asked_for_is_in_the_bag(self):
+        message = road.read_one(self.attacked, '/attack_request')
+        self.assertEqual((message.request.collision_type, message.request.tta, message.request.seed,
+                          message.request.mode), ('rear_end', 4.0, 5, 'replay'))
+        self.assertEqual((message.now, message.alternative, message.after_contact), (NOW, 1, 'stop'))
+        self.assertEqual(message.method, road.read_one(self.attacked, '/attack').method)
+        self.assertEqual(message.bag, self.source.name)
+        package = (road.PACKAGE_FOLDER / 'package.xml').read_text()
+        self.assertIn('<version>{}</version>'.format(message.version), package)
+        self.assertRegex(message.configuration, '^[0-9a-f]{16}$')
+
+    def test_a_bag_with_an_attack_is_refused(self):
+        out = self.path('out.bag')
+        result = road.inject(self.attacked, out, 'rear_end', 4.0, 2.0)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        for text in (str(self.attacked), '/attack'):
+            self.assertIn(text, result.stderr)
+        self.assertFalse(out.exists())
 
     def test_trajectory_starts_at_the_attacker_and_touches_when_reported(self):
         agents = {message.header.stamp: message for message, _ in road.read(self.source, '/agents')}
@@ -159,24 +264,28 @@ class InjectionTest(road.RoadTest):
         self.assertGreater(len(gif), 10000)
 
     def test_answer_is_printed(self):
-        for text in ('rear_end by ' + self.attacker, 'crash as asked', str(self.attacked), 'attack.png', 'attack.gif'):
+        for text in ('rear_end by ' + self.attacker, 'crash as asked', 'after the contact: both slide to a stand',
+                     str(self.attacked), 'attack.png', 'attack.gif'):
             self.assertIn(text, self.result.stdout)
 
     def test_same_seed_same_bytes(self):
         again = self.path('out.bag')
-        result = road.inject(self.source, again, 'rear_end', 4.0, NOW, '--seed', 5)
+        result = road.inject(self.source, again, 'rear_end', 4.0, NOW, *ASKED, '--seed', 5)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(again.read_bytes(), self.attacked.read_bytes())
 
     def test_other_seed_other_attack(self):
-        other = self.path('out.bag')
-        result = road.inject(self.source, other, 'rear_end', 4.0, NOW, '--seed', 6)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertNotEqual(road.read_one(other, '/attack').trajectory, self.trajectory)
+        trajectories = []
+        for seed in (5, 6):
+            out = self.path('out.bag')
+            result = road.inject(self.source, out, 'rear_end', 4.0, NOW, '--seed', seed)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            trajectories.append(road.read_one(out, '/attack').trajectory)
+        self.assertNotEqual(*trajectories)
 
     def test_now_between_frames_is_the_frame_before(self):
         other = self.path('out.bag')
-        result = road.inject(self.source, other, 'rear_end', 4.0, NOW + 0.4, '--seed', 5)
+        result = road.inject(self.source, other, 'rear_end', 4.0, NOW + 0.4, *ASKED, '--seed', 5)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(road.read_one(other, '/attack').trajectory, self.trajectory)
 
@@ -199,22 +308,20 @@ class InjectionTest(road.RoadTest):
 
     def test_alternatives_are_distinct_until_there_are_no_more(self):
         attacks, out = set(), self.path('out.bag')
+        self.assertEqual(road.code_of(road.inject(self.source, out, 'rear_end', 4.0, NOW, '--seed', 5)), 'OK')
+        without = road.read_one(out, '/attack').trajectory
         for number in range(1, 17):
             result = road.inject(self.source, out, 'rear_end', 4.0, NOW, '--seed', 5, '--alternative', number)
             if result.returncode != 0:
                 break
             attack = road.read_one(out, '/attack')
             if number == 1:
-                self.assertEqual(attack.trajectory, self.trajectory)
+                self.assertEqual(attack.trajectory, without)
             attacks.add((attack.trajectory.attacker_id, attack.report.manoeuvre))
             self.assertEqual(len(attacks), number)
         self.assertGreater(len(attacks), 1)
         self.assertEqual(road.code_of(result), 'NO_ATTACK_WITHIN_LIMITS')
         self.assertIn('there are {} distinct attacks only'.format(len(attacks)), result.stderr)
-
-    def test_attacked_bag_is_a_bag_like_any_other(self):
-        result = road.inject(self.attacked, self.path('out.bag'), 'rear_end', 4.0, 2.0)
-        self.assertEqual(road.code_of(result), 'OK', result.stderr)
 
 
 class AdaptiveInjectionTest(road.RoadTest):
@@ -570,9 +677,11 @@ class BadBagTest(road.RoadTest):
         self.assertEqual(road.code_of(result), 'OK', result.stderr)
         attacker = road.read_one(self.path('out.bag'), '/attack').report.attacker_id
         poses = set()
-        for message, _ in road.read(self.path('out.bag'), '/agents')[-14:-12]:
+        now = road.read_one(self.path('out.bag'), '/attack').header.stamp
+        frames = [message for message, _ in road.read(self.path('out.bag'), '/agents') if message.header.stamp > now]
+        for message in frames:
             poses |= {(message.header.stamp, agent.pose.position.x) for agent in message.agents if agent.id == attacker}
-        self.assertLessEqual(len(poses), 2, 'the recorded attacker is still beside the attack')
+        self.assertEqual(len(poses), len(frames), 'the recorded attacker is still beside the attack')
 
     def test_ego_that_never_moves(self):
         first = road.read(self.bag(SCENE), '/tf')[0][0].transforms[0].transform

@@ -296,7 +296,8 @@ class LiveTest(road.RoadTest):
         for now in nows:
             for tta in ttas:
                 result = road.inject(self.bag(self.SCENES[0]), out, collision_type, tta, now, '--mode', mode,
-                                     '--seed', seed, '--believable', believable, '--attacker', 'existing')
+                                     '--seed', seed, '--believable', believable, '--attacker', 'existing',
+                                     '--after-contact', 'drive_on')
                 if road.code_of(result) == 'OK':
                     return now, tta, out
         raise AssertionError('no {} in {} mode in {}'.format(collision_type, mode, self.SCENES[0]))
@@ -335,8 +336,9 @@ class WholeRoadTest(LiveTest):
             self.heard[topic].clear()
         self.player.play_to((end - self.player.start).to_sec() + 1.0)
         last = min(end + rospy.Duration(1), self.player.messages[-1][2])
+        recorded = {message.header.stamp for message, _ in road.read(self.bag(self.SCENES[0]), '/agents')}
         expected = {message.header.stamp: message for message, time in road.read(attacked, '/agents')
-                    if now < time <= last}
+                    if now < time <= last and message.header.stamp in recorded}
         until(lambda: len(self.heard['/injected_agents'].all()) >= len(expected), 'the injected agents')
         for message in self.heard['/injected_agents'].all():
             self.assert_close(message, expected.pop(message.header.stamp))

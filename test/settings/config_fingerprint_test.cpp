@@ -13,6 +13,7 @@ TEST(FingerprintsOf, NameEveryYamlFileThatResultsDependOn) {
   const TemporaryFolder folder;
   folder.write("b.yaml", "a");
   folder.write("a.yaml", "foobar");
+  folder.write("attacked_bag.yaml", "a");
   folder.write("drawing.yaml", "a");
   folder.write("training.yaml", "a");
   folder.write("planner_training.yaml", "a");
@@ -42,6 +43,18 @@ TEST(FingerprintsOf, ChangeWithTheFile) {
   const auto before = fingerprintsOf({}, folder.path());
   folder.write("a.yaml", "x: 2\n");
   EXPECT_NE(fingerprintsOf({}, folder.path()), before);
+}
+
+TEST(FingerprintOfAll, ChangesWithNameAndContentOfAFile) {
+  const TemporaryFolder folder;
+  folder.write("a.yaml", "x: 1\n");
+  const std::string before = fingerprintOfAll({}, folder.path());
+  EXPECT_EQ(fingerprintOfAll({}, folder.path()), before);
+  folder.write("a.yaml", "x: 2\n");
+  EXPECT_NE(fingerprintOfAll({}, folder.path()), before);
+  const TemporaryFolder other;
+  other.write("b.yaml", "x: 1\n");
+  EXPECT_NE(fingerprintOfAll({}, other.path()), before);
 }
 
 TEST(FingerprintsOf, RefuseAModelThatIsNotThere) {

@@ -85,6 +85,7 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
                                                         {"training.yaml", "training"},
                                                         {"conversion.yaml", "conversion"},
                                                         {"models.yaml", "models"},
+                                                        {"attacked_bag.yaml", "attacked_bag"},
                                                         {"drawing.yaml", "drawing"},
                                                         {"requests.yaml", "requests"},
                                                         {"search.yaml", "search"},
@@ -115,7 +116,7 @@ TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
         "conversion.yaml",     "drawing.yaml",     "requests.yaml",         "evaluation.yaml",
         "dataset.yaml",        "ego_futures.yaml", "methods.yaml",          "speed_model_fit.yaml",
         "models.yaml",         "training.yaml",    "planner_training.yaml", "planners.yaml",
-        "believability.yaml"}) {
+        "believability.yaml",  "attacked_bag.yaml"}) {
     expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
   }
 }
@@ -140,6 +141,7 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("planner_training.yaml", "terms:", "#", {"planner_training.terms", "missing"});
   expectComplaint("planners.yaml", "start_timeout:", "#", {"torchscript.start_timeout", "missing"});
   expectComplaint("conversion.yaml", "map_radius:", "#", {"conversion.map_radius", "missing"});
+  expectComplaint("attacked_bag.yaml", "frame_rate:", "#", {"attacked_bag.frame_rate", "missing"});
   expectComplaint("drawing.yaml", "view_margin:", "#", {"drawing.view_margin", "missing"});
   expectComplaint("requests.yaml", "stride:", "#", {"requests.stride", "missing"});
   expectComplaint("dataset.yaml", "sheet_rows:", "#", {"dataset.sheet_rows", "missing"});

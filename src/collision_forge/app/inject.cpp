@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 #include <utility>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/attack/request_check.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/draw_scenario.h"
 #include "collision_forge/policy/adaptive_answer.h"
@@ -16,6 +18,7 @@
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/injection.h"
 #include "collision_forge/settings/config.h"
+#include "collision_forge/settings/config_fingerprint.h"
 
 namespace forge {
 namespace {
@@ -33,6 +36,7 @@ struct Arguments {
   collision_forge::CollisionRequest request;
   RequestControls controls;
   Mode mode = Mode::kHistory;
+  AfterContact after_contact = AfterContact::kStop;
 };
 
 /// The frame at or before `now` seconds after the scene's first.
@@ -67,6 +71,23 @@ void printReport(const char* subject, const CollisionReport& report, double now)
             << toString(report.manoeuvre) << " from " << report.manoeuvre_begin - now << " s on, "
             << (report.believable() ? "believable" : "not believable: it " + report.unbelievable)
             << "\n";
+}
+
+/// What the bag shows after the contact with the recorded ego.
+std::string aftermathOf(AfterContact after, bool has_contact, double end_time) {
+  if (!has_contact) return "without contact: the bag goes on, the ego drives as recorded";
+  switch (after) {
+    case AfterContact::kStop:
+      return "after the contact: both slide to a stand; /tf and odom are rewritten from then on";
+    case AfterContact::kEnd: {
+      std::ostringstream text;
+      text << "after the contact: the bag ends " << end_time << " s later";
+      return text.str();
+    }
+    case AfterContact::kDriveOn:
+      break;
+  }
+  return "after the contact: the ego drives on as recorded, the attacker its trajectory to the end";
 }
 
 int refuse(const Status& status) {
@@ -130,6 +151,48 @@ AdaptiveAnswer answerOf(const MethodMaker& maker, const Moment& moment, const Sc
   return {alternativeOf(first, arguments.alternative), {}, {}};
 }
 
+/// What is written into the bag.
+struct TestedAttack {
+  const Realization& attack;
+  const std::vector<AttackerPlan>& plans;
+  const CollisionReport& tested;
+  const CollisionRequest& request;
+  double now;
+};
+
+/// Header and method are left empty.
+collision_forge::AttackRequest requestMessage(const TestedAttack& attack, const Scene& scene,
+                                              const Arguments& arguments, const Config& config) {
+  collision_forge::AttackRequest message;
+  message.request = toMessage(attack.request);
+  message.now = attack.now - scene.frame_times.front();
+  message.alternative = static_cast<std::uint32_t>(arguments.alternative);
+  message.after_contact = toString(arguments.after_contact);
+  message.bag = fs::path(arguments.bag).filename().string();
+  message.version = COLLISION_FORGE_VERSION;
+  message.configuration = fingerprintOfAll(config, arguments.config);
+  return message;
+}
+
+void writeAttackedBag(const TestedAttack& attack, const Scene& scene, const std::string& method,
+                      const Arguments& arguments, const Config& config) {
+  const std::string& attacker = attack.attack.trajectory.attacker_id;
+  BagAttack bag_attack{toMessage(attack.attack, method, attack.now),
+                       toMessage(attack.tested, attacker, attack.now),
+                       requestMessage(attack, scene, arguments, config), arguments.after_contact};
+  bag_attack.request.header = bag_attack.attack.header;
+  bag_attack.request.method = method;
+  if (!attack.plans.empty()) {
+    setPlans(attack.plans, bag_attack.attack);
+    bag_attack.tested_report.decision = bag_attack.attack.decision;
+  }
+  ProgressLine progress("writing");
+  injectIntoBag(arguments.bag, arguments.out, bag_attack,
+                {scene.ego, config.ego_vehicle.center_offset, config.attack.verification.drivable,
+                 config.attacked_bag},
+                [&](double share) { progress.show(share); });
+}
+
 int inject(const Arguments& arguments) {
   checkOutputs(arguments);
   collision_forge::CollisionRequest asked = arguments.request;
@@ -144,6 +207,7 @@ int inject(const Arguments& arguments) {
   std::vector<std::string> warnings;
   const Scene scene = readBag(arguments.bag, config.ego_vehicle, &warnings);
   printWarnings(arguments.bag, warnings);
+  requireNoAttack(arguments.bag);
 
   const double now = frameAt(scene, arguments.now);
   const PredictionOptions& prediction = config.attack.prediction;
@@ -157,13 +221,7 @@ int inject(const Arguments& arguments) {
              config.attack.verification);
   tested.confidence = attack.report.confidence;
   const std::string& attacker = attack.trajectory.attacker_id;
-  collision_forge::Attack message = toMessage(attack, maker.name(), now);
-  collision_forge::CollisionReport tested_message = toMessage(tested, attacker, now);
-  if (!plans.empty()) {
-    setPlans(plans, message);
-    tested_message.decision = message.decision;
-  }
-  injectIntoBag(arguments.bag, arguments.out, message, tested_message);
+  writeAttackedBag({attack, plans, tested, request, now}, scene, maker.name(), arguments, config);
   std::cout << toString(request.type) << " by " << attacker << ", "
             << (attack.trajectory.isAdded() ? "an added " : "a recorded ")
             << toString(attack.trajectory.agent_class)
@@ -171,7 +229,8 @@ int inject(const Arguments& arguments) {
             << attack.report.confidence << "\n";
   printReport("generated", attack.report, now);
   printReport("against the recording", tested, now);
-  std::cout << "wrote " << arguments.out << "\n";
+  std::cout << aftermathOf(arguments.after_contact, tested.contact, config.attacked_bag.end_time)
+            << "\nwrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {
     const ScenarioView view{scene.name,       request.tta, request.mode,      moment.snapshot,
                             *moment.recorded, attack.aim,  attack.trajectory, tested};
@@ -208,6 +267,13 @@ void addInject(CommandLine& line) {
   addMethod(app, arguments->method);
   addMode(app, arguments->mode, true);
   addSeed(app, request.seed, "of the variations tried");
+  addChoice<AfterContact>(
+      app, "--after-contact", arguments->after_contact,
+      {{"stop", AfterContact::kStop},
+       {"end", AfterContact::kEnd},
+       {"drive_on", AfterContact::kDriveOn}},
+      "what the bag shows then; stop: both slide to a stand, the ego's /tf and odom are rewritten; "
+      "end: it ends shortly after; drive_on: the ego drives on as recorded");
   addOut(app, arguments->out, "bag to write");
   app.add_option("--draw", arguments->draw, "also draw to this name + .png and .gif");
   addConfig(app, arguments->config);

@@ -11,6 +11,11 @@ void readOptions(Section& section, ConversionOptions& options) {
   options.centerline_resolution = section.positive("centerline_resolution");
 }
 
+void readOptions(Section& section, AttackedBagOptions& options) {
+  options.frame_rate = section.within("frame_rate", 10.0, 100.0);
+  options.end_time = section.nonNegative("end_time");
+}
+
 void readOptions(Section& section, std::map<std::string, DrivingSide>& locations) {
   while (!section.unread().empty()) {
     const std::string prefix = *section.unread().begin();

@@ -18,6 +18,12 @@ struct ConversionOptions {
   double centerline_resolution = 0.0;
 };
 
+/// config/attacked_bag.yaml, where each number's unit stands.
+struct AttackedBagOptions {
+  double frame_rate = 0.0;
+  double end_time = 0.0;
+};
+
 /// How recordings and maps are read.
 struct DataOptions {
   EgoVehicle ego_vehicle;  ///< config/ego_vehicle.yaml
@@ -43,6 +49,7 @@ struct CollideOptions {
 };
 
 void readOptions(Section& section, ConversionOptions& options);
+void readOptions(Section& section, AttackedBagOptions& options);
 void readOptions(Section& section, std::map<std::string, DrivingSide>& locations);
 void readOptions(Section& section, ModelOptions& options);
 void readOptions(Section& section, CollideOptions& options);

@@ -4,19 +4,21 @@
 
 #include <optional>
 
+#include "collision_forge/ros/attacker_injector.h"
 #include "collision_forge/ros/conversions.h"
-#include "collision_forge/ros/injection.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 
 /// agents -> injected_agents, with the newest attacker's trajectory in place of its recorded
-/// future. A replay that is restarted before the attack's start passes the recording through until
-/// then.
+/// future; at its end it brakes to a stand and stays. A replay that is restarted before the
+/// attack's start passes the recording through until then.
 class AttackerInjectorNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
+    const auto load = [this] { return loadNodeConfig(getPrivateNodeHandle()); };
+    limits_ = loadLogged("configuration", load).attack.verification.drivable;
     ros::NodeHandle& node = getNodeHandle();
     publisher_ = node.advertise<collision_forge::AgentArray>(names::kInjectedAgents, kTopicQueue);
     attack_subscriber_ =
@@ -31,13 +33,15 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
       return;
     }
     try {
-      static_cast<void>(fromMessage(message.trajectory));  // as the injector will for every frame
+      inject(message.trajectory, slideFromEnd(fromMessage(message.trajectory), limits_));
     } catch (const MessageError& error) {
       NODELET_ERROR_STREAM("attack left out: " << error.what());
-      return;
     }
-    if (injector_ && injector_->change(message.trajectory)) return;
-    injector_.emplace(message.trajectory);
+  }
+
+  void inject(const collision_forge::AttackerTrajectory& trajectory, const BrakingSlide& slide) {
+    if (injector_ && injector_->change(trajectory, slide)) return;
+    injector_.emplace(trajectory, slide);
     if (last_) injector_->remember(*last_);
   }
 
@@ -46,6 +50,7 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
     publisher_.publish(injector_ ? injector_->inject(*message) : *message);
   }
 
+  DriveLimitOptions limits_;
   std::optional<AttackerInjector> injector_;
   collision_forge::AgentArray::ConstPtr last_;  // tells the injector the attacker's height
   ros::Publisher publisher_;

@@ -108,7 +108,7 @@ Scene readBag(const std::string& path, const EgoVehicle& ego, std::vector<std::s
       if (const auto transform = instance.instantiate<tf2_msgs::TFMessage>()) {
         builder.add(*transform);
       } else if (const auto agents = instance.instantiate<collision_forge::AgentArray>()) {
-        builder.add(*agents);
+        if (instance.getCallerId() != names::kInBetween) builder.add(*agents);
       } else if (const auto map = instance.instantiate<collision_forge::LaneMap>()) {
         builder.add(*map);
       }

@@ -360,6 +360,27 @@ std::variant<CollisionRequest, Status> fromMessage(const collision_forge::Collis
   return request;
 }
 
+collision_forge::CollisionRequest toMessage(const CollisionRequest& request) {
+  collision_forge::CollisionRequest message;
+  message.collision_type = toString(request.type);
+  message.tta = request.tta;
+  message.attacker_id = request.attacker.value_or("");
+  message.choice = toString(request.choice);
+  message.mode = toString(request.mode);
+  message.seed = request.seed;
+  message.believable = request.crash.believable ? "true" : "false";
+  message.limits = toString(request.crash.limits);
+  if (request.attacker_class) message.attacker_class = toString(*request.attacker_class);
+  if (request.manoeuvre) message.manoeuvre = toString(*request.manoeuvre);
+  if (request.ego_side) message.ego_side = toString(*request.ego_side);
+  message.min_impact_speed = request.impact_speed.value_or(Range{}).min;
+  message.max_impact_speed = request.impact_speed.value_or(Range{}).max;
+  message.min_overlap = request.overlap.value_or(Range{}).min;
+  message.max_overlap = request.overlap.value_or(Range{}).max;
+  message.alternatives = static_cast<std::uint32_t>(request.alternatives);
+  return message;
+}
+
 collision_forge::CollisionRequest requestIn(
     const collision_forge::GenerateCollision::Request& message) {
   collision_forge::CollisionRequest request;

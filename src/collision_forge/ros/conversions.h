@@ -75,6 +75,8 @@ collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEnc
 /// however little its first plan promises.
 std::variant<CollisionRequest, Status> fromMessage(const collision_forge::CollisionRequest& message,
                                                    const CrashDefinition& crash);
+/// With every word that it has by default.
+collision_forge::CollisionRequest toMessage(const CollisionRequest& request);
 /// What generate_collision is asked, but for the method. Mode history of an adaptive attacker is
 /// mode adaptive.
 collision_forge::CollisionRequest requestIn(

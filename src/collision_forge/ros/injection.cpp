@@ -1,186 +1,336 @@
 #include "collision_forge/ros/injection.h"
 
+#include <nav_msgs/Odometry.h>
+#include <nav_msgs/Path.h>
 #include <rosbag/view.h>
+#include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 #include <map>
 #include <optional>
-#include <utility>
+#include <vector>
 
+#include "collision_forge/ros/attacker_injector.h"
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/frame_between.h"
 #include "collision_forge/ros/markers.h"
+#include "collision_forge/ros/sliding_ego.h"
 #include "collision_forge/ros/topic_names.h"
+#include "collision_forge/verify/braking_slide.h"
 
 namespace forge {
 namespace {
 
-/// The point of the trajectory at a time within it, interpolated.
-TrajectoryPoint pointAt(const AttackerTrajectory& trajectory, double time) {
-  const auto after = std::find_if(trajectory.points.begin(), trajectory.points.end(),
-                                  [=](const TrajectoryPoint& point) { return point.time >= time; });
-  if (after == trajectory.points.begin()) return trajectory.points.front();
-  if (after == trajectory.points.end()) return trajectory.points.back();
-  const TrajectoryPoint& before = *std::prev(after);
-  const double ratio = (time - before.time) / (after->time - before.time);
-  TrajectoryPoint point = *after;
-  point.time = time;
-  point.pose = interpolate(before.pose, after->pose, ratio);
-  point.speed = before.speed + ratio * (after->speed - before.speed);
-  return point;
+constexpr double kSameTime = 1e-3;  // s; frames are no nearer to each other
+
+/// What a bag has once an attack is in it.
+constexpr const char* kAttackTopics[] = {names::kAttack, names::kTestedReport,
+                                         names::kAttackRequest, names::kAttackPath,
+                                         names::kAttackMarkers};
+
+using Header = boost::shared_ptr<ros::M_string>;
+
+/// The connection's header with the mark of frames in between.
+Header markedInBetween(const Header& recorded) {
+  auto header = boost::make_shared<ros::M_string>(*recorded);
+  (*header)["callerid"] = names::kInBetween;
+  return header;
 }
 
-/// Where an attacker that was added was at a time in its past; empty beyond it.
-std::optional<AgentState> pastAt(const collision_forge::AttackerTrajectory& trajectory,
-                                 double time) {
-  Track past;
-  for (const auto& state : trajectory.past) past.states.push_back(fromMessage(state));
-  return stateAt(past, time);
+/// A frame of agents with the attack in it.
+struct AttackedFrame {
+  collision_forge::AgentArray agents;
+  bool is_recorded = true;
+};
+using AttackedFrames = std::map<ros::Time, AttackedFrame>;  // by when they are in the bag
+
+/// The shares of the time between two frames at which there are frames in between: evenly, and at
+/// the contact, which is at `contact_share` if that is between the frames.
+std::vector<double> sharesBetween(double gap, double frame_rate, double contact_share) {
+  std::vector<double> shares;
+  const double steps = std::ceil(gap * frame_rate - kSameTime);
+  for (double i = 1.0; i < steps; ++i) shares.push_back(i / steps);
+  const double margin = kSameTime / gap;
+  const bool is_between = contact_share > margin && contact_share < 1.0 - margin;
+  const bool is_there = std::any_of(shares.begin(), shares.end(), [=](double share) {
+    return std::abs(share - contact_share) <= margin;
+  });
+  if (is_between && !is_there) shares.push_back(contact_share);
+  return shares;
 }
 
-/// From when on a bag is another with the attack in it.
-bool isChangedAt(const ros::Time& time, const collision_forge::AttackerTrajectory& trajectory) {
-  if (!trajectory.past.empty()) return time >= trajectory.past.front().stamp;
-  return time > trajectory.header.stamp;
-}
+/// One bag with an attack on its way to another.
+class Injection {
+ public:
+  Injection(const rosbag::Bag& source, NewBag& target, const BagAttack& attack,
+            const RecordingContext& recording)
+      : source_(source),
+        target_(target),
+        attack_(attack),
+        shown_(attack.attack),
+        recording_(recording),
+        now_(attack.attack.trajectory.header.stamp) {
+    shown_.report = attack.tested_report;
+    findSlide();
+    findEnd();
+    makeFrames();
+    next_frame_ = frames_.begin();
+  }
 
-/// Every frame of agents with the attack in it, by the time at which it was recorded.
-std::map<ros::Time, collision_forge::AgentArray> injectedFrames(
-    const rosbag::Bag& bag, const collision_forge::AttackerTrajectory& trajectory) {
-  AttackerInjector injector(trajectory);
-  std::map<ros::Time, collision_forge::AgentArray> frames;
-  const rosbag::TopicQuery topic(bagTopic(names::kAgents));
-  for (const rosbag::MessageInstance& instance : rosbag::View(bag, topic)) {
-    if (const auto agents = instance.instantiate<collision_forge::AgentArray>()) {
-      frames[instance.getTime()] = injector.inject(*agents);
+  void write(const std::function<void(double)>& on_progress) {
+    rosbag::View view(source_);
+    const double count = view.size();
+    double done = 0.0;
+    for (const rosbag::MessageInstance& instance : view) {
+      on_progress(done++ / count);
+      if (instance.getTime() > end_) break;
+      writeMadeBefore(instance.getTime());
+      copy(instance);
+    }
+    writeMadeBefore(ros::TIME_MAX);
+    on_progress(1.0);
+  }
+
+ private:
+  bool hasContact() const { return attack_.tested_report.contact; }
+
+  void findSlide() {
+    const AttackerTrajectory trajectory = fromMessage(attack_.attack.trajectory);
+    slide_ = slideFromEnd(trajectory, recording_.limits);
+    if (attack_.after_contact != AfterContact::kStop || !hasContact()) return;
+    slide_ = slideFromContact(attack_.tested_report.contact_time.toSec(), trajectory,
+                              recording_.ego, recording_.limits);
+    ego_.emplace(slide_, fromMessage(attack_.tested_report.ego_at_contact),
+                 recording_.center_offset);
+  }
+
+  void findEnd() {
+    if (attack_.after_contact != AfterContact::kEnd || !hasContact()) return;
+    end_ = attack_.tested_report.contact_time + ros::Duration(recording_.options.end_time);
+  }
+
+  void makeFrames() {
+    AttackerInjector injector(attack_.attack.trajectory, slide_);
+    collision_forge::AgentArray::ConstPtr before;
+    ros::Time time_before;
+    const rosbag::TopicQuery topic(bagTopic(names::kAgents));
+    for (const rosbag::MessageInstance& instance : rosbag::View(source_, topic)) {
+      const auto agents = instance.instantiate<collision_forge::AgentArray>();
+      if (!agents) continue;
+      agents_header_ = instance.getConnectionHeader();
+      frames_[instance.getTime()].agents = injector.inject(*agents);
+      if (before && before->header.stamp >= now_) {
+        addFramesBetween(*before, *agents, time_before, instance.getTime(), injector);
+      }
+      before = agents;
+      time_before = instance.getTime();
+    }
+    frames_.erase(frames_.upper_bound(end_), frames_.end());
+  }
+
+  /// None in a gap in which nobody knows how the others moved.
+  void addFramesBetween(const collision_forge::AgentArray& before,
+                        const collision_forge::AgentArray& after, const ros::Time& time_before,
+                        const ros::Time& time_after, AttackerInjector& injector) {
+    const double gap = (after.header.stamp - before.header.stamp).toSec();
+    if (gap <= 0.0 || gap > kMaxGap) return;
+    const auto& report = attack_.tested_report;
+    const double contact =
+        report.contact ? (report.contact_time - before.header.stamp).toSec() / gap : -1.0;
+    for (const double share : sharesBetween(gap, recording_.options.frame_rate, contact)) {
+      const ros::Time time = time_before + (time_after - time_before) * share;
+      frames_[time] = {injector.inject(frameBetween(before, after, share)), false};
     }
   }
-  return frames;
-}
+
+  /// What is new in the bag and recorded before `time`: an attack at now, and with every frame.
+  void writeMadeBefore(const ros::Time& time) {
+    while (next_frame_ != frames_.end() && next_frame_->first < time) {
+      const auto& [frame_time, frame] = *next_frame_++;
+      writeAttackBefore(frame_time);
+      if (!frame.is_recorded) writeInBetween(frame_time, frame.agents);
+      target_.writeLatched(bagTopic(names::kAttackMarkers), frame_time, markersOf(frame.agents));
+    }
+    writeAttackBefore(time);
+  }
+
+  void writeAttackBefore(const ros::Time& time) {
+    if (is_attack_written_ || time <= now_) return;
+    is_attack_written_ = true;
+    target_.writeLatched(bagTopic(names::kAttack), now_, attack_.attack);
+    target_.writeLatched(bagTopic(names::kTestedReport), now_, attack_.tested_report);
+    target_.writeLatched(bagTopic(names::kAttackRequest), now_, attack_.request);
+    target_.writeLatched(bagTopic(names::kAttackPath), now_, path());
+  }
+
+  void writeInBetween(const ros::Time& time, const collision_forge::AgentArray& agents) {
+    target_.write(bagTopic(names::kAgents), time, agents, markedInBetween(agents_header_));
+    if (!markers_header_) return;
+    target_.write(bagTopic(names::kAnnotationMarkers), time, shownAgents(agents), markers_header_);
+  }
+
+  /// The attacker is red from now on.
+  visualization_msgs::MarkerArray shownAgents(const collision_forge::AgentArray& agents) const {
+    return annotationMarkers(agents,
+                             agents.header.stamp < now_ ? "" : shown_.trajectory.attacker_id);
+  }
+
+  /// Where the attacker is in the frames from now on.
+  nav_msgs::Path path() const {
+    nav_msgs::Path path;
+    path.header = attack_.attack.trajectory.header;
+    for (const auto& [time, frame] : frames_) {
+      const collision_forge::Agent* attacker = attackerIn(frame.agents);
+      if (frame.agents.header.stamp < now_ || !attacker) continue;
+      path.poses.emplace_back();
+      path.poses.back().header = frame.agents.header;
+      path.poses.back().pose = attacker->pose;
+    }
+    return path;
+  }
+
+  const collision_forge::Agent* attackerIn(const collision_forge::AgentArray& agents) const {
+    const auto found = std::find_if(
+        agents.agents.begin(), agents.agents.end(),
+        [this](const auto& agent) { return agent.id == attack_.attack.trajectory.attacker_id; });
+    return found == agents.agents.end() ? nullptr : &*found;
+  }
+
+  /// Where the ego is, as the bag has it.
+  std::optional<Pose2> egoAt(double time) const {
+    if (ego_ && time > slide_.begin) {
+      return slide_.stateFrom(fromMessage(attack_.tested_report.ego_at_contact), time).pose;
+    }
+    const auto state = stateAt(recording_.ego, time);
+    if (!state) return std::nullopt;
+    return state->pose;
+  }
+
+  visualization_msgs::MarkerArray markersOf(const collision_forge::AgentArray& agents) const {
+    CrashView view;
+    view.header = agents.header;
+    if (const auto ego = egoAt(agents.header.stamp.toSec())) {
+      view.ego = OrientedBox{*ego, recording_.ego.size};
+    }
+    if (agents.header.stamp >= now_) {
+      view.attack = &shown_;
+      view.attacker = attackerIn(agents);
+    }
+    return crashMarkers(view);
+  }
+
+  /// From when on the bag is another with the attack in it.
+  bool isChangedAt(const ros::Time& time) const {
+    const auto& past = attack_.attack.trajectory.past;
+    return past.empty() ? time > now_ : time >= past.front().stamp;
+  }
+
+  void copy(const rosbag::MessageInstance& instance) {
+    if (copyChanged(instance)) return;
+    target_.write(instance.getTopic(), instance.getTime(), instance,
+                  instance.getConnectionHeader());
+  }
+
+  /// False for a message that stays as it is.
+  bool copyChanged(const rosbag::MessageInstance& instance) {
+    const std::string& topic = instance.getTopic();
+    if (topic == bagTopic(names::kLaneMap)) addMapMarkers(instance);
+    if (topic == bagTopic(names::kMapMarkers)) return true;  // made anew
+    if (topic == bagTopic(names::kAgents)) return copyAgents(instance);
+    if (topic == bagTopic(names::kAnnotationMarkers)) return copyAnnotationMarkers(instance);
+    if (topic == names::kTf) return copyEgo<tf2_msgs::TFMessage>(instance);
+    if (topic == bagTopic(names::kOdometry)) return copyEgo<nav_msgs::Odometry>(instance);
+    return false;
+  }
+
+  void addMapMarkers(const rosbag::MessageInstance& instance) {
+    const auto map = instance.instantiate<collision_forge::LaneMap>();
+    if (!map) return;
+    target_.writeLatched(bagTopic(names::kMapMarkers), instance.getTime(), mapMarkers(*map));
+  }
+
+  bool copyAgents(const rosbag::MessageInstance& instance) {
+    const auto frame = frames_.find(instance.getTime());
+    if (frame == frames_.end() || !isChangedAt(instance.getTime())) return false;
+    target_.write(instance.getTopic(), instance.getTime(), frame->second.agents,
+                  instance.getConnectionHeader());
+    return true;
+  }
+
+  /// Those of the newest frame: messages of one time come in any order.
+  bool copyAnnotationMarkers(const rosbag::MessageInstance& instance) {
+    markers_header_ = instance.getConnectionHeader();
+    const auto after = frames_.upper_bound(instance.getTime());
+    if (after == frames_.begin() || !isChangedAt(instance.getTime())) return false;
+    target_.write(instance.getTopic(), instance.getTime(),
+                  shownAgents(std::prev(after)->second.agents), markers_header_);
+    return true;
+  }
+
+  template <typename Message>
+  bool copyEgo(const rosbag::MessageInstance& instance) {
+    const auto message = instance.instantiate<Message>();
+    if (!ego_ || !message) return false;
+    const Message changed = ego_->changed(*message);
+    if (changed == *message) return false;
+    target_.write(instance.getTopic(), instance.getTime(), changed, instance.getConnectionHeader());
+    return true;
+  }
+
+  const rosbag::Bag& source_;
+  NewBag& target_;
+  const BagAttack& attack_;
+  collision_forge::Attack shown_;  ///< with the report against the recording
+  const RecordingContext& recording_;
+  ros::Time now_;
+  ros::Time end_ = ros::TIME_MAX;
+  BrakingSlide slide_;             ///< of the attacker, and of the ego if it slides
+  std::optional<SlidingEgo> ego_;  ///< with AfterContact::kStop and a contact
+  AttackedFrames frames_;
+  AttackedFrames::const_iterator next_frame_;  ///< that is not yet shown
+  Header agents_header_;
+  Header markers_header_;  ///< null until markers of annotations have come
+  bool is_attack_written_ = false;
+};
 
 }  // namespace
 
-AttackerInjector::AttackerInjector(collision_forge::AttackerTrajectory trajectory)
-    : trajectory_(std::move(trajectory)) {
-  attacker_.id = trajectory_.attacker_id;
-  attacker_.agent_class = trajectory_.agent_class;
-  attacker_.size = trajectory_.size;
-}
-
-bool AttackerInjector::change(const collision_forge::AttackerTrajectory& trajectory) {
-  const bool is_same = trajectory.attacker_id == trajectory_.attacker_id &&
-                       trajectory.header.stamp == trajectory_.header.stamp &&
-                       trajectory.agent_class == trajectory_.agent_class &&
-                       trajectory.size == trajectory_.size && trajectory.past == trajectory_.past;
-  if (is_same) trajectory_ = trajectory;
-  return is_same;
-}
-
-void AttackerInjector::remember(const collision_forge::AgentArray& recorded) {
-  for (const collision_forge::Agent& agent : recorded.agents) {
-    if (agent.id != attacker_.id) continue;
-    attacker_ = agent;
-    is_remembered_ = true;
+const char* toString(AfterContact after) {
+  switch (after) {
+    case AfterContact::kStop:
+      return "stop";
+    case AfterContact::kEnd:
+      return "end";
+    case AfterContact::kDriveOn:
+      break;
   }
-  if (!trajectory_.past.empty() && !is_remembered_) rememberLike(recorded);
+  return "drive_on";
 }
 
-/// Takes height and z from the vehicle that is most like an attacker that was added.
-void AttackerInjector::rememberLike(const collision_forge::AgentArray& recorded) {
-  const auto unlike = [this](const collision_forge::Agent& agent) {
-    const Pose2 now = forge::fromMessage(trajectory_.past.back().pose);
-    const double distance = (forge::fromMessage(agent.pose).position() - now.position()).norm();
-    return std::pair(agent.agent_class != attacker_.agent_class, distance);
-  };
-  const collision_forge::Agent* most_like = nullptr;
-  for (const collision_forge::Agent& agent : recorded.agents) {
-    const bool is_vehicle = agent.agent_class <= collision_forge::Agent::STATIC_OBJECT &&
-                            canAttack(static_cast<AgentClass>(agent.agent_class));
-    if (is_vehicle && (!most_like || unlike(agent) < unlike(*most_like))) most_like = &agent;
+void requireNoAttack(const std::string& path) {
+  try {
+    const rosbag::Bag bag(path, rosbag::bagmode::Read);
+    for (const char* name : kAttackTopics) {
+      const std::string topic = bagTopic(name);
+      if (rosbag::View(bag, rosbag::TopicQuery(topic)).size() == 0) continue;
+      throw BagError(path + ": has an attack already, on " + topic +
+                     "; inject into the recording that it was made from");
+    }
+  } catch (const rosbag::BagException& error) {
+    throw BagError(path + ": cannot be read: " + error.what());
   }
-  if (!most_like) return;
-  attacker_.size.z = most_like->size.z;
-  attacker_.pose.position.z = most_like->pose.position.z;
-  is_remembered_ = true;
 }
 
-/// In place of the recorded attacker, if it is there.
-void AttackerInjector::put(const Pose2& pose, const Vector2& velocity,
-                           collision_forge::AgentArray& agents) const {
-  collision_forge::Agent attacker = attacker_;
-  attacker.pose = toPoseMessage(pose);
-  attacker.pose.position.z = attacker_.pose.position.z;
-  attacker.velocity.x = velocity.x();
-  attacker.velocity.y = velocity.y();
-  attacker.velocity.z = 0.0;
-  for (collision_forge::Agent& agent : agents.agents) {
-    if (agent.id != attacker.id) continue;
-    agent = attacker;
-    return;
-  }
-  agents.agents.push_back(attacker);
-}
-
-collision_forge::AgentArray AttackerInjector::inject(collision_forge::AgentArray agents) {
-  auto& all = agents.agents;
-  const auto recorded =
-      std::find_if(all.begin(), all.end(),
-                   [this](const collision_forge::Agent& a) { return a.id == attacker_.id; });
-  if (trajectory_.points.empty() || agents.header.stamp <= trajectory_.points.front().stamp) {
-    remember(agents);
-    const auto before = pastAt(trajectory_, agents.header.stamp.toSec());
-    if (before) put(before->pose, before->velocity, agents);
-    return agents;
-  }
-  if (agents.header.stamp > trajectory_.points.back().stamp) {
-    if (recorded != all.end()) all.erase(recorded);
-    return agents;
-  }
-  if (!is_remembered_) remember(agents);
-  const TrajectoryPoint point = pointAt(fromMessage(trajectory_), agents.header.stamp.toSec());
-  put(point.pose, point.speed * point.pose.heading(), agents);
-  return agents;
-}
-
-void injectIntoBag(const std::string& in, const std::string& out,
-                   const collision_forge::Attack& attack,
-                   const collision_forge::CollisionReport& tested_report) {
+void injectIntoBag(const std::string& in, const std::string& out, const BagAttack& attack,
+                   const RecordingContext& recording,
+                   const std::function<void(double)>& on_progress) {
   try {
     const rosbag::Bag source(in, rosbag::bagmode::Read);
     NewBag target(out);
-    const ros::Time now = attack.trajectory.header.stamp;
-    const auto frames = injectedFrames(source, attack.trajectory);
-    bool added = false;
-    const auto write_attack = [&] {
-      target.writeLatched(bagTopic(names::kAttack), now, attack);
-      target.writeLatched(bagTopic(names::kTestedReport), now, tested_report);
-    };
-    for (const rosbag::MessageInstance& instance : rosbag::View(source)) {
-      const std::string& topic = instance.getTopic();
-      const ros::Time time = instance.getTime();
-      if (!added && time > now) {
-        write_attack();
-        added = true;
-      }
-      // Messages of the same time come in any order: markers may come before the agents they show.
-      const auto after = frames.upper_bound(time);
-      const auto frame = after == frames.begin() ? frames.end() : std::prev(after);
-      if (frame != frames.end() && isChangedAt(time, attack.trajectory)) {
-        if (topic == bagTopic(names::kAgents) && frame->first == time) {
-          target.write(topic, time, frame->second, instance.getConnectionHeader());
-          continue;
-        }
-        if (topic == bagTopic(names::kAnnotationMarkers)) {
-          target.write(topic, time, annotationMarkers(frame->second),
-                       instance.getConnectionHeader());
-          continue;
-        }
-      }
-      target.write(topic, time, instance, instance.getConnectionHeader());
-    }
-    if (!added) write_attack();
+    Injection(source, target, attack, recording).write(on_progress);
     target.commit();
   } catch (const rosbag::BagException& error) {
     throw BagError(in + " to " + out + ": " + error.what());

@@ -200,6 +200,39 @@ void addArea(const char* name_space, const std::vector<collision_forge::PolygonW
   markers.addTriangles(name_space, area, height, color);
 }
 
+void addAttack(const collision_forge::Attack& attack, const ros::Time& now, MarkerList& markers) {
+  const auto& pattern = attack.pattern;
+  const auto& trajectory = attack.trajectory;
+  const auto& report = attack.report;
+  const OrientedBox pattern_ego{fromMessage(pattern.ego), sizeOf(pattern.ego_size)};
+  const OrientedBox pattern_attacker{
+      compose(pattern_ego.center, fromMessage(pattern.attacker_offset)), sizeOf(trajectory.size)};
+  const double end = report.contact ? report.contact_time.toSec() : kInfinity;
+  std::vector<TrajectoryPoint> points = pointsOf(trajectory);
+  if (attack.adaptive) points = addDriven(points, now.toSec(), end, markers);
+  addWay("attacker", points, end, sizeOf(trajectory.size), colors::kAttacker, markers);
+  if (!trajectory.past.empty()) addPast(trajectory, markers);
+  addPatternBox(pattern_ego, "pattern_ego", colors::kPatternEgo, markers);
+  addPatternBox(pattern_attacker, "pattern_attacker", colors::kPatternAttacker, markers);
+  Vector2 place = (pattern_ego.center.position() + pattern_attacker.center.position()) / 2;
+  OrientedBox ego = pattern_ego;
+  OrientedBox attacker = pattern_attacker;
+  if (report.contact) {
+    ego.center = fromMessage(report.ego_at_contact);
+    attacker.center = fromMessage(report.attacker_at_contact);
+    place = addContact(ego, attacker, colors::kAttacker, markers);
+  }
+  addReport(reportText(attack), place, aheadOf(ego.center, attacker.center), markers);
+}
+
+OrientedBox boxOf(const collision_forge::Agent& agent) {
+  return {fromMessage(agent.pose), sizeOf(agent.size)};
+}
+
+double heightOf(const collision_forge::Agent& agent) {
+  return agent.size.z > 0 ? agent.size.z : kVehicleHeight;
+}
+
 }  // namespace
 
 MarkerArray mapMarkers(const collision_forge::LaneMap& map) {
@@ -242,38 +275,29 @@ MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
 }
 
 MarkerArray attackMarkers(const collision_forge::Attack& attack, const ros::Time& now) {
-  const auto& pattern = attack.pattern;
-  const auto& trajectory = attack.trajectory;
-  const auto& report = attack.report;
   MarkerList markers(attack.header);
-  const OrientedBox pattern_ego{fromMessage(pattern.ego), sizeOf(pattern.ego_size)};
-  const OrientedBox pattern_attacker{
-      compose(pattern_ego.center, fromMessage(pattern.attacker_offset)), sizeOf(trajectory.size)};
-  const double end = report.contact ? report.contact_time.toSec() : kInfinity;
-  std::vector<TrajectoryPoint> points = pointsOf(trajectory);
-  if (attack.adaptive) points = addDriven(points, now.toSec(), end, markers);
-  addWay("attacker", points, end, sizeOf(trajectory.size), colors::kAttacker, markers);
-  if (!trajectory.past.empty()) addPast(trajectory, markers);
-  addPatternBox(pattern_ego, "pattern_ego", colors::kPatternEgo, markers);
-  addPatternBox(pattern_attacker, "pattern_attacker", colors::kPatternAttacker, markers);
-  Vector2 place = (pattern_ego.center.position() + pattern_attacker.center.position()) / 2;
-  OrientedBox ego = pattern_ego;
-  OrientedBox attacker = pattern_attacker;
-  if (report.contact) {
-    ego.center = fromMessage(report.ego_at_contact);
-    attacker.center = fromMessage(report.attacker_at_contact);
-    place = addContact(ego, attacker, colors::kAttacker, markers);
-  }
-  addReport(reportText(attack), place, aheadOf(ego.center, attacker.center), markers);
+  addAttack(attack, now, markers);
   return markers.take();
 }
 
-MarkerArray annotationMarkers(const collision_forge::AgentArray& agents) {
+MarkerArray crashMarkers(const CrashView& view) {
+  MarkerList markers(view.header);
+  if (view.attack) addAttack(*view.attack, view.header.stamp, markers);
+  if (view.ego) markers.addBox("ego", *view.ego, kVehicleHeight, colors::kEgo);
+  if (view.attacker) {
+    markers.addBox("attacker", boxOf(*view.attacker), heightOf(*view.attacker), colors::kAttacker);
+  }
+  return markers.take();
+}
+
+MarkerArray annotationMarkers(const collision_forge::AgentArray& agents,
+                              const std::string& attacker_id) {
   MarkerList markers(agents.header);
   for (const auto& agent : agents.agents) {
-    const OrientedBox box{fromMessage(agent.pose), sizeOf(agent.size)};
-    const double height = agent.size.z > 0 ? agent.size.z : kVehicleHeight;
-    markers.addBox("agents", box, height, colors::agentColor(agent.agent_class));
+    const OrientedBox box = boxOf(agent);
+    const bool attacks = !attacker_id.empty() && agent.id == attacker_id;
+    markers.addBox("agents", box, heightOf(agent),
+                   attacks ? colors::kAttacker : colors::agentColor(agent.agent_class));
     addId(agent.id, box, markers);
   }
   return markers.take();

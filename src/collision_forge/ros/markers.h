@@ -7,6 +7,11 @@
 #include <collision_forge/SceneSnapshot.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <optional>
+#include <string>
+
+#include "collision_forge/geometry/oriented_box.h"
+
 /// Messages as RViz shows them. Frame and stamp are those of the message's header; every array
 /// starts with DELETEALL and so replaces the one before. Colours: ros/marker_colors.h.
 namespace forge {
@@ -30,8 +35,20 @@ visualization_msgs::MarkerArray patternMarkers(const collision_forge::PredictedP
 visualization_msgs::MarkerArray attackMarkers(const collision_forge::Attack& attack,
                                               const ros::Time& now = ros::Time());
 
-/// A box and the start of its id for everybody.
-visualization_msgs::MarkerArray annotationMarkers(const collision_forge::AgentArray& agents);
+/// One instant of a crash.
+struct CrashView {
+  std_msgs::Header header;
+  std::optional<OrientedBox> ego;                    ///< empty where nobody knows
+  const collision_forge::Attack* attack = nullptr;   ///< null before it was made, as the next
+  const collision_forge::Agent* attacker = nullptr;  ///< as it stands then
+};
+
+/// The boxes of ego and attacker as they stand, and attackMarkers().
+visualization_msgs::MarkerArray crashMarkers(const CrashView& view);
+
+/// A box and the start of its id for everybody; the attacker's, if there is one, is red.
+visualization_msgs::MarkerArray annotationMarkers(const collision_forge::AgentArray& agents,
+                                                  const std::string& attacker_id = "");
 
 /// Takes away what was shown.
 visualization_msgs::MarkerArray noMarkers(const std_msgs::Header& header);

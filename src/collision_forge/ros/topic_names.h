@@ -23,6 +23,8 @@ inline constexpr char kMapMarkers[] = "map_markers";          // MarkerArray, la
 inline constexpr char kSceneMarkers[] = "scene_markers";      // MarkerArray
 inline constexpr char kPatternMarkers[] = "pattern_markers";  // MarkerArray, latched
 inline constexpr char kAttackMarkers[] = "attack_markers";    // MarkerArray, latched
+inline constexpr char kAttackPath[] = "attack_path";          // nav_msgs/Path, latched, in bags
+inline constexpr char kAttackRequest[] = "attack_request";    // AttackRequest, latched, in bags
 inline constexpr char kPlannerOutcome[] = "planner_outcome";  // PlannerOutcome, latched
 inline constexpr char kPlannerMarkers[] = "planner_markers";  // MarkerArray, latched
 inline constexpr char kTestedMap[] = "tested_map";            // LaneMap, latched
@@ -44,5 +46,8 @@ inline constexpr char kTestPlanner[] = "test_planner";
 inline constexpr char kMapFrame[] = "map";
 inline constexpr char kBaseFrame[] = "base_link";
 inline constexpr char kTestedEgoFrame[] = "tested_ego";  // the ego's box where its test begins
+
+// Who sends the frames of agents between recorded ones in a bag with an attack.
+inline constexpr char kInBetween[] = "/collision_forge_in_between";
 
 }  // namespace forge::names

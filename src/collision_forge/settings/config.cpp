@@ -28,6 +28,7 @@ Config loadConfig(const std::string& directory) {
   readConfigFile(directory, "live", config.live);
   readConfigFile(directory, "conversion", config.conversion);
   readConfigFile(directory, "locations", config.locations);
+  readConfigFile(directory, "attacked_bag", config.attacked_bag);
   readConfigFile(directory, "drawing", config.drawing);
   readConfigFile(directory, "requests", config.requests);
   readConfigFile(directory, "evaluation", config.evaluation);

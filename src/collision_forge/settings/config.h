@@ -21,6 +21,7 @@ struct Config : LearningOptions {
   SpeedModelFitOptions speed_model_fit;
   EncodingOptions encoding;
   LiveOptions live;
+  AttackedBagOptions attacked_bag;
   DrawingOptions drawing;
   RequestListOptions requests;
   DatasetOptions dataset;

@@ -14,8 +14,8 @@ namespace {
 /// True for files of config/ that no result depends on.
 bool isIndifferent(const std::string& name) {
   static const std::set<std::string> names = {
-      "drawing.yaml",          "encoding.yaml", "requests.yaml", "speed_model_fit.yaml",
-      "planner_training.yaml", "training.yaml", "tuning.yaml"};
+      "attacked_bag.yaml",    "drawing.yaml",          "encoding.yaml", "requests.yaml",
+      "speed_model_fit.yaml", "planner_training.yaml", "training.yaml", "tuning.yaml"};
   return names.count(name) > 0;
 }
 
@@ -44,6 +44,14 @@ std::map<std::string, std::string> fingerprintsOf(const Config& config,
     if (!path.empty()) found[name] = fingerprintOfFile(path);
   }
   return found;
+}
+
+std::string fingerprintOfAll(const Config& config, const std::string& directory) {
+  std::string found;
+  for (const auto& [name, of_file] : fingerprintsOf(config, directory)) {
+    found += name + ": " + of_file + "\n";
+  }
+  return fingerprint(found);
 }
 
 }  // namespace forge

@@ -1,0 +1,340 @@
+#include "collision_forge/ros/injection.h"
+
+#include <collision_forge/AgentArray.h>
+#include <collision_forge/LaneMap.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <nav_msgs/Path.h>
+#include <rosbag/view.h>
+#include <tf2_msgs/TFMessage.h>
+#include <unistd.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "collision_forge/ros/bag_file.h"
+#include "collision_forge/ros/bag_reader.h"
+#include "collision_forge/ros/topic_names.h"
+#include "collision_forge/settings/config.h"
+
+namespace forge {
+namespace {
+
+constexpr double kEgoSpeed = 4.0;  // m/s along x from x = -40 at 0 s, as is everybody else
+constexpr double kNow = 10.0;      // s
+constexpr double kContact = 10.77;
+
+double egoAt(double time) { return -40.0 + kEgoSpeed * time; }
+
+collision_forge::AgentArray frame(double time) {
+  collision_forge::AgentArray message;
+  message.header.stamp = ros::Time(time);
+  message.agents.emplace_back();
+  collision_forge::Agent& agent = message.agents.back();
+  agent.id = "other";
+  agent.size.x = 5.0;
+  agent.size.y = 2.0;
+  agent.pose.position.x = egoAt(time);
+  agent.pose.position.y = 30.0;
+  agent.pose.orientation.w = 1.0;
+  return message;
+}
+
+tf2_msgs::TFMessage transformAt(double time) {
+  tf2_msgs::TFMessage message;
+  message.transforms.emplace_back();
+  auto& transform = message.transforms.back();
+  transform.header.stamp = ros::Time(time);
+  transform.header.frame_id = names::kMapFrame;
+  transform.child_frame_id = names::kBaseFrame;
+  transform.transform.translation.x = egoAt(time);
+  transform.transform.translation.z = 0.1 * time;  // uphill
+  transform.transform.rotation.w = 1.0;
+  return message;
+}
+
+nav_msgs::Odometry odometryAt(double time) {
+  nav_msgs::Odometry message;
+  message.header.stamp = ros::Time(time);
+  message.pose.pose.position.x = egoAt(time);
+  message.pose.pose.orientation.w = 1.0;
+  message.twist.twist.linear.x = kEgoSpeed;
+  message.twist.twist.angular.z = 0.25;
+  return message;
+}
+
+/// A car that comes down from y = 8, straight at the ego, as long as `end`.
+collision_forge::AttackerTrajectory trajectoryUntil(double end, bool added) {
+  collision_forge::AttackerTrajectory message;
+  message.header.stamp = ros::Time(kNow);
+  message.attacker_id = "attacker";
+  message.size.x = 4.6;
+  message.size.y = 1.9;
+  message.added = added;
+  for (double time = kNow; time <= end + 1e-6; time += 0.1) {
+    message.points.emplace_back();
+    auto& point = message.points.back();
+    point.stamp = ros::Time(time);
+    point.pose.position.x = 3.0;
+    point.pose.position.y = 8.0 - 8.0 * (time - kNow);
+    point.pose.orientation.z = -std::sqrt(0.5);
+    point.pose.orientation.w = std::sqrt(0.5);
+    point.speed = 8.0;
+  }
+  for (const double time : {9.0, 9.5, 10.0}) {
+    if (!added) break;
+    message.past.emplace_back();
+    message.past.back().stamp = ros::Time(time);
+    message.past.back().pose.x = 3.0;
+    message.past.back().pose.y = 8.0 + 8.0 * (kNow - time);
+  }
+  return message;
+}
+
+class InjectIntoBagTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              ("collision_forge_injection_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_);
+    in_ = folder_ / "in.bag";
+    out_ = folder_ / "out.bag";
+    ego_ = {kEgoId, AgentClass::kCar, config_.ego_vehicle.size, {}};
+    writeRecording({8.5, 9.0, 9.5, 10.0, 10.5, 11.0, 11.5, 12.0, 14.0});
+    attack_.attack.trajectory = trajectoryUntil(12.0, false);
+    attack_.attack.header = attack_.attack.trajectory.header;
+    attack_.tested_report.contact = true;
+    attack_.tested_report.contact_time = ros::Time(kContact);
+    attack_.tested_report.ego_at_contact.x = egoAt(kContact);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void writeRecording(const std::vector<double>& times) {
+    NewBag bag(in_);
+    collision_forge::LaneMap map;
+    map.header.frame_id = names::kMapFrame;
+    bag.writeLatched(bagTopic(names::kLaneMap), ros::Time(times.front()), map);
+    ego_.states.clear();
+    for (const double time : times) {
+      const ros::Time stamp(time);
+      bag.write(bagTopic(names::kAgents), stamp, frame(time));
+      bag.write(bagTopic(names::kAnnotationMarkers), stamp, visualization_msgs::MarkerArray());
+      bag.write(names::kTf, stamp, transformAt(time));
+      bag.write(bagTopic(names::kOdometry), stamp, odometryAt(time));
+      ego_.states.push_back({time, {egoAt(time), 0.0, 0.0}, {kEgoSpeed, 0.0}});
+    }
+    bag.commit();
+  }
+
+  /// The base is the middle of the ego's box here.
+  void inject() {
+    injectIntoBag(in_, out_, attack_,
+                  {ego_, 0.0, config_.attack.verification.drivable, config_.attacked_bag});
+  }
+
+  template <typename Message>
+  std::vector<Message> read(const std::string& topic) const {
+    const rosbag::Bag bag(out_, rosbag::bagmode::Read);
+    std::vector<Message> messages;
+    for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
+      messages.push_back(*instance.instantiate<Message>());
+    }
+    return messages;
+  }
+
+  std::vector<collision_forge::AgentArray> frames() const {
+    return read<collision_forge::AgentArray>(bagTopic(names::kAgents));
+  }
+
+  const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  std::filesystem::path folder_;
+  std::string in_;
+  std::string out_;
+  Track ego_;
+  BagAttack attack_;
+};
+
+const collision_forge::Agent& attackerIn(const collision_forge::AgentArray& frame) {
+  return frame.agents.back();
+}
+
+TEST_F(InjectIntoBagTest, FramesComeTenTimesASecondFromNowOnAndAtTheContact) {
+  inject();
+  std::vector<double> expected = {8.5, 9.0, 9.5, 10.0};
+  for (int i = 1; i <= 20; ++i) expected.push_back(kNow + 0.1 * i);
+  expected.push_back(kContact);
+  expected.push_back(14.0);  // nobody knows what was in a gap that long
+  std::sort(expected.begin(), expected.end());
+  std::vector<double> times;
+  for (const auto& frame : frames()) times.push_back(frame.header.stamp.toSec());
+  ASSERT_EQ(times.size(), expected.size());
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], expected[i], 1e-6);
+}
+
+TEST_F(InjectIntoBagTest, EverybodyMovesLinearlyAndTheAttackerAlongItsTrajectory) {
+  attack_.after_contact = AfterContact::kDriveOn;
+  inject();
+  for (const auto& frame : frames()) {
+    const double time = frame.header.stamp.toSec();
+    EXPECT_NEAR(frame.agents.front().pose.position.x, egoAt(time), 1e-6);
+    if (time <= kNow || time > 12.0) continue;
+    EXPECT_NEAR(attackerIn(frame).pose.position.y, 8.0 - 8.0 * (time - kNow), 1e-5) << time;
+  }
+}
+
+TEST_F(InjectIntoBagTest, WhoSeesOnlyRecordedFramesIsShownThem) {
+  inject();
+  const Scene before = readBag(in_, config_.ego_vehicle);
+  const Scene after = readBag(out_, config_.ego_vehicle);
+  EXPECT_EQ(after.frame_times, before.frame_times);
+}
+
+TEST_F(InjectIntoBagTest, BothStandAtTheSamePlaceToEachOtherAfterTheContact) {
+  inject();
+  const double y = 8.0 - 8.0 * (kContact - kNow);
+  const auto last = attackerIn(frames().back());
+  const auto transform = read<tf2_msgs::TFMessage>(names::kTf).back().transforms.front().transform;
+  const auto odometry = read<nav_msgs::Odometry>(bagTopic(names::kOdometry)).back();
+  // From one place to each other to the same one, by a way that is not zero.
+  EXPECT_NEAR(last.pose.position.x - 3.0, transform.translation.x - egoAt(kContact), 1e-4);
+  EXPECT_NEAR(last.pose.position.y - y, transform.translation.y, 1e-4);
+  EXPECT_LT(transform.translation.y, -0.1);
+  EXPECT_LT(transform.translation.x, egoAt(14.0) - 5.0);
+  EXPECT_NEAR(last.velocity.y, 0.0, 1e-9);
+  EXPECT_NEAR(transform.translation.z, 1.05, 1e-9) << "that of the last one before the contact";
+  EXPECT_NEAR(odometry.pose.pose.position.x, transform.translation.x, 1e-9);
+  EXPECT_EQ(odometry.twist.twist, geometry_msgs::Twist());
+}
+
+TEST_F(InjectIntoBagTest, TheEgoIsAsRecordedUpToTheContact) {
+  inject();
+  for (const auto& message : read<tf2_msgs::TFMessage>(names::kTf)) {
+    const double time = message.transforms.front().header.stamp.toSec();
+    EXPECT_EQ(message == transformAt(time), time < kContact) << time;
+  }
+  for (const auto& message : read<nav_msgs::Odometry>(bagTopic(names::kOdometry))) {
+    const double time = message.header.stamp.toSec();
+    EXPECT_EQ(message == odometryAt(time), time < kContact) << time;
+  }
+}
+
+TEST_F(InjectIntoBagTest, TheBagMayEndShortlyAfterTheContact) {
+  attack_.after_contact = AfterContact::kEnd;
+  inject();
+  const double end = kContact + config_.attacked_bag.end_time;
+  const double last = frames().back().header.stamp.toSec();
+  EXPECT_LE(last, end);
+  EXPECT_GT(last, end - 0.1 - 1e-6);
+  for (const auto& message : read<tf2_msgs::TFMessage>(names::kTf)) {
+    const double time = message.transforms.front().header.stamp.toSec();
+    EXPECT_LE(time, end);
+    EXPECT_EQ(message, transformAt(time));
+  }
+}
+
+TEST_F(InjectIntoBagTest, WhoDrivesOnStaysInTheSceneWhereItsTrajectoryEnds) {
+  attack_.after_contact = AfterContact::kDriveOn;
+  attack_.attack.trajectory = trajectoryUntil(11.0, false);
+  inject();
+  const auto last = frames().back();
+  ASSERT_EQ(last.agents.size(), 2u);
+  EXPECT_LT(attackerIn(last).pose.position.y, -1.0);
+  EXPECT_NEAR(attackerIn(last).velocity.y, 0.0, 1e-9);
+  for (const auto& message : read<tf2_msgs::TFMessage>(names::kTf)) {
+    EXPECT_EQ(message, transformAt(message.transforms.front().header.stamp.toSec()));
+  }
+}
+
+TEST_F(InjectIntoBagTest, WithoutContactTheEgoIsAsRecorded) {
+  for (const AfterContact after : {AfterContact::kStop, AfterContact::kEnd}) {
+    attack_.tested_report.contact = false;
+    attack_.after_contact = after;
+    inject();
+    const auto transforms = read<tf2_msgs::TFMessage>(names::kTf);
+    EXPECT_EQ(transforms.size(), 9u);
+    EXPECT_EQ(transforms.back(), transformAt(14.0));
+  }
+}
+
+TEST_F(InjectIntoBagTest, OneThatWasAddedIsThereFromItsFirstStateOn) {
+  attack_.attack.trajectory = trajectoryUntil(12.0, true);
+  inject();
+  for (const auto& frame : frames()) {
+    const std::size_t expected = frame.header.stamp < ros::Time(9.0) ? 1 : 2;
+    EXPECT_EQ(frame.agents.size(), expected) << frame.header.stamp;
+  }
+}
+
+/// The marker of a namespace; nothing where there is none.
+const visualization_msgs::Marker* markerOf(const visualization_msgs::MarkerArray& markers,
+                                           const std::string& name_space) {
+  for (const auto& marker : markers.markers) {
+    if (marker.ns == name_space) return &marker;
+  }
+  return nullptr;
+}
+
+TEST_F(InjectIntoBagTest, MarkersShowEgoAndAttackerWhereTheyAre) {
+  inject();
+  const auto markers = read<visualization_msgs::MarkerArray>(bagTopic(names::kAttackMarkers));
+  const auto all = frames();
+  ASSERT_EQ(markers.size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double time = all[i].header.stamp.toSec();
+    const auto* attacker = markerOf(markers[i], "attacker");
+    EXPECT_EQ(attacker != nullptr, time > kNow) << time;
+    if (attacker) {
+      EXPECT_EQ(attacker->pose.position.y, attackerIn(all[i]).pose.position.y);
+      EXPECT_TRUE(markerOf(markers[i], "attacker_path") && markerOf(markers[i], "contact"));
+    }
+    const auto* ego = markerOf(markers[i], "ego");
+    ASSERT_TRUE(ego) << time;
+    if (time < kContact) {
+      EXPECT_NEAR(ego->pose.position.x, egoAt(time), 1e-6);
+    }
+  }
+  const auto transform = read<tf2_msgs::TFMessage>(names::kTf).back().transforms.front().transform;
+  EXPECT_NEAR(markerOf(markers.back(), "ego")->pose.position.x, transform.translation.x, 1e-6);
+  EXPECT_EQ(read<visualization_msgs::MarkerArray>(bagTopic(names::kMapMarkers)).size(), 1u);
+}
+
+TEST_F(InjectIntoBagTest, ThePathIsTheAttackersFromNowOn) {
+  inject();
+  const auto path = read<nav_msgs::Path>(bagTopic(names::kAttackPath));
+  ASSERT_EQ(path.size(), 1u);
+  std::vector<geometry_msgs::Pose> expected;
+  for (const auto& frame : frames()) {
+    if (frame.header.stamp > ros::Time(kNow)) expected.push_back(attackerIn(frame).pose);
+  }
+  ASSERT_EQ(path.front().poses.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(path.front().poses[i].pose, expected[i]);
+  }
+}
+
+TEST_F(InjectIntoBagTest, ABagWithAnAttackIsRefusedByFileAndTopic) {
+  inject();
+  EXPECT_NO_THROW(requireNoAttack(in_));
+  try {
+    requireNoAttack(out_);
+    FAIL() << "accepted";
+  } catch (const BagError& error) {
+    EXPECT_NE(std::string(error.what()).find(out_), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("/attack"), std::string::npos);
+  }
+}
+
+TEST_F(InjectIntoBagTest, TellsItsProgressUpToTheEnd) {
+  std::vector<double> shares;
+  injectIntoBag(in_, out_, attack_,
+                {ego_, 0.0, config_.attack.verification.drivable, config_.attacked_bag},
+                [&](double share) { shares.push_back(share); });
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GT(shares.size(), 30u);
+  EXPECT_EQ(shares.back(), 1.0);
+}
+
+}  // namespace
+}  // namespace forge
