@@ -203,14 +203,15 @@ TEST(Realize, TakesAnotherAttackerWhereTheFirstIsHopeless) {
 
 TEST(Realize, RefusesWhatCannotBeDriven) {
   Case attack(190.0);
-  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "1 patterns");
-  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "none");
+  attack.expectRefusal(StatusCode::kNoAttackWithinLimits,
+                       "tried 1 ways to meet the ego, by 1 vehicles: no motion within the limits "
+                       "touches the ego as asked");
 }
 
 TEST(Realize, RefusesWhenSomebodyIsInTheWay) {
   Case attack;
   attack.future.agents = {futureTrack("wall", {4.0, 80.0}, {-5.0, 0.0, 0.0}, 0.0)};
-  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "1 patterns");
+  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "by 1 vehicles");
 }
 
 TEST(Realize, CountsWhyTheBestAttacksDoNotVerify) {
@@ -223,7 +224,6 @@ TEST(Realize, CountsWhyTheBestAttacksDoNotVerify) {
        {100.0, 20.0},
        {{kNow + 2.02, somewhere, Vector2::Zero()}, {kNow + 2.08, somewhere, Vector2::Zero()}}}};
   attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "touched someone else first");
-  EXPECT_EQ(attack.result().status.message.find("none"), std::string::npos);
 }
 
 TEST(Realize, RefusesNoPatterns) {

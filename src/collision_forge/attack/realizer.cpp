@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "collision_forge/attack/attack_search.h"
@@ -115,6 +116,20 @@ double confidenceIn(const VerificationInput& input, const FoundAttack& attack,
                       options.search.confidence_curve);
 }
 
+/// What was tried, and how it failed, for people.
+std::string whatFailed(const std::vector<CollisionPattern>& patterns,
+                       const Rejections& rejections) {
+  std::set<std::string> attackers;
+  for (const CollisionPattern& pattern : patterns) attackers.insert(pattern.attacker_id);
+  const std::string tried = "tried " + std::to_string(patterns.size()) +
+                            " ways to meet the ego, by " + std::to_string(attackers.size()) +
+                            " vehicles: ";
+  const std::string reasons = rejections.summary();
+  if (reasons.empty()) return tried + "no motion within the limits touches the ego as asked";
+  return tried +
+         "the best motions within the limits do not hold when they are verified: " + reasons;
+}
+
 }  // namespace
 
 std::string shortcomingOf(const CollisionReport& report, const CollisionRequest& request) {
@@ -193,10 +208,7 @@ Realization realize(const std::vector<CollisionPattern>& patterns, const Verific
     refused.status = {StatusCode::kNotBelievable, "the best attacker " + rejections.unbelievable()};
     return refused;
   }
-  refused.status = {StatusCode::kNoAttackWithinLimits,
-                    "no attack by " + std::to_string(patterns.size()) +
-                        " patterns holds within the limits; best ones: " +
-                        (attacks.empty() ? "none" : rejections.summary())};
+  refused.status = {StatusCode::kNoAttackWithinLimits, whatFailed(patterns, rejections)};
   return refused;
 }
 

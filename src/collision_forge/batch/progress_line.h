@@ -1,48 +1,50 @@
 #pragma once
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cstddef>
-#include <cstdio>
+#include <iosfwd>
 #include <string>
-#include <utility>
 
 namespace forge {
 
-/// A line on stderr that tells how far something is and how long it will take, on a terminal
-/// several times a second, else every half minute. For one thread at a time.
+/// A line that tells how much of a long work is done, how fast it goes and how long it will take:
+/// on a terminal in place, several times a second, else a line every ten seconds, and one at the
+/// end. For one thread at a time; warn() may be called from others.
 class ProgressLine {
  public:
-  /// `share` was done before the clock started.
-  explicit ProgressLine(std::string title, double share = 0.0)
-      : title_(std::move(title)), first_share_(share) {}
+  using Clock = std::chrono::steady_clock;
 
-  void show(std::size_t done, std::size_t all) {
-    show(static_cast<double>(done) / static_cast<double>(all));
-  }
+  /// Where a line goes, and what time it is.
+  struct Output {
+    std::ostream& stream;
+    bool is_terminal;
+    Clock::time_point (*now)();
+  };
 
-  void show(double share, const std::string& detail = "") {
-    const auto now = Clock::now();
-    const bool terminal = isatty(STDERR_FILENO) == 1;
-    const double since = std::chrono::duration<double>(now - shown_).count();
-    if (share < 1.0 && since < (terminal ? 0.2 : 30.0)) return;
-    shown_ = now;
-    const double elapsed = std::chrono::duration<double>(now - begin_).count();
-    const double gained = share - first_share_;
-    const double left = gained > 0.0 ? elapsed * (1.0 - share) / gained : 0.0;
-    std::fprintf(stderr, "%s%s %3.0f %%, %.0f s, %.0f s left%s%s%s", terminal ? "\r\033[K" : "",
-                 title_.c_str(), 100.0 * share, elapsed, left, detail.empty() ? "" : ", ",
-                 detail.c_str(), terminal && share < 1.0 ? "" : "\n");
-    std::fflush(stderr);
-  }
+  /// On stderr. `share` was done before the clock started.
+  explicit ProgressLine(std::string title, double share = 0.0);
+  ProgressLine(std::string title, double share, const Output& output);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// The rate is of items a second.
+  void show(std::size_t done, std::size_t all);
+  /// The rate is of shares a minute.
+  void show(double share, const std::string& detail = "");
 
  private:
-  using Clock = std::chrono::steady_clock;
+  void show(double share, const std::string& rate, const std::string& detail);
+
   std::string title_;
   double first_share_;
-  Clock::time_point begin_ = Clock::now();
-  Clock::time_point shown_ = begin_;
+  Output output_;
+  Clock::time_point begin_;
+  Clock::time_point shown_;
 };
+
+/// Ends a progress line that is on the terminal, if there is one, so that what is printed next
+/// starts on a line of its own; the progress goes on below it.
+void startOwnLine();
 
 }  // namespace forge
