@@ -226,6 +226,12 @@ TEST(FitSpeedModel, FoldsLeaveEachSceneOutOnce) {
     EXPECT_EQ(fold.gains, fitSpeedModel(recorded, fold.left_out_scenes, kOptions, 1).gains);
   }
   EXPECT_EQ(left_out.size(), 43u);
+  std::vector<std::size_t> fitted;
+  fitSpeedModelWithFolds(recorded, 4, kOptions, 1, [&](std::size_t done, std::size_t all) {
+    fitted.push_back(done);
+    EXPECT_EQ(all, 5u);
+  });
+  EXPECT_EQ(fitted, (std::vector<std::size_t>{1, 2, 3, 4, 5}));
   EXPECT_TRUE(fitSpeedModelWithFolds(recorded, 0, kOptions, 1).folds().empty());
 }
 

@@ -2,49 +2,49 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <string>
 
 namespace forge {
 
-/// A line that tells how much of a long work is done, how fast it goes and how long it will take:
-/// on a terminal in place, several times a second, else a line every ten seconds, and one at the
-/// end. For one thread at a time; warn() may be called from others.
+/// A line that tells what share of a long work is done, how fast it goes, and how long the rest
+/// will take: on a terminal in place, several times a second, else a line every ten seconds. Every
+/// command shows its work with this. For one thread at a time.
 class ProgressLine {
  public:
-  using Clock = std::chrono::steady_clock;
-
-  /// Where a line goes, and what time it is.
+  /// Where the line goes.
   struct Output {
     std::ostream& stream;
-    bool is_terminal;
-    Clock::time_point (*now)();
+    bool is_terminal = false;
+    std::function<double()> clock;  ///< seconds
   };
 
   /// On stderr. `share` was done before the clock started.
   explicit ProgressLine(std::string title, double share = 0.0);
-  ProgressLine(std::string title, double share, const Output& output);
+  ProgressLine(std::string title, double share, Output output);
+  /// Work that ends early leaves its line above what is printed next.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// The rate is of items a second.
   void show(std::size_t done, std::size_t all);
-  /// The rate is of shares a minute.
   void show(double share, const std::string& detail = "");
 
  private:
-  void show(double share, const std::string& rate, const std::string& detail);
+  /// `whole` is what a share of 1 is, in `unit`.
+  void show(double share, double whole, const std::string& unit, const std::string& detail);
 
   std::string title_;
   double first_share_;
   Output output_;
-  Clock::time_point begin_;
-  Clock::time_point shown_;
+  double begin_;
+  double shown_;
+  bool is_open_ = false;  ///< on the terminal, without its end
 };
 
-/// Ends a progress line that is on the terminal, if there is one, so that what is printed next
-/// starts on a line of its own; the progress goes on below it.
-void startOwnLine();
+/// Prints a line on stderr, where a progress line may be: in place of it, until that is shown anew.
+/// From any thread.
+void printLine(const std::string& line);
 
 }  // namespace forge

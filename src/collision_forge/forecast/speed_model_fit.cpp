@@ -318,8 +318,9 @@ SpeedModelWeights fitSpeedModel(const SpeedSituations& recorded,
   return weights;
 }
 
-SpeedModel fitSpeedModelWithFolds(const SpeedSituations& recorded, int folds,
-                                  const SpeedModelFitOptions& options, std::uint64_t seed) {
+SpeedModel fitSpeedModelWithFolds(
+    const SpeedSituations& recorded, int folds, const SpeedModelFitOptions& options,
+    std::uint64_t seed, const std::function<void(std::size_t done, std::size_t all)>& on_progress) {
   if (folds < 0 || folds == 1 || folds > static_cast<int>(recorded.scenes().size())) {
     throw std::invalid_argument(std::to_string(folds) + " folds of " +
                                 std::to_string(recorded.scenes().size()) +
@@ -332,11 +333,15 @@ SpeedModel fitSpeedModelWithFolds(const SpeedSituations& recorded, int folds,
       left_out[static_cast<std::size_t>(fold[i])].push_back(recorded.scenes()[i]);
     }
   }
+  left_out.emplace_back();  // for the model of all
   std::vector<SpeedModelWeights> models;
   for (const auto& scenes : left_out) {
     models.push_back(fitSpeedModel(recorded, scenes, options, seed));
+    if (on_progress) on_progress(models.size(), left_out.size());
   }
-  return SpeedModel(fitSpeedModel(recorded, {}, options, seed), std::move(models));
+  SpeedModelWeights of_all = std::move(models.back());
+  models.pop_back();
+  return SpeedModel(std::move(of_all), std::move(models));
 }
 
 }  // namespace forge

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,8 +27,11 @@ SpeedModelWeights fitSpeedModel(const SpeedSituations& recorded,
 
 /// A model of all that was recorded, with `folds` others (none, or two and more) that leave each
 /// scene out once. Throws std::invalid_argument for another number of folds than none, or 2 to one
-/// a scene, and as fitSpeedModel().
-SpeedModel fitSpeedModelWithFolds(const SpeedSituations& recorded, int folds,
-                                  const SpeedModelFitOptions& options, std::uint64_t seed);
+/// a scene, and as fitSpeedModel(). `on_progress`, if any, is told how many of the models are
+/// fitted.
+SpeedModel fitSpeedModelWithFolds(
+    const SpeedSituations& recorded, int folds, const SpeedModelFitOptions& options,
+    std::uint64_t seed,
+    const std::function<void(std::size_t done, std::size_t all)>& on_progress = {});
 
 }  // namespace forge

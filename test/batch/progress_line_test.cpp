@@ -1,0 +1,105 @@
+#include "collision_forge/batch/progress_line.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace forge {
+namespace {
+
+class ProgressLineTest : public testing::Test {
+ protected:
+  ProgressLine::Output output(bool is_terminal) {
+    return {stream_, is_terminal, [this] { return time_; }};
+  }
+  /// What has been printed since the last call.
+  std::string printed() {
+    const std::string text = stream_.str();
+    stream_.str("");
+    return text;
+  }
+
+  std::ostringstream stream_;
+  double time_ = 1000.0;  // s
+};
+
+TEST_F(ProgressLineTest, TellsShareRateAndTimeLeft) {
+  ProgressLine line("requests", 0.0, output(false));
+  time_ += 20.0;
+  line.show(50, 200);  // 2.5 a second, 150 to go
+  EXPECT_EQ(printed(), "requests  25 %, 2.5/s, 60 s left\n");
+}
+
+TEST_F(ProgressLineTest, WhatWasDoneBeforeCountsForTheShareAlone) {
+  ProgressLine line("requests", 0.5, output(false));
+  time_ += 20.0;
+  line.show(120, 200);  // 20 in 20 s, 80 to go
+  EXPECT_EQ(printed(), "requests  60 %, 1.0/s, 80 s left\n");
+}
+
+TEST_F(ProgressLineTest, SharesHaveARateOfPerCent) {
+  ProgressLine line("training", 0.0, output(false));
+  time_ += 600.0;
+  line.show(0.25, "loss 3");  // 2.5 % a minute, 1800 s to go
+  EXPECT_EQ(printed(), "training  25 %, 2.5 %/min, 30 min left, loss 3\n");
+}
+
+TEST_F(ProgressLineTest, SlowWorkHasARateByTheHour) {
+  ProgressLine line("cases", 0.0, output(false));
+  time_ += 7200.0;
+  line.show(3, 12);  // 1.5 an hour, 9 to go
+  EXPECT_EQ(printed(), "cases  25 %, 1.5/h, 6.0 h left\n");
+}
+
+TEST_F(ProgressLineTest, PipedThereIsALineEveryTenSecondsAndOneAtTheEnd) {
+  ProgressLine line("scenes", 0.0, output(false));
+  int lines = 0;
+  for (int second = 1; second <= 35; ++second) {
+    time_ += 1.0;
+    line.show(static_cast<std::size_t>(second), 35);
+    const std::string text = printed();
+    if (text.empty()) continue;
+    ++lines;
+    EXPECT_EQ(text.find('\r'), std::string::npos);
+    EXPECT_EQ(text.back(), '\n');
+  }
+  EXPECT_EQ(lines, 4);
+}
+
+TEST_F(ProgressLineTest, OnATerminalTheLineIsReplacedInPlaceAndEndsOnce) {
+  ProgressLine line("scenes", 0.0, output(true));
+  time_ += 1.0;
+  line.show(1, 4);
+  EXPECT_EQ(printed(), "\r\033[Kscenes  25 %, 1.0/s, 3 s left");
+  time_ += 0.1;
+  line.show(2, 4);
+  EXPECT_EQ(printed(), "") << "too soon to be read";
+  line.show(4, 4);
+  EXPECT_EQ(printed().back(), '\n');
+}
+
+TEST_F(ProgressLineTest, WorkThatEndsEarlyEndsItsLine) {
+  {
+    ProgressLine line("scenes", 0.0, output(true));
+    time_ += 1.0;
+    line.show(1, 4);
+    printed();
+  }
+  EXPECT_EQ(printed(), "\n");
+  {
+    ProgressLine line("scenes", 0.0, output(false));
+    time_ += 20.0;
+    line.show(1, 4);
+    printed();
+  }
+  EXPECT_EQ(printed(), "");
+}
+
+TEST(PrintLine, IsALineOfItsOwn) {
+  testing::internal::CaptureStderr();
+  printLine("warning: odd");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "warning: odd\n");
+}
+
+}  // namespace
+}  // namespace forge
