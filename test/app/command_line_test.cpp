@@ -277,5 +277,15 @@ TEST(BashCompletion, KnowsCommandsOptionsAndValues) {
   EXPECT_THAT(script, Not(HasSubstr("'forge convert --force')")));
 }
 
+TEST(Commands, WordsMayBeInCapitals) {
+  Forge forge;
+  const std::string line =
+      "inject --bag a.bag --type Ltap --tta 4 --now 4 --out b.bag --mode Replay "
+      "--believable TRUE --limits Strict --ego-side Front --config " +
+      kConfig;
+  EXPECT_EQ(forge.read(line).exit_code, std::nullopt);
+  EXPECT_EQ(forge.read(line + "s").exit_code, kExitUsage);
+}
+
 }  // namespace
 }  // namespace forge

@@ -33,8 +33,8 @@ TEST_F(ProgressLineTest, TellsShareRateAndTimeLeft) {
 TEST_F(ProgressLineTest, WhatWasDoneBeforeCountsForTheShareAlone) {
   ProgressLine line("requests", 0.5, output(false));
   time_ += 20.0;
-  line.show(120, 200);  // 20 in 20 s, 80 to go
-  EXPECT_EQ(printed(), "requests  60 %, 1.0/s, 80 s left\n");
+  line.show(124, 200);  // 24 in 20 s, 76 to go
+  EXPECT_EQ(printed(), "requests  62 %, 1.2/s, 63 s left\n");
 }
 
 TEST_F(ProgressLineTest, SharesHaveARateOfPerCent) {

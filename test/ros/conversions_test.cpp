@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "collision_forge/scene/request_words.h"
+
 namespace forge {
 namespace {
 
@@ -171,6 +173,34 @@ TEST(CollisionRequestMessage, NamesFieldAndValueOfAWordThatMeansNothing) {
     ASSERT_NE(status, nullptr) << name;
     EXPECT_EQ(status->code, StatusCode::kInvalidInput);
     EXPECT_EQ(status->message.rfind(std::string(name) + " = \"odd\"", 0), 0u) << status->message;
+  }
+}
+
+TEST(CollisionRequestMessage, WordsMayBeInCapitals) {
+  auto message = leadBrakes();
+  message.collision_type = "Rear_End";
+  message.choice = "Existing";
+  message.mode = "Replay";
+  message.believable = "FALSE";
+  message.limits = "Strict";
+  message.attacker_class = "Bus";
+  message.manoeuvre = "Lead_Brakes";
+  message.ego_side = "Rear";
+  auto lower = message;
+  for (auto* word : {&lower.collision_type, &lower.choice, &lower.mode, &lower.believable,
+                     &lower.limits, &lower.attacker_class, &lower.manoeuvre, &lower.ego_side}) {
+    *word = lowered(*word);
+  }
+  EXPECT_NE(lower, message);
+  for (const auto& said : {lower, message}) {
+    const auto read = toMessage(std::get<CollisionRequest>(fromMessage(said, {})));
+    EXPECT_EQ(read.choice, "existing");
+    EXPECT_EQ(read.mode, "replay");
+    EXPECT_EQ(read.believable, "false");
+    EXPECT_EQ(read.limits, "strict");
+    EXPECT_EQ(read.attacker_class, "bus");
+    EXPECT_EQ(read.manoeuvre, "lead_brakes");
+    EXPECT_EQ(read.ego_side, "rear");
   }
 }
 

@@ -363,8 +363,17 @@ class ImpossibleRequestTest(road.RoadTest):
         self.assertFalse(out.exists())
         self.assertEqual(list(self.folder.glob('*.part')), [])
 
-    def test_unknown_type(self):
-        self.assert_refused('UNKNOWN_TYPE', ['sideswipe'], 'sideswipe', 4.0, NOW)
+    def test_unknown_words_are_a_wrong_command_that_names_the_choices(self):
+        for option, word, choice in (('--type', 'sideswipe', 'junction_crossing'), ('--mode', 'future', 'replay'),
+                                     ('--after-contact', 'fly', 'drive_on'), ('--ego-side', 'top', 'front')):
+            out = self.path('out.bag')
+            arguments = () if option == '--type' else (option, word)
+            collision_type = word if option == '--type' else 'rear_end'
+            result = road.inject(self.bag(SCENE), out, collision_type, 4.0, NOW, *arguments)
+            self.assertEqual(result.returncode, 2, result.stderr)
+            for text in (option, word, choice):
+                self.assertIn(text, result.stderr)
+            self.assertFalse(out.exists())
 
     def test_tta_out_of_range(self):
         for tta in ('0.49', '9.01', '0', '-4', 'inf', '-inf', 'nan'):

@@ -46,12 +46,6 @@ LaneMap mapAround(const NuScenesRecording& recording, const LaneMap& map, double
   return cropped(map, points, radius);
 }
 
-/// A progress bar over the bytes of the tables.
-NuScenesProgress showReading() {
-  const auto line = std::make_shared<ProgressLine>("tables");
-  return [line](std::uint64_t done, std::uint64_t total) { line->show(done, total); };
-}
-
 int convert(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   std::filesystem::create_directories(arguments.out);
@@ -85,7 +79,7 @@ int convert(const Arguments& arguments) {
     progress.show(index + 1, scenes.size());
     if (failure.empty()) return;
     ++failures;
-    std::cerr << "not converted: " << failure << "\n";
+    printLine("not converted: " + failure);
   };
   dispatch(scenes.size(), convertScene, take, {arguments.jobs, 0});
   if (!isMaster()) return kExitOk;

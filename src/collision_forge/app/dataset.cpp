@@ -6,6 +6,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/batch/run.h"
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/dataset/attempts.h"
@@ -94,7 +95,7 @@ void warnOfMissingTypes(const std::vector<Attempt>& attempts) {
     const bool found = std::any_of(attempts.begin(), attempts.end(), [=](const Attempt& attempt) {
       return attempt.valid && attempt.asked.request.type == type;
     });
-    if (!found) std::cerr << "warning: no clip of " << toString(type) << " is valid\n";
+    if (!found) printLine(std::string("warning: no clip of ") + toString(type) + " is valid");
   }
 }
 
@@ -106,7 +107,7 @@ int buildDataset(const Arguments& arguments) {
   if (is_master) openFolder(arguments);
   SceneSource scenes(arguments.dataroot, arguments.version, names, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
-                     is_master ? OnWarnings(printWarnings) : OnWarnings());
+                     is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
   std::vector<Attempt> attempts;
   Run run;
   run.path = arguments.attempts();

@@ -206,7 +206,7 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   const WantedRequests wanted = readWanted(arguments, config.crash);
   SceneSource scenes(arguments.dataroot, arguments.version, wanted.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
-                     is_master ? OnWarnings(printWarnings) : OnWarnings());
+                     is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
   const RequestEvaluator evaluator(scenes, config, loadForesight(config), loadMethods(config),
                                    plan);
   SearchTimes times;

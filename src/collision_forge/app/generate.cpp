@@ -107,7 +107,7 @@ void exportClips(const Arguments& arguments, std::size_t count, SceneSource& sce
     }
     progress.show(static_cast<std::size_t>(index) + 1, count);
   }
-  if (!exporter.complaint().empty()) std::cerr << exporter.complaint() << "\n";
+  if (!exporter.complaint().empty()) printLine(exporter.complaint());
   std::cout << exporter.clips() << " clips in " << CollideExporter::folderIn(arguments.out) << "\n";
 }
 
@@ -118,7 +118,7 @@ int generate(const Arguments& arguments) {
   if (is_master && arguments.format == Format::kCsvCollide) prepareFolder(arguments);
   SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
-                     is_master ? OnWarnings(printWarnings) : OnWarnings());
+                     is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
   const MethodMaker method = loadMethod(arguments.method, config, config.attack);
   Run run;
   run.path = arguments.scenarios();

@@ -253,7 +253,8 @@ void addInject(CommandLine& line) {
   app.add_option("--type", request.collision_type,
                  "lane_change, opposite_direction, rear_end, junction_crossing or ltap (LC, OD, "
                  "HO, RE, JC, LTAP)")
-      ->required();
+      ->required()
+      ->check(checkType);
   app.add_option("--tta", request.tta, "seconds from now to impact, 0.5 to 9")->required();
   app.add_option("--now", arguments->now,
                  "seconds from the bag's first frame; the frame at or before")

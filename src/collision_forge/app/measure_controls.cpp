@@ -54,7 +54,7 @@ std::vector<AnsweredQuestion> answerAll(const Arguments& arguments, const Config
                                         const QuestionsOfList& list) {
   SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
-                     isMaster() ? OnWarnings(printWarnings) : OnWarnings());
+                     isMaster() ? OnWarnings(printWarnings) : OnWarnings(), showReading());
   const ControlEvaluator evaluator(scenes, loadMethod(arguments.method, config, config.attack),
                                    config, config.ego_vehicle);
   std::vector<AnsweredQuestion> answered;

@@ -88,7 +88,7 @@ void printTable(const Tallies& tallies) {
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const MethodMaker method = loadMethod("", config, config.attack);
-  SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1);
+  SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   AsideFile file(arguments.out);
   std::ostream& csv = file.stream();

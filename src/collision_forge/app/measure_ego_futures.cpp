@@ -224,7 +224,7 @@ int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const Foresight foresight{
       readSpeeds(arguments, config), loadPatternNetwork(arguments.networks), {}};
-  SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1);
+  SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   std::optional<AsideFile> file;
   if (!arguments.out.empty()) file.emplace(arguments.out);

@@ -8,6 +8,7 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
@@ -29,7 +30,9 @@ int measure(const Arguments& arguments) {
   std::vector<double> milliseconds;
   std::map<int, int> codes;
   int failures = 0;
+  ProgressLine progress("calls");
   for (int i = 0; i < arguments.calls; ++i) {
+    progress.show(static_cast<std::size_t>(i), static_cast<std::size_t>(arguments.calls));
     collision_forge::GenerateCollision call;
     call.request = arguments.request;
     call.request.mode = toString(arguments.mode);
@@ -67,7 +70,9 @@ void addMeasureLatency(CommandLine& line) {
   auto& request = arguments->request;
   request.collision_type = "rear_end";
   request.tta = 4.0;
-  app.add_option("--type", request.collision_type, "collision type")->capture_default_str();
+  app.add_option("--type", request.collision_type, "collision type")
+      ->check(checkType)
+      ->capture_default_str();
   app.add_option("--tta", request.tta, "seconds from now to impact")->capture_default_str();
   addMode(app, arguments->mode, false);
   app.add_option("--calls", arguments->calls, "number of calls, the seed counting up")

@@ -79,7 +79,8 @@ void print(Measurement& measurement) {
 int measure(const Arguments& arguments) {
   Config config = loadConfig(arguments.config);
   usePlannerFile(arguments.planner_file, arguments.planners, config.planners);
-  SceneSource scenes(arguments.dataroot, arguments.version, arguments.scenes, config, 1);
+  SceneSource scenes(arguments.dataroot, arguments.version, arguments.scenes, config, 1, {},
+                     showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<Measurement> measurements;
   for (const std::string& planner : arguments.planners) measurements.push_back({planner, {}, {}});

@@ -1,9 +1,11 @@
 #include "collision_forge/app/options.h"
 
-#include <cstdio>
 #include <filesystem>
+#include <memory>
 
 #include "collision_forge/attack/request_check.h"
+#include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/scene/request_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
@@ -173,6 +175,13 @@ CLI::Option* addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text
   return app.add_option("--seed", seed, text)->capture_default_str();
 }
 
+std::string checkType(const std::string& name) {
+  if (collisionTypeFromString(name)) return "";
+  return "\"" + name +
+         "\" is none of lane_change (LC), opposite_direction (OD, HO), rear_end (RE), "
+         "junction_crossing (JC), ltap (LTAP)";
+}
+
 void addMode(CLI::App& app, Mode& mode, bool may_adapt) {
   if (!may_adapt) {
     addChoice<Mode>(app, "--mode", mode, {{"history", Mode::kHistory}, {"replay", Mode::kReplay}},
@@ -220,9 +229,17 @@ ResumableFile::Options inputsOf(const Config& config, const std::string& config_
   return options;
 }
 
+NuScenesProgress showReading() {
+  if (!isMaster()) return {};
+  const auto line = std::make_shared<ProgressLine>("tables");
+  return [line](std::uint64_t done, std::uint64_t total) {  // bytes, of which nobody wants a rate
+    line->show(static_cast<double>(done) / static_cast<double>(total));
+  };
+}
+
 void printWarnings(const std::string& subject, const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
-    std::fprintf(stderr, "warning: %s: %s\n", subject.c_str(), warning.c_str());
+    printLine("warning: " + subject + ": " + warning);
   }
 }
 

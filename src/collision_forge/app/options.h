@@ -8,15 +8,18 @@
 #include <utility>
 #include <vector>
 
+#include "collision_forge/data/nuscenes_rows.h"
 #include "collision_forge/files/resumable_file.h"
 #include "collision_forge/scene/collision_request.h"
+#include "collision_forge/scene/request_words.h"
 #include "collision_forge/settings/config.h"
 #include "collision_forge/trials/traffic.h"
 
 /// Options that several commands have, each defined once.
 namespace forge {
 
-/// One of a few words, each with its value; the value that `value` has is the default.
+/// One of a few words, in capitals or not, each with its value; the value that `value` has is the
+/// default.
 template <typename Value>
 CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
                        const std::vector<std::pair<std::string, Value>>& choices,
@@ -28,11 +31,11 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
     if (meaning == value) default_word = word;
   }
   const auto take = [&value, choices](const std::string& given) {
-    const auto is_given = [&](const auto& choice) { return choice.first == given; };
+    const auto is_given = [&](const auto& choice) { return choice.first == lowered(given); };
     value = std::find_if(choices.begin(), choices.end(), is_given)->second;
   };
   return app.add_option_function<std::string>(name, take, text)
-      ->check(CLI::IsMember(words))
+      ->check(CLI::IsMember(words, CLI::ignore_case))
       ->default_str(default_word);
 }
 
@@ -84,6 +87,8 @@ void addOut(CLI::App& app, std::string& out, const std::string& text);
 void addJobs(CLI::App& app, int& jobs, const std::string& text);
 /// --seed.
 CLI::Option* addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text);
+/// Says what is wrong with the name of a collision type, for a check of an option.
+std::string checkType(const std::string& name);
 /// --mode, history or replay.
 /// `may_adapt`: mode adaptive is one of them.
 void addMode(CLI::App& app, Mode& mode, bool may_adapt);
@@ -105,6 +110,10 @@ void addBackground(CLI::App& app, Background& background);
 /// What every result over logs depends on: configuration, models, --dataroot and --version.
 ResumableFile::Options inputsOf(const Config& config, const std::string& config_folder,
                                 const std::string& dataroot, const std::string& version);
+
+/// Shows on stderr how far the reading of nuScenes tables is; nothing on other ranks than the
+/// master.
+NuScenesProgress showReading();
 
 /// Says on stderr what is odd about something that was read.
 void printWarnings(const std::string& subject, const std::vector<std::string>& warnings);

@@ -125,7 +125,8 @@ int makeRequests(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const RequestListOptions options = listOptions(arguments, config);
   const CollisionRequest asked = askedFor(arguments, config, options.types);
-  SceneSource scenes(arguments.dataroot, arguments.version, arguments.scenes, config, 1);
+  SceneSource scenes(arguments.dataroot, arguments.version, arguments.scenes, config, 1, {},
+                     showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<SceneRequest> requests;
   RoadCounts counts;
@@ -156,10 +157,6 @@ std::string checkFinite(const std::string& text) {
 }
 
 /// Accepts the names of collision types.
-std::string checkType(const std::string& name) {
-  return collisionTypeFromString(name) ? "" : name + " is no collision type";
-}
-
 }  // namespace
 
 void addRequests(CommandLine& line) {

@@ -20,7 +20,7 @@ struct Arguments {
 
 int collect(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1);
+  SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<SpeedProfileRow> rows;
   ProgressLine progress("scenes");

@@ -4,6 +4,7 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/speed_model_file.h"
 #include "collision_forge/data/speed_profiles_file.h"
 #include "collision_forge/forecast/speed_forecast_check.h"
@@ -53,8 +54,10 @@ void compare(const SpeedSituations& recorded, const SpeedForecaster& model,
 int fit(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const SpeedSituations recorded = readSpeedSituations(arguments.profiles);
+  ProgressLine progress("models");
   const SpeedModel fitted =
-      fitSpeedModelWithFolds(recorded, arguments.folds, config.speed_model_fit, arguments.seed);
+      fitSpeedModelWithFolds(recorded, arguments.folds, config.speed_model_fit, arguments.seed,
+                             [&](std::size_t done, std::size_t all) { progress.show(done, all); });
   writeSpeedModel(fitted, arguments.out);
   std::printf("%d intervals of %zu scenes\n", static_cast<int>(fitted.weights().gains.cols()),
               recorded.scenes().size());

@@ -80,11 +80,12 @@ std::optional<bool> boolFromString(const std::string& name) {
   return std::nullopt;
 }
 
-/// Sets `value` to what an optional word means; false for one that means nothing.
+/// Sets `value` to what an optional word means, in capitals or not; false for one that means
+/// nothing.
 template <typename FromString, typename Value>
 bool readWord(const std::string& word, FromString from_string, Value& value) {
   if (word.empty()) return true;
-  const auto meaning = from_string(word);
+  const auto meaning = from_string(lowered(word));
   if (meaning) value = *meaning;
   return meaning.has_value();
 }

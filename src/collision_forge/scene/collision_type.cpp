@@ -1,19 +1,8 @@
 #include "collision_forge/scene/collision_type.h"
 
-#include <algorithm>
-#include <cctype>
+#include "collision_forge/scene/request_words.h"
 
 namespace forge {
-namespace {
-
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return text;
-}
-
-}  // namespace
-
 const char* toString(CollisionType type) {
   switch (type) {
     case CollisionType::kLaneChange:

@@ -1,6 +1,15 @@
 #include "collision_forge/scene/request_words.h"
 
+#include <algorithm>
+#include <cctype>
+
 namespace forge {
+
+std::string lowered(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return word;
+}
 
 const char* toString(LimitSet limits) {
   return limits == LimitSet::kDrivable ? "drivable" : "strict";

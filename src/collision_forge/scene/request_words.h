@@ -9,6 +9,9 @@
 /// type's own header has none.
 namespace forge {
 
+/// Words mean the same in capitals on the command line and in messages, which read them so.
+std::string lowered(std::string word);
+
 /// "drivable", "strict".
 const char* toString(LimitSet limits);
 std::optional<LimitSet> limitSetFromString(const std::string& name);
