@@ -232,6 +232,14 @@ class PlannerTesterTest(road.RoadTest):
                                      ('NO_SCENARIO', 'third', 'third')):
             self.assertIn(word, self.ask(code, scenario=scenario, planner='idm').message)
 
+    def test_a_relative_path_is_refused_at_start(self):
+        for parameter in ('dataroot', 'scenarios'):
+            result = subprocess.run(['/usr/bin/rosrun', road.PACKAGE, 'planner_tester', '__name:=relative_' + parameter,
+                                     '_{}:=data/here'.format(parameter)], stdout=subprocess.PIPE,
+                                    stderr=subprocess.STDOUT, universal_newlines=True, timeout=60, check=False)
+            self.assertNotEqual(result.returncode, 0, result.stdout)
+            self.assertIn('parameter {} = "data/here" is no absolute path'.format(parameter), result.stdout)
+
     def test_declined_answers_keep_their_status(self):
         number, result = next((number, result) for number, result in enumerate(self.bulk, 1)
                               if result['status'] not in ('OK', 'NO_SCENE', 'INVALID_INPUT'))
@@ -239,6 +247,8 @@ class PlannerTesterTest(road.RoadTest):
         answer = rospy.ServiceProxy('/test_planner', TestPlanner)(request)
         self.assertEqual(road.CODES[answer.code], result['status'])
         self.assertIn(result['message'], answer.message)
+        first = next(number for number, line in enumerate(self.lines, 1) if json.loads(line)['status']['code'] == 'OK')
+        self.assertIn('the first line with an attack is {}'.format(first), answer.message)
 
     def test_bad_trajectories(self):
         trajectory = self.attack().trajectory

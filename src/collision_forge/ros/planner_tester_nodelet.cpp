@@ -7,9 +7,11 @@
 #include <visualization_msgs/MarkerArray.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <sstream>
+#include <utility>
 
 #include "collision_forge/config/section.h"
 #include "collision_forge/data/nuscenes_map.h"
@@ -43,6 +45,12 @@ std::string readText(const std::string& path) {
   text << file.rdbuf();
   if (!file) throw std::runtime_error(path + ": cannot be read");
   return text.str();
+}
+
+/// A node's working folder is not that of who starts it.
+void requireAbsolute(const std::string& parameter, const std::string& path) {
+  if (path.empty() || std::filesystem::path(path).is_absolute()) return;
+  throw std::invalid_argument("parameter " + parameter + " = \"" + path + "\" is no absolute path");
 }
 
 Background backgroundOf(const std::string& name) {
@@ -91,6 +99,11 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     TrialSources sources{
         own.param<std::string>("dataroot", ""), own.param<std::string>("version", ""),
         own.param<std::string>("scenarios", ""), own.param<std::string>("recording", "")};
+    for (const auto& [name, path] :
+         {std::pair<const char*, std::string>{"dataroot", sources.dataroot},
+          {"scenarios", sources.scenarios}}) {
+      requireAbsolute(name, path);
+    }
     std::vector<std::string> warnings;
     try {
       scenarios_ = std::make_unique<TrialScenarios>(sources, config_, &warnings);

@@ -64,7 +64,7 @@ PlannerCase TrialScenarios::ofLine(const std::string& line) {
     PlannerCase one = caseOfScenario(scenario, *scene, config_);
     if (one.status.code != StatusCode::kOk) {
       throw TestRefusal(static_cast<std::uint8_t>(one.status.code),
-                        where + ": " + one.status.message);
+                        where + ": " + one.status.message + (is_number ? firstAnswered() : ""));
     }
     return one;
   } catch (const JsonLineError& error) {
@@ -72,6 +72,21 @@ PlannerCase TrialScenarios::ofLine(const std::string& line) {
   } catch (const NuScenesError& error) {
     throw TestRefusal(Codes::UNREADABLE, where + ": " + error.what());
   }
+}
+
+std::string TrialScenarios::firstAnswered() const {
+  std::ifstream file(sources_.scenarios, std::ios::binary);
+  std::size_t number = 0;
+  for (std::string line; std::getline(file, line);) {
+    const std::string where = sources_.scenarios + ": line " + std::to_string(++number);
+    try {
+      if (readScenarioLine(where, line).answer.status.code != StatusCode::kOk) continue;
+    } catch (const JsonLineError&) {
+      continue;
+    }
+    return "; the first line with an attack is " + std::to_string(number);
+  }
+  return "; no line has an attack";
 }
 
 std::string TrialScenarios::numberedLine(const std::string& number) const {

@@ -48,6 +48,8 @@ class TrialScenarios {
 
  private:
   std::string numberedLine(const std::string& number) const;
+  /// For a refusal: which line of the file has an attack that can be tested.
+  std::string firstAnswered() const;
   std::shared_ptr<const IndexedScene> sceneOf(const std::string& name);
 
   TrialSources sources_;
