@@ -42,6 +42,15 @@ class ExamplePackage(unittest.TestCase):
         self.assertEqual(['collision_forge'], [path.name for path in include.iterdir()])
         self.assertTrue((include / 'collision_forge' / 'attack' / 'attack_method.h').exists())
 
+    def test_the_python_client_is_installed_beside_the_messages(self):
+        folder = self.folder / 'install' / 'lib' / 'python3' / 'dist-packages'
+        program = ('from collision_forge import CollisionForge; from collision_forge.msg import Attack; '
+                   'import collision_forge.pytest_plugin; print(collision_forge.__path__, CollisionForge, Attack)')
+        environment = {'PATH': '/usr/bin', 'PYTHONPATH': str(folder), 'PYTHONDONTWRITEBYTECODE': '1'}
+        printed = subprocess.run(['/usr/bin/python3', '-c', program], env=environment, cwd=str(self.folder), text=True,
+                                 check=True, stdout=subprocess.PIPE).stdout
+        self.assertTrue(printed.startswith("['{}']".format(folder / 'collision_forge')), printed)
+
     def test_its_planner_plans(self):
         self.assertEqual('7\n', self.run_program(self.folder / 'build' / 'devel' / 'lib' / 'example_package' / 'example_planner'))
 

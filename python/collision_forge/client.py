@@ -1,0 +1,318 @@
+"""The suite's services and topics, for Python."""
+import time
+from pathlib import Path
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Union
+
+import rospy
+from genpy import Time
+from std_srvs.srv import Trigger
+
+from collision_forge import msg, srv
+from collision_forge.controls import control_fields
+from collision_forge.errors import Code, Declined, ForgeError, NotReady, Unavailable
+from collision_forge.player import Player
+from collision_forge.results import Answer, Attack, PlannerOutcome, PossibleCollision, Report, Scene
+from collision_forge.waiting import Graph, Inbox, wait_until
+
+TIMEOUT = 30.0  # s of the wall clock; for what takes a fraction of a second on an idle machine
+LOOK = 0.2      # s of the wall clock that the nodes get for a frame where no message tells that they are done
+SERVICES = {'generate_collision': srv.GenerateCollision, 'generate_collisions': srv.GenerateCollisions,
+            'list_collisions': srv.ListCollisions, 'test_planner': srv.TestPlanner, 'reset': Trigger}
+PUBLISHED = ['encoded_scene', 'attack', 'tested_report', 'injected_agents', 'attack_methods']
+Collision = Union[str, PossibleCollision]
+
+
+class CollisionForge:
+    """The suite, as `collision_forge.launch` or `replay.launch` start it.
+
+    Makes this process a ROS node if it is none yet, and waits for the suite. `timeout`: s of the wall clock for
+    whatever is waited for. Names are relative, so `ROS_NAMESPACE` and remappings are heeded. Without a player
+    (`play()`) requests are about the newest scene; with one they are about the frame at which it has paused.
+    """
+
+    def __init__(self, timeout: float = TIMEOUT) -> None:
+        self.timeout = timeout
+        self.player: Optional[Player] = None
+        self._tested_from = 0  # mark in the tested reports: those before it are of earlier attacks
+        if not rospy.core.is_initialized():
+            Graph()  # says so where there is no master; init_node() would wait for one
+            rospy.init_node('collision_forge_client', anonymous=True, disable_signals=True)
+        self._scenes = Inbox('encoded_scene', msg.EncodedScene)
+        self._attacks = Inbox('attack', msg.Attack)
+        self._reports = Inbox('tested_report', msg.CollisionReport)
+        self._methods = Inbox('attack_methods', msg.AttackMethods)
+        try:
+            wait_until(self._missing_nodes, timeout)
+        except NotReady:
+            self.close()
+            raise
+
+    def close(self) -> None:
+        """Hears and plays nothing any more."""
+        if self.player is not None:
+            self.player.close()
+        for inbox in (self._scenes, self._attacks, self._reports, self._methods):
+            inbox.close()
+
+    def __enter__(self) -> 'CollisionForge':
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    # Is it ready?
+
+    def wait_until_ready(self, timeout: Optional[float] = None) -> 'CollisionForge':
+        """Until the suite is there and has a scene; NotReady says what is missing."""
+        wait_until(lambda: self._missing_nodes() + self._missing_scene(), self.timeout if timeout is None else timeout)
+        return self
+
+    def missing(self) -> List[str]:
+        """What the suite lacks to answer a request now; empty: nothing."""
+        return self._missing_nodes() + self._missing_scene()
+
+    def _missing_nodes(self) -> List[str]:
+        graph = Graph()
+        return ['the service ' + name for name in SERVICES if not graph.has_service(name)] + [
+            'a publisher of ' + topic for topic in PUBLISHED if not graph.publishers_of(topic)]
+
+    def _missing_scene(self) -> List[str]:
+        if self._scenes.newest():
+            return []
+        graph = Graph()
+        sources = ['agents', 'lane_map', '/tf'] + (['/clock'] if rospy.get_param('/use_sim_time', False) else [])
+        return ['a publisher of ' + topic for topic in sources if not graph.publishers_of(topic)] or [
+            'a message on encoded_scene: agents, lane_map and /tf are published; is there a transform map -> base_link '
+            'at the stamps of agents?']
+
+    # The scene.
+
+    @property
+    def scene(self) -> Scene:
+        """The newest one; waits for the first."""
+        self.wait_until_ready()
+        return Scene.of(self._scenes.newest())
+
+    @property
+    def methods(self) -> Dict[str, str]:
+        """The methods that can be asked for, the default one first, each with a line about it."""
+        message = self._first_of(self._methods)
+        lines = dict(zip(message.names, message.descriptions))
+        return {message.default_method: lines.pop(message.default_method), **lines}
+
+    def _first_of(self, inbox: Inbox) -> Any:
+        wait_until(lambda: [] if inbox.newest() else ['a message on ' + inbox.topic], self.timeout)
+        return inbox.newest()
+
+    # Requests.
+
+    def generate(self, collision: Collision, tta: Optional[float] = None, *, at: Optional[Time] = None,
+                 method: str = '', **controls: Any) -> Attack:
+        """An attack of a type, `tta` s from now; or what `possible()` has told to be possible, with its controls.
+
+        at: stamp of the frame of agents that is now; controls: as of `control_fields()`. Raises Declined.
+        """
+        return self._generate(collision, tta, at, method, control_fields(**controls), False)
+
+    def adaptive(self, collision: Collision, tta: Optional[float] = None, *, at: Optional[Time] = None,
+                 method: str = '', **controls: Any) -> 'AdaptiveAttack':
+        """As `generate()`, by an attacker that sees and reacts. Iterate over what becomes of it."""
+        mark = self._attacks.mark()
+        first = self._generate(collision, tta, at, method, control_fields(**controls), True)
+        return AdaptiveAttack(self, first, mark)
+
+    def _generate(self, collision: Collision, tta: Optional[float], at: Optional[Time], method: str,
+                  controls: Dict[str, Any], adaptive: bool) -> Attack:
+        if isinstance(collision, PossibleCollision):
+            at, tta = at or collision.now, collision.tta if tta is None else tta
+            own = {'choice': 'new'} if collision.added else {'attacker_id': collision.attacker}
+            controls = {**collision.controls, 'manoeuvre': collision.manoeuvre, 'alternatives': 1, **own,
+                        **{name: value for name, value in controls.items() if value != control_fields()[name]}}
+            method = method or controls.pop('method')
+            collision = collision.collision_type
+        if tta is None:
+            raise TypeError('generate() needs tta, s from now to impact')
+        mark, self._tested_from = self._attacks.mark(), self._reports.mark()
+        answer = self._call('generate_collision', stamp=self._stamp(at), collision_type=collision, tta=float(tta),
+                            method=method, adaptive=adaptive, **controls)
+        attack = Attack.of(answer.attack, answer.alternatives)
+        wait_until(lambda: [] if self._attacks.find(lambda message: same_attack(message, answer.attack), mark) else
+                   ['the attack on the topic attack'], self.timeout)
+        return attack
+
+    def possible(self, collision_types: Sequence[str] = (), ttas: Sequence[float] = (), *, at: Optional[Time] = None,
+                 method: str = '', **controls: Any) -> List[PossibleCollision]:
+        """The collisions that can be asked for now, by type, then tta; by default of all types, at the usual ttas."""
+        fields = control_fields(**controls)
+        answer = self._call('list_collisions', **self._each(collision_types, ttas, at, method, fields))
+        asked = {**fields, 'method': method}
+        return [PossibleCollision.of(message, answer.now, asked) for message in answer.collisions]
+
+    def generate_all(self, collision_types: Sequence[str] = (), ttas: Sequence[float] = (), *,
+                     at: Optional[Time] = None, method: str = '', **controls: Any) -> List[Answer]:
+        """An answer for each type and tta, at one instant; nothing is published, and nobody is injected."""
+        answer = self._call('generate_collisions',
+                            **self._each(collision_types, ttas, at, method, control_fields(**controls)))
+        return [Answer.of(message) for message in answer.answers]
+
+    def requests(self, every: float, collision_types: Sequence[str] = (), ttas: Sequence[float] = (),
+                 **controls: Any) -> Iterator[PossibleCollision]:
+        """What can be asked for over a bag: plays on from where it is, and pauses every so many seconds. Nothing can be
+        where too little was seen yet."""
+        for _ in self._needed_player().every(every):
+            try:
+                yield from self.possible(collision_types, ttas, **controls)
+            except Declined as declined:
+                if declined.code != Code.TOO_LITTLE_HISTORY:
+                    raise
+
+    def _each(self, collision_types: Sequence[str], ttas: Sequence[float], at: Optional[Time], method: str,
+              controls: Dict[str, Any]) -> Dict[str, Any]:
+        return {'stamp': self._stamp(at), 'collision_types': list(collision_types), 'ttas': [float(t) for t in ttas],
+                'request': msg.CollisionRequest(**controls), 'method': method}
+
+    def _stamp(self, at: Optional[Time]) -> Time:
+        """The player's frame, so that a node that has not heard of it yet waits for it; else none: the newest."""
+        return at or (self.player and self.player.stamp) or Time()
+
+    # The attack that was generated last.
+
+    @property
+    def attack(self) -> Optional[Attack]:
+        """The newest attack as published; None: there is none."""
+        message = self._attacks.newest()
+        return Attack.of(message) if message and message.trajectory.attacker_id else None
+
+    def tested(self, attack: Attack) -> Report:
+        """How the attack of the last `generate()` turned out; plays on until that is known, where there is a player."""
+        player = self.player
+        if player is not None and not self._tested(attack):
+            end = player.instant_of(attack.now) + attack.trajectory[-1].t
+            player.until(max(player.now or 0.0, min(end, player.duration)))
+            time.sleep(LOOK)
+        while True:
+            report = self._tested(attack)
+            if report is not None:
+                return report
+            if player is not None:
+                self._look(player, attack)
+            else:
+                wait_until(lambda: [] if self._tested(attack) else ['a message on tested_report'], self.timeout)
+
+    def reset(self) -> None:
+        """Forgets the attack: nobody is injected any more."""
+        self._call('reset')
+        wait_until(lambda: ['an empty attack'] if self.attack else [], self.timeout)
+
+    def _tested(self, attack: Attack) -> Optional[Report]:
+        message = self._reports.find(lambda report: (report.header.stamp, report.attacker_id) ==
+                                     (attack.now, attack.attacker), self._tested_from)
+        return Report.of(message) if message else None
+
+    @staticmethod
+    def _look(player: Player, attack: Attack) -> None:
+        """A frame more, with time for what the nodes make of it."""
+        if player.is_at_end:
+            raise ForgeError('the bag ends before it is known what becomes of {!r}'.format(attack))
+        player.step()
+        time.sleep(LOOK)
+
+    # Planners.
+
+    def test_planner(self, planner: str, attack: Optional[Attack] = None, *, scenario: Union[str, int] = '',
+                     parameters: Optional[Mapping[str, float]] = None, attacker_policy: str = '',
+                     background: str = '') -> PlannerOutcome:
+        """Drives a planner in closed loop through an attack over the suite's `recording`, or through a scenario.
+
+        planner: idm, idm_published, pdm, rule_based, rule_based_tuned, torchscript or external (a node of your own,
+            which is waited for)
+        attack: by default, and with attacker_policy adaptive, the newest one
+        scenario: number of a line of the node's scenario file, or a whole line
+        parameters: numbers in place of those of config/planners.yaml, as {'pdm.idm.min_gap': 2.0}
+        attacker_policy: fixed or adaptive; background: replay or idm
+        """
+        if planner == 'external':
+            wait_until(lambda: [] if Graph().publishers_of('planned_trajectory') else
+                       ['a planner that publishes planned_trajectory'], self.timeout)
+        fields: Dict[str, Any] = {}
+        if attack is not None and attacker_policy != 'adaptive':
+            fields = {'trajectory': attack.message.trajectory, 'collision_type': attack.collision_type}
+        numbers = [msg.PlannerParameter(name, float(value)) for name, value in (parameters or {}).items()]
+        answer = self._call('test_planner', planner=planner, scenario=str(scenario), parameters=numbers,
+                            attacker_policy=attacker_policy, background=background, **fields)
+        return PlannerOutcome.of(answer.outcome)
+
+    # Bags.
+
+    def play(self, bag: Union[str, Path]) -> Player:
+        """A player of a bag, in lock step with this client; in place of the one before. Nothing is published yet."""
+        if self.player is not None:
+            self.player.close()
+        self.player = Player(bag, self._scenes, self.timeout)
+        return self.player
+
+    def _needed_player(self) -> Player:
+        if self.player is None:
+            raise ForgeError('no bag is played: call play() first')
+        return self.player
+
+    def _call(self, name: str, **fields: Any) -> Any:
+        service = SERVICES[name]
+        try:
+            answer = rospy.ServiceProxy(name, service)(service._request_class(**fields))
+        except (rospy.ServiceException, rospy.ROSException) as error:
+            raise Unavailable('{}: {}'.format(name, error)) from error
+        code = getattr(answer, 'code', Code.OK)
+        if code != Code.OK:
+            raise Declined(code, answer.message)
+        return answer
+
+    def __repr__(self) -> str:
+        return '<CollisionForge at {}: {}>'.format(
+            rospy.resolve_name('generate_collision'), self.player or 'no player')
+
+
+class AdaptiveAttack:
+    """An attacker that sees and reacts. Iterate over it: the attack as it set out, then as it is published anew, until
+    its test is known; that is in `report` then. With a player each look is at the next frame of agents of the bag."""
+
+    def __init__(self, forge: CollisionForge, first: Attack, mark: int) -> None:
+        self.first = first
+        self.newest = first
+        self.report: Optional[Report] = None
+        self._forge = forge
+        self._mark = mark
+        self._changed = time.monotonic()
+
+    def __iter__(self) -> Iterator[Attack]:
+        yield from self._published()
+        while self.report is None:
+            if self._forge.player is not None:
+                self._forge._look(self._forge.player, self.first)
+            else:
+                self._wait_for_news()
+            self.report = self._forge._tested(self.first)
+            yield from self._published()
+
+    def _wait_for_news(self) -> None:
+        mark = self._forge._attacks.mark
+        wait_until(lambda: [] if mark() > self._mark or self._forge._tested(self.first) else
+                   ['a change of the attack or its test'], self._forge.timeout)
+
+    def _published(self) -> Iterator[Attack]:
+        mark = self._forge._attacks.mark()
+        for message in self._forge._attacks.since(self._mark)[:mark - self._mark]:
+            if not same_attack(message, self.first.message):
+                raise ForgeError('another attack took the place of {!r}'.format(self.first))
+            self.newest = Attack.of(message)
+            yield self.newest
+        self._mark = mark
+
+    def __repr__(self) -> str:
+        return '<AdaptiveAttack: {!r}>'.format(self.newest)
+
+
+def same_attack(one: Any, other: Any) -> bool:
+    """Of the same instant, type and attacker, whatever it drives by now."""
+    return (one.header.stamp, one.pattern.collision_type, one.trajectory.attacker_id) == (
+        other.header.stamp, other.pattern.collision_type, other.trajectory.attacker_id)

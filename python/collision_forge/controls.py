@@ -1,0 +1,30 @@
+"""What a request may ask for beside type and time."""
+from typing import Any, Dict, Optional, Tuple
+
+Band = Optional[Tuple[float, float]]
+
+
+def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed: int = 0,
+                   believable: Optional[bool] = None, limits: str = '', attacker_class: str = '', manoeuvre: str = '',
+                   ego_side: str = '', impact_speed: Band = None, overlap: Band = None,
+                   alternatives: int = 1) -> Dict[str, Any]:
+    """The fields of a request's message; srv/GenerateCollision.srv has the words.
+
+    attacker: id of an agent; by default whom `choice` allows
+    choice: existing (a recorded vehicle), new (one is added) or any
+    mode: history (only what was seen up to now), replay (the recorded future, too), adaptive (sees and reacts)
+    seed: of the variations tried; the same scene and seed give the same answer
+    believable: whether the attacker drives as drivers do until it attacks; by default as config/ says
+    limits: drivable (those of the attacker's class) or strict; by default as config/ says
+    attacker_class, manoeuvre, ego_side: any by default
+    impact_speed: (least, greatest), m/s, of the relative velocity at contact
+    overlap: (least, greatest) share of the ego's touched side that the attacker covers, [0, 1]
+    alternatives: attacks asked for, which differ in attacker or manoeuvre, at most 16
+    """
+    slowest, fastest = impact_speed or (0.0, 0.0)
+    narrowest, widest = overlap or (0.0, 0.0)
+    return {'attacker_id': attacker, 'choice': choice, 'mode': mode, 'seed': seed,
+            'believable': '' if believable is None else str(believable).lower(), 'limits': limits,
+            'attacker_class': attacker_class, 'manoeuvre': manoeuvre, 'ego_side': ego_side,
+            'min_impact_speed': slowest, 'max_impact_speed': fastest, 'min_overlap': narrowest, 'max_overlap': widest,
+            'alternatives': alternatives}

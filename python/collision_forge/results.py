@@ -1,0 +1,321 @@
+"""What the suite answers, as plain data.
+
+SI units and radians, in the frame `map`; every vehicle is named by the middle of its box. `now` is the stamp of the
+frame of agents that was asked about, on the recording's clock. All other instants are in s from now. `message` is the
+ROS message that a result was made of.
+"""
+import math
+from dataclasses import dataclass, field, fields
+from typing import Any, Dict, Optional, Tuple
+
+from genpy import Time
+
+from collision_forge.errors import Code
+from collision_forge.msg import Agent as AgentMessage
+
+CLASSES: Dict[int, str] = {value: name.lower() for name, value in vars(AgentMessage).items()
+                           if name.isupper() and isinstance(value, int)}
+
+
+def raw() -> Any:
+    """A field for the message, which neither shows nor counts."""
+    return field(repr=False, compare=False)
+
+
+class Result:
+    """Shows its fields, numbers to three decimals."""
+
+    def __repr__(self) -> str:
+        shown = ((entry.name, getattr(self, entry.name)) for entry in fields(self) if entry.repr)
+        return '{}({})'.format(type(self).__name__, ', '.join(
+            '{}={!r}'.format(name, round(value, 3) if isinstance(value, float) else value) for name, value in shown))
+
+
+@dataclass(frozen=True, repr=False)
+class Pose(Result):
+    x: float    # m
+    y: float    # m
+    yaw: float  # rad, counter-clockwise from +x
+
+    @classmethod
+    def of_2d(cls, message: Any) -> 'Pose':
+        """Of a geometry_msgs/Pose2D."""
+        return cls(message.x, message.y, message.theta)
+
+    @classmethod
+    def of_3d(cls, message: Any) -> 'Pose':
+        """Of a geometry_msgs/Pose, seen from above."""
+        turn = message.orientation
+        yaw = math.atan2(2.0 * (turn.w * turn.z + turn.x * turn.y), 1.0 - 2.0 * (turn.y ** 2 + turn.z ** 2))
+        return cls(message.position.x, message.position.y, yaw)
+
+
+@dataclass(frozen=True, repr=False)
+class Point(Result):
+    """One sample of a vehicle's motion."""
+
+    t: float             # s from now
+    pose: Pose
+    speed: float         # m/s along the heading
+    acceleration: float  # m/s2 along the heading
+    curvature: float     # 1/m, positive to the left
+
+    @classmethod
+    def of(cls, message: Any, now: Time) -> 'Point':
+        return cls(seconds(now, message.stamp), Pose.of_3d(message.pose), message.speed, message.acceleration,
+                   message.curvature)
+
+
+def seconds(now: Time, stamp: Time) -> float:
+    """s from now to a stamp."""
+    return float((stamp - now).to_sec())
+
+
+@dataclass(frozen=True, repr=False)
+class Contact(Result):
+    """The first touch of ego and attacker."""
+
+    t: float                 # s from now
+    ego: Pose
+    attacker: Pose
+    relative_heading: float  # rad, attacker's yaw minus the ego's, (-pi, pi]
+    ego_side: str            # front, rear, left or right
+    attacker_side: str
+    impact_speed: float      # m/s, norm of the relative velocity
+    overlap: float           # share of the ego's side that the attacker covers, [0, 1]
+
+
+@dataclass(frozen=True, repr=False)
+class Report:
+    """What verification found about an attacker's trajectory: as foreseen, or as it came (tested)."""
+
+    now: Time
+    attacker: str
+    verified: bool              # contact as asked, every limit kept, nobody else touched before
+    contact: Optional[Contact]  # None: the attacker does not touch the ego
+    type_kept: bool
+    on_time: bool
+    limits_kept: bool
+    broken_limit: str           # name, value and limit of the worst one; empty: none
+    touched_before: str         # whom the attacker touches before the ego; empty: nobody
+    off_road_share: float       # mean share of its box off the drivable area, [0, 1]
+    manoeuvre: str              # what it does; empty without contact
+    manoeuvre_begin: Optional[float]  # s from now
+    believable: bool            # it drives as drivers do until its manoeuvre
+    unbelievable: str           # why not
+    confidence: float           # share of the likely ego futures in which all holds, [0, 1]; 0 of a tested report
+    decision: str               # the last one of an attacker that sees and reacts
+    message: Any = raw()
+
+    @classmethod
+    def of(cls, message: Any) -> 'Report':
+        now = message.header.stamp
+        contact = None
+        if message.contact:
+            contact = Contact(seconds(now, message.contact_time), Pose.of_2d(message.ego_at_contact),
+                              Pose.of_2d(message.attacker_at_contact), message.relative_heading, message.ego_side,
+                              message.attacker_side, message.impact_speed, message.overlap)
+        return cls(now, message.attacker_id, message.verified, contact, message.type_kept, message.on_time,
+                   message.limits_kept, message.broken_limit, message.first_other_id, message.off_road_share,
+                   message.manoeuvre if contact else '', seconds(now, message.manoeuvre_begin) if contact else None,
+                   message.believable, message.unbelievable, message.confidence, message.decision, message)
+
+    def __repr__(self) -> str:
+        return '<Report {}: {}>'.format('verified' if self.verified else 'not verified', self.summary())
+
+    def summary(self) -> str:
+        if self.contact is None:
+            return 'no contact'
+        return '{} after {:.2f} s on the {} at {:.1f} m/s'.format(
+            self.manoeuvre, self.contact.t, self.contact.ego_side, self.contact.impact_speed)
+
+
+@dataclass(frozen=True, repr=False)
+class Attack:
+    """A vehicle's way into the ego."""
+
+    now: Time
+    collision_type: str     # lane_change, opposite_direction, rear_end, junction_crossing or ltap
+    attacker: str           # its id among the agents
+    attacker_class: str     # car, truck, ...
+    added: bool             # nobody recorded it
+    trajectory: Tuple[Point, ...]  # from now to past the contact
+    report: Report          # as foreseen
+    method: str
+    adaptive: bool          # it sees and reacts
+    phase: str              # of one that does: attacking, committed or driving_on
+    decision: str           # its last one, for people
+    plans: int              # how often it decided; 0 if not adaptive
+    alternatives: Tuple['Attack', ...]  # further ones, the surest first
+    message: Any = raw()
+
+    @classmethod
+    def of(cls, message: Any, alternatives: Any = ()) -> 'Attack':
+        driven, now = message.trajectory, message.header.stamp
+        return cls(now, message.pattern.collision_type, driven.attacker_id, CLASSES[driven.agent_class], driven.added,
+                   tuple(Point.of(point, now) for point in driven.points), Report.of(message.report), message.method,
+                   message.adaptive, message.phase, message.decision, message.plans,
+                   tuple(cls.of(other) for other in alternatives), message)
+
+    def __repr__(self) -> str:
+        state = '; {}: {}'.format(self.phase, self.decision) if self.adaptive else ''
+        return '<Attack {} by {}{} {:.8}: {}, confidence {:.2f}{}>'.format(
+            self.collision_type, 'added ' if self.added else '', self.attacker_class, self.attacker,
+            self.report.summary(), self.report.confidence, state)
+
+
+@dataclass(frozen=True, repr=False)
+class PossibleCollision(Result):
+    """A collision that can be asked for, and how it would go: `forge.generate()` takes it as it is."""
+
+    now: Time = field(repr=False)
+    collision_type: str
+    tta: float            # s from now, to ask for
+    attacker: str         # its id; of one that is added its id then
+    attacker_class: str
+    added: bool           # nobody recorded it
+    manoeuvre: str
+    confidence: float     # [0, 1]
+    contact_after: float  # s from now, as foreseen
+    impact_speed: float   # m/s, as foreseen
+    controls: Dict[str, Any] = field(repr=False, compare=False)  # with which it was asked for
+    message: Any = raw()
+
+    @classmethod
+    def of(cls, message: Any, now: Time, controls: Dict[str, Any]) -> 'PossibleCollision':
+        return cls(now, message.collision_type, message.tta, message.attacker_id, message.attacker_class, message.added,
+                   message.manoeuvre, message.confidence, message.contact_after, message.impact_speed, controls,
+                   message)
+
+
+@dataclass(frozen=True, repr=False)
+class Answer(Result):
+    """The answer to one of several requests."""
+
+    collision_type: str
+    tta: float                # s from now
+    code: Code
+    reason: str               # why not; empty with OK
+    attack: Optional[Attack]  # None: declined
+    message: Any = raw()
+
+    @classmethod
+    def of(cls, message: Any) -> 'Answer':
+        code = Code(message.code)
+        attack = Attack.of(message.attack, message.alternatives) if code == Code.OK else None
+        return cls(message.collision_type, message.tta, code, message.message, attack, message)
+
+
+@dataclass(frozen=True, repr=False)
+class PlannerContact(Result):
+    """The first touch of a planner's ego."""
+
+    t: float                 # s from now
+    other: str               # the id of whom it touches
+    is_attacker: bool
+    collision_type: str      # that the contact is of; empty: none
+    relative_heading: float  # rad, the other's yaw minus the ego's, (-pi, pi]
+    ego_side: str            # front, rear, left or right
+    other_side: str
+    impact_speed: float      # m/s, norm of the relative velocity
+    cause: str               # stopped_ego, stopped_other, rear, front or lateral
+    at_fault: bool           # the ego is to blame
+
+
+@dataclass(frozen=True, repr=False)
+class PlannerOutcome:
+    """How a planner drove through an attack."""
+
+    now: Time
+    planner: str
+    attacker: str
+    failure: str                       # what ended its drive, as error or off_map; empty: none
+    failure_reason: str
+    duration: float                    # s from now to the contact, the failure or the attacker's end
+    contact: Optional[PlannerContact]  # None: it touched nobody
+    avoidable: bool                    # proven: some motion touches nobody. False proves nothing
+    last_manoeuvre: str                # that which works latest; empty unless avoidable
+    last_moment: Optional[float]       # s from now, from when it works
+    max_braking: float                 # m/s2
+    off_road_share: float              # mean share of the ego's box off the drivable area, [0, 1]
+    progress: float                    # m along the route
+    recorded_progress: float           # m, of the recorded ego over the same time
+    nuplan: Dict[str, float]           # nuPlan's closed-loop `score` and its parts, [0, 1]
+    driven: Tuple[Point, ...]          # the ego, from now on
+    message: Any = raw()
+
+    @classmethod
+    def of(cls, message: Any) -> 'PlannerOutcome':
+        now = message.header.stamp
+        contact = None
+        if message.collided:
+            contact = PlannerContact(seconds(now, message.contact_time), message.other_id, message.is_attacker,
+                                     message.collision_type, message.relative_heading, message.ego_side,
+                                     message.other_side, message.impact_speed, message.cause, message.at_fault)
+        nuplan = {name[len('nuplan_'):]: getattr(message, name) for name in message.__slots__
+                  if name.startswith('nuplan_')}
+        return cls(now, message.planner, message.attacker_id, '' if message.failure == 'none' else message.failure,
+                   message.failure_message, message.duration, contact, message.avoidable,
+                   message.last_manoeuvre if message.avoidable else '',
+                   seconds(now, message.last_moment) if message.avoidable else None, message.max_braking,
+                   message.off_road_share, message.progress, message.recorded_progress, nuplan,
+                   tuple(Point.of(point, now) for point in message.driven), message)
+
+    @property
+    def hit(self) -> bool:
+        """The attacker touched it."""
+        return self.contact is not None and self.contact.is_attacker
+
+    def __repr__(self) -> str:
+        return '<PlannerOutcome {}: {}>'.format(self.planner, self.summary())
+
+    def summary(self) -> str:
+        if self.failure:
+            return 'failed ({}): {}'.format(self.failure, self.failure_reason)
+        if self.contact is None:
+            return 'touches nobody in {:.1f} s'.format(self.duration)
+        avoidable = 'not known to be avoidable'
+        if self.last_moment is not None:
+            avoidable = 'avoidable by {} until {:.1f} s'.format(self.last_manoeuvre, self.last_moment)
+        return 'touches {} {:.8} after {:.2f} s at {:.1f} m/s, {}'.format(
+            'the attacker' if self.hit else 'somebody else,', self.contact.other, self.contact.t,
+            self.contact.impact_speed, avoidable)
+
+
+@dataclass(frozen=True, repr=False)
+class Agent(Result):
+    """Somebody in the scene, as of now."""
+
+    id: str
+    agent_class: str  # car, truck, ...
+    length: float     # m
+    width: float      # m
+    pose: Pose
+    speed: float      # m/s
+
+    @classmethod
+    def of(cls, track: Any) -> 'Agent':
+        newest = track.states[-1]
+        return cls(track.id, CLASSES[track.agent_class], track.size.x, track.size.y, Pose.of_2d(newest.pose),
+                   math.hypot(newest.velocity_x, newest.velocity_y))
+
+
+@dataclass(frozen=True, repr=False)
+class Scene:
+    """What is known now."""
+
+    now: Time
+    ego: Agent
+    agents: Tuple[Agent, ...]  # those who are there now
+    message: Any = raw()
+
+    @classmethod
+    def of(cls, message: Any) -> 'Scene':
+        """Of an EncodedScene."""
+        now = message.header.stamp
+        present = [track for track in message.snapshot.agents if track.states and track.states[-1].stamp == now]
+        return cls(now, Agent.of(message.snapshot.ego), tuple(Agent.of(track) for track in present), message)
+
+    def __repr__(self) -> str:
+        return '<Scene at {:.1f} s: ego at {:.1f} m/s, {} agents>'.format(
+            self.now.to_sec(), self.ego.speed, len(self.agents))

@@ -1,0 +1,236 @@
+#!/usr/bin/python3
+"""The Python client's data, errors and programs, without a master."""
+import math
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import road
+from collision_forge import (Answer, Attack, Code, Declined, ForgeError, NotReady, PlannerOutcome, PossibleCollision,
+                             Report, Scene, msg, srv)
+from collision_forge.controls import control_fields
+from collision_forge.results import Pose
+from collision_forge.suite import Program
+from collision_forge.waiting import wait_until
+from genpy import Duration, Time
+
+NOW = Time(1600000000, 500000000)
+
+
+def at(seconds):
+    return NOW + Duration.from_sec(seconds)
+
+
+def report_message(**fields):
+    message = msg.CollisionReport(
+        attacker_id='ann', verified=True, contact=True, contact_time=at(3.5), ego_side='left', impact_speed=2.5,
+        manoeuvre='cut_in', manoeuvre_begin=at(1.5), confidence=0.25)
+    message.header.stamp = NOW
+    message.ego_at_contact.x, message.attacker_at_contact.theta = 7.0, 0.5
+    for name, value in fields.items():
+        setattr(message, name, value)
+    return message
+
+
+def attack_message(**fields):
+    message = msg.Attack(report=report_message(), method='search', **fields)
+    message.header.stamp = NOW
+    message.pattern.collision_type = 'lane_change'
+    message.trajectory.attacker_id, message.trajectory.agent_class = 'ann', msg.Agent.TRUCK
+    point = msg.TrajectoryPoint(stamp=at(0.1), speed=4.0)
+    point.pose.orientation.z, point.pose.orientation.w = math.sin(0.6), math.cos(0.6)
+    message.trajectory.points = [point]
+    return message
+
+
+def constants(response):
+    return {name: value for name, value in vars(response).items() if name.isupper() and isinstance(value, int)}
+
+
+class ErrorsTest(unittest.TestCase):
+    def test_codes_are_those_of_the_services(self):
+        expected = {**constants(srv.GenerateCollisionResponse), **constants(srv.TestPlannerResponse)}
+        self.assertEqual({code.name: code.value for code in Code}, expected)
+
+    def test_a_refusal_has_code_and_reason(self):
+        refusal = Declined(6, 'nobody there')
+        self.assertIs(refusal.code, Code.NO_CANDIDATE)
+        self.assertEqual((refusal.reason, str(refusal)), ('nobody there', 'NO_CANDIDATE: nobody there'))
+        self.assertIsInstance(refusal, ForgeError)
+
+    def test_waiting_in_vain_tells_what_is_missing(self):
+        with self.assertRaises(NotReady) as raised:
+            wait_until(lambda: ['a spoon', 'a fork'], 0.1)
+        self.assertEqual(raised.exception.missing, ['a spoon', 'a fork'])
+        self.assertEqual(str(raised.exception), 'waited 0.1 s in vain for a spoon; a fork')
+
+    def test_waiting_ends_when_nothing_is_missing(self):
+        missing = ['one', 'two']
+        wait_until(lambda: missing and [missing.pop()], 5.0)
+        self.assertEqual(missing, [])
+
+
+class ControlsTest(unittest.TestCase):
+    def test_they_are_all_that_a_request_has(self):
+        beside = {'collision_type', 'tta'}
+        self.assertEqual(set(control_fields()), set(msg.CollisionRequest.__slots__) - beside)
+        beside |= {'stamp', 'adaptive', 'method'}
+        self.assertEqual(set(control_fields()), set(srv.GenerateCollisionRequest.__slots__) - beside)
+
+    def test_bands_and_truth(self):
+        fields = control_fields(impact_speed=(2, 5), overlap=(0.1, 0.4), believable=False)
+        self.assertEqual((fields['min_impact_speed'], fields['max_impact_speed']), (2, 5))
+        self.assertEqual((fields['min_overlap'], fields['max_overlap']), (0.1, 0.4))
+        self.assertEqual(fields['believable'], 'false')
+        self.assertEqual(control_fields(believable=True)['believable'], 'true')
+        self.assertEqual(control_fields()['believable'], '')
+
+    def test_unknown_ones_are_refused(self):
+        with self.assertRaisesRegex(TypeError, 'colour'):
+            control_fields(colour='red')
+
+
+class ResultsTest(unittest.TestCase):
+    def test_yaw_is_seen_from_above(self):
+        self.assertAlmostEqual(Attack.of(attack_message()).trajectory[0].pose.yaw, 1.2)
+
+    def test_numbers_are_shown_to_three_decimals(self):
+        self.assertEqual(repr(Pose(1.23456, 2.0, -0.0004)), 'Pose(x=1.235, y=2.0, yaw=-0.0)')
+
+    def test_a_report_counts_from_now(self):
+        report = Report.of(report_message())
+        self.assertEqual((report.now, report.attacker, report.verified), (NOW, 'ann', True))
+        self.assertAlmostEqual(report.contact.t, 3.5)
+        self.assertAlmostEqual(report.manoeuvre_begin, 1.5)
+        self.assertEqual((report.contact.ego, report.contact.attacker), (Pose(7.0, 0.0, 0.0), Pose(0.0, 0.0, 0.5)))
+        self.assertEqual(repr(report), '<Report verified: cut_in after 3.50 s on the left at 2.5 m/s>')
+
+    def test_a_report_without_contact_tells_none_of_its_fields(self):
+        report = Report.of(report_message(contact=False, verified=False))
+        self.assertEqual((report.contact, report.manoeuvre, report.manoeuvre_begin), (None, '', None))
+        self.assertEqual(repr(report), '<Report not verified: no contact>')
+
+    def test_an_attack(self):
+        message, other = attack_message(), attack_message()
+        attack = Attack.of(message, [other])
+        self.assertEqual((attack.attacker, attack.attacker_class), ('ann', 'truck'))
+        self.assertAlmostEqual(attack.trajectory[0].t, 0.1)
+        self.assertIs(attack.message, message)
+        self.assertEqual(attack.alternatives, (Attack.of(other),))
+        self.assertEqual(repr(attack), '<Attack lane_change by truck ann: cut_in after 3.50 s on the left at 2.5 m/s, '
+                                       'confidence 0.25>')
+
+    def test_an_attack_that_sees_tells_its_decision(self):
+        attack = Attack.of(attack_message(adaptive=True, phase='committed', decision='too late', plans=3))
+        self.assertIn('; committed: too late>', repr(attack))
+
+    def test_an_answer_has_an_attack_or_a_reason(self):
+        self.assertEqual(Answer.of(msg.CollisionAnswer('ltap', 4.0, 0, '', attack_message(), [])).attack,
+                         Attack.of(attack_message()))
+        declined = Answer.of(msg.CollisionAnswer('ltap', 4.0, 6, 'nobody', msg.Attack(), []))
+        self.assertEqual((declined.code, declined.reason, declined.attack), (Code.NO_CANDIDATE, 'nobody', None))
+
+    def test_what_is_possible_keeps_how_it_was_asked_for(self):
+        message = msg.PossibleCollision(
+            collision_type='ltap', tta=4.0, attacker_id='ann', attacker_class='bus', added=True,
+            manoeuvre='turn_across_path', confidence=0.5, contact_after=4.2, impact_speed=9.0)
+        possible = PossibleCollision.of(message, NOW, {'mode': 'replay'})
+        for name in ('collision_type', 'tta', 'attacker_class', 'added', 'manoeuvre', 'confidence', 'contact_after',
+                     'impact_speed'):
+            self.assertEqual(getattr(possible, name), getattr(message, name))
+        self.assertEqual((possible.attacker, possible.now, possible.controls), ('ann', NOW, {'mode': 'replay'}))
+
+    def test_an_outcome_without_contact(self):
+        message = msg.PlannerOutcome(planner='idm', failure='none', duration=6.0, last_manoeuvre='old')
+        message.header.stamp = NOW
+        outcome = PlannerOutcome.of(message)
+        self.assertEqual((outcome.contact, outcome.hit, outcome.failure, outcome.last_manoeuvre, outcome.last_moment),
+                         (None, False, '', '', None))
+        self.assertEqual(repr(outcome), '<PlannerOutcome idm: touches nobody in 6.0 s>')
+
+    def test_an_outcome_with_contact(self):
+        message = msg.PlannerOutcome(
+            planner='idm', failure='none', collided=True, is_attacker=True, contact_time=at(4.25), other_id='ann',
+            impact_speed=3.0, avoidable=True, last_manoeuvre='braking', last_moment=at(2.0), nuplan_score=0.5)
+        message.header.stamp = NOW
+        outcome = PlannerOutcome.of(message)
+        self.assertTrue(outcome.hit)
+        self.assertAlmostEqual(outcome.contact.t, 4.25)
+        self.assertAlmostEqual(outcome.last_moment, 2.0)
+        self.assertEqual(outcome.nuplan['score'], 0.5)
+        self.assertEqual(len(outcome.nuplan), 8)
+        self.assertEqual(outcome.summary(), 'touches the attacker ann after 4.25 s at 3.0 m/s, '
+                                            'avoidable by braking until 2.0 s')
+
+    def test_an_outcome_with_somebody_else_is_no_hit(self):
+        message = msg.PlannerOutcome(failure='none', collided=True, is_attacker=False)
+        self.assertFalse(PlannerOutcome.of(message).hit)
+
+    def test_a_failure_is_told(self):
+        message = msg.PlannerOutcome(planner='idm', failure='off_map', failure_message='far away')
+        self.assertEqual(PlannerOutcome.of(message).summary(), 'failed (off_map): far away')
+
+    def test_a_scene_has_those_who_are_there_now(self):
+        def track(name, stamp):
+            return msg.AgentTrack(id=name, agent_class=msg.Agent.BUS,
+                                  states=[msg.TrackState(stamp=stamp, velocity_x=3.0, velocity_y=4.0)])
+        message = msg.EncodedScene()
+        message.header.stamp = NOW
+        message.snapshot.ego = track('ego', NOW)
+        message.snapshot.agents = [track('gone', at(-0.5)), track('here', NOW)]
+        scene = Scene.of(message)
+        self.assertEqual([agent.id for agent in scene.agents], ['here'])
+        self.assertEqual((scene.ego.speed, scene.agents[0].agent_class), (5.0, 'bus'))
+
+
+def is_running(pid):
+    try:
+        return Path('/proc/{}/stat'.format(pid)).read_text().split()[2] != 'Z'
+    except OSError:
+        return False
+
+
+class ProgramTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.log = Path(folder.name) / 'log'
+
+    def test_stops_with_all_that_it_started(self):
+        with Program(['bash', '-c', 'sleep 1000 & echo $!; wait'], self.log) as program:
+            wait_until(lambda: [] if program.output().strip() else ['a process'], 10.0)
+            child = int(program.output())
+        wait_until(lambda: ['the end of the child'] if is_running(child) else [], 10.0)
+
+    def test_stops_when_the_test_fails(self):
+        with self.assertRaises(ZeroDivisionError):
+            with Program(['sleep', '1000'], self.log) as program:
+                raise ZeroDivisionError()
+        with self.assertRaisesRegex(ForgeError, 'sleep has ended'):
+            program.check()
+
+    def test_ends_with_who_started_it(self):
+        starter = ('import pathlib, sys, time; from collision_forge.suite import Program; '
+                   'program = Program(["bash", "-c", "echo $$; exec sleep 1000"], pathlib.Path(sys.argv[1])); '
+                   'time.sleep(1000)')
+        with subprocess.Popen(['/usr/bin/python3', '-c', starter, str(self.log)]) as process:
+            wait_until(lambda: [] if self.log.exists() and self.log.read_text().strip() else ['a process'], 10.0)
+            child = int(self.log.read_text())
+            self.assertTrue(is_running(child))
+            process.kill()
+        wait_until(lambda: ['the end of the child'] if is_running(child) else [], 10.0)
+
+    def test_tells_why_it_has_ended(self):
+        program = Program(['bash', '-c', 'echo no luck; exit 3'], self.log)
+        deadline = time.monotonic() + 10.0
+        with self.assertRaisesRegex(ForgeError, 'no luck'):
+            while time.monotonic() < deadline:
+                program.check()
+                time.sleep(0.05)
+        program.stop()
+
+
+if __name__ == '__main__':
+    road.main()
