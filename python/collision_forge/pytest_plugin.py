@@ -1,0 +1,71 @@
+"""pytest fixtures that start the suite, play a bag in lock step, and shut everything down again.
+
+Loaded by `pytest -p collision_forge.pytest_plugin`, or by `pytest_plugins = ['collision_forge.pytest_plugin']` in the
+uppermost conftest.py. The bags come from `--forge-bag`, or from a fixture `forge_bag` of your own.
+"""
+import logging
+from pathlib import Path
+from typing import Dict, Iterator
+
+import pytest
+import rospy
+
+from collision_forge.client import CollisionForge
+from collision_forge.suite import Master, Suite
+
+TIMEOUT = 60.0  # s of the wall clock for the suite to start
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.getgroup('collision_forge').addoption(
+        '--forge-bag', action='append', default=[], metavar='BAG', type=Path,
+        help='bag that tests with the fixture forge play; may be given several times')
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line('filterwarnings', 'ignore:notifyAll:DeprecationWarning')  # in rospy
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    bags = metafunc.config.getoption('--forge-bag')
+    if bags and 'forge_bag' in metafunc.fixturenames:
+        metafunc.parametrize('forge_bag', bags, ids=[bag.stem for bag in bags], scope='module')
+
+
+@pytest.fixture(scope='module')
+def forge_bag() -> Path:
+    """The bag to play: each of --forge-bag."""
+    raise pytest.UsageError('give --forge-bag, or define a fixture forge_bag')
+
+
+@pytest.fixture(scope='module')
+def forge_arguments() -> Dict[str, str]:
+    """Arguments of collision_forge.launch, as {'config_dir': '/a/folder'}: none."""
+    return {}
+
+
+@pytest.fixture(scope='session')
+def forge_master(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Master]:
+    """A roscore on a free port; programs started by tests use it, too."""
+    with Master(tmp_path_factory.mktemp('master'), TIMEOUT) as master:
+        yield master
+        rospy.signal_shutdown('the tests are over')
+
+
+@pytest.fixture(scope='module')
+def forge_suite(forge_master: Master, tmp_path_factory: pytest.TempPathFactory, forge_bag: Path,
+                forge_arguments: Dict[str, str]) -> Iterator[Suite]:
+    """The suite, with the bag for its recording."""
+    with Suite(tmp_path_factory.mktemp('suite'), forge_bag, **forge_arguments) as suite:
+        yield suite
+
+
+@pytest.fixture
+def forge(forge_suite: Suite, forge_bag: Path) -> Iterator[CollisionForge]:
+    """The client, without an attack; its `player` has the bag and has published nothing yet."""
+    forge_suite.check()
+    with CollisionForge(TIMEOUT) as client:
+        logging.getLogger('rospy').setLevel(logging.WARNING)  # connections are not worth a line
+        client.reset()
+        client.play(forge_bag)
+        yield client
