@@ -1,0 +1,288 @@
+#!/usr/bin/python3
+"""The Python client with the real nodes, and all examples of docs/python.md."""
+import contextlib
+import io
+import os
+import re
+import subprocess
+import threading
+import time
+
+import rospy
+from rosgraph_msgs.msg import Clock
+
+import live
+import road
+from collision_forge import Code, CollisionForge, Declined, ForgeError, NotReady
+from collision_forge.suite import Suite
+from collision_forge.waiting import wait_until
+
+SCENE, TYPE, NOW, TTA = 'scene-0007', 'lane_change', 4.0, 4.0
+TIMEOUT = 60.0  # s
+BLOCK = re.compile(r'^```(\w*)\n(.*?)^```$', re.MULTILINE | re.DOTALL)
+PAGE = road.PACKAGE_FOLDER / 'docs' / 'python.md'
+
+
+def masked(text):
+    """Without the numbers and ids, which may change with the search: what is said stays."""
+    return re.sub(r'-?\b[0-9a-f]*\d[0-9a-f]*(\.\d+)?\b', '0', text.strip())
+
+
+def blocks():
+    """(code, output or None) of each example in Python."""
+    found = BLOCK.findall(PAGE.read_text())
+    for (language, text), (next_language, next_text) in zip(found, found[1:] + [('', '')]):
+        if language == 'python':
+            is_output = not next_language and 'python3 -m pytest' not in next_text
+            yield text, next_text if 'print(' in text and is_output else None
+
+
+class ClientTest(road.RoadTest):
+    SCENES = [SCENE]
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.refused = cls.refusal()
+        cls.suite = Suite(cls.folder, cls.folder / (SCENE + '.bag'))
+        cls.addClassCleanup(cls.suite.stop)
+
+    @staticmethod
+    def refusal():
+        """What the client says before the suite is there."""
+        try:
+            CollisionForge(timeout=0.3)
+        except NotReady as error:
+            return error
+        raise AssertionError('ready without a suite')
+
+    def setUp(self):
+        self.suite.check()
+        self.forge = CollisionForge(TIMEOUT)
+        self.addCleanup(self.forge.close)
+        self.forge.reset()
+
+    def play(self, instant=NOW):
+        return self.forge.play(self.bag(SCENE)).until(instant)
+
+    def offline(self, *arguments):
+        out = self.path('offline.bag')
+        result = road.inject(self.bag(SCENE), out, TYPE, TTA, NOW, *arguments)
+        self.assertEqual(road.code_of(result), 'OK')
+        return road.read_one(out, '/attack'), road.read_one(out, '/tested_report')
+
+    # Readiness.
+
+    def test_says_which_services_are_missing(self):
+        for name in ('generate_collision', 'list_collisions', 'generate_collisions', 'test_planner', 'reset'):
+            self.assertIn('the service ' + name, self.refused.missing)
+
+    def test_says_which_sources_are_missing(self):
+        with CollisionForge(TIMEOUT) as fresh:
+            with self.assertRaises(NotReady) as raised:
+                fresh.wait_until_ready(0.3)
+            self.assertEqual(raised.exception.missing,
+                             ['a publisher of ' + topic for topic in ('agents', 'lane_map', '/tf', '/clock')])
+            fresh.play(self.bag(SCENE)).until(0.0)
+            self.assertEqual(fresh.wait_until_ready().missing(), [])
+
+    # The player.
+
+    def test_stops_exactly_where_it_is_told_to(self):
+        heard = []
+        clock = rospy.Subscriber('/clock', Clock, heard.append)
+        self.addCleanup(clock.unregister)
+        player = self.play(4.25)
+        frames = road.read(self.bag(SCENE), '/agents')
+        end = frames[0][1] + rospy.Duration(4.25)
+        wait_until(lambda: [] if heard and heard[-1].clock == end else ['the clock'], 10.0)
+        self.assertEqual(player.stamp, max(message.header.stamp for message, stamp in frames if stamp <= end))
+        self.assertEqual(self.forge.scene.now, player.stamp)
+        time.sleep(0.5)
+        self.assertEqual(heard[-1].clock, end, 'time stands still')
+        self.assertEqual((player.now, player.is_at_end), (4.25, False))
+
+    def test_steps_and_goes_on(self):
+        player = self.play(2.0)
+        stamps = [message.header.stamp for message, _ in road.read(self.bag(SCENE), '/agents')]
+        self.assertEqual(player.step().stamp, stamps[5])
+        self.assertEqual(player.step(3).stamp, stamps[8])
+        begin = time.monotonic()
+        self.assertEqual(player.go_on(1.0, rate=2.0).now, 5.0)
+        self.assertGreater(time.monotonic() - begin, 0.4)
+        self.assertEqual([player.now for _ in player.every(6.0)], [5.0, 11.0, 17.0])
+        self.assertTrue(player.go_on().is_at_end)
+        with self.assertRaisesRegex(ForgeError, 'ends'):
+            player.step()
+
+    def test_going_back_starts_anew_with_the_same_scene(self):
+        player = self.play()
+        first = self.forge.scene
+        player.until(8.0)
+        self.assertGreater(self.forge.scene.now, first.now)
+        player.until(NOW)
+        self.assert_close(self.forge.scene.message, first.message, tolerance=0.0)
+
+    def test_refuses_a_second_source_of_time(self):
+        self.play()
+        other = subprocess.Popen(['rostopic', 'pub', '/clock', 'rosgraph_msgs/Clock', '{}'], stdout=subprocess.DEVNULL)
+        self.addCleanup(other.wait)
+        self.addCleanup(other.terminate)
+        def is_refused():
+            try:
+                self.forge.play(self.bag(SCENE))
+            except ForgeError as error:
+                return 'publishes /clock already' in str(error)
+            return False
+        wait_until(lambda: [] if is_refused() else ['the refusal'], 20.0)
+
+    def test_refuses_a_bag_without_agents(self):
+        empty = self.path('empty.bag')
+        road.copy_bag(self.bag(SCENE), empty, lambda topic, message: None if topic == '/agents' else message)
+        with self.assertRaisesRegex(ForgeError, 'no frame of /agents'):
+            self.forge.play(empty)
+
+    # Attacks.
+
+    def test_generates_what_forge_inject_does(self):
+        expected, expected_report = self.offline()
+        self.play()
+        attack = self.forge.generate(TYPE, TTA)
+        self.assert_close(attack.message, expected)
+        self.assertEqual(self.forge.attack, attack)
+        report = self.forge.tested(attack)
+        self.assertEqual((report.verified, report.attacker), (expected_report.verified, expected_report.attacker_id))
+        contact_after = (expected_report.contact_time - expected_report.header.stamp).to_sec()
+        self.assertAlmostEqual(report.contact.t, contact_after, 2)
+
+    def test_lock_step_gives_the_same_answer_again(self):
+        self.play()
+        first = self.forge.generate(TYPE, TTA)
+        reports = [self.forge.tested(first)]
+        self.forge.player.until(NOW)
+        again = self.forge.generate(TYPE, TTA)
+        reports.append(self.forge.tested(again))
+        self.assert_close(again.message, first.message, tolerance=0.0)
+        self.assert_close(reports[1].message, reports[0].message, tolerance=0.0)
+
+    def test_an_attacker_that_sees_and_reacts_drives_as_offline(self):
+        expected, expected_report = self.offline('--mode', 'adaptive')
+        self.play()
+        drive = self.forge.adaptive(TYPE, TTA)
+        seen = list(drive)
+        self.assertEqual((seen[0].decision, seen[0].plans), ('sets out', 1))
+        self.assertGreater(len(seen), 3)
+        self.assertEqual(seen[-1], drive.newest)
+        self.assertEqual((drive.newest.phase, drive.newest.plans), (expected.phase, expected.plans))
+        self.assertEqual((drive.report.verified, drive.report.attacker),
+                         (expected_report.verified, expected.trajectory.attacker_id))
+        self.assertLess(self.forge.player.now, self.forge.player.duration)
+
+    def test_follows_a_source_that_is_not_its_own(self):
+        player = self.play()
+        with CollisionForge(TIMEOUT) as other:
+            drive = other.adaptive(TYPE, TTA, at=player.stamp)
+            source = threading.Thread(target=player.go_on, kwargs={'seconds': 8.0, 'rate': 2.0})
+            source.start()
+            self.addCleanup(source.join)
+            seen = list(drive)
+        self.assertGreater(len(seen), 1)
+        self.assertEqual((drive.report.attacker, drive.report.now), (drive.first.attacker, drive.first.now))
+
+    def test_asks_about_an_earlier_frame(self):
+        stamp = self.play().stamp
+        expected = self.forge.generate(TYPE, TTA)
+        self.forge.player.until(NOW + 2.0)
+        self.assertGreater(self.forge.player.stamp, stamp)
+        self.assert_close(self.forge.generate(TYPE, TTA, at=stamp).message, expected.message, tolerance=0.0)
+
+    def test_plays_the_attack_that_a_bag_brings_along(self):
+        expected, expected_report = self.offline()
+        self.forge.play(self.path('offline.bag')).until(NOW + 1.0)
+        wait_until(lambda: [] if self.forge.attack else ['the attack'], 10.0)
+        self.assert_close(self.forge.attack.message, expected)
+        self.assertEqual(expected_report.attacker_id, self.forge.attack.attacker)
+
+    def test_declines_with_the_code(self):
+        self.play()
+        for code, arguments in ((Code.UNKNOWN_TYPE, ('magic', TTA)), (Code.TTA_OUT_OF_RANGE, (TYPE, 100.0))):
+            with self.assertRaises(Declined) as raised:
+                self.forge.generate(*arguments)
+            self.assertIs(raised.exception.code, code)
+        with self.assertRaises(Declined) as raised:
+            self.forge.test_planner('magic', self.forge.generate(TYPE, TTA))
+        self.assertIs(raised.exception.code, Code.UNKNOWN_PLANNER)
+
+    def test_reset_forgets_the_attack(self):
+        self.play()
+        self.forge.generate(TYPE, TTA)
+        self.forge.reset()
+        self.assertIsNone(self.forge.attack)
+
+    def test_what_is_possible_can_be_generated(self):
+        self.play()
+        possible = self.forge.possible([TYPE, 'rear_end'], [TTA])
+        self.assertGreater(len(possible), 0)
+        self.assertIsNone(self.forge.attack, 'nothing is published')
+        for collision in possible:
+            attack = self.forge.generate(collision)
+            self.assertEqual((attack.collision_type, attack.attacker_class, attack.added, attack.report.manoeuvre),
+                             (collision.collision_type, collision.attacker_class, collision.added, collision.manoeuvre))
+
+    def test_answers_for_each_type_and_time(self):
+        self.play()
+        answers = self.forge.generate_all([TYPE, 'ltap'], [3.0, TTA])
+        self.assertEqual([(answer.collision_type, answer.tta) for answer in answers],
+                         [(TYPE, 3.0), (TYPE, TTA), ('ltap', 3.0), ('ltap', TTA)])
+        self.assert_close(answers[1].attack.message, self.forge.generate(TYPE, TTA).message)
+        self.assertTrue(all((answer.attack is None) == (answer.code != Code.OK) for answer in answers))
+
+    def test_requests_of_a_scene(self):
+        self.play(0.0)
+        found = list(self.forge.requests(8.0, ['rear_end', TYPE], [TTA]))
+        start = road.read(self.bag(SCENE), '/agents')[0][0].header.stamp
+        self.assertGreater(len(found), 0)
+        self.assertLessEqual({round((one.now - start).to_sec(), 3) for one in found}, {0.0, 8.0, 16.0})
+
+    # The page.
+
+    def test_the_examples_of_the_page_do_what_it_says(self):
+        demo = self.folder / 'out' / 'demo'
+        demo.mkdir(parents=True)
+        (demo / (SCENE + '.bag')).symlink_to(self.bag(SCENE))
+        here = os.getcwd()
+        self.addCleanup(os.chdir, here)
+        os.chdir(self.folder)
+        names = {}
+        self.addCleanup(lambda: names['forge'].close())
+        examples = list(blocks())
+        self.assertGreater(sum(output is not None for _, output in examples), 8)
+        for code, output in examples:
+            if 'def test_' in code:
+                self.check_test(code)
+                continue
+            printed = io.StringIO()
+            with contextlib.redirect_stdout(printed):
+                exec(code, names)
+            if output is not None:
+                self.check_output(code, printed.getvalue(), output)
+
+    def check_output(self, code, printed, expected):
+        """A line of dots stands for any number of lines, dots at the end of a line for any rest."""
+        pattern = re.escape(masked(expected)).replace(re.escape('...'), '.*')
+        self.assertIsNotNone(re.fullmatch(pattern, masked(printed), re.DOTALL), '{}\nprints\n{}'.format(code, printed))
+
+    def check_test(self, code):
+        """Under a master and a suite of its own, as the page says."""
+        path = self.folder / 'test_cut_in.py'
+        path.write_text(code)
+        result = subprocess.run(
+            ['/usr/bin/python3', '-m', 'pytest', '-p', 'no:cacheprovider', '-p', 'collision_forge.pytest_plugin',
+             '--forge-bag', 'out/demo/{}.bag'.format(SCENE), path], cwd=str(self.folder), stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, universal_newlines=True, timeout=120.0, check=False)
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertIn('1 passed', result.stdout)
+
+
+if __name__ == '__main__':
+    live.main('client_test')
