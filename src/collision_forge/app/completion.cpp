@@ -32,6 +32,7 @@ void describe(const CLI::App& command, const std::string& name, std::ostream& ne
   next << "    '" << name << "') words='";
   for (const CLI::App* part : partsOf(command)) next << part->get_name() << " ";
   for (const CLI::Option* option : optionsOf(command)) {
+    if (option->get_lnames().empty()) continue;  // files, which bash completes
     next << "--" << option->get_lnames().front() << " ";
     if (option->get_items_expected_max() == 0) continue;  // a flag
     values << "    '" << name << " --" << option->get_lnames().front() << "') words='"
