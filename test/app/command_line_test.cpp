@@ -64,6 +64,7 @@ const std::map<std::string, std::string> kComplete = {
     {"requests", kLogs + " --out requests.jsonl"},
     {"generate", kLogs + " --requests requests.jsonl --out scenarios.jsonl"},
     {"evaluate", kLogs + " --requests " + kFile + " --out out"},
+    {"report", " " + kFile + " --out page --config " + kConfig},
     {"test", kLogs + " --scenarios scenarios.jsonl --out out"},
     {"tune", kLogs + " --train a.jsonl --test b.jsonl --out out"},
     {"dataset", kLogs + " --out out"},
@@ -207,6 +208,21 @@ TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {
   }
 }
 
+TEST(CommandLine, APageNeedsBothDatarootAndVersionOrNone) {
+  const std::string line = "report" + kComplete.at("report");
+  EXPECT_EQ(read(line + " --dataroot " + kDataroot + " --version v").exit_code, std::nullopt);
+  EXPECT_EQ(read(line + " --dataroot " + kDataroot).exit_code, kExitUsage);
+  EXPECT_EQ(read(line + " --version v").exit_code, kExitUsage);
+}
+
+TEST(CommandLine, BulkCommandsEndWithAPageWhereOneIsAskedFor) {
+  for (const std::string command : {"generate", "evaluate", "test", "tune", "dataset"}) {
+    const std::string line = command + kComplete.at(command);
+    EXPECT_EQ(read(line + " --report page").exit_code, std::nullopt) << command;
+  }
+  EXPECT_EQ(read("test" + kLogs + " --out out --until-hit --report page").exit_code, kExitUsage);
+}
+
 TEST(CommandLine, AlternativesAreAskedForInLists) {
   for (const std::string command : {"generate", "requests"}) {
     const std::string line = command + kComplete.at(command) + " --alternatives ";
@@ -275,6 +291,7 @@ TEST(BashCompletion, KnowsCommandsOptionsAndValues) {
   EXPECT_THAT(script, HasSubstr("'forge measure') words='controls coverage "));
   EXPECT_THAT(script, HasSubstr("--scenarios"));
   EXPECT_THAT(script, Not(HasSubstr("'forge convert --force')")));
+  EXPECT_THAT(script, HasSubstr("'forge report --dataroot') words=''"));
 }
 
 TEST(Commands, WordsMayBeInCapitals) {

@@ -24,6 +24,7 @@ LIBRARIES = {
     'CLI11': r'CLI/',
     'cairo': r'cairo',
     'giflib': r'gif_lib\.h$',
+    'zlib': r'zlib\.h$',
     'Qt': r'(Qt\w+/)?Q[A-Z]\w+$',
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)

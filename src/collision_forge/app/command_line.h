@@ -59,6 +59,7 @@ void addInject(CommandLine& line);
 void addRequests(CommandLine& line);
 void addGenerate(CommandLine& line);
 void addEvaluate(CommandLine& line);
+void addReport(CommandLine& line);
 void addTest(CommandLine& line);
 void addTune(CommandLine& line);
 void addDataset(CommandLine& line);

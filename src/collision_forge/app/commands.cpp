@@ -15,6 +15,7 @@ void addCommands(CommandLine& line) {
   addMeasurePatterns(line);
   addMeasureAttackers(line);
   addMeasurePlanners(line);
+  addReport(line);
   addTest(line);
   addTune(line);
   addDataset(line);

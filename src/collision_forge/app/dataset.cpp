@@ -5,6 +5,7 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/app/report.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/batch/run.h"
@@ -24,6 +25,7 @@ struct Arguments {
   std::string version;
   std::vector<std::string> scenes;
   std::string out;
+  std::string report;
   std::string config;
   std::uint64_t seed = 0;
   int jobs = defaultJobs();
@@ -130,6 +132,10 @@ int buildDataset(const Arguments& arguments) {
   if (chosen.empty()) throw std::runtime_error(arguments.out + ": none of the clips is valid");
   std::cout << writeDataset(arguments.out, arguments.attempts(), attempts, chosen, config.dataset,
                             config.drawing, scenes);
+  if (!arguments.report.empty()) {
+    writeReport({{arguments.attempts()}, arguments.dataroot, arguments.version}, arguments.report,
+                config);
+  }
   return kExitOk;
 }
 
@@ -145,6 +151,7 @@ void addDataset(CommandLine& line) {
   addOut(app, arguments->out, "folder to write; see docs/dataset.md");
   addSeed(app, arguments->seed, "of lengths, headings, searches and the balance");
   addJobs(app, arguments->jobs, "clips at a time, in every rank of mpirun");
+  addReportOption(app, arguments->report);
   addConfig(app, arguments->config);
 }
 

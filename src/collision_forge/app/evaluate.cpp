@@ -4,6 +4,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/app/report.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/settings/config.h"
 #include "collision_forge/study/clip_methods.h"
@@ -99,6 +100,7 @@ void addEvaluate(CommandLine& line) {
   addPlan(app, arguments->plan);
   addCrash(app, *arguments, requests);
   addJobs(app, arguments->jobs, "clips or requests at a time, in every rank of mpirun");
+  addReportOption(app, arguments->report)->needs(requests);
   addConfig(app, arguments->config);
   app.parse_complete_callback([&app, arguments] {
     completePlan(app, arguments->config, arguments->requests.empty(), arguments->plan);

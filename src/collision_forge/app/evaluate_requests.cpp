@@ -11,6 +11,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/app/report.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/request_file.h"
@@ -222,6 +223,9 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   report(arguments, plan, config, rows, wanted);
   writeScorecard(arguments, plan, config, rows, wanted, scenes);
   times.print();
+  if (!arguments.report.empty()) {
+    writeReport({{arguments.out + "/results.csv"}, "", ""}, arguments.report, config);
+  }
   return kExitOk;
 }
 

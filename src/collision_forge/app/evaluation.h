@@ -26,6 +26,7 @@ struct EvaluationArguments {
   std::vector<std::string> scenes;
   std::string dataroot;
   std::string out;
+  std::string report;  ///< folder of the page of forge report; empty: none
   std::string config;
   EvaluationPlan plan;             ///< its limits and `believable` are those below
   std::optional<LimitSet> limits;  ///< these two of requests, by default those of the configuration

@@ -7,6 +7,7 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/app/report.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/batch/run.h"
@@ -29,6 +30,7 @@ struct Arguments {
   std::string out;
   std::string config;
   std::string method;
+  std::string report;
   RequestControls controls;
   Mode mode = Mode::kHistory;
   Format format = Format::kJsonl;
@@ -146,6 +148,10 @@ int generate(const Arguments& arguments) {
   if (arguments.format == Format::kCsvCollide) {
     exportClips(arguments, list.requests.size(), scenes);
   }
+  if (!arguments.report.empty()) {
+    writeReport({{arguments.scenarios()}, arguments.dataroot, arguments.version}, arguments.report,
+                config);
+  }
   return kExitOk;
 }
 
@@ -170,6 +176,7 @@ void addGenerate(CommandLine& line) {
   addControls(app, arguments->controls);
   addAlternatives(app, arguments->controls);
   addJobs(app, arguments->jobs, "requests at a time, in every rank of mpirun");
+  addReportOption(app, arguments->report);
   addConfig(app, arguments->config);
 }
 

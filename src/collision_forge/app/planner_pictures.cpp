@@ -3,19 +3,8 @@
 #include <cmath>
 
 #include "collision_forge/drawing/draw_scenario.h"
-#include "collision_forge/planners/planner_factory.h"
 
 namespace forge {
-
-RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                          const TestPlan& plan, const Config& config) {
-  const PlannerUnderTest made =
-      makePlanner(planner, config.planners, one.scenario.attacker.attacker_id);
-  const auto attacker = makeAttacker(one, policy, plan.foresight, config);
-  return rollout(
-      *made.planner, made.driving, one.scenario,
-      {config.planners, config.attack, config.crash.types, plan.background, true, attacker.get()});
-}
 
 ScenarioView viewOf(const PlannerCase& one, PolicyKind policy,
                     const std::vector<TrajectoryPoint>& ego, const AttackerTrajectory& attacker) {

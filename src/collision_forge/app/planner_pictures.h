@@ -5,15 +5,10 @@
 
 #include "collision_forge/drawing/options.h"
 #include "collision_forge/drawing/scenario_view.h"
-#include "collision_forge/settings/config.h"
 #include "collision_forge/trials/planner_result.h"
 
 /// Pictures of planners under test.
 namespace forge {
-
-/// The rollout of testPlanner() again.
-RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                          const TestPlan& plan, const Config& config);
 
 /// The ego and the attacker as they drove, without a contact.
 ScenarioView viewOf(const PlannerCase& one, PolicyKind policy,

@@ -12,6 +12,7 @@
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/planner_pictures.h"
+#include "collision_forge/app/report.h"
 #include "collision_forge/app/until_hit.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/progress_line.h"
@@ -49,6 +50,7 @@ struct Arguments {
   Background background = Background::kReplay;
   std::size_t worst = 3;
   std::string out;
+  std::string report;
   std::string config;
   std::string method;
   int jobs = defaultJobs();
@@ -177,7 +179,8 @@ void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& 
         const PlannerCase one = cases.at(worst.result);
         const std::string name =
             planner + "_" + toString(policy) + "_" + std::to_string(++ranks[row]);
-        const RolloutOutcome outcome = driveAgain(one, planner, policy, plan, config);
+        const RolloutOutcome outcome =
+            driveAgain(one, planner, policy, plan, config, config.planners);
         if (!outcome.contact) continue;  // of a planner that is timed by the wall clock
         drawView((folder / name).string(), viewOf(one, policy, outcome), config.drawing);
       }
@@ -228,6 +231,12 @@ int drive(Arguments arguments) {
   times.print();
   drawWorst(cases, results, arguments, plan, config);
   if (drawn) reportWeaknesses(drawn->requests, results, plan, arguments.out, config);
+  if (!arguments.report.empty()) {
+    ReportInputs inputs{arguments.scenarios, arguments.dataroot, arguments.version,
+                        arguments.background, arguments.jobs};
+    inputs.files.push_back(run.path);
+    writeReport(inputs, arguments.report, config);
+  }
   return kExitOk;
 }
 
@@ -241,8 +250,9 @@ void addTest(CommandLine& line) {
   addDataroot(app, arguments->dataroot);
   CLI::Option* version = addVersion(app, arguments->version);
   CLI::Option_group* source = app.add_option_group("what they are driven through");
-  source->add_option("--scenarios", arguments->scenarios, "scenario files of forge generate")
-      ->needs(version);
+  CLI::Option* scenarios =
+      source->add_option("--scenarios", arguments->scenarios, "scenario files of forge generate")
+          ->needs(version);
   CLI::Option* until_hit =
       source->add_flag("--until-hit", arguments->until_hit,
                        "collisions drawn from all that can be asked for in scenes; writes the "
@@ -282,6 +292,7 @@ void addTest(CommandLine& line) {
       ->capture_default_str();
   addOut(app, arguments->out, "folder to write; see docs/planners.md");
   addJobs(app, arguments->jobs, "cases at a time, in every rank of mpirun");
+  addReportOption(app, arguments->report)->needs(scenarios);
   addConfig(app, arguments->config);
 }
 

@@ -9,6 +9,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/app/report.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/fingerprint.h"
@@ -34,6 +35,7 @@ struct Arguments {
   std::string version;
   Background background = Background::kReplay;
   std::string out;
+  std::string report;
   std::string config;
   int jobs = defaultJobs();
 };
@@ -193,7 +195,13 @@ int tune(const Arguments& arguments) {
   });
   if (!best) return kExitError;  // the master tells why
   const std::vector<PlannerTestResult> test = compare(tuning, *best);
-  if (isMaster()) report(tuning, *best, train, test);
+  if (!isMaster()) return kExitOk;
+  report(tuning, *best, train, test);
+  if (!arguments.report.empty()) {
+    ReportInputs inputs{arguments.test, arguments.dataroot, arguments.version};
+    inputs.files.push_back((fs::path(arguments.out) / "test.jsonl").string());
+    writeReport(inputs, arguments.report, config);
+  }
   return kExitOk;
 }
 
@@ -221,6 +229,7 @@ void addTune(CommandLine& line) {
   addBackground(app, arguments->background);
   addOut(app, arguments->out, "folder to write; see docs/planners.md");
   addJobs(app, arguments->jobs, "cases at a time, in every rank of mpirun");
+  addReportOption(app, arguments->report);
   addConfig(app, arguments->config);
 }
 

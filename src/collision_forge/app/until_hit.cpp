@@ -33,7 +33,8 @@ std::optional<Shown> show(const Weakness& weakness, const RequestCases& cases, c
                           const Config& config) {
   const std::size_t hardest = weakness.results.front();
   Shown shown{cases.scenario(hardest), cases.at(hardest), {}, {}};
-  shown.outcome = driveAgain(shown.one, weakness.planner, weakness.policy, plan, config);
+  shown.outcome =
+      driveAgain(shown.one, weakness.planner, weakness.policy, plan, config, config.planners);
   if (!shown.outcome.contact || !shown.outcome.contact->is_attacker) return std::nullopt;
   const auto attacker = makeAttacker(shown.one, weakness.policy, plan.foresight, config);
   const auto escape = findEscape(

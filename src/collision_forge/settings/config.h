@@ -8,6 +8,7 @@
 #include "collision_forge/dataset/options.h"
 #include "collision_forge/drawing/options.h"
 #include "collision_forge/network/options.h"
+#include "collision_forge/report/options.h"
 #include "collision_forge/scene/options.h"
 #include "collision_forge/study/options.h"
 #include "collision_forge/training/options.h"
@@ -26,6 +27,7 @@ struct Config : LearningOptions {
   RequestListOptions requests;
   DatasetOptions dataset;
   TrialOptions planners;
+  ReportOptions report;
 };
 
 /// Reads the files of config/ in `directory`. Throws ConfigError for a missing, unknown or

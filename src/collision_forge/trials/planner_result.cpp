@@ -185,6 +185,14 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
   return row;
 }
 
+RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                          const TestPlan& plan, const StudyOptions& study,
+                          const TrialOptions& trials) {
+  const auto attacker = makeAttacker(one, policy, plan.foresight, study);
+  return drive(one, planner,
+               {trials, study.attack, study.crash.types, plan.background, true, attacker.get()});
+}
+
 PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
                                const StudyOptions& study, const TrialOptions& trials) {
   PlannerTestResult result = judgeCase(one, study, trials);

@@ -111,6 +111,11 @@ std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind 
 PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
                        const TestPlan& plan, const StudyOptions& study, const TrialOptions& trials);
 
+/// The rollout of testPlanner() once more, with its motions.
+RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                          const TestPlan& plan, const StudyOptions& study,
+                          const TrialOptions& trials);
+
 /// Drives every planner of the plan through the case as judgeCase() finds it, against an attacker
 /// of each policy; rows as PlannerTestResult has them. Throws as testPlanner().
 PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "collision_forge/data/json_line.h"
+#include "collision_forge/data/scenario_file.h"
+#include "collision_forge/trials/planner_result.h"
+#include "collision_forge/verify/options.h"
+
+namespace forge {
+
+/// What the page tells of one attack beyond its row, as JSON. `attack` is the scenario's answer or
+/// one of its alternatives; `recorded` is what verify() says of it against the recording, where
+/// that is known.
+std::string attackRecord(const Scenario& scenario, const Realization& attack,
+                         const std::optional<CollisionReport>& recorded,
+                         const VerificationOptions& options);
+
+/// What the page tells of one planner in one case. `driven` is the outcome with its motions, where
+/// it was driven again.
+std::string plannerRecord(const PlannerTestResult& result, const PlannerRow& row,
+                          const RolloutOutcome* driven);
+
+}  // namespace forge

@@ -1,0 +1,323 @@
+// One row opened: the top view, the time lines, and what the files say of it.
+import {stateAt} from './geometry.js';
+import {motionOf} from './records.js';
+import {Timelines} from './timelines.js';
+import {TopView} from './top_view.js';
+import {OUTCOME_NOTES, amount, degrees, element, title} from './words.js';
+
+const SPEEDS = [0.25, 0.5, 1, 2, 4];
+const AFTER_CONTACT = 1.5; // s shown after a planner's contact, where its drive ends
+
+/** "Left turn across path, 4.0 s from now, car, cut in". */
+export function headline(rows, row) {
+  const parts = [title(rows.text('type', row)) || 'Unreadable case'];
+  if (rows.number('tta', row) !== null) parts.push(amount(rows.number('tta', row), 1, 's') + ' from now');
+  for (const key of ['class', 'manoeuvre']) parts.push(rows.text(key, row).replace(/_/g, ' '));
+  return parts.filter((part) => part).join(', ');
+}
+
+/** What the top view and the time lines show, from the records of a row. */
+export function worldOf({now, tta, scene, attack, test}) {
+  const world = {others: [], roles: [], begin: 0, end: (tta || 0) + 1, focus: [], map: scene && scene.map};
+  const offset = scene && scene.origin - now;
+  const drive = test && test.drive;
+  const attackerId = attack && attack.attacker.id;
+  const size = attack ? {length: attack.ego_length, width: attack.ego_width} : scene;
+  for (const agent of scene ? scene.agents : []) {
+    const role = {...agent, motion: motionOf(agent.motion, offset)};
+    if (agent.id !== attackerId) world.others.push(role);
+    else world.roles.push({...role, color: 'attacker', isPale: true, name: 'Attacker as recorded'});
+  }
+  if (scene && scene.ego.t.length) {
+    world.roles.push({motion: motionOf(scene.ego, offset), length: scene.length, width: scene.width, color: 'ego',
+      isPale: Boolean(drive), isEgo: true, isTimed: true, isFollowed: !drive, name: 'Ego as recorded'});
+    world.begin = Math.max(world.roles[world.roles.length - 1].motion.t[0], -3);
+  }
+  if (attack) addAttacker(world, attack, drive);
+  if (drive) {
+    world.roles.push({motion: motionOf(drive.ego), ...size, color: 'ego', isEgo: true, isTimed: true,
+      isFollowed: true, isHeld: true, name: 'Ego as the planner drives it'});
+    if (test.contact) world.end = Math.min(world.end, test.contact.t + AFTER_CONTACT);
+  }
+  world.contact = contactOf(attack, test, world);
+  for (const role of world.roles) {
+    if (role.isPale && !role.isEgo) continue;
+    role.motion.t.forEach((t, i) => {
+      if (t >= -0.5 && t <= world.end) world.focus.push([role.motion.x[i], role.motion.y[i]]);
+    });
+  }
+  return world;
+}
+
+function addAttacker(world, attack, drive) {
+  const {attacker, aim} = attack;
+  const motion = motionOf(drive && drive.attacker.t.length ? drive.attacker : attacker.trajectory);
+  const past = motionOf(attacker.past);
+  const size = {length: attacker.length, width: attacker.width};
+  world.end = motion.t[motion.t.length - 1];
+  world.limits = attack.limits;
+  if (past.t.length) {
+    world.roles.push({motion: past, ...size, color: 'attacker', isPale: true, name: 'Attacker before now'});
+  }
+  world.roles.push({motion, ...size, color: 'attacker', isAttacker: true, isTimed: true, name: 'Attacker'});
+  world.aim = {ego: aim.ego, attacker: aim.attacker, attackerSize: size,
+    egoSize: {length: attack.ego_length, width: attack.ego_width}};
+}
+
+/** Of the planner, else in the recording, else as it was predicted. */
+function contactOf(attack, test, world) {
+  if (test) {
+    if (!test.contact) return null;
+    const ego = world.roles.find((role) => role.isFollowed);
+    const state = ego && stateAt(ego.motion, Math.min(test.contact.t, ego.motion.t[ego.motion.t.length - 1]));
+    const ahead = {front: [0.5, 0], rear: [-0.5, 0], left: [0, 0.5], right: [0, -0.5]}[test.contact.ego_side];
+    return state && onBox(state, ego, ahead, test.contact.t);
+  }
+  if (!attack) return null;
+  const report = attack.recorded || attack.report;
+  if (!report.contact) return null;
+  return {t: report.contact_t, x: (report.ego.x + report.attacker.x) / 2, y: (report.ego.y + report.attacker.y) / 2};
+}
+
+function onBox(state, {length, width}, [ahead, left], t) {
+  const [c, s] = [Math.cos(state.yaw), Math.sin(state.yaw)];
+  return {t, x: state.x + ahead * length * c - left * width * s, y: state.y + ahead * length * s + left * width * c};
+}
+
+const yesOrNo = (value) => (value ? 'yes' : 'no');
+const percent = (share) => amount(100 * share, 0, '%');
+
+function list(name, entries) {
+  const lines = entries.filter((entry) => entry && entry[1] !== '' && entry[1] !== null)
+    .flatMap(([term, text, kind]) => [element('dt', {}, term), element('dd', {className: kind || ''}, text)]);
+  return lines.length ? element('section', {}, element('h3', {}, name), element('dl', {}, ...lines)) : null;
+}
+
+const held = (holds) => (holds ? 'passed' : 'missed');
+
+function reportList(name, report) {
+  if (!report.contact) {
+    return list(name, [['Contact', 'none', 'missed'], ['Broken limit', report.broken_limit, 'missed']]);
+  }
+  return list(name, [
+    ['Contact', amount(report.contact_t, 2, 's') + ' from now', held(report.on_time)],
+    ['Heading', amount(degrees(report.relative_heading), 0, '°') + ' to the ego', held(report.type_kept)],
+    ['Sides', `ego ${report.ego_side}, attacker ${report.attacker_side}, overlap ${percent(report.overlap)}`],
+    ['Impact speed', amount(report.impact_speed, 1, 'm/s')],
+    ['Manoeuvre', title(report.manoeuvre) + ' from ' + amount(report.manoeuvre_begin_t, 1, 's')],
+    ['Limits', report.limits_kept ? 'all kept' : report.broken_limit, held(report.limits_kept)],
+    ['Touches before', report.first_other || 'nobody', held(!report.first_other)],
+    ['A driver could', report.unbelievable || 'yes', held(!report.unbelievable)],
+    ['Use of the road', `on a lane ${percent(report.on_lane)}, wrong way ${percent(report.wrong_way)}, `
+      + `walkway ${percent(report.on_walkway)}, off the road ${percent(report.off_road_share)}`],
+  ]);
+}
+
+/** The greatest of what the attacker does, beside what it may. */
+function limitList(attack, world) {
+  const {limits} = attack;
+  const attacker = world.roles.find((role) => role.isAttacker).motion;
+  const until = world.contact ? world.contact.t : world.end;
+  const values = {max_forward_acceleration: 0, max_braking: 0, max_lateral_acceleration: 0, max_speed: 0};
+  attacker.t.forEach((t, i) => {
+    if (t > until || i === 0) return;
+    const turned = attacker.yaw[i] - attacker.yaw[i - 1];
+    const rate = Math.atan2(Math.sin(turned), Math.cos(turned)) / (t - attacker.t[i - 1]);
+    values.max_speed = Math.max(values.max_speed, attacker.v[i]);
+    values.max_forward_acceleration = Math.max(values.max_forward_acceleration, attacker.a[i]);
+    values.max_braking = Math.max(values.max_braking, -attacker.a[i]);
+    values.max_lateral_acceleration = Math.max(values.max_lateral_acceleration, Math.abs(attacker.v[i] * rate));
+  });
+  const names = {max_forward_acceleration: 'Speeds up', max_braking: 'Brakes', max_lateral_acceleration: 'Sideways',
+    max_speed: 'Speed'};
+  return list('Limits of a ' + limits.of.replace(/_/g, ' '), Object.entries(names).map(([key, name]) => {
+    const meter = element('meter', {min: 0, max: limits[key], value: values[key], 'aria-label': name});
+    const unit = key === 'max_speed' ? 'm/s' : 'm/s²';
+    return [name, element('span', {}, meter, ` ${amount(values[key], 1)} of ${amount(limits[key], 1, unit)}`)];
+  }));
+}
+
+function planList(plans) {
+  if (plans.length < 2) return null;
+  return list('Plans of the attacker', plans.map((plan) => [amount(plan.from_t, 1, 's'),
+    title(plan.phase) + (plan.reason ? ': ' + plan.reason : '')]));
+}
+
+function avoidance(summary) {
+  if (!summary.avoidable) return 'no way found';
+  return `by ${summary.manoeuvre}, at the latest from ${amount(summary.start_t, 1, 's')}`;
+}
+
+function testList(test) {
+  const {contact} = test;
+  return list('Planner', [
+    test.failure !== 'none' && ['Failure', title(test.failure) + ': ' + test.failure_message, 'missed'],
+    ['Contact', contact ? `${contact.attacker ? 'with the attacker' : 'with ' + contact.other} at `
+      + amount(contact.t, 2, 's') : 'none', held(!contact)],
+    contact && ['Where', `ego ${contact.ego_side}, other ${contact.other_side}, ${contact.place}`],
+    contact && ['Impact speed', amount(contact.impact_speed, 1, 'm/s')],
+    contact && ['Speed of the ego', amount(contact.ego_speed, 1, 'm/s')],
+    contact && ['At fault', `${yesOrNo(contact.at_fault)} (${contact.cause})`, held(!contact.at_fault)],
+    ['Avoidable from now', avoidance(test.avoidability)],
+    test.escape && ['Escape from its drive', avoidance(test.escape)],
+    test.escape && ['Fair', yesOrNo(test.fair)],
+    ['Hardest braking', amount(test.max_braking, 1, 'm/s²')],
+    ['Progress', `${amount(test.progress, 0, 'm')}, recorded ${amount(test.recorded_progress, 0, 'm')}`],
+    ['nuPlan score', amount(test.nuplan.score, 2)],
+    ['Attacker', title(test.phase) + (test.attacker_broken_limit ? ', broke ' + test.attacker_broken_limit : '')],
+    !test.drive && ['Motion', 'not in this page: see docs/report.md'],
+  ]);
+}
+
+export class Detail {
+  /** `dialog` has the elements of the page; `onStep` is told to go on to another row. */
+  constructor(dialog, rows, records, files, colors, onStep) {
+    Object.assign(this, {dialog, rows, records, files, onStep});
+    const find = (name) => dialog.querySelector('#' + name);
+    Object.assign(this, {heading: find('detail-title'), facts: find('facts'), slider: find('time'),
+      clock: find('clock'), playButton: find('play'), followButton: find('follow'), speed: find('speed'),
+      legend: find('legend'), notice: find('notice')});
+    this.view = new TopView(find('view'), colors);
+    this.timelines = new Timelines(find('plots'), (time) => this.seek(time));
+    this.speed.append(...SPEEDS.map((speed) => element('option', {value: speed, selected: speed === 1}, speed + '×')));
+    this.slider.addEventListener('input', () => this.seek(Number(this.slider.value)));
+    const onClick = {play: () => this.play(!this.isPlaying), follow: () => this.follow(!this.view.isFollowing),
+      'zoom-in': () => this.view.zoom(1.3), 'zoom-out': () => this.view.zoom(1 / 1.3), fit: () => this.fit(),
+      previous: () => this.onStep(-1), next: () => this.onStep(1), close: () => dialog.close()};
+    for (const [name, action] of Object.entries(onClick)) find(name).addEventListener('click', action);
+    dialog.addEventListener('keydown', (event) => this.onKey(event));
+    dialog.addEventListener('close', () => this.play(false));
+  }
+
+  async open(row) {
+    this.row = row;
+    const [scene, attack, test] = await Promise.all(['place', 'attack', 'test'].map(
+      (key) => this.records.at(this.rows.number(key, row))));
+    if (this.row !== row) return; // another one was opened meanwhile
+    this.play(false);
+    const now = this.rows.number('now', row);
+    this.world = worldOf({now, tta: this.rows.number('tta', row), scene, attack, test});
+    this.heading.textContent = headline(this.rows, row);
+    if (!this.dialog.open) this.dialog.showModal();
+    this.slider.min = this.world.begin;
+    this.slider.max = this.world.end;
+    this.slider.disabled = this.world.roles.length === 0;
+    this.notice.textContent = this.noticeFor(scene);
+    this.view.show(this.world);
+    this.timelines.show(this.world);
+    this.legend.replaceChildren(...this.legendEntries());
+    this.facts.replaceChildren(...this.factsOf(row, attack, test).filter((part) => part));
+    this.facts.scrollTop = 0;
+    this.seek(this.world.contact ? Math.max(this.world.contact.t - 2, this.world.begin) : 0);
+  }
+
+  noticeFor(scene) {
+    if (!this.world.roles.length) return 'These results hold no motion.';
+    return scene ? '' : 'Made without --dataroot: no map, no traffic, no recorded ego.';
+  }
+
+  legendEntries() {
+    const entry = (name, kind) => element('span', {}, element('i', {className: 'swatch ' + kind}), name);
+    const entries = this.world.roles.map((role) => entry(role.name, 'of-' + role.color + (role.isPale ? ' pale' : '')));
+    if (this.world.aim) entries.push(entry('Aimed at: ego', 'of-aim-ego'), entry('attacker', 'of-aim-attacker'));
+    if (this.world.contact) entries.push(entry('Contact', 'of-contact'));
+    return entries;
+  }
+
+  factsOf(row, attack, test) {
+    const {rows} = this;
+    const outcome = rows.text('outcome', row);
+    const file = this.files[rows.number('file', row)];
+    const status = rows.text('status', row);
+    return [
+      element('p', {className: 'verdict'}, element('i', {className: 'dot outcome-' + outcome}), title(outcome)),
+      OUTCOME_NOTES[outcome] ? element('p', {className: 'note'}, OUTCOME_NOTES[outcome]) : null,
+      list('Why', [['Code', status === 'OK' ? '' : status], ['Reason', rows.text('message', row)]]),
+      list('Request', [
+        ['Scene', rows.text('scene', row)],
+        ['Mode', title(rows.text('mode', row))],
+        ['Planner, method', rows.text('planner', row)],
+        ['Attacker', attack ? `${rows.text('origin', row)}, ${attack.attacker.id}` : ''],
+        ['Confidence', rows.number('confidence', row) === null ? '' : percent(rows.number('confidence', row))],
+        attack && ['Misses the aim by', amount(attack.aim.miss_distance, 2, 'm')],
+        attack && ['Seed', String(attack.request.seed)],
+      ]),
+      test && testList(test),
+      attack && attack.recorded ? reportList('In the recording', attack.recorded) : null,
+      attack && reportList(attack.recorded ? 'As generated' : 'Attack', attack.report),
+      attack && limitList(attack, this.world),
+      attack && planList((test && test.drive && test.drive.plans) || attack.plans),
+      element('section', {}, element('h3', {}, 'File'), element('p', {},
+        element('a', {href: file.link}, file.path), `, line ${rows.number('line', row)}`)),
+    ];
+  }
+
+  seek(time) {
+    this.time = Math.min(Math.max(time, this.world.begin), this.world.end);
+    this.slider.value = this.time;
+    this.clock.textContent = amount(this.time, 2, 's');
+    this.slider.setAttribute('aria-valuetext', this.clock.textContent + ' from now');
+    this.view.at(this.time);
+    this.timelines.at(this.time);
+  }
+
+  play(isPlaying) {
+    this.isPlaying = isPlaying;
+    this.playButton.textContent = isPlaying ? '❚❚' : '▶';
+    this.playButton.setAttribute('aria-label', isPlaying ? 'Pause' : 'Play');
+    if (!isPlaying) return;
+    if (this.time >= this.world.end - 1e-6) this.seek(this.world.begin);
+    let before = performance.now();
+    const step = (instant) => {
+      if (!this.isPlaying) return;
+      const passed = Math.max(instant - before, 0) / 1000;
+      before = instant;
+      this.seek(this.time + passed * Number(this.speed.value));
+      if (this.time >= this.world.end) this.play(false);
+      else requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
+  }
+
+  follow(isFollowing) {
+    this.view.isFollowing = isFollowing;
+    this.followButton.setAttribute('aria-pressed', String(isFollowing));
+    this.view.draw();
+  }
+
+  fit() {
+    this.follow(false);
+    this.view.fit();
+  }
+
+  /** Plays faster or slower. */
+  changeSpeed(step) {
+    this.speed.selectedIndex = Math.min(Math.max(this.speed.selectedIndex + step, 0), SPEEDS.length - 1);
+  }
+
+  onKey(event) {
+    const tag = event.target.tagName;
+    if (event.ctrlKey || event.altKey || event.metaKey || tag === 'SELECT') return;
+    if (event.key === ' ' && (tag === 'BUTTON' || tag === 'A')) return; // presses it
+    const scrub = event.shiftKey ? 1 : 0.1;
+    const actions = {
+      ' ': () => this.play(!this.isPlaying),
+      ArrowLeft: () => this.seek(this.time - scrub),
+      ArrowRight: () => this.seek(this.time + scrub),
+      Home: () => this.seek(this.world.begin),
+      End: () => this.seek(this.world.end),
+      f: () => this.follow(!this.view.isFollowing),
+      '+': () => this.view.zoom(1.3),
+      '=': () => this.view.zoom(1.3),
+      '-': () => this.view.zoom(1 / 1.3),
+      0: () => this.fit(),
+      n: () => this.onStep(1),
+      p: () => this.onStep(-1),
+      '<': () => this.changeSpeed(-1),
+      '>': () => this.changeSpeed(1),
+    };
+    if (!(event.key in actions)) return;
+    event.preventDefault();
+    actions[event.key]();
+  }
+}

@@ -1,0 +1,107 @@
+// What is shown: words that are chosen in columns, and a text.
+import {OUTCOMES, element, title} from './words.js';
+
+const FACETS = [
+  {key: 'outcome', title: 'Outcome', show: title},
+  {key: 'type', title: 'Type', show: title},
+  {key: 'tta', title: 'Time to accident', show: (word) => word + '\u202fs'},
+  {key: 'planner', title: 'Planner, method', show: (word) => word || 'Recorded ego'},
+  {key: 'manoeuvre', title: 'Manoeuvre', show: (word) => title(word) || 'None'},
+  {key: 'believable', title: 'Believable', show: (word) => title(word) || 'Unknown'},
+  {key: 'mode', title: 'Mode', show: (word) => title(word) || 'Unknown'},
+];
+
+/** A facet's words in the order of the page. */
+function sortedWords(facet, words) {
+  if (facet.key === 'outcome') return [...words].sort((a, b) => OUTCOMES.indexOf(a) - OUTCOMES.indexOf(b));
+  if (facet.key === 'tta') return [...words].sort((a, b) => a - b);
+  return [...words].sort();
+}
+
+export class Filters {
+  constructor(place, rows, onChange) {
+    this.rows = rows;
+    this.onChange = onChange;
+    this.search = '';
+    this.facets = FACETS.map((facet) => this.makeFacet(facet)).filter(({words}) => words.length > 1);
+    this.input = element('input', {
+      type: 'search', placeholder: 'Scene, line, reason …', 'aria-label': 'Search in scene, line and reason',
+      oninput: () => {
+        this.search = this.input.value.toLowerCase();
+        this.apply();
+      },
+    });
+    place.append(element('label', {className: 'facet search'}, element('span', {}, 'Search'), this.input),
+      ...this.facets.map(({fieldset}) => fieldset));
+  }
+
+  makeFacet(facet) {
+    const found = new Set();
+    const wordOf = (row) => (facet.key === 'tta'
+      ? String(Math.round(10 * this.rows.number('tta', row)) / 10) : this.rows.text(facet.key, row));
+    const texts = Array.from({length: this.rows.length}, (_, row) => wordOf(row));
+    texts.forEach((word) => found.add(word));
+    const words = sortedWords(facet, found);
+    const places = new Map(words.map((word, i) => [word, i]));
+    const made = {...facet, words, chosen: new Set(), ofRow: Int32Array.from(texts, (word) => places.get(word))};
+    made.buttons = words.map((word, i) => element('button', {
+      type: 'button', className: 'chip', 'aria-pressed': 'false', onclick: () => this.toggle(facet.key, i),
+    }, facet.show(word), element('small', {})));
+    if (facet.key === 'outcome') {
+      made.buttons.forEach((button, i) => button.prepend(element('i', {className: 'dot outcome-' + words[i]})));
+    }
+    made.fieldset = element('fieldset', {className: 'facet'}, element('legend', {}, facet.title), ...made.buttons);
+    return made;
+  }
+
+  facet(key) {
+    return this.facets.find((facet) => facet.key === key);
+  }
+
+  toggle(key, place) {
+    const {chosen} = this.facet(key);
+    if (!chosen.delete(place)) chosen.add(place);
+    this.apply();
+  }
+
+  clear() {
+    this.facets.forEach(({chosen}) => chosen.clear());
+    this.search = this.input.value = '';
+    this.apply();
+  }
+
+  isEmpty() {
+    return !this.search && this.facets.every(({chosen}) => chosen.size === 0);
+  }
+
+  matchesSearch(row) {
+    return [this.rows.text('scene', row), this.rows.name(row), this.rows.text('message', row),
+      this.rows.text('status', row)].some((text) => text.toLowerCase().includes(this.search));
+  }
+
+  /** Tells who listens which rows pass; beside every word stands how many more rows it would show. */
+  apply() {
+    const passing = [];
+    const counts = this.facets.map(({words}) => new Int32Array(words.length));
+    for (let row = 0; row < this.rows.length; ++row) {
+      if (this.search && !this.matchesSearch(row)) continue;
+      let missed = -1;
+      let misses = 0;
+      this.facets.forEach((facet, i) => {
+        if (facet.chosen.size === 0 || facet.chosen.has(facet.ofRow[row])) return;
+        missed = i;
+        ++misses;
+      });
+      if (misses === 0) passing.push(row);
+      if (misses > 1) continue;
+      this.facets.forEach((facet, i) => {
+        if (misses === 0 || missed === i) ++counts[i][facet.ofRow[row]];
+      });
+    }
+    this.facets.forEach((facet, i) => facet.buttons.forEach((button, k) => {
+      button.setAttribute('aria-pressed', String(facet.chosen.has(k)));
+      button.lastChild.textContent = counts[i][k];
+    }));
+    this.onChange(passing);
+  }
+}

@@ -1,0 +1,64 @@
+// The data of the page: an index that is read at once, and records that are unpacked when they are looked at.
+
+async function unpacked(base64) {
+  const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+  return JSON.parse(await new Response(stream).text());
+}
+
+/** Whole numbers that each add to the one before, as values in units. */
+export function summed(steps, unit) {
+  let sum = 0;
+  return Float64Array.from(steps, (step) => (sum += step) * unit);
+}
+
+/** A motion of the files; times get `offset` seconds more. */
+export function motionOf(packed, offset = 0) {
+  const motion = {
+    t: summed(packed.t, 1e-3).map((t) => t + offset),
+    x: summed(packed.x, 1e-2),
+    y: summed(packed.y, 1e-2),
+    yaw: summed(packed.yaw, 1e-3),
+  };
+  if (packed.v) motion.v = summed(packed.v, 1e-2);
+  if (packed.a) motion.a = summed(packed.a, 1e-2);
+  return motion;
+}
+
+/** The table: columns of texts and of numbers. */
+export class Columns {
+  constructor(index) {
+    this.length = index.rows;
+    this.columns = index.columns;
+  }
+
+  text(name, row) {
+    const column = this.columns[name];
+    return column.words[column.values[row]];
+  }
+
+  /** null where there is none. */
+  number(name, row) {
+    const column = this.columns[name];
+    const value = column.values[row];
+    return value === column.missing ? null : value * column.unit;
+  }
+}
+
+export class Records {
+  constructor(text) {
+    this.text = text;
+    this.lines = null;
+    this.read = new Map();
+  }
+
+  /** The record at a place; null for the place null. */
+  async at(place) {
+    if (place === null) return null;
+    this.lines = this.lines || this.text.trim().split('\n');
+    if (!this.read.has(place)) this.read.set(place, unpacked(this.lines[place]));
+    return this.read.get(place);
+  }
+}
+
+export const readIndex = () => unpacked(document.getElementById('index').textContent);

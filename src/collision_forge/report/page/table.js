@@ -1,0 +1,151 @@
+// The table: only the rows in sight are elements, so that any number of rows can be scrolled.
+import {amount, degrees, element, title} from './words.js';
+
+const ROW_HEIGHT = 34; // pixels, as in the style
+
+export const COLUMNS = [
+  {key: 'name', title: 'Line', wide: true},
+  {key: 'scene', title: 'Scene', wide: true},
+  {key: 'type', title: 'Type', show: title},
+  {key: 'tta', title: 'TTA', unit: 's', digits: 1},
+  {key: 'planner', title: 'Planner', wide: true},
+  {key: 'outcome', title: 'Outcome', show: title},
+  {key: 'manoeuvre', title: 'Manoeuvre', show: title, wide: true},
+  {key: 'class', title: 'Attacker', show: title, wide: true},
+  {key: 'contact_t', title: 'Contact', unit: 's', digits: 2, wide: true},
+  {key: 'impact_speed', title: 'Impact', unit: 'm/s', digits: 1},
+  {key: 'heading', title: 'Heading', unit: '°', digits: 0, wide: true, of: degrees},
+  {key: 'confidence', title: 'Promised', unit: '%', digits: 0, wide: true, of: (share) => share && 100 * share},
+  {key: 'message', title: 'Reason', wide: true},
+];
+
+export class Table {
+  /** `rows` has text(), number() and name() of a row; `onOpen` is told the row. */
+  constructor(place, rows, onOpen) {
+    this.rows = rows;
+    this.onOpen = onOpen;
+    this.order = [];
+    this.chosen = 0; // place in the order
+    this.sorting = {key: 'name', falling: false};
+    this.body = element('div', {className: 'rows'});
+    this.scroller = element('div', {className: 'scroller', tabIndex: 0, role: 'grid', 'aria-label': 'Attacks'});
+    this.headings = this.makeHeadings();
+    this.scroller.append(this.headings, this.body);
+    place.append(this.scroller);
+    this.scroller.addEventListener('scroll', () => this.draw(), {passive: true});
+    this.scroller.addEventListener('keydown', (event) => this.onKey(event));
+    new ResizeObserver(() => this.draw()).observe(this.scroller);
+  }
+
+  makeHeadings() {
+    const cells = COLUMNS.map((column) => element('button', {
+      className: this.classOf(column), role: 'columnheader', type: 'button',
+      onclick: () => this.sortBy(column.key),
+    }, column.title, column.unit ? element('small', {}, ' [' + column.unit + ']') : null));
+    return element('div', {className: 'row headings', role: 'row'}, ...cells);
+  }
+
+  classOf(column) {
+    return 'cell of-' + column.key + (column.wide ? ' wide' : '') + (column.digits === undefined ? '' : ' number');
+  }
+
+  valueOf(column, row) {
+    if (column.key === 'name') return this.rows.name(row);
+    if (column.digits === undefined) return this.rows.text(column.key, row);
+    const value = this.rows.number(column.key, row);
+    return column.of ? column.of(value) : value;
+  }
+
+  sortBy(key) {
+    this.sorting = {key, falling: this.sorting.key === key && !this.sorting.falling};
+    this.setRows(this.order);
+  }
+
+  /** Shows these rows, sorted. */
+  setRows(list) {
+    const column = COLUMNS.find(({key}) => key === this.sorting.key);
+    const sign = this.sorting.falling ? -1 : 1;
+    const order = Int32Array.from(list).sort();
+    if (column.key !== 'name') {
+      const values = new Map();
+      for (const row of order) values.set(row, this.valueOf(column, row));
+      const compare = (a, b) => {
+        const [first, second] = [values.get(a), values.get(b)];
+        if (first === second) return a - b;
+        if (first === null || first === '') return 1; // what is not there comes last
+        if (second === null || second === '') return -1;
+        return sign * (first < second ? -1 : 1);
+      };
+      order.sort(compare);
+    } else if (sign < 0) {
+      order.reverse();
+    }
+    this.order = order;
+    this.chosen = Math.min(this.chosen, Math.max(order.length - 1, 0));
+    [...this.headings.children].forEach((cell, i) => cell.setAttribute('aria-sort',
+      COLUMNS[i].key !== this.sorting.key ? 'none' : this.sorting.falling ? 'descending' : 'ascending'));
+    this.scroller.setAttribute('aria-rowcount', order.length + 1);
+    this.body.style.height = order.length * ROW_HEIGHT + 'px';
+    this.draw();
+  }
+
+  draw() {
+    const first = Math.max(0, Math.floor(this.scroller.scrollTop / ROW_HEIGHT) - 4);
+    const count = Math.ceil(this.scroller.clientHeight / ROW_HEIGHT) + 8;
+    const last = Math.min(this.order.length, first + count);
+    const shown = [];
+    for (let place = first; place < last; ++place) shown.push(this.makeRow(place));
+    this.body.replaceChildren(...shown);
+    this.scroller.setAttribute('aria-activedescendant', this.order.length ? 'row-' + this.chosen : '');
+  }
+
+  makeRow(place) {
+    const row = this.order[place];
+    const made = element('div', {
+      id: 'row-' + place, className: 'row', role: 'row', 'aria-rowindex': place + 2,
+      'aria-selected': String(place === this.chosen),
+      onclick: () => {
+        this.choose(place);
+        this.onOpen(row);
+      },
+    }, ...COLUMNS.map((column) => this.makeCell(column, row)));
+    made.style.top = place * ROW_HEIGHT + 'px';
+    return made;
+  }
+
+  makeCell(column, row) {
+    const value = this.valueOf(column, row);
+    const text = column.digits !== undefined ? amount(value, column.digits) : column.show ? column.show(value) : value;
+    const cell = element('span', {className: this.classOf(column), role: 'gridcell', title: text}, text || '–');
+    if (column.key === 'outcome') cell.prepend(element('i', {className: 'dot outcome-' + value}));
+    return cell;
+  }
+
+  choose(place) {
+    this.chosen = Math.min(Math.max(place, 0), this.order.length - 1);
+    const top = this.chosen * ROW_HEIGHT;
+    const {scrollTop, clientHeight} = this.scroller;
+    if (top < scrollTop) this.scroller.scrollTop = top;
+    const room = clientHeight - this.headings.offsetHeight - ROW_HEIGHT;
+    if (top > scrollTop + room) this.scroller.scrollTop = top - room;
+    this.draw();
+  }
+
+  /** The row that is `step` places on in the order, chosen; null at the ends. */
+  neighbour(step) {
+    const place = this.chosen + step;
+    if (place < 0 || place >= this.order.length) return null;
+    this.choose(place);
+    return this.order[place];
+  }
+
+  onKey(event) {
+    const page = Math.floor(this.scroller.clientHeight / ROW_HEIGHT) - 2;
+    const steps = {ArrowDown: 1, ArrowUp: -1, PageDown: page, PageUp: -page, Home: -Infinity, End: Infinity};
+    if (event.target !== this.scroller) return;
+    if (event.key in steps) this.choose(this.chosen + steps[event.key]);
+    else if (event.key === 'Enter' && this.order.length) this.onOpen(this.order[this.chosen]);
+    else return;
+    event.preventDefault();
+  }
+}

@@ -1,0 +1,77 @@
+#include "collision_forge/report/report_files.h"
+
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "collision_forge/data/json_line.h"
+#include "collision_forge/study/result_row.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::ifstream openToRead(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || fs::is_directory(path)) throw std::runtime_error(path + ": cannot be read");
+  return file;
+}
+
+ReportFileKind kindOf(const std::string& where, const std::string& line) {
+  if (line == csvHeader(Protocol::kStrict, RowsOf::kRequests)) return ReportFileKind::kRequests;
+  if (line == csvHeader(Protocol::kStrict, RowsOf::kClips)) return ReportFileKind::kClips;
+  if (!line.empty() && line.front() == '{') {
+    const JsonLine parsed(where, line);
+    const std::string format = parsed.root().text("format");
+    if (format == "collision_forge/scenario") return ReportFileKind::kScenarios;
+    if (format == "collision_forge/planner_test") return ReportFileKind::kPlannerTests;
+    throw std::runtime_error(where + ": format = \"" + format +
+                             "\" is neither of scenarios nor of planner tests");
+  }
+  throw std::runtime_error(where +
+                           ": is no line of scenarios, of planner tests or of results.csv of the "
+                           "strict protocol");
+}
+
+}  // namespace
+
+ReportFile openReportFile(const std::string& path) {
+  std::ifstream file = openToRead(path);
+  std::string line;
+  std::getline(file, line);
+  return {path, kindOf(path + ": line 1", line)};
+}
+
+void readReportLines(const ReportFile& file, const OnReportLine& on_line) {
+  std::ifstream stream = openToRead(file.path);
+  const auto size = static_cast<double>(fs::file_size(file.path));
+  const bool has_header =
+      file.kind == ReportFileKind::kRequests || file.kind == ReportFileKind::kClips;
+  double read = 0.0;
+  std::size_t number = 0;
+  for (std::string text; std::getline(stream, text);) {
+    ++number;
+    read += static_cast<double>(text.size()) + 1.0;
+    if (has_header && number == 1) continue;
+    on_line(file.path + ": line " + std::to_string(number), number, text, read / size);
+  }
+}
+
+std::string linkTo(const std::string& path, const std::string& folder) {
+  constexpr const char* kDigits = "0123456789ABCDEF";
+  std::string link;
+  for (const char character : fs::proximate(fs::absolute(path), fs::absolute(folder)).string()) {
+    const auto byte = static_cast<unsigned char>(character);
+    if (byte < 128 && (std::isalnum(byte) != 0 || character == '/' || character == '.' ||
+                       character == '-' || character == '_')) {
+      link += character;
+    } else {
+      link += {'%', kDigits[byte / 16], kDigits[byte % 16]};
+    }
+  }
+  return link;
+}
+
+}  // namespace forge

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace forge {
+
+/// The files that forge report reads.
+enum class ReportFileKind {
+  kScenarios,     ///< of forge generate, or the attempts of forge dataset
+  kPlannerTests,  ///< results.jsonl of forge test, train.jsonl and test.jsonl of forge tune
+  kRequests,      ///< results.csv of forge evaluate, over requests
+  kClips,         ///< the same over clips, by the strict protocol
+};
+
+struct ReportFile {
+  std::string path;
+  ReportFileKind kind;
+};
+
+/// Tells by its first line what a file holds. Throws std::runtime_error, naming file and line, for
+/// one that cannot be read or is none of these.
+ReportFile openReportFile(const std::string& path);
+
+/// Hands over the lines of a file, the header of results.csv left out: where it stands ("FILE: line
+/// 2"), the number from 1 on, the text, and the share of the file that has been read.
+using OnReportLine = std::function<void(const std::string& where, std::size_t line,
+                                        const std::string& text, double share)>;
+void readReportLines(const ReportFile& file, const OnReportLine& on_line);
+
+/// Where a page in `folder` finds a file: a path relative to it, written as a link.
+std::string linkTo(const std::string& path, const std::string& folder);
+
+}  // namespace forge

@@ -1,0 +1,205 @@
+#include "collision_forge/report/report_row.h"
+
+#include <cmath>
+#include <map>
+
+namespace forge {
+namespace {
+
+/// Stands for a number that is not there; no column comes near it.
+constexpr double kMissing = -1e15;
+
+struct TextColumn {
+  const char* name;
+  std::string ReportRow::*text;
+};
+
+struct NumberColumn {
+  const char* name;
+  std::optional<double> ReportRow::*number;
+  double unit;  ///< the numbers are given in whole multiples of it
+};
+
+constexpr TextColumn kTexts[] = {{"scene", &ReportRow::scene},
+                                 {"type", &ReportRow::type},
+                                 {"mode", &ReportRow::mode},
+                                 {"planner", &ReportRow::planner},
+                                 {"outcome", &ReportRow::outcome},
+                                 {"status", &ReportRow::status},
+                                 {"message", &ReportRow::message},
+                                 {"manoeuvre", &ReportRow::manoeuvre},
+                                 {"class", &ReportRow::attacker_class},
+                                 {"origin", &ReportRow::origin},
+                                 {"believable", &ReportRow::believable},
+                                 {"avoidable", &ReportRow::avoidable}};
+
+constexpr NumberColumn kNumbers[] = {{"now", &ReportRow::now, 1e-6},
+                                     {"tta", &ReportRow::tta, 1e-3},
+                                     {"contact_t", &ReportRow::contact_t, 1e-3},
+                                     {"impact_speed", &ReportRow::impact_speed, 1e-2},
+                                     {"heading", &ReportRow::heading, 1e-3},
+                                     {"overlap", &ReportRow::overlap, 1e-3},
+                                     {"confidence", &ReportRow::confidence, 1e-3},
+                                     {"attack", &ReportRow::attack, 1.0},
+                                     {"test", &ReportRow::test, 1.0},
+                                     {"place", &ReportRow::place, 1.0}};
+
+std::string yesOrNo(bool value) { return value ? "yes" : "no"; }
+
+void writeTexts(JsonLineWriter& writer, const TextColumn& column,
+                const std::vector<ReportRow>& rows) {
+  std::map<std::string, double> places;
+  std::vector<std::string> words;
+  std::vector<double> values;
+  for (const ReportRow& row : rows) {
+    const std::string& text = row.*column.text;
+    const auto [entry, is_new] = places.emplace(text, static_cast<double>(words.size()));
+    if (is_new) words.push_back(text);
+    values.push_back(entry->second);
+  }
+  writer.beginObject(column.name);
+  writer.texts("words", words);
+  writer.numbers("values", values);
+  writer.endObject();
+}
+
+void writeNumbers(JsonLineWriter& writer, const NumberColumn& column,
+                  const std::vector<ReportRow>& rows) {
+  std::vector<double> values;
+  for (const ReportRow& row : rows) {
+    const std::optional<double>& number = row.*column.number;
+    values.push_back(number ? std::round(*number / column.unit) : kMissing);
+  }
+  writer.beginObject(column.name);
+  writer.number("unit", column.unit);
+  writer.number("missing", kMissing);
+  writer.numbers("values", values);
+  writer.endObject();
+}
+
+void writePlaces(JsonLineWriter& writer, const char* name, std::size_t ReportRow::*place,
+                 const std::vector<ReportRow>& rows) {
+  std::vector<double> values;
+  for (const ReportRow& row : rows) values.push_back(static_cast<double>(row.*place));
+  writer.beginObject(name);
+  writer.number("unit", 1.0);
+  writer.number("missing", kMissing);
+  writer.numbers("values", values);
+  writer.endObject();
+}
+
+std::string outcomeOf(const StrictOutcome& recorded) {
+  if (recorded.meetsFullDefinitions()) return "as_asked";
+  return recorded.report.contact ? "otherwise" : "missed";
+}
+
+std::string outcomeOf(const RolloutOutcome& outcome) {
+  if (outcome.failure != PlannerFailure::kNone) return "failed";
+  if (!outcome.contact) return "clear";
+  return outcome.contact->is_attacker ? "hit" : "hit_other";
+}
+
+/// Why the attack is none as asked in the recording.
+std::string shortcomingOf(const StrictOutcome& recorded) {
+  const CollisionReport& report = recorded.report;
+  if (recorded.meetsFullDefinitions()) return "";
+  if (!report.contact) return "does not touch the ego as it was recorded";
+  if (!report.first_other_id.empty()) return "touches " + report.first_other_id + " before";
+  if (!report.limits_kept) return report.broken_limit;
+  if (!report.on_time) return "touches the recorded ego too early or too late";
+  if (!recorded.full_type_kept) return "touches the recorded ego in another way than its type";
+  return report.unbelievable;
+}
+
+}  // namespace
+
+ReportRow rowOfAttack(const Scenario& scenario, const Realization& attack,
+                      const std::optional<StrictOutcome>& recorded) {
+  const CollisionRequest& request = scenario.asked.request;
+  ReportRow row;
+  row.scene = scenario.asked.scene;
+  row.now = scenario.asked.now;
+  row.type = toString(request.type);
+  row.tta = request.tta;
+  row.mode = toString(request.mode);
+  row.status = toString(attack.status.code);
+  row.message = attack.status.message;
+  row.outcome = "declined";
+  if (attack.status.code != StatusCode::kOk) return row;
+  const CollisionReport& report = attack.report;
+  row.outcome = recorded ? outcomeOf(*recorded) : "generated";
+  if (recorded) row.message = shortcomingOf(*recorded);
+  row.manoeuvre = toString(report.manoeuvre);
+  row.attacker_class = toString(attack.trajectory.agent_class);
+  row.origin = attack.trajectory.isAdded() ? "added" : "recorded";
+  row.believable = yesOrNo(report.believable());
+  row.contact_t = report.contact_time - scenario.asked.now;
+  row.impact_speed = report.impact_speed;
+  row.heading = report.relative_heading;
+  row.overlap = report.overlap;
+  row.confidence = report.confidence;
+  return row;
+}
+
+ReportRow rowOfTest(const PlannerTestResult& result, const PlannerRow* row,
+                    const ReportRow* attack) {
+  ReportRow found = attack != nullptr ? *attack : ReportRow();
+  if (result.isRead()) {
+    found.scene = result.scene;
+    found.now = result.now;
+    found.type = toString(result.type);
+    found.tta = result.tta;
+  }
+  found.status = result.status;
+  found.message = result.message;
+  found.outcome = "untested";
+  if (row == nullptr) return found;
+  found.planner = rowName(row->planner, row->attacker.policy);
+  if (!result.isTested()) return found;
+  const RolloutOutcome& outcome = row->outcome;
+  found.outcome = outcomeOf(outcome);
+  found.message = outcome.failure_message;
+  found.avoidable = yesOrNo(result.avoidability.is_avoidable);
+  found.contact_t.reset();
+  found.impact_speed.reset();
+  found.heading.reset();
+  found.overlap.reset();
+  if (!outcome.contact) return found;
+  found.contact_t = outcome.contact->time - result.now;
+  found.impact_speed = outcome.contact->impact_speed;
+  found.heading = outcome.contact->relative_heading;
+  return found;
+}
+
+ReportRow rowOfResult(const ResultRow& result) {
+  ReportRow row;
+  row.scene = result.scene;
+  row.type = toString(result.type);
+  row.tta = result.tta;
+  row.planner = result.method;
+  row.status = result.status;
+  row.message = result.note;
+  row.contact_t = result.contact_after;
+  row.heading = result.relative_heading;
+  row.confidence = result.confidence;
+  const bool is_met = result.meets.size() > 1 && result.meets[1];
+  row.outcome = result.status != "OK" ? "declined"
+                : is_met              ? "as_asked"
+                : row.contact_t       ? "otherwise"
+                                      : "missed";
+  if (!result.request) return row;
+  if (result.request->believable) row.believable = yesOrNo(*result.request->believable);
+  if (result.request->attack) row.attacker_class = toString(result.request->attack->agent_class);
+  return row;
+}
+
+void writeColumns(JsonLineWriter& writer, const std::vector<ReportRow>& rows) {
+  writer.beginObject("columns");
+  writePlaces(writer, "file", &ReportRow::file, rows);
+  writePlaces(writer, "line", &ReportRow::line, rows);
+  for (const TextColumn& column : kTexts) writeTexts(writer, column, rows);
+  for (const NumberColumn& column : kNumbers) writeNumbers(writer, column, rows);
+  writer.endObject();
+}
+
+}  // namespace forge

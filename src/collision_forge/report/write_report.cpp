@@ -1,0 +1,319 @@
+#include "collision_forge/report/write_report.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "collision_forge/batch/progress_line.h"
+#include "collision_forge/batch/worker_pool.h"
+#include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/data/scene_source.h"
+#include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/report/attack_record.h"
+#include "collision_forge/report/page_file.h"
+#include "collision_forge/report/report_files.h"
+#include "collision_forge/report/report_row.h"
+#include "collision_forge/report/scene_record.h"
+#include "collision_forge/trials/planner_cases.h"
+#include "collision_forge/trials/planner_result_file.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A planner test of the table, and what it takes to drive it again.
+struct ListedTest {
+  std::size_t row = 0;
+  PlannerTestResult result;
+  std::size_t planner = 0;  ///< of the result's rows
+
+  const PlannerRow& tested() const { return result.rows[planner]; }
+  /// The harder the hit the earlier it is driven again.
+  double weight() const {
+    const auto& contact = tested().outcome.contact;
+    return contact ? 1.0 + contact->impact_speed : 0.0;
+  }
+};
+
+/// The same contact, or none, up to what a results file rounds.
+bool isSame(const RolloutOutcome& driven, const RolloutOutcome& tested) {
+  constexpr double kTolerance = 1e-3;  // s
+  if (driven.failure != tested.failure) return false;
+  if (!driven.contact || !tested.contact) return !driven.contact && !tested.contact;
+  return std::abs(driven.contact->time - tested.contact->time) < kTolerance &&
+         driven.contact->other_id == tested.contact->other_id;
+}
+
+/// Calls `work` for all of [0, count) on threads; what it returns, in order.
+std::vector<std::string> workOnAll(std::size_t count, int jobs, const WorkerPool::Work& work) {
+  constexpr std::chrono::milliseconds kPatience(200);
+  ProgressLine progress("planner tests");
+  std::vector<std::string> results(count);
+  WorkerPool pool(jobs, work);
+  for (std::size_t given = 0, done = 0; done < count;) {
+    while (given < count && pool.wantsMore()) pool.give(given++);
+    for (ItemResult& result : pool.collect(kPatience)) {
+      if (result.error) std::rethrow_exception(result.error);
+      results[result.index] = std::move(result.bytes);
+      ++done;
+    }
+    progress.show(done, count);
+  }
+  return results;
+}
+
+void writeColor(JsonLineWriter& writer, const char* key, const Color& color) {
+  writer.numbers(key, {color.red, color.green, color.blue});
+}
+
+/// Reads the inputs one after the other into the page.
+class ReportBuilder {
+ public:
+  ReportBuilder(const ReportInputs& inputs, const std::string& folder,
+                const ReportSettings& settings)
+      : inputs_(inputs),
+        folder_(folder),
+        settings_(settings),
+        page_((fs::path(folder) / "index.html").string()) {
+    for (const std::string& path : inputs.files) files_.push_back(openReportFile(path));
+    if (!inputs.dataroot.empty()) openScenes();
+  }
+
+  std::size_t build() {
+    // Tests name the attacks that they are of, so these come first.
+    for (const bool is_of_attacks : {true, false}) {
+      for (std::size_t i = 0; i < files_.size(); ++i) {
+        if ((files_[i].kind == ReportFileKind::kScenarios) == is_of_attacks) read(i);
+      }
+    }
+    addTests();
+    addScenes();
+    page_.commit(index());
+    return rows_.size();
+  }
+
+ private:
+  std::vector<std::string> scenarioPaths() const {
+    std::vector<std::string> paths;
+    for (const ReportFile& file : files_) {
+      if (file.kind == ReportFileKind::kScenarios) paths.push_back(file.path);
+    }
+    return paths;
+  }
+
+  void openScenes() {
+    const auto known = readSceneNames(inputs_.dataroot, inputs_.version);
+    known_.insert(known.begin(), known.end());
+    std::vector<std::string> wanted;
+    for (const std::string& scene : readScenes(scenarioPaths())) {
+      if (known_.count(scene) > 0) wanted.push_back(scene);
+    }
+    if (wanted.empty()) return;
+    scenes_ = std::make_unique<SceneSource>(inputs_.dataroot, inputs_.version, wanted,
+                                            settings_.study, 2);
+  }
+
+  void read(std::size_t place) {
+    const ReportFile& file = files_[place];
+    ProgressLine progress(file.path);
+    readReportLines(file, [&](const std::string& where, std::size_t line, const std::string& text,
+                              double share) {
+      const std::size_t first = rows_.size();
+      switch (file.kind) {
+        case ReportFileKind::kScenarios:
+          addScenario(where, text, fs::path(file.path).stem().string(), line);
+          break;
+        case ReportFileKind::kPlannerTests:
+          addPlannerTest(where, text);
+          break;
+        default:
+          addResult(where, text);
+      }
+      for (std::size_t i = first; i < rows_.size(); ++i) {
+        rows_[i].file = place;
+        rows_[i].line = line;
+      }
+      progress.show(share);
+    });
+  }
+
+  void addScenario(const std::string& where, const std::string& text, const std::string& source,
+                   std::size_t line) {
+    const Scenario scenario = readScenarioLine(where, text);
+    const std::string& scene = scenario.asked.scene;
+    if (!inputs_.dataroot.empty() && known_.count(scene) == 0) {
+      throw std::runtime_error(where + ": scene = \"" + scene + "\" is not in " + inputs_.dataroot +
+                               "/" + inputs_.version);
+    }
+    attacks_.emplace(source + ":" + std::to_string(line), rows_.size());
+    addAttack(scenario, scenario.answer);
+    for (const Realization& alternative : scenario.answer.alternatives) {
+      addAttack(scenario, alternative);
+    }
+  }
+
+  void addAttack(const Scenario& scenario, const Realization& attack) {
+    std::optional<StrictOutcome> recorded;
+    const bool is_attack = attack.status.code == StatusCode::kOk;
+    if (scenes_) {
+      if (is_attack) recorded = judge(scenario, attack);
+      const double now = scenario.asked.now;
+      const std::vector<TrajectoryPoint>& points = attack.trajectory.points;
+      extents_[scenario.asked.scene].include(
+          now - settings_.report.seconds_before_now,
+          points.empty() ? now + scenario.asked.request.tta : points.back().time, points);
+    }
+    ReportRow& row = rows_.emplace_back(rowOfAttack(scenario, attack, recorded));
+    if (!is_attack) return;
+    row.attack = page_.add(attackRecord(scenario, attack,
+                                        recorded ? std::optional(recorded->report) : std::nullopt,
+                                        settings_.study.attack.verification));
+  }
+
+  /// Empty where the recording has no frame at now.
+  std::optional<StrictOutcome> judge(const Scenario& scenario, const Realization& attack) {
+    Scenario judged{scenario.asked, scenario.ego, attack};
+    const PlannerCase one =
+        caseOfScenario(judged, *scenes_->at(scenario.asked.scene), settings_.study);
+    if (one.status.code != StatusCode::kOk) return std::nullopt;
+    const CrashScenario& crash = one.scenario;
+    return strictOutcome(crash.attacker,
+                         {crash.snapshot, crash.recorded, one.request, *crash.lanes},
+                         settings_.study.attack.verification);
+  }
+
+  void addPlannerTest(const std::string& where, const std::string& text) {
+    const PlannerTestResult result = readPlannerResultLine(where, text);
+    const auto found = attacks_.find(result.name);
+    const std::optional<ReportRow> attack =
+        found != attacks_.end() ? std::optional(rows_[found->second]) : std::nullopt;
+    const ReportRow* known = attack ? &*attack : nullptr;
+    if (result.rows.empty()) rows_.push_back(rowOfTest(result, nullptr, known));
+    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+      if (result.isTested()) tests_.push_back({rows_.size(), result, i});
+      rows_.push_back(rowOfTest(result, &result.rows[i], known));
+    }
+  }
+
+  void addResult(const std::string& where, const std::string& text) {
+    const auto result = rowFromCsv(text, Protocol::kStrict);
+    if (!result) throw std::runtime_error(where + ": \"" + text + "\" is no row of results.csv");
+    rows_.push_back(rowOfResult(*result));
+  }
+
+  /// The records of all tests, of as many as may be with the motions.
+  void addTests() {
+    std::stable_sort(tests_.begin(), tests_.end(), [](const ListedTest& a, const ListedTest& b) {
+      return a.weight() > b.weight();
+    });
+    std::unique_ptr<PlannerCases> cases;
+    std::map<std::string, std::size_t> places;
+    if (scenes_ && !tests_.empty()) {
+      cases = openScenarioCases(scenarioPaths(), inputs_.dataroot, inputs_.version,
+                                static_cast<std::size_t>(inputs_.jobs) + 1, settings_.study);
+      for (const std::string& name : cases->names()) places.emplace(name, places.size());
+    }
+    TestPlan plan{{}, inputs_.background, {}, loadForesight(settings_.study)};
+    const auto driven = [&](std::size_t index) {
+      const ListedTest& test = tests_[index];
+      const auto place = places.find(test.result.name);
+      const std::vector<std::string>& names = plannerNames();
+      const std::string& planner = test.tested().planner;
+      const bool is_known = std::find(names.begin(), names.end(), planner) != names.end();
+      if (place == places.end() || !is_known) {
+        return plannerRecord(test.result, test.tested(), nullptr);
+      }
+      const RolloutOutcome outcome =
+          driveAgain(cases->at(place->second), planner, test.tested().attacker.policy, plan,
+                     settings_.study, settings_.trials);
+      const bool is_same = isSame(outcome, test.tested().outcome);
+      return plannerRecord(test.result, test.tested(), is_same ? &outcome : nullptr);
+    };
+    const auto count =
+        std::min(tests_.size(), static_cast<std::size_t>(settings_.report.planner_drives));
+    const std::vector<std::string> records = workOnAll(count, inputs_.jobs, driven);
+    for (std::size_t i = 0; i < tests_.size(); ++i) {
+      const ListedTest& test = tests_[i];
+      rows_[test.row].test =
+          page_.add(i < count ? records[i] : plannerRecord(test.result, test.tested(), nullptr));
+    }
+  }
+
+  void addScenes() {
+    std::map<std::string, std::size_t> places;
+    ProgressLine progress("scenes");
+    for (const auto& [name, extent] : extents_) {
+      places[name] = page_.add(sceneRecord(scenes_->at(name)->scene, extent, settings_.report));
+      progress.show(places.size(), extents_.size());
+    }
+    for (ReportRow& row : rows_) {
+      const auto place = places.find(row.scene);
+      if (place != places.end() && row.now) row.place = place->second;
+    }
+  }
+
+  std::string index() const {
+    JsonLineWriter writer;
+    writer.beginObject();
+    writer.text("dataroot", inputs_.dataroot);
+    writer.text("version", inputs_.version);
+    writer.count("rows", rows_.size());
+    writer.beginArray("files");
+    for (const ReportFile& file : files_) {
+      writer.beginObject();
+      writer.text("path", file.path);
+      writer.text("link", linkTo(file.path, folder_));
+      writer.endObject();
+    }
+    writer.endArray();
+    writeColors(writer);
+    writeColumns(writer, rows_);
+    writer.endObject();
+    return writer.line();
+  }
+
+  void writeColors(JsonLineWriter& writer) const {
+    const DrawingOptions& drawing = settings_.drawing;
+    writer.beginObject("colors");
+    writeColor(writer, "drivable", drawing.drivable_color);
+    writeColor(writer, "walkway", drawing.walkway_color);
+    writeColor(writer, "lane", drawing.lane_color);
+    writeColor(writer, "connector", drawing.connector_color);
+    writeColor(writer, "agent", drawing.agent_color);
+    writeColor(writer, "ego", drawing.ego_color);
+    writeColor(writer, "attacker", drawing.attacker_color);
+    writeColor(writer, "aim-ego", drawing.pattern_ego_color);
+    writeColor(writer, "aim-attacker", drawing.pattern_attacker_color);
+    writeColor(writer, "contact", drawing.contact_color);
+    writer.endObject();
+  }
+
+  const ReportInputs& inputs_;
+  const std::string& folder_;
+  const ReportSettings& settings_;
+  PageFile page_;
+  std::vector<ReportFile> files_;
+  std::set<std::string> known_;          ///< scenes of the dataroot
+  std::unique_ptr<SceneSource> scenes_;  ///< of the scenario files; null without a dataroot
+  std::vector<ReportRow> rows_;
+  std::map<std::string, std::size_t> attacks_;  ///< rows of scenarios by the names of their cases
+  std::map<std::string, SceneExtent> extents_;  ///< by scene
+  std::vector<ListedTest> tests_;
+};
+
+}  // namespace
+
+std::size_t writeReportPage(const ReportInputs& inputs, const std::string& folder,
+                            const ReportSettings& settings) {
+  fs::create_directories(folder);
+  return ReportBuilder(inputs, folder, settings).build();
+}
+
+}  // namespace forge

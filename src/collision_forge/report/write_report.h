@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_forge/drawing/options.h"
+#include "collision_forge/report/options.h"
+#include "collision_forge/study/options.h"
+#include "collision_forge/trials/options.h"
+#include "collision_forge/trials/traffic.h"
+
+namespace forge {
+
+struct ReportInputs {
+  std::vector<std::string> files;  ///< as openReportFile() takes them
+  std::string dataroot;            ///< with `version`, the logs that they are of; empty: none
+  std::string version;
+  Background background = Background::kReplay;  ///< that planners were tested against
+  int jobs = 1;                                 ///< planner tests driven at a time
+};
+
+struct ReportSettings {
+  const ReportOptions& report;
+  const DrawingOptions& drawing;
+  const StudyOptions& study;
+  const TrialOptions& trials;
+};
+
+/// Writes FOLDER/index.html, a page of all that is in the files, with progress on stderr. With a
+/// dataroot it shows map and traffic, holds attacks against the recording, and drives planner tests
+/// of scenario files that are among the inputs again, for their motion. Returns the rows of its
+/// table. Throws std::runtime_error and the errors of those who read, naming file and line.
+std::size_t writeReportPage(const ReportInputs& inputs, const std::string& folder,
+                            const ReportSettings& settings);
+
+}  // namespace forge
