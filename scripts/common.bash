@@ -30,10 +30,11 @@ refuse_arguments() {
 
 # ---- packages ----
 
-# listed_packages forge|all: those of the first part of the list, or all.
+# listed_packages forge|all|interop: those of the first part of the list, of the first two, or of all three.
 listed_packages() {
   local last='$' # line
-  [[ $1 == all ]] || last='/^# ==== rest/'
+  [[ $1 != forge ]] || last='/^# ==== rest/'
+  [[ $1 != all ]] || last='/^# ==== interop/'
   sed -n "1,${last}{s/#.*//;p}" "$REPO_ROOT/scripts/packages.txt" | xargs -n 1
 }
 
@@ -43,7 +44,7 @@ missing_packages() {
   comm -23 <(listed_packages "$1" | sort -u) <(printf '%s\n' "$installed")
 }
 
-# install_packages forge|all
+# install_packages forge|all|interop
 install_packages() {
   { command -v dpkg-query && command -v apt-get; } > /dev/null ||
     die "this is no Debian: install what scripts/packages.txt lists in your system's way"
