@@ -60,6 +60,7 @@ Reading read(const std::string& words) { return Forge().read(words); }
 /// A line for every command that lacks nothing.
 const std::map<std::string, std::string> kComplete = {
     {"convert", kLogs + " --out bags"},
+    {"possible", " --bag a.bag --now 4 --config " + kConfig},
     {"inject", " --bag a.bag --type ltap --tta 4 --now 4 --out b.bag --config " + kConfig},
     {"requests", kLogs + " --out requests.jsonl"},
     {"generate", kLogs + " --requests requests.jsonl --out scenarios.jsonl"},

@@ -56,6 +56,7 @@ std::string bashCompletion(const CLI::App& app);
 // Each adds a command, or a few of one name.
 void addConvert(CommandLine& line);
 void addInject(CommandLine& line);
+void addPossible(CommandLine& line);
 void addRequests(CommandLine& line);
 void addGenerate(CommandLine& line);
 void addEvaluate(CommandLine& line);

@@ -5,6 +5,7 @@ namespace forge {
 void addCommands(CommandLine& line) {
   addConvert(line);
   addInject(line);
+  addPossible(line);
   addRequests(line);
   addGenerate(line);
   addEvaluate(line);

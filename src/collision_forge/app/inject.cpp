@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "collision_forge/app/command_line.h"
+#include "collision_forge/app/instant.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/batch/progress_line.h"
@@ -38,18 +39,6 @@ struct Arguments {
   Mode mode = Mode::kHistory;
   AfterContact after_contact = AfterContact::kStop;
 };
-
-/// The frame at or before `now` seconds after the scene's first.
-double frameAt(const Scene& scene, double now) {
-  const double start = scene.frame_times.front();
-  const auto frame = lastFrameTime(scene, start + now);
-  if (!frame || !(start + now <= scene.frame_times.back())) {
-    throw std::invalid_argument("--now " + std::to_string(now) +
-                                " is outside the recording, 0 to " +
-                                std::to_string(scene.frame_times.back() - start) + " s");
-  }
-  return *frame;
-}
 
 void printReport(const char* subject, const CollisionReport& report, double now) {
   constexpr double kDegrees = 180.0 / M_PI;
@@ -204,15 +193,13 @@ int inject(const Arguments& arguments) {
   arguments.controls.applyTo(request);
   // All of them: the others are sorted by how sure they are.
   request.alternatives = arguments.alternative == 1 ? 1 : kMaxAlternatives;
-  std::vector<std::string> warnings;
-  const Scene scene = readBag(arguments.bag, config.ego_vehicle, &warnings);
-  printWarnings(arguments.bag, warnings);
+  const IndexedScene recording = readRecording(arguments.bag, config);
+  const Scene& scene = recording.scene;
   requireNoAttack(arguments.bag);
 
   const double now = frameAt(scene, arguments.now);
-  const PredictionOptions& prediction = config.attack.prediction;
-  const Moment moment{snapshotAt(scene, now, prediction.history_frames), recordedFuture(scene, now),
-                      std::make_shared<const LaneIndex>(scene.map), pastOf(scene, now)};
+  const Moment moment =
+      std::get<Moment>(momentAt(recording, now, config.attack.prediction.history_frames));
   const MethodMaker maker = loadMethod(arguments.method, config, config.attack);
   const auto [attack, plans, _] = answerOf(maker, moment, scene, request, arguments, config);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);

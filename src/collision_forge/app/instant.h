@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "collision_forge/scene/moment.h"
+#include "collision_forge/settings/config.h"
+
+namespace forge {
+
+/// The time of the frame at or before `now` seconds after the scene's first. Throws
+/// std::invalid_argument, naming --now, outside the recording.
+double frameAt(const Scene& scene, double now);
+
+/// A bag, its oddities said on stderr. Throws BagError.
+IndexedScene readRecording(const std::string& bag, const Config& config);
+
+}  // namespace forge

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/instant.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/attack/attack_method.h"
+#include "collision_forge/attack/request_check.h"
+#include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/data/scene_source.h"
+#include "collision_forge/scene/request_words.h"
+
+namespace forge {
+namespace {
+
+struct Arguments {
+  std::string bag;
+  std::string dataroot;
+  std::string version;
+  std::string scene;
+  double now = 0.0;
+  std::vector<std::string> types;
+  std::vector<double> ttas;
+  RequestControls controls;
+  std::string method;
+  Mode mode = Mode::kHistory;
+  std::uint64_t seed = 0;
+  std::string config;
+};
+
+std::shared_ptr<const IndexedScene> recordingOf(const Arguments& arguments, const Config& config) {
+  if (!arguments.bag.empty()) {
+    return std::make_shared<const IndexedScene>(readRecording(arguments.bag, config));
+  }
+  SceneSource scenes(arguments.dataroot, arguments.version, {arguments.scene}, config, 1,
+                     printWarnings);
+  return scenes.at(arguments.scene);
+}
+
+std::vector<CollisionType> typesOf(const Arguments& arguments) {
+  std::vector<CollisionType> types;
+  for (const std::string& name : arguments.types) types.push_back(*collisionTypeFromString(name));
+  if (types.empty() && arguments.controls.manoeuvre) {
+    types.push_back(typeOf(*arguments.controls.manoeuvre));
+  }
+  if (types.empty()) types.assign(std::begin(kCollisionTypes), std::end(kCollisionTypes));
+  return types;
+}
+
+std::string asked(const CollisionRequest& request) {
+  std::ostringstream text;
+  text << std::left << std::setw(19) << toString(request.type) << std::right << std::setw(4)
+       << request.tta << " s";
+  return text.str();
+}
+
+void printPossible(const CollisionRequest& request, const Realization& attack, double now) {
+  const CollisionReport& report = attack.report;
+  std::cout << asked(request) << "  " << std::left << std::setw(22) << toString(report.manoeuvre)
+            << std::setw(kShortId + 2) << attack.trajectory.attacker_id.substr(0, kShortId)
+            << std::setw(24)
+            << std::string(toString(attack.trajectory.agent_class)) +
+                   (attack.trajectory.isAdded() ? ", added" : "")
+            << std::right << std::fixed << std::setprecision(0) << std::setw(8)
+            << 100.0 * report.confidence << " %" << std::setprecision(1) << std::setw(9)
+            << report.contact_time - now << " s" << std::setw(7) << report.impact_speed << " m/s\n"
+            << std::defaultfloat << std::setprecision(6);
+}
+
+/// The surest first.
+std::vector<Realization> attacksOf(Realization answer) {
+  std::vector<Realization> attacks = std::move(answer.alternatives);
+  attacks.insert(attacks.begin(), std::move(answer));
+  std::stable_sort(attacks.begin(), attacks.end(), [](const Realization& a, const Realization& b) {
+    return a.report.confidence > b.report.confidence;
+  });
+  return attacks;
+}
+
+int listPossible(const Arguments& arguments) {
+  const Config config = loadConfig(arguments.config);
+  const std::shared_ptr<const IndexedScene> recording = recordingOf(arguments, config);
+  const double now = frameAt(recording->scene, arguments.now);
+  const Moment moment =
+      std::get<Moment>(momentAt(*recording, now, config.attack.prediction.history_frames));
+  const MethodMaker maker = loadMethod(arguments.method, config, config.attack);
+  CollisionRequest request;
+  request.crash = config.crash;
+  request.mode = arguments.mode;
+  request.seed = arguments.seed;
+  arguments.controls.applyTo(request);
+
+  std::ostringstream impossible;
+  std::size_t possible = 0;
+  std::cout << "type                 TTA  manoeuvre             id      attacker                "
+               "confidence  contact     impact\n";
+  for (const CollisionType type : typesOf(arguments)) {
+    for (const double tta : arguments.ttas.empty() ? config.requests.ttas : arguments.ttas) {
+      request.type = type;
+      request.tta = tta;
+      const Realization answer =
+          generateCollision(*maker.make(), moment, request, config.attack.prediction);
+      if (answer.status.code != StatusCode::kOk) {
+        impossible << asked(request) << "  " << toString(answer.status.code) << ": "
+                   << answer.status.message << "\n";
+        continue;
+      }
+      for (const Realization& attack : attacksOf(answer)) {
+        printPossible(request, attack, now);
+        ++possible;
+      }
+    }
+  }
+  if (!impossible.str().empty()) std::cout << "\nnot possible\n" << impossible.str();
+  return possible > 0 ? kExitOk : kExitNoAttack;
+}
+
+}  // namespace
+
+void addPossible(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = line.add(kMakingCollisions, "possible",
+                           "Lists the collisions that can be asked for at an instant.",
+                           [arguments] { return listPossible(*arguments); });
+  CLI::Option_group& recording = *app.add_option_group("recording", "one of them");
+  recording.add_option("--bag", arguments->bag, "recorded bag, as from forge convert");
+  CLI::Option* dataroot = recording.add_option("--dataroot", arguments->dataroot,
+                                               "nuScenes root, with --version and --scene");
+  recording.require_option(1);
+  CLI::Option* version = addVersion(app, arguments->version)->needs(dataroot);
+  dataroot->needs(version);
+  dataroot->needs(app.add_option("--scene", arguments->scene, "as scene-0061")->needs(dataroot));
+  app.add_option("--now", arguments->now, "seconds from the first frame; the frame at or before")
+      ->required();
+  app.add_option("--type", arguments->types, "collision types; default: all five")
+      ->check(checkType);
+  app.add_option("--tta", arguments->ttas,
+                 "seconds from now to impact; default: those of requests.yaml");
+  addAttacker(app, arguments->controls);
+  addControls(app, arguments->controls);
+  addAlternatives(app, arguments->controls);
+  addMethod(app, arguments->method);
+  addMode(app, arguments->mode, false);
+  addSeed(app, arguments->seed, "of the variations tried");
+  addConfig(app, arguments->config);
+}
+
+}  // namespace forge

@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+"""forge possible: what can be asked for at an instant, of a bag as of a root."""
+import re
+
+import road
+from road import DATAROOT, VERSION
+
+SCENE = 'scene-0003'
+NOW = 6
+ROW = re.compile(r'(?P<type>[a-z_]+) +(?P<tta>\d+) s +(?P<manoeuvre>[a-z_]+) +(?P<id>\S{1,6}) +(?P<attacker>[a-z_, ]+?) +'
+                 r'(?P<confidence>\d+) % +(?P<contact>[\d.]+) s +(?P<impact>[\d.]+) m/s')
+
+
+def possible(*arguments):
+    return road.run('possible', '--now', NOW, *arguments)
+
+
+def of_the_root(*arguments):
+    return possible('--dataroot', DATAROOT, '--version', VERSION, '--scene', SCENE, *arguments)
+
+
+def rows(result):
+    return [match.groupdict() for match in map(ROW.fullmatch, result.stdout.splitlines()) if match]
+
+
+class PossibleTest(road.RoadTest):
+    SCENES = [SCENE]
+
+    def test_a_bag_can_be_asked_as_well_as_a_root(self):
+        for result in (of_the_root(), possible('--bag', self.bag(SCENE))):
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertGreater(len(rows(result)), 10)
+
+    def test_every_type_and_time_is_possible_or_has_a_reason(self):
+        table, reasons = of_the_root().stdout.split('\nnot possible\n')
+        asked = {tuple(line.split()[:2]) for line in table.splitlines()[1:]}
+        declined = {tuple(line.split()[:2]) for line in reasons.splitlines()}
+        self.assertEqual(len(asked) + len(declined), 25)
+        self.assertFalse(asked & declined)
+        for line in reasons.splitlines():
+            self.assertRegex(line, r's  [A-Z_]+: .+')
+
+    def test_what_is_listed_is_what_inject_does(self):
+        row = next(row for row in rows(possible('--bag', self.bag(SCENE))) if 'added' not in row['attacker'])
+        out = self.path('listed.bag')
+        result = road.inject(self.bag(SCENE), out, row['type'], row['tta'], NOW)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        attack = road.read_one(out, '/attack')
+        self.assertEqual(attack.trajectory.attacker_id[:6], row['id'])
+        self.assertEqual(attack.report.manoeuvre, row['manoeuvre'])
+        self.assertAlmostEqual(100.0 * attack.report.confidence, float(row['confidence']), delta=0.51)
+        by_short_id = road.inject(self.bag(SCENE), out.with_name('short.bag'), row['type'], row['tta'], NOW,
+                                  '--attacker', row['id'])
+        self.assertEqual(by_short_id.returncode, 0, by_short_id.stderr)
+
+    def test_types_times_and_alternatives_can_be_named(self):
+        found = rows(of_the_root('--type', 'RE', 'lane_change', '--tta', '3', '4', '--alternatives', '8'))
+        self.assertEqual({row['type'] for row in found}, {'rear_end', 'lane_change'})
+        self.assertEqual({row['tta'] for row in found}, {'3', '4'})
+        self.assertGreater(len(found), 4)
+        of_one = [float(row['confidence']) for row in found if (row['type'], row['tta']) == ('lane_change', '3')]
+        self.assertEqual(of_one, sorted(of_one, reverse=True))
+
+    def test_nothing_possible_is_an_exit_code(self):
+        result = of_the_root('--type', 'ltap', '--tta', '2')
+        self.assertEqual(result.returncode, 3)
+        self.assertIn('ROAD_DOES_NOT_ALLOW', result.stdout)
+
+    def test_bad_command_lines_are_told(self):
+        for arguments, code, words in (
+                ((), 2, '--bag'), (('--dataroot', DATAROOT), 2, '--version'),
+                (('--bag', 'nowhere.bag'), 1, 'nowhere.bag'),
+                (('--bag', self.bag(SCENE), '--type', 'sideswipe'), 2, 'sideswipe')):
+            result = possible(*arguments)
+            self.assertEqual(result.returncode, code, result.stderr)
+            self.assertIn(words, result.stderr)
+        self.assertIn('0 to 20', road.run('possible', '--now', 99, '--bag', self.bag(SCENE)).stderr)
+
+
+if __name__ == '__main__':
+    road.main()
