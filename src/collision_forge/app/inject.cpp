@@ -197,7 +197,7 @@ int inject(const Arguments& arguments) {
   const Scene& scene = recording.scene;
   requireNoAttack(arguments.bag);
 
-  const double now = frameAt(scene, arguments.now);
+  const double now = frameTimeOf(scene, arguments.now);
   const Moment moment =
       std::get<Moment>(momentAt(recording, now, config.attack.prediction.history_frames));
   const MethodMaker maker = loadMethod(arguments.method, config, config.attack);

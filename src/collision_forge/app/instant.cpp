@@ -7,7 +7,7 @@
 
 namespace forge {
 
-double frameAt(const Scene& scene, double now) {
+double frameTimeOf(const Scene& scene, double now) {
   const double start = scene.frame_times.front();
   const auto frame = lastFrameTime(scene, start + now);
   if (!frame || !(start + now <= scene.frame_times.back())) {

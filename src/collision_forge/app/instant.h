@@ -9,7 +9,7 @@ namespace forge {
 
 /// The time of the frame at or before `now` seconds after the scene's first. Throws
 /// std::invalid_argument, naming --now, outside the recording.
-double frameAt(const Scene& scene, double now);
+double frameTimeOf(const Scene& scene, double now);
 
 /// A bag, its oddities said on stderr. Throws BagError.
 IndexedScene readRecording(const std::string& bag, const Config& config);

@@ -83,7 +83,7 @@ std::vector<Realization> attacksOf(Realization answer) {
 int listPossible(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const std::shared_ptr<const IndexedScene> recording = recordingOf(arguments, config);
-  const double now = frameAt(recording->scene, arguments.now);
+  const double now = frameTimeOf(recording->scene, arguments.now);
   const Moment moment =
       std::get<Moment>(momentAt(*recording, now, config.attack.prediction.history_frames));
   const MethodMaker maker = loadMethod(arguments.method, config, config.attack);
