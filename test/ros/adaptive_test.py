@@ -95,7 +95,8 @@ class AdaptiveTest(live.LiveTest):
         attacks = self.attacks()
         places = [(message.header.stamp, agent.pose.position) for message in self.heard['/injected_agents'].all()
                   for agent in message.agents
-                  if agent.id == first.trajectory.attacker_id and message.header.stamp > first.header.stamp]
+                  if agent.id == first.trajectory.attacker_id
+                  and first.header.stamp < message.header.stamp <= first.trajectory.points[-1].stamp]
         self.assertGreater(len(places), 5)
         away = []
         for stamp, place in places:
