@@ -3,6 +3,7 @@
 #include "collision_forge/data/request_fields.h"
 #include "collision_forge/policy/attacker_policy.h"
 #include "collision_forge/report/compact_motion.h"
+#include "collision_forge/trials/planner_result_file.h"
 
 namespace forge {
 namespace {
@@ -107,23 +108,6 @@ void writeAvoidability(JsonLineWriter& writer, const char* key,
     writer.text("manoeuvre", toString(summary.last));
     writer.number("start_t", summary.last_after);
   }
-  writer.endObject();
-}
-
-void writeContact(JsonLineWriter& writer, const PlannerContact& contact, double now) {
-  writer.beginObject("contact");
-  writer.text("other", contact.other_id);
-  writer.flag("attacker", contact.is_attacker);
-  writer.number("t", fromNow(contact.time, now));
-  writer.text("type", contact.type ? toString(*contact.type) : "");
-  writer.text("place", toString(contact.place));
-  writer.number("relative_heading", contact.relative_heading);
-  writer.text("ego_side", toString(contact.ego_side));
-  writer.text("other_side", toString(contact.other_side));
-  writer.number("impact_speed", contact.impact_speed);
-  writer.number("ego_speed", contact.ego_speed);
-  writer.text("cause", toString(contact.cause));
-  writer.flag("at_fault", contact.at_fault);
   writer.endObject();
 }
 

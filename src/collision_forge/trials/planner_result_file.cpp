@@ -5,8 +5,6 @@
 #include <cstdio>
 #include <optional>
 
-#include "collision_forge/data/json_line.h"
-
 namespace forge {
 namespace {
 
@@ -29,32 +27,6 @@ void writeAvoidability(JsonLineWriter& writer, const char* key,
   } else {
     writer.null("last");
   }
-  writer.endObject();
-}
-
-void writeContact(JsonLineWriter& writer, const RolloutOutcome& outcome, double now) {
-  if (!outcome.contact) {
-    writer.null("contact");
-    return;
-  }
-  const PlannerContact& contact = *outcome.contact;
-  writer.beginObject("contact");
-  writer.text("other", contact.other_id);
-  writer.flag("attacker", contact.is_attacker);
-  writer.number("t", fromNow(contact.time, now));
-  writer.text("place", toString(contact.place));
-  if (contact.type) {
-    writer.text("type", toString(*contact.type));
-  } else {
-    writer.null("type");
-  }
-  writer.number("relative_heading", contact.relative_heading);
-  writer.text("ego_side", toString(contact.ego_side));
-  writer.text("other_side", toString(contact.other_side));
-  writer.number("impact_speed", contact.impact_speed);
-  writer.number("ego_speed", contact.ego_speed);
-  writer.text("cause", toString(contact.cause));
-  writer.flag("at_fault", contact.at_fault);
   writer.endObject();
 }
 
@@ -87,7 +59,11 @@ void writeRow(JsonLineWriter& writer, const PlannerRow& row, double now) {
   writeAttacker(writer, row.attacker);
   writer.text("failure", toString(outcome.failure));
   writer.text("message", outcome.failure_message);
-  writeContact(writer, outcome, now);
+  if (outcome.contact) {
+    writeContact(writer, *outcome.contact, now);
+  } else {
+    writer.null("contact");
+  }
   if (row.escape) {
     writeAvoidability(writer, "escape", *row.escape);
   } else {
@@ -303,6 +279,27 @@ std::vector<std::string> untestedCsvRows(const std::string& start,
 }
 
 }  // namespace
+
+void writeContact(JsonLineWriter& writer, const PlannerContact& contact, double now) {
+  writer.beginObject("contact");
+  writer.text("other", contact.other_id);
+  writer.flag("attacker", contact.is_attacker);
+  writer.number("t", fromNow(contact.time, now));
+  writer.text("place", toString(contact.place));
+  if (contact.type) {
+    writer.text("type", toString(*contact.type));
+  } else {
+    writer.null("type");
+  }
+  writer.number("relative_heading", contact.relative_heading);
+  writer.text("ego_side", toString(contact.ego_side));
+  writer.text("other_side", toString(contact.other_side));
+  writer.number("impact_speed", contact.impact_speed);
+  writer.number("ego_speed", contact.ego_speed);
+  writer.text("cause", toString(contact.cause));
+  writer.flag("at_fault", contact.at_fault);
+  writer.endObject();
+}
 
 std::string plannerResultLine(const PlannerTestResult& result) {
   JsonLineWriter writer;

@@ -3,9 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/data/json_line.h"
 #include "collision_forge/trials/planner_result.h"
 
 namespace forge {
+
+/// The object "contact" of a row: `t` in s from now, angles in rad, speeds in m/s; `type` is null
+/// where the contact is of none.
+void writeContact(JsonLineWriter& writer, const PlannerContact& contact, double now);
 
 /// One line of results.jsonl, without a line end; times from now, as docs/planners.md has it.
 std::string plannerResultLine(const PlannerTestResult& result);
