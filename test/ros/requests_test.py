@@ -13,7 +13,8 @@ from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
 from collision_forge.msg import AgentArray, CollisionRequest
-from collision_forge.srv import GenerateCollisions, ListCollisions
+from collision_forge.srv import (GenerateCollision, GenerateCollisions, ListCollisions, PredictPattern,
+                                 RealizeTrajectory, TestPlanner)
 
 NOW = 2.5  # s after the first frame: the last of drive(6)
 
@@ -73,7 +74,9 @@ class RequestsTest(MadeUpTest):
         self.assertGreater(len(possible), 3)
         for answer in given.answers:
             single = ask(answer.collision_type, answer.tta, seed=3)
-            self.assertEqual((single.code, single.message), (answer.code, answer.message))
+            self.assertEqual((single.code, single.message, single.summary),
+                             (answer.code, answer.message, answer.summary))
+            self.assertEqual(single.summary.startswith(answer.collision_type + ' by '), answer.code == 0)
             self.assert_close(single.attack, answer.attack, tolerance=0.0)
 
     def test_alternatives_are_listed_too_the_surest_first(self):
@@ -86,6 +89,11 @@ class RequestsTest(MadeUpTest):
             sure = [one.confidence for one in listed if one.tta == tta]
             self.assertGreater(len(sure), 1)
             self.assertEqual(sure, sorted(sure, reverse=True))
+
+    def test_a_printed_answer_ends_with_its_code(self):
+        for service in (GenerateCollision, GenerateCollisions, ListCollisions, PredictPattern, RealizeTrajectory,
+                        TestPlanner):
+            self.assertEqual(service._response_class.__slots__[-2:], ['code', 'message'])
 
     def test_lists_publish_nothing(self):
         self.attacked()

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <utility>
@@ -18,6 +17,7 @@
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/injection.h"
+#include "collision_forge/ros/report_text.h"
 #include "collision_forge/settings/config.h"
 #include "collision_forge/settings/config_fingerprint.h"
 
@@ -39,28 +39,6 @@ struct Arguments {
   Mode mode = Mode::kHistory;
   AfterContact after_contact = AfterContact::kStop;
 };
-
-void printReport(const char* subject, const CollisionReport& report, double now) {
-  constexpr double kDegrees = 180.0 / M_PI;
-  std::cout << std::fixed << std::setprecision(2) << subject << ": ";
-  if (!report.contact) {
-    std::cout << "no contact\n";
-    return;
-  }
-  std::cout << (report.verified() ? "crash as asked" : "contact, not as asked") << ", "
-            << report.contact_time - now << " s from now, relative heading "
-            << report.relative_heading * kDegrees << " degrees, attacker's "
-            << toString(report.attacker_side) << " to ego's " << toString(report.ego_side)
-            << ", impact speed " << report.impact_speed << " m/s, overlap "
-            << 100.0 * report.overlap << " %, "
-            << (report.limits_kept ? "limits kept" : report.broken_limit)
-            << (report.first_other_id.empty() ? ""
-                                              : ", touches " + report.first_other_id + " first")
-            << ", " << 100.0 * report.off_road_share << " % off road, "
-            << toString(report.manoeuvre) << " from " << report.manoeuvre_begin - now << " s on, "
-            << (report.believable() ? "believable" : "not believable: it " + report.unbelievable)
-            << "\n";
-}
 
 /// What the bag shows after the contact with the recorded ego.
 std::string aftermathOf(AfterContact after, bool has_contact, double end_time) {
@@ -163,8 +141,10 @@ collision_forge::AttackRequest requestMessage(const TestedAttack& attack, const 
   return message;
 }
 
-void writeAttackedBag(const TestedAttack& attack, const Scene& scene, const std::string& method,
-                      const Arguments& arguments, const Config& config) {
+/// Returns what it wrote.
+BagAttack writeAttackedBag(const TestedAttack& attack, const Scene& scene,
+                           const std::string& method, const Arguments& arguments,
+                           const Config& config) {
   const std::string& attacker = attack.attack.trajectory.attacker_id;
   BagAttack bag_attack{toMessage(attack.attack, method, attack.now),
                        toMessage(attack.tested, attacker, attack.now),
@@ -180,6 +160,7 @@ void writeAttackedBag(const TestedAttack& attack, const Scene& scene, const std:
                 {scene.ego, config.ego_vehicle.center_offset, config.attack.verification.drivable,
                  config.attacked_bag},
                 [&](double share) { progress.show(share); });
+  return bag_attack;
 }
 
 int inject(const Arguments& arguments) {
@@ -207,15 +188,11 @@ int inject(const Arguments& arguments) {
       verify(attack.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
              config.attack.verification);
   tested.confidence = attack.report.confidence;
-  const std::string& attacker = attack.trajectory.attacker_id;
-  writeAttackedBag({attack, plans, tested, request, now}, scene, maker.name(), arguments, config);
-  std::cout << toString(request.type) << " by " << attacker << ", "
-            << (attack.trajectory.isAdded() ? "an added " : "a recorded ")
-            << toString(attack.trajectory.agent_class)
-            << ", now = " << now - scene.frame_times.front() << " s, confidence "
-            << attack.report.confidence << "\n";
-  printReport("generated", attack.report, now);
-  printReport("against the recording", tested, now);
+  const BagAttack written = writeAttackedBag({attack, plans, tested, request, now}, scene,
+                                             maker.name(), arguments, config);
+  std::cout << "now: " << now - scene.frame_times.front() << " s from the first frame\n"
+            << "generated: " << summaryOf(written.attack) << "\n"
+            << "against the recording: " << lineOf(written.tested_report) << "\n";
   std::cout << aftermathOf(arguments.after_contact, tested.contact, config.attacked_bag.end_time)
             << "\nwrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {

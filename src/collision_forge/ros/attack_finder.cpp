@@ -6,6 +6,7 @@
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/report_text.h"
 
 namespace forge {
 namespace {
@@ -59,7 +60,11 @@ collision_forge::CollisionAnswer AttackFinder::answer(
   const Status status = find(method.empty() ? default_method_ : method, scene, asked, answer);
   answer.code = static_cast<std::uint8_t>(status.code);
   answer.message = status.message;
-  if (status.code != StatusCode::kOk) answer.attack = {};
+  if (status.code == StatusCode::kOk) {
+    answer.summary = summaryOf(answer.attack);
+  } else {
+    answer.attack = {};
+  }
   return answer;
 }
 

@@ -29,7 +29,8 @@ class AttackFinder {
   /// Null until a usable map has come.
   std::shared_ptr<const LaneIndex> lanes() const { return map_.lanes(); }
 
-  /// Type, tta, code and message are always filled in, attack and alternatives with kOk alone.
+  /// Type, tta, code and message are always filled in, attack, alternatives and summary with kOk
+  /// alone.
   /// An empty `method` is the default one. Throws what the conversion of messages throws.
   collision_forge::CollisionAnswer answer(const collision_forge::SceneSnapshot& scene,
                                           const collision_forge::CollisionRequest& asked,

@@ -17,6 +17,7 @@
 #include "collision_forge/ros/live_attacker.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/possible_collisions.h"
+#include "collision_forge/ros/report_text.h"
 #include "collision_forge/ros/scene_memory.h"
 #include "collision_forge/ros/topic_names.h"
 
@@ -122,6 +123,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     response.attack = std::move(answer.attack);
     response.alternatives = std::move(answer.alternatives);
     setOut(snapshot, request, response.attack);
+    response.summary = summaryOf(response.attack);
     return status;
   }
 
