@@ -1,18 +1,22 @@
 #include "collision_forge/ros/marker_parts.h"
 
+#include <collision_forge/Agent.h>
+
 #include <cstdio>
 
 #include "collision_forge/geometry/touch_point.h"
+#include "collision_forge/ros/label_places.h"
 
 namespace forge {
 namespace {
 
-constexpr double kGhostWidth = 0.1;       // m
-constexpr double kGhostInterval = 0.5;    // s
-constexpr double kTimeTolerance = 1e-6;   // s
-constexpr double kContactDiameter = 1.0;  // m
+constexpr double kGhostWidth = 0.1;      // m
+constexpr double kGhostInterval = 0.5;   // s
+constexpr double kTimeTolerance = 1e-6;  // s
 constexpr float kGhostAlpha = 0.16F;
 constexpr double kReportLetterHeight = 2.2;  // m
+constexpr double kWordsLetterHeight = 1.5;   // m
+constexpr double kIdLetterHeight = 1.0;      // m
 
 }  // namespace
 
@@ -20,6 +24,31 @@ std::string formatted(const char* pattern, double value) {
   char text[64];
   std::snprintf(text, sizeof text, pattern, value);
   return text;
+}
+
+BoxSize sizeOf(const geometry_msgs::Vector3& size) { return {size.x, size.y}; }
+
+bool canAttackClass(std::uint8_t agent_class) {
+  return agent_class <= collision_forge::Agent::STATIC_OBJECT &&
+         canAttack(static_cast<AgentClass>(agent_class));
+}
+
+void addId(const std::string& id, const OrientedBox& box, const std::vector<OrientedBox>& boxes,
+           MarkerList& markers) {
+  const std::string shown = id.substr(0, kIdLetters);
+  const auto place = placeBeside(box, textSize(shown, kIdLetterHeight), boxes);
+  if (!place) return;
+  markers.addText("ids", shown, *place, kIdLetterHeight, kTextHeight, colors::kText);
+}
+
+void addWordsBeside(const OrientedBox& box, const std::string& words,
+                    const std::vector<OrientedBox>& boxes, MarkerList& markers) {
+  const BoxSize size = textSize(words, kWordsLetterHeight);
+  std::vector<OrientedBox> all = boxes;
+  all.push_back(box);
+  const auto free = placeBeside(box, size, all);
+  const Vector2 place = free ? *free : *placeBeside(box, size, {box});
+  markers.addText("words", words, place, kWordsLetterHeight, kTextHeight, colors::kText);
 }
 
 void addWay(const std::string& name, const std::vector<TrajectoryPoint>& points, double end,

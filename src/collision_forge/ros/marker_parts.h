@@ -1,6 +1,9 @@
 #pragma once
 
+#include <geometry_msgs/Vector3.h>
+
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,13 +20,29 @@ inline constexpr double kPathHeight = 4.5;  // above every bus
 inline constexpr double kOutlineHeight = 4.6;
 inline constexpr double kContactHeight = 4.8;
 inline constexpr double kTextHeight = 5.0;
+inline constexpr double kVehicleHeight = 1.5;  // of a box whose height is unknown
 
-inline constexpr double kPathWidth = 0.3;      // m, of lines
-inline constexpr std::size_t kIdLetters = 6;   // of an id; nuScenes has 32
-inline constexpr float kContactAlpha = 0.45F;  // of the vehicles at contact
+inline constexpr double kPathWidth = 0.3;        // m, of lines
+inline constexpr double kContactDiameter = 1.0;  // m
+inline constexpr std::size_t kIdLetters = 6;     // of an id; nuScenes has 32
+inline constexpr float kContactAlpha = 0.45F;    // of the vehicles at contact
 
 /// printf() of one number.
 std::string formatted(const char* pattern, double value);
+
+BoxSize sizeOf(const geometry_msgs::Vector3& size);
+
+/// Agent constants.
+bool canAttackClass(std::uint8_t agent_class);
+
+/// The start of an id beside its box and on none of the others; nothing where that cannot be. Long
+/// ids (nuScenes: 32 letters) would hide the scene.
+void addId(const std::string& id, const OrientedBox& box, const std::vector<OrientedBox>& boxes,
+           MarkerList& markers);
+
+/// How a crash comes and goes ("words"), beside a box and on none of the others, if that can be.
+void addWordsBeside(const OrientedBox& box, const std::string& words,
+                    const std::vector<OrientedBox>& boxes, MarkerList& markers);
 
 /// A vehicle's way up to `end` (s, the points' clock) with a ghost of it every half second, in the
 /// namespaces NAME_path, NAME_ghosts and NAME_ghost_outlines.

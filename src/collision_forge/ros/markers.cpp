@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/crash_words.h"
 #include "collision_forge/ros/marker_fill.h"
 #include "collision_forge/ros/marker_list.h"
 #include "collision_forge/ros/marker_parts.h"
@@ -21,7 +22,6 @@ constexpr double kAreaHeight = 0.0;
 constexpr double kConnectorHeight = 0.02;
 constexpr double kLaneHeight = 0.04;
 constexpr double kTrailHeight = 0.1;
-constexpr double kVehicleHeight = 1.5;  // of a box whose height is unknown
 constexpr double kPatternHeight = 4.7;
 
 constexpr double kLaneWidth = 0.12;     // m, of lines
@@ -38,30 +38,12 @@ constexpr double kArrowWidth = 1.0;     // m
 constexpr float kTrailAlpha = 0.6F;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr double kIdLetterHeight = 1.6;  // m
-
-BoxSize sizeOf(const geometry_msgs::Vector3& size) { return {size.x, size.y}; }
-
 template <typename Ring>
 std::vector<Vector2> positions(const Ring& points) {
   std::vector<Vector2> ring;
   ring.reserve(points.size());
   for (const auto& point : points) ring.emplace_back(point.x, point.y);
   return ring;
-}
-
-/// The start of an id above its box, for RViz that looks along -z with y up. Long ids (nuScenes: 32
-/// letters) would hide the scene.
-void addId(const std::string& id, const OrientedBox& box, MarkerList& markers) {
-  double top = box.center.y;
-  for (const Vector2& corner : corners(box)) top = std::max(top, corner.y());
-  markers.addText("ids", id.substr(0, kIdLetters), {box.center.x, top + 0.6 * kIdLetterHeight},
-                  kIdLetterHeight, kTextHeight, colors::kText);
-}
-
-bool canAttackClass(std::uint8_t agent_class) {
-  return agent_class <= collision_forge::Agent::STATIC_OBJECT &&
-         canAttack(static_cast<AgentClass>(agent_class));
 }
 
 Polygon polygonOf(const collision_forge::PolygonWithHoles& message) {
@@ -115,49 +97,10 @@ std::vector<Vector2> trailOf(const std::vector<collision_forge::TrackState>& sta
   return lines;
 }
 
-void addTrack(const std::string& name_space, const collision_forge::AgentTrack& track,
-              const ros::Time& now, const colors::MarkerColor& color, MarkerList& markers) {
-  markers.addLines(name_space + "_trail", trailOf(track.states), kTrailWidth, kTrailHeight,
-                   colors::withAlpha(color, kTrailAlpha));
-  if (track.states.empty() || track.states.back().stamp < now) return;
-  const OrientedBox box{fromMessage(track.states.back().pose), sizeOf(track.size)};
-  markers.addBox(name_space, box, kVehicleHeight, color);
-  if (!canAttackClass(track.agent_class) || track.id == kEgoId) return;
-  addId(track.id, box, markers);
-}
-
-/// The way that an attacker came that nobody recorded, and where it is now.
+/// The way that an attacker came that nobody recorded.
 void addPast(const collision_forge::AttackerTrajectory& trajectory, MarkerList& markers) {
   markers.addLines("added_past", trailOf(trajectory.past), kTrailWidth, kTrailHeight,
                    colors::withAlpha(colors::kAdded, kTrailAlpha));
-  const OrientedBox box{fromMessage(trajectory.past.back().pose), sizeOf(trajectory.size)};
-  markers.addBox("added", box, kVehicleHeight, colors::kAdded);
-  addId("added", box, markers);
-}
-
-std::string reportText(const collision_forge::Attack& attack) {
-  const collision_forge::CollisionReport& report = attack.report;
-  std::string text = attack.pattern.collision_type;
-  if (attack.trajectory.added) text += ", added vehicle";
-  if (attack.adaptive) text += "\n" + attack.phase + ": " + attack.decision;
-  if (!report.contact) return text + ": no contact";
-  text += formatted("\ncontact in %.2f s", (report.contact_time - report.header.stamp).toSec());
-  text += formatted("\nheading %+.0f deg", report.relative_heading * 180 / M_PI);
-  text += "\n" + report.attacker_side + " to ego's " + report.ego_side;
-  text += formatted("\nimpact %.1f m/s", report.impact_speed);
-  text += formatted(", overlap %.0f %%", 100 * report.overlap);
-  if (!report.manoeuvre.empty()) {
-    text += "\n" + report.manoeuvre +
-            formatted(" from %.1f s on", (report.manoeuvre_begin - report.header.stamp).toSec());
-  }
-  if (!report.unbelievable.empty()) text += "\nNOT BELIEVABLE: " + report.unbelievable;
-  return report.verified ? text : text + "\nNOT VERIFIED";
-}
-
-/// Where a text hides neither vehicle's way to the contact: ahead of both.
-Vector2 aheadOf(const Pose2& ego, const Pose2& attacker) {
-  const Vector2 ahead = ego.heading() + attacker.heading();
-  return ahead.norm() < 0.5 ? Vector2(-ego.heading().y(), ego.heading().x()) : ahead;
 }
 
 /// Where and when it is.
@@ -214,15 +157,10 @@ void addAttack(const collision_forge::Attack& attack, const ros::Time& now, Mark
   if (!trajectory.past.empty()) addPast(trajectory, markers);
   addPatternBox(pattern_ego, "pattern_ego", colors::kPatternEgo, markers);
   addPatternBox(pattern_attacker, "pattern_attacker", colors::kPatternAttacker, markers);
-  Vector2 place = (pattern_ego.center.position() + pattern_attacker.center.position()) / 2;
-  OrientedBox ego = pattern_ego;
-  OrientedBox attacker = pattern_attacker;
-  if (report.contact) {
-    ego.center = fromMessage(report.ego_at_contact);
-    attacker.center = fromMessage(report.attacker_at_contact);
-    place = addContact(ego, attacker, colors::kAttacker, markers);
-  }
-  addReport(reportText(attack), place, aheadOf(ego.center, attacker.center), markers);
+  if (!report.contact) return;
+  addContact({fromMessage(report.ego_at_contact), pattern_ego.size},
+             {fromMessage(report.attacker_at_contact), pattern_attacker.size}, colors::kAttacker,
+             markers);
 }
 
 OrientedBox boxOf(const collision_forge::Agent& agent) {
@@ -233,6 +171,18 @@ double heightOf(const collision_forge::Agent& agent) {
   return agent.size.z > 0 ? agent.size.z : kVehicleHeight;
 }
 
+/// Beside the contact, and where none is foreseen beside where the trajectory ends.
+void addWords(const collision_forge::Attack& attack, const ros::Time& now,
+              const std::vector<OrientedBox>& boxes, MarkerList& markers) {
+  const auto& points = attack.trajectory.points;
+  if (points.empty()) return;
+  const auto& report = attack.report;
+  const Pose2 place =
+      report.contact ? fromMessage(report.attacker_at_contact) : fromMessage(points.back().pose);
+  addWordsBeside({place, sizeOf(attack.trajectory.size)},
+                 crashWords(attack, verdictBy(now, attack, &report), now), boxes, markers);
+}
+
 }  // namespace
 
 MarkerArray mapMarkers(const collision_forge::LaneMap& map) {
@@ -240,15 +190,6 @@ MarkerArray mapMarkers(const collision_forge::LaneMap& map) {
   addArea("drivable_area", map.drivable_area, kAreaHeight, colors::kDrivableArea, markers);
   addArea("walkways", map.walkways, kWalkwayHeight, colors::kWalkway, markers);
   addLanes(map, markers);
-  return markers.take();
-}
-
-MarkerArray sceneMarkers(const collision_forge::SceneSnapshot& scene) {
-  MarkerList markers(scene.header);
-  for (const auto& agent : scene.agents) {
-    addTrack("agents", agent, scene.header.stamp, colors::agentColor(agent.agent_class), markers);
-  }
-  addTrack("ego", scene.ego, scene.header.stamp, colors::kEgo, markers);
   return markers.take();
 }
 
@@ -280,25 +221,47 @@ MarkerArray attackMarkers(const collision_forge::Attack& attack, const ros::Time
   return markers.take();
 }
 
+MarkerArray pastAttackMarkers(const collision_forge::Attack& attack,
+                              const collision_forge::CollisionReport& verdict) {
+  MarkerList markers(attack.header);
+  const double end = verdict.contact ? verdict.contact_time.toSec() : kInfinity;
+  std::vector<Vector2> lines;
+  std::vector<Vector2> path;
+  for (const TrajectoryPoint& point : pointsOf(attack.trajectory)) {
+    if (point.time <= end) path.push_back(point.pose.position());
+  }
+  appendPolyline(path, lines);
+  markers.addLines("attacker_path", lines, kPathWidth, kPathHeight, colors::kAttacker);
+  return markers.take();
+}
+
 MarkerArray crashMarkers(const CrashView& view) {
   MarkerList markers(view.header);
   if (view.attack) addAttack(*view.attack, view.header.stamp, markers);
-  if (view.ego) markers.addBox("ego", *view.ego, kVehicleHeight, colors::kEgo);
-  if (view.attacker) {
-    markers.addBox("attacker", boxOf(*view.attacker), heightOf(*view.attacker), colors::kAttacker);
+  std::vector<OrientedBox> boxes;
+  if (view.ego) {
+    boxes.push_back(*view.ego);
+    markers.addBox("ego", *view.ego, kVehicleHeight, colors::kEgo);
   }
+  if (view.attacker) {
+    boxes.push_back(boxOf(*view.attacker));
+    markers.addBox("attacker", boxes.back(), heightOf(*view.attacker), colors::kAttacker);
+  }
+  if (view.attack) addWords(*view.attack, view.header.stamp, boxes, markers);
   return markers.take();
 }
 
 MarkerArray annotationMarkers(const collision_forge::AgentArray& agents,
                               const std::string& attacker_id) {
   MarkerList markers(agents.header);
-  for (const auto& agent : agents.agents) {
-    const OrientedBox box = boxOf(agent);
+  std::vector<OrientedBox> boxes;
+  for (const auto& agent : agents.agents) boxes.push_back(boxOf(agent));
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const collision_forge::Agent& agent = agents.agents[i];
     const bool attacks = !attacker_id.empty() && agent.id == attacker_id;
-    markers.addBox("agents", box, heightOf(agent),
+    markers.addBox("agents", boxes[i], heightOf(agent),
                    attacks ? colors::kAttacker : colors::agentColor(agent.agent_class));
-    addId(agent.id, box, markers);
+    if (canAttackClass(agent.agent_class)) addId(agent.id, boxes[i], boxes, markers);
   }
   return markers.take();
 }

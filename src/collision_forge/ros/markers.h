@@ -2,6 +2,7 @@
 
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/Attack.h>
+#include <collision_forge/CollisionReport.h>
 #include <collision_forge/LaneMap.h>
 #include <collision_forge/PredictedPatterns.h>
 #include <collision_forge/SceneSnapshot.h>
@@ -19,21 +20,21 @@ namespace forge {
 /// Drivable area, and the centrelines of lanes and connectors with arrow heads along them.
 visualization_msgs::MarkerArray mapMarkers(const collision_forge::LaneMap& map);
 
-/// The ego and the agents present now: box, past trail, and the start of its id on what can attack.
-visualization_msgs::MarkerArray sceneMarkers(const collision_forge::SceneSnapshot& scene);
-
 /// The first patterns as pairs of ghosts, the ego's and the attacker's box at impact, the fainter
 /// the less promising. Attackers have their size in `scene`; who is not there is left out.
 visualization_msgs::MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
                                                const collision_forge::SceneSnapshot& scene);
 
-/// The attacker's way to the contact with a ghost every half second, the pattern's two boxes, both
-/// vehicles at contact, and what the report says in words. Of an attacker that was added also its
-/// past and its box now, in namespaces of their own ("added_past", "added"). Of an attacker that
-/// sees and reacts what it drove until `now` is a broad line ("driven"), and the way and the ghosts
-/// are those of its plan.
+/// What an attack is to be: the attacker's way to the contact with a ghost every half second, the
+/// pattern's two boxes, and both vehicles at the contact. Of an attacker that was added also its
+/// past ("added_past"). Of an attacker that sees and reacts what it drove until `now` is a broad
+/// line ("driven"), and the way and the ghosts are those of its plan.
 visualization_msgs::MarkerArray attackMarkers(const collision_forge::Attack& attack,
                                               const ros::Time& now = ros::Time());
+
+/// What is left of it once there is a verdict: the attacker's way, to the contact if there was one.
+visualization_msgs::MarkerArray pastAttackMarkers(const collision_forge::Attack& attack,
+                                                  const collision_forge::CollisionReport& verdict);
 
 /// One instant of a crash.
 struct CrashView {
@@ -43,10 +44,12 @@ struct CrashView {
   const collision_forge::Agent* attacker = nullptr;  ///< as it stands then
 };
 
-/// The boxes of ego and attacker as they stand, and attackMarkers().
+/// The boxes of ego and attacker as they stand, attackMarkers(), and in words the countdown or,
+/// from the contact on, what the attack's report says.
 visualization_msgs::MarkerArray crashMarkers(const CrashView& view);
 
-/// A box and the start of its id for everybody; the attacker's, if there is one, is red.
+/// A box for everybody, the attacker's, if there is one, red, and beside it the start of the id of
+/// what can attack.
 visualization_msgs::MarkerArray annotationMarkers(const collision_forge::AgentArray& agents,
                                                   const std::string& attacker_id = "");
 

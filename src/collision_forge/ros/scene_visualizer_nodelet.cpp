@@ -1,17 +1,26 @@
 #include <collision_forge/EncodedScene.h>
 #include <nodelet/nodelet.h>
 #include <ros/ros.h>
+#include <tf2_ros/static_transform_broadcaster.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <memory>
+
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/crash_words.h"
+#include "collision_forge/ros/live_scene.h"
 #include "collision_forge/ros/markers.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 
-/// Shows map, scene and attack in RViz.
+/// Shows map, scene and attack in RViz. All but the map is a function of the time, the newest scene
+/// and the attack: it is right again after any jump of the clock.
 class SceneVisualizerNodelet : public nodelet::Nodelet {
  private:
+  static constexpr double kPictureRate = 20.0;  // Hz, of the wall clock
+
   void onInit() override {
     ros::NodeHandle& node = getNodeHandle();
     map_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kMapMarkers, 1, true);
@@ -20,11 +29,16 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
         node.advertise<visualization_msgs::MarkerArray>(names::kPatternMarkers, 1, true);
     attack_markers_ =
         node.advertise<visualization_msgs::MarkerArray>(names::kAttackMarkers, 1, true);
+    view_ = std::make_unique<tf2_ros::StaticTransformBroadcaster>();
     subscribers_ = {
         node.subscribe(names::kLaneMap, 1, &SceneVisualizerNodelet::onMap, this),
         node.subscribe(names::kEncodedScene, 1, &SceneVisualizerNodelet::onScene, this),
         node.subscribe(names::kPredictedPatterns, 1, &SceneVisualizerNodelet::onPredicted, this),
-        node.subscribe(names::kAttack, 1, &SceneVisualizerNodelet::onAttack, this)};
+        node.subscribe(names::kAttack, 1, &SceneVisualizerNodelet::onAttack, this),
+        node.subscribe(names::kTestedReport, 1, &SceneVisualizerNodelet::onTested, this)};
+    // Of the wall clock: whoever comes while the replay is paused sees the picture, too.
+    timer_ = node.createWallTimer(ros::WallDuration(1.0 / kPictureRate),
+                                  &SceneVisualizerNodelet::show, this);
   }
 
   void onMap(const collision_forge::LaneMapConstPtr& map) {
@@ -33,9 +47,8 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
 
   void onScene(const collision_forge::EncodedSceneConstPtr& scene) {
     scene_ = scene;
-    scene_markers_.publish(sceneMarkers(scene->snapshot));
-    clearFutureAttack(*scene);
-    if (attack_ && attack_->adaptive) showAttack();
+    clearFuturePatterns(*scene);
+    if (attack_ && attack_->adaptive) shown_ = Shown::kOutdated;
   }
 
   /// Of the newest scene, as requests are.
@@ -51,45 +64,86 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
   }
 
   void onAttack(const collision_forge::AttackConstPtr& attack) {
-    if (isNone(*attack)) {
-      attack_.reset();
-      attack_start_ = ros::Time();
-      attack_markers_.publish(noMarkers(attack->header));
-      return;
-    }
-    attack_ = attack;
-    showAttack();
+    const bool goes_on = attack->adaptive && attack->plans > 1;
+    if (!goes_on) tested_.reset();  // it may be of another attack by the same vehicle, now
+    attack_ = isNone(*attack) ? nullptr : attack;
+    shown_ = Shown::kOutdated;
   }
 
-  /// One that sees and reacts as driven up to the newest scene, and only from its now on: it comes
-  /// again when the recording starts anew.
-  void showAttack() {
-    const ros::Time now = scene_ ? scene_->header.stamp : attack_->header.stamp;
-    if (attack_->adaptive && now < attack_->header.stamp) return;
-    attack_markers_.publish(attackMarkers(*attack_, now));
-    attack_start_ = attack_->header.stamp;
+  void onTested(const collision_forge::CollisionReportConstPtr& report) {
+    tested_ = report;
+    shown_ = Shown::kOutdated;
   }
 
-  /// A scene from before the attack was made means that the recording started anew.
-  void clearFutureAttack(const collision_forge::EncodedScene& scene) {
-    if (scene.header.stamp < patterns_start_) {
-      pattern_markers_.publish(noMarkers(scene.header));
-      patterns_start_ = ros::Time();
-    }
-    if (scene.header.stamp >= attack_start_) return;
-    attack_markers_.publish(noMarkers(scene.header));
-    attack_start_ = ros::Time();
+  /// The clock's time; the newest scene's where that comes first, or where there is no clock.
+  ros::Time pictureTime() const {
+    const ros::Time clock = ros::Time::now();
+    const ros::Time& newest = scene_->header.stamp;
+    const bool is_ahead = newest > clock && newest < clock + ros::Duration(kRestart);
+    return clock.isZero() || is_ahead ? newest : clock;
   }
+
+  void show(const ros::WallTimerEvent& /*event*/) {
+    if (!scene_) return;
+    LiveScene live;
+    live.scene = &scene_->snapshot;
+    live.now = pictureTime();
+    if (attack_ && live.now >= attack_->header.stamp) {
+      live.attack = attack_.get();
+      live.verdict = verdictBy(live.now, *attack_, tested_.get());
+    }
+    scene_markers_.publish(liveMarkers(live));
+    showPlan(live);
+    showView(live);
+  }
+
+  /// Where something changed.
+  void showPlan(const LiveScene& live) {
+    const Shown due = !live.attack ? Shown::kNothing : !live.verdict ? Shown::kPlan : Shown::kPast;
+    if (due == shown_) return;
+    shown_ = due;
+    attack_markers_.publish(due == Shown::kNothing ? noMarkers(live.scene->header)
+                            : due == Shown::kPlan
+                                ? attackMarkers(*live.attack, live.scene->header.stamp)
+                                : pastAttackMarkers(*live.attack, *live.verdict));
+  }
+
+  /// Static, so that it has no time that a paused clock or a jump back could make doubtful.
+  void showView(const LiveScene& live) {
+    const std::optional<Pose2> ego = viewedEgo(live);
+    if (!ego) return;
+    const geometry_msgs::Pose pose = toPoseMessage(*ego);
+    geometry_msgs::TransformStamped transform;
+    transform.header.stamp = live.now;
+    transform.header.frame_id = names::kMapFrame;
+    transform.child_frame_id = names::kEgoView;
+    transform.transform.translation.x = pose.position.x;
+    transform.transform.translation.y = pose.position.y;
+    transform.transform.rotation = pose.orientation;
+    view_->sendTransform(transform);
+  }
+
+  /// A scene from before they were predicted means that the recording started anew.
+  void clearFuturePatterns(const collision_forge::EncodedScene& scene) {
+    if (scene.header.stamp >= patterns_start_) return;
+    pattern_markers_.publish(noMarkers(scene.header));
+    patterns_start_ = ros::Time();
+  }
+
+  enum class Shown { kNothing, kPlan, kPast, kOutdated };
 
   ros::Publisher map_markers_;
   ros::Publisher scene_markers_;
   ros::Publisher pattern_markers_;
   ros::Publisher attack_markers_;
+  std::unique_ptr<tf2_ros::StaticTransformBroadcaster> view_;
   collision_forge::EncodedSceneConstPtr scene_;
-  collision_forge::AttackConstPtr attack_;
+  collision_forge::AttackConstPtr attack_;           ///< null: none
+  collision_forge::CollisionReportConstPtr tested_;  ///< the newest
+  Shown shown_ = Shown::kNothing;                    ///< on attack_markers
   ros::Time patterns_start_;  ///< "now" of the patterns that are shown; zero: none
-  ros::Time attack_start_;    ///< "now" of the attack that is shown; zero: none
   std::vector<ros::Subscriber> subscribers_;
+  ros::WallTimer timer_;
 };
 
 }  // namespace forge

@@ -46,6 +46,7 @@ inline constexpr char kTestPlanner[] = "test_planner";
 inline constexpr char kMapFrame[] = "map";
 inline constexpr char kBaseFrame[] = "base_link";
 inline constexpr char kTestedEgoFrame[] = "tested_ego";  // the ego's box where its test begins
+inline constexpr char kEgoView[] = "ego_view";           // the ego's box as RViz shows it
 
 // Who sends the frames of agents between recorded ones in a bag with an attack.
 inline constexpr char kInBetween[] = "/collision_forge_in_between";

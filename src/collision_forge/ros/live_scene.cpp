@@ -1,0 +1,158 @@
+#include "collision_forge/ros/live_scene.h"
+
+#include <algorithm>
+
+#include "collision_forge/geometry/touch_point.h"
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/crash_words.h"
+#include "collision_forge/ros/marker_parts.h"
+#include "collision_forge/ros/shown_motion.h"
+
+namespace forge {
+namespace {
+
+using collision_forge::AgentTrack;
+
+constexpr double kTrailHeight = 0.1;    // m
+constexpr double kTrailWidth = 0.2;     // m
+constexpr double kShortestTrail = 1.0;  // m; a shorter one is under its box
+constexpr double kLabelRange = 40.0;    // m from the ego
+constexpr float kTrailAlpha = 0.5F;
+constexpr float kRecordedAlpha = 0.35F;  // beside the scenario
+
+bool isHere(const AgentTrack& track, const LiveScene& live) {
+  return !track.states.empty() && track.states.back().stamp >= live.scene->header.stamp;
+}
+
+OrientedBox shownBox(const AgentTrack& track, const LiveScene& live) {
+  return {shownPose(track, live.now), sizeOf(track.size)};
+}
+
+const collision_forge::CollisionReport* contactIn(const LiveScene& live) {
+  return live.verdict && live.verdict->contact ? live.verdict : nullptr;
+}
+
+bool isAttacker(const AgentTrack& track, const LiveScene& live) {
+  return live.attack && track.id == live.attack->trajectory.attacker_id;
+}
+
+/// As it drives, from the contact on as it stands there.
+std::optional<OrientedBox> attackerBox(const LiveScene& live) {
+  if (!live.attack) return std::nullopt;
+  const BoxSize size = sizeOf(live.attack->trajectory.size);
+  if (const auto* contact = contactIn(live)) {
+    return OrientedBox{fromMessage(contact->attacker_at_contact), size};
+  }
+  const auto pose = drivenPose(live.attack->trajectory, live.now);
+  return pose ? std::optional(OrientedBox{*pose, size}) : std::nullopt;
+}
+
+/// Up to the box.
+void addTrail(const AgentTrack& track, const OrientedBox& box, const colors::MarkerColor& color,
+              MarkerList& markers) {
+  std::vector<Vector2> trail;
+  for (const auto& state : track.states) trail.emplace_back(state.pose.x, state.pose.y);
+  trail.push_back(box.center.position());
+  if ((trail.back() - trail.front()).norm() < kShortestTrail) return;
+  std::vector<Vector2> lines;
+  appendPolyline(trail, lines);
+  markers.addLines("trails", lines, kTrailWidth, kTrailHeight,
+                   colors::withAlpha(color, kTrailAlpha));
+}
+
+/// Returns the box.
+OrientedBox addTrack(const std::string& name_space, const AgentTrack& track,
+                     const colors::MarkerColor& color, const LiveScene& live, MarkerList& markers) {
+  const OrientedBox box = shownBox(track, live);
+  addTrail(track, box, color, markers);
+  markers.addBox(name_space, box, kVehicleHeight, color);
+  return box;
+}
+
+struct Named {
+  std::string id;
+  OrientedBox box;
+};
+
+/// Of the attacker; where there is none, of those near the ego that can be one.
+std::vector<Named> namedIn(const LiveScene& live) {
+  std::vector<Named> named;
+  if (const auto attacker = attackerBox(live)) {
+    return {{live.attack->trajectory.attacker_id, *attacker}};
+  }
+  for (const AgentTrack& agent : live.scene->agents) {
+    if (!isHere(agent, live) || !canAttackClass(agent.agent_class)) continue;
+    const OrientedBox box = shownBox(agent, live);
+    const auto ego = viewedEgo(live);
+    if (ego && (box.center.position() - ego->position()).norm() > kLabelRange) continue;
+    named.push_back({agent.id, box});
+  }
+  return named;
+}
+
+void addAgents(const LiveScene& live, std::vector<OrientedBox>& boxes, MarkerList& markers) {
+  for (const AgentTrack& agent : live.scene->agents) {
+    if (!isHere(agent, live)) continue;
+    const colors::MarkerColor color = colors::agentColor(agent.agent_class);
+    const bool attacks = isAttacker(agent, live);
+    boxes.push_back(addTrack(attacks ? "recorded" : "agents", agent,
+                             attacks ? colors::withAlpha(color, kRecordedAlpha) : color, live,
+                             markers));
+  }
+}
+
+void addEgo(const LiveScene& live, std::vector<OrientedBox>& boxes, MarkerList& markers) {
+  const AgentTrack& ego = live.scene->ego;
+  const auto* contact = contactIn(live);
+  if (isHere(ego, live)) {
+    boxes.push_back(addTrack(
+        contact ? "recorded" : "ego", ego,
+        contact ? colors::withAlpha(colors::kEgo, kRecordedAlpha) : colors::kEgo, live, markers));
+  }
+  if (!contact) return;
+  boxes.push_back({fromMessage(contact->ego_at_contact), sizeOf(live.attack->pattern.ego_size)});
+  markers.addBox("ego", boxes.back(), kVehicleHeight, colors::kEgo);
+}
+
+/// Beside the contact, or beside the attacker where none is known.
+void addWords(const LiveScene& live, const OrientedBox& attacker,
+              const std::vector<OrientedBox>& boxes, MarkerList& markers) {
+  OrientedBox place = attacker;
+  if (contactIn(live)) {
+    const OrientedBox ego{fromMessage(live.verdict->ego_at_contact),
+                          sizeOf(live.attack->pattern.ego_size)};
+    markers.addDisc("contact", touchPoint(ego, attacker), kContactDiameter, kContactHeight,
+                    colors::kContact);
+  } else if (live.attack->report.contact && !live.verdict) {
+    place.center = fromMessage(live.attack->report.attacker_at_contact);
+  }
+  addWordsBeside(place, crashWords(*live.attack, live.verdict, live.now), boxes, markers);
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray liveMarkers(const LiveScene& live) {
+  MarkerList markers(live.scene->header);
+  std::vector<OrientedBox> boxes;
+  addAgents(live, boxes, markers);
+  addEgo(live, boxes, markers);
+  const std::optional<OrientedBox> attacker = attackerBox(live);
+  if (attacker) {
+    boxes.push_back(*attacker);
+    markers.addBox("attacker", *attacker, kVehicleHeight, colors::kAttacker);
+    addWords(live, *attacker, boxes, markers);
+  }
+  for (const Named& named : namedIn(live)) addId(named.id, named.box, boxes, markers);
+  return markers.take();
+}
+
+std::optional<Pose2> viewedEgo(const LiveScene& live) {
+  const auto* contact = contactIn(live);
+  if (contact && (live.now - contact->contact_time).toSec() < kCrashView) {
+    return fromMessage(contact->ego_at_contact);
+  }
+  if (!isHere(live.scene->ego, live)) return std::nullopt;
+  return shownPose(live.scene->ego, live.now);
+}
+
+}  // namespace forge
