@@ -32,8 +32,9 @@ NODES = {
     'collision_generator': (['/attack', '/attack_methods', '/predicted_patterns'], ['/encoded_scene', '/lane_map'],
                             ['/generate_collision', '/generate_collisions', '/list_collisions', '/reset']),
     'attacker_injector': (['/injected_agents'], ['/agents', '/attack'], []),
-    'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers'],
-                         ['/attack', '/encoded_scene', '/lane_map', '/predicted_patterns'], []),
+    'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers',
+                          '/tf_static'],
+                         ['/attack', '/encoded_scene', '/lane_map', '/predicted_patterns', '/tested_report'], []),
 }
 MANAGER = 'collision_forge_manager'
 PLAYED = ['/agents', '/lane_map', '/tf']  # what the suite hears of a bag

@@ -1,0 +1,32 @@
+#include "collision_forge/ros/label_places.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace forge {
+namespace {
+
+const OrientedBox kCar{{0.0, 0.0, M_PI / 6}, {4.6, 1.9}};
+
+TEST(LabelPlaces, GrowWithLinesAndLetters) {
+  const BoxSize one = textSize("abc", 1.0);
+  EXPECT_DOUBLE_EQ(textSize("abcdef", 1.0).length, 2 * one.length);
+  EXPECT_DOUBLE_EQ(textSize("abc\na", 1.0).width, 2 * one.width);
+  EXPECT_DOUBLE_EQ(textSize("abc\na", 1.0).length, one.length);
+}
+
+TEST(LabelPlaces, LieBesideTheirBoxAndOnNoOther) {
+  const BoxSize text = textSize("012345", 1.0);
+  std::vector<OrientedBox> boxes{kCar};
+  while (const auto place = placeBeside(kCar, text, boxes)) {
+    const OrientedBox label{{place->x(), place->y(), 0.0}, text};
+    for (const OrientedBox& box : boxes) EXPECT_FALSE(overlaps(label, box));
+    boxes.push_back(label);
+    ASSERT_LT(boxes.size(), 30U);
+  }
+  EXPECT_GT(boxes.size(), 4U);
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,136 @@
+#include "collision_forge/ros/live_scene.h"
+
+#include <collision_forge/Agent.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <string>
+
+#include "collision_forge/ros/marker_colors.h"
+
+namespace forge {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+collision_forge::AgentTrack track(const std::string& id, std::uint8_t agent_class, double x,
+                                  double y) {
+  collision_forge::AgentTrack track;
+  track.id = id;
+  track.agent_class = agent_class;
+  track.size.x = 4.6;
+  track.size.y = 1.9;
+  for (int i = 0; i < 3; ++i) {
+    collision_forge::TrackState state;
+    state.stamp = ros::Time(11.0 + 0.5 * i);
+    state.pose.x = x + 4.0 * (i - 2);
+    state.pose.y = y;
+    state.velocity_x = 8.0;
+    track.states.push_back(state);
+  }
+  return track;
+}
+
+/// The newest frame is of 12 s, the attack of 10 s to 15 s with its contact at 13 s.
+class LiveSceneTest : public testing::Test {
+ protected:
+  LiveSceneTest() {
+    scene_.header.frame_id = "map";
+    scene_.header.stamp = ros::Time(12.0);
+    scene_.ego = track("ego", collision_forge::Agent::CAR, 0.0, 0.0);
+    scene_.agents = {track("0123456789abcdef", collision_forge::Agent::CAR, 10.0, 10.0),
+                     track("walker", collision_forge::Agent::PEDESTRIAN, 20.0, 20.0)};
+    attack_.header.stamp = tested_.header.stamp = ros::Time(10.0);
+    attack_.trajectory.attacker_id = tested_.attacker_id = scene_.agents[0].id;
+    attack_.trajectory.size = attack_.pattern.ego_size = scene_.ego.size;
+    for (int i = 0; i <= 5; ++i) {
+      attack_.trajectory.points.emplace_back();
+      attack_.trajectory.points.back().stamp = ros::Time(10.0 + i);
+      attack_.trajectory.points.back().pose.position.x = 40.0 - 8.0 * i;
+      attack_.trajectory.points.back().pose.orientation.z = 1.0;
+    }
+    attack_.report.contact = tested_.contact = true;
+    attack_.report.contact_time = tested_.contact_time = ros::Time(13.0);
+    attack_.report.attacker_at_contact.x = tested_.attacker_at_contact.x = 14.0;
+    tested_.ego_at_contact.x = 9.4;
+    live_.scene = &scene_;
+    live_.now = ros::Time(12.25);
+  }
+
+  std::vector<Marker> shown(const std::string& name) const {
+    const MarkerArray array = liveMarkers(live_);
+    EXPECT_EQ(array.markers[0].action, Marker::DELETEALL);
+    std::vector<Marker> found;
+    std::copy_if(array.markers.begin(), array.markers.end(), std::back_inserter(found),
+                 [&](const Marker& marker) { return marker.ns == name; });
+    return found;
+  }
+
+  collision_forge::SceneSnapshot scene_;
+  collision_forge::Attack attack_;
+  collision_forge::CollisionReport tested_;
+  LiveScene live_;
+};
+
+TEST_F(LiveSceneTest, MovesBoxesBetweenFrames) {
+  ASSERT_EQ(shown("ego").size(), 1U);
+  EXPECT_NEAR(shown("ego")[0].pose.position.x, 2.0, 1e-6);
+  EXPECT_NEAR(viewedEgo(live_)->x, 2.0, 1e-6);
+  EXPECT_EQ(shown("agents").size(), 2U);
+  EXPECT_EQ(shown("trails").size(), 3U);
+}
+
+TEST_F(LiveSceneTest, NamesWhatCanAttackNearTheEgoShortly) {
+  ASSERT_EQ(shown("ids").size(), 1U);
+  EXPECT_EQ(shown("ids")[0].text, "012345");
+  for (auto& state : scene_.agents[0].states) state.pose.x += 100.0;
+  EXPECT_TRUE(shown("ids").empty());
+}
+
+TEST_F(LiveSceneTest, ShowsNobodyWhoLeftOrHasNoExtent) {
+  scene_.agents[0].states.pop_back();
+  scene_.agents[1].states.back().pose.theta = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(shown("agents").empty());
+  scene_ = {};
+  EXPECT_EQ(liveMarkers(live_).markers.size(), 1U);
+  EXPECT_FALSE(viewedEgo(live_));
+}
+
+TEST_F(LiveSceneTest, ShowsTheAttackerDriveBesideItsRecordedGhost) {
+  live_.attack = &attack_;
+  ASSERT_EQ(shown("attacker").size(), 1U);
+  EXPECT_NEAR(shown("attacker")[0].pose.position.x, 22.0, 1e-6);
+  EXPECT_EQ(shown("attacker")[0].color.r, colors::kAttacker.red);
+  ASSERT_EQ(shown("recorded").size(), 1U);
+  EXPECT_NEAR(shown("recorded")[0].pose.position.x, 12.0, 1e-6);
+  EXPECT_LT(shown("recorded")[0].color.a, 0.5);
+  EXPECT_EQ(shown("agents").size(), 1U);
+  ASSERT_EQ(shown("words").size(), 1U);
+  EXPECT_EQ(shown("words")[0].text.substr(0, 12), "contact in 0");
+}
+
+TEST_F(LiveSceneTest, LeavesBothWhereTheyTouchedWithTheVerdict) {
+  live_.attack = &attack_;
+  live_.verdict = &tested_;
+  live_.now = ros::Time(13.2);
+  EXPECT_NEAR(shown("attacker")[0].pose.position.x, 14.0, 1e-6);
+  EXPECT_NEAR(shown("ego")[0].pose.position.x, 9.4, 1e-6);
+  EXPECT_EQ(shown("recorded").size(), 2U) << "ego and attacker";
+  EXPECT_EQ(shown("contact").size(), 1U);
+  EXPECT_EQ(shown("words")[0].text.find("contact not as asked"), 0U);
+}
+
+TEST_F(LiveSceneTest, LooksAtTheContactForAWhile) {
+  live_.attack = &attack_;
+  live_.verdict = &tested_;
+  live_.now = ros::Time(13.0 + kCrashView - 0.1);
+  EXPECT_NEAR(viewedEgo(live_)->x, 9.4, 1e-6);
+  live_.now = ros::Time(13.0 + kCrashView + 0.1);
+  EXPECT_NEAR(viewedEgo(live_)->x, 8.0 * 0.6, 1e-6);
+}
+
+}  // namespace
+}  // namespace forge
