@@ -1,0 +1,58 @@
+"""What the test of the documents does otherwise than a reader does, and why."""
+
+# Documents that are not run.
+LEFT_OUT = {
+    'results.md': 'figures measured on data that is not in the repository, over hours',
+}
+
+# Commands that are not run: a pattern and the reason. An entry that matches no command of any document is an error.
+NOT_RUN = [
+    (r'^(scripts/(demo|test|test_interop|setup)|\.ci/run)\b', 'they build and test, this test among all others'),
+    (r'^git clone|apt-get install', 'wants a network and changes the machine'),
+    (r'^(cmake|ctest|catkin_make)\b|~/ws', 'builds'),
+    (r'(^|\s)\.\.\.(\s|$)', 'leaves words out'),
+    (r'^rviz\b', 'opens a window'),
+    (r'--collide (DIR|COLLIDE)\b|v1\.0-trainval --collide', 'wants the data set COLLIDE'),
+    (r'^forge (train|dataset)\b|ablate_heads|^cat RUN', 'trains, or makes what is trained with, for hours'),
+    (r'venv/bin', 'wants a torch from the network'),
+    (r'^mpirun|^build-training', 'wants several machines, or another libtorch'),
+    (r'test_cut_in\.py', 'test/ros/client_test.py runs it'),
+    (r'PLANNER=idm .*harness\.py', 'is to fail, as test/ros/harness_test.py checks'),
+]
+
+# What is run otherwise: a pattern and what takes its place.
+INSTEAD = [
+    # A reader asks over many instants, and the test over few.
+    (r'^(forge requests (?!.*--stride).*)$', r'\1 --stride 8'),
+    (r'--tries \d+', '--tries 8'),
+    # A reader ends it with Ctrl-C.
+    (r'^(rostopic echo .*)$', r'timeout 60 \1 -n 1'),
+    # What is possible in a scene of nuScenes is not in the one that has its name here.
+    (r'--type LTAP --now 4 ', '--type lane_change --now 4 '),
+]
+
+# What a reader has of earlier pages, by its path: how it is made where a command wants it and it is not there.
+LOGS = '--dataroot DATAROOT --version v1.0-mini'
+EARLIER = {
+    'out/demo/scene-{}.bag'.format(number): 'forge convert --dataroot data/embedded --version v1.0-embedded '
+                                            '--out out/demo --scene scene-' + number
+    for number in ('0001', '0003', '0005', '0007')
+}
+EARLIER.update({
+    'bags/scene-0061.bag': 'forge convert {} --scene scene-0061 --out bags'.format(LOGS),
+    'requests.jsonl': 'forge requests {} --stride 8 --tta 4 --out requests.jsonl'.format(LOGS),
+    'my_planner.pt': 'cp data/weights/planner.pt my_planner.pt',
+    'out/planners/results.jsonl': 'forge test {} --scenarios scenarios.jsonl --planners idm --out out/planners'
+                                  .format(LOGS),
+})
+for name, mode, scene in (('scenarios', 'replay', '0103'), ('history', 'history', '0103'), ('replay', 'replay', '0103'),
+                          ('a', 'replay', '0061'), ('b', 'replay', '0103')):
+    EARLIER[name + '.jsonl'] = (
+        'forge requests {logs} --scene scene-{scene} --stride 8 --tta 4 --out {name}.list && '
+        'forge generate {logs} --requests {name}.list --mode {mode} --out {name}.all && '
+        'grep \'"code":"OK"\' {name}.all > {name}.jsonl'.format(
+            logs=LOGS, name=name, mode=mode, scene=scene))
+
+# The reader's own nuScenes root is DATAROOT or NUSCENES in the documents: the embedded scenes under nuScenes' names.
+DATAROOT, VERSIONS = ('DATAROOT', 'NUSCENES'), ('v1.0-mini', 'v1.0-trainval')
+SCENES = {'scene-0001': 'scene-0061', 'scene-0005': 'scene-0103'}

@@ -1,0 +1,239 @@
+#!/usr/bin/python3
+"""usage: run_document.py SOURCE_DIR DOCUMENT: runs the shell commands of a document, as a reader does, in order.
+
+They run in one bash, in a temporary folder with links to all of the repository and an `out` of its own, after
+`source scripts/env.bash`. Blocks with a language are not run; one whose first line is a comment with a path is saved
+there. `roscore` and `roslaunch` go on in the background, without RViz, until the next one or the end: a reader has them
+in a terminal of their own. What else is not as a reader has it says arrangements.py.
+"""
+import json
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from xmlrpc.client import ServerProxy
+
+from arrangements import DATAROOT, EARLIER, INSTEAD, NOT_RUN, SCENES, VERSIONS
+from blocks import blocks, commands
+
+TIMEOUT = 120.0       # s that a command may take
+READY_TIMEOUT = 60.0  # s until what was launched answers
+SHOWN = 3000          # characters of output in an error
+END = '=== the end of the command: '
+OWN = ('.git', 'out')  # entries of the repository that are not linked
+SERVICES = {'planner_test.launch': ['/test_planner']}
+ALL_SERVICES = ['/generate_collision', '/list_collisions', '/test_planner', '/reset']
+
+
+class Failed(Exception):
+    pass
+
+
+class Shell:
+    """One bash for all commands of a document."""
+
+    def __init__(self, folder):
+        self.folder, self.launched = folder, None
+        with socket.socket() as free:
+            free.bind(('localhost', 0))
+            port = free.getsockname()[1]
+        self.master = 'http://localhost:{}'.format(port)
+        environment = dict(os.environ, ROS_MASTER_URI=self.master, ROS_HOSTNAME='localhost',
+                           ROS_HOME=str(folder / '.ros'), PYTHONDONTWRITEBYTECODE='1')
+        for name in ('ROS_IP', 'ROS_LOG_DIR', 'ROS_NAMESPACE'):
+            environment.pop(name, None)
+        self.bash = subprocess.Popen(['bash', '--noprofile', '--norc'], cwd=str(folder), env=environment, text=True,
+                                     stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, start_new_session=True)
+
+    def run(self, text, timeout=TIMEOUT):
+        """(exit code, output) of a command, as if it was typed."""
+        source, log, code = (self.folder / name for name in ('.command', '.output', '.code'))
+        source.write_text(text + '\n')
+        self.bash.stdin.write('source {0}/.command < /dev/null > {0}/.output 2>&1; echo $? > {0}/.coding; '
+                              'mv {0}/.coding {0}/.code\n'.format(self.folder))
+        self.bash.stdin.flush()
+        deadline = time.monotonic() + timeout
+        while not code.exists():
+            if self.bash.poll() is not None or time.monotonic() > deadline:
+                raise Failed('does not end within {} s\n{}'.format(timeout, log.read_text()[-SHOWN:]))
+            time.sleep(0.02)
+        result = int(code.read_text())
+        code.unlink()
+        return result, log.read_text(errors='replace')
+
+    def check(self, text):
+        """What it prints; fails unless it ends with 0."""
+        code, output = self.run(text)
+        if code != 0:
+            raise Failed('exit code {}\n{}'.format(code, output[-SHOWN:]))
+        return output
+
+    def launch(self, text):
+        """Goes on in the background once it answers; what was launched before ends."""
+        self.end_launched()
+        file = next((word for word in text.split() if word.endswith('.launch')), '')
+        if file and 'name="rviz"' in (self.folder / 'launch' / file).read_text():
+            text += ' rviz:=false'
+        text = re.sub(r':=({})\b'.format('|'.join(DATAROOT)), r':=$PWD/\1', text)
+        if text.startswith('roscore'):
+            text += ' -p ' + self.master.rsplit(':', 1)[1]
+        self.launched = int(self.check('{} > {}/.launched 2>&1 & echo $!'.format(text, self.folder)))
+        self.wait_for(SERVICES.get(file, ALL_SERVICES) if file else [])
+
+    def wait_for(self, services):
+        deadline = time.monotonic() + READY_TIMEOUT
+        while not self.answers(services):
+            if time.monotonic() > deadline:
+                raise Failed('not ready within {} s\n{}'.format(
+                    READY_TIMEOUT, (self.folder / '.launched').read_text(errors='replace')[-SHOWN:]))
+            time.sleep(0.1)
+
+    def answers(self, services):
+        try:
+            master = ServerProxy(self.master)
+            return all(master.lookupService('/docs_test', name)[0] == 1 for name in services or ['/rosout/get_loggers'])
+        except OSError:
+            return False
+
+    def call(self, text):
+        """A service that has no scene yet is asked again, as a reader would."""
+        deadline = time.monotonic() + READY_TIMEOUT
+        while True:
+            output = self.check(text)
+            if re.search(r'\bcode: 0\b|success: True', output):
+                return
+            if time.monotonic() > deadline:
+                raise Failed('declined\n' + output[-SHOWN:])
+            time.sleep(1.0)
+
+    def end_launched(self):
+        if self.launched is None:
+            return
+        deadline = time.monotonic() + READY_TIMEOUT
+        try:
+            os.kill(self.launched, signal.SIGINT)
+            while Path('/proc/{}/exe'.format(self.launched)).exists() and time.monotonic() < deadline:
+                time.sleep(0.05)
+        except ProcessLookupError:
+            pass  # it has ended by itself
+        self.launched = None
+
+    def close(self):
+        self.end_launched()
+        for sign in (signal.SIGTERM, signal.SIGKILL):  # what a document leaves in the background
+            try:
+                os.killpg(self.bash.pid, sign)
+            except ProcessLookupError:
+                pass
+        self.bash.wait()
+
+
+def make_folder(source, folder):
+    """A reader's copy of the repository, and a nuScenes root of their own with two scenes."""
+    for entry in source.iterdir():
+        if entry.name not in OWN:
+            (folder / entry.name).symlink_to(entry)
+    (folder / 'out').mkdir()
+    embedded = source / 'data' / 'embedded'
+    root = folder / DATAROOT[0]
+    root.mkdir()
+    (root / 'maps').symlink_to(embedded / 'maps')
+    for version in VERSIONS:
+        (root / version).mkdir()
+        for name, rows in two_scenes(embedded / 'v1.0-embedded').items():
+            (root / version / name).write_text(json.dumps(rows))
+    for name in DATAROOT[1:]:
+        (folder / name).symlink_to(root)
+
+
+def two_scenes(folder):
+    """The tables of nuScenes with SCENES alone, and with their new names."""
+    tables = {path.name: json.loads(path.read_text()) for path in folder.iterdir()}
+    tables['scene.json'] = [dict(row, name=SCENES[row['name']]) for row in tables['scene.json'] if row['name'] in SCENES]
+    for name, key, other in (('sample', 'scene_token', 'scene'), ('sample_data', 'sample_token', 'sample'),
+                             ('sample_annotation', 'sample_token', 'sample')):
+        kept = {row['token'] for row in tables[other + '.json']}
+        tables[name + '.json'] = [row for row in tables[name + '.json'] if row[key] in kept]
+    for name, key, other in (('ego_pose', 'ego_pose_token', 'sample_data'),
+                             ('instance', 'instance_token', 'sample_annotation')):
+        kept = {row[key] for row in tables[other + '.json']}
+        tables[name + '.json'] = [row for row in tables[name + '.json'] if row['token'] in kept]
+    return tables
+
+
+def is_run(text):
+    return not any(re.search(pattern, text, re.DOTALL) for pattern, _ in NOT_RUN)
+
+
+def as_it_is_run(text):
+    for pattern, replacement in INSTEAD:
+        text = re.sub(pattern, replacement, text, flags=re.DOTALL)
+    return text
+
+
+def make_earlier(shell, text):
+    """What the command reads and earlier pages have made."""
+    for path, how in EARLIER.items():
+        written = re.search(r'--out\s+{}(\s|$)'.format(re.escape(path)), text)
+        read = re.search(r'(\s|PWD/){}(\s|$)'.format(re.escape(path)), text)
+        if read and not written and text != how and not (shell.folder / path).exists():
+            make_earlier(shell, how)
+            shell.check(how)
+
+
+def run_command(shell, text):
+    text = as_it_is_run(text)
+    make_earlier(shell, text)
+    if re.match(r'(roscore|roslaunch)\b', text):
+        shell.launch(text)
+    elif re.match(r'rosservice call\b', text):
+        shell.call(text)
+    else:
+        shell.check(text)
+
+
+def run_document(document, shell):
+    """How many commands were run."""
+    count = 0
+    for block in blocks(document.read_text()):
+        if block.path:
+            (shell.folder / block.path).parent.mkdir(parents=True, exist_ok=True)
+            (shell.folder / block.path).write_text(block.text + '\n')
+        for command in commands(block) if not block.language else []:
+            if not is_run(command.text):
+                continue
+            begin = time.monotonic()
+            try:
+                run_command(shell, command.text)
+            except Failed as failed:
+                raise Failed('{}:{}: {}\n{}'.format(document, command.line, command.text, failed))
+            print('{:5.1f} s  line {}: {}'.format(time.monotonic() - begin, command.line, command.text), flush=True)
+            count += 1
+    return count
+
+
+def main(source, document):
+    with tempfile.TemporaryDirectory(prefix='collision_forge_docs_') as name:
+        folder = Path(name).resolve()
+        make_folder(source, folder)
+        shell = Shell(folder)
+        try:
+            shell.check('source scripts/env.bash')
+            print('{} commands'.format(run_document(document, shell)))
+        except Failed as failed:
+            print(failed)
+            return 1
+        finally:
+            shell.close()
+    return 0
+
+
+if __name__ == '__main__':
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    sys.exit(main(Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()))
