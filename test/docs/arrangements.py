@@ -12,7 +12,7 @@ NOT_RUN = [
     (r'^(cmake|ctest|catkin_make)\b|~/ws', 'builds'),
     (r'(^|\s)\.\.\.(\s|$)', 'leaves words out'),
     (r'^rviz\b', 'opens a window'),
-    (r'--collide (DIR|COLLIDE)\b|v1\.0-trainval --collide', 'wants the data set COLLIDE'),
+    (r'--collide (DIR|COLLIDE|out/set)\b', 'wants the data set COLLIDE, or what forge dataset makes'),
     (r'^forge (train|dataset)\b|ablate_heads|^cat RUN', 'trains, or makes what is trained with, for hours'),
     (r'venv/bin', 'wants a torch from the network'),
     (r'^mpirun|^build-training', 'wants several machines, or another libtorch'),
@@ -25,6 +25,7 @@ INSTEAD = [
     # A reader asks over many instants, and the test over few.
     (r'^(forge requests (?!.*--stride).*)$', r'\1 --stride 8'),
     (r'--tries \d+', '--tries 8'),
+    (r'--until-hit (?!.*--tries)', '--until-hit --tries 8 '),
     # A reader ends it with Ctrl-C.
     (r'^(rostopic echo .*)$', r'timeout 60 \1 -n 1'),
     # What is possible in a scene of nuScenes is not in the one that has its name here.

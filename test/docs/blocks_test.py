@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+"""usage: blocks_test.py SOURCE_DIR: what is found in a document, and whether arrangements.py is still needed."""
+import re
+import sys
+import unittest
+from pathlib import Path
+
+from arrangements import INSTEAD, LEFT_OUT, NOT_RUN
+from blocks import blocks, commands, is_complete
+
+PAGE = '''# A page
+
+```
+first --option
+# in another terminal
+second "of two
+lines" \\
+    --option
+
+third
+```
+
+```text
+output
+```
+
+```python
+# folder/program.py
+print(1)
+```
+'''
+
+
+class Blocks(unittest.TestCase):
+    def test_are_told_with_line_and_language(self):
+        self.assertEqual([(4, ''), (14, 'text'), (18, 'python')], [(block.line, block.language) for block in blocks(PAGE)])
+
+    def test_without_a_language_hold_commands(self):
+        self.assertEqual([(4, 'first --option'), (6, 'second "of two\nlines" \\\n    --option'), (10, 'third')],
+                         commands(blocks(PAGE)[0]))
+
+    def test_with_a_path_in_a_comment_are_saved(self):
+        self.assertEqual([None, None, 'folder/program.py'], [block.path for block in blocks(PAGE)])
+
+    def test_of_the_shell_are_never_saved(self):
+        self.assertIsNone(blocks('```\n# folder/program.py\n```')[0].path)
+
+    def test_that_do_not_end_are_refused(self):
+        with self.assertRaisesRegex(ValueError, 'line 2'):
+            blocks('text\n```\nfirst')
+
+
+class Complete(unittest.TestCase):
+    def test_is_a_command_that_bash_would_run(self):
+        for text, expected in (('ls', True), ('ls \\', False), ('for i in 1 2; do', False),
+                               ('for i in 1 2; do\nls; done', True), ("cat <<'END'\nline", False),
+                               ("cat <<'END'\nline\nEND", True), ('echo "one', False)):
+            self.assertEqual(expected, is_complete(text), text)
+
+
+class Arrangements(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        pages = [page for page in [SOURCE / 'README.md', SOURCE / 'CONTRIBUTING.md', *SOURCE.glob('docs/*.md')]
+                 if page.name not in LEFT_OUT]
+        cls.commands = [command.text for page in pages for block in blocks(page.read_text()) if not block.language
+                        for command in commands(block)]
+
+    def test_are_all_needed(self):
+        for pattern, *_ in NOT_RUN + INSTEAD:
+            self.assertTrue(any(re.search(pattern, text, re.DOTALL) for text in self.commands),
+                            'no command of the documents matches {}: take it out of arrangements.py'.format(pattern))
+
+    def test_leave_out_documents_that_are_there(self):
+        for name in LEFT_OUT:
+            self.assertTrue((SOURCE / 'docs' / name).exists(), name)
+
+
+if __name__ == '__main__':
+    SOURCE = Path(sys.argv.pop())
+    unittest.main()
