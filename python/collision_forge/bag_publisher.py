@@ -1,0 +1,158 @@
+"""Publishes the messages of a bag and `/clock`."""
+import itertools
+import time
+from pathlib import Path
+from typing import Any, Iterator, List, Optional, Tuple, Union
+
+import rosbag
+import rospy
+from genpy import Time
+from rosgraph_msgs.msg import Clock
+
+from collision_forge.errors import ForgeError
+from collision_forge.waiting import Graph, names
+
+AGENTS = '/agents'
+CLOCK = '/clock'
+CLOCK_LEAD = 0.5  # s of the wall clock from the first /clock to the first message: whoever keeps transforms drops those
+                  # that come before it has seen time jump back
+
+
+class BagPublisher:
+    """Publishes a bag's messages in their order, and is the only one to publish `/clock`.
+
+    Instants are in s from the bag's first frame of agents, as `--now` of `forge inject`; times are those of the bag.
+    First comes `begin()`, then `publish_until()`, again and again.
+    """
+
+    def __init__(self, bag: Union[str, Path]) -> None:
+        self.path = Path(bag)
+        self.now: Optional[Time] = None  # all up to then is published; None: nothing
+        self._check_alone()
+        try:
+            self._bag = rosbag.Bag(str(bag))
+            self.frames: List[Tuple[Time, Time]] = [(time_of, message.header.stamp) for _, message, time_of in
+                                                    self._bag.read_messages(AGENTS)]  # time and stamp
+        except (OSError, rosbag.ROSBagException) as error:
+            raise ForgeError('{} cannot be read: {}'.format(bag, error)) from error
+        if not self.frames:
+            self._bag.close()
+            raise ForgeError('{} has no frame of {}'.format(bag, AGENTS))
+        self._publishers = {CLOCK: rospy.Publisher(CLOCK, Clock, queue_size=0, tcp_nodelay=True)}
+        self._groups: Iterator[Tuple[Time, List[Any]]] = iter(())
+        self._next: Optional[Tuple[Time, List[Any]]] = None
+
+    @staticmethod
+    def _check_alone() -> None:
+        if not rospy.get_param('/use_sim_time', False):
+            raise ForgeError('/use_sim_time is not true: the nodes would not heed the clock of a bag')
+        others = Graph().publishers_of(CLOCK) - {rospy.get_name()}
+        if others:
+            raise ForgeError('{} publishes {} already'.format(names(others), CLOCK))
+
+    # Where it is.
+
+    @property
+    def start(self) -> Time:
+        """The time of the first frame of agents."""
+        return self.frames[0][0]
+
+    @property
+    def is_over(self) -> bool:
+        """No message is left."""
+        return self.now is not None and self._next is None
+
+    @property
+    def instant(self) -> Optional[float]:
+        """The instant up to which all is published; None before the first one."""
+        return None if self.now is None else self.instant_at(self.now)
+
+    def instant_at(self, of: Time) -> float:
+        return (of - self.start).to_sec()
+
+    def frames_until(self, end: Optional[Time]) -> List[Tuple[Time, Time]]:
+        return [] if end is None else [frame for frame in self.frames if frame[0] <= end]
+
+    def time_of_frame(self, stamp: Time) -> Time:
+        """When the frame of agents with a stamp is in the bag."""
+        time_of = next((time_of for time_of, of in self.frames if of == stamp), None)
+        if time_of is None:
+            raise ForgeError('{} has no frame of agents at {:.3f} s'.format(self.path, stamp.to_sec()))
+        return time_of
+
+    def time_of_next_frame(self, count: int = 1) -> Time:
+        """When the next frame of agents is in the bag, or the one so many further."""
+        shown = len(self.frames_until(self.now))
+        if shown + count > len(self.frames):
+            raise ForgeError('{} ends before {} more frame(s) of agents'.format(self.path, count))
+        return self.frames[shown + count - 1][0]
+
+    # What it publishes.
+
+    def advertise(self) -> None:
+        """Lets everybody who hears the bag's topics connect."""
+        for topic, message in self._first_of_topics():
+            if topic not in self._publishers:
+                self._publishers[topic] = rospy.Publisher(topic, type(message), queue_size=0, tcp_nodelay=True,
+                                                          latch=self._is_latched(topic))
+
+    def begin(self, at: Optional[Time] = None) -> None:
+        """Goes to the bag's first message, or to the first one that is not before a time, and shows when that is."""
+        self.now = None
+        self._groups = self._messages_by_time(at)
+        self._next = next(self._groups)
+        self._publish(self._next[0], [])
+        time.sleep(CLOCK_LEAD)
+
+    def publish_until(self, end: Time, rate: Optional[float] = None) -> None:
+        """Publishes what is left up to a time, and that time; `rate` times as fast as the clock on the wall, or as fast
+        as it can."""
+        began, wall = self.now or self.start, time.monotonic()
+        while self._next is not None and self._next[0] <= end:
+            stamp, messages = self._next
+            if rate:
+                time.sleep(max(0.0, wall + (stamp - began).to_sec() / rate - time.monotonic()))
+            self._publish(stamp, messages)
+            self._next = next(self._groups, None)
+        self._publish(end, [])
+        self.now = end
+
+    def close(self) -> None:
+        """Publishes nothing any more."""
+        for publisher in self._publishers.values():
+            publisher.unregister()
+        self._bag.close()
+
+    def unconnected(self) -> List[str]:
+        """Who hears a topic of the bag, as the master says, and is not connected yet."""
+        graph = Graph()
+        missing = []
+        for topic, publisher in self._publishers.items():
+            publisher.impl.check()
+            late = graph.subscribers_of(topic) - {connection.endpoint_id for connection in publisher.impl.connections}
+            if late:
+                missing.append('a connection to {}, which hear(s) {}'.format(names(late), topic))
+        if not graph.subscribers_of(AGENTS):
+            missing.append('somebody who hears ' + AGENTS)
+        return missing
+
+    def _messages_by_time(self, begin: Optional[Time]) -> Iterator[Tuple[Time, List[Any]]]:
+        """The messages of an instant together, agents last: they need the transform of that instant."""
+        entries = ((stamp, topic, message) for topic, message, stamp in self._bag.read_messages(start_time=begin))
+        for stamp, group in itertools.groupby(entries, key=lambda entry: entry[0]):
+            yield stamp, sorted(((topic, message) for _, topic, message in group), key=lambda entry: entry[0] == AGENTS)
+
+    def _first_of_topics(self) -> Iterator[Tuple[str, Any]]:
+        for topic in self._bag.get_type_and_topic_info().topics:
+            if topic != CLOCK:
+                yield topic, next(self._bag.read_messages(topic))[1]
+
+    def _is_latched(self, topic: str) -> bool:
+        return any(connection.topic == topic and connection.header.get('latching') == b'1'
+                   for connection in self._bag._get_connections())  # the library has no other way to ask
+
+    def _publish(self, stamp: Time, messages: List[Any]) -> None:
+        self._publishers[CLOCK].publish(Clock(stamp))
+        for topic, message in messages:
+            if topic != CLOCK:
+                self._publishers[topic].publish(message)

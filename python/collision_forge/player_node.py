@@ -1,0 +1,175 @@
+"""The node `player`: plays a bag in real time, and is paused, stepped and put back by services."""
+import threading
+import time
+from typing import Any, List, Optional
+
+import rospy
+from genpy import Duration, Time
+from std_msgs.msg import Bool
+from std_srvs.srv import SetBool, SetBoolResponse, Trigger, TriggerResponse
+
+from collision_forge import msg
+from collision_forge.bag_publisher import BagPublisher
+from collision_forge.client import PUBLISHED
+from collision_forge.errors import ForgeError, NotReady
+from collision_forge.waiting import Graph, wait_until
+
+TICK = 0.02           # s of the wall clock from one /clock to the next
+HISTORY = 4.0         # s before an attack's now that are published again: the frames that a request looks back on
+SCENE_TIMEOUT = 10.0  # s of the wall clock for the suite to encode the frame that was gone back to
+SUITE_TIMEOUT = 60.0  # s of the wall clock for the suite to start
+
+
+class PlayerNode:
+    """Plays a bag, `rate` times as fast as the clock on the wall. At its end it pauses, or begins anew with `loop`."""
+
+    def __init__(self, source: BagPublisher, rate: float, loop: bool, is_paused: bool) -> None:
+        self._source = source
+        self._rate = rate
+        self._loop = loop
+        self._is_paused = is_paused
+        self._lock = threading.Lock()  # of what is published
+        self._ticked = 0.0             # s of the wall clock
+        self._attack = msg.Attack()
+        self._encoded: Optional[Time] = None  # stamp of the newest encoded scene
+        self._paused = rospy.Publisher('~paused', Bool, queue_size=1, latch=True)
+        rospy.Subscriber('attack', msg.Attack, self._receive_attack)
+        self._scenes = rospy.Subscriber('encoded_scene', msg.EncodedScene, self._receive_scene)
+
+    def run(self) -> None:
+        """Plays until the node is shut down; the first frame of agents is shown even if it begins with a pause."""
+        self._go_to(self._source.start)
+        self._set_paused(self._is_paused)
+        rospy.Service('~pause', SetBool, self._pause)
+        rospy.Service('~step', Trigger, lambda _: self._answer(self._step))
+        rospy.Service('~back_to_now', Trigger, lambda _: self._answer(self._go_back_to_now))
+        while not rospy.is_shutdown():
+            with self._lock:
+                self._tick()
+            time.sleep(max(0.0, self._ticked + TICK - time.monotonic()))
+
+    def _tick(self) -> None:
+        """As far as the clock on the wall has gone on; /clock comes in a pause, too, for whoever comes then."""
+        before, self._ticked = self._ticked, time.monotonic()
+        if self._is_paused:
+            self._source.publish_until(self._source.now)
+            return
+        if self._source.is_over:
+            self._end()
+            return
+        self._source.publish_until(self._source.now + Duration.from_sec(self._rate * (self._ticked - before)))
+
+    def _end(self) -> None:
+        if self._loop:
+            self._go_to(self._source.start)
+        else:
+            self._set_paused(True)
+
+    def _go_to(self, end: Time, begin: Optional[Time] = None) -> None:
+        """Begins the bag anew, at a time if one is given, and shows all up to another at once."""
+        self._source.begin(begin)
+        self._source.publish_until(end)
+        self._ticked = time.monotonic()
+
+    def _set_paused(self, is_paused: bool) -> None:
+        self._is_paused = is_paused
+        self._paused.publish(is_paused)
+
+    # Services.
+
+    def _pause(self, request: Any) -> SetBoolResponse:
+        with self._lock:
+            if not request.data and self._source.is_over:
+                self._go_to(self._source.start)
+            self._set_paused(request.data)
+            return SetBoolResponse(True, self._state())
+
+    def _answer(self, action: Any) -> TriggerResponse:
+        with self._lock:
+            try:
+                action()
+            except ForgeError as error:
+                return TriggerResponse(False, str(error))
+            return TriggerResponse(True, self._state())
+
+    def _step(self) -> None:
+        self._set_paused(True)
+        self._source.publish_until(self._source.time_of_next_frame())
+
+    def _go_back_to_now(self) -> None:
+        attack = self._attack
+        if not attack.trajectory.attacker_id:
+            raise ForgeError('there is no attack to go back to: ask for one with generate_collision')
+        now = self._source.time_of_frame(attack.header.stamp)
+        self._set_paused(True)
+        self._encoded = None
+        self._go_to(now, Time.from_sec(max(0.0, now.to_sec() - HISTORY)))
+        if self._scenes.get_num_connections() > 0:
+            wait_until(lambda: [] if self._encoded == attack.header.stamp else ['encoded_scene'], SCENE_TIMEOUT)
+
+    def _state(self) -> str:
+        return '{} {:.1f} s of {}'.format('paused at' if self._is_paused else 'plays from',
+                                          self._source.instant, self._source.path.name)
+
+    # What it hears.
+
+    def _receive_attack(self, attack: msg.Attack) -> None:
+        self._attack = attack
+
+    def _receive_scene(self, scene: msg.EncodedScene) -> None:
+        self._encoded = scene.header.stamp
+
+
+class Arguments:
+    """The private parameters of the node; raises ForgeError for those that are wrong."""
+
+    def __init__(self) -> None:
+        self.bag = str(rospy.get_param('~bag', ''))
+        self.rate = self._number('rate', 1.0)    # so many times as fast as the clock on the wall
+        self.delay = self._number('delay', 1.0)  # s of the wall clock in which those who hear the bag connect
+        self.loop = bool(rospy.get_param('~loop', False))
+        self.start_paused = bool(rospy.get_param('~start_paused', False))
+        self.wait_for_suite = bool(rospy.get_param('~wait_for_suite', False))
+        if not self.bag:
+            raise ForgeError('the parameter bag is empty: which bag is to be played?')
+
+    @staticmethod
+    def _number(name: str, default: float) -> float:
+        value = rospy.get_param('~' + name, default)
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 < value < float('inf'):
+            raise ForgeError('the parameter {} is {!r}, not a number greater than 0'.format(name, value))
+        return float(value)
+
+
+def wait_for_suite(source: BagPublisher) -> None:
+    """Until its nodes are there and hear the bag; a bag is played even if they do not come."""
+    def missing() -> List[str]:
+        graph = Graph()
+        return ['a publisher of ' + topic for topic in PUBLISHED if not graph.publishers_of(topic)
+                ] or source.unconnected()
+    try:
+        wait_until(missing, SUITE_TIMEOUT)
+    except NotReady as error:
+        rospy.logwarn('plays without the suite: %s', error)
+
+
+def main() -> int:
+    """Returns the exit code."""
+    rospy.init_node('player')
+    try:
+        arguments = Arguments()
+        source = BagPublisher(arguments.bag)
+        source.advertise()
+        if arguments.wait_for_suite:
+            wait_for_suite(source)
+        time.sleep(arguments.delay)
+        PlayerNode(source, arguments.rate, arguments.loop, arguments.start_paused).run()
+    except ForgeError as error:
+        if rospy.is_shutdown():
+            return 0
+        rospy.logfatal(str(error))
+        return 1
+    except rospy.ROSException:  # published after the end
+        if not rospy.is_shutdown():
+            raise
+    return 0

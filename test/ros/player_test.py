@@ -1,0 +1,218 @@
+#!/usr/bin/python3
+"""The node `player`: alone, and in replay.launch with the suite."""
+import subprocess
+import threading
+import time
+
+import rospy
+from rosgraph_msgs.msg import Clock
+from std_msgs.msg import Bool
+from std_srvs.srv import SetBool, Trigger
+
+import live
+import road
+from collision_forge import CollisionForge
+from collision_forge.msg import AgentArray
+from collision_forge.suite import Program
+from live import until
+
+SCENE, TYPE, NOW, TTA = 'scene-0007', 'lane_change', 4.0, 4.0
+START_TIMEOUT = 60.0  # s
+
+
+class Heard:
+    """Messages of a topic; nothing of it is kept but what comes after clear()."""
+
+    def __init__(self, topic, message_class):
+        self.messages = []
+        self.lock = threading.Lock()
+        self.subscriber = rospy.Subscriber(topic, message_class, self.receive)
+
+    def receive(self, message):
+        with self.lock:
+            self.messages.append(message)
+
+    def all(self):
+        with self.lock:
+            return list(self.messages)
+
+    def clear(self):
+        with self.lock:
+            self.messages.clear()
+
+
+class PlayerTest(road.RoadTest):
+    SCENES = [SCENE]
+
+    def hear(self):
+        self.clock, self.agents, self.paused = heard = [
+            Heard('/clock', Clock), Heard('/agents', AgentArray), Heard('/player/paused', Bool)]
+        for one in heard:
+            self.addCleanup(one.subscriber.unregister)
+
+    def times(self):
+        return [message.clock for message in self.clock.all()]
+
+    def wait_for_state(self, is_paused):
+        until(lambda: self.paused.all() and self.paused.all()[-1].data == is_paused,
+              'paused {}'.format(is_paused), START_TIMEOUT)
+
+    def frames(self):
+        """(time, stamp) of each frame of agents of the bag."""
+        return [(time_of, message.header.stamp) for message, time_of in road.read(self.bag(SCENE), '/agents')]
+
+
+class PlayerAloneTest(PlayerTest):
+    def setUp(self):
+        rospy.set_param('/use_sim_time', True)
+        self.hear()
+
+    def command(self, *arguments):
+        return ['/usr/bin/rosrun', road.PACKAGE, 'player', '_delay:=0.5'] + list(arguments)
+
+    def refusal(self, *arguments):
+        result = subprocess.run(self.command(*arguments), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                stdin=subprocess.DEVNULL, universal_newlines=True, timeout=START_TIMEOUT, check=False)
+        for name in ('bag', 'rate'):
+            if rospy.has_param('/player/' + name):
+                rospy.delete_param('/player/' + name)
+        self.assertEqual(result.returncode, 1, result.stdout)
+        self.assertEqual(len(result.stdout.strip().splitlines()), 1, result.stdout)
+        return result.stdout
+
+    def test_a_bag_that_cannot_be_played_is_named_in_one_line(self):
+        text = self.path('text.bag')
+        text.write_text('no bag\n')
+        empty = self.path('empty.bag')
+        road.copy_bag(self.bag(SCENE), empty, lambda topic, message: None if topic == '/agents' else message)
+        self.assertIn('/nowhere.bag cannot be read', self.refusal('_bag:=/nowhere.bag'))
+        self.assertIn('text.bag cannot be read', self.refusal('_bag:={}'.format(text)))
+        self.assertIn('empty.bag has no frame of /agents', self.refusal('_bag:={}'.format(empty)))
+        self.assertIn('the parameter bag is empty', self.refusal())
+
+    def test_a_rate_that_is_none_is_refused(self):
+        for rate in ('0', '-1', 'fast'):
+            self.assertIn('the parameter rate is', self.refusal('_bag:={}'.format(self.bag(SCENE)), '_rate:=' + rate))
+
+    def test_pauses_at_the_end_and_begins_anew_when_it_is_to_go_on(self):
+        frames = self.frames()
+        with Program(self.command('_bag:={}'.format(self.bag(SCENE)), '_rate:=10', '_loop:=false'), self.path('log')):
+            self.wait_for_state(False)
+            self.wait_for_state(True)
+            until(lambda: self.times()[-1] >= frames[-1][0], 'the end')
+            self.assertEqual([message.header.stamp for message in self.agents.all()], [stamp for _, stamp in frames])
+            self.clock.clear()
+            self.agents.clear()
+            self.assertFalse(rospy.ServiceProxy('/player/step', Trigger)().success)
+            self.assertTrue(rospy.ServiceProxy('/player/pause', SetBool)(False).success)
+            until(lambda: len(self.agents.all()) > 1, 'frames of agents')
+            self.assertEqual(self.agents.all()[0].header.stamp, frames[0][1])
+
+    def test_begins_anew_at_the_end_with_loop(self):
+        with Program(self.command('_bag:={}'.format(self.bag(SCENE)), '_rate:=10', '_loop:=true'), self.path('log')):
+            first = self.frames()[0][1]
+            until(lambda: [message.header.stamp for message in self.agents.all()].count(first) == 2, 'the second time')
+            self.assertEqual(len([stamp for stamp in self.agents.all()[:len(self.frames())]
+                                  if stamp.header.stamp == first]), 1)
+
+
+class ReplayTest(PlayerTest):
+    """replay.launch, as a person uses it."""
+
+    def setUp(self):
+        self.hear()
+        self.suite = Program(['roslaunch', road.PACKAGE, 'replay.launch', 'bag:={}'.format(self.bag(SCENE)),
+                              'start_paused:=true', 'rviz:=false', 'rate:=2'], self.path('log'))
+        self.addCleanup(self.suite.stop)
+        self.wait_for_state(True)
+        self.forge = CollisionForge(START_TIMEOUT)
+        self.addCleanup(self.forge.close)
+
+    def call(self, name, *arguments):
+        kind = SetBool if name == 'pause' else Trigger
+        return rospy.ServiceProxy('/player/' + name, kind)(*arguments)
+
+    def step_to(self, seconds):
+        """Returns the stamp of the frame there."""
+        end = next(frame for frame in self.frames() if (frame[0] - self.frames()[0][0]).to_sec() > seconds - 0.01)
+        until(lambda: self.call('step').success and self.times()[-1] >= end[0], 'the frame', interval=0.1)
+        return end[1]
+
+    def test_shows_the_first_frame_and_steps_from_one_to_the_next(self):
+        frames = self.frames()
+        self.assertEqual(self.agents.all()[-1].header.stamp, frames[0][1])
+        for time_of, stamp in frames[1:4]:
+            answer = self.call('step')
+            self.assertTrue(answer.success)
+            self.assertIn('paused at', answer.message)
+            until(lambda: self.agents.all()[-1].header.stamp == stamp, 'the next frame')
+            until(lambda: self.times()[-1] == time_of, 'its time')
+        self.assertTrue(self.paused.all()[-1].data)
+        time.sleep(0.3)
+        self.assertEqual(self.times()[-1], frames[3][0], 'time stands still')
+
+    def test_plays_with_a_steady_clock_until_it_is_paused(self):
+        self.assertTrue(self.call('pause', False).success)
+        self.wait_for_state(False)
+        self.clock.clear()
+        time.sleep(2.0)
+        times = self.times()
+        self.call('pause', True)
+        self.wait_for_state(True)
+        self.assertEqual(times, sorted(times))
+        self.assertAlmostEqual((times[-1] - times[0]).to_sec(), 4.0, delta=1.0)  # twice as fast as the wall's
+        self.assertGreater(len(times), 60)
+        steps = sorted((after - before).to_sec() for before, after in zip(times, times[1:]))
+        self.assertLess(steps[len(steps) * 9 // 10], 0.1)
+        stands = self.times()[-1]
+        time.sleep(0.3)
+        self.assertEqual(self.times()[-1], stands)
+
+    def test_back_to_now_without_an_attack_says_so(self):
+        answer = self.call('back_to_now')
+        self.assertFalse(answer.success)
+        self.assertIn('there is no attack', answer.message)
+
+    def test_back_to_now_shows_the_attack_again_and_a_new_request_is_answered_at_once(self):
+        now = self.step_to(NOW)
+        first = self.forge.generate(TYPE, TTA, at=now)
+        self.call('pause', False)
+        report = self.forge.tested(first)
+        self.agents.clear()
+        answer = self.call('back_to_now')
+        self.assertTrue(answer.success, answer.message)
+        self.assertIn('paused at {:.1f} s'.format(NOW), answer.message)
+        until(lambda: self.agents.all() and self.agents.all()[-1].header.stamp == now, 'the frame of now')
+        self.assertEqual(self.forge.scene.message.header.stamp, now)
+        self.assertEqual(self.times()[-1], dict((stamp, time_of) for time_of, stamp in self.frames())[now])
+        self.wait_for_state(True)
+        self.assertEqual(self.forge.attack, first, 'it is still shown')
+        again = self.forge.generate(TYPE, TTA)
+        self.assert_close(again.message.trajectory, first.message.trajectory, tolerance=0.0)
+        self.call('pause', False)
+        self.assertEqual(self.forge.tested(again).verified, report.verified)
+
+    def test_the_attack_that_was_gone_back_to_is_injected_and_tested_again(self):
+        now = self.step_to(NOW)
+        first = self.forge.generate(TYPE, TTA, at=now)
+        reports = live.Listener('/tested_report')
+        injected = live.Listener('/injected_agents')
+        for listener in (reports, injected):
+            self.addCleanup(listener.close)
+        self.call('pause', False)
+        reports.wait()
+        for listener in (reports, injected):
+            listener.clear()
+        self.call('back_to_now')
+        self.call('pause', False)
+        self.assertEqual(reports.wait().attacker_id, first.attacker)
+        points = {point.stamp: point.pose.position for point in first.message.trajectory.points}
+        driven = [(agent.pose.position, points[message.header.stamp]) for message in injected.all()
+                  if message.header.stamp in points for agent in message.agents if agent.id == first.attacker]
+        self.assertGreater(len(driven), 5)
+        for actual, planned in driven[:5]:
+            self.assertLess(abs(actual.x - planned.x) + abs(actual.y - planned.y), 0.01)
+
+
+if __name__ == '__main__':
+    live.main('player_test')
