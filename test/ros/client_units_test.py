@@ -127,9 +127,9 @@ class ResultsTest(unittest.TestCase):
         self.assertIn('; committed: too late>', repr(attack))
 
     def test_an_answer_has_an_attack_or_a_reason(self):
-        self.assertEqual(Answer.of(msg.CollisionAnswer('ltap', 4.0, 0, '', attack_message(), [])).attack,
+        self.assertEqual(Answer.of(msg.CollisionAnswer(collision_type='ltap', tta=4.0, attack=attack_message())).attack,
                          Attack.of(attack_message()))
-        declined = Answer.of(msg.CollisionAnswer('ltap', 4.0, 6, 'nobody', msg.Attack(), []))
+        declined = Answer.of(msg.CollisionAnswer(collision_type='ltap', tta=4.0, code=6, message='nobody'))
         self.assertEqual((declined.code, declined.reason, declined.attack), (Code.NO_CANDIDATE, 'nobody', None))
 
     def test_what_is_possible_keeps_how_it_was_asked_for(self):

@@ -13,7 +13,7 @@ import rospy
 from rosgraph_msgs.msg import Clock
 
 import road
-from collision_forge.msg import AgentArray, Attack, AttackMethods, CollisionReport, EncodedScene
+from collision_forge.msg import AgentArray, Attack, AttackMethods, AttackRequest, CollisionReport, EncodedScene
 from collision_forge.srv import GenerateCollision
 from visualization_msgs.msg import MarkerArray
 
@@ -29,7 +29,8 @@ NODES = {
                         ['/agents', '/attack', '/lane_map', '/tf'], []),
     'planner_tester': (['/planner_markers', '/planner_outcome', '/planning_state', '/tested_map'],
                        ['/attack', '/planned_trajectory'], ['/test_planner']),
-    'collision_generator': (['/attack', '/attack_methods', '/predicted_patterns'], ['/encoded_scene', '/lane_map'],
+    'collision_generator': (['/attack', '/attack_methods', '/attack_request', '/predicted_patterns'],
+                            ['/encoded_scene', '/lane_map'],
                             ['/generate_collision', '/generate_collisions', '/list_collisions', '/reset']),
     'attacker_injector': (['/injected_agents'], ['/agents', '/attack'], []),
     'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers',
@@ -40,7 +41,8 @@ MANAGER = 'collision_forge_manager'
 PLAYED = ['/agents', '/lane_map', '/tf']  # what the suite hears of a bag
 
 TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/encoded_scene': EncodedScene,
-         '/attack': Attack, '/attack_methods': AttackMethods, '/tested_report': CollisionReport,
+         '/attack': Attack, '/attack_methods': AttackMethods,
+         '/attack_request': AttackRequest, '/tested_report': CollisionReport,
          '/attack_markers': MarkerArray,
          '/map_markers': MarkerArray, '/pattern_markers': MarkerArray, '/scene_markers': MarkerArray}
 
@@ -318,7 +320,17 @@ class WholeRoadTest(LiveTest):
         self.assertEqual(answer.message, '')
         self.assert_answer(answer, attacked)
         self.assertTrue(answer.attack.report.verified)
+        self.assert_request_published(answer, attacked)
         return answer, attacked
+
+    def assert_request_published(self, answer, attacked):
+        """What was asked for is what forge inject wrote into a bag, but for what tells of the bag."""
+        listener = Listener('/attack_request')
+        message = listener.wait(lambda message: message.header.stamp == answer.attack.header.stamp)
+        listener.close()
+        offline = road.read_one(attacked, '/attack_request')
+        for field in ('request', 'method', 'version', 'configuration'):
+            self.assert_close(getattr(message, field), getattr(offline, field), 0.0, field)
 
     def assert_published(self, answer):
         """Whoever subscribes later gets the answer, too."""

@@ -14,6 +14,7 @@
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/draw_scenario.h"
 #include "collision_forge/policy/adaptive_answer.h"
+#include "collision_forge/ros/attack_request.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/injection.h"
@@ -127,17 +128,16 @@ struct TestedAttack {
   double now;
 };
 
-/// Header and method are left empty.
-collision_forge::AttackRequest requestMessage(const TestedAttack& attack, const Scene& scene,
-                                              const Arguments& arguments, const Config& config) {
-  collision_forge::AttackRequest message;
-  message.request = toMessage(attack.request);
+collision_forge::AttackRequest requestMessage(const TestedAttack& attack,
+                                              const collision_forge::Attack& attack_message,
+                                              const Scene& scene, const Arguments& arguments,
+                                              const Config& config) {
+  collision_forge::AttackRequest message =
+      attackRequest(attack.request, attack_message, fingerprintOfAll(config, arguments.config));
   message.now = attack.now - scene.frame_times.front();
   message.alternative = static_cast<std::uint32_t>(arguments.alternative);
   message.after_contact = toString(arguments.after_contact);
   message.bag = fs::path(arguments.bag).filename().string();
-  message.version = COLLISION_FORGE_VERSION;
-  message.configuration = fingerprintOfAll(config, arguments.config);
   return message;
 }
 
@@ -146,11 +146,11 @@ BagAttack writeAttackedBag(const TestedAttack& attack, const Scene& scene,
                            const std::string& method, const Arguments& arguments,
                            const Config& config) {
   const std::string& attacker = attack.attack.trajectory.attacker_id;
-  BagAttack bag_attack{toMessage(attack.attack, method, attack.now),
-                       toMessage(attack.tested, attacker, attack.now),
-                       requestMessage(attack, scene, arguments, config), arguments.after_contact};
-  bag_attack.request.header = bag_attack.attack.header;
-  bag_attack.request.method = method;
+  BagAttack bag_attack;
+  bag_attack.attack = toMessage(attack.attack, method, attack.now);
+  bag_attack.tested_report = toMessage(attack.tested, attacker, attack.now);
+  bag_attack.request = requestMessage(attack, bag_attack.attack, scene, arguments, config);
+  bag_attack.after_contact = arguments.after_contact;
   if (!attack.plans.empty()) {
     setPlans(attack.plans, bag_attack.attack);
     bag_attack.tested_report.decision = bag_attack.attack.decision;

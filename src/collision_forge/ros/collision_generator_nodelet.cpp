@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "collision_forge/ros/attack_finder.h"
+#include "collision_forge/ros/attack_request.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/live_attacker.h"
 #include "collision_forge/ros/node_support.h"
@@ -20,6 +21,7 @@
 #include "collision_forge/ros/report_text.h"
 #include "collision_forge/ros/scene_memory.h"
 #include "collision_forge/ros/topic_names.h"
+#include "collision_forge/settings/config_fingerprint.h"
 
 namespace forge {
 
@@ -41,8 +43,10 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     loadLogged("methods", [&] {
       finder_ = std::make_unique<AttackFinder>(node, getPrivateNodeHandle(), config_);
     });
+    configuration_ = fingerprintOfAll(config_, nodeConfigFolder(getPrivateNodeHandle()));
     scenes_ = std::make_unique<SceneMemory>(config_.live);
     attacks_ = node.advertise<collision_forge::Attack>(names::kAttack, 1, true);
+    requests_ = node.advertise<collision_forge::AttackRequest>(names::kAttackRequest, 1, true);
     publishMethods(node);
     live_ = std::make_unique<LiveAttacker>(
         [this](const collision_forge::Attack& attack) { attacks_.publish(attack); },
@@ -124,6 +128,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     response.alternatives = std::move(answer.alternatives);
     setOut(snapshot, request, response.attack);
     response.summary = summaryOf(response.attack);
+    requests_.publish(attackRequest(request, response.attack, configuration_));
     return status;
   }
 
@@ -194,9 +199,11 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   }
 
   Config config_;
+  std::string configuration_;  // its fingerprint
   std::unique_ptr<AttackFinder> finder_;
   std::unique_ptr<SceneMemory> scenes_;
   ros::Publisher attacks_;
+  ros::Publisher requests_;
   ros::Publisher methods_publisher_;
   std::unique_ptr<LiveAttacker> live_;
   ros::Subscriber scene_subscriber_;  // from here on: they call what is above
