@@ -121,7 +121,7 @@ class ClientTest(road.RoadTest):
         player.until(8.0)
         self.assertGreater(self.forge.scene.now, first.now)
         player.until(NOW)
-        self.assert_close(self.forge.scene.message, first.message, tolerance=0.0)
+        self.assert_close(self.forge.scene.message, first.message, tolerance=1e-9)
 
     def test_refuses_a_second_source_of_time(self):
         self.play()
