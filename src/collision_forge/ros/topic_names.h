@@ -30,6 +30,12 @@ inline constexpr char kPlannerMarkers[] = "planner_markers";  // MarkerArray, la
 inline constexpr char kTestedMap[] = "tested_map";            // LaneMap, latched
 inline constexpr char kPlanningState[] = "planning_state";    // PlanningState
 
+// Of the node player.
+inline constexpr char kPlayerPaused[] = "player/paused";          // std_msgs/Bool, latched
+inline constexpr char kPlayerPause[] = "player/pause";            // service, std_srvs/SetBool
+inline constexpr char kPlayerStep[] = "player/step";              // service, std_srvs/Trigger
+inline constexpr char kPlayerBackToNow[] = "player/back_to_now";  // as step
+
 // Made by an external planner.
 inline constexpr char kPlannedTrajectory[] = "planned_trajectory";  // PlannedTrajectory
 

@@ -3,24 +3,23 @@
 #include <collision_forge/AttackMethods.h>
 #include <collision_forge/EncodedScene.h>
 #include <collision_forge/GenerateCollision.h>
+#include <collision_forge/ListCollisions.h>
 #include <ros/ros.h>
 #include <rviz/panel.h>
 
-#include <QFutureWatcher>
-#include <QThreadPool>
+#include "collision_forge/rviz/service_call.h"
 
-#include <optional>
-
-class QCheckBox;
-class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 
 namespace forge {
 
-/// Asks generate_collision for an attack on the scene as it stands now and shows the answer.
+class PlayerButtons;
+class PossibleTable;
+class RequestForm;
+
+/// Plays, asks what is possible, asks generate_collision for an attack, and shows what becomes of
+/// the newest attack, whoever asked for it.
 class GeneratePanel : public rviz::Panel {
   Q_OBJECT
 
@@ -31,40 +30,34 @@ class GeneratePanel : public rviz::Panel {
   void save(rviz::Config config) const override;
 
  private:
-  /// Empty when nobody answered.
-  using Answer = std::optional<collision_forge::GenerateCollision::Response>;
-
-  void createFields();
+  void createWidgets();
   void createLayout();
-  collision_forge::GenerateCollision::Request request() const;
+  void subscribe();
   void generate();
-  void showAnswer();
+  void list();
+  void showAnswer(const ServiceCall<collision_forge::GenerateCollision>::Answer& answer);
+  void showPossible(const ServiceCall<collision_forge::ListCollisions>::Answer& answer);
   void showAttack(const collision_forge::AttackConstPtr& attack);
-  void showWhatBecame();
+  void showTested(const collision_forge::CollisionReportConstPtr& report) { tested_ = report; }
+  void showCrash();
   void showMethods(const collision_forge::AttackMethods& methods);
   void showScene(const collision_forge::EncodedSceneConstPtr& scene);
 
-  QComboBox* type_ = nullptr;
-  QDoubleSpinBox* tta_ = nullptr;
-  QComboBox* attacker_ = nullptr;
-  QComboBox* choice_ = nullptr;
-  QCheckBox* believable_ = nullptr;
-  QCheckBox* adaptive_ = nullptr;
-  QComboBox* mode_ = nullptr;
-  QComboBox* method_ = nullptr;
-  QSpinBox* seed_ = nullptr;
+  PlayerButtons* player_ = nullptr;
+  RequestForm* form_ = nullptr;
   QPushButton* generate_ = nullptr;
-  QLabel* result_ = nullptr;
+  QPushButton* list_ = nullptr;
+  PossibleTable* table_ = nullptr;
+  QLabel* status_ = nullptr;       ///< of the newest call
+  QLabel* crash_ = nullptr;        ///< countdown or verdict
+  QLabel* attack_text_ = nullptr;  ///< the newest attack
 
   ros::NodeHandle node_;
-  ros::Subscriber methods_subscriber_;
-  ros::Subscriber scene_subscriber_;
-  ros::Subscriber attack_subscriber_;
+  std::vector<ros::Subscriber> subscribers_;
   collision_forge::AttackConstPtr attack_;           ///< the newest
-  std::optional<collision_forge::Attack> answered_;  ///< by the newest answer
-  QFutureWatcher<Answer> answer_;                    ///< of the call in flight
-  QThreadPool
-      caller_;  ///< last: it waits for the call in flight, then this library may be unloaded
+  collision_forge::CollisionReportConstPtr tested_;  ///< the newest
+  ServiceCall<collision_forge::GenerateCollision> generating_;
+  ServiceCall<collision_forge::ListCollisions> listing_;
 };
 
 }  // namespace forge

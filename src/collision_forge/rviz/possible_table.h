@@ -1,0 +1,31 @@
+#pragma once
+
+#include <collision_forge/PossibleCollision.h>
+
+#include <QTableWidget>
+
+#include <vector>
+
+namespace forge {
+
+/// Collisions that can be asked for, one a row.
+class PossibleTable : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  explicit PossibleTable(QWidget* parent = nullptr);
+
+  void setCollisions(std::vector<collision_forge::PossibleCollision> collisions);
+
+ Q_SIGNALS:
+  /// By a click or by the keyboard.
+  void chosen(const collision_forge::PossibleCollision& collision);
+
+ private:
+  void choose();
+  void addRow(int row, const collision_forge::PossibleCollision& collision);
+
+  std::vector<collision_forge::PossibleCollision> collisions_;  ///< by row
+};
+
+}  // namespace forge

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <collision_forge/CollisionRequest.h>
+#include <collision_forge/GenerateCollision.h>
+#include <collision_forge/PossibleCollision.h>
+#include <rviz/config.h>
+
+#include <QWidget>
+
+#include <string>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QSpinBox;
+
+namespace forge {
+
+/// The fields of a request.
+class RequestForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RequestForm(QWidget* parent = nullptr);
+
+  collision_forge::GenerateCollision::Request request() const;
+  /// The same of any type, time, attacker and manoeuvre.
+  collision_forge::CollisionRequest anyRequest() const;
+  /// Empty: the default one.
+  std::string method() const;
+
+  /// Sets type, time, attacker and manoeuvre.
+  void choose(const collision_forge::PossibleCollision& collision);
+  /// Who and which methods can be asked for; what was chosen stays.
+  void setAttackers(QStringList ids);
+  void setMethods(const QStringList& names);
+
+  void load(const rviz::Config& config);
+  void save(rviz::Config config) const;
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  void createFields();
+  void createLayout();
+  void connectFields();
+  void offerManoeuvres();
+  template <typename Request>
+  void fillDriving(Request& request) const;
+
+  QComboBox* type_ = nullptr;
+  QDoubleSpinBox* tta_ = nullptr;
+  QComboBox* manoeuvre_ = nullptr;
+  QComboBox* attacker_ = nullptr;
+  QComboBox* choice_ = nullptr;
+  QCheckBox* believable_ = nullptr;
+  QCheckBox* adaptive_ = nullptr;
+  QComboBox* mode_ = nullptr;
+  QComboBox* method_ = nullptr;
+  QSpinBox* alternatives_ = nullptr;
+  QSpinBox* seed_ = nullptr;
+};
+
+}  // namespace forge

@@ -1,0 +1,94 @@
+#include "collision_forge/rviz/attack_words.h"
+
+#include <gmock/gmock.h>
+
+namespace forge {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+collision_forge::Attack attackAt(double now) {
+  collision_forge::Attack attack;
+  attack.header.stamp = ros::Time(now);
+  attack.pattern.collision_type = "rear_end";
+  attack.trajectory.attacker_id = "a<b";
+  attack.trajectory.points.resize(1);
+  attack.trajectory.points[0].stamp = ros::Time(now + 6.0);
+  attack.report.contact = true;
+  attack.report.contact_time = ros::Time(now + 4.0);
+  attack.report.manoeuvre = "lead_brakes";
+  attack.report.believable = true;
+  return attack;
+}
+
+collision_forge::CollisionReport testedOf(const collision_forge::Attack& attack) {
+  collision_forge::CollisionReport tested = attack.report;
+  tested.header = attack.header;
+  tested.attacker_id = attack.trajectory.attacker_id;
+  tested.type_kept = tested.on_time = tested.limits_kept = tested.verified = true;
+  return tested;
+}
+
+std::string crashAt(double now, const collision_forge::Attack& attack,
+                    const collision_forge::CollisionReport* tested) {
+  return crashText(attack, tested, ros::Time(now)).toStdString();
+}
+
+TEST(AttackText, NamesTypeClassManoeuvreAndBelief) {
+  const std::string text = attackText(attackAt(10.0)).toStdString();
+  EXPECT_THAT(text, HasSubstr("<b>rear_end</b> by the recorded car"));
+  EXPECT_THAT(text, HasSubstr("lead_brakes"));
+  EXPECT_THAT(text, HasSubstr("4.00 s"));
+  EXPECT_THAT(text, HasSubstr("yes"));
+}
+
+TEST(AttackText, ShowsIdsAsTheyAreWritten) {
+  EXPECT_THAT(attackText(attackAt(10.0)).toStdString(), HasSubstr("a&lt;b"));
+}
+
+TEST(AttackText, SaysWhyNobodyWouldDriveSo) {
+  collision_forge::Attack attack = attackAt(10.0);
+  attack.report.believable = false;
+  attack.report.unbelievable = "drives on a walkway";
+  EXPECT_THAT(attackText(attack).toStdString(), HasSubstr("no: it drives on a walkway"));
+}
+
+TEST(AttackText, SaysThatAnAttackerWasAdded) {
+  collision_forge::Attack attack = attackAt(10.0);
+  attack.trajectory.added = true;
+  EXPECT_THAT(attackText(attack).toStdString(), HasSubstr("by an added car"));
+}
+
+TEST(AttackText, IsEmptyForAnAttackByNobody) {
+  EXPECT_TRUE(attackText({}).isEmpty());
+  EXPECT_TRUE(crashText({}, nullptr, ros::Time(1.0)).isEmpty());
+}
+
+TEST(CrashText, CountsDownUntilTheContact) {
+  const collision_forge::Attack attack = attackAt(10.0);
+  const collision_forge::CollisionReport tested = testedOf(attack);
+  EXPECT_THAT(crashAt(11.5, attack, nullptr), HasSubstr("contact in 2.5 s"));
+  EXPECT_THAT(crashAt(11.5, attack, &tested), HasSubstr("contact in 2.5 s"));
+}
+
+TEST(CrashText, GivesTheVerdictInGreenOrRed) {
+  const collision_forge::Attack attack = attackAt(10.0);
+  collision_forge::CollisionReport tested = testedOf(attack);
+  const std::string as_asked = crashAt(14.5, attack, &tested);
+  EXPECT_THAT(as_asked, HasSubstr("contact as asked"));
+  tested.verified = tested.on_time = false;
+  const std::string not_as_asked = crashAt(14.5, attack, &tested);
+  EXPECT_THAT(not_as_asked, HasSubstr("at another time"));
+  EXPECT_NE(as_asked.substr(0, as_asked.find('>')), not_as_asked.substr(0, not_as_asked.find('>')));
+}
+
+TEST(FailureText, HasNameNumberAndMessage) {
+  const std::string text = failureText(6, "nobody near").toStdString();
+  EXPECT_THAT(text, HasSubstr("NO_CANDIDATE"));
+  EXPECT_THAT(text, HasSubstr("(6)"));
+  EXPECT_THAT(text, HasSubstr("nobody near"));
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,181 @@
+#include <gmock/gmock.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <std_msgs/Bool.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <QApplication>
+#include <QLabel>
+#include <QPushButton>
+
+#include <chrono>
+#include <mutex>
+
+#include "collision_forge/rviz/generate_panel.h"
+#include "collision_forge/rviz/possible_table.h"
+
+namespace forge {
+namespace {
+
+using collision_forge::GenerateCollision;
+using collision_forge::ListCollisions;
+using testing::HasSubstr;
+
+constexpr std::chrono::seconds kPatience{20};
+
+collision_forge::Attack attackBy(const std::string& attacker, const std::string& manoeuvre) {
+  collision_forge::Attack attack;
+  attack.header.stamp = ros::Time::now();
+  attack.pattern.collision_type = "lane_change";
+  attack.trajectory.attacker_id = attacker;
+  attack.trajectory.points.resize(1);
+  attack.trajectory.points[0].stamp = attack.header.stamp + ros::Duration(200.0);
+  attack.report.contact = attack.report.believable = true;
+  attack.report.contact_time = attack.header.stamp + ros::Duration(100.0);
+  attack.report.manoeuvre = manoeuvre;
+  return attack;
+}
+
+/// Answers what the panel calls, in a thread of its own, and keeps what was asked.
+class Suite {
+ public:
+  Suite() {
+    node_.setCallbackQueue(&queue_);
+    attack_ = node_.advertise<collision_forge::Attack>("attack", 1, true);
+    paused_ = node_.advertise<std_msgs::Bool>("player/paused", 1, true);
+    generate_ = node_.advertiseService("generate_collision", &Suite::generate, this);
+    list_ = node_.advertiseService("list_collisions", &Suite::list, this);
+    pause_ = node_.advertiseService("player/pause", &Suite::pause, this);
+    step_ = node_.advertiseService("player/step", &Suite::step, this);
+    setPaused(false);
+    spinner_.start();
+  }
+  ~Suite() { spinner_.stop(); }
+
+  GenerateCollision::Request asked() {
+    const std::lock_guard<std::mutex> guard(lock_);
+    return asked_;
+  }
+
+ private:
+  bool generate(GenerateCollision::Request& request, GenerateCollision::Response& response) {
+    const std::lock_guard<std::mutex> guard(lock_);
+    asked_ = request;
+    if (request.seed == 13) return false;
+    response.attack = attackBy("a1", "cut_in");
+    response.alternatives = {attackBy("b2", "merge")};
+    attack_.publish(response.attack);
+    return true;
+  }
+
+  bool list(ListCollisions::Request& /*request*/, ListCollisions::Response& response) {
+    response.collisions.resize(2);
+    response.collisions[0].collision_type = "rear_end";
+    response.collisions[0].attacker_id = "a1";
+    response.collisions[1].collision_type = "lane_change";
+    response.collisions[1].tta = 3.0;
+    response.collisions[1].manoeuvre = "merge";
+    response.collisions[1].attacker_id = "b2";
+    return true;
+  }
+
+  bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+    setPaused(request.data);
+    response.success = true;
+    return true;
+  }
+
+  bool step(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
+    response.message = "nothing left to step to";
+    return true;
+  }
+
+  void setPaused(bool is_paused) {
+    std_msgs::Bool message;
+    message.data = is_paused;
+    paused_.publish(message);
+  }
+
+  ros::NodeHandle node_;
+  ros::CallbackQueue queue_;
+  ros::Publisher attack_;
+  ros::Publisher paused_;
+  ros::ServiceServer generate_;
+  ros::ServiceServer list_;
+  ros::ServiceServer pause_;
+  ros::ServiceServer step_;
+  std::mutex lock_;
+  GenerateCollision::Request asked_;
+  ros::AsyncSpinner spinner_{2, &queue_};
+};
+
+class PanelTest : public testing::Test {
+ protected:
+  /// As RViz does, until it holds.
+  template <typename Condition>
+  bool comes(Condition condition) {
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (!condition() && std::chrono::steady_clock::now() < end) {
+      ros::spinOnce();
+      QApplication::processEvents(QEventLoop::AllEvents, 10);
+    }
+    return condition();
+  }
+
+  QPushButton* button(const char* name) { return panel_.findChild<QPushButton*>(name); }
+  std::string text(const char* name) {
+    return panel_.findChild<QLabel*>(name)->text().toStdString();
+  }
+  bool says(const char* name, const char* words) {
+    return comes([&] { return text(name).find(words) != std::string::npos; });
+  }
+  PossibleTable& table() { return *panel_.findChild<PossibleTable*>("possible"); }
+
+  Suite suite_;
+  GeneratePanel panel_;
+};
+
+TEST_F(PanelTest, ListsWhatIsPossibleInAPauseAndAsksForTheRowThatIsChosen) {
+  ASSERT_TRUE(comes([&] { return button("pause")->isEnabled(); }));
+  button("list")->click();
+  ASSERT_TRUE(comes([&] { return table().rowCount() == 2; })) << text("status");
+  EXPECT_TRUE(comes([&] { return button("pause")->text() == "Play"; }));
+  table().selectRow(1);
+  button("generate")->click();
+  ASSERT_TRUE(says("status", "2 attacks"));
+  EXPECT_EQ(suite_.asked().collision_type, "lane_change");
+  EXPECT_EQ(suite_.asked().attacker_id, "b2");
+  EXPECT_EQ(suite_.asked().manoeuvre, "merge");
+}
+
+TEST_F(PanelTest, ShowsTheAttackItsAlternativesAndTheCountdown) {
+  button("generate")->click();
+  ASSERT_TRUE(says("attack", "by the recorded car a1"));
+  EXPECT_TRUE(says("crash", "contact in 9")) << text("crash");
+  ASSERT_TRUE(comes([&] { return table().rowCount() == 2; }));
+  EXPECT_TRUE(button("generate")->isEnabled());
+}
+
+TEST_F(PanelTest, SaysThatNobodyAnswers) {
+  rviz::Config config;
+  config.mapSetValue("Seed", 13);
+  panel_.load(config);
+  button("generate")->click();
+  EXPECT_TRUE(says("status", "No answer"));
+  EXPECT_TRUE(button("generate")->isEnabled());
+}
+
+TEST_F(PanelTest, PausesStepsAndPlaysWhereThereIsAPlayer) {
+  ASSERT_TRUE(comes([&] { return button("step")->isEnabled(); }));
+  button("pause")->click();
+  ASSERT_TRUE(says("player_says", "Paused."));
+  ASSERT_TRUE(comes([&] { return button("pause")->text() == "Play"; }));
+  button("step")->click();
+  ASSERT_TRUE(says("player_says", "nothing left to step to"));
+  button("pause")->click();
+  ASSERT_TRUE(comes([&] { return button("pause")->text() == "Pause"; }));
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,108 @@
+#include "collision_forge/rviz/request_form.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+
+namespace forge {
+namespace {
+
+collision_forge::PossibleCollision cutIn() {
+  collision_forge::PossibleCollision collision;
+  collision.collision_type = "lane_change";
+  collision.tta = 3.5;
+  collision.attacker_id = "a1";
+  collision.manoeuvre = "cut_in";
+  return collision;
+}
+
+TEST(RequestForm, AsksForWhatWasChosen) {
+  RequestForm form;
+  form.choose(cutIn());
+  const auto request = form.request();
+  EXPECT_EQ(request.collision_type, "lane_change");
+  EXPECT_EQ(request.tta, 3.5);
+  EXPECT_EQ(request.attacker_id, "a1");
+  EXPECT_EQ(request.manoeuvre, "cut_in");
+  EXPECT_EQ(request.choice, "existing");
+}
+
+TEST(RequestForm, AsksForANewVehicleWhereThatWasChosen) {
+  RequestForm form;
+  form.choose(cutIn());
+  collision_forge::PossibleCollision added = cutIn();
+  added.added = true;
+  form.choose(added);
+  EXPECT_EQ(form.request().attacker_id, "");
+  EXPECT_EQ(form.request().choice, "new");
+}
+
+TEST(RequestForm, ForgetsAManoeuvreThatAnotherTypeDoesNotHave) {
+  RequestForm form;
+  form.choose(cutIn());
+  collision_forge::PossibleCollision rear_end = cutIn();
+  rear_end.collision_type = "rear_end";
+  rear_end.manoeuvre = "";
+  form.choose(rear_end);
+  EXPECT_EQ(form.request().collision_type, "rear_end");
+  EXPECT_EQ(form.request().manoeuvre, "");
+}
+
+TEST(RequestForm, AsksWhatIsPossibleOfAnyTypeTimeAndAttacker) {
+  RequestForm form;
+  form.choose(cutIn());
+  const auto request = form.anyRequest();
+  EXPECT_EQ(request.collision_type, "");
+  EXPECT_EQ(request.tta, 0.0);
+  EXPECT_EQ(request.attacker_id, "");
+  EXPECT_EQ(request.manoeuvre, "");
+  EXPECT_EQ(request.mode, form.request().mode);
+  EXPECT_EQ(request.believable, "true");
+}
+
+TEST(RequestForm, KeepsTheAttackerWhenOthersComeAndGo) {
+  RequestForm form;
+  form.choose(cutIn());
+  form.setAttackers({"b2", "a1"});
+  EXPECT_EQ(form.request().attacker_id, "a1");
+  form.setAttackers({"b2"});
+  EXPECT_EQ(form.request().attacker_id, "a1") << "it may come again";
+}
+
+TEST(RequestForm, KeepsTheMethodWhenNamesCome) {
+  RequestForm form;
+  EXPECT_EQ(form.method(), "");
+  form.setMethods({"search", "random"});
+  EXPECT_EQ(form.method(), "");
+}
+
+TEST(RequestForm, IsSavedAndLoaded) {
+  RequestForm saved;
+  saved.setMethods({"search", "random"});
+  saved.choose(cutIn());
+  rviz::Config config;
+  saved.save(config);
+  RequestForm loaded;
+  loaded.load(config);
+  const auto expected = saved.request();
+  const auto request = loaded.request();
+  EXPECT_EQ(request.collision_type, expected.collision_type);
+  EXPECT_EQ(request.tta, expected.tta);
+  EXPECT_EQ(request.manoeuvre, expected.manoeuvre);
+  EXPECT_EQ(request.attacker_id, expected.attacker_id);
+  EXPECT_EQ(request.choice, expected.choice);
+  EXPECT_EQ(request.alternatives, expected.alternatives);
+}
+
+TEST(RequestForm, TellsThatItChanged) {
+  RequestForm form;
+  int changes = 0;
+  QObject::connect(&form, &RequestForm::changed, [&changes] { ++changes; });
+  form.setAttackers({"b2"});
+  EXPECT_EQ(changes, 0) << "who is there is no setting";
+  form.choose(cutIn());
+  EXPECT_GT(changes, 0);
+}
+
+}  // namespace
+}  // namespace forge
