@@ -1,19 +1,17 @@
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/Attack.h>
 #include <collision_forge/CollisionReport.h>
-#include <geometry_msgs/TransformStamped.h>
 #include <nodelet/nodelet.h>
 #include <ros/ros.h>
-#include <tf2_msgs/TFMessage.h>
 #include <pluginlib/class_list_macros.hpp>
 
-#include <boost/make_shared.hpp>
 #include <deque>
+#include <memory>
 #include <optional>
 
 #include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/ego_poses.h"
 #include "collision_forge/ros/node_support.h"
-#include "collision_forge/ros/posed_frames.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/verify/ego_test.h"
 
@@ -39,10 +37,9 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     publisher_ = node.advertise<collision_forge::CollisionReport>(names::kTestedReport, 1, true);
     subscribers_ = {
         node.subscribe(names::kAttack, 1, &AttackVerifierNodelet::receiveAttack, this),
-        node.subscribe(names::kTf, kTopicQueue, &AttackVerifierNodelet::receiveTransforms, this),
-        node.subscribe(names::kStaticTf, kTopicQueue,
-                       &AttackVerifierNodelet::receiveStaticTransforms, this),
         node.subscribe(names::kAgents, kTopicQueue, &AttackVerifierNodelet::receiveAgents, this)};
+    ego_poses_ = std::make_unique<EgoPoses>(node, config_.ego_vehicle.center_offset,
+                                            [this](const AgentState& ego) { addEgo(ego); });
   }
 
   void receiveAttack(const collision_forge::Attack& message) {
@@ -95,34 +92,8 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     }
   }
 
-  void receiveTransforms(const tf2_msgs::TFMessage& message) {
-    for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-      if (transform.child_frame_id == names::kBaseFrame) {
-        poses_.addFrame(boost::make_shared<geometry_msgs::TransformStamped>(transform));
-      }
-    }
-    poses_.addTransforms(message, false);
-    addEgos();
-  }
-
-  void receiveStaticTransforms(const tf2_msgs::TFMessage& message) {
-    poses_.addTransforms(message, true);
-    addEgos();
-  }
-
-  /// Where the ego is in the map, whatever frames lie between: as soon as all of them are known.
-  void addEgos() {
-    while (const auto posed = poses_.next()) {
-      addEgo({posed->message->header.stamp.toSec(),
-              compose(fromMessage(posed->pose), {config_.ego_vehicle.center_offset, 0.0, 0.0}),
-              Vector2::Zero()});
-    }
-  }
-
   void addEgo(const AgentState& ego) {
-    if (!ego.pose.isFinite()) return;
     if (!egos_.empty() && ego.time <= egos_.back().time) {
-      if (ego.time >= egos_.back().time - kRestart) return;
       // The replay was restarted. An attack that is still to come is tested again.
       egos_.clear();
       dropFramesAfter(ego.time + kAhead);
@@ -182,12 +153,12 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
   Config config_;
   std::unique_ptr<LaneMapSubscriber> map_;
   std::optional<collision_forge::Attack> attack_;
-  PosedFrames<geometry_msgs::TransformStamped> poses_;
   std::deque<AgentState> egos_;  // the newest, as an answer is later than its "now"
   std::deque<Frame> frames_;     // the same of everybody else
   std::optional<EgoTest> test_;
   ros::Publisher publisher_;
   std::vector<ros::Subscriber> subscribers_;
+  std::unique_ptr<EgoPoses> ego_poses_;
 };
 
 }  // namespace forge
