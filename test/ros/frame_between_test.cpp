@@ -42,5 +42,33 @@ TEST(FrameBetween, HasThoseOfBothFramesAtTheRatio) {
   EXPECT_NEAR(std::remainder(yaw - (3.0 + 0.25 * (2.0 * M_PI - 6.0)), 2.0 * M_PI), 0.0, 1e-9);
 }
 
+TEST(FrameAfter, MovesThoseOfTheNewestFrameOnAsTheyMovedAndTurned) {
+  collision_forge::AgentArray before;
+  before.header.stamp = ros::Time(10.0);
+  before.agents = {agent("turns", 0.0, 0.0), agent("leaves", 0.0, 0.0)};
+  collision_forge::AgentArray newest;
+  newest.header.stamp = ros::Time(10.5);
+  newest.agents = {agent("comes", 7.0, 1.0), agent("turns", 4.0, 0.1)};
+  const auto frame = frameAfter(&before, newest, ros::Time(10.7));
+  EXPECT_EQ(frame.header.stamp, ros::Time(10.7));
+  ASSERT_EQ(frame.agents.size(), 2u);
+  EXPECT_NEAR(frame.agents[0].pose.position.x, 7.0, 1e-9);
+  EXPECT_NEAR(frame.agents[0].pose.orientation.z, newest.agents[0].pose.orientation.z, 1e-9);
+  // 8 m/s eastwards, turning at 0.2 rad/s: a circle with a radius of 40 m.
+  const auto& moved = frame.agents[1];
+  EXPECT_NEAR(moved.pose.position.x, 4.0 + 40.0 * std::sin(0.04), 1e-6);
+  EXPECT_NEAR(moved.pose.position.y, 40.0 * (1.0 - std::cos(0.04)), 1e-6);
+  EXPECT_NEAR(moved.pose.position.z, newest.agents[1].pose.position.z, 1e-9);
+  EXPECT_NEAR(2.0 * std::atan2(moved.pose.orientation.z, moved.pose.orientation.w), 0.14, 1e-6);
+  EXPECT_NEAR(std::atan2(moved.velocity.y, moved.velocity.x), 0.04, 1e-6);
+}
+
+TEST(FrameAfter, WithoutAFrameBeforeEverybodyStands) {
+  collision_forge::AgentArray newest;
+  newest.header.stamp = ros::Time(10.5);
+  newest.agents = {agent("a", 4.0, 0.0)};
+  EXPECT_NEAR(frameAfter(nullptr, newest, ros::Time(10.7)).agents[0].pose.position.x, 4.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace forge

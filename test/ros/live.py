@@ -18,6 +18,9 @@ from collision_forge.srv import GenerateCollision
 from visualization_msgs.msg import MarkerArray
 
 TIMEOUT = 30.0  # s; for what takes a fraction of a second on an idle machine
+RATE = 10.0  # Hz of injected_agents while there is an attack
+SAME_CONTACT = 0.02  # s; bag and node see other poses of the ego
+SAME_SLIDE = 0.3  # m, m/s; what that makes of a slide
 CLOCK_LEAD = 0.5  # s from the first /clock to the first message: tf2 drops what is before its past until time jumps back
 
 # What every node of the suite publishes, hears and answers.
@@ -32,7 +35,7 @@ NODES = {
     'collision_generator': (['/attack', '/attack_methods', '/attack_request', '/predicted_patterns'],
                             ['/encoded_scene', '/lane_map'],
                             ['/generate_collision', '/generate_collisions', '/list_collisions', '/reset']),
-    'attacker_injector': (['/injected_agents'], ['/agents', '/attack'], []),
+    'attacker_injector': (['/injected_agents'], ['/agents', '/attack', '/tf'], []),
     'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers',
                           '/tf_static'],
                          ['/attack', '/encoded_scene', '/lane_map', '/predicted_patterns', '/tested_report'], []),
@@ -299,8 +302,7 @@ class LiveTest(road.RoadTest):
         for now in nows:
             for tta in ttas:
                 result = road.inject(self.bag(self.SCENES[0]), out, collision_type, tta, now, '--mode', mode,
-                                     '--seed', seed, '--believable', believable, '--attacker', 'existing',
-                                     '--after-contact', 'drive_on')
+                                     '--seed', seed, '--believable', believable, '--attacker', 'existing')
                 if road.code_of(result) == 'OK':
                     return now, tta, out
         raise AssertionError('no {} in {} mode in {}'.format(collision_type, mode, self.SCENES[0]))
@@ -352,20 +354,38 @@ class WholeRoadTest(LiveTest):
         recorded = {message.header.stamp for message, _ in road.read(self.bag(self.SCENES[0]), '/agents')}
         expected = {message.header.stamp: message for message, time in road.read(attacked, '/agents')
                     if now < time <= last and message.header.stamp in recorded}
-        until(lambda: len(self.heard['/injected_agents'].all()) >= len(expected), 'the injected agents')
-        for message in self.heard['/injected_agents'].all():
-            self.assert_close(message, expected.pop(message.header.stamp))
-        self.assertEqual(expected, {})
-
+        injected = self.heard['/injected_agents']
+        until(lambda: expected.keys() <= {message.header.stamp for message in injected.all()}, 'the injected agents')
         tested = self.heard['/tested_report'].wait()
         offline = road.read_one(attacked, '/tested_report')
+        for message in injected.all():
+            if message.header.stamp in expected:
+                self.assert_injected(message, expected.pop(message.header.stamp), offline)
+        self.assertEqual(expected, {})
+        self.assert_steady([now] + [message.header.stamp for message in injected.all()])
+
         self.assertEqual(tested.header.stamp, offline.header.stamp)
         self.assertEqual((tested.attacker_id, tested.contact), (offline.attacker_id, offline.contact))
         self.assertEqual(tested.limits_kept, offline.limits_kept)
         if offline.contact:
-            self.assertLess(abs((tested.contact_time - offline.contact_time).to_sec()), 0.02)
+            self.assertLess(abs((tested.contact_time - offline.contact_time).to_sec()), SAME_CONTACT)
             self.assertLess(abs(road.angle_between(tested.relative_heading, offline.relative_heading)), 0.01)
         return tested
+
+    def assert_injected(self, actual, expected, report):
+        """A frame with the attacker is as in the bag, after the contact as nearly as that is found."""
+        self.assert_close(actual.header, expected.header)
+        self.assertEqual(len(actual.agents), len(expected.agents))
+        is_after = report.contact and actual.header.stamp.to_sec() > report.contact_time.to_sec() - SAME_CONTACT
+        for agent, other in zip(actual.agents, expected.agents):
+            slides = is_after and agent.id == report.attacker_id
+            self.assert_close(agent, other, tolerance=SAME_SLIDE if slides else 1e-6)
+
+    def assert_steady(self, stamps):
+        """They grow by the interval of frames in between, the last step to a recorded frame by half to one and a half."""
+        for before, after in zip(stamps, stamps[1:]):
+            self.assertGreater(after, before)
+            self.assertLess((after - before).to_sec(), 1.5 / RATE + 1e-3)
 
     def check(self, collision_type, mode, seed, believable='false'):
         answer, attacked = self.play_and_ask(collision_type, mode, seed, believable)

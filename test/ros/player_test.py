@@ -212,6 +212,23 @@ class ReplayTest(PlayerTest):
         self.assertGreater(len(driven), 5)
         for actual, planned in driven[:5]:
             self.assertLess(abs(actual.x - planned.x) + abs(actual.y - planned.y), 0.01)
+        self.check_rate(injected, now)
+
+    def check_rate(self, injected, now):
+        """From now on frames come at 10 Hz of the bag's time, and none while it is paused."""
+        until(lambda: injected.all()[-1].header.stamp > now + rospy.Duration(6.0), 'more frames')
+        self.call('pause', True)
+        self.wait_for_state(True)
+        time.sleep(0.3)
+        stamps = [message.header.stamp for message in injected.all() if message.header.stamp >= now]
+        start = max(index for index, stamp in enumerate(stamps) if stamp == now)  # went back to it
+        stamps = stamps[start:]
+        self.assertEqual(stamps, sorted(set(stamps)))
+        self.assertAlmostEqual((len(stamps) - 1) / (stamps[-1] - stamps[0]).to_sec(), 10.0, delta=0.5)
+        self.assertLess(max(after - before for before, after in zip(stamps, stamps[1:])).to_sec(), 0.151)
+        count = len(injected.all())
+        time.sleep(0.5)
+        self.assertEqual(len(injected.all()), count)
 
 
 if __name__ == '__main__':

@@ -2,60 +2,64 @@
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
-#include "collision_forge/ros/attacker_injector.h"
 #include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/ego_poses.h"
+#include "collision_forge/ros/live_injector.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 
-/// agents -> injected_agents, with the newest attacker's trajectory in place of its recorded
-/// future; at its end it brakes to a stand and stays. A replay that is restarted before the
-/// attack's start passes the recording through until then.
+/// agents -> injected_agents, with the newest attack in them (LiveInjector), against the ego of
+/// /tf.
 class AttackerInjectorNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
-    const auto load = [this] { return loadNodeConfig(getPrivateNodeHandle()); };
-    limits_ = loadLogged("configuration", load).attack.verification.drivable;
     ros::NodeHandle& node = getNodeHandle();
+    const Config config = loadNodeConfig(getPrivateNodeHandle());
+    const auto choose = [this] { return afterContact(); };
     publisher_ = node.advertise<collision_forge::AgentArray>(names::kInjectedAgents, kTopicQueue);
+    injector_.emplace(config, loadLogged("choice", choose),
+                      [this](const auto& agents) { publisher_.publish(agents); });
     attack_subscriber_ =
         node.subscribe(names::kAttack, 1, &AttackerInjectorNodelet::receiveAttack, this);
     agents_subscriber_ =
         node.subscribe(names::kAgents, kTopicQueue, &AttackerInjectorNodelet::receiveAgents, this);
+    ego_poses_ =
+        std::make_unique<EgoPoses>(node, config.ego_vehicle.center_offset,
+                                   [this](const AgentState& ego) { injector_->addEgo(ego); });
+  }
+
+  AfterContact afterContact() {
+    const auto word = getPrivateNodeHandle().param<std::string>("after_contact", "stop");
+    for (const AfterContact after : {AfterContact::kStop, AfterContact::kDriveOn}) {
+      if (word == toString(after)) return after;
+    }
+    throw std::invalid_argument("after_contact = \"" + word + "\", not stop or drive_on");
   }
 
   void receiveAttack(const collision_forge::Attack& message) {
-    if (isNone(message)) {
-      injector_.reset();
-      return;
-    }
     try {
-      inject(message.trajectory, slideFromEnd(fromMessage(message.trajectory), limits_));
+      injector_->setAttack(message);
     } catch (const MessageError& error) {
       NODELET_ERROR_STREAM("attack left out: " << error.what());
     }
   }
 
-  void inject(const collision_forge::AttackerTrajectory& trajectory, const BrakingSlide& slide) {
-    if (injector_ && injector_->change(trajectory, slide)) return;
-    injector_.emplace(trajectory, slide);
-    if (last_) injector_->remember(*last_);
-  }
-
   void receiveAgents(const collision_forge::AgentArray::ConstPtr& message) {
-    last_ = message;
-    publisher_.publish(injector_ ? injector_->inject(*message) : *message);
+    injector_->addFrame(message);
   }
 
-  DriveLimitOptions limits_;
-  std::optional<AttackerInjector> injector_;
-  collision_forge::AgentArray::ConstPtr last_;  // tells the injector the attacker's height
+  std::optional<LiveInjector> injector_;
   ros::Publisher publisher_;
   ros::Subscriber attack_subscriber_;
   ros::Subscriber agents_subscriber_;
+  std::unique_ptr<EgoPoses> ego_poses_;
 };
 
 }  // namespace forge

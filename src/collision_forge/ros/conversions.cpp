@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/scene/request_words.h"
 
@@ -175,6 +177,19 @@ geometry_msgs::Pose toPoseMessage(const Pose2& pose) {
   message.orientation.z = std::sin(0.5 * pose.yaw);
   message.orientation.w = std::cos(0.5 * pose.yaw);
   return message;
+}
+
+void setPlanar(const Pose2& planar, geometry_msgs::Pose& pose) {
+  const double turn = angleBetween(fromMessage(pose).yaw, planar.yaw);
+  auto& message = pose.orientation;
+  const Eigen::Quaterniond turned = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) *
+                                    Eigen::Quaterniond(message.w, message.x, message.y, message.z);
+  message.w = turned.w();
+  message.x = turned.x();
+  message.y = turned.y();
+  message.z = turned.z();
+  pose.position.x = planar.x;
+  pose.position.y = planar.y;
 }
 
 geometry_msgs::Pose2D toPose2dMessage(const Pose2& pose) {

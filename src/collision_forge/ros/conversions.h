@@ -44,6 +44,8 @@ Pose2 fromMessage(const geometry_msgs::Pose& message);
 Pose2 fromMessage(const geometry_msgs::Pose2D& message);
 Pose2 fromMessage(const geometry_msgs::Transform& message);
 geometry_msgs::Pose toPoseMessage(const Pose2& pose);
+/// Moves and turns a pose there; height, roll and pitch stay.
+void setPlanar(const Pose2& planar, geometry_msgs::Pose& pose);
 geometry_msgs::Pose2D toPose2dMessage(const Pose2& pose);
 
 geometry_msgs::Vector3 toMessage(const BoxSize& size);

@@ -4,6 +4,9 @@
 
 #include <Eigen/Geometry>
 
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/shown_motion.h"
+
 namespace forge {
 namespace {
 
@@ -30,6 +33,14 @@ geometry_msgs::Quaternion turnedBetween(const geometry_msgs::Quaternion& before,
   return message;
 }
 
+/// Adds the agent of that id, if it is there, to its track.
+void appendState(const collision_forge::AgentArray& frame, Track& track) {
+  const auto agent = std::find_if(frame.agents.begin(), frame.agents.end(),
+                                  [&](const auto& other) { return other.id == track.id; });
+  if (agent == frame.agents.end()) return;
+  track.states.push_back({frame.header.stamp.toSec(), fromMessage(agent->pose), Vector2::Zero()});
+}
+
 }  // namespace
 
 collision_forge::AgentArray frameBetween(const collision_forge::AgentArray& before,
@@ -45,6 +56,26 @@ collision_forge::AgentArray frameBetween(const collision_forge::AgentArray& befo
     agent.pose.orientation = turnedBetween(agent.pose.orientation, then->pose.orientation, ratio);
     agent.velocity = between(agent.velocity, then->velocity, ratio);
     frame.agents.push_back(agent);
+  }
+  return frame;
+}
+
+collision_forge::AgentArray frameAfter(const collision_forge::AgentArray* before,
+                                       const collision_forge::AgentArray& newest,
+                                       const ros::Time& stamp) {
+  collision_forge::AgentArray frame = newest;
+  frame.header.stamp = stamp;
+  for (collision_forge::Agent& agent : frame.agents) {
+    Track track{agent.id, {}, {}, {}};
+    if (before) appendState(*before, track);
+    appendState(newest, track);
+    deriveVelocities(track);
+    const Pose2 pose = shownPose(toMessage(track), stamp);
+    const double turn = angleBetween(track.states.back().pose.yaw, pose.yaw);
+    const Vector2 velocity = Eigen::Rotation2Dd(turn) * Vector2(agent.velocity.x, agent.velocity.y);
+    setPlanar(pose, agent.pose);
+    agent.velocity.x = velocity.x();
+    agent.velocity.y = velocity.y();
   }
   return frame;
 }

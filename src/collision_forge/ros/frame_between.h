@@ -9,4 +9,11 @@ namespace forge {
 collision_forge::AgentArray frameBetween(const collision_forge::AgentArray& before,
                                          const collision_forge::AgentArray& after, double ratio);
 
+/// A frame of agents soon after a recorded one: its agents, moved on as in shownPose(), with what
+/// `before`, the recorded frame before it, tells of their motion. Who is not in that, or where it
+/// is null, stands still. Velocities turn with their boxes.
+collision_forge::AgentArray frameAfter(const collision_forge::AgentArray* before,
+                                       const collision_forge::AgentArray& newest,
+                                       const ros::Time& stamp);
+
 }  // namespace forge

@@ -1,7 +1,5 @@
 #include "collision_forge/ros/sliding_ego.h"
 
-#include <Eigen/Geometry>
-
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/topic_names.h"
 
@@ -15,20 +13,6 @@ geometry_msgs::Pose poseOf(const geometry_msgs::Transform& transform) {
   pose.position.z = transform.translation.z;
   pose.orientation = transform.rotation;
   return pose;
-}
-
-/// With height, roll and pitch as they are.
-void setPlanar(const Pose2& planar, geometry_msgs::Pose& pose) {
-  const double turn = angleBetween(fromMessage(pose).yaw, planar.yaw);
-  auto& message = pose.orientation;
-  const Eigen::Quaterniond turned = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) *
-                                    Eigen::Quaterniond(message.w, message.x, message.y, message.z);
-  message.w = turned.w();
-  message.x = turned.x();
-  message.y = turned.y();
-  message.z = turned.z();
-  pose.position.x = planar.x;
-  pose.position.y = planar.y;
 }
 
 }  // namespace

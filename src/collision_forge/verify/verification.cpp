@@ -52,24 +52,6 @@ bool staysClear(const AttackerTrajectory& trajectory, const Track& track, double
   return attacker.squaredExteriorDistance(other) > reach * reach;
 }
 
-std::optional<double> firstContactTime(const AttackerTrajectory& trajectory, const Track& track,
-                                       double end, double tolerance) {
-  if (staysClear(trajectory, track, end)) return std::nullopt;
-  const std::vector<double> times = breakpoints(trajectory, track, end);
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-    const auto from = stateAt(track, times[i]);
-    const auto to = stateAt(track, times[i + 1]);
-    if (!from || !to) continue;
-    const auto ratio = firstContact(
-        {poseAt(trajectory, times[i]), poseAt(trajectory, times[i + 1]), trajectory.size},
-        {from->pose, to->pose, track.size}, tolerance);
-    if (ratio) {
-      return std::min(times[i] + *ratio * (times[i + 1] - times[i]), times[i + 1]);
-    }
-  }
-  return std::nullopt;
-}
-
 Vector2 velocityAt(const AttackerTrajectory& trajectory, double time) {
   const auto& points = trajectory.points;
   const auto after = std::find_if(points.begin(), points.end(),
@@ -131,6 +113,24 @@ void findFirstOther(const AttackerTrajectory& trajectory, const Future& future, 
 }
 
 }  // namespace
+
+std::optional<double> firstContactTime(const AttackerTrajectory& trajectory, const Track& track,
+                                       double end, double tolerance) {
+  if (staysClear(trajectory, track, end)) return std::nullopt;
+  const std::vector<double> times = breakpoints(trajectory, track, end);
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const auto from = stateAt(track, times[i]);
+    const auto to = stateAt(track, times[i + 1]);
+    if (!from || !to) continue;
+    const auto ratio = firstContact(
+        {poseAt(trajectory, times[i]), poseAt(trajectory, times[i + 1]), trajectory.size},
+        {from->pose, to->pose, track.size}, tolerance);
+    if (ratio) {
+      return std::min(times[i] + *ratio * (times[i + 1] - times[i]), times[i + 1]);
+    }
+  }
+  return std::nullopt;
+}
 
 DriveLimits driveLimitsOf(const Track& attacker, const VerificationOptions& options) {
   return driveLimitsOf(attacker.agent_class, attacker.size, options.drivable);

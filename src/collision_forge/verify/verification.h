@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
@@ -20,6 +22,11 @@ DriveLimits driveLimitsOf(const Track& attacker, const VerificationOptions& opti
 
 /// How an attacker moves now, as its motion goes on from.
 DriveState driveStateNow(const Track& attacker, const VerificationOptions& options);
+
+/// When the attacker first touches who drives `track`, up to `end`, found continuously between
+/// samples (see firstContact()); both move linearly between them. Who is not seen is not touched.
+std::optional<double> firstContactTime(const AttackerTrajectory& trajectory, const Track& track,
+                                       double end, double tolerance);
 
 /// First contact of the attacker with the ego and with anybody else before, found continuously
 /// between samples (see firstContact()), and the limits up to it. The ego and the others move
