@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The node `player`: alone, and in replay.launch with the suite."""
+import math
 import subprocess
 import threading
 import time
@@ -18,6 +19,7 @@ from live import until
 
 SCENE, TYPE, NOW, TTA = 'scene-0007', 'lane_change', 4.0, 4.0
 START_TIMEOUT = 60.0  # s
+STOPPED = 4.0  # s after the contact; the attacker has come to a stand
 
 
 class Heard:
@@ -205,18 +207,31 @@ class ReplayTest(PlayerTest):
             listener.clear()
         self.call('back_to_now')
         self.call('pause', False)
-        self.assertEqual(reports.wait().attacker_id, first.attacker)
+        report = reports.wait()
+        self.assertEqual(report.attacker_id, first.attacker)
         points = {point.stamp: point.pose.position for point in first.message.trajectory.points}
         driven = [(agent.pose.position, points[message.header.stamp]) for message in injected.all()
                   if message.header.stamp in points for agent in message.agents if agent.id == first.attacker]
         self.assertGreater(len(driven), 5)
         for actual, planned in driven[:5]:
             self.assertLess(abs(actual.x - planned.x) + abs(actual.y - planned.y), 0.01)
+        until(lambda: injected.all()[-1].header.stamp > report.contact_time + rospy.Duration(STOPPED), 'more frames')
         self.check_rate(injected, now)
+        self.check_stands(injected, report)
+
+    def check_stands(self, injected, report):
+        """The attacker leaves its trajectory at the contact, and comes to a stand."""
+        self.assertTrue(report.contact)
+        driven = [(message.header.stamp, agent) for message in injected.all() for agent in message.agents
+                  if agent.id == report.attacker_id]
+        speeds = [math.hypot(agent.velocity.x, agent.velocity.y) for stamp, agent in driven
+                  if stamp > report.contact_time]
+        self.assertEqual(speeds, sorted(speeds, reverse=True))
+        self.assertLess(speeds[-1], 1e-6)
+        self.assertEqual(driven[-1][1].pose, driven[-2][1].pose)
 
     def check_rate(self, injected, now):
         """From now on frames come at 10 Hz of the bag's time, and none while it is paused."""
-        until(lambda: injected.all()[-1].header.stamp > now + rospy.Duration(6.0), 'more frames')
         self.call('pause', True)
         self.wait_for_state(True)
         time.sleep(0.3)
