@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "collision_forge/settings/config.h"
+#include "collision_forge/trials/planner_result_file.h"
 #include "report/report_scenes.h"
 
 namespace forge {
@@ -29,7 +30,32 @@ TEST(AttackRecord, HasWhatTheRecordingSaysWhereThatIsKnown) {
   const VerificationOptions options = shippedOptions();
   EXPECT_THAT(attackRecord(scenario, scenario.answer, {}, options), Not(HasSubstr("recorded\":{")));
   EXPECT_THAT(attackRecord(scenario, scenario.answer, CollisionReport(), options),
-              HasSubstr(R"("recorded":{"contact":false)"));
+              HasSubstr(R"("recorded":{"verified":false,"contact":false)"));
+}
+
+TEST(AttackRecord, TellsAllOfTheReportThatTheScenarioFileDoes) {
+  const Scenario scenario = rearEnd();
+  const std::string line = scenarioLine(scenario);
+  const std::size_t begin = line.find("\"report\":{");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string report = line.substr(begin, line.find(",\"alternatives\"", begin) - begin);
+  EXPECT_THAT(attackRecord(scenario, scenario.answer, {}, shippedOptions()), HasSubstr(report));
+}
+
+TEST(PlannerRecord, TellsAllThatTheFileOfResultsDoes) {
+  PlannerTestResult result;
+  result.avoidability = {true, {EvasiveManoeuvre::kBraking}, EvasiveManoeuvre::kBoth, 1.5, 0.25};
+  PlannerRow row;
+  row.escape = result.avoidability;
+  result.rows = {row};
+  const std::string line = plannerResultLine(result);
+  const std::size_t begin = line.find("\"avoidability\":{");
+  const std::size_t rows = line.find("\"planners\":[{");
+  ASSERT_NE(rows, std::string::npos);
+  const std::string record = plannerRecord(result, row, nullptr);
+  EXPECT_THAT(record, HasSubstr(line.substr(begin, rows - begin)));
+  const std::string fields = line.substr(line.find('{', rows) + 1);
+  EXPECT_THAT(record, HasSubstr(fields.substr(0, fields.size() - 3)));  // without }]}
 }
 
 TEST(PlannerRecord, HasTheMotionWhereItWasDrivenAgain) {

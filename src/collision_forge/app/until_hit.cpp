@@ -9,6 +9,7 @@
 
 #include "collision_forge/app/planner_pictures.h"
 #include "collision_forge/data/json_line.h"
+#include "collision_forge/data/scenario_file.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/trials/escape.h"
 #include "collision_forge/trials/weaknesses.h"

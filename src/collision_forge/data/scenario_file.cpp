@@ -16,10 +16,6 @@ constexpr double kMicroseconds = 1e6;  // in a second
 constexpr const char* kRecorded = "recorded";
 constexpr const char* kAdded = "added";
 
-double fromNow(double time, double now) {
-  return std::round((time - now) * kMicroseconds) / kMicroseconds;
-}
-
 void writeTextOrNull(JsonLineWriter& writer, const char* key, const std::string& value) {
   if (value.empty()) {
     writer.null(key);
@@ -32,12 +28,6 @@ void writePoseFields(JsonLineWriter& writer, const Pose2& pose) {
   writer.number("x", pose.x);
   writer.number("y", pose.y);
   writer.number("yaw", pose.yaw);
-}
-
-void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose) {
-  writer.beginObject(key);
-  writePoseFields(writer, pose);
-  writer.endObject();
 }
 
 void writeRequest(JsonLineWriter& writer, const CollisionRequest& request) {
@@ -95,20 +85,6 @@ void writePoints(JsonLineWriter& writer, const std::vector<TrajectoryPoint>& poi
   writer.endArray();
 }
 
-void writePlans(JsonLineWriter& writer, const std::vector<AttackerPlan>& plans, double now) {
-  writer.beginArray("plans");
-  for (const AttackerPlan& plan : plans) {
-    writer.beginObject();
-    writer.number("seen_t", fromNow(plan.seen, now));
-    writer.number("from_t", fromNow(plan.from, now));
-    writer.text("phase", toString(plan.phase));
-    writer.text("reason", plan.reason);
-    writePoints(writer, plan.points, now);
-    writer.endObject();
-  }
-  writer.endArray();
-}
-
 void writeAttacker(JsonLineWriter& writer, const AttackerTrajectory& trajectory, double now) {
   writer.beginObject("attacker");
   writer.text("id", trajectory.attacker_id);
@@ -133,40 +109,11 @@ void writePattern(JsonLineWriter& writer, const CollisionPattern& pattern, const
   writer.endObject();
 }
 
-void writeReport(JsonLineWriter& writer, const CollisionReport& report, double now) {
-  writer.beginObject("report");
-  writer.flag("verified", report.verified());
-  writer.flag("contact", report.contact);
-  writer.number("contact_t", fromNow(report.contact_time, now));
-  writer.number("relative_heading", report.relative_heading);
-  writePose(writer, "ego_at_contact", report.ego_at_contact);
-  writePose(writer, "attacker_at_contact", report.attacker_at_contact);
-  writer.text("ego_side", toString(report.ego_side));
-  writer.text("attacker_side", toString(report.attacker_side));
-  writer.number("impact_speed", report.impact_speed);
-  writer.number("overlap", report.overlap);
-  writer.flag("type_kept", report.type_kept);
-  writer.flag("on_time", report.on_time);
-  writer.flag("limits_kept", report.limits_kept);
-  writeTextOrNull(writer, "broken_limit", report.broken_limit);
-  writeTextOrNull(writer, "first_other", report.first_other_id);
-  writer.number("off_road_share", report.off_road_share);
-  writer.text("manoeuvre", toString(report.manoeuvre));
-  writer.number("manoeuvre_begin_t", fromNow(report.manoeuvre_begin, now));
-  writer.number("on_lane", report.road.on_lane);
-  writer.number("wrong_way", report.road.wrong_way);
-  writer.number("on_walkway", report.road.on_walkway);
-  writer.number("on_island", report.road.on_island);
-  writer.flag("believable", report.believable());
-  writeTextOrNull(writer, "unbelievable", report.unbelievable);
-  writer.endObject();
-}
-
 void writeAttack(JsonLineWriter& writer, const Realization& answer, double now) {
   writeAttacker(writer, answer.trajectory, now);
   writePattern(writer, answer.aim, answer.miss, now);
   writer.number("confidence", answer.report.confidence);
-  writeReport(writer, answer.report, now);
+  writeCollisionReport(writer, "report", answer.report, now);
 }
 
 void writeAnswer(JsonLineWriter& writer, const Realization& answer, double now) {
@@ -404,6 +351,61 @@ void readAnswer(JsonObject& object, const Scenario& scenario, Realization& answe
 
 }  // namespace
 
+double fromNow(double time, double now) {
+  return std::round((time - now) * kMicroseconds) / kMicroseconds;
+}
+
+void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose) {
+  writer.beginObject(key);
+  writePoseFields(writer, pose);
+  writer.endObject();
+}
+
+void writeCollisionReport(JsonLineWriter& writer, const char* key, const CollisionReport& report,
+                          double now) {
+  writer.beginObject(key);
+  writer.flag("verified", report.verified());
+  writer.flag("contact", report.contact);
+  writer.number("contact_t", fromNow(report.contact_time, now));
+  writer.number("relative_heading", report.relative_heading);
+  writePose(writer, "ego_at_contact", report.ego_at_contact);
+  writePose(writer, "attacker_at_contact", report.attacker_at_contact);
+  writer.text("ego_side", toString(report.ego_side));
+  writer.text("attacker_side", toString(report.attacker_side));
+  writer.number("impact_speed", report.impact_speed);
+  writer.number("overlap", report.overlap);
+  writer.flag("type_kept", report.type_kept);
+  writer.flag("on_time", report.on_time);
+  writer.flag("limits_kept", report.limits_kept);
+  writeTextOrNull(writer, "broken_limit", report.broken_limit);
+  writeTextOrNull(writer, "first_other", report.first_other_id);
+  writer.number("off_road_share", report.off_road_share);
+  writer.text("manoeuvre", toString(report.manoeuvre));
+  writer.number("manoeuvre_begin_t", fromNow(report.manoeuvre_begin, now));
+  writer.number("on_lane", report.road.on_lane);
+  writer.number("wrong_way", report.road.wrong_way);
+  writer.number("on_walkway", report.road.on_walkway);
+  writer.number("on_island", report.road.on_island);
+  writer.flag("believable", report.believable());
+  writeTextOrNull(writer, "unbelievable", report.unbelievable);
+  writer.endObject();
+}
+
+void writePlans(JsonLineWriter& writer, const std::vector<AttackerPlan>& plans, double now,
+                const WritePoints& write_points) {
+  writer.beginArray("plans");
+  for (const AttackerPlan& plan : plans) {
+    writer.beginObject();
+    writer.number("seen_t", fromNow(plan.seen, now));
+    writer.number("from_t", fromNow(plan.from, now));
+    writer.text("phase", toString(plan.phase));
+    writer.text("reason", plan.reason);
+    write_points(writer, plan.points, now);
+    writer.endObject();
+  }
+  writer.endArray();
+}
+
 std::string scenarioLine(const Scenario& scenario) {
   const double now = scenario.asked.now;
   JsonLineWriter writer;
@@ -415,7 +417,7 @@ std::string scenarioLine(const Scenario& scenario) {
   writeRequest(writer, scenario.asked.request);
   writeStatus(writer, scenario.answer.status);
   writeAnswer(writer, scenario.answer, now);
-  writePlans(writer, scenario.plans, now);
+  writePlans(writer, scenario.plans, now, writePoints);
   writer.beginObject("ego");
   writer.number("length", scenario.ego.size.length);
   writer.number("width", scenario.ego.size.width);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "collision_forge/attack/realizer.h"
 #include "collision_forge/data/json_line.h"
@@ -28,5 +30,22 @@ std::string scenarioLine(const Scenario& scenario);
 /// the file: the report's time of another's touch and its road.off_road. Throws JsonLineError,
 /// naming `where`, for a line that is not of this format and version.
 Scenario readScenarioLine(const std::string& where, const std::string& line);
+
+/// s from `now`, to the microsecond, the clock's resolution.
+double fromNow(double time, double now);
+
+// Parts of the line, for files that hold the same; times from now.
+
+/// An object of x and y in m, yaw in rad.
+void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose);
+
+void writeCollisionReport(JsonLineWriter& writer, const char* key, const CollisionReport& report,
+                          double now);
+
+/// The array "plans". `write_points` adds the field "trajectory" to a plan.
+using WritePoints = std::function<void(JsonLineWriter& writer,
+                                       const std::vector<TrajectoryPoint>& points, double now)>;
+void writePlans(JsonLineWriter& writer, const std::vector<AttackerPlan>& plans, double now,
+                const WritePoints& write_points);
 
 }  // namespace forge

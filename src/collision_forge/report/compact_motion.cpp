@@ -69,12 +69,4 @@ void writeTrajectory(JsonLineWriter& writer, const char* key,
   writer.endObject();
 }
 
-void writeReportPose(JsonLineWriter& writer, const char* key, const Pose2& pose) {
-  writer.beginObject(key);
-  writer.number("x", pose.x);
-  writer.number("y", pose.y);
-  writer.number("yaw", pose.yaw);
-  writer.endObject();
-}
-
 }  // namespace forge

@@ -23,7 +23,4 @@ void writeStates(JsonLineWriter& writer, const char* key, const std::vector<Agen
 void writeTrajectory(JsonLineWriter& writer, const char* key,
                      const std::vector<TrajectoryPoint>& points, double origin);
 
-/// An object of x and y in m, yaw in rad.
-void writeReportPose(JsonLineWriter& writer, const char* key, const Pose2& pose);
-
 }  // namespace forge

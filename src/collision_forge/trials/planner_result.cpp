@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "collision_forge/data/scenario_file.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/policy/adaptive_attacker.h"
 #include "collision_forge/study/clip_attackers.h"
@@ -98,8 +99,6 @@ std::optional<bool> isPublishedHit(const PlannerCase& one, const std::string& pl
 }
 
 }  // namespace
-
-double fromNow(double time, double now) { return std::round((time - now) * 1e6) / 1e6; }
 
 PlannerTestResult untested(const PlannerCase& one, const std::string& status,
                            const std::string& message) {

@@ -121,7 +121,4 @@ RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, Po
 PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
                                const StudyOptions& study, const TrialOptions& trials);
 
-/// s from `now`, to the microsecond, the clock's resolution.
-double fromNow(double time, double now);
-
 }  // namespace forge

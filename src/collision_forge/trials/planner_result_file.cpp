@@ -5,30 +5,13 @@
 #include <cstdio>
 #include <optional>
 
+#include "collision_forge/data/scenario_file.h"
+
 namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/planner_test";
 constexpr int kVersion = 4;
-
-void writeAvoidability(JsonLineWriter& writer, const char* key,
-                       const AvoidabilitySummary& summary) {
-  writer.beginObject(key);
-  writer.flag("avoidable", summary.is_avoidable);
-  std::vector<std::string> names;
-  for (const EvasiveManoeuvre manoeuvre : summary.from_now) names.emplace_back(toString(manoeuvre));
-  writer.texts("from_now", names);
-  if (summary.is_avoidable) {
-    writer.beginObject("last");
-    writer.text("manoeuvre", toString(summary.last));
-    writer.number("start_t", summary.last_after);
-    writer.number("off_road_share", summary.off_road_share);
-    writer.endObject();
-  } else {
-    writer.null("last");
-  }
-  writer.endObject();
-}
 
 void writeNuplan(JsonLineWriter& writer, const NuplanScore& score) {
   writer.beginObject("nuplan");
@@ -52,37 +35,24 @@ void writeAttacker(JsonLineWriter& writer, const AttackerSummary& attacker) {
   writer.endObject();
 }
 
-void writeRow(JsonLineWriter& writer, const PlannerRow& row, double now) {
-  const RolloutOutcome& outcome = row.outcome;
-  writer.beginObject();
-  writer.text("planner", row.planner);
-  writeAttacker(writer, row.attacker);
-  writer.text("failure", toString(outcome.failure));
-  writer.text("message", outcome.failure_message);
-  if (outcome.contact) {
-    writeContact(writer, *outcome.contact, now);
+void writeContact(JsonLineWriter& writer, const PlannerContact& contact, double now) {
+  writer.beginObject("contact");
+  writer.text("other", contact.other_id);
+  writer.flag("attacker", contact.is_attacker);
+  writer.number("t", fromNow(contact.time, now));
+  writer.text("place", toString(contact.place));
+  if (contact.type) {
+    writer.text("type", toString(*contact.type));
   } else {
-    writer.null("contact");
+    writer.null("type");
   }
-  if (row.escape) {
-    writeAvoidability(writer, "escape", *row.escape);
-  } else {
-    writer.null("escape");
-  }
-  writer.flag("fair", row.is_fair);
-  writer.number("duration", outcome.duration);
-  writer.number("max_braking", outcome.max_braking);
-  writer.number("hard_braking", outcome.hard_braking);
-  writer.number("off_road_share", outcome.off_road_share);
-  writer.number("progress", outcome.progress);
-  writer.number("recorded_progress", outcome.recorded_progress);
-  writeNuplan(writer, outcome.nuplan);
-  writer.count("plans", static_cast<std::uint64_t>(outcome.plans));
-  if (row.published_hit) {
-    writer.number("published_hit", *row.published_hit ? 1.0 : 0.0);
-  } else {
-    writer.null("published_hit");
-  }
+  writer.number("relative_heading", contact.relative_heading);
+  writer.text("ego_side", toString(contact.ego_side));
+  writer.text("other_side", toString(contact.other_side));
+  writer.number("impact_speed", contact.impact_speed);
+  writer.number("ego_speed", contact.ego_speed);
+  writer.text("cause", toString(contact.cause));
+  writer.flag("at_fault", contact.at_fault);
   writer.endObject();
 }
 
@@ -280,25 +250,55 @@ std::vector<std::string> untestedCsvRows(const std::string& start,
 
 }  // namespace
 
-void writeContact(JsonLineWriter& writer, const PlannerContact& contact, double now) {
-  writer.beginObject("contact");
-  writer.text("other", contact.other_id);
-  writer.flag("attacker", contact.is_attacker);
-  writer.number("t", fromNow(contact.time, now));
-  writer.text("place", toString(contact.place));
-  if (contact.type) {
-    writer.text("type", toString(*contact.type));
+void writeAvoidability(JsonLineWriter& writer, const char* key,
+                       const AvoidabilitySummary& summary) {
+  writer.beginObject(key);
+  writer.flag("avoidable", summary.is_avoidable);
+  std::vector<std::string> names;
+  for (const EvasiveManoeuvre manoeuvre : summary.from_now) names.emplace_back(toString(manoeuvre));
+  writer.texts("from_now", names);
+  if (summary.is_avoidable) {
+    writer.beginObject("last");
+    writer.text("manoeuvre", toString(summary.last));
+    writer.number("start_t", summary.last_after);
+    writer.number("off_road_share", summary.off_road_share);
+    writer.endObject();
   } else {
-    writer.null("type");
+    writer.null("last");
   }
-  writer.number("relative_heading", contact.relative_heading);
-  writer.text("ego_side", toString(contact.ego_side));
-  writer.text("other_side", toString(contact.other_side));
-  writer.number("impact_speed", contact.impact_speed);
-  writer.number("ego_speed", contact.ego_speed);
-  writer.text("cause", toString(contact.cause));
-  writer.flag("at_fault", contact.at_fault);
   writer.endObject();
+}
+
+void writePlannerRow(JsonLineWriter& writer, const PlannerRow& row, double now) {
+  const RolloutOutcome& outcome = row.outcome;
+  writer.text("planner", row.planner);
+  writeAttacker(writer, row.attacker);
+  writer.text("failure", toString(outcome.failure));
+  writer.text("message", outcome.failure_message);
+  if (outcome.contact) {
+    writeContact(writer, *outcome.contact, now);
+  } else {
+    writer.null("contact");
+  }
+  if (row.escape) {
+    writeAvoidability(writer, "escape", *row.escape);
+  } else {
+    writer.null("escape");
+  }
+  writer.flag("fair", row.is_fair);
+  writer.number("duration", outcome.duration);
+  writer.number("max_braking", outcome.max_braking);
+  writer.number("hard_braking", outcome.hard_braking);
+  writer.number("off_road_share", outcome.off_road_share);
+  writer.number("progress", outcome.progress);
+  writer.number("recorded_progress", outcome.recorded_progress);
+  writeNuplan(writer, outcome.nuplan);
+  writer.count("plans", static_cast<std::uint64_t>(outcome.plans));
+  if (row.published_hit) {
+    writer.number("published_hit", *row.published_hit ? 1.0 : 0.0);
+  } else {
+    writer.null("published_hit");
+  }
 }
 
 std::string plannerResultLine(const PlannerTestResult& result) {
@@ -313,7 +313,11 @@ std::string plannerResultLine(const PlannerTestResult& result) {
   writer.flag("strict", result.is_strict);
   writeAvoidability(writer, "avoidability", result.avoidability);
   writer.beginArray("planners");
-  for (const PlannerRow& row : result.rows) writeRow(writer, row, result.now);
+  for (const PlannerRow& row : result.rows) {
+    writer.beginObject();
+    writePlannerRow(writer, row, result.now);
+    writer.endObject();
+  }
   writer.endArray();
   writer.endObject();
   return writer.line();

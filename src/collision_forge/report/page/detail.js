@@ -76,7 +76,8 @@ function contactOf(attack, test, world) {
   if (!attack) return null;
   const report = attack.recorded || attack.report;
   if (!report.contact) return null;
-  return {t: report.contact_t, x: (report.ego.x + report.attacker.x) / 2, y: (report.ego.y + report.attacker.y) / 2};
+  const [ego, attacker] = [report.ego_at_contact, report.attacker_at_contact];
+  return {t: report.contact_t, x: (ego.x + attacker.x) / 2, y: (ego.y + attacker.y) / 2};
 }
 
 function onBox(state, {length, width}, [ahead, left], t) {
@@ -144,14 +145,14 @@ function planList(plans) {
 }
 
 function avoidance(summary) {
-  if (!summary.avoidable) return 'no way found';
-  return `by ${summary.manoeuvre}, at the latest from ${amount(summary.start_t, 1, 's')}`;
+  const {last} = summary;
+  return last ? `by ${last.manoeuvre}, at the latest from ${amount(last.start_t, 1, 's')}` : 'no way found';
 }
 
 function testList(test) {
   const {contact} = test;
   return list('Planner', [
-    test.failure !== 'none' && ['Failure', title(test.failure) + ': ' + test.failure_message, 'missed'],
+    test.failure !== 'none' && ['Failure', title(test.failure) + ': ' + test.message, 'missed'],
     ['Contact', contact ? `${contact.attacker ? 'with the attacker' : 'with ' + contact.other} at `
       + amount(contact.t, 2, 's') : 'none', held(!contact)],
     contact && ['Where', `ego ${contact.ego_side}, other ${contact.other_side}, ${contact.place}`],
@@ -164,7 +165,7 @@ function testList(test) {
     ['Hardest braking', amount(test.max_braking, 1, 'm/s²')],
     ['Progress', `${amount(test.progress, 0, 'm')}, recorded ${amount(test.recorded_progress, 0, 'm')}`],
     ['nuPlan score', amount(test.nuplan.score, 2)],
-    ['Attacker', title(test.phase) + (test.attacker_broken_limit ? ', broke ' + test.attacker_broken_limit : '')],
+    ['Attacker', title(test.attacker.phase) + (test.attacker.broken_limit ? ', broke ' + test.attacker.broken_limit : '')],
     !test.drive && ['Motion', 'not in this page: see docs/report.md'],
   ]);
 }
