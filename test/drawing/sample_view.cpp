@@ -105,6 +105,7 @@ DrawingOptions sampleOptions() {
   options.agent_color = {0.4, 0.6, 0.8};
   options.ego_color = {0.0, 0.0, 1.0};
   options.attacker_color = {1.0, 0.0, 0.0};
+  options.recorded_attacker_color = {1.0, 0.5, 0.5};
   options.pattern_ego_color = {0.6, 0.0, 0.8};
   options.pattern_attacker_color = {1.0, 0.6, 0.0};
   options.contact_color = {1.0, 1.0, 0.0};

@@ -60,6 +60,30 @@ TEST(ScenarioMotion, OthersLeaveOutTheAttacker) {
   }
 }
 
+TEST(ScenarioMotion, KnowsWhatARecordedAttackerDidAndOfAnAddedOneNothing) {
+  ScenarioView view = sampleView();
+  EXPECT_NEAR(ScenarioMotion(view).recordedAttackerAt(102.04)->center.x, 40.0, 1e-9);
+  EXPECT_NEAR(ScenarioMotion(view).recordedAttackerAt(103.04)->center.x, 50.0, 1e-9);
+  EXPECT_FALSE(ScenarioMotion(view).recordedAttackerAt(99.0));
+  view.trajectory.past = view.snapshot.agents.front().states;
+  EXPECT_FALSE(ScenarioMotion(view).recordedAttackerAt(102.0));
+}
+
+TEST(ScenarioMotion, OthersInThePathAtContactWereElsewhereWhenPassed) {
+  ScenarioView view = sampleView();
+  EXPECT_TRUE(ScenarioMotion(view).passedOthers().empty()) << "the truck stands beside the road";
+  // Crosses from the north: at contact it is on the attacker's path, 12.5 m behind the contact.
+  Track& truck = view.future.agents.back();
+  for (AgentState& state : truck.states) {
+    state.pose = {-7.0, 10.0 * (102.04 - state.time), 0.0};
+  }
+  const auto passed = ScenarioMotion(view).passedOthers();
+  ASSERT_EQ(passed.size(), 1U);
+  EXPECT_NEAR(passed.front().at_key_time.box.center.y, 0.0, 1e-9);
+  // The attacker's rear, 2.5 m behind its middle, leaves the truck's front at x = -3: 0.6 s before.
+  EXPECT_NEAR(passed.front().then.box.center.y, 6.0, 1.0 + 1e-6);
+}
+
 TEST(ScenarioMotion, BoxesReachBothEnds) {
   const ScenarioView view = sampleView();
   const std::vector<OrientedBox> boxes = ScenarioMotion(view).egoBoxes(100.0, 102.04);

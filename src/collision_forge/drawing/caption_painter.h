@@ -6,8 +6,7 @@
 
 namespace forge {
 
-/// Scene, type, time to accident, mode and attacker (whether it was added), and on the right
-/// whether it is verified, where that is known.
+/// titleText(), detailsText(), and on the right verdictText() where that is known.
 void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, const DrawingOptions& options);
 
@@ -15,9 +14,10 @@ void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& s
 void paintClock(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                 const ScenarioView& view, const DrawingOptions& options, double time);
 
-/// What the colours and marks mean.
+/// What the colours and marks mean, of a picture that stands still or of an animation.
+enum class PictureKind { kStill, kAnimation };
 void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
-                 const DrawingOptions& options);
+                 const ScenarioView& view, PictureKind kind, const DrawingOptions& options);
 
 /// The figures of the report that are known.
 void paintReport(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,

@@ -72,7 +72,7 @@ void writePng(std::ostream& file, const ScenarioView& view, const DrawingOptions
 /// big to keep them.
 void writeGif(std::ostream& file, const ScenarioView& view, const DrawingOptions& options) {
   checkDrawable(view, options);
-  const ScenarioPainter painter(view, options, gifSize(options));
+  const ScenarioPainter painter(view, options, gifSize(options), PictureKind::kAnimation);
   const std::vector<Frame> frames = planFrames(view, options);
   ColorHistogram histogram;
   for (const Frame& frame : frames) histogram.add(painter.paint(frame.time, frame.time));

@@ -27,7 +27,7 @@ struct FigureLayout {
 };
 
 /// Lines of text below the title of the legend and of the report.
-inline constexpr int kCaptionRows = 11;
+inline constexpr int kCaptionRows = 14;
 
 /// Throws std::invalid_argument when the font leaves no room for the map.
 FigureLayout layoutFigure(const FigureSize& size);

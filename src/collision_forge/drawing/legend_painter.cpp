@@ -22,7 +22,7 @@ std::vector<Vector2> markBox(const Vector2& center, double font) {
           center + Vector2(-half_length, half_width), center + Vector2(half_length, half_width)};
 }
 
-std::vector<LegendRow> legendRows(Canvas& canvas, const FigureSize& size,
+std::vector<LegendRow> legendRows(Canvas& canvas, const FigureSize& size, PictureKind kind,
                                   const DrawingOptions& options) {
   const double font = size.font_size;
   const auto body = [&canvas, font](const Color& color, double opacity) {
@@ -46,10 +46,13 @@ std::vector<LegendRow> legendRows(Canvas& canvas, const FigureSize& size,
   const auto star = [&canvas, &options, font](const Vector2& center) {
     paintStar(canvas, center, 0.7 * font, options.contact_color, options.text_color, 0.08 * font);
   };
-  return {
+  const bool is_still = kind == PictureKind::kStill;
+  std::vector<LegendRow> rows = {
       {body(options.ego_color, 1.0), "Ego"},
       {body(options.attacker_color, 1.0), "Attacker"},
-      {body(options.agent_color, 1.0), "Other agents"},
+      {body(options.recorded_attacker_color, options.ghost_opacity), "Attacker as recorded"},
+      {body(options.agent_color, 1.0),
+       is_still && view.report.contact ? "Others at contact" : "Others at time t"},
       {line(0.0), "Driven up to now"},
       {line(0.45 * font), "From now to contact"},
       {body(options.muted_text_color, options.ghost_opacity),
@@ -58,18 +61,23 @@ std::vector<LegendRow> legendRows(Canvas& canvas, const FigureSize& size,
       {outline(options.pattern_attacker_color), "Pattern: attacker"},
       {star, "Contact"},
   };
+  if (is_still) {
+    rows.insert(rows.begin() + 4,
+                {body(options.agent_color, options.ghost_opacity), "Others when passed"});
+  }
+  return rows;
 }
 
 }  // namespace
 
 void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
-                 const DrawingOptions& options) {
+                 const ScenarioView& view, PictureKind kind, const DrawingOptions& options) {
   const double font = size.font_size;
   const PixelRect& area = layout.legend;
   double baseline = area.y + font;
   canvas.text({area.x, baseline}, "Legend", {options.text_color, font, true, TextAlign::kLeft});
   const TextStyle style{options.text_color, font, false, TextAlign::kLeft};
-  for (const LegendRow& row : legendRows(canvas, size, options)) {
+  for (const LegendRow& row : legendRows(canvas, size, view, kind, options)) {
     baseline += layout.line_height;
     row.paint_mark({area.x + font, baseline - 0.36 * font});
     canvas.text({area.x + 2.6 * font, baseline},

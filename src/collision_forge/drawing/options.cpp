@@ -40,6 +40,7 @@ void readColors(Section& section, DrawingOptions& options) {
   options.agent_color = section.color<Color>("agent_color");
   options.ego_color = section.color<Color>("ego_color");
   options.attacker_color = section.color<Color>("attacker_color");
+  options.recorded_attacker_color = section.color<Color>("recorded_attacker_color");
   options.pattern_ego_color = section.color<Color>("pattern_ego_color");
   options.pattern_attacker_color = section.color<Color>("pattern_attacker_color");
   options.contact_color = section.color<Color>("contact_color");

@@ -46,6 +46,7 @@ struct DrawingOptions {
   Color agent_color;
   Color ego_color;
   Color attacker_color;
+  Color recorded_attacker_color;
   Color pattern_ego_color;
   Color pattern_attacker_color;
   Color contact_color;

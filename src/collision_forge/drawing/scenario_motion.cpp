@@ -76,12 +76,61 @@ std::vector<AgentBox> ScenarioMotion::othersAt(double time) const {
   return boxes;
 }
 
+std::optional<double> ScenarioMotion::egoSpeedAt(double time) const {
+  const auto state = stateAt(time <= now() ? view_.snapshot.ego : view_.future.ego, time);
+  if (!state) return std::nullopt;
+  return state->velocity.norm();
+}
+
+std::optional<double> ScenarioMotion::attackerSpeedAt(double time) const {
+  const Track driven{view_.trajectory.attacker_id, view_.trajectory.agent_class,
+                     view_.trajectory.size, toStates(view_.trajectory.points)};
+  const auto state = stateAt(driven, time);
+  if (!state) return std::nullopt;
+  return state->velocity.norm();
+}
+
+std::optional<OrientedBox> ScenarioMotion::recordedAttackerAt(double time) const {
+  if (time < now() || view_.trajectory.isAdded()) return std::nullopt;
+  const Track* track = findTrack(view_.future.agents, view_.trajectory.attacker_id);
+  return track == nullptr ? std::nullopt : boxOf(*track, time);
+}
+
+std::optional<double> ScenarioMotion::lastPassing(const OrientedBox& box) const {
+  const int steps = static_cast<int>(std::ceil((keyTime() - now()) / kSampleStep)) - 1;
+  for (int i = steps; i >= 0; --i) {
+    const double time = now() + i * kSampleStep;
+    for (const auto& mover : {egoAt(time), attackerAt(time)}) {
+      if (mover && overlaps(*mover, box)) return time;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<ScenarioMotion::Passed> ScenarioMotion::passedOthers() const {
+  std::vector<Passed> passed;
+  for (const Track& track : view_.future.agents) {
+    if (track.id == view_.trajectory.attacker_id) continue;
+    const auto at_key_time = boxOf(track, keyTime());
+    const auto time = at_key_time ? lastPassing(*at_key_time) : std::nullopt;
+    const auto then = time ? boxOf(track, *time) : std::nullopt;
+    if (then) {
+      passed.push_back({{track.agent_class, *then}, {track.agent_class, *at_key_time}});
+    }
+  }
+  return passed;
+}
+
 std::vector<OrientedBox> ScenarioMotion::egoBoxes(double from, double to) const {
   return sample(from, to, [this](double time) { return egoAt(time); });
 }
 
 std::vector<OrientedBox> ScenarioMotion::attackerBoxes(double from, double to) const {
   return sample(from, to, [this](double time) { return attackerAt(time); });
+}
+
+std::vector<OrientedBox> ScenarioMotion::recordedAttackerBoxes(double from, double to) const {
+  return sample(from, to, [this](double time) { return recordedAttackerAt(time); });
 }
 
 Vector2 ScenarioMotion::contactPoint() const {

@@ -25,18 +25,34 @@ class ScenarioMotion {
   /// Empty where nothing is known. From contact on both stay at their contact poses.
   std::optional<OrientedBox> egoAt(double time) const;
   std::optional<OrientedBox> attackerAt(double time) const;
+  /// m/s; empty where nothing is known.
+  std::optional<double> egoSpeedAt(double time) const;
+  std::optional<double> attackerSpeedAt(double time) const;
+  /// Where the recording has an attacker that is not added, from now on.
+  std::optional<OrientedBox> recordedAttackerAt(double time) const;
   /// Everybody else; agents unknown at `time` are left out.
   std::vector<AgentBox> othersAt(double time) const;
+
+  /// Those whose box at keyTime() stands where the ego or the attacker passed before: from where
+  /// they were at that instant, the latest, to where they are at keyTime().
+  struct Passed {
+    AgentBox then;
+    AgentBox at_key_time;
+  };
+  std::vector<Passed> passedOthers() const;
 
   /// Boxes every 0.1 s in [from, to], both ends included where known.
   std::vector<OrientedBox> egoBoxes(double from, double to) const;
   std::vector<OrientedBox> attackerBoxes(double from, double to) const;
+  std::vector<OrientedBox> recordedAttackerBoxes(double from, double to) const;
 
   /// Where the boxes touch at contact; the middle between the pattern's boxes without one.
   Vector2 contactPoint() const;
 
  private:
   bool frozenAt(double time) const;
+  /// The last instant before keyTime() at which the ego or the attacker covers some of `box`.
+  std::optional<double> lastPassing(const OrientedBox& box) const;
 
   const ScenarioView& view_;
 };

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "collision_forge/drawing/box_painter.h"
-#include "collision_forge/drawing/caption_painter.h"
 #include "collision_forge/drawing/decimal_text.h"
 #include "collision_forge/drawing/map_painter.h"
 
@@ -28,10 +27,11 @@ Viewport closeUp(const PixelRect& area, const Vector2& center, double extent) {
 }  // namespace
 
 ScenarioPainter::ScenarioPainter(const ScenarioView& view, const DrawingOptions& options,
-                                 const FigureSize& size)
+                                 const FigureSize& size, PictureKind kind)
     : view_(view),
       options_(options),
       size_(size),
+      kind_(kind),
       motion_(view),
       layout_(layoutFigure(size)),
       map_viewport_(fitMap()),
@@ -70,7 +70,7 @@ void ScenarioPainter::paintBackground() {
   canvas.stroke({{map.x, map.y}, {map.x + map.width, map.y}}, rule);
   canvas.stroke({{map.x, map.y + map.height}, {map.x + map.width, map.y + map.height}}, rule);
   paintHeader(canvas, layout_, size_, view_, options_);
-  paintLegend(canvas, layout_, size_, options_);
+  paintLegend(canvas, layout_, size_, view_, kind_, options_);
   paintReport(canvas, layout_, size_, view_, options_);
   canvas.text({layout_.close_up.x, layout_.legend.y + font}, "Close-up",
               {options_.text_color, font, true, TextAlign::kLeft});
@@ -159,6 +159,8 @@ Image ScenarioPainter::paint(double time, double ghosts_from) const {
 void ScenarioPainter::paintScene(Canvas& canvas, const Viewport& viewport, double time,
                                  double ghosts_from) const {
   const double font = size_.font_size;
+  paintRecorded(canvas, viewport, time);
+  if (kind_ == PictureKind::kStill) paintPassed(canvas, viewport);
   paintTrails(canvas, viewport);
   paintGhosts(canvas, viewport, ghosts_from);
   paintVehicles(canvas, viewport, time);
@@ -198,6 +200,28 @@ void ScenarioPainter::paintGhosts(Canvas& canvas, const Viewport& viewport, doub
     const auto attacker = motion_.attackerAt(time);
     if (ego) paintGhost(canvas, viewport, *ego, options_.ego_color, opacity, width);
     if (attacker) paintGhost(canvas, viewport, *attacker, options_.attacker_color, opacity, width);
+  }
+}
+
+void ScenarioPainter::paintRecorded(Canvas& canvas, const Viewport& viewport, double time) const {
+  const double font = size_.font_size;
+  const auto boxes = motion_.recordedAttackerBoxes(motion_.now(), motion_.keyTime());
+  canvas.stroke(centers(viewport, boxes),
+                {options_.recorded_attacker_color, 0.09 * font, 1.0, 0.3 * font, false});
+  const auto recorded = motion_.recordedAttackerAt(time);
+  if (recorded) {
+    paintGhost(canvas, viewport, *recorded, options_.recorded_attacker_color,
+               options_.ghost_opacity, 0.08 * font);
+  }
+}
+
+void ScenarioPainter::paintPassed(Canvas& canvas, const Viewport& viewport) const {
+  const double width = 0.08 * size_.font_size;
+  for (const ScenarioMotion::Passed& other : motion_.passedOthers()) {
+    paintGhost(canvas, viewport, other.then.box, options_.agent_color, options_.ghost_opacity,
+               width);
+    canvas.stroke(centers(viewport, {other.then.box, other.at_key_time.box}),
+                  {options_.agent_color, 2 * width});
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "collision_forge/drawing/canvas.h"
+#include "collision_forge/drawing/caption_painter.h"
 #include "collision_forge/drawing/figure_layout.h"
 #include "collision_forge/drawing/label_placer.h"
 #include "collision_forge/drawing/scenario_motion.h"
@@ -11,7 +12,8 @@ namespace forge {
 /// must outlive it.
 class ScenarioPainter {
  public:
-  ScenarioPainter(const ScenarioView& view, const DrawingOptions& options, const FigureSize& size);
+  ScenarioPainter(const ScenarioView& view, const DrawingOptions& options, const FigureSize& size,
+                  PictureKind kind = PictureKind::kStill);
 
   /// Everybody at `time`; ghosts show where ego and attacker are from `ghosts_from` to contact.
   Image paint(double time, double ghosts_from) const;
@@ -39,11 +41,14 @@ class ScenarioPainter {
   void paintScene(Canvas& canvas, const Viewport& viewport, double time, double ghosts_from) const;
   void paintTrails(Canvas& canvas, const Viewport& viewport) const;
   void paintGhosts(Canvas& canvas, const Viewport& viewport, double from) const;
+  void paintRecorded(Canvas& canvas, const Viewport& viewport, double time) const;
+  void paintPassed(Canvas& canvas, const Viewport& viewport) const;
   void paintVehicles(Canvas& canvas, const Viewport& viewport, double time) const;
 
   const ScenarioView& view_;
   const DrawingOptions& options_;
   FigureSize size_;
+  PictureKind kind_;
   ScenarioMotion motion_;
   FigureLayout layout_;
   Viewport map_viewport_;

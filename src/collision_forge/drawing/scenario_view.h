@@ -19,12 +19,13 @@ struct ScenarioView {
   /// animation starts as early as these tracks allow, so give it more frames than the prediction
   /// needs.
   Snapshot snapshot;
-  /// From now on: the ego and the others. A track of the attacker's id in here is not drawn.
+  /// From now on: the ego and the others. A track of the attacker's id in here
+  /// is drawn pale: what it did in the recording.
   Future future;
 
   CollisionPattern pattern;       ///< the asked-for boxes, drawn as outlines
   AttackerTrajectory trajectory;  ///< what the attacker drives instead
-  CollisionReport report;         ///< what verification found on that trajectory
+  CollisionReport report;         ///< of that trajectory against `future`, the recording
   /// Of the report its contact alone is known, with its type and time: the picture says nothing of
   /// the other fields, nor whether the attack is verified.
   bool contact_alone = false;

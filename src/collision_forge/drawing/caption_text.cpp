@@ -1,0 +1,139 @@
+#include "collision_forge/drawing/caption_text.h"
+
+#include <algorithm>
+
+#include "collision_forge/drawing/decimal_text.h"
+#include "collision_forge/drawing/scenario_motion.h"
+
+namespace forge {
+
+namespace {
+
+constexpr double kDegreesPerRadian = 57.29577951308232;
+constexpr std::size_t kIdLetters = 6;  // of an id; nuScenes has 32
+
+std::string titleOf(CollisionType type) {
+  switch (type) {
+    case CollisionType::kLaneChange:
+      return "Lane change";
+    case CollisionType::kOppositeDirection:
+      return "Opposite direction";
+    case CollisionType::kRearEnd:
+      return "Rear end";
+    case CollisionType::kJunctionCrossing:
+      return "Junction crossing";
+    case CollisionType::kLtap:
+      return "Left turn across path";
+  }
+  return toString(type);
+}
+
+std::string className(AgentClass agent_class) {
+  std::string name = toString(agent_class);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+/// The first condition of verified() that does not hold; some does not.
+std::string shortcoming(const CollisionReport& report) {
+  if (!report.contact) return "no contact";
+  if (!report.type_kept) return "another type";
+  if (!report.on_time) return "another time";
+  if (!report.limits_kept) return "a limit broken";
+  return "touches " + report.first_other_id.substr(0, kIdLetters) + " first";
+}
+
+std::string speedText(const std::optional<double>& now, const std::optional<double>& then,
+                      bool has_contact) {
+  const auto text = [](const std::optional<double>& speed) {
+    return speed ? decimalText(*speed, 1) : std::string("?");
+  };
+  return text(now) + " now, " + text(then) + " m/s " + (has_contact ? "at contact" : "then");
+}
+
+std::vector<CaptionRow> speedRows(const ScenarioView& view) {
+  const ScenarioMotion motion(view);
+  const double then = motion.keyTime();
+  const bool has_contact = view.report.contact;
+  return {
+      {"Ego", speedText(motion.egoSpeedAt(motion.now()), motion.egoSpeedAt(then), has_contact),
+       std::nullopt},
+      {"Attacker",
+       speedText(motion.attackerSpeedAt(motion.now()), motion.attackerSpeedAt(then), has_contact),
+       std::nullopt}};
+}
+
+std::vector<CaptionRow> contactRows(const ScenarioView& view) {
+  const CollisionReport& report = view.report;
+  if (!report.contact) return {{"Contact", "none", false}};
+  const std::string heading = decimalText(report.relative_heading * kDegreesPerRadian, 0) + "°";
+  const std::string ego_side = toString(report.ego_side);
+  return {
+      {"Contact",
+       signedSeconds(report.contact_time - view.snapshot.now, 2) +
+           (report.on_time ? ", on time" : ", not on time"),
+       report.on_time},
+      {"Relative heading", heading + (report.type_kept ? ", fits the type" : ", not of the type"),
+       report.type_kept},
+      {"Sides", std::string(toString(report.attacker_side)) + " to ego's " + ego_side,
+       std::nullopt},
+      {"Impact speed", decimalText(report.impact_speed, 1) + " m/s", std::nullopt},
+      {"Overlap", decimalText(100 * report.overlap, 0) + " % of ego's " + ego_side, std::nullopt}};
+}
+
+std::vector<CaptionRow> drivingRows(const ScenarioView& view) {
+  const CollisionReport& report = view.report;
+  const double now = view.snapshot.now;
+  std::vector<CaptionRow> rows;
+  if (report.contact) {
+    rows.push_back({"Manoeuvre",
+                    std::string(toString(report.manoeuvre)) + " from " +
+                        signedSeconds(report.manoeuvre_begin - now, 1),
+                    std::nullopt});
+  }
+  rows.push_back({"Believable", report.believable() ? "yes" : "no: it " + report.unbelievable,
+                  report.believable()});
+  rows.push_back({"Limits kept", report.limits_kept ? "yes" : "no", report.limits_kept});
+  if (!report.broken_limit.empty()) rows.push_back({"", report.broken_limit, false});
+  const bool nobody = report.first_other_id.empty();
+  rows.push_back({"Touches first",
+                  nobody ? "nobody else"
+                         : signedSeconds(report.first_other_time - now, 1) + ", " +
+                               report.first_other_id.substr(0, kIdLetters),
+                  nobody});
+  rows.push_back({"Off road", decimalText(100 * report.off_road_share, 0) + " %", std::nullopt});
+  rows.push_back({"Confidence", decimalText(report.confidence, 2), std::nullopt});
+  return rows;
+}
+
+}  // namespace
+
+std::string titleText(const ScenarioView& view) {
+  return titleOf(view.pattern.type) + " in " + view.scene_name;
+}
+
+std::string detailsText(const ScenarioView& view) {
+  const AttackerTrajectory& attacker = view.trajectory;
+  const std::string who = className(attacker.agent_class);
+  return "TTA " + decimalText(view.tta, 1) + " s  ·  " + toString(view.mode) + " mode  ·  by " +
+         (attacker.isAdded()
+              ? "an added " + who
+              : "a recorded " + who + ", " + attacker.attacker_id.substr(0, kIdLetters));
+}
+
+std::string verdictText(const ScenarioView& view) {
+  if (view.report.verified()) return "verified against the recording";
+  return "not verified against the recording: " + shortcoming(view.report);
+}
+
+std::vector<CaptionRow> reportRows(const ScenarioView& view) {
+  std::vector<CaptionRow> rows = contactRows(view);
+  const auto append = [&rows](const std::vector<CaptionRow>& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+  };
+  append(speedRows(view));
+  if (!view.contact_alone) append(drivingRows(view));
+  return rows;
+}
+
+}  // namespace forge
