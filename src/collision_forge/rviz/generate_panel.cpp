@@ -27,8 +27,8 @@ using collision_forge::ListCollisions;
 
 constexpr int kCountdownPeriod = 100;  // ms
 constexpr int kCrashLines = 3;
-constexpr int kAttackLines = 10;
-constexpr int kTableLines = 7;
+constexpr int kAttackLines = 12;
+constexpr int kTableLines = 11;
 
 QLabel* label(const char* name, int lines) {
   auto* text = new QLabel;

@@ -8,7 +8,7 @@ namespace forge {
 
 PossibleTable::PossibleTable(QWidget* parent) : QTableWidget(parent) {
   setColumnCount(5);
-  setHorizontalHeaderLabels({"collision", "in s", "by", "manoeuvre", "confidence"});
+  setHorizontalHeaderLabels({"collision", "in s", "by", "confidence", "manoeuvre"});
   verticalHeader()->hide();
   setShowGrid(false);
   setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -34,7 +34,7 @@ void PossibleTable::addRow(int row, const collision_forge::PossibleCollision& co
                                      : of_class + " " + attacker.left(static_cast<int>(kIdLetters));
   const QString texts[] = {
       QString::fromStdString(collision.collision_type), QString::number(collision.tta, 'f', 1), by,
-      QString::fromStdString(collision.manoeuvre), QString::number(collision.confidence, 'f', 2)};
+      QString::number(collision.confidence, 'f', 2), QString::fromStdString(collision.manoeuvre)};
   const QString more = QString("Contact after %1 s with %2 m/s, attacker %3")
                            .arg(collision.contact_after, 0, 'f', 2)
                            .arg(collision.impact_speed, 0, 'f', 1)
