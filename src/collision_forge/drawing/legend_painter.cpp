@@ -22,8 +22,8 @@ std::vector<Vector2> markBox(const Vector2& center, double font) {
           center + Vector2(-half_length, half_width), center + Vector2(half_length, half_width)};
 }
 
-std::vector<LegendRow> legendRows(Canvas& canvas, const FigureSize& size, PictureKind kind,
-                                  const DrawingOptions& options) {
+std::vector<LegendRow> legendRows(Canvas& canvas, const FigureSize& size, const ScenarioView& view,
+                                  PictureKind kind, const DrawingOptions& options) {
   const double font = size.font_size;
   const auto body = [&canvas, font](const Color& color, double opacity) {
     return [&canvas, font, color, opacity](const Vector2& center) {
