@@ -28,10 +28,10 @@ TEST(CaptionText, TellsSpeedsNowAndAtContact) {
   for (TrajectoryPoint& point : view.trajectory.points) {
     point.speed = 10.0 - (point.time - view.snapshot.now);  // brakes with 1 m/s2
   }
-  EXPECT_EQ(valueOf(view, "Ego"), "5.0 now, 5.0 m/s at contact");
-  EXPECT_EQ(valueOf(view, "Attacker"), "10.0 now, 8.0 m/s at contact");
+  EXPECT_EQ(valueOf(view, "Ego, m/s"), "5.0 now, 5.0 at contact");
+  EXPECT_EQ(valueOf(view, "Attacker, m/s"), "10.0 now, 8.0 at contact");
   view.report.contact = false;
-  EXPECT_EQ(valueOf(view, "Attacker"), "10.0 now, 8.0 m/s then");
+  EXPECT_EQ(valueOf(view, "Attacker, m/s"), "10.0 now, 8.0 then");
 }
 
 TEST(CaptionText, TheVerdictSaysAgainstWhatAndTheFirstConditionThatFails) {

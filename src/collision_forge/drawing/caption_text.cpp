@@ -48,7 +48,7 @@ std::string speedText(const std::optional<double>& now, const std::optional<doub
   const auto text = [](const std::optional<double>& speed) {
     return speed ? decimalText(*speed, 1) : std::string("?");
   };
-  return text(now) + " now, " + text(then) + " m/s " + (has_contact ? "at contact" : "then");
+  return text(now) + " now, " + text(then) + (has_contact ? " at contact" : " then");
 }
 
 std::vector<CaptionRow> speedRows(const ScenarioView& view) {
@@ -56,9 +56,9 @@ std::vector<CaptionRow> speedRows(const ScenarioView& view) {
   const double then = motion.keyTime();
   const bool has_contact = view.report.contact;
   return {
-      {"Ego", speedText(motion.egoSpeedAt(motion.now()), motion.egoSpeedAt(then), has_contact),
+      {"Ego, m/s", speedText(motion.egoSpeedAt(motion.now()), motion.egoSpeedAt(then), has_contact),
        std::nullopt},
-      {"Attacker",
+      {"Attacker, m/s",
        speedText(motion.attackerSpeedAt(motion.now()), motion.attackerSpeedAt(then), has_contact),
        std::nullopt}};
 }

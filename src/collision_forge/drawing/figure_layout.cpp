@@ -33,10 +33,10 @@ FigureLayout layoutFigure(const FigureSize& size) {
   layout.header = {pad, 0, width - 2 * pad, header_height};
   layout.map = {0, header_height, width, map_height};
   const double top = header_height + map_height + 0.7 * pad;
-  const double square = std::min(footer_height - line - 1.6 * pad, 0.25 * width);
+  const double square = std::min(footer_height - line - 1.6 * pad, 0.23 * width);
   const double text_width = width - square - 5 * pad;
-  layout.legend = {pad, top, 0.4 * text_width, footer_height};
-  layout.report = {layout.legend.x + layout.legend.width + 1.5 * pad, top, 0.6 * text_width,
+  layout.legend = {pad, top, 0.35 * text_width, footer_height};
+  layout.report = {layout.legend.x + layout.legend.width + 1.5 * pad, top, 0.65 * text_width,
                    footer_height};
   layout.close_up = {width - pad - square, top + line + 0.2 * pad, square, square};
   return layout;
