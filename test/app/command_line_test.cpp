@@ -221,7 +221,14 @@ TEST(CommandLine, BulkCommandsEndWithAPageWhereOneIsAskedFor) {
     const std::string line = command + kComplete.at(command);
     EXPECT_EQ(read(line + " --report page").exit_code, std::nullopt) << command;
   }
-  EXPECT_EQ(read("test" + kLogs + " --out out --until-hit --report page").exit_code, kExitUsage);
+  EXPECT_EQ(read("test" + kLogs + " --out out --until-hit --report page").exit_code, std::nullopt);
+  const std::string clips = " --dataroot " + kDataroot + " --collide " + kDataroot +
+                            " --out out --report page --config " + kConfig;
+  EXPECT_EQ(read("test" + clips).exit_code, std::nullopt);
+  EXPECT_EQ(read("evaluate" + clips).exit_code, std::nullopt);
+  const Reading published = read("evaluate" + clips + " --protocol published");
+  EXPECT_EQ(published.exit_code, kExitUsage);
+  EXPECT_THAT(published.err, HasSubstr("--report: a page is of the strict protocol alone"));
 }
 
 TEST(CommandLine, AlternativesAreAskedForInLists) {

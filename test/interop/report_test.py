@@ -223,6 +223,29 @@ class ReportTest(unittest.TestCase):
         self.assertIn('Avoidable', self.find('#facts').text)
         self.shoot('planner')
 
+    def test_tuning_and_draws_end_with_pages_that_show_the_drives(self):
+        folder = Path(self.folder.name)
+        by_scene = {}
+        for line in attacks_of(self.scenarios):
+            by_scene.setdefault(json.loads(line)['scene'], []).append(line)
+        for name, lines in zip(('train', 'held'), list(by_scene.values())[-2:]):
+            (folder / (name + '.jsonl')).write_text('\n'.join(lines) + '\n', encoding='utf-8')
+        (folder / 'grid.yaml').write_text('idm:\n  idm.standard.min_gap: [1.0, 4.0]\n', encoding='utf-8')
+        forge('tune', *LOGS, '--planner', 'idm', '--grid', str(folder / 'grid.yaml'), '--train',
+              str(folder / 'train.jsonl'), '--test', str(folder / 'held.jsonl'), '--out', str(folder / 'tuning'),
+              '--report', str(folder / 'tuning'))
+        forge('test', *LOGS, '--until-hit', '--scene', 'scene-0001', 'scene-0005', '--tries', '12', '--planners', 'idm',
+              '--worst', '1', '--out', str(folder / 'hits'), '--report', str(folder / 'hits'))
+        attacks, witnesses, results = (
+            [json.loads(line) for line in (folder / 'hits' / (name + '.jsonl')).read_text(encoding='utf-8').splitlines()]
+            for name in ('weaknesses', 'witnesses', 'results'))
+        hit = len(attacks) + [result['name'] for result in results].index(witnesses[0]['name'])
+        for name, row in (('tuning', len(list(by_scene.values())[-1])), ('hits', hit)):
+            open_page(self.browser, folder / name / 'index.html', '#{}'.format(row))
+            until(self.browser, 'return document.getElementById("detail").open')
+            self.assertIn('Ego as the planner drives it', self.find('#legend').text)
+            self.shoot(name)
+
 
 if __name__ == '__main__':
     os.chdir(Path(__file__).parents[2])

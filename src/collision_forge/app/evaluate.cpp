@@ -53,6 +53,9 @@ void addCrash(CLI::App& app, EvaluationArguments& arguments, CLI::Option* reques
 /// The methods are those that the configuration knows; of clips there are more.
 void completePlan(const CLI::App& app, const std::string& directory, bool is_of_clips,
                   EvaluationPlan& plan) {
+  if (plan.protocol == Protocol::kPublished && app.count("--report") > 0) {
+    throw CLI::ValidationError("--report", "a page is of the strict protocol alone");
+  }
   if (!is_of_clips && app.count("--method") == 0) plan.method = "search";
   if (is_of_clips && plan.mode == Mode::kAdaptive) {
     throw CLI::ValidationError("--mode", "adaptive needs --requests");
@@ -100,7 +103,7 @@ void addEvaluate(CommandLine& line) {
   addPlan(app, arguments->plan);
   addCrash(app, *arguments, requests);
   addJobs(app, arguments->jobs, "clips or requests at a time, in every rank of mpirun");
-  addReportOption(app, arguments->report)->needs(requests);
+  addReportOption(app, arguments->report);
   addConfig(app, arguments->config);
   app.parse_complete_callback([&app, arguments] {
     completePlan(app, arguments->config, arguments->requests.empty(), arguments->plan);

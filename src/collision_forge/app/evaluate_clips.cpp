@@ -5,6 +5,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/app/report.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/collide_clip.h"
@@ -89,6 +90,9 @@ int evaluateClips(const EvaluationArguments& arguments) {
   }
   writeText(arguments.out + "/table.md", text);
   std::cout << text;
+  if (!arguments.report.empty()) {
+    writeReport({{arguments.out + "/results.csv"}, "", ""}, arguments.report, config);
+  }
   return kExitOk;
 }
 

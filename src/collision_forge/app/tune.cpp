@@ -128,10 +128,16 @@ std::vector<PlannerTestResult> driveVariants(const Tuning& tuning) {
       });
 }
 
-/// Drives default and tuned planner through the held-out cases; results on the master.
-std::vector<PlannerTestResult> compare(const Tuning& tuning, std::size_t best) {
+/// The default and the tuned one.
+std::vector<PlannerVariant> comparedVariants(const Tuning& tuning, std::size_t best) {
   std::vector<PlannerVariant> pair = {tuning.variants.front(), tuning.variants[best]};
   pair.back().name = "tuned";
+  return pair;
+}
+
+/// Drives default and tuned planner through the held-out cases; results on the master.
+std::vector<PlannerTestResult> compare(const Tuning& tuning, std::size_t best) {
+  const std::vector<PlannerVariant> pair = comparedVariants(tuning, best);
   return testCases(
       partRun(tuning, "test", *tuning.test), *tuning.test, [&](const PlannerCase& one) {
         return testVariants(one, tuning.arguments.planner, pair, false, tuning.arguments.background,
@@ -198,7 +204,13 @@ int tune(const Arguments& arguments) {
   if (!isMaster()) return kExitOk;
   report(tuning, *best, train, test);
   if (!arguments.report.empty()) {
-    ReportInputs inputs{arguments.test, arguments.dataroot, arguments.version};
+    ReportInputs inputs{arguments.test,
+                        arguments.dataroot,
+                        arguments.version,
+                        arguments.background,
+                        arguments.jobs,
+                        arguments.planner,
+                        comparedVariants(tuning, *best)};
     inputs.files.push_back((fs::path(arguments.out) / "test.jsonl").string());
     writeReport(inputs, arguments.report, config);
   }

@@ -20,6 +20,7 @@
 #include "collision_forge/report/report_files.h"
 #include "collision_forge/report/report_row.h"
 #include "collision_forge/report/scene_record.h"
+#include "collision_forge/report/weakness_files.h"
 #include "collision_forge/trials/planner_cases.h"
 #include "collision_forge/trials/planner_result_file.h"
 
@@ -40,6 +41,11 @@ struct ListedTest {
     const auto& contact = tested().outcome.contact;
     return contact ? 1.0 + contact->impact_speed : 0.0;
   }
+};
+
+struct KnownPlanner {
+  std::string name;
+  const TrialOptions* options;
 };
 
 /// The same contact, or none, up to what a results file rounds.
@@ -83,6 +89,7 @@ class ReportBuilder {
         settings_(settings),
         page_((fs::path(folder) / "index.html").string()) {
     for (const std::string& path : inputs.files) files_.push_back(openReportFile(path));
+    for (const std::string& path : scenarioPaths()) nameWeaknesses(path);
     if (!inputs.dataroot.empty()) openScenes();
   }
 
@@ -106,6 +113,22 @@ class ReportBuilder {
       if (file.kind == ReportFileKind::kScenarios) paths.push_back(file.path);
     }
     return paths;
+  }
+
+  /// The lines of weaknesses.jsonl are cases that the results know by other names.
+  void nameWeaknesses(const fs::path& path) {
+    if (path.filename() != "weaknesses.jsonl") return;
+    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    std::size_t line = 0;
+    for (const std::string& name : weaknessCases(folder)) {
+      lines_[name] = "weaknesses:" + std::to_string(++line);
+    }
+  }
+
+  /// FILE:LINE of the scenario that a case is.
+  const std::string& lineOf(const std::string& name) const {
+    const auto found = lines_.find(name);
+    return found != lines_.end() ? found->second : name;
   }
 
   void openScenes() {
@@ -191,7 +214,7 @@ class ReportBuilder {
 
   void addPlannerTest(const std::string& where, const std::string& text) {
     const PlannerTestResult result = readPlannerResultLine(where, text);
-    const auto found = attacks_.find(result.name);
+    const auto found = attacks_.find(lineOf(result.name));
     const std::optional<ReportRow> attack =
         found != attacks_.end() ? std::optional(rows_[found->second]) : std::nullopt;
     const ReportRow* known = attack ? &*attack : nullptr;
@@ -206,6 +229,16 @@ class ReportBuilder {
     const auto result = rowFromCsv(text, Protocol::kStrict);
     if (!result) throw std::runtime_error(where + ": \"" + text + "\" is no row of results.csv");
     rows_.push_back(rowOfResult(*result));
+  }
+
+  /// Empty where nobody knows how it drove.
+  std::optional<KnownPlanner> plannerOf(const PlannerRow& row) const {
+    for (const PlannerVariant& variant : inputs_.variants) {
+      if (variant.name == row.planner) return KnownPlanner{inputs_.planner, &variant.options};
+    }
+    const std::vector<std::string>& names = plannerNames();
+    if (std::find(names.begin(), names.end(), row.planner) == names.end()) return std::nullopt;
+    return KnownPlanner{row.planner, &settings_.trials};
   }
 
   /// The records of all tests, of as many as may be with the motions.
@@ -223,16 +256,14 @@ class ReportBuilder {
     TestPlan plan{{}, inputs_.background, {}, loadForesight(settings_.study)};
     const auto driven = [&](std::size_t index) {
       const ListedTest& test = tests_[index];
-      const auto place = places.find(test.result.name);
-      const std::vector<std::string>& names = plannerNames();
-      const std::string& planner = test.tested().planner;
-      const bool is_known = std::find(names.begin(), names.end(), planner) != names.end();
-      if (place == places.end() || !is_known) {
+      const auto place = places.find(lineOf(test.result.name));
+      const auto planner = plannerOf(test.tested());
+      if (place == places.end() || !planner) {
         return plannerRecord(test.result, test.tested(), nullptr);
       }
       const RolloutOutcome outcome =
-          driveAgain(cases->at(place->second), planner, test.tested().attacker.policy, plan,
-                     settings_.study, settings_.trials);
+          driveAgain(cases->at(place->second), planner->name, test.tested().attacker.policy, plan,
+                     settings_.study, *planner->options);
       const bool is_same = isSame(outcome, test.tested().outcome);
       return plannerRecord(test.result, test.tested(), is_same ? &outcome : nullptr);
     };
@@ -304,6 +335,7 @@ class ReportBuilder {
   std::unique_ptr<SceneSource> scenes_;  ///< of the scenario files; null without a dataroot
   std::vector<ReportRow> rows_;
   std::map<std::string, std::size_t> attacks_;  ///< rows of scenarios by the names of their cases
+  std::map<std::string, std::string> lines_;    ///< see lineOf()
   std::map<std::string, SceneExtent> extents_;  ///< by scene
   std::vector<ListedTest> tests_;
 };

@@ -7,6 +7,7 @@
 #include "collision_forge/report/options.h"
 #include "collision_forge/study/options.h"
 #include "collision_forge/trials/options.h"
+#include "collision_forge/trials/planner_tuning.h"
 #include "collision_forge/trials/traffic.h"
 
 namespace forge {
@@ -17,6 +18,9 @@ struct ReportInputs {
   std::string version;
   Background background = Background::kReplay;  ///< that planners were tested against
   int jobs = 1;                                 ///< planner tests driven at a time
+  /// Of forge tune: rows that are named as one of these are that planner with its options.
+  std::string planner = {};
+  std::vector<PlannerVariant> variants = {};
 };
 
 struct ReportSettings {

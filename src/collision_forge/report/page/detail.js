@@ -67,7 +67,7 @@ function addAttacker(world, attack, drive) {
 /** Of the planner, else in the recording, else as it was predicted. */
 function contactOf(attack, test, world) {
   if (test) {
-    if (!test.contact) return null;
+    if (!test.contact || !test.drive) return null; // without the drive nobody knows where
     const ego = world.roles.find((role) => role.isFollowed);
     const state = ego && stateAt(ego.motion, Math.min(test.contact.t, ego.motion.t[ego.motion.t.length - 1]));
     const ahead = {front: [0.5, 0], rear: [-0.5, 0], left: [0, 0.5], right: [0, -0.5]}[test.contact.ego_side];

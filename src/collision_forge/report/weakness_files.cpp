@@ -1,0 +1,34 @@
+#include "collision_forge/report/weakness_files.h"
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+#include "collision_forge/data/json_line.h"
+#include "collision_forge/trials/planner_result.h"
+
+namespace forge {
+
+std::vector<WitnessedHit> readWitnessedHits(const std::string& folder) {
+  const std::string path = folder + "/witnesses.jsonl";
+  std::ifstream file(path, std::ios::binary);
+  std::vector<WitnessedHit> hits;
+  for (std::string text; std::getline(file, text);) {
+    const JsonLine line(path + ": line " + std::to_string(hits.size() + 1), text);
+    JsonObject object = line.root();
+    const auto policy = policyKindFromString(object.text("policy"));
+    if (!policy) object.fail("policy", "is no policy of an attacker");
+    hits.push_back({object.text("name"), rowName(object.text("planner"), *policy)});
+  }
+  return hits;
+}
+
+std::vector<std::string> weaknessCases(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const WitnessedHit& hit : readWitnessedHits(folder)) {
+    if (std::find(names.begin(), names.end(), hit.name) == names.end()) names.push_back(hit.name);
+  }
+  return names;
+}
+
+}  // namespace forge

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace forge {
+
+/// A line of witnesses.jsonl of forge test --until-hit: a weakness, by its hardest hit.
+struct WitnessedHit {
+  std::string name;  ///< of the case
+  std::string row;   ///< rowName() of the planner
+};
+
+/// Those of the file in a folder, in its order; none where there is no such file. Throws
+/// JsonLineError naming file and line.
+std::vector<WitnessedHit> readWitnessedHits(const std::string& folder);
+
+/// The cases that the lines of weaknesses.jsonl in that folder are, first to last.
+std::vector<std::string> weaknessCases(const std::string& folder);
+
+}  // namespace forge

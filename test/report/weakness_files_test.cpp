@@ -1,0 +1,48 @@
+#include "collision_forge/report/weakness_files.h"
+
+#include <gmock/gmock.h>
+
+#include "collision_forge/data/json_line.h"
+#include "data/nuscenes_fixture.h"
+
+namespace forge {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string line(const std::string& name, const std::string& planner, const std::string& policy) {
+  return R"({"name":")" + name + R"(","planner":")" + planner + R"(","policy":")" + policy +
+         "\"}\n";
+}
+
+TEST(WeaknessFiles, ACaseThatHitsTwoPlannersIsOneScenario) {
+  const TemporaryFolder folder;
+  folder.write("witnesses.jsonl", line("b", "idm", "fixed") + line("a", "idm", "fixed") +
+                                      line("b", "pdm", "adaptive"));
+  EXPECT_THAT(weaknessCases(folder.path()), ElementsAre("b", "a"));
+  const auto hits = readWitnessedHits(folder.path());
+  ASSERT_EQ(hits.size(), 3u);
+  EXPECT_EQ(hits[2].name, "b");
+  EXPECT_EQ(hits[2].row, "pdm against adaptive");
+}
+
+TEST(WeaknessFiles, AFolderWithoutAnyHasNone) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(weaknessCases(folder.path()), IsEmpty());
+}
+
+TEST(WeaknessFiles, NamesTheLineThatIsWrong) {
+  const TemporaryFolder folder;
+  folder.write("witnesses.jsonl", line("a", "idm", "fixed") + line("a", "idm", "kind"));
+  try {
+    readWitnessedHits(folder.path());
+    FAIL();
+  } catch (const JsonLineError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("witnesses.jsonl: line 2"));
+  }
+}
+
+}  // namespace
+}  // namespace forge
