@@ -212,8 +212,8 @@ class ReportTest(unittest.TestCase):
         out = Path(self.folder.name, 'tests')
         page = Path(self.folder.name, 'tests_page')
         some = Path(self.folder.name, 'some.jsonl')
-        some.write_text('\n'.join(attacks_of(self.scenarios)[:3]) + '\n', encoding='utf-8')
-        forge('test', *LOGS, '--scenarios', str(some), '--planners', 'idm', '--worst', '0', '--out', str(out),
+        some.write_text('\n'.join(attacks_of(self.scenarios)[:12]) + '\n', encoding='utf-8')
+        forge('test', *LOGS, '--scenarios', str(some), '--planners', 'idm', '--worst', '9', '--out', str(out),
               '--report', str(page))
         open_page(self.browser, page / 'index.html')
         self.chip('idm').click()
@@ -222,6 +222,19 @@ class ReportTest(unittest.TestCase):
         self.assertIn('Ego as the planner drives it', self.find('#legend').text)
         self.assertIn('Avoidable', self.find('#facts').text)
         self.shoot('planner')
+        drawn = {file.name for file in (out / 'worst').glob('*.gif')}
+        linked, legends = set(), ''
+        for row in range(12, 24):
+            open_page(self.browser, page / 'index.html', '#{}'.format(row))
+            until(self.browser, 'return document.getElementById("detail").open')
+            legends += self.find('#legend').text
+            for link in self.find_all('#facts a[href$=gif]'):
+                self.assertTrue(Path(link.get_property('href')[len('file://'):]).is_file())
+                linked.add(link.get_property('href').split('/')[-1])
+        self.assertTrue(drawn)
+        self.assertEqual(linked, drawn)
+        self.assertIn('Ego as it could have escaped', legends)
+        self.shoot('escape')
 
     def test_tuning_and_draws_end_with_pages_that_show_the_drives(self):
         folder = Path(self.folder.name)

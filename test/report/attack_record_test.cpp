@@ -52,7 +52,7 @@ TEST(PlannerRecord, TellsAllThatTheFileOfResultsDoes) {
   const std::size_t begin = line.find("\"avoidability\":{");
   const std::size_t rows = line.find("\"planners\":[{");
   ASSERT_NE(rows, std::string::npos);
-  const std::string record = plannerRecord(result, row, nullptr);
+  const std::string record = plannerRecord(result, row, {});
   EXPECT_THAT(record, HasSubstr(line.substr(begin, rows - begin)));
   const std::string fields = line.substr(line.find('{', rows) + 1);
   EXPECT_THAT(record, HasSubstr(fields.substr(0, fields.size() - 3)));  // without }]}
@@ -64,11 +64,21 @@ TEST(PlannerRecord, HasTheMotionWhereItWasDrivenAgain) {
   PlannerRow row;
   row.outcome.contact = PlannerContact();
   row.outcome.contact->time = kNow + 1.5;
-  EXPECT_THAT(plannerRecord(result, row, nullptr),
+  EXPECT_THAT(plannerRecord(result, row, {}),
               AllOf(HasSubstr(R"("t":1.5)"), Not(HasSubstr("drive\":"))));
-  RolloutOutcome driven = row.outcome;
-  driven.driven = rearEnd().answer.trajectory.points;
-  EXPECT_THAT(plannerRecord(result, row, &driven), HasSubstr(R"("drive":{"ego":{"t":[0,100)"));
+  ShownTest shown{row.outcome};
+  shown.driven->driven = rearEnd().answer.trajectory.points;
+  EXPECT_THAT(plannerRecord(result, row, shown),
+              AllOf(HasSubstr(R"("drive":{"ego":{"t":[0,100)"), Not(HasSubstr("\"escape\":{"))));
+  shown.escape = Escape{{EvasiveManoeuvre::kBraking, kNow + 1.0, shown.driven->driven, 0.0}, {}};
+  EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("escape":{"t":[0,100)"));
+}
+
+TEST(PlannerRecord, LinksToPictures) {
+  ShownTest shown;
+  shown.pictures = {{"The hit", "../worst/idm_fixed_1.gif"}};
+  EXPECT_THAT(plannerRecord(PlannerTestResult(), PlannerRow(), shown),
+              HasSubstr(R"("pictures":[{"name":"The hit","link":"../worst/idm_fixed_1.gif"}])"));
 }
 
 }  // namespace

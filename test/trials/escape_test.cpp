@@ -71,12 +71,7 @@ TEST(Escape, AWitnessEscapesInClosedLoop) {
   EXPECT_LT(escape->ego.start, hit.contact->time);
   EXPECT_GT(escape->ego.start, hit.contact->time - 2.0) << "a follower can be escaped late";
 
-  std::vector<TrajectoryPoint> whole;
-  for (const TrajectoryPoint& point : hit.driven) {
-    if (point.time < escape->ego.start - 1e-6) whole.push_back(point);
-  }
-  whole.insert(whole.end(), escape->ego.motion.begin(), escape->ego.motion.end());
-  Reader reader(whole);
+  Reader reader(wholeEscape(hit.driven, escape->ego));
   const RolloutOutcome escaped = rollout(reader, kExact, one.scenario, setup);
   EXPECT_EQ(escaped.failure, PlannerFailure::kNone) << escaped.failure_message;
   EXPECT_FALSE(escaped.contact);

@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
-
 /// The hardest hit of a weakness, driven again.
 struct Shown {
   Scenario scenario;
@@ -37,24 +35,11 @@ std::optional<Shown> show(const Weakness& weakness, const RequestCases& cases, c
   shown.outcome =
       driveAgain(shown.one, weakness.planner, weakness.policy, plan, config, config.planners);
   if (!shown.outcome.contact || !shown.outcome.contact->is_attacker) return std::nullopt;
-  const auto attacker = makeAttacker(shown.one, weakness.policy, plan.foresight, config);
-  const auto escape = findEscape(
-      shown.one.scenario, shown.outcome.driven,
-      {config.planners, config.attack, config.crash.types, plan.background, true, attacker.get()});
+  const auto escape =
+      escapeAgain(shown.one, shown.outcome, weakness.policy, plan, config, config.planners);
   if (!escape) return std::nullopt;
   shown.escape = *escape;
   return shown;
-}
-
-/// What the ego does in place of its drive: the same up to the start of the escape.
-std::vector<TrajectoryPoint> wholeEscape(const Shown& shown) {
-  const Avoidance& escape = shown.escape.ego;
-  std::vector<TrajectoryPoint> whole;
-  for (const TrajectoryPoint& point : shown.outcome.driven) {
-    if (point.time < escape.start - kTimeEpsilon) whole.push_back(point);
-  }
-  whole.insert(whole.end(), escape.motion.begin(), escape.motion.end());
-  return whole;
 }
 
 void writeMotion(JsonLineWriter& writer, const char* key,
@@ -82,7 +67,7 @@ std::string witnessLine(const Weakness& weakness, const Shown& shown) {
   writer.text("policy", toString(weakness.policy));
   writer.text("manoeuvre", toString(escape.manoeuvre));
   writer.number("start_t", fromNow(escape.start, now));
-  writeMotion(writer, "ego", wholeEscape(shown), now);
+  writeMotion(writer, "ego", wholeEscape(shown.outcome.driven, escape), now);
   writeMotion(writer, "attacker", shown.escape.attacker.points, now);
   writer.endObject();
   return writer.line();
@@ -149,7 +134,8 @@ void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestRe
     const std::string picture = (pictures / std::to_string(rank)).string();
     drawView(picture, viewOf(shown->one, weakness.policy, shown->outcome), config.drawing);
     drawView(picture + "_escape",
-             viewOf(shown->one, weakness.policy, wholeEscape(*shown), shown->escape.attacker),
+             viewOf(shown->one, weakness.policy,
+                    wholeEscape(shown->outcome.driven, shown->escape.ego), shown->escape.attacker),
              config.drawing);
   }
   writeText(folder + "/weaknesses.md", table);

@@ -58,10 +58,12 @@ void writePlansInShort(JsonLineWriter& writer, const std::vector<AttackerPlan>& 
   });
 }
 
-void writeDrive(JsonLineWriter& writer, const RolloutOutcome& driven, double now) {
+void writeDrive(JsonLineWriter& writer, const RolloutOutcome& driven,
+                const std::optional<Escape>& escape, double now) {
   writer.beginObject("drive");
   writeTrajectory(writer, "ego", driven.driven, now);
   writeTrajectory(writer, "attacker", driven.attacker.points, now);
+  if (escape) writeTrajectory(writer, "escape", escape->ego.motion, now);
   writePlansInShort(writer, driven.attacker_plans, now);
   writer.endObject();
 }
@@ -92,12 +94,20 @@ std::string attackRecord(const Scenario& scenario, const Realization& attack,
 }
 
 std::string plannerRecord(const PlannerTestResult& result, const PlannerRow& row,
-                          const RolloutOutcome* driven) {
+                          const ShownTest& shown) {
   JsonLineWriter writer;
   writer.beginObject();
   writeAvoidability(writer, "avoidability", result.avoidability);
   writePlannerRow(writer, row, result.now);
-  if (driven != nullptr) writeDrive(writer, *driven, result.now);
+  if (shown.driven) writeDrive(writer, *shown.driven, shown.escape, result.now);
+  writer.beginArray("pictures");
+  for (const PictureLink& picture : shown.pictures) {
+    writer.beginObject();
+    writer.text("name", picture.name);
+    writer.text("link", picture.link);
+    writer.endObject();
+  }
+  writer.endArray();
   writer.endObject();
   return writer.line();
 }

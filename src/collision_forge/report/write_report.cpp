@@ -17,6 +17,7 @@
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/report/attack_record.h"
 #include "collision_forge/report/page_file.h"
+#include "collision_forge/report/pictures.h"
 #include "collision_forge/report/report_files.h"
 #include "collision_forge/report/report_row.h"
 #include "collision_forge/report/scene_record.h"
@@ -100,6 +101,7 @@ class ReportBuilder {
         if ((files_[i].kind == ReportFileKind::kScenarios) == is_of_attacks) read(i);
       }
     }
+    findPictures();
     addTests();
     addScenes();
     page_.commit(index());
@@ -231,6 +233,32 @@ class ReportBuilder {
     rows_.push_back(rowOfResult(*result));
   }
 
+  std::vector<PictureLink> picturesOf(const ListedTest& test) const {
+    const auto file = pictures_.find(rows_[test.row].file);
+    if (file == pictures_.end()) return {};
+    const PlannerRow& row = test.tested();
+    const auto found =
+        file->second.find({test.result.name, rowName(row.planner, row.attacker.policy)});
+    std::vector<PictureLink> links;
+    if (found == file->second.end()) return links;
+    for (const Picture& picture : found->second) {
+      links.push_back({picture.name, linkTo(picture.path, folder_)});
+    }
+    return links;
+  }
+
+  /// Of every file of planner tests.
+  void findPictures() {
+    std::map<std::size_t, std::vector<PlannerTestResult>> results;
+    for (const ListedTest& test : tests_) {
+      std::vector<PlannerTestResult>& of = results[rows_[test.row].file];
+      if (test.planner == 0) of.push_back(test.result);
+    }
+    for (const auto& [file, of] : results) {
+      pictures_[file] = picturesBeside(files_[file].path, of);
+    }
+  }
+
   /// Empty where nobody knows how it drove.
   std::optional<KnownPlanner> plannerOf(const PlannerRow& row) const {
     for (const PlannerVariant& variant : inputs_.variants) {
@@ -258,22 +286,31 @@ class ReportBuilder {
       const ListedTest& test = tests_[index];
       const auto place = places.find(lineOf(test.result.name));
       const auto planner = plannerOf(test.tested());
+      ShownTest shown{{}, {}, picturesOf(test)};
       if (place == places.end() || !planner) {
-        return plannerRecord(test.result, test.tested(), nullptr);
+        return plannerRecord(test.result, test.tested(), shown);
       }
-      const RolloutOutcome outcome =
-          driveAgain(cases->at(place->second), planner->name, test.tested().attacker.policy, plan,
-                     settings_.study, *planner->options);
-      const bool is_same = isSame(outcome, test.tested().outcome);
-      return plannerRecord(test.result, test.tested(), is_same ? &outcome : nullptr);
+      const PlannerCase one = cases->at(place->second);
+      const PolicyKind policy = test.tested().attacker.policy;
+      RolloutOutcome outcome =
+          driveAgain(one, planner->name, policy, plan, settings_.study, *planner->options);
+      if (isSame(outcome, test.tested().outcome)) {
+        if (test.tested().escape && test.tested().escape->is_avoidable) {
+          shown.escape =
+              escapeAgain(one, outcome, policy, plan, settings_.study, *planner->options);
+        }
+        shown.driven = std::move(outcome);
+      }
+      return plannerRecord(test.result, test.tested(), shown);
     };
     const auto count =
         std::min(tests_.size(), static_cast<std::size_t>(settings_.report.planner_drives));
     const std::vector<std::string> records = workOnAll(count, inputs_.jobs, driven);
     for (std::size_t i = 0; i < tests_.size(); ++i) {
       const ListedTest& test = tests_[i];
-      rows_[test.row].test =
-          page_.add(i < count ? records[i] : plannerRecord(test.result, test.tested(), nullptr));
+      rows_[test.row].test = page_.add(
+          i < count ? records[i]
+                    : plannerRecord(test.result, test.tested(), {{}, {}, picturesOf(test)}));
     }
   }
 
@@ -338,6 +375,7 @@ class ReportBuilder {
   std::map<std::string, std::string> lines_;    ///< see lineOf()
   std::map<std::string, SceneExtent> extents_;  ///< by scene
   std::vector<ListedTest> tests_;
+  std::map<std::size_t, TestPictures> pictures_;  ///< by the places of their files
 };
 
 }  // namespace

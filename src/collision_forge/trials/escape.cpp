@@ -170,4 +170,14 @@ std::optional<Escape> findEscape(const CrashScenario& scenario,
   return Search(scenario, setup).run(driven);
 }
 
+std::vector<TrajectoryPoint> wholeEscape(const std::vector<TrajectoryPoint>& driven,
+                                         const Avoidance& escape) {
+  std::vector<TrajectoryPoint> whole;
+  for (const TrajectoryPoint& point : driven) {
+    if (point.time < escape.start - kTimeEpsilon) whole.push_back(point);
+  }
+  whole.insert(whole.end(), escape.motion.begin(), escape.motion.end());
+  return whole;
+}
+
 }  // namespace forge

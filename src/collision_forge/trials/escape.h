@@ -28,4 +28,8 @@ std::optional<Escape> findEscape(const CrashScenario& scenario,
                                  const std::vector<TrajectoryPoint>& driven,
                                  const RolloutSetup& setup);
 
+/// What the ego does in place of `driven`: the same up to the start of the escape.
+std::vector<TrajectoryPoint> wholeEscape(const std::vector<TrajectoryPoint>& driven,
+                                         const Avoidance& escape);
+
 }  // namespace forge

@@ -10,7 +10,6 @@
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published.h"
 #include "collision_forge/study/strict.h"
-#include "collision_forge/trials/escape.h"
 #include "collision_forge/trials/published_planner.h"
 
 namespace forge {
@@ -190,6 +189,16 @@ RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, Po
   const auto attacker = makeAttacker(one, policy, plan.foresight, study);
   return drive(one, planner,
                {trials, study.attack, study.crash.types, plan.background, true, attacker.get()});
+}
+
+std::optional<Escape> escapeAgain(const PlannerCase& one, const RolloutOutcome& outcome,
+                                  PolicyKind policy, const TestPlan& plan,
+                                  const StudyOptions& study, const TrialOptions& trials) {
+  if (!outcome.contact || !outcome.contact->is_attacker) return std::nullopt;
+  const auto attacker = makeAttacker(one, policy, plan.foresight, study);
+  return findEscape(
+      one.scenario, outcome.driven,
+      {trials, study.attack, study.crash.types, plan.background, true, attacker.get()});
 }
 
 PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,

@@ -8,6 +8,7 @@
 #include "collision_forge/network/foresight.h"
 #include "collision_forge/policy/attacker_policy.h"
 #include "collision_forge/trials/avoidability.h"
+#include "collision_forge/trials/escape.h"
 #include "collision_forge/trials/planner_case.h"
 #include "collision_forge/trials/rollout.h"
 
@@ -115,6 +116,12 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
 RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, PolicyKind policy,
                           const TestPlan& plan, const StudyOptions& study,
                           const TrialOptions& trials);
+
+/// The escape of testPlanner() once more, with its motions; `outcome`: of driveAgain(). Empty where
+/// the attacker did not hit the ego, and as findEscape().
+std::optional<Escape> escapeAgain(const PlannerCase& one, const RolloutOutcome& outcome,
+                                  PolicyKind policy, const TestPlan& plan,
+                                  const StudyOptions& study, const TrialOptions& trials);
 
 /// Drives every planner of the plan through the case as judgeCase() finds it, against an attacker
 /// of each policy; rows as PlannerTestResult has them. Throws as testPlanner().

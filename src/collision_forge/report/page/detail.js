@@ -37,6 +37,10 @@ export function worldOf({now, tta, scene, attack, test}) {
   if (drive) {
     world.roles.push({motion: motionOf(drive.ego), ...size, color: 'ego', isEgo: true, isTimed: true,
       isFollowed: true, isHeld: true, name: 'Ego as the planner drives it'});
+    if (drive.escape) {
+      world.roles.push({motion: motionOf(drive.escape), ...size, color: 'escape', isPale: true,
+        name: 'Ego as it could have escaped'});
+    }
     if (test.contact) world.end = Math.min(world.end, test.contact.t + AFTER_CONTACT);
   }
   world.contact = contactOf(attack, test, world);
@@ -136,6 +140,12 @@ function limitList(attack, world) {
     const unit = key === 'max_speed' ? 'm/s' : 'm/s²';
     return [name, element('span', {}, meter, ` ${amount(values[key], 1)} of ${amount(limits[key], 1, unit)}`)];
   }));
+}
+
+function pictureList(pictures) {
+  if (!pictures.length) return null;
+  return element('section', {}, element('h3', {}, 'Pictures'), ...pictures.map(({name, link}) =>
+    element('p', {}, element('a', {href: link}, name))));
 }
 
 function planList(plans) {
@@ -248,6 +258,7 @@ export class Detail {
       attack && reportList(attack.recorded ? 'As generated' : 'Attack', attack.report),
       attack && limitList(attack, this.world),
       attack && planList((test && test.drive && test.drive.plans) || attack.plans),
+      test && pictureList(test.pictures),
       element('section', {}, element('h3', {}, 'File'), element('p', {},
         element('a', {href: file.link}, file.path), `, line ${rows.number('line', row)}`)),
     ];
