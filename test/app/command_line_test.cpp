@@ -178,6 +178,26 @@ TEST(CommandLine, MethodsAndProtocolsOfClipsAreRefusedForRequests) {
   EXPECT_THAT(read(line + " --protocol published").err, HasSubstr("published is of clips alone"));
 }
 
+TEST(CommandLine, AnUnknownMethodIsRefusedWithTheKnownOnes) {
+  for (const std::string command : {"generate", "inject", "possible", "measure controls"}) {
+    const std::string line = command + kComplete.at(command) + " --method ";
+    EXPECT_EQ(read(line + "nominal").exit_code, std::nullopt) << command;
+    const Reading reading = read(line + "magic");
+    EXPECT_EQ(reading.exit_code, kExitUsage) << command;
+    EXPECT_THAT(reading.err, HasSubstr("--method: method \"magic\" is none of search,")) << command;
+  }
+  const std::string draw = "test" + kLogs + " --out out --until-hit --method ";
+  EXPECT_EQ(read(draw + "search").exit_code, std::nullopt);
+  EXPECT_EQ(read(draw + "magic").exit_code, kExitUsage);
+}
+
+TEST(CommandLine, WordsInCapitalsAreHandedOnAsTheyAreKnown) {
+  Forge forge;
+  forge.read("test" + kComplete.at("test") + " --planners IDM,Pdm");
+  const CLI::App* test = forge.app().get_subcommands().front();
+  EXPECT_EQ(test->get_option("--planners")->results(), (std::vector<std::string>{"idm", "pdm"}));
+}
+
 TEST(CommandLine, HelpTellsDefaults) {
   EXPECT_THAT(read("generate --help").out, AllOf(HasSubstr("{history,replay,adaptive}=history"),
                                                  HasSubstr("{jsonl,csv-collide}=jsonl")));
@@ -310,6 +330,14 @@ TEST(Commands, WordsMayBeInCapitals) {
       kConfig;
   EXPECT_EQ(forge.read(line).exit_code, std::nullopt);
   EXPECT_EQ(forge.read(line + "s").exit_code, kExitUsage);
+  for (const std::string& words : std::vector<std::string>{
+           "test" + kComplete.at("test") + " --planners IDM,Pdm --attacker-policy Fixed,ADAPTIVE",
+           "tune" + kComplete.at("tune") + " --planner PDM",
+           "measure planners" + kComplete.at("measure planners") + " --planners Idm",
+           "requests" + kComplete.at("requests") + " --attackers New"}) {
+    const Reading reading = read(words);
+    EXPECT_EQ(reading.exit_code, std::nullopt) << reading.err;
+  }
 }
 
 }  // namespace

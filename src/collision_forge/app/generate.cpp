@@ -170,7 +170,7 @@ void addGenerate(CommandLine& line) {
                     {{"jsonl", Format::kJsonl}, {"csv-collide", Format::kCsvCollide}},
                     "jsonl; csv-collide: scenarios.jsonl and a clip of COLLIDE's layout an attack, "
                     "in trajectory/val");
-  addMethod(app, arguments->method);
+  addMethod(app, arguments->method, arguments->config);
   addMode(app, arguments->mode, true);
   addAttacker(app, arguments->controls);
   addControls(app, arguments->controls);

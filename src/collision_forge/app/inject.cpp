@@ -229,7 +229,7 @@ void addInject(CommandLine& line) {
                  "which of the attacks that differ in attacker or manoeuvre; 1, the default: the "
                  "method's own; from 2 on the others, the surest first")
       ->check(CLI::Range(1, kMaxAlternatives));
-  addMethod(app, arguments->method);
+  addMethod(app, arguments->method, arguments->config);
   addMode(app, arguments->mode, true);
   addSeed(app, request.seed, "of the variations tried");
   addChoice<AfterContact>(

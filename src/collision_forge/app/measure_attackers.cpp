@@ -101,8 +101,9 @@ void print(const Tallies& tallies, const std::string& broken) {
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const Foresight foresight = loadForesight(config);
-  const auto cases = openScenarioCases(arguments.scenarios, arguments.dataroot, arguments.version,
-                                       static_cast<std::size_t>(arguments.jobs) + 1, config);
+  const auto cases =
+      openScenarioCases(arguments.scenarios, arguments.dataroot, arguments.version,
+                        static_cast<std::size_t>(arguments.jobs) + 1, config, showReading());
   Tallies tallies;
   std::string broken;
   ProgressLine progress("cases");

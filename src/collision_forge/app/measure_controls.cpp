@@ -111,7 +111,7 @@ void addMeasureControls(CommandLine& line) {
   addOut(app, arguments->out,
          "folder for results.csv, table.md and table.csv; a run that was interrupted goes on "
          "there");
-  addMethod(app, arguments->method);
+  addMethod(app, arguments->method, arguments->config);
   addJobs(app, arguments->jobs, "questions at a time, in every rank of mpirun");
   addConfig(app, arguments->config);
 }

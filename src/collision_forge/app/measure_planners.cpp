@@ -107,7 +107,7 @@ void addMeasurePlanners(CommandLine& line) {
   addScenes(app, arguments->scenes);
   app.add_option("--planners", arguments->planners, "whose steps; names, separated by commas")
       ->delimiter(',')
-      ->check(CLI::IsMember(plannerNames()))
+      ->transform(CLI::IsMember(plannerNames(), CLI::ignore_case))
       ->capture_default_str();
   addPlannerFile(app, arguments->planner_file);
   addConfig(app, arguments->config);

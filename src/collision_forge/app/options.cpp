@@ -6,6 +6,7 @@
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/progress_line.h"
+#include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/scene/request_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
@@ -137,7 +138,7 @@ CLI::Option* addCollide(CLI::App& app, std::string& collide) {
 
 CLI::Option* addSplit(CLI::App& app, std::string& split, CLI::Option* collide) {
   return app.add_option("--split", split, "which clips of --collide")
-      ->check(CLI::IsMember({"train", "val", "test"}))
+      ->transform(CLI::IsMember({"train", "val", "test"}, CLI::ignore_case))
       ->capture_default_str()
       ->needs(collide);
 }
@@ -167,8 +168,21 @@ void addJobs(CLI::App& app, int& jobs, const std::string& text) {
   app.add_option("--jobs", jobs, text)->check(CLI::Range(1, 256))->capture_default_str();
 }
 
-CLI::Option* addMethod(CLI::App& app, std::string& method) {
+CLI::Option* addMethod(CLI::App& app, std::string& method, const std::string& config) {
+  app.parse_complete_callback([&method, &config] {
+    if (!method.empty()) checkMethod(method, config);
+  });
   return app.add_option("--method", method, "how attacks are made; by default the suite's own way");
+}
+
+void checkMethod(const std::string& method, const std::string& config) {
+  try {
+    loadMethods(loadConfig(config)).at(method);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--method", error.what());
+  } catch (const std::runtime_error&) {
+    return;  // the run reads the configuration again and says what is wrong with it
+  }
 }
 
 CLI::Option* addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text) {

@@ -92,8 +92,11 @@ std::string checkType(const std::string& name);
 /// --mode, history or replay.
 /// `may_adapt`: mode adaptive is one of them.
 void addMode(CLI::App& app, Mode& mode, bool may_adapt);
-/// --method of attack; empty: the suite's own.
-CLI::Option* addMethod(CLI::App& app, std::string& method);
+/// --method of attack, one that the configuration in the folder `config` knows; empty: the suite's
+/// own. Both must outlive the reading of the line.
+CLI::Option* addMethod(CLI::App& app, std::string& method, const std::string& config);
+/// Throws CLI::ValidationError for an unknown method, naming the known ones.
+void checkMethod(const std::string& method, const std::string& config);
 /// --planner-file: a learned planner in place of the one that the configuration names.
 void addPlannerFile(CLI::App& app, std::string& file);
 /// Puts the file of --planner-file, if one is given, into the options. Where one of the planners is

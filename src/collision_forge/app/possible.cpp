@@ -142,7 +142,7 @@ void addPossible(CommandLine& line) {
   addAttacker(app, arguments->controls);
   addControls(app, arguments->controls);
   addAlternatives(app, arguments->controls);
-  addMethod(app, arguments->method);
+  addMethod(app, arguments->method, arguments->config);
   addMode(app, arguments->mode, false);
   addSeed(app, arguments->seed, "of the variations tried");
   addConfig(app, arguments->config);

@@ -180,7 +180,7 @@ void addRequests(CommandLine& line) {
   app.add_option("--attackers", arguments->attackers,
                  "any vehicle, existing (a recorded one), new (one is added), or each: a request "
                  "for every recorded one that can")
-      ->check(CLI::IsMember({"any", "existing", "new", kEach}))
+      ->transform(CLI::IsMember({"any", "existing", "new", kEach}, CLI::ignore_case))
       ->capture_default_str();
   addControls(app, arguments->controls);
   addAlternatives(app, arguments->controls);

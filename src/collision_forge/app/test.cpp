@@ -61,7 +61,8 @@ struct DrawnCases {
   static constexpr std::size_t kScenesKept = 64;
 
   DrawnCases(const Arguments& arguments, const Config& config)
-      : scenes(arguments.dataroot, arguments.version, arguments.scenes, config, kScenesKept),
+      : scenes(arguments.dataroot, arguments.version, arguments.scenes, config, kScenesKept, {},
+               showReading()),
         requests(scenes, loadMethod(arguments.method, config, config.attack), config,
                  {config.requests, arguments.tries.value_or(config.planners.until_hit.tries),
                   arguments.seed, [this](std::size_t done, std::size_t count) {
@@ -76,7 +77,7 @@ struct DrawnCases {
 std::unique_ptr<PlannerCases> openCases(const Arguments& arguments, const Config& config) {
   if (arguments.collide.empty()) {
     return openScenarioCases(arguments.scenarios, arguments.dataroot, arguments.version,
-                             static_cast<std::size_t>(arguments.jobs) + 1, config);
+                             static_cast<std::size_t>(arguments.jobs) + 1, config, showReading());
   }
   std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
   if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
@@ -283,17 +284,17 @@ void addTest(CommandLine& line) {
                           "who attacks in clips: the set's own attacker as recorded, or ours in "
                           "history or replay mode")
       ->needs(collide);
-  addMethod(app, arguments->method)->excludes(source->get_option("--scenarios"));
+  addMethod(app, arguments->method, arguments->config)->excludes(source->get_option("--scenarios"));
   app.add_option("--planners", arguments->planners, "names, separated by commas")
       ->delimiter(',')
-      ->check(CLI::IsMember(plannerNames()))
+      ->transform(CLI::IsMember(plannerNames(), CLI::ignore_case))
       ->capture_default_str();
   app.add_option("--attacker-policy", arguments->policies,
                  "who drives the attacker, separated by commas: fixed, its trajectory as it is; "
                  "adaptive, one that sees the ego and plans anew, not with --collide; by default "
                  "adaptive with --until-hit, else fixed")
       ->delimiter(',')
-      ->check(CLI::IsMember({"fixed", "adaptive"}))
+      ->transform(CLI::IsMember({"fixed", "adaptive"}, CLI::ignore_case))
       ->excludes(collide);
   addPlannerFile(app, arguments->planner_file);
   addBackground(app, arguments->background);

@@ -69,7 +69,7 @@ struct Tuning {
 std::unique_ptr<PlannerCases> openCases(const std::vector<std::string>& paths,
                                         const Arguments& arguments, const Config& config) {
   return openScenarioCases(paths, arguments.dataroot, arguments.version,
-                           static_cast<std::size_t>(arguments.jobs) + 1, config);
+                           static_cast<std::size_t>(arguments.jobs) + 1, config, showReading());
 }
 
 Tuning openTuning(const Arguments& arguments, const Config& config) {
@@ -228,7 +228,7 @@ void addTune(CommandLine& line) {
                  return tune(*arguments);
                });
   app.add_option("--planner", arguments->planner, "name")
-      ->check(CLI::IsMember(plannerNames()))
+      ->transform(CLI::IsMember(plannerNames(), CLI::ignore_case))
       ->capture_default_str();
   addPlannerFile(app, arguments->planner_file);
   app.add_option("--grid", arguments->grid, "values to try (default: tuning.yaml of --config)")

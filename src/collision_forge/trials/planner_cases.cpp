@@ -47,7 +47,8 @@ std::optional<std::string> sceneOf(const ScenarioText& line) {
 class ScenarioCases : public PlannerCases {
  public:
   ScenarioCases(const std::vector<std::string>& paths, const std::string& dataroot,
-                const std::string& version, std::size_t scenes_kept, const StudyOptions& study)
+                const std::string& version, std::size_t scenes_kept, const StudyOptions& study,
+                const NuScenesProgress& on_progress)
       : study_(study) {
     for (const std::string& path : paths) {
       int number = 0;
@@ -63,7 +64,8 @@ class ScenarioCases : public PlannerCases {
     known_.insert(known.begin(), known.end());
     const std::vector<std::string> wanted = wantedScenes();
     if (!wanted.empty()) {
-      scenes_ = std::make_unique<SceneSource>(dataroot, version, wanted, study, scenes_kept);
+      scenes_ = std::make_unique<SceneSource>(dataroot, version, wanted, study, scenes_kept,
+                                              OnWarnings(), on_progress);
     }
   }
 
@@ -173,8 +175,9 @@ std::set<std::string> readScenes(const std::vector<std::string>& paths) {
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
                                                 const std::string& dataroot,
                                                 const std::string& version, std::size_t scenes_kept,
-                                                const StudyOptions& study) {
-  return std::make_unique<ScenarioCases>(paths, dataroot, version, scenes_kept, study);
+                                                const StudyOptions& study,
+                                                const NuScenesProgress& on_progress) {
+  return std::make_unique<ScenarioCases>(paths, dataroot, version, scenes_kept, study, on_progress);
 }
 
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,

@@ -34,7 +34,8 @@ std::set<std::string> readScenes(const std::vector<std::string>& paths);
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
                                                 const std::string& dataroot,
                                                 const std::string& version, std::size_t scenes_kept,
-                                                const StudyOptions& study);
+                                                const StudyOptions& study,
+                                                const NuScenesProgress& on_progress = {});
 
 /// Clips of COLLIDE, named as their files; the source is the attacker's: "recorded", "history" or
 /// "replay".
