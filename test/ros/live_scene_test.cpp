@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "collision_forge/ros/label_places.h"
 #include "collision_forge/ros/marker_colors.h"
 
 namespace forge {
@@ -121,6 +122,19 @@ TEST_F(LiveSceneTest, LeavesBothWhereTheyTouchedWithTheVerdict) {
   EXPECT_EQ(shown("recorded").size(), 2U) << "ego and attacker";
   EXPECT_EQ(shown("contact").size(), 1U);
   EXPECT_EQ(shown("words")[0].text.find("contact not as asked"), 0U);
+}
+
+TEST_F(LiveSceneTest, WritesTheIdBesideTheWords) {
+  live_.attack = &attack_;
+  live_.verdict = &tested_;
+  tested_.contact = false;  // the words stand beside the attacker, as its id does
+  live_.now = ros::Time(15.0);
+  const auto box_of = [](const Marker& text) {
+    return OrientedBox{{text.pose.position.x, text.pose.position.y, 0.0},
+                       textSize(text.text, text.scale.z)};
+  };
+  ASSERT_EQ(shown("ids").size(), 1U);
+  EXPECT_FALSE(overlaps(box_of(shown("ids")[0]), box_of(shown("words")[0])));
 }
 
 TEST_F(LiveSceneTest, LooksAtTheContactForAWhile) {

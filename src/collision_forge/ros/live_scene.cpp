@@ -115,8 +115,8 @@ void addEgo(const LiveScene& live, std::vector<OrientedBox>& boxes, MarkerList& 
 }
 
 /// Beside the contact, or beside the attacker where none is known.
-void addWords(const LiveScene& live, const OrientedBox& attacker,
-              const std::vector<OrientedBox>& boxes, MarkerList& markers) {
+void addWords(const LiveScene& live, const OrientedBox& attacker, std::vector<OrientedBox>& boxes,
+              MarkerList& markers) {
   OrientedBox place = attacker;
   if (contactIn(live)) {
     const OrientedBox ego{fromMessage(live.verdict->ego_at_contact),

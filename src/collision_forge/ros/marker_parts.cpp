@@ -42,13 +42,14 @@ void addId(const std::string& id, const OrientedBox& box, const std::vector<Orie
 }
 
 void addWordsBeside(const OrientedBox& box, const std::string& words,
-                    const std::vector<OrientedBox>& boxes, MarkerList& markers) {
+                    std::vector<OrientedBox>& boxes, MarkerList& markers) {
   const BoxSize size = textSize(words, kWordsLetterHeight);
   std::vector<OrientedBox> all = boxes;
   all.push_back(box);
   const auto free = placeBeside(box, size, all);
   const Vector2 place = free ? *free : *placeBeside(box, size, {box});
   markers.addText("words", words, place, kWordsLetterHeight, kTextHeight, colors::kText);
+  boxes.push_back({{place.x(), place.y(), 0.0}, size});
 }
 
 void addWay(const std::string& name, const std::vector<TrajectoryPoint>& points, double end,

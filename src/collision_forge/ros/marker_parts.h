@@ -41,8 +41,9 @@ void addId(const std::string& id, const OrientedBox& box, const std::vector<Orie
            MarkerList& markers);
 
 /// How a crash comes and goes ("words"), beside a box and on none of the others, if that can be.
+/// The words' own box joins the others.
 void addWordsBeside(const OrientedBox& box, const std::string& words,
-                    const std::vector<OrientedBox>& boxes, MarkerList& markers);
+                    std::vector<OrientedBox>& boxes, MarkerList& markers);
 
 /// A vehicle's way up to `end` (s, the points' clock) with a ghost of it every half second, in the
 /// namespaces NAME_path, NAME_ghosts and NAME_ghost_outlines.

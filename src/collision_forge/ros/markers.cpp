@@ -173,7 +173,7 @@ double heightOf(const collision_forge::Agent& agent) {
 
 /// Beside the contact, and where none is foreseen beside where the trajectory ends.
 void addWords(const collision_forge::Attack& attack, const ros::Time& now,
-              const std::vector<OrientedBox>& boxes, MarkerList& markers) {
+              std::vector<OrientedBox>& boxes, MarkerList& markers) {
   const auto& points = attack.trajectory.points;
   if (points.empty()) return;
   const auto& report = attack.report;
