@@ -46,8 +46,12 @@ QPushButton* button(const char* name, const char* text) {
   return button;
 }
 
-QString noAnswer(const char* service) {
-  return QString("<b>No answer</b> from ") + ros::names::resolve(service).c_str();
+/// Why there is no answer; empty for one with code OK.
+template <typename Answer>
+QString problemOf(const Answer& answer, const char* service) {
+  if (!answer) return QString("<b>No answer</b> from ") + ros::names::resolve(service).c_str();
+  if (answer->code == GenerateCollision::Response::OK) return {};
+  return failureText(answer->code, answer->message);
 }
 
 /// The answer and its alternatives, as if they had been asked for one by one.
@@ -132,17 +136,12 @@ void GeneratePanel::generate() {
 
 void GeneratePanel::showAnswer(const ServiceCall<GenerateCollision>::Answer& answer) {
   generate_->setEnabled(true);
-  if (!answer) {
-    status_->setText(noAnswer(names::kGenerateCollision));
-  } else if (answer->code != GenerateCollision::Response::OK) {
-    status_->setText(failureText(answer->code, answer->message));
-  } else {
-    const auto attacks = attacksIn(*answer, form_->request().tta);
-    status_->setText(attacks.size() > 1
-                         ? QString("%1 attacks, the first is driven.").arg(attacks.size())
-                         : QString("An attack was found."));
-    if (attacks.size() > 1) table_->setCollisions(attacks);
-  }
+  const QString problem = problemOf(answer, names::kGenerateCollision);
+  status_->setText(problem.isEmpty() ? "An attack was found." : problem);
+  if (!problem.isEmpty() || answer->alternatives.empty()) return;
+  const auto attacks = attacksIn(*answer, form_->request().tta);
+  status_->setText(QString("%1 attacks, the first is driven.").arg(attacks.size()));
+  table_->setCollisions(attacks);
 }
 
 void GeneratePanel::list() {
@@ -157,15 +156,12 @@ void GeneratePanel::list() {
 
 void GeneratePanel::showPossible(const ServiceCall<ListCollisions>::Answer& answer) {
   list_->setEnabled(true);
-  if (!answer) {
-    status_->setText(noAnswer(names::kListCollisions));
-  } else if (answer->code != GenerateCollision::Response::OK) {
-    status_->setText(failureText(answer->code, answer->message));
-  } else {
-    table_->setCollisions(answer->collisions);
-    status_->setText(answer->collisions.empty() ? "Nothing is possible at this instant."
-                                                : "Possible now; choose one, then Generate.");
-  }
+  const QString problem = problemOf(answer, names::kListCollisions);
+  status_->setText(problem);
+  if (!problem.isEmpty()) return;
+  table_->setCollisions(answer->collisions);
+  status_->setText(answer->collisions.empty() ? "Nothing is possible at this instant."
+                                              : "Possible now; choose one, then Generate.");
 }
 
 void GeneratePanel::showAttack(const collision_forge::AttackConstPtr& attack) {
