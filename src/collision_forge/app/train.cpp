@@ -14,22 +14,23 @@
 namespace forge {
 namespace {
 
-int train(TrainingRun& run, bool is_planner) {
+int train(TrainingRun& run) {
   const Config config = loadConfig(run.config);
   run.options = config;
   run.drawing = config.drawing;
   run.planners = config.planners;
+  run.generators = config.generators;
 #ifdef COLLISION_FORGE_WITHOUT_ROS
-  (is_planner ? forgeTrainPlanner : forgeTrainPatternNetwork)(run);
+  forgeTrain(run);
 #else
   // libtorch takes seconds to load, which no other command needs to wait for.
   void* library = dlopen("libcollision_forge_training.so", RTLD_NOW);
   if (library == nullptr) {
     throw std::runtime_error(std::string("this build has no training: ") + dlerror());
   }
-  void* function = dlsym(library, is_planner ? "forgeTrainPlanner" : "forgeTrainPatternNetwork");
+  void* function = dlsym(library, "forgeTrain");
   if (function == nullptr) throw std::runtime_error(dlerror());
-  reinterpret_cast<decltype(&forgeTrainPatternNetwork)>(function)(run);
+  reinterpret_cast<decltype(&forgeTrain)>(function)(run);
 #endif
   return kExitOk;
 }
@@ -38,10 +39,9 @@ int train(TrainingRun& run, bool is_planner) {
 
 void addTrain(CommandLine& line) {
   const auto run = std::make_shared<TrainingRun>();
-  const auto is_planner = std::make_shared<bool>(false);
   CLI::App& app =
       line.add(kTraining, "train", "Trains the collision-pattern network on logs and clips.",
-               [run, is_planner] { return train(*run, *is_planner); });
+               [run] { return train(*run); });
   addDataroot(app, run->sources.dataroot);
   addVersion(app, run->sources.version)->description("folder of the logs' tables; none: no logs");
   CLI::Option* collide = addCollide(app, run->sources.collide);
@@ -65,10 +65,13 @@ void addTrain(CommandLine& line) {
   CLI::Option* stop =
       app.add_option("--stop-after", run->stop_after, "epoch to stop after; 0: the last");
   stop->check(CLI::NonNegativeNumber)->capture_default_str();
-  app.add_flag("--planner", *is_planner, "train the planner torchscript instead, on logs")
-      ->excludes(collide)
-      ->excludes(device)
-      ->excludes(stop);
+  CLI::Option* planner =
+      app.add_flag("--planner", run->is_planner, "train the planner torchscript instead, on logs");
+  planner->excludes(collide)->excludes(device)->excludes(stop);
+  app.add_option("--generator", run->generator, "train this learned generator instead, on clips")
+      ->check(CLI::IsMember(std::vector<std::string>{"c_sgan"}))
+      ->needs(collide)
+      ->excludes(planner);
   addConfig(app, run->config);
   app.parse_complete_callback([run] {
     if (run->fold <= run->folds) return;

@@ -12,9 +12,6 @@
 /// for, a point every `search.step` seconds.
 namespace forge {
 
-/// Straight on from the last point for as long as `duration`, a point every `step` seconds.
-void goStraightOn(AttackerTrajectory& trajectory, double duration, double step);
-
 /// The attacker keeps its speed and heading of now, those of estimateMotion(). Throws
 /// std::invalid_argument for an agent that is not in the snapshot.
 AttackerTrajectory constantVelocityAttacker(const std::string& attacker_id,

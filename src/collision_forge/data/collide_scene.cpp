@@ -43,12 +43,13 @@ Track recordedTrack(const CollideTrack& recorded, const CollideClip& clip, std::
   return track;
 }
 
-/// The state that the attacker at now would have come from at constant velocity.
+/// The state in the frame before now that the attacker would have come from at constant velocity.
 AgentState straightBefore(const CollideClip& clip) {
   const CollideState& now = *clip.attacker().frames[kCollideNowFrame];
+  const double frame_before = clip.times[kCollideNowFrame - 1];
   CollideState before = now;
-  before.pose = compose(now.pose, {-kCollideFrameInterval * now.speed, 0.0, 0.0});
-  return stateOf(before, clip.now() - kCollideFrameInterval);
+  before.pose = compose(now.pose, {(frame_before - clip.now()) * now.speed, 0.0, 0.0});
+  return stateOf(before, frame_before);
 }
 
 }  // namespace

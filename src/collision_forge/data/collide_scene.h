@@ -15,7 +15,7 @@ namespace forge {
 /// speed along the heading without a frame before), in steps of half a second.
 ///
 /// The attacker's history in these files gives its future away: up to now only its state at now is
-/// used, as two states, now and half a second earlier, that go straight at the recorded speed. From
+/// used, as two states, now and in the frame before, that go straight at the recorded speed. From
 /// now on it is as recorded.
 Scene toScene(const CollideClip& clip, const CollideOptions& options,
               std::shared_ptr<const LaneMap> map);

@@ -24,11 +24,19 @@ void readOptions(Section& section, std::map<std::string, DrivingSide>& locations
   }
 }
 
+static void readOptions(Section& section, std::map<std::string, std::string>& files) {
+  while (!section.unread().empty()) {
+    const std::string name = *section.unread().begin();
+    files[name] = section.path(name);
+  }
+}
+
 void readOptions(Section& section, ModelOptions& options) {
   options.pattern_network = section.path("pattern_network");
   options.speed_model = section.path("speed_model");
   options.speed_profiles = section.path("speed_profiles");
   section.read("recorded_speeds", options.recorded_speeds);
+  section.read("generator_weights", options.generator_weights);
 }
 
 void readOptions(Section& section, CollideOptions& options) {

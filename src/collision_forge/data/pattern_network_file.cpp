@@ -8,6 +8,7 @@
 
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/data/speed_model_file.h"
+#include "collision_forge/data/traffic_generators.h"
 #include "collision_forge/files/aside_file.h"
 
 namespace forge {
@@ -206,7 +207,9 @@ Foresight loadForesight(const ModelOptions& options) {
 }
 
 MethodRegistry loadMethods(const ModelOptions& options) {
-  return methodsWith(options.method_libraries);
+  MethodRegistry methods = methodsWith(options.method_libraries);
+  addGeneratorMethods(options, methods);
+  return methods;
 }
 
 MethodMaker loadMethod(const std::string& name, const ModelOptions& models,

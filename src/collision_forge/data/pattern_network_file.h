@@ -33,7 +33,8 @@ std::shared_ptr<const PatternNetwork> loadPatternNetwork(const std::string& path
 /// This and the speeds of loadSpeedForecaster(), which throw.
 Foresight loadForesight(const ModelOptions& options);
 
-/// The methods that are built in and those of its libraries. Throws as methodsWith().
+/// The methods that are built in, those of its libraries and of its generators. Throws as
+/// methodsWith().
 MethodRegistry loadMethods(const ModelOptions& options);
 
 /// A method of loadMethods() with loadForesight(); an empty name is the suite's own. Throws as they

@@ -23,6 +23,8 @@ Config loadConfig(const std::string& directory) {
   readConfigFile(directory, "models", static_cast<ModelOptions&>(config));
   readConfigFile(openConfigFile(directory, "training.yaml"), static_cast<LearningOptions&>(config));
   readConfigFile(directory, "planner_training", config.planner_training);
+  readConfigFile(openConfigFile(directory, "generators.yaml"), config.generators,
+                 config.attack.prediction.history_frames);
   readConfigFile(directory, "ego_vehicle", config.ego_vehicle);
   readConfigFile(directory, "encoding", config.encoding);
   readConfigFile(directory, "live", config.live);

@@ -7,6 +7,7 @@
 #include "collision_forge/data/options.h"
 #include "collision_forge/dataset/options.h"
 #include "collision_forge/drawing/options.h"
+#include "collision_forge/generators/options.h"
 #include "collision_forge/network/options.h"
 #include "collision_forge/report/options.h"
 #include "collision_forge/scene/options.h"
@@ -27,6 +28,7 @@ struct Config : LearningOptions {
   RequestListOptions requests;
   DatasetOptions dataset;
   TrialOptions planners;
+  GeneratorOptions generators;
   ReportOptions report;
 };
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "collision_forge/attack/baselines.h"
+#include "collision_forge/attack/driven_answer.h"
 
 namespace forge {
 namespace {

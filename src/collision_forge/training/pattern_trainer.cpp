@@ -13,6 +13,7 @@
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/fingerprint.h"
 #include "collision_forge/training/pattern_module.h"
+#include "collision_forge/training/training_device.h"
 
 namespace forge {
 namespace {
@@ -27,15 +28,6 @@ RowMatrix toMatrix(const torch::Tensor& tensor) {
   std::memcpy(matrix.data(), flat.data_ptr<float>(),
               static_cast<std::size_t>(flat.numel()) * sizeof(float));
   return matrix;
-}
-
-torch::Device deviceOf(const std::string& name) {
-  if (name == "cpu") return torch::Device(torch::kCPU);
-  if (name != "cuda") throw TrainingError("device = " + name + " is neither cpu nor cuda");
-  if (!torch::cuda::is_available()) {
-    throw TrainingError("device = cuda: this libtorch finds no CUDA device; use cpu");
-  }
-  return torch::Device(torch::kCUDA);
 }
 
 /// What libtorch complains of, without the backtrace that follows.
@@ -199,7 +191,7 @@ PatternTrainer::PatternTrainer(const PatternFeatureOptions& features,
                                const PatternNetworkOptions& network, const TrainingOptions& options,
                                const std::string& device, int threads, std::uint64_t seed)
     : state_(std::make_unique<State>()) {
-  state_->device = deviceOf(device);
+  state_->device = trainingDevice(device);
   torch::set_num_threads(threads);
   torch::manual_seed(seed);
   state_->features = features;

@@ -4,21 +4,16 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "collision_forge/network/options.h"
 #include "collision_forge/network/pattern_weights.h"
 #include "collision_forge/training/options.h"
+#include "collision_forge/training/training_error.h"
 #include "collision_forge/training/training_sample.h"
 
 namespace forge {
-
-/// Training that cannot go on: a device that is absent, a state of another run. Says why.
-struct TrainingError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Means over the samples that have them.
 struct TrainingLosses {

@@ -61,6 +61,8 @@ void trainOn(const std::vector<PlannerSample>& samples, const std::vector<std::s
   writeText(run.out + "/planner_metrics.csv", metrics);
 }
 
+}  // namespace
+
 void trainPlanner(const TrainingRun& run) {
   if (run.sources.version.empty())
     throw std::runtime_error("a planner is trained on logs: --version");
@@ -86,7 +88,4 @@ void trainPlanner(const TrainingRun& run) {
   std::cout << table;
 }
 
-}  // namespace
 }  // namespace forge
-
-void forgeTrainPlanner(const forge::TrainingRun& run) { forge::trainPlanner(run); }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "collision_forge/drawing/options.h"
+#include "collision_forge/generators/options.h"
 #include "collision_forge/planners/options.h"
 #include "collision_forge/training/training_data.h"
 
@@ -16,7 +17,10 @@ struct TrainingRun {
   std::string out;     ///< folder of the run
   std::string config;  ///< folder with the configuration files, for these two
   LearningOptions options;
-  PlannerOptions planners;  ///< of a planner
+  PlannerOptions planners;      ///< of a planner
+  bool is_planner = false;      ///< train a planner, not the network
+  std::string generator;        ///< train the generator of this name; empty: none
+  GeneratorOptions generators;  ///< of a generator
   DrawingOptions drawing;
   std::string device = "cpu";
   int fold = 0;  ///< part of the scenes that is left out, from 1; 0: none
@@ -29,15 +33,21 @@ struct TrainingRun {
 /// The scenes of the part that a run leaves out. Throws std::runtime_error for a part without any.
 std::set<std::string> leftOutScenes(const TrainingRun& run);
 
+/// The collision-pattern network, on logs and clips; under mpirun over all ranks. Goes on where a
+/// run of the same stopped. Writes weights of the best epoch, metrics, curves and its state.
+void trainPatternNetwork(const TrainingRun& run);
+
+/// The small planner of the suite, on logs. Writes planner.pt, its losses and its errors on scenes
+/// that it was trained on and on those left out. Begins anew every time: it takes a minute.
+void trainPlanner(const TrainingRun& run);
+
+/// A generator, on clips. Goes on where a run of the same stopped. Writes weights.pt of the best
+/// epoch, metrics, curves and its state.
+void trainGenerator(const TrainingRun& run);
+
 }  // namespace forge
 
-/// Trains the collision-pattern network; under mpirun over all ranks; goes on where a run of the
-/// same stopped. Writes weights, metrics,
-/// curves and its state to run.out, and throws std::runtime_error for what is wrong. Found by this
-/// name in the library, which brings libtorch along and is loaded when it is needed alone.
-extern "C" void forgeTrainPatternNetwork(const forge::TrainingRun& run);
-
-/// Trains the small planner of the suite on logs, and writes planner.pt, its losses and its errors
-/// on scenes that it was trained on and on those left out to run.out. Begins anew every time: it
-/// takes a minute. Throws std::runtime_error for what is wrong.
-extern "C" void forgeTrainPlanner(const forge::TrainingRun& run);
+/// Trains what the run names and writes it to run.out. Found by this name in the library, which
+/// brings libtorch along and is loaded when it is needed alone. Throws std::runtime_error for what
+/// is wrong.
+extern "C" void forgeTrain(const forge::TrainingRun& run);

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "collision_forge/attack/method_registry.h"
+#include "collision_forge/data/options.h"
+
+namespace forge {
+
+/// A file of a learned generator of traffic that cannot be used. Names the file and what is wrong.
+struct TrafficGeneratorError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A learned generator of traffic, from which methods are made. May be used from many threads.
+class TrafficMethods {
+ public:
+  virtual ~TrafficMethods() = default;
+  virtual std::unique_ptr<const AttackMethod> method(const AttackOptions& options) const = 0;
+};
+
+/// Adds a method for each of `options.generator_weights`. A generator is loaded when a method is
+/// first made of it, and the library with libtorch along with it; making throws
+/// std::invalid_argument for one without a file, and TrafficGeneratorError.
+void addGeneratorMethods(const ModelOptions& options, MethodRegistry& registry);
+
+}  // namespace forge
+
+/// Reads a generator's file. In the library that brings libtorch along, found there by this name.
+/// Throws forge::TrafficGeneratorError.
+extern "C" std::shared_ptr<const forge::TrafficMethods> forgeLoadGenerator(const std::string& name,
+                                                                           const std::string& path);

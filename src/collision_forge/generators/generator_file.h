@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "collision_forge/data/traffic_generators.h"
+#include "collision_forge/generators/traffic_generator.h"
+
+namespace forge {
+
+/// Which generator a file holds, and what it was made with.
+struct GeneratorHeader {
+  std::string name;
+  std::string config;  ///< text of config/generators.yaml
+  int history_frames = 0;
+  int epochs = 0;  ///< that it was trained
+};
+
+/// Options of a header; throws ConfigError naming `path`.
+GeneratorOptions optionsOf(const GeneratorHeader& header, const std::string& path);
+
+/// The weights of a generator, and with `training` all that going on takes. Throws as AsideFile
+/// does.
+void writeGenerator(const std::string& path, const GeneratorHeader& header,
+                    const TrafficGenerator& generator, bool training);
+
+/// Throws TrafficGeneratorError, naming the file, for one that is absent, damaged, of another
+/// format or generator than `name`, and for weights of another shape or that are not finite.
+GeneratorHeader readGeneratorHeader(const std::string& path, const std::string& name);
+/// The same of what fills a generator that was made with that header's options.
+void readGenerator(const std::string& path, TrafficGenerator& generator, bool training);
+
+}  // namespace forge

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "collision_forge/drawing/options.h"
+#include "collision_forge/training/training_run.h"
+
+/// What trainings have in common: the folder of a run, that goes on only as the same run; who tells
+/// the best epoch; a table of what every epoch gave, and its curves.
+namespace forge {
+
+/// What a run was asked for, `config` being the file of config/ that it is trained by.
+std::string describeRun(const TrainingRun& run, int ranks, const std::string& config);
+
+/// Makes the run folder, or checks that the one there is of the same run. Throws
+/// std::runtime_error naming what differs, and for a state without its description.
+void openRunFolder(const TrainingRun& run, const std::string& description);
+
+/// All of a file; empty where it cannot be read.
+std::string readText(const std::string& path);
+
+/// File of what going on takes.
+std::string statePath(const TrainingRun& run);
+
+/// Indices of samples.
+struct SampleSplit {
+  std::vector<std::size_t> training;
+  std::vector<std::size_t>
+      validation;  ///< those of a share of the scenes; they tell the best epoch
+};
+
+/// `scenes` holds each sample's.
+SampleSplit splitByScene(const std::vector<std::string>& scenes, double validation_share,
+                         std::uint64_t seed);
+
+/// A text file of rows, one an epoch; the last column chooses the best epoch.
+class EpochTable {
+ public:
+  /// Of the file at `path` the first `epochs` rows are kept.
+  EpochTable(std::string path, const std::vector<std::string>& columns, int epochs);
+
+  /// Adds a row and writes the file anew. True where the last number is less than in every row
+  /// before.
+  bool add(const std::vector<double>& numbers);
+
+  const std::string& lastRow() const { return rows_.back(); }
+
+  /// A line for each of these columns, named as told, beside a title.
+  void drawCurves(const std::string& path, const std::string& title,
+                  const std::vector<std::pair<std::string, std::string>>& columns,
+                  const DrawingOptions& options) const;
+
+ private:
+  std::vector<double> column(const std::string& name) const;
+
+  std::string path_;
+  std::vector<std::string> columns_;
+  std::vector<std::string> rows_;
+  double best_;
+};
+
+}  // namespace forge
