@@ -150,6 +150,9 @@ TEST(CommandLine, WrongValuesAreNamedWithTheirOption) {
            {"test" + kComplete.at("test") + " --planners idm,none", "--planners"},
            {"evaluate" + kComplete.at("evaluate") + " --seeds 0", "--seeds"},
            {"train" + kComplete.at("train") + " --fold 6", "--fold"},
+           {"train" + kComplete.at("train") + " --collide " + kConfig + " --generator none",
+            "--generator"},
+           {"train" + kComplete.at("train") + " --generator c_sgan", "--collide"},
            {"convert --dataroot /nowhere --version v --out bags", "/nowhere"},
            {"inject" + kComplete.at("inject") + " --nonsense", "--nonsense"}}) {
     const Reading reading = read(line);

@@ -69,6 +69,17 @@ TEST(CollideScene, AttackersDerivedMotionIsItsRecordedSpeed) {
   EXPECT_NEAR(motion.yaw_rate, 0.0, 1e-9);
 }
 
+TEST(CollideScene, AttackerIsSeenInTwoFramesWhateverTheirDistance) {
+  CollideClip clip = clipWithThird();
+  for (std::size_t frame = 0; frame < clip.times.size(); ++frame) {
+    clip.times[frame] = kClipStart + 0.55 * static_cast<double>(frame);
+  }
+  const Snapshot snapshot = snapshotAt(toScene(clip, kOptions, nullptr), clip.now(), 8);
+  const Track& attacker = agent(snapshot.agents, "attacker");
+  ASSERT_EQ(attacker.states.size(), 2u);
+  EXPECT_NEAR(estimateMotion(attacker, 4).speed, 8.0, 1e-5);
+}
+
 TEST(CollideScene, FutureIsRecordedThenStraightOn) {
   CollideClip clip = clipWithThird();
   // The ego's last interval: 3 m ahead and 1 m left, heading 0.5 rad.

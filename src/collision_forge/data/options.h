@@ -39,7 +39,7 @@ struct ModelOptions {
   std::string speed_profiles;
   SpeedProfileOptions recorded_speeds;
   std::map<std::string, std::string> generator_weights;  ///< by the names of their methods
-  std::vector<std::string> method_libraries;  ///< see methodsWith()
+  std::vector<std::string> method_libraries;             ///< see methodsWith()
 };
 
 /// config/evaluation.yaml, section collide, where each number's unit and source stand.

@@ -1,0 +1,103 @@
+#include "collision_forge/generators/generator_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "collision_forge/files/aside_file.h"
+#include "data/nuscenes_fixture.h"
+#include "generators/sample_traffic.h"
+
+namespace forge {
+namespace {
+
+using testing::HasSubstr;
+
+std::string configText() {
+  std::ifstream file(COLLISION_FORGE_SOURCE_DIR "/config/generators.yaml");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class GeneratorFile : public testing::Test {
+ protected:
+  GeneratorFile() : path_(folder_.path() + "/weights.pt") {}
+
+  std::string refusal(const std::string& name = "c_sgan") const {
+    try {
+      forgeLoadGenerator(name, path_);
+      return "";
+    } catch (const TrafficGeneratorError& error) {
+      return error.what();
+    }
+  }
+
+  GeneratorHeader header_{"c_sgan", configText(), 8, 3};
+  GeneratorOptions options_ = optionsOf(header_, "generators.yaml");
+  std::unique_ptr<TrafficGenerator> generator_ = makeGenerator("c_sgan", options_, torch::kCPU, 0);
+  TemporaryFolder folder_;
+  std::string path_;
+};
+
+TEST_F(GeneratorFile, GivesTheSameGeneratorBack) {
+  writeGenerator(path_, header_, *generator_, false);
+  const GeneratorHeader header = readGeneratorHeader(path_, "c_sgan");
+  EXPECT_EQ(header.config, header_.config);
+  EXPECT_EQ(header.epochs, 3);
+  const auto other = makeGenerator("c_sgan", optionsOf(header, path_), torch::kCPU, 77);
+  readGenerator(path_, *other, false);
+  const std::vector<TrafficClip> clips = sampleClips(options_.traffic, 2);
+  const TrafficBatch history =
+      historyOf(sampleBatch(clips, options_.traffic), options_.traffic.history_frames);
+  EXPECT_TRUE(
+      torch::equal(generator_->predict(history, noiseOf(5)), other->predict(history, noiseOf(5))));
+  EXPECT_NE(forgeLoadGenerator("c_sgan", path_), nullptr);
+}
+
+TEST_F(GeneratorFile, TrainingGoesOnAsIfItHadNotStopped) {
+  const std::vector<TrafficClip> clips = sampleClips(options_.traffic, 2);
+  const TrafficBatch batch = sampleBatch(clips, options_.traffic);
+  for (int step = 0; step < 4; ++step) generator_->trainStep(batch);
+  writeGenerator(path_, header_, *generator_, true);
+  const auto other = makeGenerator("c_sgan", options_, torch::kCPU, 77);
+  readGenerator(path_, *other, true);
+  const auto goOn = [&](TrafficGenerator& generator) {
+    torch::manual_seed(9);
+    for (int step = 0; step < 3; ++step) generator.trainStep(batch);
+    return driveError(generator, batch, options_.traffic);
+  };
+  EXPECT_EQ(goOn(*generator_), goOn(*other));
+}
+
+TEST_F(GeneratorFile, AnotherGeneratorIsRefused) {
+  GeneratorHeader header = header_;
+  header.name = "c_other";
+  writeGenerator(path_, header, *generator_, false);
+  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr(path_), HasSubstr("c_other, not c_sgan")));
+}
+
+TEST_F(GeneratorFile, AnotherArchitectureIsRefused) {
+  GeneratorOptions wide = options_;
+  wide.c_sgan.encoder = 40;
+  const auto other = makeGenerator("c_sgan", wide, torch::kCPU, 0);
+  writeGenerator(path_, header_, *other, false);
+  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr(path_), HasSubstr("shape")));
+}
+
+TEST_F(GeneratorFile, NumbersThatAreNotFiniteAreRefused) {
+  generator_->network()->parameters()[0].data()[0][0] = NAN;
+  writeGenerator(path_, header_, *generator_, false);
+  EXPECT_THAT(refusal(), HasSubstr("not finite"));
+}
+
+TEST_F(GeneratorFile, OtherFilesAreRefusedInOneLine) {
+  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr(path_), testing::Not(HasSubstr("\n"))));
+  writeText(path_, "no archive");
+  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr(path_), testing::Not(HasSubstr("\n"))));
+}
+
+}  // namespace
+}  // namespace forge

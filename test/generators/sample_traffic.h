@@ -1,0 +1,43 @@
+#pragma once
+
+#include "collision_forge/generators/traffic_generator.h"
+#include "collision_forge/settings/config.h"
+#include "data/collide_fixture.h"
+
+namespace forge {
+
+inline Config shippedConfig() { return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config"); }
+
+/// Clips of a rear end: the ego at 5 m/s and more, an attacker behind it at another speed each.
+inline std::vector<TrafficClip> sampleClips(const TrafficOptions& options, int count) {
+  std::vector<TrafficClip> clips;
+  for (int i = 0; i < count; ++i) {
+    const CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 12, 5.0 + i,
+                                          {-20.0, 1.0 * i, 0.0}, 9.0 + 0.5 * i);
+    clips.push_back(trafficOf(clip, {{4.7, 2.0}, 2.0, 0.1}, options));
+  }
+  return clips;
+}
+
+/// All windows of the clips as one batch, with their future.
+inline TrafficBatch sampleBatch(const std::vector<TrafficClip>& clips,
+                                const TrafficOptions& options) {
+  std::vector<TrafficWindow> windows;
+  for (const TrafficClip& clip : clips) {
+    for (const TrafficWindow& window : windowsOf(clip, options)) windows.push_back(window);
+  }
+  return batchOf(windows, options, options.future_frames);
+}
+
+/// m, mean over all agents and frames, of what the generator drives.
+inline double driveError(const TrafficGenerator& generator, const TrafficBatch& batch,
+                         const TrafficOptions& options) {
+  const torch::NoGradGuard no_gradients;
+  generator.network()->eval();
+  const torch::Tensor driven =
+      generator.predict(historyOf(batch, options.history_frames), noiseOf(1));
+  const torch::Tensor came = batch.poses.slice(2, options.history_frames);
+  return (driven - came).slice(3, 0, 2).norm(2, 3).mean().item<double>();
+}
+
+}  // namespace forge
