@@ -16,7 +16,8 @@ MethodSetup withoutLearning() {
   const auto futures = std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr);
   return {options,
           {futures, std::make_shared<KinematicPatternPredictor>(options, futures)},
-          std::nullopt};
+          std::nullopt,
+          ""};
 }
 
 std::string complaintOf(const std::function<void()>& act) {

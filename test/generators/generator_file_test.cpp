@@ -3,10 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
+#include "collision_forge/config/section.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/generators/traffic_generator.h"
 #include "data/nuscenes_fixture.h"
 #include "generators/sample_traffic.h"
 
@@ -16,10 +15,12 @@ namespace {
 using testing::HasSubstr;
 
 std::string configText() {
-  std::ifstream file(COLLISION_FORGE_SOURCE_DIR "/config/generators.yaml");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  return textOfSections(COLLISION_FORGE_SOURCE_DIR "/config/generators.yaml", sectionsOf("c_sgan"));
+}
+
+std::shared_ptr<TrafficGenerator> made(const GeneratorOptions& options, std::uint64_t seed) {
+  return std::dynamic_pointer_cast<TrafficGenerator>(
+      makeTrafficModel("c_sgan", options, torch::kCPU, seed));
 }
 
 class GeneratorFile : public testing::Test {
@@ -28,16 +29,16 @@ class GeneratorFile : public testing::Test {
 
   std::string refusal(const std::string& name = "c_sgan") const {
     try {
-      forgeLoadGenerator(name, path_);
+      forgeLoadGenerator(name, {path_});
       return "";
     } catch (const TrafficGeneratorError& error) {
       return error.what();
     }
   }
 
-  GeneratorHeader header_{"c_sgan", configText(), 8, 3};
+  GeneratorHeader header_{"c_sgan", configText(), 8, 3, {"scene-0001"}};
   GeneratorOptions options_ = optionsOf(header_, "generators.yaml");
-  std::unique_ptr<TrafficGenerator> generator_ = makeGenerator("c_sgan", options_, torch::kCPU, 0);
+  std::shared_ptr<TrafficGenerator> generator_ = made(options_, 0);
   TemporaryFolder folder_;
   std::string path_;
 };
@@ -47,14 +48,15 @@ TEST_F(GeneratorFile, GivesTheSameGeneratorBack) {
   const GeneratorHeader header = readGeneratorHeader(path_, "c_sgan");
   EXPECT_EQ(header.config, header_.config);
   EXPECT_EQ(header.epochs, 3);
-  const auto other = makeGenerator("c_sgan", optionsOf(header, path_), torch::kCPU, 77);
+  EXPECT_EQ(header.left_out_scenes, header_.left_out_scenes);
+  const auto other = made(optionsOf(header, path_), 77);
   readGenerator(path_, *other, false);
   const std::vector<TrafficClip> clips = sampleClips(options_.traffic, 2);
   const TrafficBatch history =
       historyOf(sampleBatch(clips, options_.traffic), options_.traffic.history_frames);
   EXPECT_TRUE(
       torch::equal(generator_->predict(history, noiseOf(5)), other->predict(history, noiseOf(5))));
-  EXPECT_NE(forgeLoadGenerator("c_sgan", path_), nullptr);
+  EXPECT_NE(forgeLoadGenerator("c_sgan", {path_}), nullptr);
 }
 
 TEST_F(GeneratorFile, TrainingGoesOnAsIfItHadNotStopped) {
@@ -62,7 +64,7 @@ TEST_F(GeneratorFile, TrainingGoesOnAsIfItHadNotStopped) {
   const TrafficBatch batch = sampleBatch(clips, options_.traffic);
   for (int step = 0; step < 4; ++step) generator_->trainStep(batch);
   writeGenerator(path_, header_, *generator_, true);
-  const auto other = makeGenerator("c_sgan", options_, torch::kCPU, 77);
+  const auto other = made(options_, 77);
   readGenerator(path_, *other, true);
   const auto goOn = [&](TrafficGenerator& generator) {
     torch::manual_seed(9);
@@ -82,7 +84,7 @@ TEST_F(GeneratorFile, AnotherGeneratorIsRefused) {
 TEST_F(GeneratorFile, AnotherArchitectureIsRefused) {
   GeneratorOptions wide = options_;
   wide.c_sgan.encoder = 40;
-  const auto other = makeGenerator("c_sgan", wide, torch::kCPU, 0);
+  const auto other = made(wide, 0);
   writeGenerator(path_, header_, *other, false);
   EXPECT_THAT(refusal(), testing::AllOf(HasSubstr(path_), HasSubstr("shape")));
 }

@@ -11,7 +11,8 @@ namespace {
 /// Everybody goes on at the step that they made last, turned by what the noise says.
 class StraightGenerator : public TrafficGenerator {
  public:
-  explicit StraightGenerator(double broken = 0.0) : broken_(broken) {}
+  explicit StraightGenerator(double broken = 0.0)
+      : TrafficGenerator(withoutLanes(shippedConfig().generators.traffic)), broken_(broken) {}
 
   torch::Tensor predict(const TrafficBatch& history, torch::Generator noise) const override {
     const long now = history.poses.size(2) - 1;
@@ -47,7 +48,7 @@ Moment closingIn() {
 }
 
 GeneratorMethod methodOf(std::shared_ptr<const TrafficGenerator> generator) {
-  return {std::move(generator), shippedConfig().generators.traffic, shippedOptions()};
+  return {std::move(generator), shippedOptions()};
 }
 
 TEST(GeneratorMethod, TakesTheCandidateThatTouches) {
@@ -89,11 +90,11 @@ TEST(GeneratorMethod, NumbersThatAreNotFiniteAreAnError) {
 }
 
 TEST(RollOut, WhoWasNotSeenThroughoutLeaves) {
-  const TrafficOptions options = shippedConfig().generators.traffic;
-  TrafficClip clip = sampleClips(options, 1).front();
+  const StraightGenerator generator;
+  TrafficClip clip = sampleClips(generator.traffic(), 1).front();
   clip.agents.push_back(clip.agents[1]);
   clip.agents[2][2].reset();
-  rollOut(StraightGenerator(), options, 0, clip);
+  rollOut(generator, 0, clip);
   EXPECT_TRUE(clip.agents[1][12]);
   EXPECT_FALSE(clip.agents[2][12]);
   EXPECT_NEAR(clip.agents[1][12]->x, -20.0 + 5 * 4.5, 1e-3);

@@ -8,13 +8,19 @@ namespace forge {
 
 inline Config shippedConfig() { return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config"); }
 
+/// What a model that sees no lanes is told.
+inline TrafficOptions withoutLanes(TrafficOptions options) {
+  options.lanes = {};
+  return options;
+}
+
 /// Clips of a rear end: the ego at 5 m/s and more, an attacker behind it at another speed each.
 inline std::vector<TrafficClip> sampleClips(const TrafficOptions& options, int count) {
   std::vector<TrafficClip> clips;
   for (int i = 0; i < count; ++i) {
     const CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 12, 5.0 + i,
                                           {-20.0, 1.0 * i, 0.0}, 9.0 + 0.5 * i);
-    clips.push_back(trafficOf(clip, {{4.7, 2.0}, 2.0, 0.1}, options));
+    clips.push_back(trafficOf(clip, {{4.7, 2.0}, 2.0, 0.1}, options, nullptr));
   }
   return clips;
 }

@@ -8,7 +8,7 @@ namespace forge {
 namespace {
 
 TEST(WindowsOf, GoOverAllFramesWithFuture) {
-  const TrafficOptions options = shippedConfig().generators.traffic;
+  const TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   TrafficClip clip = sampleClips(options, 1).front();  // the crash is in frame 12
   const auto windows = windowsOf(clip, options);
   ASSERT_EQ(windows.size(), 2u);
@@ -19,7 +19,7 @@ TEST(WindowsOf, GoOverAllFramesWithFuture) {
 }
 
 TEST(BatchOf, IsSeenFromEachWindowsEgo) {
-  const TrafficOptions options = shippedConfig().generators.traffic;
+  const TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   const TrafficClip clip = sampleClips(options, 1).front();  // ego at 5 m/s, attacker at 9 m/s
   const TrafficBatch batch = batchOf({{&clip, 7}, {&clip, 8}}, options, 4);
   ASSERT_EQ(batch.poses.sizes(), (std::vector<std::int64_t>{2, 2, 12, 3}));
@@ -33,7 +33,7 @@ TEST(BatchOf, IsSeenFromEachWindowsEgo) {
 }
 
 TEST(BatchOf, SaysTypeAndTimeThatIsLeft) {
-  const TrafficOptions options = shippedConfig().generators.traffic;
+  const TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   const TrafficClip clip = sampleClips(options, 1).front();
   const torch::Tensor condition = batchOf({{&clip, 7}, {&clip, 8}}, options, 4).condition;
   const auto type = static_cast<long>(CollisionType::kRearEnd);
@@ -44,7 +44,7 @@ TEST(BatchOf, SaysTypeAndTimeThatIsLeft) {
 }
 
 TEST(BatchOf, MarksWhoIsNotSeen) {
-  const TrafficOptions options = shippedConfig().generators.traffic;
+  const TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   TrafficClip clip = sampleClips(options, 1).front();
   clip.agents[1][3].reset();
   clip.agents[1].resize(10);

@@ -23,8 +23,8 @@ CollideClip clipWithOthers() {
 }
 
 TEST(TrafficOf, HasEgoThenAttackerThenWhoMovesNearestFirst) {
-  const TrafficClip traffic =
-      trafficOf(clipWithOthers(), kCollide, shippedConfig().generators.traffic);
+  const TrafficClip traffic = trafficOf(clipWithOthers(), kCollide,
+                                        withoutLanes(shippedConfig().generators.traffic), nullptr);
   EXPECT_EQ(traffic.scene, "scene-0001");
   EXPECT_EQ(traffic.type, CollisionType::kLtap);
   EXPECT_EQ(traffic.collision_frame, 11);
@@ -35,24 +35,25 @@ TEST(TrafficOf, HasEgoThenAttackerThenWhoMovesNearestFirst) {
   EXPECT_NEAR(traffic.agents[2][7]->x, 10.0, kRounding);
   EXPECT_NEAR(traffic.agents[3][7]->x, 60.0, kRounding);
   EXPECT_NEAR(traffic.agents[3][11]->x, 68.0, kRounding);
+  EXPECT_EQ(traffic.ids, (std::vector<std::string>{kEgoId, "attacker", "near", "far"}));
 }
 
 TEST(TrafficOf, KeepsAsManyAgentsAsTold) {
-  TrafficOptions options = shippedConfig().generators.traffic;
+  TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   options.max_agents = 3;
-  const TrafficClip traffic = trafficOf(clipWithOthers(), kCollide, options);
+  const TrafficClip traffic = trafficOf(clipWithOthers(), kCollide, options, nullptr);
   ASSERT_EQ(traffic.agents.size(), 3u);
   EXPECT_NEAR(traffic.agents[2][7]->x, 10.0, kRounding);
 }
 
 TEST(TrafficOf, DoesNotShowTheAttackersHistory) {
   CollideClip clip = clipWithOthers();
-  const TrafficOptions options = shippedConfig().generators.traffic;
-  const TrafficClip straight = trafficOf(clip, kCollide, options);
+  const TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
+  const TrafficClip straight = trafficOf(clip, kCollide, options, nullptr);
   for (int frame = 0; frame < kCollideNowFrame; ++frame) {
     clip.tracks[0].frames[frame]->pose = {500.0, 77.0 * frame, 1.0};
   }
-  const TrafficClip wild = trafficOf(clip, kCollide, options);
+  const TrafficClip wild = trafficOf(clip, kCollide, options, nullptr);
   for (int frame = 0; frame <= kCollideNowFrame; ++frame) {
     EXPECT_EQ(straight.agents[kAttackerAgent][frame]->x, wild.agents[kAttackerAgent][frame]->x);
     EXPECT_NEAR(straight.agents[kAttackerAgent][frame]->x, 30.0 + 4.0 * (7 - frame), kRounding);
@@ -65,15 +66,16 @@ TEST(TrafficOf, SnapshotIsSeenFromTheEgoUpToNow) {
                  {pastTrack("attacker", kCarSize, {100.0, 20.0, M_PI_2}, 14.0)}, twoLaneRoad());
   CollisionRequest request = requestFor();
   request.tta = 2.1;
-  const TrafficClip traffic =
-      trafficOf(snapshot, "attacker", request, shippedConfig().generators.traffic);
+  const TrafficClip traffic = trafficOf(snapshot, "attacker", request,
+                                        withoutLanes(shippedConfig().generators.traffic), nullptr);
   EXPECT_EQ(traffic.collision_frame, 11);
   ASSERT_EQ(traffic.agents.size(), 2u);
   ASSERT_EQ(traffic.agents[kAttackerAgent].size(), 8u);
   EXPECT_NEAR(traffic.agents[kAttackerAgent][7]->x, -30.0, kRounding);
   EXPECT_NEAR(traffic.agents[kAttackerAgent][0]->x, -30.0 - 7 * 7.0, kRounding);
   EXPECT_NEAR(traffic.agents[kEgoAgent][0]->x, -7 * 5.0, kRounding);
-  EXPECT_THROW(trafficOf(snapshot, "nobody", request, shippedConfig().generators.traffic),
+  EXPECT_THROW(trafficOf(snapshot, "nobody", request,
+                         withoutLanes(shippedConfig().generators.traffic), nullptr),
                std::invalid_argument);
 }
 

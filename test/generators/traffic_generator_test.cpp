@@ -1,22 +1,11 @@
 #include "collision_forge/generators/traffic_generator.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "generators/sample_traffic.h"
 
 namespace forge {
 namespace {
-
-TEST(MakeGenerator, NamesTheKnownOnes) {
-  try {
-    makeGenerator("c_unknown", shippedConfig().generators, torch::kCPU, 0);
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(),
-                testing::AllOf(testing::HasSubstr("c_unknown"), testing::HasSubstr("c_sgan")));
-  }
-}
 
 TEST(YawsAlong, FollowTheStepsAndStayInShortOnes) {
   const torch::Tensor steps =
@@ -25,12 +14,6 @@ TEST(YawsAlong, FollowTheStepsAndStayInShortOnes) {
   EXPECT_NEAR(yaws[0][0][0].item<double>(), M_PI_4, 1e-6);
   EXPECT_NEAR(yaws[0][0][1].item<double>(), M_PI_4, 1e-6);
   EXPECT_NEAR(yaws[0][0][2].item<double>(), M_PI_2, 1e-6);
-}
-
-TEST(NoiseOf, IsThatOfItsSeed) {
-  const torch::Tensor first = torch::randn({5}, noiseOf(3));
-  EXPECT_TRUE(torch::equal(first, torch::randn({5}, noiseOf(3))));
-  EXPECT_FALSE(torch::equal(first, torch::randn({5}, noiseOf(4))));
 }
 
 }  // namespace

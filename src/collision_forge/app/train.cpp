@@ -19,7 +19,8 @@ int train(TrainingRun& run) {
   run.options = config;
   run.drawing = config.drawing;
   run.planners = config.planners;
-  run.generators = config.generators;
+  run.generators =
+      configFileOf(run.generator) == "generators" ? config.generators : config.published_network;
 #ifdef COLLISION_FORGE_WITHOUT_ROS
   forgeTrain(run);
 #else
@@ -69,7 +70,7 @@ void addTrain(CommandLine& line) {
       app.add_flag("--planner", run->is_planner, "train the planner torchscript instead, on logs");
   planner->excludes(collide)->excludes(device)->excludes(stop);
   app.add_option("--generator", run->generator, "train this learned generator instead, on clips")
-      ->check(CLI::IsMember(std::vector<std::string>{"c_sgan"}))
+      ->check(CLI::IsMember(trafficModelNames()))
       ->needs(collide)
       ->excludes(planner);
   addConfig(app, run->config);

@@ -48,14 +48,16 @@ const Future* recordedOf(const Moment& moment) {
   return moment.recorded ? &*moment.recorded : nullptr;
 }
 
-/// One quintic on each axis, with the speed of now at its end, then straight on.
-AttackerTrajectory drivenTo(const Pose2& pose, double tta, const Track& attacker,
-                            const Motion& motion, double now, const SearchOptions& search) {
+/// One quintic on each axis, then straight on.
+AttackerTrajectory drivenTo(const Pose2& pose, const EndMotion& end, double tta,
+                            const Track& attacker, const Motion& motion, double now,
+                            const SearchOptions& search) {
   Arrival arrival;
   arrival.time = tta;
   arrival.pose = pose;
-  arrival.speed = motion.speed;
+  arrival.speed = end.speed;
   arrival.start_acceleration = motion.acceleration;
+  arrival.end_acceleration = end.acceleration;
   const int steps = static_cast<int>(std::lround((tta + search.tail) / search.step));
   AttackerTrajectory trajectory{attacker.id, attacker.agent_class, attacker.size, {}};
   QuinticFamily().drive({motion, now, search.step, steps + 1}, arrival, trajectory.points);
@@ -83,14 +85,16 @@ AttackerTrajectory nominalAttacker(const std::string& attacker_id, const Snapsho
   const Pose2 ego = egoAtImpact(snapshot, recorded, request, options);
   const bool from_left = relativeTo(ego, motion.pose).y > 0.0;
   return drivenTo(compose(ego, nominalOffset(request.type, from_left, options.nominal)),
-                  request.tta, attacker, motion, snapshot.now, options.search);
+                  {motion.speed, 0.0}, request.tta, attacker, motion, snapshot.now, options.search);
 }
 
 AttackerTrajectory patternAttacker(const CollisionPattern& pattern, const Snapshot& snapshot,
-                                   double tta, const AttackOptions& options) {
+                                   double tta, const AttackOptions& options,
+                                   const std::optional<EndMotion>& end) {
   const Track& attacker = trackOf(snapshot, pattern.attacker_id);
-  return drivenTo(compose(pattern.ego.center, pattern.attacker_offset), tta, attacker,
-                  estimateMotion(attacker, options.prediction.motion_frames), snapshot.now,
+  const Motion motion = estimateMotion(attacker, options.prediction.motion_frames);
+  return drivenTo(compose(pattern.ego.center, pattern.attacker_offset),
+                  end.value_or(EndMotion{motion.speed, 0.0}), tta, attacker, motion, snapshot.now,
                   options.search);
 }
 

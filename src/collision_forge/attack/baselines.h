@@ -27,10 +27,18 @@ AttackerTrajectory nominalAttacker(const std::string& attacker_id, const Snapsho
                                    const Future* recorded, const CollisionRequest& request,
                                    const AttackOptions& options);
 
+/// How an attacker moves along its heading where it arrives.
+struct EndMotion {
+  double speed = 0.0;         ///< m/s
+  double acceleration = 0.0;  ///< m/s2
+};
+
 /// The same to where a pattern puts its attacker, as in the paper (arXiv 2510.12206, Sec. 3.4):
-/// whatever came, and whatever a vehicle can do.
+/// whatever came, and whatever a vehicle can do. Without an `end` it arrives with the speed it has
+/// now.
 AttackerTrajectory patternAttacker(const CollisionPattern& pattern, const Snapshot& snapshot,
-                                   double tta, const AttackOptions& options);
+                                   double tta, const AttackOptions& options,
+                                   const std::optional<EndMotion>& end = std::nullopt);
 
 // The same as methods, which know no wheels: their reports are by LimitSet::kStrict, whatever the
 // request says. Without an attacker in the request they take of all candidates

@@ -23,6 +23,7 @@ struct MethodSetup {
   AttackOptions options;
   MethodForesight kinematic;                ///< without learning
   std::optional<MethodForesight> networks;  ///< by trained networks, where there are any
+  std::string unseen_scene;  ///< that nothing may have been learned from; empty: none
 };
 
 /// The methods that there are, by name.

@@ -200,4 +200,18 @@ Section openConfigText(const std::string& path, const std::string& text) {
   }
 }
 
+std::string textOfSections(const std::string& path, const std::vector<std::string>& keys) {
+  try {
+    const YAML::Node all = YAML::LoadFile(path);
+    YAML::Node chosen;
+    for (const std::string& key : keys) {
+      if (!all[key]) throw ConfigError(path + ": " + key + " is missing");
+      chosen[key] = all[key];
+    }
+    return YAML::Dump(chosen) + "\n";
+  } catch (const YAML::Exception& error) {
+    throw ConfigError(path + ": " + error.what());
+  }
+}
+
 }  // namespace forge

@@ -96,6 +96,10 @@ Section openConfigFile(const std::string& directory, const std::string& name);
 /// The same of a file's text; `path` is what errors name.
 Section openConfigText(const std::string& path, const std::string& text);
 
+/// The text of a file with these of its mappings alone. Throws ConfigError for one that cannot be
+/// read or lacks one of them.
+std::string textOfSections(const std::string& path, const std::vector<std::string>& keys);
+
 /// Reads a whole file by its readOptions().
 template <class Options, class... More>
 void readConfigFile(Section file, Options& options, const More&... more) {

@@ -24,10 +24,10 @@ void readOptions(Section& section, std::map<std::string, DrivingSide>& locations
   }
 }
 
-static void readOptions(Section& section, std::map<std::string, std::string>& files) {
+static void readOptions(Section& section, std::map<std::string, std::vector<std::string>>& files) {
   while (!section.unread().empty()) {
     const std::string name = *section.unread().begin();
-    files[name] = section.path(name);
+    files[name] = section.paths(name);
   }
 }
 

@@ -38,8 +38,9 @@ struct ModelOptions {
   std::string speed_model;
   std::string speed_profiles;
   SpeedProfileOptions recorded_speeds;
-  std::map<std::string, std::string> generator_weights;  ///< by the names of their methods
-  std::vector<std::string> method_libraries;             ///< see methodsWith()
+  /// By the names of the models: the file of all scenes, then those that left some out.
+  std::map<std::string, std::vector<std::string>> generator_weights;
+  std::vector<std::string> method_libraries;  ///< see methodsWith()
 };
 
 /// config/evaluation.yaml, section collide, where each number's unit and source stand.

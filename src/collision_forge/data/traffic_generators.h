@@ -3,6 +3,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "collision_forge/attack/method_registry.h"
 #include "collision_forge/data/options.h"
@@ -14,21 +15,26 @@ struct TrafficGeneratorError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A learned generator of traffic, from which methods are made. May be used from many threads.
+/// A learned model of traffic, from which methods are made. May be used from many threads.
 class TrafficMethods {
  public:
   virtual ~TrafficMethods() = default;
-  virtual std::unique_ptr<const AttackMethod> method(const AttackOptions& options) const = 0;
+
+  /// By the weights that left `unseen_scene` out; by the first ones where none did.
+  virtual std::unique_ptr<const AttackMethod> method(const std::string& name,
+                                                     const AttackOptions& options,
+                                                     const std::string& unseen_scene) const = 0;
 };
 
-/// Adds a method for each of `options.generator_weights`. A generator is loaded when a method is
+/// Adds the methods of each of `options.generator_weights`. A model is loaded when a method is
 /// first made of it, and the library with libtorch along with it; making throws
 /// std::invalid_argument for one without a file, and TrafficGeneratorError.
 void addGeneratorMethods(const ModelOptions& options, MethodRegistry& registry);
 
 }  // namespace forge
 
-/// Reads a generator's file. In the library that brings libtorch along, found there by this name.
-/// Throws forge::TrafficGeneratorError.
-extern "C" std::shared_ptr<const forge::TrafficMethods> forgeLoadGenerator(const std::string& name,
-                                                                           const std::string& path);
+/// Reads a model's files: the first one learned from all scenes, others left some out. In the
+/// library that brings libtorch along, found there by this name. Throws
+/// forge::TrafficGeneratorError.
+extern "C" std::shared_ptr<const forge::TrafficMethods> forgeLoadGenerator(
+    const std::string& name, const std::vector<std::string>& paths);

@@ -1,16 +1,16 @@
 #include "collision_forge/generators/generator_file.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "collision_forge/attack/method_registry.h"
 #include "collision_forge/config/section.h"
 #include "collision_forge/files/aside_file.h"
-#include "collision_forge/generators/generator_method.h"
 
 namespace forge {
 namespace {
 
-constexpr const char* kFormat = "collision_forge traffic generator 1";
+constexpr const char* kFormat = "collision_forge traffic generator 2";
 
 /// What libtorch complains of, without the backtrace that follows.
 std::string firstLine(const std::exception& error) {
@@ -44,6 +44,14 @@ int countIn(torch::serialize::InputArchive& archive, const std::string& key) {
   return static_cast<int>(value.toInt());
 }
 
+std::vector<std::string> textsIn(torch::serialize::InputArchive& archive, const std::string& key) {
+  c10::IValue value;
+  archive.read(key, value);
+  std::vector<std::string> texts;
+  for (const c10::IValue& text : value.toListRef()) texts.push_back(text.toStringRef());
+  return texts;
+}
+
 /// Weights under their names, copied into a network that has the same ones.
 void copyWeights(const std::string& path, torch::serialize::InputArchive& archive,
                  torch::nn::Module& network) {
@@ -66,44 +74,74 @@ void copyWeights(const std::string& path, torch::serialize::InputArchive& archiv
   }
 }
 
-class LoadedGenerator : public TrafficMethods {
- public:
-  LoadedGenerator(std::shared_ptr<const TrafficGenerator> generator, const TrafficOptions& traffic)
-      : generator_(std::move(generator)), traffic_(traffic) {}
+/// A model and the scenes that it has not seen.
+struct LoadedModel {
+  std::shared_ptr<const TrafficModel> model;
+  std::vector<std::string> left_out_scenes;
+};
 
-  std::unique_ptr<const AttackMethod> method(const AttackOptions& options) const override {
-    return std::make_unique<GeneratorMethod>(generator_, traffic_, options);
+LoadedModel loadModel(const std::string& name, const std::string& path) {
+  const GeneratorHeader header = readGeneratorHeader(path, name);
+  const auto model = makeTrafficModel(name, optionsOf(header, path), torch::Device(torch::kCPU), 0);
+  readGenerator(path, *model, false);
+  model->network()->eval();
+  for (torch::Tensor& parameter : model->network()->parameters()) {
+    parameter.set_requires_grad(false);  // methods look for latent numbers, on many threads
+  }
+  return {model, header.left_out_scenes};
+}
+
+class LoadedModels : public TrafficMethods {
+ public:
+  explicit LoadedModels(std::vector<LoadedModel> models) : models_(std::move(models)) {}
+
+  std::unique_ptr<const AttackMethod> method(const std::string& name, const AttackOptions& options,
+                                             const std::string& unseen_scene) const override {
+    return of(unseen_scene).method(name, options);
   }
 
  private:
-  std::shared_ptr<const TrafficGenerator> generator_;
-  TrafficOptions traffic_;
+  const TrafficModel& of(const std::string& unseen_scene) const {
+    for (const LoadedModel& loaded : models_) {
+      const std::vector<std::string>& scenes = loaded.left_out_scenes;
+      if (std::find(scenes.begin(), scenes.end(), unseen_scene) != scenes.end()) {
+        return *loaded.model;
+      }
+    }
+    return *models_.front().model;
+  }
+
+  std::vector<LoadedModel> models_;
 };
 
 }  // namespace
 
 GeneratorOptions optionsOf(const GeneratorHeader& header, const std::string& path) {
   GeneratorOptions options;
-  readConfigFile(openConfigText(path, header.config), options, header.history_frames);
+  readConfigFile(openConfigText(path, header.config), options, sectionsOf(header.name),
+                 header.history_frames);
   return options;
 }
 
 void writeGenerator(const std::string& path, const GeneratorHeader& header,
-                    const TrafficGenerator& generator, bool training) {
+                    const TrafficModel& model, bool training) {
   torch::serialize::OutputArchive archive;
   archive.write("format", c10::IValue(std::string(kFormat)));
   archive.write("name", c10::IValue(header.name));
   archive.write("config", c10::IValue(header.config));
   archive.write("history_frames", c10::IValue(static_cast<std::int64_t>(header.history_frames)));
   archive.write("epochs", c10::IValue(static_cast<std::int64_t>(header.epochs)));
+  c10::List<std::string> left_out;
+  for (const std::string& scene : header.left_out_scenes) left_out.push_back(scene);
+  archive.write("left_out_scenes", c10::IValue(left_out));
   torch::serialize::OutputArchive weights;
-  for (const auto& item : generator.network()->named_parameters()) {
+  for (const auto& item : model.network()->named_parameters()) {
     weights.write(item.key(), item.value().detach().to(torch::kCPU));
   }
   archive.write("weights", weights);
   if (training) {
     torch::serialize::OutputArchive rest;
-    generator.saveTraining(rest);
+    model.saveTraining(rest);
     archive.write("training", rest);
   }
   std::ostringstream bytes;  // an archive that cannot write to a file ends the process
@@ -125,32 +163,29 @@ GeneratorHeader readGeneratorHeader(const std::string& path, const std::string& 
     header.config = textIn(archive, "config");
     header.history_frames = countIn(archive, "history_frames");
     header.epochs = countIn(archive, "epochs");
+    header.left_out_scenes = textsIn(archive, "left_out_scenes");
   });
   return header;
 }
 
-void readGenerator(const std::string& path, TrafficGenerator& generator, bool training) {
+void readGenerator(const std::string& path, TrafficModel& model, bool training) {
   withArchive(path, [&](torch::serialize::InputArchive& archive) {
     torch::serialize::InputArchive weights;
     archive.read("weights", weights);
-    copyWeights(path, weights, *generator.network());
+    copyWeights(path, weights, *model.network());
     if (!training) return;
     torch::serialize::InputArchive rest;
     archive.read("training", rest);
-    generator.loadTraining(rest);
+    model.loadTraining(rest);
   });
 }
 
 }  // namespace forge
 
-std::shared_ptr<const forge::TrafficMethods> forgeLoadGenerator(const std::string& name,
-                                                                const std::string& path) {
+std::shared_ptr<const forge::TrafficMethods> forgeLoadGenerator(
+    const std::string& name, const std::vector<std::string>& paths) {
   torch::set_num_threads(1);
-  const forge::GeneratorHeader header = forge::readGeneratorHeader(path, name);
-  const forge::GeneratorOptions options = forge::optionsOf(header, path);
-  std::shared_ptr<forge::TrafficGenerator> generator =
-      forge::makeGenerator(name, options, torch::Device(torch::kCPU), 0);
-  forge::readGenerator(path, *generator, false);
-  generator->network()->eval();
-  return std::make_shared<forge::LoadedGenerator>(std::move(generator), options.traffic);
+  std::vector<forge::LoadedModel> models;
+  for (const std::string& path : paths) models.push_back(forge::loadModel(name, path));
+  return std::make_shared<forge::LoadedModels>(std::move(models));
 }

@@ -2,32 +2,34 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "collision_forge/data/traffic_generators.h"
-#include "collision_forge/generators/traffic_generator.h"
+#include "collision_forge/generators/traffic_model.h"
 
 namespace forge {
 
-/// Which generator a file holds, and what it was made with.
+/// Which model a file holds, and what it was made with.
 struct GeneratorHeader {
   std::string name;
-  std::string config;  ///< text of config/generators.yaml
+  std::string config;  ///< text with the mappings of sectionsOf()
   int history_frames = 0;
-  int epochs = 0;  ///< that it was trained
+  int epochs = 0;                            ///< that it was trained
+  std::vector<std::string> left_out_scenes;  ///< that it was not trained on
 };
 
 /// Options of a header; throws ConfigError naming `path`.
 GeneratorOptions optionsOf(const GeneratorHeader& header, const std::string& path);
 
-/// The weights of a generator, and with `training` all that going on takes. Throws as AsideFile
+/// The weights of a model, and with `training` all that going on takes. Throws as AsideFile
 /// does.
 void writeGenerator(const std::string& path, const GeneratorHeader& header,
-                    const TrafficGenerator& generator, bool training);
+                    const TrafficModel& model, bool training);
 
 /// Throws TrafficGeneratorError, naming the file, for one that is absent, damaged, of another
 /// format or generator than `name`, and for weights of another shape or that are not finite.
 GeneratorHeader readGeneratorHeader(const std::string& path, const std::string& name);
-/// The same of what fills a generator that was made with that header's options.
-void readGenerator(const std::string& path, TrafficGenerator& generator, bool training);
+/// The same of what fills a model that was made with that header's options.
+void readGenerator(const std::string& path, TrafficModel& model, bool training);
 
 }  // namespace forge

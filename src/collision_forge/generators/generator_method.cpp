@@ -64,8 +64,8 @@ std::vector<TrajectoryPoint> smoothThrough(const std::vector<Knot>& knots, doubl
 
 }  // namespace
 
-void rollOut(const TrafficGenerator& generator, const TrafficOptions& options, std::uint64_t seed,
-             TrafficClip& clip) {
+void rollOut(const TrafficGenerator& generator, std::uint64_t seed, TrafficClip& clip) {
+  const TrafficOptions& options = generator.traffic();
   const torch::NoGradGuard no_gradients;
   const torch::Generator noise = noiseOf(seed);
   int now = options.history_frames - 1;
@@ -93,30 +93,36 @@ void rollOut(const TrafficGenerator& generator, const TrafficOptions& options, s
   }
 }
 
+Realization drivenThrough(const TrafficClip& clip, const Pose2& ego, const std::string& attacker,
+                          const Moment& moment, const CollisionRequest& request, int now,
+                          const AttackOptions& options) {
+  const Track& track = trackOf(moment.snapshot, attacker);
+  const Motion motion = estimateMotion(track, options.prediction.motion_frames);
+  const double frame_time = request.tta / (clip.collision_frame - now);
+  std::vector<Knot> knots = {{moment.snapshot.now, motion.pose}};
+  for (int frame = now + 1; frame <= clip.collision_frame; ++frame) {
+    const Pose2& pose = *clip.agents[kAttackerAgent][static_cast<std::size_t>(frame)];
+    knots.push_back({moment.snapshot.now + (frame - now) * frame_time, compose(ego, pose)});
+  }
+  findVelocities(knots, motion);
+  AttackerTrajectory trajectory{attacker, track.agent_class, track.size,
+                                smoothThrough(knots, options.search.step)};
+  goStraightOn(trajectory, options.search.tail, options.search.step);
+  return drivenAnswer(std::move(trajectory), moment, request, options);
+}
+
 GeneratorMethod::GeneratorMethod(std::shared_ptr<const TrafficGenerator> generator,
-                                 const TrafficOptions& traffic, const AttackOptions& options)
-    : generator_(std::move(generator)), traffic_(traffic), options_(options) {}
+                                 const AttackOptions& options)
+    : generator_(std::move(generator)), options_(options) {}
 
 Realization GeneratorMethod::answer(const Moment& moment, const CollisionRequest& request) const {
   const Snapshot& snapshot = moment.snapshot;
+  const TrafficOptions& traffic = generator_->traffic();
   const Pose2 ego = estimateMotion(snapshot.ego, options_.prediction.motion_frames).pose;
   return bestOfCandidates(moment, request, options_.prediction, [&](const std::string& id) {
-    TrafficClip clip = trafficOf(snapshot, id, request, traffic_);
-    rollOut(*generator_, traffic_, request.seed, clip);
-    const Track& attacker = trackOf(snapshot, id);
-    const Motion motion = estimateMotion(attacker, options_.prediction.motion_frames);
-    const int now = traffic_.history_frames - 1;
-    const double frame_time = request.tta / (clip.collision_frame - now);
-    std::vector<Knot> knots = {{snapshot.now, motion.pose}};
-    for (int frame = now + 1; frame <= clip.collision_frame; ++frame) {
-      const Pose2& pose = *clip.agents[kAttackerAgent][static_cast<std::size_t>(frame)];
-      knots.push_back({snapshot.now + (frame - now) * frame_time, compose(ego, pose)});
-    }
-    findVelocities(knots, motion);
-    AttackerTrajectory trajectory{id, attacker.agent_class, attacker.size,
-                                  smoothThrough(knots, options_.search.step)};
-    goStraightOn(trajectory, options_.search.tail, options_.search.step);
-    return drivenAnswer(std::move(trajectory), moment, request, options_);
+    TrafficClip clip = trafficOf(snapshot, id, request, traffic, moment.lanes.get());
+    rollOut(*generator_, request.seed, clip);
+    return drivenThrough(clip, ego, id, moment, request, traffic.history_frames - 1, options_);
   });
 }
 

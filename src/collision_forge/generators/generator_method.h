@@ -14,21 +14,24 @@ namespace forge {
 /// request as bestOfCandidates().
 class GeneratorMethod : public AttackMethod {
  public:
-  GeneratorMethod(std::shared_ptr<const TrafficGenerator> generator, const TrafficOptions& traffic,
-                  const AttackOptions& options);
+  GeneratorMethod(std::shared_ptr<const TrafficGenerator> generator, const AttackOptions& options);
 
   /// Throws std::runtime_error for a generator that gives numbers that are not finite.
   Realization answer(const Moment& moment, const CollisionRequest& request) const override;
 
  private:
   std::shared_ptr<const TrafficGenerator> generator_;
-  TrafficOptions traffic_;
   AttackOptions options_;
 };
 
 /// Drives everybody on from the history up to the frame of the crash. Whoever was not seen
 /// throughout the history leaves.
-void rollOut(const TrafficGenerator& generator, const TrafficOptions& options, std::uint64_t seed,
-             TrafficClip& clip);
+void rollOut(const TrafficGenerator& generator, std::uint64_t seed, TrafficClip& clip);
+
+/// The attacker of a clip that is driven up to the frame of the crash, as an answer: a smooth curve
+/// through its frames, then straight on. `ego` is the frame of the clip.
+Realization drivenThrough(const TrafficClip& clip, const Pose2& ego, const std::string& attacker,
+                          const Moment& moment, const CollisionRequest& request, int now,
+                          const AttackOptions& options);
 
 }  // namespace forge

@@ -1,10 +1,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace forge {
 
 class Section;
+
+/// config/generators.yaml, section lanes, where each number's unit stands.
+struct TrafficLaneOptions {
+  double reach = 0.0;
+  int max_lanes = 0;  ///< 0: a model that sees none
+  int points = 0;
+  double spacing = 0.0;
+};
 
 /// config/generators.yaml, section traffic, where each number's unit stands.
 struct TrafficOptions {
@@ -13,6 +22,7 @@ struct TrafficOptions {
   int max_agents = 0;
   double min_motion = 0.0;
   double min_step = 0.0;
+  TrafficLaneOptions lanes;
 };
 
 /// config/generators.yaml, section c_sgan, where each number's unit and source stand.
@@ -35,14 +45,132 @@ struct SocialGanOptions {
   double position_scale = 0.0;
 };
 
-/// config/generators.yaml, a member a section. Kept in the weights.
+/// config/generators.yaml, section c_mid, where each number's unit and source stand.
+struct MidOptions {
+  int epochs = 0;
+  int batch = 0;
+  double learning_rate = 0.0;
+  double attacker_weight = 0.0;
+  int encoder = 0;
+  double encoder_dropout = 0.0;
+  int width = 0;  ///< a multiple of 4 and of `heads`
+  int layers = 0;
+  int heads = 0;
+  int feed_forward = 0;
+  double dropout = 0.0;
+  int diffusion_steps = 0;
+  double beta_first = 0.0;
+  double beta_last = 0.0;
+  int sampling_steps = 0;  ///< a divisor of `diffusion_steps`
+  double neighbour_reach = 0.0;
+  double position_scale = 0.0;
+  double velocity_scale = 0.0;
+  double acceleration_scale = 0.0;
+  double target_scale = 0.0;
+};
+
+/// config/generators.yaml, section c_strive, where each number's unit and source stand.
+struct StriveOptions {
+  int epochs = 0;
+  int batch = 0;
+  double learning_rate = 0.0;
+  double max_gradient = 0.0;
+  int hidden = 0;
+  int feature = 0;
+  int latent = 0;
+  int lane_hidden = 0;
+  int lanes_of_agent = 0;
+  double map_ahead = 0.0;
+  double lane_reach = 0.0;
+  double length = 0.0;
+  double width = 0.0;
+  double position_scale = 0.0;
+  double speed_mean = 0.0;
+  double speed_scale = 0.0;
+  double turn_scale = 0.0;
+  double acceleration_scale = 0.0;
+  double turn_change_scale = 0.0;
+  double noise = 0.0;
+  double attacker_weight = 0.0;
+  double divergence_weight = 0.0;
+  int divergence_steps = 0;
+  double overlap_weight = 0.0;
+  double off_lanes_weight = 0.0;
+};
+
+/// config/generators.yaml, section strive_optimised, where each number's unit and source stand.
+struct StriveAttackOptions {
+  int iterations = 0;
+  int hold = 0;
+  int window = 0;
+  double learning_rate = 0.0;
+  double temperature = 0.0;
+  double crash_weight = 0.0;
+  double heading_weight = 0.0;
+  double prior_weight = 0.0;
+  double attacker_prior_weight = 0.0;
+  double stay_weight = 0.0;
+  double attacker_stay_weight = 0.0;
+  double overlap_weight = 0.0;
+  double off_lanes_weight = 0.0;
+};
+
+/// config/network_published.yaml, section network, where each number's unit and source stand.
+struct PublishedNetworkOptions {
+  int epochs = 0;
+  int batch = 0;
+  double learning_rate = 0.0;
+  int decay_from = 0;
+  int decay_every = 0;
+  double decay = 0.0;
+  double dropout = 0.0;
+  int width = 0;
+  int condition = 0;
+  int selector = 0;
+  int anchor_1 = 0;
+  int anchor_2 = 0;
+  int anchor_3 = 0;
+  double anchor_scale = 0.0;
+  double place_scale = 0.0;
+  double positive_radius = 0.0;
+  double positive_weight = 0.0;
+  double anchors_loss = 0.0;
+  double anchor_offset_loss = 0.0;
+  double target_points_loss = 0.0;
+  double regression_loss = 0.0;
+  double ego_yaw_loss = 0.0;
+  double attacker_offset_loss = 0.0;
+  double attacker_yaw_loss = 0.0;
+  double selection_loss = 0.0;
+};
+
+/// config/generators.yaml, a member a section, or network_published.yaml, which has the last one.
+/// What a model was made with is kept in its weights.
 struct GeneratorOptions {
   TrafficOptions traffic;
   double validation_share = 0.0;
   SocialGanOptions c_sgan;
+  MidOptions c_mid;
+  StriveOptions c_strive;
+  StriveAttackOptions strive_optimised;
+  PublishedNetworkOptions published_network;
 };
 
-/// Reads generators.yaml. `history_frames` are those of PredictionOptions.
-void readOptions(Section& file, GeneratorOptions& options, int history_frames);
+/// The models that there are: "c_sgan", "c_mid", "c_strive" and "published_network" with each head.
+std::vector<std::string> trafficModelNames();
+
+/// The file of config/ that a model's numbers stand in, without its ending.
+std::string configFileOf(const std::string& model);
+
+/// The mappings of that file that a model needs.
+std::vector<std::string> sectionsOf(const std::string& model);
+
+/// All mappings of generators.yaml.
+std::vector<std::string> sectionsOfGenerators();
+
+/// Reads these mappings of a file, which has no others. `history_frames` are those of
+/// PredictionOptions.
+void readOptions(Section& file, GeneratorOptions& options, const std::vector<std::string>& sections,
+                 int history_frames);
 
 }  // namespace forge

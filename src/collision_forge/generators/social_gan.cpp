@@ -128,8 +128,8 @@ struct Judge : nn::Module {
 class SocialGan : public TrafficGenerator {
  public:
   SocialGan(const SocialGanOptions& options, const TrafficOptions& traffic, torch::Device device)
-      : options_(options),
-        traffic_(traffic),
+      : TrafficGenerator(traffic),
+        options_(options),
         device_(device),
         driver_(std::make_shared<Driver>(options, traffic.future_frames)),
         judge_(std::make_shared<Judge>(options)),
@@ -147,7 +147,7 @@ class SocialGan : public TrafficGenerator {
         driver_->decode(driver_->contextOf(history), lastStep(history), history.condition, drawn);
     const Tensor pose = history.poses.select(2, now);
     const Tensor places = pose.slice(2, 0, 2).unsqueeze(2) + steps.cumsum(2);
-    const Tensor yaws = yawsAlong(steps, pose.select(2, 2), traffic_.min_step);
+    const Tensor yaws = yawsAlong(steps, pose.select(2, 2), traffic().min_step);
     return torch::cat({places, yaws.unsqueeze(3)}, 3);
   }
 
@@ -216,7 +216,7 @@ class SocialGan : public TrafficGenerator {
   }
 
   TrafficBatch historyIn(const TrafficBatch& batch) const {
-    return historyOf(batch, traffic_.history_frames);
+    return historyOf(batch, traffic().history_frames);
   }
 
   /// History and the steps that are driven, for the discriminator.
@@ -247,11 +247,11 @@ class SocialGan : public TrafficGenerator {
     const TrafficBatch history = historyIn(batch);
     const long scenes = batch.poses.size(0);
     const Tensor known =  // [B, A, F]: the step's both ends are seen, and all history
-        seenThroughout(history, traffic_.history_frames).unsqueeze(2) *
-        batch.seen.slice(2, traffic_.history_frames - 1, -1) *
-        batch.seen.slice(2, traffic_.history_frames);
+        seenThroughout(history, traffic().history_frames).unsqueeze(2) *
+        batch.seen.slice(2, traffic().history_frames - 1, -1) *
+        batch.seen.slice(2, traffic().history_frames);
     const Tensor recorded =
-        stepsOf(batch.poses, options_.step_scale).slice(2, traffic_.history_frames);
+        stepsOf(batch.poses, options_.step_scale).slice(2, traffic().history_frames);
     const Tensor there = seenThroughout(batch, static_cast<int>(batch.poses.size(2)));
     driver_steps_.zero_grad();
     const Tensor context = driver_->contextOf(history);
@@ -272,7 +272,6 @@ class SocialGan : public TrafficGenerator {
   }
 
   SocialGanOptions options_;
-  TrafficOptions traffic_;
   torch::Device device_;
   std::shared_ptr<Driver> driver_;
   std::shared_ptr<Judge> judge_;
@@ -283,10 +282,10 @@ class SocialGan : public TrafficGenerator {
 
 }  // namespace
 
-std::unique_ptr<TrafficGenerator> makeSocialGan(const SocialGanOptions& options,
+std::shared_ptr<TrafficGenerator> makeSocialGan(const SocialGanOptions& options,
                                                 const TrafficOptions& traffic,
                                                 torch::Device device) {
-  return std::make_unique<SocialGan>(options, traffic, device);
+  return std::make_shared<SocialGan>(options, traffic, device);
 }
 
 }  // namespace forge

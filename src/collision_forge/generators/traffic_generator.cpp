@@ -1,22 +1,31 @@
 #include "collision_forge/generators/traffic_generator.h"
 
-#include <ATen/CPUGeneratorImpl.h>
-
-#include <stdexcept>
-
-#include "collision_forge/generators/social_gan.h"
+#include "collision_forge/generators/generator_method.h"
 
 namespace forge {
 
-std::unique_ptr<TrafficGenerator> makeGenerator(const std::string& name,
-                                                const GeneratorOptions& options,
-                                                torch::Device device, std::uint64_t seed) {
-  torch::manual_seed(seed);
-  if (name == "c_sgan") return makeSocialGan(options.c_sgan, options.traffic, device);
-  throw std::invalid_argument("generator \"" + name + "\" is none of c_sgan");
+std::vector<std::string> TrafficGenerator::errorNames() const { return {"attacker_m", "all_m"}; }
+
+std::vector<ErrorSum> TrafficGenerator::errorsOn(const TrafficBatch& batch,
+                                                 torch::Generator noise) const {
+  const TrafficBatch history = historyOf(batch, traffic_.history_frames);
+  const torch::Tensor came = batch.poses.slice(2, traffic_.history_frames);
+  const torch::Tensor counted = batch.seen.slice(2, traffic_.history_frames) *
+                                seenThroughout(history, traffic_.history_frames).unsqueeze(2);
+  const torch::Tensor apart = (predict(history, noise) - came).slice(3, 0, 2).norm(2, 3) * counted;
+  const auto attacker = static_cast<long>(kAttackerAgent);
+  const auto sumOf = [](const torch::Tensor& numbers) {
+    return numbers.sum(torch::kFloat64).item<double>();
+  };
+  return {{sumOf(apart.select(1, attacker)), sumOf(counted.select(1, attacker))},
+          {sumOf(apart), sumOf(counted)}};
 }
 
-torch::Generator noiseOf(std::uint64_t seed) { return at::detail::createCPUGenerator(seed); }
+std::unique_ptr<const AttackMethod> TrafficGenerator::method(const std::string&,
+                                                             const AttackOptions& options) const {
+  return std::make_unique<GeneratorMethod>(
+      std::static_pointer_cast<const TrafficGenerator>(shared_from_this()), options);
+}
 
 torch::Tensor yawsAlong(const torch::Tensor& steps, torch::Tensor yaw, double min_step) {
   std::vector<torch::Tensor> yaws;

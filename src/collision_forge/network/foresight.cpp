@@ -6,7 +6,8 @@
 namespace forge {
 
 Foresight Foresight::withoutScene(const std::string& scene) const {
-  return {forge::withoutScene(speeds, scene), forge::withoutScene(network, scene), known_type};
+  return {forge::withoutScene(speeds, scene), forge::withoutScene(network, scene), known_type,
+          scene};
 }
 
 std::shared_ptr<const EgoFutureSampler> Foresight::egoFutures(

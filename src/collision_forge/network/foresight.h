@@ -20,8 +20,9 @@ struct Foresight {
   /// The request's type, where the network was trained on clips of the very scene. What it knows
   /// by heart of it, the type brings up; in other scenes it misleads what tells the ego's place.
   std::optional<CollisionType> known_type;
+  std::string unseen_scene = {};  ///< that is on test; empty: none
 
-  Foresight withoutNetwork() const { return {speeds, nullptr, std::nullopt}; }
+  Foresight withoutNetwork() const { return {speeds, nullptr, std::nullopt, unseen_scene}; }
   /// For a scene on test: models that know nothing of it, where there are any.
   Foresight withoutScene(const std::string& scene) const;
 

@@ -25,7 +25,8 @@ MethodMaker::MethodMaker(const std::string& name, const MethodRegistry& methods,
 }
 
 std::unique_ptr<const AttackMethod> MethodMaker::makeOf(const Foresight& foresight) const {
-  MethodSetup setup{options_, foresightOf(options_, foresight.withoutNetwork()), {}};
+  MethodSetup setup{
+      options_, foresightOf(options_, foresight.withoutNetwork()), {}, foresight.unseen_scene};
   if (foresight.network) setup.networks = foresightOf(options_, foresight);
   return entry_.make(setup);
 }

@@ -23,8 +23,11 @@ Config loadConfig(const std::string& directory) {
   readConfigFile(directory, "models", static_cast<ModelOptions&>(config));
   readConfigFile(openConfigFile(directory, "training.yaml"), static_cast<LearningOptions&>(config));
   readConfigFile(directory, "planner_training", config.planner_training);
+  const int history_frames = config.attack.prediction.history_frames;
   readConfigFile(openConfigFile(directory, "generators.yaml"), config.generators,
-                 config.attack.prediction.history_frames);
+                 sectionsOfGenerators(), history_frames);
+  readConfigFile(openConfigFile(directory, "network_published.yaml"), config.published_network,
+                 sectionsOf("published_network"), history_frames);
   readConfigFile(directory, "ego_vehicle", config.ego_vehicle);
   readConfigFile(directory, "encoding", config.encoding);
   readConfigFile(directory, "live", config.live);

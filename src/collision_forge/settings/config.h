@@ -29,6 +29,7 @@ struct Config : LearningOptions {
   DatasetOptions dataset;
   TrialOptions planners;
   GeneratorOptions generators;
+  GeneratorOptions published_network;  ///< of network_published.yaml
   ReportOptions report;
 };
 

@@ -14,10 +14,9 @@ namespace {
 /// True for files of config/ that no result depends on.
 bool isIndifferent(const std::string& name) {
   static const std::set<std::string> names = {
-      "attacked_bag.yaml", "drawing.yaml",  "encoding.yaml",
-      "generators.yaml",   "live.yaml",     "planner_training.yaml",
-      "report.yaml",       "requests.yaml", "speed_model_fit.yaml",
-      "training.yaml",     "tuning.yaml"};
+      "attacked_bag.yaml", "drawing.yaml",           "encoding.yaml",         "generators.yaml",
+      "live.yaml",         "network_published.yaml", "planner_training.yaml", "report.yaml",
+      "requests.yaml",     "speed_model_fit.yaml",   "training.yaml",         "tuning.yaml"};
   return names.count(name) > 0;
 }
 
@@ -42,7 +41,11 @@ std::map<std::string, std::string> fingerprintsOf(const Config& config,
   std::map<std::string, std::string> models = {{"speed_profiles", config.speed_profiles},
                                                {"speed_model", config.speed_model},
                                                {"pattern_network", config.pattern_network}};
-  models.insert(config.generator_weights.begin(), config.generator_weights.end());
+  for (const auto& [name, paths] : config.generator_weights) {
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      models[name + (i == 0 ? "" : " fold " + std::to_string(i))] = paths[i];
+    }
+  }
   for (const auto& [name, path] : models) {
     if (!path.empty()) found[name] = fingerprintOfFile(path);
   }

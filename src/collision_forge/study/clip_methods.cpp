@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/attack/baselines.h"
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published_search.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 const char* const kConstantVelocity = "constant_velocity";
 const char* const kPublishedSearch = "published_search";
+const char* const kPublishedNetwork = "published_network";
 
 /// A method that is told by the clip what its attacker drives. Held against what came by the
 /// protocols, so its report stays empty.
@@ -29,6 +31,32 @@ class ClipMethod : public AttackMethod {
 
  private:
   Drive drive_;
+};
+
+/// Another method's pattern, which is driven to as the set's own attacker arrives.
+class LookaheadMethod : public AttackMethod {
+ public:
+  LookaheadMethod(std::unique_ptr<const AttackMethod> method, const CollideClip* clip,
+                  const AttackOptions& options)
+      : method_(std::move(method)), clip_(clip), options_(options) {}
+
+  Realization answer(const Moment& moment, const CollisionRequest& request) const override {
+    Realization answer = method_->answer(moment, request);
+    if (answer.status.code != StatusCode::kOk) return answer;
+    const std::vector<std::optional<CollideState>>& frames = clip_->attacker().frames;
+    const auto last = static_cast<std::size_t>(clip_->collision_frame);
+    const double seconds = clip_->times[last] - clip_->times[last - 1];
+    const double speed = frames[last]->speed;
+    const EndMotion end{speed, (speed - frames[last - 1]->speed) / seconds};
+    answer.trajectory = patternAttacker(answer.aim, moment.snapshot, request.tta, options_, end);
+    answer.report = {};
+    return answer;
+  }
+
+ private:
+  std::unique_ptr<const AttackMethod> method_;
+  const CollideClip* clip_;
+  AttackOptions options_;
 };
 
 std::unique_ptr<const AttackMethod> publishedSearch(const CollideClip* clip,
@@ -63,6 +91,15 @@ MethodRegistry clipMethods(const MethodRegistry& methods, const CollideClip* cli
                 }});
   for (const MethodRegistry::Entry& entry : methods.entries()) {
     if (entry.name != kConstantVelocity) registry.add(entry);
+  }
+  if (methods.has(kPublishedNetwork)) {
+    const MethodRegistry::Entry published = methods.at(kPublishedNetwork);
+    registry.add({std::string(kPublishedNetwork) + "_lookahead",
+                  "the same as the released code, which looks at the recorded attacker's end",
+                  published.is_seeded, [=](const MethodSetup& setup) {
+                    return std::make_unique<LookaheadMethod>(published.make(setup), clip,
+                                                             setup.options);
+                  }});
   }
   registry.add({kPublishedSearch, "the search on the published objective, without limits", true,
                 [=](const MethodSetup& setup) {

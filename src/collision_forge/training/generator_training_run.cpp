@@ -7,6 +7,8 @@
 #include <random>
 
 #include "collision_forge/batch/progress_line.h"
+#include "collision_forge/config/section.h"
+#include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/generators/generator_file.h"
@@ -18,14 +20,8 @@ namespace {
 
 constexpr std::size_t kErrorBatch = 256;
 
-/// Mean distances between what is driven and what came over one iteration, m.
-struct DriveErrors {
-  double all = 0.0;       ///< of all agents and frames
-  double attacker = 0.0;  ///< of the attacker's frames
-};
-
 /// The clips of a run's splits, in the order of their paths, but for those of `left_out` scenes.
-std::vector<TrafficClip> collectTraffic(const TrainingRun& run,
+std::vector<TrafficClip> collectTraffic(const TrainingRun& run, const TrafficOptions& traffic,
                                         const std::set<std::string>& left_out) {
   std::vector<std::string> paths;
   for (const std::string& split : run.sources.splits) {
@@ -33,11 +29,13 @@ std::vector<TrafficClip> collectTraffic(const TrainingRun& run,
       if (left_out.count(parseCollideName(path).scene) == 0) paths.push_back(std::move(path));
     }
   }
+  CityMaps maps(run.sources.dataroot, run.options);
   ProgressLine reading("reading");
   std::vector<TrafficClip> clips;
   for (const std::string& path : paths) {
-    clips.push_back(
-        trafficOf(readCollideClip(path), run.options.evaluation.collide, run.generators.traffic));
+    const CollideClip clip = readCollideClip(path);
+    const auto lanes = traffic.lanes.max_lanes > 0 ? maps.at(clip.city) : nullptr;
+    clips.push_back(trafficOf(clip, run.options.evaluation.collide, traffic, lanes.get()));
     reading.show(clips.size(), paths.size());
   }
   return clips;
@@ -45,17 +43,22 @@ std::vector<TrafficClip> collectTraffic(const TrainingRun& run,
 
 class GeneratorTrainer {
  public:
-  GeneratorTrainer(const TrainingRun& run, const std::vector<TrafficClip>& clips)
+  GeneratorTrainer(const TrainingRun& run, GeneratorHeader header)
       : run_(run),
-        traffic_(run.generators.traffic),
         device_(trainingDevice(run.device)),
-        header_{run.generator, readText(run.config + "/generators.yaml"), traffic_.history_frames},
-        generator_(makeGenerator(run.generator, run.generators, device_, run.seed)) {
+        header_(std::move(header)),
+        model_(makeTrafficModel(header_.name, run.generators, device_, run.seed)) {}
+
+  const TrafficOptions& traffic() const { return model_->traffic(); }
+
+  /// The clips must outlive the trainer.
+  void learnFrom(const std::vector<TrafficClip>& clips) {
     std::vector<std::string> scenes;
     for (const TrafficClip& clip : clips) scenes.push_back(clip.scene);
-    const SampleSplit split = splitByScene(scenes, run.generators.validation_share, run.seed);
-    for (const std::size_t i : split.training) append(windowsOf(clips[i], traffic_), training_);
-    for (const std::size_t i : split.validation) append(windowsOf(clips[i], traffic_), validation_);
+    const SampleSplit split = splitByScene(scenes, run_.generators.validation_share, run_.seed);
+    for (const std::size_t i : split.training) append(windowsOf(clips[i], traffic()), training_);
+    for (const std::size_t i : split.validation)
+      append(windowsOf(clips[i], traffic()), validation_);
     if (training_.empty()) throw TrainingError("there is nothing to train on");
     if (validation_.empty()) validation_ = training_;
   }
@@ -66,7 +69,7 @@ class GeneratorTrainer {
     EpochTable table(run_.out + "/metrics.csv", columns(), epoch);
     ProgressLine progress("training");
     const int first = epoch;
-    int stop = generator_->epochs();
+    int stop = model_->epochs();
     if (run_.stop_after > 0) stop = std::min(stop, run_.stop_after);
     std::cout << training_.size() << " windows, and " << validation_.size()
               << " to tell the best epoch\n";
@@ -74,18 +77,15 @@ class GeneratorTrainer {
       const auto show = [&](double share) {
         progress.show(
             (epoch - first + share) / (stop - first),
-            "epoch " + std::to_string(epoch + 1) + " of " + std::to_string(generator_->epochs()));
+            "epoch " + std::to_string(epoch + 1) + " of " + std::to_string(model_->epochs()));
       };
       std::vector<double> row = trainEpoch(epoch, show);
       ++epoch;
-      const DriveErrors errors = errorsOn(validation_);
-      row.insert(row.end(), {errors.attacker, errors.all});
-      if (table.add(row)) writeGenerator(run_.out + "/weights.pt", header_, *generator_, false);
-      table.drawCurves(run_.out + "/curves.png", "Training of " + run_.generator,
-                       {{"validation_attacker", "attacker's error on validation, m"},
-                        {"validation_all", "everybody's error on validation, m"}},
-                       run_.drawing);
-      writeGenerator(statePath(run_), header_, *generator_, true);
+      for (const double error : errorsOn(validation_)) row.push_back(error);
+      if (table.add(row)) writeGenerator(run_.out + "/weights.pt", header_, *model_, false);
+      table.drawCurves(run_.out + "/curves.png", "Training of " + run_.generator + ": validation",
+                       curves(), run_.drawing);
+      writeGenerator(statePath(run_), header_, *model_, true);
       std::cout << table.lastRow() << '\n' << std::flush;
     }
   }
@@ -96,18 +96,23 @@ class GeneratorTrainer {
   }
 
   std::vector<std::string> columns() const {
-    std::vector<std::string> names = generator_->lossNames();
-    names.insert(names.end(), {"validation_attacker", "validation_all"});
+    std::vector<std::string> names = model_->lossNames();
+    for (const auto& curve : curves()) names.push_back(curve.first);
     return names;
+  }
+
+  /// Columns of the errors on validation, and what they are called.
+  std::vector<std::pair<std::string, std::string>> curves() const {
+    std::vector<std::pair<std::string, std::string>> found;
+    for (const std::string& name : model_->errorNames()) {
+      found.emplace_back("validation_" + name, name);
+    }
+    return found;
   }
 
   void load() {
     header_.epochs = readGeneratorHeader(statePath(run_), run_.generator).epochs;
-    readGenerator(statePath(run_), *generator_, true);
-  }
-
-  TrafficBatch onDevice(TrafficBatch batch) const {
-    return {batch.poses.to(device_), batch.seen.to(device_), batch.condition.to(device_)};
+    readGenerator(statePath(run_), *model_, true);
   }
 
   /// Means of the losses over the steps that have them.
@@ -117,16 +122,13 @@ class GeneratorTrainer {
     std::mt19937_64 engine(seed);
     std::vector<TrafficWindow> order = training_;
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[engine() % i]);
-    generator_->network()->train();
-    const auto size = static_cast<std::size_t>(generator_->batchSize());
-    std::vector<double> sums(generator_->lossNames().size(), 0.0);
+    model_->network()->train();
+    const auto size = static_cast<std::size_t>(model_->batchSize());
+    std::vector<double> sums(model_->lossNames().size(), 0.0);
     std::vector<std::size_t> counts(sums.size(), 0);
     for (std::size_t first = 0; first < order.size(); first += size) {
       const std::size_t last = std::min(first + size, order.size());
-      const auto begin = order.begin() + static_cast<std::ptrdiff_t>(first);
-      const auto end = order.begin() + static_cast<std::ptrdiff_t>(last);
-      const std::vector<double> losses =
-          generator_->trainStep(onDevice(batchOf({begin, end}, traffic_, traffic_.future_frames)));
+      const std::vector<double> losses = model_->trainStep(batchFrom(order, first, last));
       for (std::size_t i = 0; i < losses.size(); ++i) {
         if (std::isnan(losses[i])) continue;
         sums[i] += losses[i];
@@ -138,35 +140,35 @@ class GeneratorTrainer {
     return sums;
   }
 
-  DriveErrors errorsOn(const std::vector<TrafficWindow>& windows) const {
+  TrafficBatch batchFrom(const std::vector<TrafficWindow>& windows, std::size_t first,
+                         std::size_t last) const {
+    const auto begin = windows.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = windows.begin() + static_cast<std::ptrdiff_t>(last);
+    return movedTo(batchOf({begin, end}, traffic(), traffic().future_frames), device_);
+  }
+
+  std::vector<double> errorsOn(const std::vector<TrafficWindow>& windows) const {
     const torch::NoGradGuard no_gradients;
-    generator_->network()->eval();
-    torch::Tensor sums = torch::zeros({4}, torch::kFloat64);
+    model_->network()->eval();
+    std::vector<ErrorSum> sums(model_->errorNames().size());
     for (std::size_t first = 0; first < windows.size(); first += kErrorBatch) {
       const std::size_t last = std::min(first + kErrorBatch, windows.size());
-      const auto begin = windows.begin() + static_cast<std::ptrdiff_t>(first);
-      const auto end = windows.begin() + static_cast<std::ptrdiff_t>(last);
-      const TrafficBatch batch = onDevice(batchOf({begin, end}, traffic_, traffic_.future_frames));
-      const TrafficBatch history = historyOf(batch, traffic_.history_frames);
-      const torch::Tensor driven = generator_->predict(history, noiseOf(run_.seed + first));
-      const torch::Tensor came = batch.poses.slice(2, traffic_.history_frames);
-      const torch::Tensor apart = (driven - came).slice(3, 0, 2).norm(2, 3);
-      const torch::Tensor counted = batch.seen.slice(2, traffic_.history_frames) *
-                                    seenThroughout(history, traffic_.history_frames).unsqueeze(2);
-      const torch::Tensor far = apart * counted;
-      const auto attacker = static_cast<long>(kAttackerAgent);
-      sums += torch::stack({far.sum(), counted.sum(), far.select(1, attacker).sum(),
-                            counted.select(1, attacker).sum()})
-                  .to(torch::kCPU, torch::kFloat64);
+      const auto errors =
+          model_->errorsOn(batchFrom(windows, first, last), noiseOf(run_.seed + first));
+      for (std::size_t i = 0; i < sums.size(); ++i) {
+        sums[i].sum += errors[i].sum;
+        sums[i].count += errors[i].count;
+      }
     }
-    return {(sums[0] / sums[1]).item<double>(), (sums[2] / sums[3]).item<double>()};
+    std::vector<double> means;
+    for (const ErrorSum& sum : sums) means.push_back(sum.sum / std::max(sum.count, 1.0));
+    return means;
   }
 
   const TrainingRun& run_;
-  TrafficOptions traffic_;
   torch::Device device_;
   GeneratorHeader header_;
-  std::unique_ptr<TrafficGenerator> generator_;
+  std::shared_ptr<TrafficModel> model_;
   std::vector<TrafficWindow> training_;
   std::vector<TrafficWindow> validation_;
 };
@@ -178,11 +180,18 @@ void trainGenerator(const TrainingRun& run) {
     throw TrainingError("a generator is trained on clips: --collide");
   }
   const std::set<std::string> left_out = leftOutScenes(run);
+  const std::string file = configFileOf(run.generator) + ".yaml";
   const std::string asked = "generator = " + run.generator + "\n";
-  openRunFolder(run, asked + describeRun(run, 1, "generators.yaml"));
+  openRunFolder(run, asked + describeRun(run, 1, file));
   torch::set_num_threads(run.threads);
-  const std::vector<TrafficClip> clips = collectTraffic(run, left_out);
-  GeneratorTrainer(run, clips).run();
+  GeneratorTrainer trainer(run, {run.generator,
+                                 textOfSections(run.config + "/" + file, sectionsOf(run.generator)),
+                                 run.generators.traffic.history_frames,
+                                 0,
+                                 {left_out.begin(), left_out.end()}});
+  const std::vector<TrafficClip> clips = collectTraffic(run, trainer.traffic(), left_out);
+  trainer.learnFrom(clips);
+  trainer.run();
 }
 
 }  // namespace forge

@@ -20,7 +20,7 @@ struct TrainingRun {
   PlannerOptions planners;      ///< of a planner
   bool is_planner = false;      ///< train a planner, not the network
   std::string generator;        ///< train the generator of this name; empty: none
-  GeneratorOptions generators;  ///< of a generator
+  GeneratorOptions generators;  ///< of a generator, from the file that its numbers stand in
   DrawingOptions drawing;
   std::string device = "cpu";
   int fold = 0;  ///< part of the scenes that is left out, from 1; 0: none
