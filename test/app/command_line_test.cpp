@@ -65,6 +65,8 @@ const std::map<std::string, std::string> kComplete = {
     {"requests", kLogs + " --out requests.jsonl"},
     {"generate", kLogs + " --requests requests.jsonl --out scenarios.jsonl"},
     {"evaluate", kLogs + " --requests " + kFile + " --out out"},
+    {"compare", " --collide " + kDataroot + " --dataroot " + kDataroot + " --config " + kConfig +
+                    " --methods recorded --out figure"},
     {"report", " " + kFile + " --out page --config " + kConfig},
     {"test", kLogs + " --scenarios scenarios.jsonl --out out"},
     {"tune", kLogs + " --train a.jsonl --test b.jsonl --out out"},
@@ -77,6 +79,8 @@ const std::map<std::string, std::string> kComplete = {
     {"measure coverage", kLogs + " --out coverage.csv"},
     {"measure ego-futures", kLogs},
     {"measure latency", ""},
+    {"measure methods", " --methods search,recorded --collide " + kDataroot + " --dataroot " +
+                            kDataroot + " --config " + kConfig},
     {"measure patterns",
      " --collide " + kDataroot + " --dataroot " + kDataroot + " --config " + kConfig},
     {"measure planners", kLogs},
@@ -154,6 +158,7 @@ TEST(CommandLine, WrongValuesAreNamedWithTheirOption) {
             "--generator"},
            {"train" + kComplete.at("train") + " --generator c_sgan", "--collide"},
            {"convert --dataroot /nowhere --version v --out bags", "/nowhere"},
+           {"measure methods --collide " + kDataroot + " --dataroot " + kDataroot, "--methods"},
            {"inject" + kComplete.at("inject") + " --nonsense", "--nonsense"}}) {
     const Reading reading = read(line);
     EXPECT_EQ(reading.exit_code, kExitUsage) << line;
@@ -171,6 +176,7 @@ TEST(CommandLine, OptionsOfClipsAndOfLogsExcludeEachOther) {
   EXPECT_EQ(read("evaluate" + kComplete.at("evaluate") + " --split val").exit_code, kExitUsage);
   EXPECT_EQ(read("test" + kComplete.at("test") + " --collide " + kDataroot).exit_code, kExitUsage);
   EXPECT_EQ(read("test" + kComplete.at("test") + " --drive replay").exit_code, kExitUsage);
+  EXPECT_EQ(read("test" + kComplete.at("test") + " --unverified").exit_code, kExitUsage);
   EXPECT_EQ(read("test" + kLogs + " --out out").exit_code, kExitUsage);
 }
 
@@ -192,6 +198,11 @@ TEST(CommandLine, AnUnknownMethodIsRefusedWithTheKnownOnes) {
   const std::string draw = "test" + kLogs + " --out out --until-hit --method ";
   EXPECT_EQ(read(draw + "search").exit_code, std::nullopt);
   EXPECT_EQ(read(draw + "magic").exit_code, kExitUsage);
+  const std::string line = "measure methods" + kComplete.at("measure methods") + " --methods ";
+  EXPECT_EQ(read(line + "nominal").exit_code, std::nullopt);
+  const Reading methods = read(line + "nominal,magic");
+  EXPECT_EQ(methods.exit_code, kExitUsage);
+  EXPECT_THAT(methods.err, HasSubstr("--methods: method \"magic\" is none of recorded,"));
 }
 
 TEST(CommandLine, WordsInCapitalsAreHandedOnAsTheyAreKnown) {

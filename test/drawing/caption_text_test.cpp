@@ -53,5 +53,19 @@ TEST(CaptionText, TheVerdictSaysAgainstWhatAndTheFirstConditionThatFails) {
   EXPECT_EQ(verdictText(view).find("not verified against the recording"), 0U);
 }
 
+TEST(CaptionText, AnOutcomeTellsTimeAngleAndWhatIsNotAsAsked) {
+  ScenarioView view = sampleView();
+  view.report.relative_heading = -0.21;  // rad
+  EXPECT_EQ(outcomeText(view).contact, "touches after 2.0 s, 12°");
+  EXPECT_EQ(outcomeText(view).verdict, "as asked");
+  view.report.first_other_id = "truck";
+  EXPECT_EQ(outcomeText(view).verdict, "somebody else first");
+  view.report.on_time = false;
+  EXPECT_EQ(outcomeText(view).verdict, "another time");
+  view.report.contact = false;
+  EXPECT_EQ(outcomeText(view).contact, "no contact");
+  EXPECT_EQ(outcomeText(view).verdict, "");
+}
+
 }  // namespace
 }  // namespace forge

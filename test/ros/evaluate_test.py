@@ -68,6 +68,18 @@ class EvaluateTest(road.RoadTest):
             self.assertEqual((out / name).read_bytes()[:4], PNG)
         self.assertFalse((out / 'results.csv.part').exists())
 
+    def test_times_are_of_every_method_and_clip(self):
+        result = road.run('measure', 'methods', '--collide', self.collide, '--dataroot', DATAROOT, '--methods',
+                          'search,recorded')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        head, _, *rows = [[cell.strip() for cell in line.strip('|').split('|')] for line in result.stdout.splitlines()]
+        self.assertEqual(head, ['method', 'clips', 'median ms', 'mean ms', '95 % ms'])
+        self.assertEqual([row[:2] for row in rows], [['search', '2'], ['recorded', '2']])
+        for _, _, median, mean, most in rows:
+            self.assertAlmostEqual(float(median), float(mean), delta=0.002)  # of two
+            self.assertLessEqual(float(median), float(most))
+        self.assertGreater(float(rows[0][2]), float(rows[1][2]), 'a search takes longer than a recording')
+
     def test_threads_do_not_change_a_byte(self):
         for jobs in (1, 2):
             result = evaluate(self.collide, self.path(str(jobs)), '--method', 'search', '--jobs', jobs)

@@ -9,10 +9,12 @@ void addCommands(CommandLine& line) {
   addRequests(line);
   addGenerate(line);
   addEvaluate(line);
+  addCompare(line);
   addMeasureControls(line);
   addMeasureCoverage(line);
   addMeasureEgoFutures(line);
   addMeasureLatency(line);
+  addMeasureMethods(line);
   addMeasurePatterns(line);
   addMeasureAttackers(line);
   addMeasurePlanners(line);

@@ -10,6 +10,7 @@
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/scene/request_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
+#include "collision_forge/study/clip_methods.h"
 
 #ifndef COLLISION_FORGE_WITHOUT_ROS
 #include <ros/package.h>
@@ -180,6 +181,18 @@ void checkMethod(const std::string& method, const std::string& config) {
     loadMethods(loadConfig(config)).at(method);
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError("--method", error.what());
+  } catch (const std::runtime_error&) {
+    return;  // the run reads the configuration again and says what is wrong with it
+  }
+}
+
+void checkClipMethods(const std::vector<std::string>& methods, const std::string& config) {
+  try {
+    const Config read = loadConfig(config);
+    const MethodRegistry known = clipMethods(loadMethods(read), nullptr, read.evaluation);
+    for (const std::string& method : methods) known.at(method);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--methods", error.what());
   } catch (const std::runtime_error&) {
     return;  // the run reads the configuration again and says what is wrong with it
   }

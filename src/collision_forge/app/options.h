@@ -97,6 +97,8 @@ void addMode(CLI::App& app, Mode& mode, bool may_adapt);
 CLI::Option* addMethod(CLI::App& app, std::string& method, const std::string& config);
 /// Throws CLI::ValidationError for an unknown method, naming the known ones.
 void checkMethod(const std::string& method, const std::string& config);
+/// The same of --methods of clips, which know a few more (clipMethods()).
+void checkClipMethods(const std::vector<std::string>& methods, const std::string& config);
 /// --planner-file: a learned planner in place of the one that the configuration names.
 void addPlannerFile(CLI::App& app, std::string& file);
 /// Puts the file of --planner-file, if one is given, into the options. Where one of the planners is

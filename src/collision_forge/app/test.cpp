@@ -43,6 +43,7 @@ struct Arguments {
   std::string collide;
   std::string split = "val";
   ClipAttacker attacker = ClipAttacker::kRecorded;
+  bool unverified = false;
   std::size_t limit = 0;
   std::vector<std::string> planners = {"idm", "rule_based", "pdm"};
   std::string planner_file;
@@ -81,7 +82,8 @@ std::unique_ptr<PlannerCases> openCases(const Arguments& arguments, const Config
   }
   std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
   if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
-  return openClipCases(paths, arguments.dataroot, arguments.attacker, arguments.method, config);
+  return openClipCases(paths, arguments.dataroot, arguments.attacker, arguments.method,
+                       arguments.unverified ? ClipAnswers::kAll : ClipAnswers::kVerified, config);
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -281,8 +283,12 @@ void addTest(CommandLine& line) {
                           {{"recorded", ClipAttacker::kRecorded},
                            {"history", ClipAttacker::kHistory},
                            {"replay", ClipAttacker::kReplay}},
-                          "who attacks in clips: the set's own attacker as recorded, or ours in "
-                          "history or replay mode")
+                          "who attacks in clips: the set's own attacker as recorded, or that of "
+                          "--method in history or replay mode")
+      ->needs(collide);
+  app.add_flag("--unverified", arguments->unverified,
+               "attackers of --method as forge evaluate judges them, whether or not the crash is "
+               "as asked; by default those alone that are")
       ->needs(collide);
   addMethod(app, arguments->method, arguments->config)->excludes(source->get_option("--scenarios"));
   app.add_option("--planners", arguments->planners, "names, separated by commas")

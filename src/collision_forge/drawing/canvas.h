@@ -91,4 +91,7 @@ class Canvas {
   std::unique_ptr<cairo_t, Destroy> context_;
 };
 
+/// The line around the pixels at the edge of a rectangle of whole pixels.
+std::vector<Vector2> edgeOf(const PixelRect& rect);
+
 }  // namespace forge

@@ -63,19 +63,28 @@ void paintReport(Canvas& canvas, const FigureLayout& layout, const FigureSize& s
   }
 }
 
+double scaleBarLength(const Viewport& viewport, double font, const DrawingOptions& options) {
+  constexpr double kTextWidth = 3.0;  // multiples of the font's size
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    const double length = factor * options.scale_bar;
+    if (length * viewport.pixelsPerMetre() >= kTextWidth * font) return length;
+  }
+  return 10.0 * options.scale_bar;
+}
+
 void paintScale(Canvas& canvas, const Viewport& viewport, const FigureSize& size,
                 const DrawingOptions& options) {
   const PixelRect& area = viewport.area();
   const double font = size.font_size;
   const double y = area.y + area.height - 0.9 * font;
   const double left = area.x + 0.9 * font;
-  const double right = left + options.scale_bar * viewport.pixelsPerMetre();
+  const double length = scaleBarLength(viewport, font, options);
+  const double right = left + length * viewport.pixelsPerMetre();
   const double tick = 0.35 * font;
   const LineStyle line{options.text_color, 0.13 * font, 1.0, 0.0, false};
   canvas.stroke({{left, y - tick}, {left, y}, {right, y}, {right, y - tick}}, line);
   const TextStyle style{options.text_color, 0.9 * font, false, TextAlign::kCenter};
-  canvas.text({(left + right) / 2, y - 0.5 * font}, decimalText(options.scale_bar, 0) + " m",
-              style);
+  canvas.text({(left + right) / 2, y - 0.5 * font}, decimalText(length, 0) + " m", style);
 
   const double arrow_x = area.x + area.width - 1.6 * font;
   canvas.fill({{{arrow_x, y - 2.4 * font},

@@ -23,6 +23,10 @@ void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& s
 void paintReport(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, const DrawingOptions& options);
 
+/// Metres of the scale bar: those of the options, or 2, 5 or 10 times as many where that would be
+/// shorter than its text.
+double scaleBarLength(const Viewport& viewport, double font, const DrawingOptions& options);
+
 /// Scale bar and north arrow in the lower corners of the map.
 void paintScale(Canvas& canvas, const Viewport& viewport, const FigureSize& size,
                 const DrawingOptions& options);

@@ -1,6 +1,7 @@
 #include "collision_forge/drawing/caption_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "collision_forge/drawing/decimal_text.h"
 #include "collision_forge/drawing/scenario_motion.h"
@@ -11,22 +12,6 @@ namespace {
 
 constexpr double kDegreesPerRadian = 57.29577951308232;
 constexpr std::size_t kIdLetters = 6;  // of an id; nuScenes has 32
-
-std::string titleOf(CollisionType type) {
-  switch (type) {
-    case CollisionType::kLaneChange:
-      return "Lane change";
-    case CollisionType::kOppositeDirection:
-      return "Opposite direction";
-    case CollisionType::kRearEnd:
-      return "Rear end";
-    case CollisionType::kJunctionCrossing:
-      return "Junction crossing";
-    case CollisionType::kLtap:
-      return "Left turn across path";
-  }
-  return toString(type);
-}
 
 std::string className(AgentClass agent_class) {
   std::string name = toString(agent_class);
@@ -108,8 +93,41 @@ std::vector<CaptionRow> drivingRows(const ScenarioView& view) {
 
 }  // namespace
 
+std::string typeTitle(CollisionType type) {
+  switch (type) {
+    case CollisionType::kLaneChange:
+      return "Lane change";
+    case CollisionType::kOppositeDirection:
+      return "Opposite direction";
+    case CollisionType::kRearEnd:
+      return "Rear end";
+    case CollisionType::kJunctionCrossing:
+      return "Junction crossing";
+    case CollisionType::kLtap:
+      return "Left turn across path";
+  }
+  return toString(type);
+}
+
+OutcomeText outcomeText(const ScenarioView& view) {
+  const CollisionReport& report = view.report;
+  if (!report.contact) return {"no contact", ""};
+  OutcomeText text;
+  text.contact = "touches after " + decimalText(report.contact_time - view.snapshot.now, 1) +
+                 " s, " + decimalText(std::abs(report.relative_heading) * kDegreesPerRadian, 0) +
+                 "°";
+  if (report.verified()) {
+    text.verdict = "as asked";
+  } else if (report.type_kept && report.on_time && report.limits_kept) {
+    text.verdict = "somebody else first";
+  } else {
+    text.verdict = shortcoming(report);
+  }
+  return text;
+}
+
 std::string titleText(const ScenarioView& view) {
-  return titleOf(view.pattern.type) + " in " + view.scene_name;
+  return typeTitle(view.pattern.type) + " in " + view.scene_name;
 }
 
 std::string detailsText(const ScenarioView& view) {

@@ -15,6 +15,17 @@ struct CaptionRow {
   std::optional<bool> passed;  ///< of a condition; empty for a figure
 };
 
+/// The type's name, as "Left turn across path".
+std::string typeTitle(CollisionType type);
+
+/// What came of an attack, in few words.
+struct OutcomeText {
+  std::string contact;  ///< as "touches after 3.9 s, 12°", the angle that between the headings
+  /// "as asked", or the first condition that fails; empty without a contact.
+  std::string verdict;
+};
+OutcomeText outcomeText(const ScenarioView& view);
+
 /// Type and scene.
 std::string titleText(const ScenarioView& view);
 

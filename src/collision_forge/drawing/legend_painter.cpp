@@ -1,18 +1,11 @@
-#include <functional>
-
 #include "collision_forge/drawing/box_painter.h"
 #include "collision_forge/drawing/caption_painter.h"
 #include "collision_forge/drawing/decimal_text.h"
+#include "collision_forge/drawing/legend_rows.h"
 
 namespace forge {
 
 namespace {
-
-/// One line of the legend: a mark drawn around the given pixel, and what it means.
-struct LegendRow {
-  std::function<void(const Vector2&)> paint_mark;
-  std::string meaning;
-};
 
 /// The body of a small vehicle that heads right.
 std::vector<Vector2> markBox(const Vector2& center, double font) {
@@ -22,9 +15,10 @@ std::vector<Vector2> markBox(const Vector2& center, double font) {
           center + Vector2(-half_length, half_width), center + Vector2(half_length, half_width)};
 }
 
-std::vector<LegendRow> legendRows(Canvas& canvas, const FigureSize& size, const ScenarioView& view,
-                                  PictureKind kind, const DrawingOptions& options) {
-  const double font = size.font_size;
+}  // namespace
+
+std::vector<LegendRow> legendRows(Canvas& canvas, double font, PictureKind kind, bool has_contact,
+                                  const DrawingOptions& options) {
   const auto body = [&canvas, font](const Color& color, double opacity) {
     return [&canvas, font, color, opacity](const Vector2& center) {
       canvas.fill({markBox(center, font)}, color, opacity);
@@ -52,13 +46,13 @@ std::vector<LegendRow> legendRows(Canvas& canvas, const FigureSize& size, const 
       {body(options.attacker_color, 1.0), "Attacker"},
       {body(options.recorded_attacker_color, options.ghost_opacity), "Attacker as recorded"},
       {body(options.agent_color, 1.0),
-       is_still && view.report.contact ? "Others at contact" : "Others at time t"},
+       is_still && has_contact ? "Others at contact" : "Others at time t"},
       {line(0.0), "Driven up to now"},
       {line(0.45 * font), "From now to contact"},
       {body(options.muted_text_color, options.ghost_opacity),
        "Every " + decimalText(options.ghost_interval, 1) + " s from now"},
-      {outline(options.pattern_ego_color), "Pattern: ego"},
-      {outline(options.pattern_attacker_color), "Pattern: attacker"},
+      {outline(options.pattern_ego_color), "Pattern: ego", true},
+      {outline(options.pattern_attacker_color), "Pattern: attacker", true},
       {star, "Contact"},
   };
   if (is_still) {
@@ -68,8 +62,6 @@ std::vector<LegendRow> legendRows(Canvas& canvas, const FigureSize& size, const 
   return rows;
 }
 
-}  // namespace
-
 void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, PictureKind kind, const DrawingOptions& options) {
   const double font = size.font_size;
@@ -77,11 +69,12 @@ void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& s
   double baseline = area.y + font;
   canvas.text({area.x, baseline}, "Legend", {options.text_color, font, true, TextAlign::kLeft});
   const TextStyle style{options.text_color, font, false, TextAlign::kLeft};
-  for (const LegendRow& row : legendRows(canvas, size, view, kind, options)) {
+  for (const LegendRow& row : legendRows(canvas, font, kind, view.report.contact, options)) {
     baseline += layout.line_height;
-    row.paint_mark({area.x + font, baseline - 0.36 * font});
-    canvas.text({area.x + 2.6 * font, baseline},
-                canvas.fitted(row.meaning, area.width - 2.6 * font, style), style);
+    row.paint_mark({area.x + kLegendMark * font / 2, baseline - 0.36 * font});
+    const double left = (kLegendMark + kLegendGap) * font;
+    canvas.text({area.x + left, baseline}, canvas.fitted(row.meaning, area.width - left, style),
+                style);
   }
 }
 

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "collision_forge/drawing/canvas.h"
-#include "collision_forge/drawing/caption_painter.h"
 #include "collision_forge/drawing/figure_layout.h"
 #include "collision_forge/drawing/label_placer.h"
-#include "collision_forge/drawing/scenario_motion.h"
+#include "collision_forge/drawing/scene_painter.h"
 
 namespace forge {
 
@@ -38,18 +37,11 @@ class ScenarioPainter {
                   const std::string& text, const Color& color) const;
   void paintLabel(Canvas& canvas, const Label& label) const;
 
-  void paintScene(Canvas& canvas, const Viewport& viewport, double time, double ghosts_from) const;
-  void paintTrails(Canvas& canvas, const Viewport& viewport) const;
-  void paintGhosts(Canvas& canvas, const Viewport& viewport, double from) const;
-  void paintRecorded(Canvas& canvas, const Viewport& viewport, double time) const;
-  void paintPassed(Canvas& canvas, const Viewport& viewport) const;
-  void paintVehicles(Canvas& canvas, const Viewport& viewport, double time) const;
-
   const ScenarioView& view_;
   const DrawingOptions& options_;
   FigureSize size_;
   PictureKind kind_;
-  ScenarioMotion motion_;
+  ScenePainter scene_;
   FigureLayout layout_;
   Viewport map_viewport_;
   Viewport close_up_viewport_;

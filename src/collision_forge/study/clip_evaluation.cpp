@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "collision_forge/attack/request_check.h"
-#include "collision_forge/data/collide_scene.h"
 #include "collision_forge/network/method_maker.h"
 #include "collision_forge/study/clip_attackers.h"
-#include "collision_forge/study/clip_methods.h"
 #include "collision_forge/study/published.h"
 #include "collision_forge/study/strict.h"
 
@@ -16,70 +13,46 @@ namespace {
 
 const std::vector<std::string> kBaselines = {"recorded", "constant_velocity", "nominal"};
 
-/// What counts in every clip; what comes is measured, whatever the confidence.
-CrashDefinition clipCrash(CrashDefinition crash) {
-  crash.min_confidence = 0.0;
-  return rulesOfClips(std::move(crash));
-}
-
-/// What may be known of a clip's scene.
-Foresight foresightOf(const Foresight& foresight, const CollideClip& clip,
-                      const EvaluationPlan& plan) {
-  if (!plan.seen_scenes) return foresight.withoutScene(clip.scene);
-  return {foresight.speeds, foresight.network, clip.type};
-}
-
 /// A clip made ready for all methods.
 class ClipCase {
  public:
   ClipCase(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes,
            const ClipEvaluationSetup& setup, const EvaluationPlan& plan)
       : clip_(clip),
-        study_(setup.study),
-        methods_(clipMethods(setup.methods, &clip, setup.study.evaluation)),
-        foresight_(foresightOf(setup.foresight, clip, plan)),
-        request_(requestOf(clip, plan.mode, setup.study.attack.prediction.min_tta,
-                           clipCrash(setup.study.crash))) {
-    const Scene scene = toScene(clip, study_.evaluation.collide, lanes->sharedMap());
-    moment_ = {snapshotAt(scene, clip.now(), study_.attack.prediction.history_frames),
-               recordedFuture(scene, clip.now()), std::move(lanes)};
+        setup_(setup),
+        plan_(plan),
+        question_(clip, std::move(lanes), plan.mode, setup.study) {}
+
+  MethodMaker maker(const std::string& method) const {
+    return clipMethod(method, clip_, setup_, plan_.seen_scenes);
   }
 
-  Realization answer(const std::string& method, std::uint64_t seed) const {
-    CollisionRequest request = request_;
-    request.seed = seed;
-    const MethodMaker maker(method, methods_, study_.attack, foresight_);
-    Realization refused;
-    if (maker.isSeeded()) {
-      refused.status = checkRequest(request, moment_.snapshot, study_.attack.prediction);
-    }
-    if (refused.status.code != StatusCode::kOk) return refused;
-    return attempt(*maker.make(), moment_, request);
+  Realization answer(const MethodMaker& maker, std::uint64_t seed) const {
+    return question_.answer(maker, *maker.make(), seed);
   }
 
-  void judge(const Realization& answer, const std::string& method, Protocol protocol,
-             ResultRow& row) const {
-    if (protocol == Protocol::kStrict) {
-      const VerificationInput input{moment_.snapshot, *moment_.recorded, request_, *moment_.lanes};
-      describeOutcome(strictOutcome(answer.trajectory, input, study_.attack.verification),
+  void judge(const Realization& answer, const MethodMaker& maker, ResultRow& row) const {
+    if (plan_.protocol == Protocol::kStrict) {
+      const Moment& moment = question_.moment();
+      const VerificationInput input{moment.snapshot, *moment.recorded, question_.request(),
+                                    *moment.lanes};
+      describeOutcome(strictOutcome(answer.trajectory, input, setup_.study.attack.verification),
                       clip_.now(), row);
-      if (methods_.at(method).is_seeded && answer.report.contact) {
-        row.confidence = answer.report.confidence;
-      }
+      if (maker.isSeeded() && answer.report.contact) row.confidence = answer.report.confidence;
     } else {
-      judgeAsPublished(
-          method == kBaselines.front() ? recordedFrames(clip_) : framesOf(clip_, answer.trajectory),
-          row);
+      judgeAsPublished(maker.name() == kBaselines.front() ? recordedFrames(clip_)
+                                                          : framesOf(clip_, answer.trajectory),
+                       row);
     }
   }
 
  private:
   void judgeAsPublished(const std::vector<Pose2>& frames, ResultRow& row) const {
-    const PublishedOutcome outcome = publishedOutcome(clip_, frames, study_.evaluation.published);
+    const PublishedOptions& published = setup_.study.evaluation.published;
+    const PublishedOutcome outcome = publishedOutcome(clip_, frames, published);
     row.meets = {outcome.isHit(), outcome.similar};
     if (outcome.event == PublishedOutcome::Event::kNone) return;
-    const double frame =
-        static_cast<double>(outcome.step) / study_.evaluation.published.steps_per_interval;
+    const double frame = static_cast<double>(outcome.step) / published.steps_per_interval;
     row.contact_after = kCollideFrameInterval * (frame - kCollideNowFrame);
     if (outcome.isHit()) {
       row.relative_heading = outcome.relative_heading;
@@ -90,16 +63,15 @@ class ClipCase {
   }
 
   const CollideClip& clip_;
-  const StudyOptions& study_;
-  MethodRegistry methods_;
-  Foresight foresight_;
-  CollisionRequest request_;
-  Moment moment_;
+  const ClipEvaluationSetup& setup_;
+  const EvaluationPlan& plan_;
+  ClipQuestion question_;
 };
 
 ResultRow rowOf(const ClipCase& clip_case, const CollideClip& clip, Protocol protocol,
                 const std::string& method, std::uint64_t seed) {
-  const Realization answer = clip_case.answer(method, seed);
+  const MethodMaker maker = clip_case.maker(method);
+  const Realization answer = clip_case.answer(maker, seed);
   ResultRow row;
   row.name = clip.name;
   row.scene = clip.scene;
@@ -110,7 +82,7 @@ ResultRow rowOf(const ClipCase& clip_case, const CollideClip& clip, Protocol pro
   row.status = toString(answer.status.code);
   row.meets.assign(measuresOf(protocol).size(), false);
   if (answer.status.code == StatusCode::kOk) {
-    clip_case.judge(answer, method, protocol, row);
+    clip_case.judge(answer, maker, row);
   } else {
     row.note = answer.status.message;
   }

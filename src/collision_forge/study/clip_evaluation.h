@@ -4,11 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/attack/method_registry.h"
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/map/lane_queries.h"
-#include "collision_forge/network/foresight.h"
-#include "collision_forge/study/options.h"
+#include "collision_forge/study/clip_question.h"
 #include "collision_forge/study/result_row.h"
 
 namespace forge {
@@ -34,13 +32,6 @@ std::vector<std::string> methodsOf(const EvaluationPlan& plan);
 
 /// Rows that evaluateClip() gives, the same for every clip.
 std::size_t rowsPerClip(const EvaluationPlan& plan);
-
-/// What clips are evaluated with.
-struct ClipEvaluationSetup {
-  const MethodRegistry& methods;  ///< beside those of clipMethods()
-  const Foresight& foresight;
-  const StudyOptions& study;
-};
 
 /// A row a method, of one that is seeded a row a seed. Methods and the strict protocol take the
 /// collision types by the heading alone (rulesOfClips()), and nothing is declined; what came is

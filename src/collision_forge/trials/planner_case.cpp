@@ -4,6 +4,7 @@
 
 #include "collision_forge/data/collide_scene.h"
 #include "collision_forge/study/clip_attackers.h"
+#include "collision_forge/study/clip_question.h"
 #include "collision_forge/study/strict.h"
 #include "collision_forge/trials/published_planner.h"
 
@@ -26,6 +27,19 @@ CollisionPattern patternOf(const PlannerCase& one) {
   pattern.attacker_offset = relativeTo(ego->pose, attacker->pose);
   pattern.attacker_speed = attacker->velocity.norm();
   return pattern;
+}
+
+/// The method's attack in a clip's case.
+Realization answerTo(const PlannerCase& one, const MethodMaker& method, const StudyOptions& study,
+                     ClipAnswers answers) {
+  const CrashScenario& scenario = one.scenario;
+  const std::unique_ptr<const AttackMethod> made = method.makeWithoutScene(one.scene);
+  if (answers == ClipAnswers::kAll) {
+    const ClipQuestion question(*one.clip, scenario.lanes, one.request.mode, study);
+    return question.answer(method, *made, one.request.seed);
+  }
+  const Moment moment{scenario.snapshot, scenario.recorded, scenario.lanes};
+  return generateCollision(*made, moment, one.request, study.attack.prediction);
 }
 
 }  // namespace
@@ -61,7 +75,7 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
 
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                        std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,
-                       const StudyOptions& study) {
+                       const StudyOptions& study, ClipAnswers answers) {
   const BoxSize& box = study.evaluation.collide.box;
   const Scene scene = toScene(clip, study.evaluation.collide, lanes->sharedMap());
   PlannerCase one;
@@ -81,9 +95,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
     one.pattern = patternOf(one);
     return one;
   }
-  const Moment moment{one.scenario.snapshot, one.scenario.recorded, one.scenario.lanes};
-  Realization answer = generateCollision(*method.makeWithoutScene(clip.scene), moment, one.request,
-                                         study.attack.prediction);
+  Realization answer = answerTo(one, method, study, answers);
   one.status = answer.status;
   one.scenario.attacker = std::move(answer.trajectory);
   if (one.status.code == StatusCode::kOk) one.clip = withAttacker(clip, one.scenario.attacker);

@@ -33,10 +33,15 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
 /// Who attacks in a clip of COLLIDE: the set's own attacker, or ours on the set's request.
 enum class ClipAttacker { kRecorded, kHistory, kReplay };
 
-/// A clip of COLLIDE, boxes as the set's. Ours are searched by the heading alone (rulesOfClips())
-/// and declined as the configuration says.
+/// Which answers of a method attack in clips.
+enum class ClipAnswers {
+  kVerified,  ///< a crash as asked, declined as the configuration says
+  kAll        ///< as the evaluation on clips judges them (ClipQuestion), hit or miss
+};
+
+/// A clip of COLLIDE, boxes as the set's. Ours are searched by the heading alone (rulesOfClips()).
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                        std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,
-                       const StudyOptions& study);
+                       const StudyOptions& study, ClipAnswers answers = ClipAnswers::kVerified);
 
 }  // namespace forge

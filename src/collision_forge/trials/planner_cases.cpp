@@ -124,9 +124,10 @@ const char* toString(ClipAttacker attacker) {
 class ClipCases : public PlannerCases {
  public:
   ClipCases(std::vector<std::string> paths, const std::string& dataroot, ClipAttacker attacker,
-            const std::string& method, const StudyOptions& study)
+            const std::string& method, ClipAnswers answers, const StudyOptions& study)
       : paths_(std::move(paths)),
         attacker_(attacker),
+        answers_(answers),
         study_(study),
         maps_(dataroot, study),
         method_(loadMethod(method, study, study.attack)) {
@@ -141,12 +142,13 @@ class ClipCases : public PlannerCases {
       found = forge::fingerprint(fs::canonical(path).string(), found);
     }
     return std::to_string(names_.size()) + " clips, attacker " + toString(attacker_) + " by " +
-           method_.name() + ", fingerprint " + found;
+           method_.name() + (answers_ == ClipAnswers::kAll ? ", unverified" : "") +
+           ", fingerprint " + found;
   }
 
   PlannerCase at(std::size_t index) const override {
     const CollideClip clip = readCollideClip(paths_[index]);
-    PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), method_, study_);
+    PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), method_, study_, answers_);
     one.source = toString(attacker_);
     return one;
   }
@@ -155,6 +157,7 @@ class ClipCases : public PlannerCases {
   std::vector<std::string> paths_;
   std::vector<std::string> names_;
   ClipAttacker attacker_;
+  ClipAnswers answers_;
   const StudyOptions& study_;
   mutable CityMaps maps_;
   MethodMaker method_;
@@ -182,8 +185,9 @@ std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& 
 
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
                                             const std::string& dataroot, ClipAttacker attacker,
-                                            const std::string& method, const StudyOptions& study) {
-  return std::make_unique<ClipCases>(paths, dataroot, attacker, method, study);
+                                            const std::string& method, ClipAnswers answers,
+                                            const StudyOptions& study) {
+  return std::make_unique<ClipCases>(paths, dataroot, attacker, method, answers, study);
 }
 
 }  // namespace forge

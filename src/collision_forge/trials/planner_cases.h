@@ -41,6 +41,7 @@ std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& 
 /// "replay".
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
                                             const std::string& dataroot, ClipAttacker attacker,
-                                            const std::string& method, const StudyOptions& study);
+                                            const std::string& method, ClipAnswers answers,
+                                            const StudyOptions& study);
 
 }  // namespace forge

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "collision_forge/attack/attack_method.h"
+#include "collision_forge/attack/method_registry.h"
+#include "collision_forge/data/collide_clip.h"
+#include "collision_forge/map/lane_queries.h"
+#include "collision_forge/network/method_maker.h"
+#include "collision_forge/study/options.h"
+
+namespace forge {
+
+/// What clips are evaluated with.
+struct ClipEvaluationSetup {
+  const MethodRegistry& methods;  ///< beside those of clipMethods()
+  const Foresight& foresight;
+  const StudyOptions& study;
+};
+
+/// A method of clipMethods() for a clip, which must outlive it, by what was learned without the
+/// clip's scene; `seen_scenes`: by what was learned from all scenes, where the type is known, too.
+/// Throws as MethodMaker does.
+MethodMaker clipMethod(const std::string& name, const CollideClip& clip,
+                       const ClipEvaluationSetup& setup, bool seen_scenes);
+
+/// What a clip of COLLIDE asks of a method where every answer is to be judged: the clip's type,
+/// time and attacker, the types told by the heading alone (rulesOfClips()), whatever the
+/// confidence. What came is the clip's own recording.
+class ClipQuestion {
+ public:
+  ClipQuestion(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes, Mode mode,
+               const StudyOptions& study);
+
+  const Moment& moment() const { return moment_; }
+  const CollisionRequest& request() const { return request_; }
+
+  /// Why the method is not asked, as checkRequest(); kOk where it is, always of a baseline.
+  Status check(const MethodMaker& maker) const;
+  /// The method's answer with that seed, verified or not.
+  Realization ask(const AttackMethod& method, std::uint64_t seed) const;
+  /// The same of one that `maker` made for the clip; what check() says where it is not asked.
+  Realization answer(const MethodMaker& maker, const AttackMethod& method,
+                     std::uint64_t seed) const;
+
+ private:
+  PredictionOptions prediction_;
+  CollisionRequest request_;
+  Moment moment_;
+};
+
+}  // namespace forge
