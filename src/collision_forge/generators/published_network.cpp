@@ -93,9 +93,11 @@ class PublishedNetwork : public TrafficModel {
     const Seen seen = look(batch);
     const std::vector<Tensor> losses = {
         placeLoss(seen, truth),
-        options_.ego_yaw_loss * smoothL1(wrapped(patterns_->egoYawOf(seen.all) - truth.ego.select(1, 2))),
+        options_.ego_yaw_loss *
+            smoothL1(wrapped(patterns_->egoYawOf(seen.all) - truth.ego.select(1, 2))),
         options_.attacker_offset_loss * smoothL1(patterns_->offsetOf(seen.all) - truth.offset),
-        options_.attacker_yaw_loss * smoothL1(patterns_->attackerYawOf(seen.all) - truth.attacker_yaw.abs()),
+        options_.attacker_yaw_loss *
+            smoothL1(patterns_->attackerYawOf(seen.all) - truth.attacker_yaw.abs()),
         options_.selection_loss * selectionLoss(patterns_->selection(batch, seen.all))};
     setLearningRate();
     steps_.zero_grad();
