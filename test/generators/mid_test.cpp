@@ -11,13 +11,6 @@
 namespace forge {
 namespace {
 
-/// Without lanes, as the model is made.
-GeneratorOptions blindOptions() {
-  GeneratorOptions options = shippedConfig().generators;
-  options.traffic = withoutLanes(options.traffic);
-  return options;
-}
-
 std::shared_ptr<TrafficGenerator> makeSeeded(const GeneratorOptions& options) {
   torch::manual_seed(0);
   return makeMid(options.c_mid, options.traffic, torch::kCPU);

@@ -14,6 +14,13 @@ inline TrafficOptions withoutLanes(TrafficOptions options) {
   return options;
 }
 
+/// The configuration of models that see no lanes.
+inline GeneratorOptions blindOptions() {
+  GeneratorOptions options = shippedConfig().generators;
+  options.traffic = withoutLanes(options.traffic);
+  return options;
+}
+
 /// Clips of a rear end: the ego at 5 m/s and more, an attacker behind it at another speed each.
 inline std::vector<TrafficClip> sampleClips(const TrafficOptions& options, int count) {
   std::vector<TrafficClip> clips;

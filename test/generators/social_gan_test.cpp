@@ -7,13 +7,6 @@
 namespace forge {
 namespace {
 
-/// Without lanes, as the model is made.
-GeneratorOptions blindOptions() {
-  GeneratorOptions options = shippedConfig().generators;
-  options.traffic = withoutLanes(options.traffic);
-  return options;
-}
-
 std::shared_ptr<TrafficGenerator> makeSeeded(const GeneratorOptions& options) {
   torch::manual_seed(0);
   return makeSocialGan(options.c_sgan, options.traffic, torch::kCPU);

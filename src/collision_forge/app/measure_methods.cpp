@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <ctime>
 #include <numeric>
-#include <stdexcept>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
@@ -12,7 +11,6 @@
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/settings/config.h"
-#include "collision_forge/study/clip_methods.h"
 #include "collision_forge/study/clip_question.h"
 #include "collision_forge/study/statistics.h"
 
@@ -89,19 +87,6 @@ int measure(const Arguments& arguments) {
   return kExitOk;
 }
 
-/// Throws CLI::ValidationError for a method that clips cannot be asked for, naming those that can.
-void checkMethods(const Arguments& arguments) {
-  try {
-    const Config config = loadConfig(arguments.config);
-    const MethodRegistry methods = clipMethods(loadMethods(config), nullptr, config.evaluation);
-    for (const std::string& method : arguments.methods) methods.at(method);
-  } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError("--methods", error.what());
-  } catch (const std::runtime_error&) {
-    return;  // the run reads the configuration again and says what is wrong with it
-  }
-}
-
 }  // namespace
 
 void addMeasureMethods(CommandLine& line) {
@@ -118,7 +103,8 @@ void addMeasureMethods(CommandLine& line) {
   addMode(app, arguments->mode, false);
   addLimit(app, arguments->limit, collide);
   addConfig(app, arguments->config);
-  app.parse_complete_callback([arguments] { checkMethods(*arguments); });
+  app.parse_complete_callback(
+      [arguments] { checkClipMethods(arguments->methods, arguments->config); });
 }
 
 }  // namespace forge
