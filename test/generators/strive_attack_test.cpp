@@ -63,5 +63,21 @@ TEST_F(StriveAttacks, DrawsNoRandomNumbers) {
   EXPECT_EQ(first.trajectory.points.back().pose.x, second.trajectory.points.back().pose.x);
 }
 
+TEST(StriveAttack, NumbersThatAreNotFiniteAreAnError) {
+  GeneratorOptions options = shippedConfig().generators;
+  options.strive_optimised.iterations = 1;
+  const auto model =
+      makeStrive(options.c_strive, options.strive_optimised, options.traffic, torch::kCPU);
+  model->network()->eval();
+  for (torch::Tensor& parameter : model->network()->parameters()) {
+    parameter.set_requires_grad(false);
+  }
+  model->network()->parameters()[0].fill_(NAN);
+  CollisionRequest request = requestFor();
+  request.attacker = "follower";
+  EXPECT_THROW(model->method("strive_optimised", shippedOptions())->answer(farBehind(), request),
+               std::runtime_error);
+}
+
 }  // namespace
 }  // namespace forge

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "collision_forge/attack/driven_answer.h"
@@ -167,6 +168,9 @@ class StriveAttack : public AttackMethod {
     const bool from_left = attacker[static_cast<std::size_t>(now)]->y > 0.0;
     const double heading = (from_left ? -1.0 : 1.0) * request.bands().nominal_heading;
     const Tensor found = search.find(path, heading).contiguous();
+    if (!found.isfinite().all().item<bool>()) {
+      throw std::runtime_error("the search of strive_optimised leaves the finite numbers");
+    }
     const auto poses = found.accessor<float, 3>();
     attacker.resize(static_cast<std::size_t>(now) + 1);
     for (long frame = 0; frame < frames; ++frame) {

@@ -11,7 +11,8 @@ namespace forge {
 /// STRIVE's search for a collision in the latent space of its traffic model (Rempe et al., CVPR
 /// 2022, arXiv 2112.05077, Sec. 3.2), of the attacker asked for, at the time and with the relative
 /// heading asked for. What is otherwise is named in the source. Without an attacker in the request
-/// as bestOfCandidates(). No random numbers are drawn.
+/// as bestOfCandidates(). No random numbers are drawn. The method throws std::runtime_error where
+/// the search leaves the finite numbers.
 std::unique_ptr<const AttackMethod> makeStriveAttack(std::shared_ptr<StriveNetwork> network,
                                                      const StriveOptions& model,
                                                      const StriveAttackOptions& attack,
