@@ -59,6 +59,22 @@ TEST(CollideSet, SplitBySceneDealsEveryClipOnceAndNoSceneTwice) {
   EXPECT_THROW(listCollideClipsByScene(folder.path(), "val", 0.0), CollideError);
 }
 
+TEST(CollideSet, HalvesHoldEveryClipOnceAndEveryOtherScene) {
+  const TemporaryFolder folder;
+  writeSplits(folder);
+  auto paths = listCollideClips(folder.path(), "train");
+  const auto more = listCollideClips(folder.path(), "val");
+  paths.insert(paths.end(), more.begin(), more.end());
+  const ClipHalves halves = halvesByScene(paths);
+  EXPECT_EQ(halves.first.size() + halves.second.size(), paths.size());
+  std::set<std::string> odd, even;
+  for (int scene = 1; scene <= 70; ++scene) (scene % 2 ? odd : even).insert(sceneName(scene));
+  EXPECT_EQ(scenesOf(halves.first), odd);
+  EXPECT_EQ(scenesOf(halves.second), even);
+  EXPECT_THROW(halvesByScene({paths.front()}), CollideError);
+  EXPECT_THROW(halvesByScene({}), CollideError);
+}
+
 TEST(CollideSet, HeldOutShareOfManyScenesIsTheShareAskedFor) {
   constexpr int kScenes = 10000;
   for (const double share : {0.0, 0.1, 0.5, 1.0}) {

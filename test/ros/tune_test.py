@@ -161,6 +161,45 @@ class TunePlannerTest(road.RoadTest):
         self.assertIn('scene-0001', result.stderr)
         self.assertFalse(out.exists())
 
+    def clips(self):
+        """A folder of clips: the attacks of both files."""
+        folder, requests = self.path('clips'), self.path('requests.jsonl')
+        requests.write_text(''.join((self.folder / (name + '_requests.jsonl')).read_text() for name in ('a', 'b')))
+        result = road.run('generate', *ROOT, '--requests', requests, '--out', folder, '--format', 'csv-collide',
+                          '--mode', 'replay')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return folder
+
+    def tune_on(self, clips, out, *arguments):
+        return road.run('tune', '--dataroot', DATAROOT, '--planner', 'idm', '--grid', self.grid, '--collide', clips,
+                        '--out', out, *arguments)
+
+    def test_clips_of_one_scene_are_tuned_on_and_those_of_the_other_compared_on(self):
+        out, clips = self.path('out'), self.clips()
+        result = self.tune_on(clips, out, '--train-method', 'constant_velocity', '--test-method', 'search')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        names = sorted(path.stem for path in (clips / 'trajectory' / 'val').iterdir())
+        for part, scene, method in (('train', 'scene-0001', 'constant_velocity'), ('test', 'scene-0007', 'search')):
+            self.assertEqual(sorted(result['name'] for result in lines_of(out / (part + '.jsonl'))),
+                             [name for name in names if scene in name])
+            options = (out / (part + '.jsonl.options')).read_text()
+            self.assertIn('attacker history by ' + method + ', unverified', options)
+        self.assertIn('Test: ', result.stdout)
+
+    def test_wrong_words_about_clips_are_refused(self):
+        out, clips = self.path('out'), self.clips()
+        for words, told in ((('--train-method', 'magic'), '--train-method: method "magic" is none of'),
+                            (('--version', VERSION, '--train', self.train, '--test', self.test), '--collide')):
+            result = self.tune_on(clips, out, *words)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(told, result.stderr)
+        for path in (clips / 'trajectory' / 'val').glob('*scene-0007*'):
+            path.unlink()
+        result = self.tune_on(clips, out)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('all clips are of one scene', result.stderr)
+        self.assertFalse(out.exists())
+
     def test_bad_grids_are_refused(self):
         out, grid = self.path('out'), self.path('grid.yaml')
         for text, word in (('pdm:\n  pdm.idm.min_gap: [1.0]\n', 'idm is missing'),

@@ -171,16 +171,16 @@ void addJobs(CLI::App& app, int& jobs, const std::string& text) {
 
 CLI::Option* addMethod(CLI::App& app, std::string& method, const std::string& config) {
   app.parse_complete_callback([&method, &config] {
-    if (!method.empty()) checkMethod(method, config);
+    if (!method.empty()) checkMethod("--method", method, config);
   });
   return app.add_option("--method", method, "how attacks are made; by default the suite's own way");
 }
 
-void checkMethod(const std::string& method, const std::string& config) {
+void checkMethod(const std::string& option, const std::string& method, const std::string& config) {
   try {
     loadMethods(loadConfig(config)).at(method);
   } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError("--method", error.what());
+    throw CLI::ValidationError(option, error.what());
   } catch (const std::runtime_error&) {
     return;  // the run reads the configuration again and says what is wrong with it
   }

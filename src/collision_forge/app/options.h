@@ -95,8 +95,8 @@ void addMode(CLI::App& app, Mode& mode, bool may_adapt);
 /// --method of attack, one that the configuration in the folder `config` knows; empty: the suite's
 /// own. Both must outlive the reading of the line.
 CLI::Option* addMethod(CLI::App& app, std::string& method, const std::string& config);
-/// Throws CLI::ValidationError for an unknown method, naming the known ones.
-void checkMethod(const std::string& method, const std::string& config);
+/// Throws CLI::ValidationError for an unknown method of that option, naming the known ones.
+void checkMethod(const std::string& option, const std::string& method, const std::string& config);
 /// The same of --methods of clips, which know a few more (clipMethods()).
 void checkClipMethods(const std::vector<std::string>& methods, const std::string& config);
 /// --planner-file: a learned planner in place of the one that the configuration names.

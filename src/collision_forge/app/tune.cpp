@@ -11,6 +11,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/data/collide_set.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/fingerprint.h"
 #include "collision_forge/planners/planner_factory.h"
@@ -31,6 +32,10 @@ struct Arguments {
   std::string grid;
   std::vector<std::string> train;
   std::vector<std::string> test;
+  std::string collide;
+  std::string split = "val";
+  std::string train_method;
+  std::string test_method;
   std::string dataroot;
   std::string version;
   Background background = Background::kReplay;
@@ -66,28 +71,44 @@ struct Tuning {
   const std::unique_ptr<PlannerCases> test;
 };
 
-std::unique_ptr<PlannerCases> openCases(const std::vector<std::string>& paths,
-                                        const Arguments& arguments, const Config& config) {
-  return openScenarioCases(paths, arguments.dataroot, arguments.version,
-                           static_cast<std::size_t>(arguments.jobs) + 1, config, showReading());
+/// What is tuned on and what is compared on; no scene is in both.
+struct BothCases {
+  std::unique_ptr<PlannerCases> train;
+  std::unique_ptr<PlannerCases> test;
+};
+
+BothCases openScenarios(const Arguments& arguments, const Config& config) {
+  checkHeldOut(readScenes(arguments.train), readScenes(arguments.test));
+  const auto open = [&](const std::vector<std::string>& paths) {
+    return openScenarioCases(paths, arguments.dataroot, arguments.version,
+                             static_cast<std::size_t>(arguments.jobs) + 1, config, showReading());
+  };
+  return {open(arguments.train), open(arguments.test)};
+}
+
+/// All attackers, hit or miss: most of a learned generator's are not as asked.
+BothCases openClips(const Arguments& arguments, const Config& config) {
+  const ClipHalves halves = halvesByScene(listCollideClips(arguments.collide, arguments.split));
+  const auto open = [&](const std::vector<std::string>& paths, const std::string& method) {
+    return openClipCases(paths, arguments.dataroot, ClipAttacker::kHistory, method,
+                         ClipAnswers::kAll, config);
+  };
+  return {open(halves.first, arguments.train_method), open(halves.second, arguments.test_method)};
 }
 
 Tuning openTuning(const Arguments& arguments, const Config& config) {
   const PlannersFile file = readPlannersFile(arguments.config);
   const PlannerGrid grid = readPlannerGrid(arguments.grid, arguments.planner);
-  checkHeldOut(readScenes(arguments.train), readScenes(arguments.test));
   std::vector<PlannerVariant> variants =
       variantsOf(grid, file.path, file.text, config.attack.verification.limits);
   for (PlannerVariant& variant : variants) {
     variant.options.torchscript.file = config.planners.torchscript.file;
     variant.options.torchscript.workers = config.planners.torchscript.workers;
   }
-  return {arguments,
-          config,
-          file,
-          std::move(variants),
-          openCases(arguments.train, arguments, config),
-          openCases(arguments.test, arguments, config)};
+  BothCases cases =
+      arguments.collide.empty() ? openScenarios(arguments, config) : openClips(arguments, config);
+  return {
+      arguments, config, file, std::move(variants), std::move(cases.train), std::move(cases.test)};
 }
 
 /// What the results of both parts depend on.
@@ -149,7 +170,7 @@ std::vector<PlannerTestResult> compare(const Tuning& tuning, std::size_t best) {
 std::size_t chooseBest(const Tuning& tuning, const std::vector<PlannerTestResult>& results) {
   const auto scores = scoreVariants(results, tuning.variants, tuning.config.evaluation.statistics);
   const auto best = bestVariant(scores);
-  if (!best) throw std::runtime_error("--train has no avoidable crash");
+  if (!best) throw std::runtime_error("there is no avoidable crash to tune on");
   writeText(tuning.arguments.out + "/variants.csv", scoresCsv(tuning.variants, scores, *best));
   return *best;
 }
@@ -189,6 +210,21 @@ void report(const Tuning& tuning, std::size_t best, const std::vector<PlannerTes
   std::cout << text;
 }
 
+/// Clips are in no file that a page is made of.
+ReportInputs reportInputs(const Tuning& tuning, std::size_t best) {
+  const Arguments& arguments = tuning.arguments;
+  const bool has_logs = arguments.collide.empty();
+  ReportInputs inputs{arguments.test,
+                      has_logs ? arguments.dataroot : "",
+                      has_logs ? arguments.version : "",
+                      arguments.background,
+                      arguments.jobs,
+                      arguments.planner,
+                      comparedVariants(tuning, best)};
+  inputs.files.push_back((fs::path(arguments.out) / "test.jsonl").string());
+  return inputs;
+}
+
 int tune(const Arguments& arguments) {
   Config config = loadConfig(arguments.config);
   usePlannerFile(arguments.planner_file, {arguments.planner}, config.planners);
@@ -204,17 +240,27 @@ int tune(const Arguments& arguments) {
   if (!isMaster()) return kExitOk;
   report(tuning, *best, train, test);
   if (!arguments.report.empty()) {
-    ReportInputs inputs{arguments.test,
-                        arguments.dataroot,
-                        arguments.version,
-                        arguments.background,
-                        arguments.jobs,
-                        arguments.planner,
-                        comparedVariants(tuning, *best)};
-    inputs.files.push_back((fs::path(arguments.out) / "test.jsonl").string());
-    writeReport(inputs, arguments.report, config);
+    writeReport(reportInputs(tuning, *best), arguments.report, config);
   }
   return kExitOk;
+}
+
+/// --train-method and --test-method.
+void addAttackers(CLI::App& app, Arguments& arguments, CLI::Option* collide) {
+  const auto add = [&](const std::string& name, std::string& method, const std::string& which) {
+    app.add_option(name, method,
+                   "who attacks in clips that " + which +
+                       ", in history mode, hit or miss; by default the suite's own way")
+        ->needs(collide);
+  };
+  add("--train-method", arguments.train_method, "are tuned on");
+  add("--test-method", arguments.test_method, "are compared on");
+  app.parse_complete_callback([&arguments] {
+    for (const auto& [name, method] : {std::pair("--train-method", arguments.train_method),
+                                       std::pair("--test-method", arguments.test_method)}) {
+      if (!method.empty()) checkMethod(name, method, arguments.config);
+    }
+  });
 }
 
 }  // namespace
@@ -233,11 +279,23 @@ void addTune(CommandLine& line) {
   addPlannerFile(app, arguments->planner_file);
   app.add_option("--grid", arguments->grid, "values to try (default: tuning.yaml of --config)")
       ->check(CLI::ExistingFile);
-  app.add_option("--train", arguments->train, "scenario files of forge generate that are tuned on")
-      ->required();
-  app.add_option("--test", arguments->test, "scenario files of other scenes, to compare on")
-      ->required();
-  addLogs(app, arguments->dataroot, arguments->version);
+  addDataroot(app, arguments->dataroot);
+  CLI::Option* version = addVersion(app, arguments->version);
+  CLI::Option_group* source = app.add_option_group("what is tuned on");
+  CLI::Option* train =
+      source->add_option("--train", arguments->train, "scenario files of forge generate")
+          ->needs(version);
+  CLI::Option* test =
+      app.add_option("--test", arguments->test, "scenario files of other scenes, to compare on")
+          ->needs(train);
+  train->needs(test);
+  CLI::Option* collide = addCollide(*source, arguments->collide)
+                             ->description(
+                                 "folder of clips, with trajectory/SPLIT in it; every other scene "
+                                 "is tuned on, the rest is compared on");
+  source->require_option(1);
+  addSplit(app, arguments->split, collide);
+  addAttackers(app, *arguments, collide);
   addBackground(app, arguments->background);
   addOut(app, arguments->out, "folder to write; see docs/planners.md");
   addJobs(app, arguments->jobs, "cases at a time, in every rank of mpirun");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 
 #include "collision_forge/data/collide_clip.h"
@@ -54,6 +55,20 @@ std::vector<std::string> listCollideClipsByScene(const std::string& directory,
   }
   std::sort(paths.begin(), paths.end(), byFileName);
   return paths;
+}
+
+ClipHalves halvesByScene(const std::vector<std::string>& paths) {
+  std::map<std::string, std::vector<std::string>> scenes;
+  for (const std::string& path : paths) scenes[parseCollideName(path).scene].push_back(path);
+  ClipHalves halves;
+  bool is_first = true;
+  for (const auto& [scene, clips] : scenes) {
+    std::vector<std::string>& half = is_first ? halves.first : halves.second;
+    half.insert(half.end(), clips.begin(), clips.end());
+    is_first = !is_first;
+  }
+  if (halves.second.empty()) throw CollideError("no two halves: all clips are of one scene");
+  return halves;
 }
 
 }  // namespace forge

@@ -19,4 +19,14 @@ std::vector<std::string> listCollideClips(const std::string& directory, const st
 std::vector<std::string> listCollideClipsByScene(const std::string& directory,
                                                  const std::string& split, double held_out_share);
 
+/// Clips in two halves that share no scene.
+struct ClipHalves {
+  std::vector<std::string> first;
+  std::vector<std::string> second;
+};
+
+/// Deals clips by their scenes' names in order, the first scene to the first half, the next to the
+/// second. Throws CollideError where all are of one scene.
+ClipHalves halvesByScene(const std::vector<std::string>& paths);
+
 }  // namespace forge
