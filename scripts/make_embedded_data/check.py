@@ -3,6 +3,7 @@ import json
 import math
 
 from arcs import path_poses
+from map_mask import drivable_polygons, mask_png
 from motion import drive_figures
 from picker import BUSY_RANGE
 from plane import boxes_overlap, inside_polygon, shifted, wrap_angle
@@ -95,14 +96,6 @@ def poses_meet(a, b):
             and abs(wrap_angle(a[2] - b[2])) < math.radians(2.0))
 
 
-def drivable_polygons(roads):
-    """The drivable area's polygons as lists of points."""
-    nodes = {row["token"]: (row["x"], row["y"]) for row in roads["node"]}
-    polygons = {row["token"]: [nodes[node] for node in row["exterior_node_tokens"]]
-                for row in roads["polygon"]}
-    return [polygons[token] for row in roads["drivable_area"] for token in row["polygon_tokens"]]
-
-
 def area_faults(name, roads):
     """Centrelines and their lanes' inner borders off the drivable area."""
     polygons = drivable_polygons(roads)
@@ -115,6 +108,14 @@ def area_faults(name, roads):
                 point = shifted((x, y), yaw + math.pi / 2.0, aside)
                 if not any(inside_polygon(point, polygon) for polygon in polygons):
                     yield f"{name} {token}: ({x:.1f}, {y:.1f}) is off the drivable area"
+
+
+def mask_faults(folder, data, maps):
+    """Map masks that are missing, or not those of the drivable area."""
+    for row in data.tables["map"]:
+        path = folder / row["filename"]
+        if not path.is_file() or path.read_bytes() != mask_png(maps[path.stem]):
+            yield f"{row['filename']}: is not the mask of its drivable area"
 
 
 class SceneCheck:
@@ -209,11 +210,12 @@ def check(folder, version):
     """Prints the scenes and every fault; returns 0 when there is none, else 1."""
     data = Data(folder / version)
     faults = list(link_faults(data))
-    areas = {}
-    for path in sorted((folder / "maps" / "expansion").glob("*.json")):
-        roads = json.loads(path.read_text())
-        areas[path.stem] = drivable_polygons(roads)
-        faults += [*lane_faults(path.stem, roads), *area_faults(path.stem, roads)]
+    maps = {path.stem: json.loads(path.read_text())
+            for path in sorted((folder / "maps" / "expansion").glob("*.json"))}
+    for name, roads in maps.items():
+        faults += [*lane_faults(name, roads), *area_faults(name, roads)]
+    faults += mask_faults(folder, data, maps)
+    areas = {name: drivable_polygons(roads) for name, roads in maps.items()}
     print("scene      side  ego speed m/s   agents  moving within 60 m (min mean max)  classes")
     for row in data.tables["scene"]:
         scene = SceneCheck(data, row)

@@ -3,7 +3,7 @@
 
 Two small towns, one per driving side, are built with netconvert and driven with
 sumo. The best 20 s of each scene's ego candidates are written in the nuScenes
-schema, with a map expansion for each town. Needs SUMO's command line tools.
+schema, with a map expansion and a map mask for each town. Needs SUMO's command line tools.
 """
 import argparse
 import json
@@ -17,6 +17,7 @@ sys.dont_write_bytecode = True
 
 from check import check
 from map_export import bay_poses, map_dictionary
+from map_mask import mask_png
 from picker import pick
 from road_network import read_network
 from scenes import SCENES, ego_routes
@@ -57,12 +58,16 @@ def drive_town(town, folder):
     return map_dictionary(network, town), recordings
 
 
-def write_text(path, text):
+def write_bytes(path, content):
     """Writes a file aside and renames it."""
     path.parent.mkdir(parents=True, exist_ok=True)
     aside = path.with_name(path.name + ".part")
-    aside.write_text(text)
+    aside.write_bytes(content)
     os.replace(aside, path)
+
+
+def write_text(path, text):
+    write_bytes(path, text.encode())
 
 
 def compact(value):
@@ -96,6 +101,7 @@ def make(out):
             roads, driven = drive_town(town, Path(folder))
         recordings += driven
         write_text(out / "maps" / "expansion" / f"{town.location}.json", map_text(roads))
+        write_bytes(out / "maps" / f"{town.location}.png", mask_png(roads))
     for name, rows in all_tables(recordings).items():
         write_text(out / VERSION / f"{name}.json", table_text(rows))
 
