@@ -64,6 +64,7 @@ const std::map<std::string, std::string> kComplete = {
     {"inject", " --bag a.bag --type ltap --tta 4 --now 4 --out b.bag --config " + kConfig},
     {"requests", kLogs + " --out requests.jsonl"},
     {"generate", kLogs + " --requests requests.jsonl --out scenarios.jsonl"},
+    {"export", kLogs + " --to openscenario --scenarios " + kFile + " --out out"},
     {"evaluate", kLogs + " --requests " + kFile + " --out out"},
     {"compare", " --collide " + kDataroot + " --dataroot " + kDataroot + " --config " + kConfig +
                     " --methods recorded --out figure"},

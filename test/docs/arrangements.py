@@ -41,6 +41,8 @@ EARLIER = {
 }
 EARLIER.update({
     'bags/scene-0061.bag': 'forge convert {} --scene scene-0061 --out bags'.format(LOGS),
+    'ltap.bag': 'forge convert {} --scene scene-0061 --out ltap && forge inject --bag ltap/scene-0061.bag '
+                '--type lane_change --now 4 --tta 4 --out ltap.bag'.format(LOGS),
     'requests.jsonl': 'forge requests {} --stride 8 --tta 4 --out requests.jsonl'.format(LOGS),
     'my_planner.pt': 'cp data/weights/planner.pt my_planner.pt',
     'out/planners/results.jsonl': 'forge test {} --scenarios scenarios.jsonl --planners idm --out out/planners'

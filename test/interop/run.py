@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: run.py SOURCE_DIR: runs the tests of this folder; the last line is `N passed, N failed`."""
+"""usage: run.py SOURCE_DIR: runs the tests of this folder; the last line is `N passed, N failed, N skipped`."""
 import os
 import sys
 import unittest
@@ -13,8 +13,8 @@ def main(source_dir):
     result = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(suite)
     failed = len(result.failures) + len(result.errors)
     passed = result.testsRun - failed - len(result.skipped)
-    print('{} passed, {} failed'.format(passed, failed))
-    return 0 if passed and not failed else 1
+    print('{} passed, {} failed, {} skipped'.format(passed, failed, len(result.skipped)))
+    return 1 if failed or not result.testsRun else 0
 
 
 if __name__ == '__main__':

@@ -24,6 +24,8 @@ LIBRARIES = {
     'CLI11': r'CLI/',
     'cairo': r'cairo',
     'giflib': r'gif_lib\.h$',
+    'pugixml': r'pugixml',
+    'LZ4': r'lz4frame\.h$',
     'zlib': r'zlib\.h$',
     'Qt': r'(Qt\w+/)?Q[A-Z]\w+$',
 }

@@ -59,6 +59,7 @@ void addInject(CommandLine& line);
 void addPossible(CommandLine& line);
 void addRequests(CommandLine& line);
 void addGenerate(CommandLine& line);
+void addExport(CommandLine& line);
 void addEvaluate(CommandLine& line);
 void addCompare(CommandLine& line);
 void addReport(CommandLine& line);

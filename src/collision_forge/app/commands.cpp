@@ -8,6 +8,7 @@ void addCommands(CommandLine& line) {
   addPossible(line);
   addRequests(line);
   addGenerate(line);
+  addExport(line);
   addEvaluate(line);
   addCompare(line);
   addMeasureControls(line);

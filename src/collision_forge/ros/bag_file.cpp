@@ -17,7 +17,23 @@ std::unique_ptr<rosbag::Bag> makeBag() {
   return std::make_unique<rosbag::Bag>();
 }
 
+void dropBag(std::unique_ptr<rosbag::Bag>& bag) {
+  const std::lock_guard<std::mutex> lock(pluginMutex());
+  bag.reset();
+}
+
 }  // namespace
+
+OpenedBag::OpenedBag(const std::string& path) : bag_(makeBag()) {
+  try {
+    bag_->open(path, rosbag::bagmode::Read);
+  } catch (...) {
+    dropBag(bag_);
+    throw;
+  }
+}
+
+OpenedBag::~OpenedBag() { dropBag(bag_); }
 
 NewBag::NewBag(const std::string& path) : path_(path), aside_(path), bag_(makeBag()) {
   try {
@@ -54,8 +70,7 @@ void NewBag::close() {
     abandon();
     throw;
   }
-  const std::lock_guard<std::mutex> lock(pluginMutex());
-  bag_.reset();
+  dropBag(bag_);
 }
 
 // A bag that could not be closed tries again when it is destroyed, and would throw from there.

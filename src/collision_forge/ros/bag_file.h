@@ -18,6 +18,21 @@ struct BagError : std::runtime_error {
 /// The name in a bag of a topic of topic_names.h.
 inline std::string bagTopic(const char* name) { return std::string("/") + name; }
 
+/// A bag to be read. Different bags may be read from different threads.
+class OpenedBag {
+ public:
+  /// Throws as rosbag::Bag::open().
+  explicit OpenedBag(const std::string& path);
+  ~OpenedBag();
+  OpenedBag(const OpenedBag&) = delete;
+  OpenedBag& operator=(const OpenedBag&) = delete;
+
+  const rosbag::Bag& bag() const { return *bag_; }
+
+ private:
+  std::unique_ptr<rosbag::Bag> bag_;
+};
+
 /// An LZ4 bag that takes its name only when it is complete (AsideFile). Different bags may be
 /// written from different threads.
 class NewBag {

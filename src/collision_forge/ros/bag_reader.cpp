@@ -1,6 +1,8 @@
 #include "collision_forge/ros/bag_reader.h"
 
 #include <collision_forge/AgentArray.h>
+#include <collision_forge/Attack.h>
+#include <collision_forge/AttackRequest.h>
 #include <collision_forge/LaneMap.h>
 #include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
@@ -96,12 +98,51 @@ void requireTopics(const std::string& path, const Scene& scene) {
   }
 }
 
+/// What `read` makes of the open bag; errors of rosbag as BagError.
+template <typename Read>
+auto readOpened(const std::string& path, const Read& read) {
+  try {
+    const OpenedBag opened(path);
+    return read(opened.bag());
+  } catch (const rosbag::BagUnindexedException&) {
+    throw BagError(path + ": truncated (no index); `rosbag reindex` may save what is there");
+  } catch (const rosbag::BagException& error) {
+    throw BagError(path + ": cannot be read: " + error.what());
+  } catch (const ros::serialization::StreamOverrunException& error) {
+    throw BagError(path + ": a message is shorter than its type: " + error.what());
+  } catch (const MessageError& error) {
+    throw BagError(path + ": " + error.what());
+  }
+}
+
+/// The last message on a topic. Throws BagError where there is none.
+template <typename Message>
+Message lastOn(const rosbag::Bag& bag, const char* name, const std::string& path) {
+  boost::shared_ptr<Message> last;
+  rosbag::View view(bag, rosbag::TopicQuery(bagTopic(name)));
+  for (const rosbag::MessageInstance& instance : view) last = instance.instantiate<Message>();
+  if (!last) throw BagError(path + ": no attack: no message on " + bagTopic(name));
+  return *last;
+}
+
+Realization realizationIn(const collision_forge::Attack& message, const std::string& path) {
+  Realization answer;
+  answer.aim = fromMessage(message.pattern);
+  answer.trajectory = fromMessage(message.trajectory);
+  const auto manoeuvre = manoeuvreFromString(message.report.manoeuvre);
+  if (!manoeuvre) {
+    throw BagError(path + ": manoeuvre \"" + message.report.manoeuvre + "\" of " +
+                   bagTopic(names::kAttack) + " is not known");
+  }
+  answer.report.manoeuvre = *manoeuvre;
+  return answer;
+}
+
 }  // namespace
 
 Scene readBag(const std::string& path, const EgoVehicle& ego, std::vector<std::string>* warnings) {
-  SceneBuilder builder(ego);
-  try {
-    const rosbag::Bag bag(path, rosbag::bagmode::Read);
+  Scene scene = readOpened(path, [&](const rosbag::Bag& bag) {
+    SceneBuilder builder(ego);
     const std::vector<std::string> topics = {names::kTf, bagTopic(names::kAgents),
                                              bagTopic(names::kLaneMap)};
     for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topics))) {
@@ -113,19 +154,30 @@ Scene readBag(const std::string& path, const EgoVehicle& ego, std::vector<std::s
         builder.add(*map);
       }
     }
-  } catch (const rosbag::BagUnindexedException&) {
-    throw BagError(path + ": truncated (no index); `rosbag reindex` may save what is there");
-  } catch (const rosbag::BagException& error) {
-    throw BagError(path + ": cannot be read: " + error.what());
-  } catch (const ros::serialization::StreamOverrunException& error) {
-    throw BagError(path + ": a message is shorter than its type: " + error.what());
-  } catch (const MessageError& error) {
-    throw BagError(path + ": " + error.what());
-  }
-  Scene scene = builder.finish(warnings);
+    return builder.finish(warnings);
+  });
   requireTopics(path, scene);
   scene.name = std::filesystem::path(path).stem().string();
   return scene;
+}
+
+Scenario readAttack(const std::string& path, const EgoVehicle& ego, const CrashDefinition& crash) {
+  Scenario scenario;
+  readOpened(path, [&](const rosbag::Bag& bag) {
+    const auto attack = lastOn<collision_forge::Attack>(bag, names::kAttack, path);
+    const auto asked = lastOn<collision_forge::AttackRequest>(bag, names::kAttackRequest, path);
+    const auto request = fromMessage(asked.request, crash);
+    if (const auto* status = std::get_if<Status>(&request)) {
+      throw BagError(path + ": " + bagTopic(names::kAttackRequest) + ": " + status->message);
+    }
+    scenario.asked.request = std::get<CollisionRequest>(request);
+    scenario.asked.now = attack.header.stamp.toSec();
+    scenario.answer = realizationIn(attack, path);
+    return 0;
+  });
+  scenario.asked.scene = std::filesystem::path(path).stem().string();
+  scenario.ego = ego;
+  return scenario;
 }
 
 }  // namespace forge

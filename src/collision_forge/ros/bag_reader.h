@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/data/scenario_file.h"
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/scene/scene.h"
 
@@ -16,5 +17,10 @@ namespace forge {
 /// without one of the three.
 Scene readBag(const std::string& path, const EgoVehicle& ego,
               std::vector<std::string>* warnings = nullptr);
+
+/// The attack in a bag of forge inject: what was asked for, aim and trajectory, and of the report
+/// its manoeuvre. The scene is named after the file. Throws BagError as above, and for a bag
+/// without an attack.
+Scenario readAttack(const std::string& path, const EgoVehicle& ego, const CrashDefinition& crash);
 
 }  // namespace forge

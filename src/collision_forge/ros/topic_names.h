@@ -30,6 +30,12 @@ inline constexpr char kPlannerMarkers[] = "planner_markers";  // MarkerArray, la
 inline constexpr char kTestedMap[] = "tested_map";            // LaneMap, latched
 inline constexpr char kPlanningState[] = "planning_state";    // PlanningState
 
+// In MCAP files, beside what is in their bags.
+inline constexpr char kCrashScene[] = "collision_forge/scene";    // foxglove_msgs/SceneUpdate
+inline constexpr char kCrashMap[] = "collision_forge/map";        // the same, latched
+inline constexpr char kEgoSpeed[] = "collision_forge/ego_speed";  // std_msgs/Float64, m/s
+inline constexpr char kAttackerSpeed[] = "collision_forge/attacker_speed";  // the same
+
 // Of the node player.
 inline constexpr char kPlayerPaused[] = "player/paused";          // std_msgs/Bool, latched
 inline constexpr char kPlayerPause[] = "player/pause";            // service, std_srvs/SetBool

@@ -38,6 +38,7 @@ Config loadConfig(const std::string& directory) {
   readConfigFile(directory, "requests", config.requests);
   readConfigFile(directory, "evaluation", config.evaluation);
   readConfigFile(directory, "report", config.report);
+  readConfigFile(openConfigFile(directory, "export.yaml"), config.exports);
   readConfigFile(directory, "dataset", config.dataset, config.attack.search.time_margin);
   readConfigFile(openConfigFile(directory, "planners.yaml"), config.planners,
                  config.attack.verification.limits);

@@ -7,6 +7,7 @@
 #include "collision_forge/data/options.h"
 #include "collision_forge/dataset/options.h"
 #include "collision_forge/drawing/options.h"
+#include "collision_forge/export/options.h"
 #include "collision_forge/generators/options.h"
 #include "collision_forge/network/options.h"
 #include "collision_forge/report/options.h"
@@ -31,6 +32,7 @@ struct Config : LearningOptions {
   GeneratorOptions generators;
   GeneratorOptions published_network;  ///< of network_published.yaml
   ReportOptions report;
+  ExportOptions exports;
 };
 
 /// Reads the files of config/ in `directory`. Throws ConfigError for a missing, unknown or

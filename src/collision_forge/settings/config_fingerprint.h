@@ -9,8 +9,8 @@ namespace forge {
 
 /// What results depend on in a configuration read from `directory`, to tell whether a run may go
 /// on: the fingerprint() of every .yaml file ("config/NAME") but those that are for bags with
-/// attacks, drawing, pages, lists of requests, live scenes, encoding, fitting, training and tuning
-/// alone, and of the files of models that it names ("speed_profiles", "speed_model",
+/// attacks, drawing, pages, exports, lists of requests, live scenes, encoding, fitting, training
+/// and tuning alone, and of the files of models that it names ("speed_profiles", "speed_model",
 /// "pattern_network"). Throws std::runtime_error for a file that cannot be read.
 std::map<std::string, std::string> fingerprintsOf(const Config& config,
                                                   const std::string& directory);

@@ -1,0 +1,164 @@
+#include "collision_forge/app/attack_source.h"
+
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+
+#include "collision_forge/app/options.h"
+#include "collision_forge/batch/dispatch.h"
+#include "collision_forge/data/nuscenes_map_layers.h"
+#include "collision_forge/data/scene_source.h"
+#include "collision_forge/files/fingerprint.h"
+#include "collision_forge/ros/bag_reader.h"
+#include "collision_forge/settings/config_fingerprint.h"
+
+namespace forge {
+namespace {
+
+/// The arcs of the lanes of every location, each read once. Thread-safe.
+class ArcSource {
+ public:
+  explicit ArcSource(std::string dataroot) : dataroot_(std::move(dataroot)) {}
+
+  const LaneArcs& at(const std::string& location) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = arcs_.find(location);
+    if (found != arcs_.end()) return found->second;
+    WarningCounter warnings;  // those who read the lanes tell them
+    const std::string path = dataroot_ + "/maps/expansion/" + location + ".json";
+    return arcs_.emplace(location, readNuScenesMapLayers(path, warnings).arclines).first->second;
+  }
+
+ private:
+  std::string dataroot_;
+  std::mutex mutex_;
+  std::map<std::string, LaneArcs> arcs_;
+};
+
+/// The attacks of a scenario file.
+struct AttackLines {
+  struct Line {
+    std::size_t number;  ///< from 1
+    std::string text;
+  };
+  std::string path;
+  std::vector<Line> lines;
+  std::vector<std::string> scenes;  ///< in the order they are needed
+  std::size_t scenarios = 0;        ///< lines of the file
+  std::string fingerprint;
+
+  std::string where(std::size_t number) const { return path + ": line " + std::to_string(number); }
+};
+
+AttackLines readAttacks(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  AttackLines found;
+  found.path = path;
+  std::set<std::string> seen;
+  for (std::string text; std::getline(file, text);) {
+    found.fingerprint = fingerprint(text, found.fingerprint);
+    const Scenario scenario = readScenarioLine(found.where(++found.scenarios), text);
+    if (scenario.answer.status.code != StatusCode::kOk) continue;
+    if (seen.insert(scenario.asked.scene).second) found.scenes.push_back(scenario.asked.scene);
+    found.lines.push_back({found.scenarios, text});
+  }
+  if (found.lines.empty()) throw std::runtime_error(path + ": has no attacks");
+  return found;
+}
+
+class ScenarioAttacks : public AttackSource {
+ public:
+  ScenarioAttacks(const std::string& path, const std::string& dataroot, const std::string& version,
+                  int jobs, const Config& config)
+      : config_(config),
+        dataroot_(dataroot),
+        version_(version),
+        attacks_(readAttacks(path)),
+        scenes_(dataroot, version, attacks_.scenes, config, static_cast<std::size_t>(jobs) + 1,
+                isMaster() ? OnWarnings(printWarnings) : OnWarnings(), showReading()),
+        arcs_(dataroot) {}
+
+  std::size_t count() const override { return attacks_.lines.size(); }
+
+  std::size_t numberOf(std::size_t index) const override { return attacks_.lines[index].number; }
+
+  std::string where(std::size_t index) const override { return attacks_.where(numberOf(index)); }
+
+  std::string described() const override {
+    return std::to_string(attacks_.scenarios) + " scenarios";
+  }
+
+  std::map<std::string, std::string> fingerprints() const override {
+    return {{"dataroot", std::filesystem::canonical(dataroot_).string()},
+            {"version", version_},
+            {"scenarios", described() + ", fingerprint " + attacks_.fingerprint}};
+  }
+
+  CrashRecord record(std::size_t index, double history) override {
+    const Scenario scenario = readScenarioLine(where(index), attacks_.lines[index].text);
+    const auto indexed = scenes_.at(scenario.asked.scene);
+    return crashRecord(scenario, numberOf(index), history,
+                       {*indexed, arcs_.at(indexed->scene.map->location), config_.exports,
+                        config_.attack.verification});
+  }
+
+ private:
+  const Config& config_;
+  std::string dataroot_;
+  std::string version_;
+  const AttackLines attacks_;
+  SceneSource scenes_;
+  ArcSource arcs_;
+};
+
+class BagAttacks : public AttackSource {
+ public:
+  BagAttacks(std::vector<std::string> paths, const Config& config)
+      : config_(config), paths_(std::move(paths)) {}
+
+  std::size_t count() const override { return paths_.size(); }
+  std::size_t numberOf(std::size_t index) const override { return index + 1; }
+  std::string where(std::size_t index) const override { return paths_[index]; }
+  std::string described() const override { return std::to_string(paths_.size()) + " bags"; }
+
+  std::map<std::string, std::string> fingerprints() const override {
+    std::map<std::string, std::string> found;
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+      found["bag " + std::to_string(i + 1)] = fingerprintOfFile(paths_[i]);
+    }
+    return found;
+  }
+
+  CrashRecord record(std::size_t index, double history) override {
+    const std::string& path = paths_[index];
+    const Scenario scenario = readAttack(path, config_.ego_vehicle, config_.crash);
+    IndexedScene indexed;
+    indexed.scene = readBag(path, config_.ego_vehicle);
+    indexed.lanes = std::make_shared<LaneIndex>(indexed.scene.map);
+    return crashRecord(scenario, numberOf(index), history,
+                       {indexed, {}, config_.exports, config_.attack.verification});
+  }
+
+ private:
+  const Config& config_;
+  std::vector<std::string> paths_;
+};
+
+}  // namespace
+
+std::unique_ptr<AttackSource> openScenarioAttacks(const std::string& path,
+                                                  const std::string& dataroot,
+                                                  const std::string& version, int jobs,
+                                                  const Config& config) {
+  return std::make_unique<ScenarioAttacks>(path, dataroot, version, jobs, config);
+}
+
+std::unique_ptr<AttackSource> openBagAttacks(const std::vector<std::string>& paths,
+                                             const Config& config) {
+  return std::make_unique<BagAttacks>(paths, config);
+}
+
+}  // namespace forge

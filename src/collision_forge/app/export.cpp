@@ -1,0 +1,213 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "collision_forge/app/attack_source.h"
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/export_mcap.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/run.h"
+#include "collision_forge/data/json_line.h"
+#include "collision_forge/export/crash_writer.h"
+#include "collision_forge/settings/config_fingerprint.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMcap = "mcap";
+
+struct Arguments {
+  std::string format;
+  std::string scenarios;
+  std::vector<std::string> bags;
+  std::string dataroot;
+  std::string version;
+  bool ego_free = false;
+  std::string out;
+  std::string config;
+  int jobs = defaultJobs();
+};
+
+/// A line of the index: what was written of one attack.
+struct IndexEntry {
+  std::size_t line = 0;  ///< AttackSource::numberOf()
+  ExportedCrash crash;
+  double now = 0.0;               ///< s of the record, as the next
+  std::optional<double> contact;  ///< with the ego as it was recorded
+  std::vector<std::string> files;
+};
+
+std::string indexLine(const IndexEntry& entry) {
+  JsonLineWriter writer;
+  writer.beginObject();
+  writer.count("line", entry.line);
+  writer.text("name", entry.crash.name);
+  writer.text("scene", entry.crash.scene);
+  writer.text("location", entry.crash.location);
+  writer.count("states", entry.crash.states);
+  writer.number("now_t", entry.now);
+  if (entry.contact) {
+    writer.number("contact_t", *entry.contact);
+  } else {
+    writer.null("contact_t");
+  }
+  writer.texts("files", entry.files);
+  writer.endObject();
+  return writer.line();
+}
+
+IndexEntry readIndexLine(const std::string& where, const std::string& text) {
+  const JsonLine line(where, text);
+  JsonObject object = line.root();
+  IndexEntry entry;
+  entry.line = object.count("line");
+  entry.crash = {object.text("name"), object.text("scene"), object.text("location"),
+                 object.count("states")};
+  entry.now = object.number("now_t");
+  entry.contact = object.numberOrNull("contact_t");
+  entry.files = object.texts("files");
+  object.finish();
+  return entry;
+}
+
+/// One run over attacks.
+class CrashExport {
+ public:
+  CrashExport(const Arguments& arguments, const Config& config, AttackSource& attacks)
+      : arguments_(arguments),
+        config_(config),
+        attacks_(attacks),
+        writer_(
+            makeCrashWriter(arguments.format, {arguments.out, arguments.ego_free, config.exports,
+                                               config.attack.verification.drivable})) {}
+
+  int run() {
+    if (isMaster()) fs::create_directories(arguments_.out);
+    Run run;
+    run.path = (fs::path(arguments_.out) / "index.jsonl").string();
+    run.options = options();
+    run.items = "attacks";
+    run.count = attacks_.count();
+    run.jobs = arguments_.jobs;
+    run.work = [this](std::size_t index) { return write(index); };
+    run.take = [this](std::size_t index, const std::string& where, const std::string& line) {
+      take(index, readIndexLine(where, line), where);
+    };
+    carryOut(run);
+    if (!isMaster()) return kExitOk;
+    writer_->finish(crashes_);
+    printSummary();
+    return kExitOk;
+  }
+
+ private:
+  /// What the files depend on.
+  ResumableFile::Options options() const {
+    ResumableFile::Options options = fingerprintsOf(config_, arguments_.config);
+    for (const auto& [name, value] : attacks_.fingerprints()) options[name] = value;
+    options["config/export.yaml"] =
+        fingerprintOfFile((fs::path(arguments_.config) / "export.yaml").string());
+    options["format"] = arguments_.format;
+    options["ego"] = arguments_.ego_free ? "free" : "recorded";
+    return options;
+  }
+
+  /// Writes the files of an attack; returns its line of the index.
+  std::string write(std::size_t index) {
+    try {
+      const double history = arguments_.ego_free ? 0.0 : config_.exports.history;
+      const CrashRecord record = attacks_.record(index, history);
+      const ExportedCrash crash{record.name, record.scenario.asked.scene, record.lanes.location,
+                                record.ego.states.size()};
+      return indexLine(
+          {attacks_.numberOf(index), crash, record.now, record.contact, writer_->write(record)});
+    } catch (const std::exception& error) {
+      const std::string what = error.what(), where = attacks_.where(index);
+      const bool is_told = what.compare(0, where.size(), where) == 0;
+      throw std::runtime_error(is_told ? what : where + " cannot be exported: " + what);
+    }
+  }
+
+  void take(std::size_t index, const IndexEntry& entry, const std::string& where) {
+    if (entry.line != attacks_.numberOf(index)) {
+      throw std::runtime_error(where + ": is of " + std::to_string(entry.line) + ", not of " +
+                               attacks_.where(index));
+    }
+    if (!entry.contact) ++without_contact_;
+    crashes_.push_back(entry.crash);
+  }
+
+  void printSummary() const {
+    std::cout << crashes_.size() << " attacks of " << attacks_.described() << " in "
+              << arguments_.out << "\n";
+    if (without_contact_ == 0) return;
+    std::cout << without_contact_ << " of them do not touch the ego as it was recorded; they end "
+              << "where the recording or the trajectory does\n";
+  }
+
+  const Arguments& arguments_;
+  const Config& config_;
+  AttackSource& attacks_;
+  const std::unique_ptr<CrashWriter> writer_;
+  std::vector<ExportedCrash> crashes_;
+  std::size_t without_contact_ = 0;
+};
+
+int exportAny(const Arguments& arguments) {
+  const Config config = loadConfig(arguments.config);
+  if (arguments.format == kMcap) return exportMcap(arguments.bags, arguments.out, config);
+  const auto attacks = arguments.bags.empty()
+                           ? openScenarioAttacks(arguments.scenarios, arguments.dataroot,
+                                                 arguments.version, arguments.jobs, config)
+                           : openBagAttacks(arguments.bags, config);
+  return CrashExport(arguments, config, *attacks).run();
+}
+
+std::vector<std::string> formats() {
+  std::vector<std::string> names = exportFormats();
+  names.emplace_back(kMcap);
+  return names;
+}
+
+}  // namespace
+
+void addExport(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app =
+      line.add(kMakingCollisions, "export",
+               "Writes attacks and bags in formats of other tools; goes on where a run stopped.",
+               [arguments] { return exportAny(*arguments); });
+  app.add_option("--to", arguments->format, "format")
+      ->required()
+      ->transform(CLI::IsMember(formats(), CLI::ignore_case));
+  CLI::Option_group* source = app.add_option_group("what is exported");
+  CLI::Option* scenarios = source
+                               ->add_option("--scenarios", arguments->scenarios,
+                                            "scenario file of forge generate; not with mcap")
+                               ->check(CLI::ExistingFile);
+  source
+      ->add_option("--bag", arguments->bags,
+                   "bags of forge inject; with mcap also those of forge convert")
+      ->check(CLI::ExistingFile);
+  source->require_option(1);
+  CLI::Option* dataroot =
+      app.add_option("--dataroot", arguments->dataroot, "nuScenes root that the scenarios are of")
+          ->check(CLI::ExistingDirectory);
+  CLI::Option* version = addVersion(app, arguments->version);
+  scenarios->needs(dataroot)->needs(version);
+  addChoice<bool>(app, "--ego", arguments->ego_free, {{"recorded", false}, {"free", true}},
+                  "who drives the ego: as recorded, or free, the tool that reads the file; then "
+                  "it begins at now");
+  app.parse_complete_callback([arguments] {
+    if (arguments->format != kMcap || arguments->scenarios.empty()) return;
+    throw CLI::ValidationError("--to", "mcap is made of bags, by --bag");
+  });
+  addOut(app, arguments->out, "folder to write; see docs/export.md");
+  addJobs(app, arguments->jobs, "attacks at a time, in every rank of mpirun");
+  addConfig(app, arguments->config);
+}
+
+}  // namespace forge

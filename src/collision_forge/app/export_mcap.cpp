@@ -1,0 +1,72 @@
+#include "collision_forge/app/export_mcap.h"
+
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/batch/progress_line.h"
+#include "collision_forge/files/aside_file.h"
+#include "collision_forge/ros/foxglove_layout.h"
+#include "collision_forge/ros/mcap_export.h"
+#include "collision_forge/settings/config.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The file of each bag, in their order.
+std::vector<fs::path> filesOf(const std::vector<std::string>& bags, const fs::path& out) {
+  std::map<fs::path, std::string> bag_of;
+  std::vector<fs::path> files;
+  for (const std::string& bag : bags) {
+    files.push_back(out / (fs::path(bag).stem().string() + ".mcap"));
+    const auto [other, is_new] = bag_of.emplace(files.back(), bag);
+    if (is_new) continue;
+    throw std::invalid_argument("--bag " + other->second + " and " + bag + " would both become " +
+                                files.back().string());
+  }
+  return files;
+}
+
+/// Returns what went wrong, or nothing.
+std::string exportOne(const std::string& bag, const std::string& file, const Config& config) {
+  ProgressLine progress(fs::path(bag).filename().string());
+  try {
+    exportToMcap(bag, file, config.ego_vehicle, [&](double share) { progress.show(share); });
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+int exportMcap(const std::vector<std::string>& bags, const std::string& out, const Config& config) {
+  const std::vector<fs::path> files = filesOf(bags, out);
+  fs::create_directories(out);
+  std::size_t written = 0;
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < bags.size(); ++i) {
+    if (fs::exists(files[i])) {
+      ++before;
+      continue;
+    }
+    const std::string failure = exportOne(bags[i], files[i].string(), config);
+    if (failure.empty()) {
+      ++written;
+    } else {
+      printLine("not exported: " + failure);
+    }
+  }
+  const fs::path layout = fs::path(out) / "layout.json";
+  if (written + before > 0 && !fs::exists(layout)) writeText(layout.string(), foxgloveLayout());
+  std::cout << written << " of " << bags.size() << " bags exported to " << out;
+  if (before > 0) std::cout << ", " << before << " before";
+  std::cout << "\n";
+  return written + before == bags.size() ? kExitOk : kExitError;
+}
+
+}  // namespace forge

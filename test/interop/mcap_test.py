@@ -1,0 +1,209 @@
+#!/usr/bin/python3
+"""Bags that forge export wrote as MCAP, in the reader of PyPI's mcap, beside what rosbag reads of the bags."""
+import hashlib
+import json
+import math
+import os
+import subprocess
+import tempfile
+import unittest
+from collections import Counter
+from pathlib import Path
+
+import rosbag
+from genpy.dynamic import generate_dynamic
+
+from pages import LOGS, forge
+from virtual_environments import python_with
+
+SCENE = 'scene-0005'
+ATTACK = ['--type', 'opposite_direction', '--now', '5', '--tta', '4', '--mode', 'replay']
+MADE = '/collision_forge/'  # what is not of the bag
+
+
+def in_bag(path):
+    """[topic, time, hash of the bytes] of every message, sorted."""
+    with rosbag.Bag(str(path)) as bag:
+        return sorted([topic, time.to_nsec(), hashlib.sha256(raw[1]).hexdigest()]
+                      for topic, raw, time in bag.read_messages(raw=True))
+
+
+def connections_of(path):
+    """Of every connection: topic, type, definition, and what else its header says."""
+    taken = ('topic', 'type', 'message_definition')
+    with rosbag.Bag(str(path)) as bag:
+        return sorted([connection.topic, connection.datatype, connection.msg_def,
+                       sorted([key, value.decode() if isinstance(value, bytes) else value]
+                              for key, value in connection.header.items() if key not in taken)]
+                      for connection in bag._get_connections())
+
+
+def entities_of(update):
+    return {entity['id']: entity for entity in update['entities']}
+
+
+class McapTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        python = python_with('mcap', 'mcap==1.6.0', 'mcap-ros1-support==0.9.0')
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder, cls.out = Path(folder.name), Path(folder.name, 'mcap')
+        forge('convert', *LOGS, '--scene', SCENE, '--out', folder.name)
+        cls.bags = {'recorded': cls.folder / (SCENE + '.bag'), 'attacked': cls.folder / 'head_on.bag'}
+        forge('inject', '--bag', str(cls.bags['recorded']), *ATTACK, '--out', str(cls.bags['attacked']))
+        cls.export(*cls.bags.values())
+        reader = Path(__file__).parent / 'mcap_checks.py'
+        cls.read = {name: json.loads(subprocess.run([python, reader, cls.file_of(bag)], stdout=subprocess.PIPE,
+                                                    check=True).stdout) for name, bag in cls.bags.items()}
+
+    @classmethod
+    def export(cls, *bags):
+        return forge('export', '--to', 'mcap', '--bag', *map(str, bags), '--out', str(cls.out))
+
+    @classmethod
+    def file_of(cls, bag):
+        return cls.out / (bag.stem + '.mcap')
+
+    def updates(self, name, topic):
+        return [(time, update) for shown, time, update in self.read[name]['shown'] if shown == topic]
+
+    def contact(self):
+        with rosbag.Bag(str(self.bags['attacked'])) as bag:
+            report = next(message for _, message, _ in bag.read_messages('/tested_report'))
+        self.assertTrue(report.contact)
+        return report.attacker_id, report.contact_time.to_nsec()
+
+    def test_every_message_has_its_topic_time_and_bytes(self):
+        for name, bag in self.bags.items():
+            messages = self.read[name]['messages']
+            copied = sorted([topic, time, digest] for topic, time, _, _, _, digest in messages
+                            if not topic.startswith(MADE))
+            self.assertEqual(copied, in_bag(bag))
+            self.assertTrue(all(logged == published for _, logged, published, *_ in messages))
+            self.assertEqual([message[1] for message in messages], sorted(message[1] for message in messages))
+
+    def test_every_connection_is_a_channel_with_its_definition(self):
+        for name, bag in self.bags.items():
+            channels = self.read[name]['channels']
+            self.assertEqual({channel[2] for channel in channels}, {'ros1'})
+            self.assertEqual({channel[5] for channel in channels}, {'ros1msg'})
+            copied = sorted([topic, kind, text, sorted(map(list, metadata.items()))]
+                            for _, topic, _, metadata, kind, _, text in channels if not topic.startswith(MADE))
+            self.assertEqual(copied, connections_of(bag))
+
+    def test_definitions_of_what_is_made_have_their_md5(self):
+        for _, topic, _, metadata, kind, _, text in self.read['attacked']['channels']:
+            if topic.startswith(MADE):
+                self.assertEqual(generate_dynamic(kind, text)[kind]._md5sum, metadata['md5sum'])
+
+    def test_crcs_are_right(self):
+        for read in self.read.values():
+            found, expected = read['summary_crc']
+            self.assertNotEqual(found, 0)
+            self.assertEqual(found, expected)  # of chunks and data: the reader has checked them
+
+    def test_the_summary_tells_what_is_there(self):
+        for read in self.read.values():
+            messages, statistics, chunks = read['messages'], read['statistics'], read['chunks']
+            self.assertEqual(read['profile'], 'ros1')
+            self.assertEqual(statistics['messages'], len(messages))
+            self.assertEqual(statistics['channels'], len(read['channels']))
+            self.assertEqual((statistics['start'], statistics['end']), (messages[0][1], messages[-1][1]))
+            self.assertEqual({int(channel): count for channel, count in statistics['counts'].items()},
+                             Counter(message[4] for message in messages))
+            self.assertEqual(statistics['chunks'], len(chunks))
+            self.assertEqual(read['records'].count('ChunkIndex'), len(chunks))
+            self.assertEqual((min(chunk[0] for chunk in chunks), max(chunk[1] for chunk in chunks)),
+                             (statistics['start'], statistics['end']))
+            self.assertEqual({chunk[2] for chunk in chunks}, {'lz4'})
+            self.assertTrue(all(chunk[3] < chunk[4] for chunk in chunks))
+            self.assertEqual(read['records'].count('SummaryOffset'), 4)
+
+    def test_sequences_have_no_gap(self):
+        for read in self.read.values():
+            by_channel = {}
+            for _, _, _, sequence, channel, _ in read['messages']:
+                by_channel.setdefault(channel, []).append(sequence)
+            for sequences in by_channel.values():
+                self.assertEqual(sorted(sequences), list(range(len(sequences))))
+
+    def test_indexes_find_a_topic_from_a_time_on(self):
+        for read in self.read.values():
+            late = [message for message in read['messages'] if message[0] == '/tf' and message[1] >= read['middle']]
+            self.assertEqual(read['late'], len(late))
+            self.assertGreater(len(late), 10)
+
+    def test_lanes_and_edges_are_shown_once(self):
+        (_, update), = self.updates('recorded', '/collision_forge/map')
+        entities = entities_of(update)
+        self.assertEqual(set(entities), {'lanes', 'connectors', 'drivable_area'})
+        for name in ('lanes', 'drivable_area'):
+            lines, = entities[name]['lines']
+            self.assertEqual((lines['type'], len(lines['points']) % 2), (2, 0))
+            self.assertGreater(len(lines['points']), 20)
+
+    def test_every_frame_shows_everybody_who_is_there(self):
+        for name, bag in self.bags.items():
+            shown = self.updates(name, '/collision_forge/scene')
+            with rosbag.Bag(str(bag)) as source:
+                frames = {time.to_nsec(): message for _, message, time in source.read_messages('/agents')}
+            self.assertGreaterEqual(len(shown), len(frames) - 1)
+            for time, update in shown:
+                self.assertEqual([deletion['type'] for deletion in update['deletions']], [1])
+                cubes = {entity['id'] for entity in update['entities'] if entity['cubes']}
+                self.assertEqual(cubes, {'ego'} | {'agent ' + agent.id for agent in frames[time].agents})
+
+    def test_ego_and_attacker_touch_at_the_contact(self):
+        attacker, contact = self.contact()
+        shown = self.updates('attacked', '/collision_forge/scene')
+        gaps = {}
+        for time, update in shown:
+            entities = entities_of(update)
+            label = [text['text'] for text in entities['agent ' + attacker]['texts']] if 'attack' in entities else []
+            self.assertEqual(label, ['attacker'] if 'attack' in entities else [])
+            if 'attack' in entities:
+                poses = [entities[name]['cubes'][0]['pose']['position'] for name in ('ego', 'agent ' + attacker)]
+                gaps[time] = math.hypot(poses[0]['x'] - poses[1]['x'], poses[0]['y'] - poses[1]['y'])
+        at_contact = min(gaps, key=lambda time: abs(time - contact))
+        self.assertLess(abs(at_contact - contact), 2e6)
+        self.assertLess(gaps[at_contact], 6.0)  # m between the middles of two cars, front to front
+        self.assertGreater(gaps[min(gaps)], 40.0)
+
+    def test_speeds_are_those_of_the_bag(self):
+        with rosbag.Bag(str(self.bags['recorded'])) as bag:
+            driven = {time.to_nsec(): message.twist.twist.linear.x for _, message, time in bag.read_messages('/odom')}
+        numbers = self.read['recorded']['numbers']
+        self.assertNotIn('/collision_forge/attacker_speed', numbers)
+        for time, speed in numbers['/collision_forge/ego_speed']:
+            self.assertAlmostEqual(speed, driven[time], delta=0.3)
+        attacker = self.read['attacked']['numbers']['/collision_forge/attacker_speed']
+        self.assertGreater(max(speed for _, speed in attacker), 5.0)
+
+    def test_the_layout_names_topics_of_the_file(self):
+        layout = json.loads((self.out / 'layout.json').read_text())
+        topics = {channel[1] for channel in self.read['attacked']['channels']}
+        scene, plot = (layout['configById'][layout['layout'][place]] for place in ('first', 'second'))
+        self.assertLessEqual(set(scene['topics']), topics)
+        for path in plot['paths']:
+            topic, field = path['value'].rsplit('.', 1)
+            self.assertEqual((topic in topics, field), (True, 'data'))
+
+    def test_what_is_complete_is_not_written_again(self):
+        before = self.file_of(self.bags['attacked']).stat().st_mtime_ns
+        self.export(*self.bags.values())
+        self.assertEqual(self.file_of(self.bags['attacked']).stat().st_mtime_ns, before)
+
+    def test_what_is_no_whole_bag_is_told(self):
+        truncated, empty = self.folder / 'truncated.bag', self.folder / 'empty.bag'
+        truncated.write_bytes(self.bags['recorded'].read_bytes()[:100000])
+        rosbag.Bag(str(empty), 'w').close()
+        for bag, words in ((truncated, 'truncated or damaged'), (empty, 'has no messages')):
+            with self.assertRaisesRegex(RuntimeError, '{}: .*{}'.format(bag, words)):
+                self.export(bag)
+            self.assertFalse(self.file_of(bag).exists())
+
+
+if __name__ == '__main__':
+    os.chdir(Path(__file__).parents[2])
+    unittest.main()

@@ -1,0 +1,79 @@
+#!/usr/bin/python3
+"""What forge export --to openscenario writes, in ASAM's checkers and in SUMO's netconvert."""
+import json
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from pages import LOGS, attacks_of, forge, make_scenarios
+from sumo_roads import farthest, python_with_netconvert
+from virtual_environments import python_with
+
+CHECKS = Path(__file__).with_name('asam_checks.py')
+
+
+def python_with_asams_rules():
+    return python_with('asam', 'asam-qc-openscenarioxml==1.0.0', 'asam-qc-opendrive==1.0.0', 'asam-qc-baselib==1.1.0')
+
+
+class OpenScenarioTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        cls.scenarios = make_scenarios(folder.name, 11)
+        cls.out = cls.exported('out')
+        cls.index = [json.loads(line) for line in (cls.out / 'index.jsonl').read_text(encoding='utf-8').splitlines()]
+
+    @classmethod
+    def exported(cls, name, *words):
+        out = cls.folder / name
+        forge('export', '--to', 'openscenario', '--scenarios', cls.scenarios, *LOGS, '--out', str(out), *words)
+        return out
+
+    def check(self, out):
+        return subprocess.run([python_with_asams_rules(), CHECKS, out], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True, check=False)
+
+    def test_all_attacks_are_exported(self):
+        self.assertEqual(len(self.index), len(attacks_of(self.scenarios)))
+        self.assertGreater(len(self.index), 20)
+        for entry in self.index:
+            for file in entry['files']:
+                self.assertTrue((self.out / file).exists(), file)
+
+    def test_asams_rules_find_no_error(self):
+        for out in (self.out, self.exported('free', '--ego', 'free')):
+            result = self.check(out)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            self.assertIn('{} files checked'.format(2 * len(self.index)), result.stdout)
+
+    def test_asams_rules_find_what_is_wrong(self):
+        broken = self.folder / 'broken'
+        broken.mkdir()
+        road, scenario = (self.out / name for name in self.index[0]['files'])
+        (broken / road.name).write_text(road.read_text().replace('<planView', '<plan').replace('</planView', '</plan'))
+        (broken / scenario.name).write_text(scenario.read_text().replace('EntityRef entityRef="attacker"',
+                                                                        'EntityRef entityRef="nobody"'))
+        result = self.check(broken)
+        self.assertEqual(result.returncode, 1)
+        for path in (road, scenario):
+            self.assertIn(path.name + ': ', result.stdout)
+
+    def test_netconvert_has_the_lanes_where_they_are(self):
+        python = python_with_netconvert()
+        net = self.folder / 'map.net.xml'
+        for entry in self.index[::5]:
+            self.assertLess(farthest(python, self.out / entry['files'][0], net), 0.2, entry['name'])
+        moved = self.folder / 'moved.xodr'
+        shutil.copy(str(self.out / self.index[0]['files'][0]), str(moved))
+        text = moved.read_text()
+        moved.write_text(text.replace('<laneOffset s="0" a="', '<laneOffset s="0" a="1'))
+        self.assertGreater(farthest(python, moved, net), 0.5)
+
+
+if __name__ == '__main__':
+    unittest.main()

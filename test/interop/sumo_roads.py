@@ -1,0 +1,79 @@
+"""OpenDRIVE files read by SUMO's netconvert, and how far its lanes are from the courses of the roads."""
+import math
+import os
+import subprocess
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+from virtual_environments import python_with
+
+SPACING = 0.1  # m between the points of a course
+WORDS = ['--offset.disable-normalization', 'true', '--opendrive.internal-shapes', 'true', '--opendrive.curve-resolution',
+         '0.5', '--junctions.endpoint-shape', 'true', '--no-warnings', 'true']
+
+
+def course(road):
+    """Points of a road's reference line."""
+    points = []
+    for piece in road.find('planView'):
+        x, y, heading, length = (float(piece.get(name)) for name in ('x', 'y', 'hdg', 'length'))
+        arc = piece.find('arc')
+        curvature = float(arc.get('curvature')) if arc is not None else 0.0
+        count = max(1, math.ceil(length / SPACING))
+        for step in range(count + 1):
+            way = length * step / count
+            half = curvature * way / 2
+            chord = way * (math.sin(half) / half if half else 1.0)
+            points.append((x + chord * math.cos(heading + half), y + chord * math.sin(heading + half)))
+    return points
+
+
+class Courses:
+    """The points of all courses of a file, found by their place."""
+
+    def __init__(self, roads):
+        self.cells = {}
+        for road in roads:
+            for x, y in course(road):
+                self.cells.setdefault((round(x), round(y)), []).append((x, y))
+
+    def distance_to(self, x, y):
+        """m to the nearest; infinite beyond 1 m or so."""
+        cells = [(round(x) + i, round(y) + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+        return min((math.hypot(x - px, y - py) for cell in cells for px, py in self.cells.get(cell, ())),
+                   default=math.inf)
+
+
+class RoadsNotRead(Exception):
+    """netconvert reads a file otherwise than it is meant."""
+
+
+def python_with_netconvert():
+    """The interpreter of an environment with netconvert of 1.20 or later: earlier ones draw junctions over lanes."""
+    return python_with('sumo', 'eclipse-sumo==1.28.0')
+
+
+def farthest(python, path, net):
+    """m that lanes of netconvert are off, at most; `net` is written. Raises RoadsNotRead.
+
+    `python` is that of python_with_netconvert().
+    """
+    home = next(python.parent.parent.glob('lib/python*/site-packages/sumo'))
+    result = subprocess.run([python.parent / 'netconvert', '--opendrive-files', path, '-o', net, *WORDS], text=True,
+                            check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                            env=dict(os.environ, SUMO_HOME=str(home)))
+    if result.returncode or not Path(net).exists():
+        raise RoadsNotRead('{}: {}'.format(path, result.stdout))
+    roads = list(ElementTree.parse(path).getroot().iter('road'))
+    courses, seen, worst = Courses(roads), set(), 0.0
+    for edge in ElementTree.parse(net).getroot().iter('edge'):
+        if edge.get('function') != 'internal':
+            seen.add(edge.get('id').lstrip('-').partition('#')[0])  # one from a junction to itself is split
+        for lane in edge.iter('lane'):
+            for point in lane.get('shape').split():
+                x, y = (float(text) for text in point.split(',')[:2])
+                worst = max(worst, courses.distance_to(x, y))
+    missing = {road.get('id') for road in roads if road.get('junction') == '-1'} - seen
+    if missing:
+        raise RoadsNotRead('{}: roads {} are no edges'.format(path, sorted(missing)))
+    return worst

@@ -1,0 +1,267 @@
+#include "collision_forge/ros/mcap_export.h"
+
+#include <collision_forge/AgentArray.h>
+#include <collision_forge/Attack.h>
+#include <collision_forge/LaneMap.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rosbag/view.h>
+#include <std_msgs/Float64.h>
+#include <std_msgs/String.h>
+#include <tf2_msgs/TFMessage.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "collision_forge/ros/bag_file.h"
+#include "collision_forge/ros/scene_update.h"
+#include "collision_forge/ros/topic_names.h"
+#include "ros/mcap_contents.h"
+#include "ros/ros_decoder.h"
+
+namespace forge {
+namespace {
+
+using testing::StartsWith;
+
+constexpr double kEgoSpeed = 4.0;  // m/s along x, from x = 0 at 0 s
+const EgoVehicle kEgo{{4.0, 2.0}, 1.5};
+
+tf2_msgs::TFMessage transformAt(double time) {
+  tf2_msgs::TFMessage message;
+  message.transforms.emplace_back();
+  auto& transform = message.transforms.back();
+  transform.header.stamp = ros::Time(time);
+  transform.header.frame_id = names::kMapFrame;
+  transform.child_frame_id = names::kBaseFrame;
+  transform.transform.translation.x = kEgoSpeed * time;
+  transform.transform.rotation.w = 1.0;
+  return message;
+}
+
+collision_forge::AgentArray frameAt(double time) {
+  collision_forge::AgentArray message;
+  message.header.stamp = ros::Time(time);
+  message.header.frame_id = names::kMapFrame;
+  message.agents.emplace_back();
+  collision_forge::Agent& agent = message.agents.back();
+  agent.id = "attacker";
+  agent.size.x = 4.6;
+  agent.size.y = 1.9;
+  agent.pose.position.y = 30.0;
+  agent.pose.orientation.w = 1.0;
+  agent.velocity.x = 3.0;
+  agent.velocity.y = 4.0;
+  return message;
+}
+
+collision_forge::Attack attackAt(double now) {
+  collision_forge::Attack attack;
+  attack.header.stamp = ros::Time(now);
+  attack.trajectory.attacker_id = "attacker";
+  return attack;
+}
+
+class ExportToMcapTest : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// Frames every half second, transforms 0.2 s apart that are never at the same times.
+  void writeRecording(const char* agents = names::kAgents, double attack_at = 2.0) {
+    NewBag bag(in_);
+    bag.writeLatched(bagTopic(names::kLaneMap), ros::Time(0.95), collision_forge::LaneMap());
+    for (double time = 0.95; time < 3.2; time += 0.2) {
+      bag.write(names::kTf, ros::Time(time), transformAt(time));
+    }
+    for (double time = 1.0; time < 3.2; time += 0.5) {
+      bag.write(bagTopic(agents), ros::Time(time), frameAt(time));
+    }
+    const ros::Time now(attack_at);
+    bag.writeLatched(bagTopic(names::kAttack), now, attackAt(attack_at));
+    bag.commit();
+  }
+
+  McapContents exported() const {
+    exportToMcap(in_, out_, kEgo);
+    return McapContents(bytesOf(out_));
+  }
+
+  std::string complaint() const {
+    try {
+      exportToMcap(in_, out_, kEgo);
+    } catch (const BagError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  static std::string bytesOf(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+  static void writeBytes(const std::string& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("collision_forge_mcap_" + std::to_string(getpid()));
+  const std::string in_ = folder_ / "in.bag";
+  const std::string out_ = folder_ / "out.mcap";
+};
+
+TEST_F(ExportToMcapTest, EveryMessageHasItsBytesTopicAndTime) {
+  writeRecording();
+  const McapContents contents = exported();
+  std::multimap<std::pair<std::string, std::uint64_t>, std::string> left;
+  for (const McapMessage& message : contents.messages()) {
+    EXPECT_EQ(message.encoding, "ros1");
+    EXPECT_EQ(message.schema_encoding, "ros1msg");
+    EXPECT_EQ(message.publish_time, message.log_time);
+    left.emplace(std::pair(message.topic, message.log_time), message.bytes);
+  }
+  const rosbag::Bag bag(in_);
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag)) {
+    std::string bytes(instance.size(), '\0');
+    ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()),
+                                       instance.size());
+    instance.write(stream);
+    const auto found = left.find({instance.getTopic(), instance.getTime().toNSec()});
+    ASSERT_NE(found, left.end()) << instance.getTopic();
+    EXPECT_EQ(found->second, bytes);
+    left.erase(found);
+  }
+  for (const auto& [key, _] : left) EXPECT_THAT(key.first, StartsWith("/collision_forge/"));
+}
+
+TEST_F(ExportToMcapTest, ChannelsSayWhatConnectionsSay) {
+  {
+    NewBag bag(in_);
+    auto header = boost::make_shared<ros::M_string>();
+    *header = {{"type", "std_msgs/String"},
+               {"md5sum", "992ce8a1687cec8c8bd883ec73ca41d1"},
+               {"message_definition", "string data\n"},
+               {"callerid", "/talker"},
+               {"latching", "1"}};
+    bag.write("/words", ros::Time(1.0), std_msgs::String(), header);
+    bag.commit();
+  }
+  const McapContents contents = exported();
+  ASSERT_EQ(contents.messages().size(), 1U);
+  const McapMessage& message = contents.messages()[0];
+  EXPECT_EQ(message.topic, "/words");
+  EXPECT_EQ(message.schema, "std_msgs/String");
+  EXPECT_EQ(message.definition, "string data\n");
+  EXPECT_EQ(message.metadata,
+            (std::map<std::string, std::string>{{"callerid", "/talker"},
+                                                {"latching", "1"},
+                                                {"md5sum", "992ce8a1687cec8c8bd883ec73ca41d1"}}));
+}
+
+TEST_F(ExportToMcapTest, FramesShowTheEgoWhereItIsBetweenItsTransforms) {
+  writeRecording();
+  const std::vector<McapMessage> frames = exported().of("/collision_forge/scene");
+  ASSERT_EQ(frames.size(), 5U);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const double time = 1.0 + 0.5 * static_cast<double>(i);
+    EXPECT_EQ(frames[i].schema, kSceneUpdateType);
+    EXPECT_EQ(frames[i].log_time, ros::Time(time).toNSec());
+    const RosDecoder decoded(frames[i].definition, frames[i].bytes);
+    EXPECT_EQ(decoded.text("entities[0].id"), "ego");
+    EXPECT_NEAR(decoded.number("entities[0].cubes[0].pose.position.x"),
+                kEgoSpeed * time + kEgo.center_offset, 1e-6);
+    EXPECT_EQ(decoded.text("entities[1].texts[0].text"), time < 2.0 ? "car attack" : "attacker");
+  }
+}
+
+TEST_F(ExportToMcapTest, SpeedsAreThoseOfEgoAndAttacker) {
+  writeRecording();
+  const McapContents contents = exported();
+  const auto speed = [](const McapMessage& message) {
+    return RosDecoder(message.definition, message.bytes).number("data");
+  };
+  EXPECT_EQ(contents.of("/collision_forge/ego_speed").size(), 11U);
+  for (const auto& message : contents.of("/collision_forge/ego_speed")) {
+    EXPECT_NEAR(speed(message), kEgoSpeed, 1e-6);
+  }
+  EXPECT_EQ(contents.of("/collision_forge/attacker_speed").size(), 3U) << "from now on";
+  for (const auto& message : contents.of("/collision_forge/attacker_speed")) {
+    EXPECT_EQ(speed(message), 5.0);
+  }
+}
+
+TEST_F(ExportToMcapTest, LiveRecordingsShowTheFramesWithTheAttackerInThem) {
+  writeRecording(names::kInjectedAgents);
+  EXPECT_EQ(exported().of("/collision_forge/scene").size(), 5U);
+}
+
+TEST_F(ExportToMcapTest, BagsWithoutAScenePassAsTheyAre) {
+  {
+    NewBag bag(in_);
+    bag.write("/number", ros::Time(1.0), std_msgs::Float64());
+    bag.commit();
+  }
+  EXPECT_EQ(exported().messages().size(), 1U);
+}
+
+TEST_F(ExportToMcapTest, AMessageOfNoTimeIsRefused) {
+  const ros::Time marked(0x12345678U, 0x2345678U);
+  {
+    rosbag::Bag bag(in_, rosbag::bagmode::Write);
+    bag.write("/number", marked, std_msgs::Float64());
+    bag.write("/number", ros::Time(0x12345679U, 0), std_msgs::Float64());
+  }
+  std::string bytes = bytesOf(in_);
+  std::string time(8, '\0');
+  std::memcpy(time.data(), &marked.sec, 4);
+  std::memcpy(time.data() + 4, &marked.nsec, 4);
+  for (std::size_t at = bytes.find(time); at != std::string::npos; at = bytes.find(time)) {
+    bytes.replace(at, time.size(), std::string(time.size(), '\0'));
+  }
+  writeBytes(in_, bytes);
+  EXPECT_THAT(complaint(), StartsWith(in_ + ": has messages at time 0"));
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+TEST_F(ExportToMcapTest, ABagWithoutMessagesIsRefused) {
+  rosbag::Bag(in_, rosbag::bagmode::Write).close();
+  EXPECT_EQ(complaint(), in_ + ": has no messages");
+}
+
+TEST_F(ExportToMcapTest, WhatIsNoWholeBagIsRefused) {
+  writeRecording();
+  const std::string bytes = bytesOf(in_);
+  for (const std::size_t size : {bytes.size() - 1, bytes.size() / 2, std::size_t{5000}}) {
+    writeBytes(in_, bytes.substr(0, size));
+    EXPECT_THAT(complaint(), StartsWith(in_ + ": truncated or damaged: ")) << size;
+  }
+  writeBytes(in_, "no bag");
+  EXPECT_THAT(complaint(), StartsWith(in_ + ": "));
+  std::filesystem::remove(in_);
+  EXPECT_THAT(complaint(), StartsWith(in_ + ": cannot be read"));
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+TEST_F(ExportToMcapTest, ADamagedMessageLeavesNothingBehind) {
+  writeRecording();
+  std::string bytes = bytesOf(in_);
+  for (std::size_t i = 5500; i < 5900; ++i) bytes[i] = 'x';
+  writeBytes(in_, bytes);
+  EXPECT_THAT(complaint(), StartsWith(in_ + ": "));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << "the bag alone";
+}
+
+TEST_F(ExportToMcapTest, ProgressGrowsToAll) {
+  writeRecording();
+  double last = -1.0;
+  exportToMcap(in_, out_, kEgo, [&](double share) {
+    EXPECT_GE(share, last);
+    last = share;
+  });
+  EXPECT_EQ(last, 1.0);
+}
+
+}  // namespace
+}  // namespace forge
