@@ -43,10 +43,7 @@ std::map<std::string, Road> byLane(const RoadNetwork& network) {
 
 Pose2 endOf(const Road& road) {
   const RoadPiece& last = road.course.back();
-  const char turn = last.curvature > 0.0 ? 'L' : last.curvature < 0.0 ? 'R' : 'S';
-  const double radius = last.curvature == 0.0 ? 1.0 : 1.0 / std::abs(last.curvature);
-  return poseAt(ArcPath{last.start, {turn, 'S', 'S'}, radius, {last.length, 0.0, 0.0}},
-                last.length);
+  return alongArc(last.start, last.curvature, last.length);
 }
 
 /// What OpenDRIVE asks of every network: joints are mutual, connecting roads come from plain ones

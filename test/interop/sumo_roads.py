@@ -8,8 +8,8 @@ from pathlib import Path
 from virtual_environments import python_with
 
 SPACING = 0.1  # m between the points of a course
-WORDS = ['--offset.disable-normalization', 'true', '--opendrive.internal-shapes', 'true', '--opendrive.curve-resolution',
-         '0.5', '--junctions.endpoint-shape', 'true', '--no-warnings', 'true']
+WORDS = ['--offset.disable-normalization', 'true', '--opendrive.internal-shapes', 'true',
+         '--opendrive.curve-resolution', '0.5', '--junctions.endpoint-shape', 'true', '--no-warnings', 'true']
 
 
 def course(road):
@@ -49,7 +49,7 @@ class RoadsNotRead(Exception):
 
 
 def python_with_netconvert():
-    """The interpreter of an environment with netconvert of 1.20 or later: earlier ones draw junctions over lanes."""
+    """The interpreter of an environment with netconvert. That of Debian (1.15) draws junctions over short lanes."""
     return python_with('sumo', 'eclipse-sumo==1.28.0')
 
 

@@ -19,22 +19,13 @@ double lengthOf(const std::vector<RoadPiece>& course) {
                          [](double sum, const RoadPiece& piece) { return sum + piece.length; });
 }
 
-/// The end of a piece.
-Pose2 endOf(const RoadPiece& piece) {
-  const double half_turn = 0.5 * piece.curvature * piece.length;
-  const double chord =
-      half_turn == 0.0 ? piece.length : piece.length * std::sin(half_turn) / half_turn;
-  return {piece.start.x + chord * std::cos(piece.start.yaw + half_turn),
-          piece.start.y + chord * std::sin(piece.start.yaw + half_turn),
-          wrapAngle(piece.start.yaw + 2.0 * half_turn)};
-}
+Pose2 endOf(const RoadPiece& piece) { return alongArc(piece.start, piece.curvature, piece.length); }
 
 void addArcs(const ArcPath& path, std::vector<RoadPiece>& course) {
   double begin = 0.0;
   for (std::size_t i = 0; i < path.shape.size(); ++i) {
     const double length = path.segment_length[i];
-    const double turn = path.shape[i] == 'L' ? 1.0 : path.shape[i] == 'R' ? -1.0 : 0.0;
-    if (length > kMinPiece) course.push_back({poseAt(path, begin), length, turn / path.radius});
+    if (length > kMinPiece) course.push_back({poseAt(path, begin), length, curvatureOf(path, i)});
     begin += length;
   }
 }

@@ -19,6 +19,13 @@ struct ArcPath {
   double length() const { return segment_length[0] + segment_length[1] + segment_length[2]; }
 };
 
+/// Of piece 0, 1 or 2, 1/m, positive to the left. Throws std::invalid_argument for a letter that is
+/// none of L, S and R.
+double curvatureOf(const ArcPath& path, std::size_t piece);
+
+/// The pose an arc length (m) further along a constant curvature (1/m), exactly.
+Pose2 alongArc(const Pose2& from, double curvature, double arc_length);
+
 /// Pose at an arc length in [0, length], integrated exactly.
 Pose2 poseAt(const ArcPath& path, double arc_length);
 
