@@ -123,6 +123,16 @@ TEST(JsonLine, WhatIsNoJsonNamesTheByte) {
   EXPECT_THAT(complaintOf("[1]", kNothing), HasSubstr("list: line 3: [...] is not an object"));
 }
 
+TEST(JsonLine, NumbersThatNoDoubleHoldsAreNoJson) {
+  for (const std::string number : {"1e400", "NaN", "Infinity", "-Infinity"}) {
+    EXPECT_THAT(complaintOf("{\"a\":" + number + "}", kNothing), HasSubstr("list: line 3: invalid"))
+        << number;
+  }
+  EXPECT_EQ(complaintOf("{\"a\":0." + std::string(348, '0') + "1}",
+                        [](JsonObject& object) { EXPECT_EQ(object.number("a"), 0.0); }),
+            "");
+}
+
 TEST(JsonLine, DeepNestingIsNoCrash) {
   const std::string deep = R"({"a":)" + std::string(200'000, '[') + std::string(200'000, ']') + "}";
   EXPECT_THAT(complaintOf(deep, [](JsonObject& object) { object.number("a"); }),

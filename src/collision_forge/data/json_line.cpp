@@ -1,7 +1,9 @@
 #include "collision_forge/data/json_line.h"
 
 #include <rapidjson/document.h>
+#include <rapidjson/encodedstream.h>
 #include <rapidjson/error/en.h>
+#include <rapidjson/memorystream.h>
 #include <rapidjson/stringbuffer.h>
 #include <rapidjson/writer.h>
 
@@ -9,14 +11,12 @@
 #include <cmath>
 #include <utility>
 
+#include "collision_forge/data/json_numbers.h"
+
 namespace forge {
 namespace {
 
 using rapidjson::Value;
-
-constexpr unsigned kParseFlags = rapidjson::kParseFullPrecisionFlag |
-                                 rapidjson::kParseIterativeFlag |
-                                 rapidjson::kParseValidateEncodingFlag;
 
 std::string stringOf(const Value& value) { return {value.GetString(), value.GetStringLength()}; }
 
@@ -159,11 +159,13 @@ std::string JsonObject::pathOf(const std::string& key) const {
 
 JsonLine::JsonLine(std::string where, const std::string& text)
     : where_(std::move(where)), document_(std::make_shared<rapidjson::Document>()) {
-  document_->Parse<kParseFlags>(text.data(), text.size());
-  if (!document_->HasParseError()) return;
-  throw JsonLineError(where_ + ": invalid JSON at byte " +
-                      std::to_string(document_->GetErrorOffset()) + ": " +
-                      rapidjson::GetParseError_En(document_->GetParseError()));
+  rapidjson::MemoryStream bytes(text.data(), text.size());
+  rapidjson::EncodedInputStream<rapidjson::UTF8<>, rapidjson::MemoryStream> stream(bytes);
+  const rapidjson::ParseResult result =
+      parseExactly<rapidjson::kParseValidateEncodingFlag>(stream, *document_);
+  if (!result.IsError()) return;
+  throw JsonLineError(where_ + ": invalid JSON at byte " + std::to_string(result.Offset()) + ": " +
+                      rapidjson::GetParseError_En(result.Code()));
 }
 
 JsonObject JsonLine::root() const { return {where_, "", *document_}; }

@@ -12,6 +12,8 @@
 #include <memory>
 #include <utility>
 
+#include "collision_forge/data/json_numbers.h"
+
 namespace forge {
 namespace {
 
@@ -72,11 +74,11 @@ void JsonRow::readNumbers(std::size_t field, double* values, std::size_t count) 
   if (value.ends.size() != count) fail(field, "is not " + wanted);
   for (std::size_t i = 0; i < count; ++i) {
     const std::string_view digits = element(value, i);
-    const auto [end, error] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), values[i]);
-    if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(values[i])) {
+    const auto number = nearestDouble(digits);
+    if (!number || !std::isfinite(*number)) {
       fail(field, "holds a number that is not finite: " + std::string(digits));
     }
+    values[i] = *number;
   }
 }
 

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "collision_forge/data/json_numbers.h"
 #include "collision_forge/data/nuscenes_json.h"
 
 namespace forge {
@@ -22,10 +23,6 @@ using rapidjson::Value;
 
 constexpr std::size_t kBufferBytes = 1 << 18;
 constexpr std::pair<int, int> kOldestVersion = {1, 3};
-// Iterative: a file nested a million deep must not exhaust the stack.
-constexpr unsigned kParseFlags = rapidjson::kParseNanAndInfFlag |
-                                 rapidjson::kParseFullPrecisionFlag |
-                                 rapidjson::kParseIterativeFlag;
 
 std::string textOf(const Value& value) { return {value.GetString(), value.GetStringLength()}; }
 
@@ -52,11 +49,11 @@ void NuScenesMapDocument::parse() {
   if (!file) throw NuScenesError(path_ + ": cannot be opened: " + std::strerror(errno));
   std::vector<char> buffer(kBufferBytes);
   rapidjson::FileReadStream stream(file.get(), buffer.data(), buffer.size());
-  document_.ParseStream<kParseFlags>(stream);
-  if (document_.HasParseError()) {
-    throw NuScenesError(path_ + ": invalid JSON at byte " +
-                        std::to_string(document_.GetErrorOffset()) + ": " +
-                        rapidjson::GetParseError_En(document_.GetParseError()));
+  const rapidjson::ParseResult result =
+      parseExactly<rapidjson::kParseNanAndInfFlag>(stream, document_);
+  if (result.IsError()) {
+    throw NuScenesError(path_ + ": invalid JSON at byte " + std::to_string(result.Offset()) + ": " +
+                        rapidjson::GetParseError_En(result.Code()));
   }
   if (!document_.IsObject()) throw NuScenesError(path_ + ": is not an object of layers");
 }

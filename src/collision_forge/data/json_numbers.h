@@ -1,0 +1,60 @@
+#pragma once
+
+#include <rapidjson/document.h>
+#include <rapidjson/reader.h>
+
+#include <optional>
+#include <string_view>
+
+namespace forge {
+
+/// The double nearest to a number of JSON, exactly; NaN and infinite where the text says so.
+/// Nothing for a text that is no number, or one beyond the largest double.
+std::optional<double> nearestDouble(std::string_view text);
+
+/// What RapidJSON reads, into a document, with its numbers made here: its own conversion reads
+/// beyond its memory for some long numbers. Integers stay integers where 64 bits hold them.
+class ExactNumbers : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, ExactNumbers> {
+ public:
+  explicit ExactNumbers(rapidjson::Document& document) : document_(document) {}
+
+  // The names are RapidJSON's. NOLINTBEGIN(readability-identifier-naming)
+  bool Null() { return document_.Null(); }
+  bool Bool(bool value) { return document_.Bool(value); }
+  bool RawNumber(const char* text, rapidjson::SizeType size, bool copy);
+  bool String(const char* text, rapidjson::SizeType size, bool copy) {
+    return document_.String(text, size, copy);
+  }
+  bool StartObject() { return document_.StartObject(); }
+  bool Key(const char* text, rapidjson::SizeType size, bool copy) {
+    return document_.Key(text, size, copy);
+  }
+  bool EndObject(rapidjson::SizeType size) { return document_.EndObject(size); }
+  bool StartArray() { return document_.StartArray(); }
+  bool EndArray(rapidjson::SizeType size) { return document_.EndArray(size); }
+  // NOLINTEND(readability-identifier-naming)
+
+ private:
+  rapidjson::Document& document_;
+};
+
+/// Reads JSON with exact numbers. The parse is iterative: a text nested a million deep does not
+/// exhaust the stack. A number beyond the largest double is kParseErrorNumberTooBig.
+template <unsigned kMoreFlags, typename Stream>
+rapidjson::ParseResult parseExactly(Stream& stream, rapidjson::Document& document) {
+  constexpr unsigned kFlags =
+      kMoreFlags | rapidjson::kParseIterativeFlag | rapidjson::kParseNumbersAsStringsFlag;
+  rapidjson::ParseResult result;
+  const auto read = [&](rapidjson::Document& into) {
+    ExactNumbers numbers(into);
+    result = rapidjson::Reader().Parse<kFlags>(stream, numbers);
+    return !result.IsError();
+  };
+  document.Populate(read);
+  if (result.Code() == rapidjson::kParseErrorTermination) {
+    result.Set(rapidjson::kParseErrorNumberTooBig, result.Offset());
+  }
+  return result;
+}
+
+}  // namespace forge
