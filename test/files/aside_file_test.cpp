@@ -1,12 +1,19 @@
 #include "collision_forge/files/aside_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
+
+#include "files/file_size_limit.h"
 
 namespace forge {
 namespace {
@@ -27,6 +34,14 @@ std::string complaintOf(const std::function<void()>& action) {
     return error.what();
   }
   return "";
+}
+
+std::set<std::string> namesIn(const std::string& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    names.insert(entry.path().filename().string());
+  }
+  return names;
 }
 
 class AsideFileTest : public testing::Test {
@@ -68,22 +83,93 @@ TEST_F(AsideFileTest, MovesWhatOthersWroteByName) {
 }
 
 TEST_F(AsideFileTest, SaysWhyItCannotBeMade) {
-  AsideFile file(folder_ + "/none/file");
-  EXPECT_EQ(complaintOf([&] { file.stream(); }),
+  EXPECT_EQ(complaintOf([&] { AsideFile(folder_ + "/none/file"); }),
             folder_ + "/none/file: cannot be written: No such file or directory");
 }
 
 TEST_F(AsideFileTest, AFullDiskLosesNothing) {
   writeText(path_, "before");
   const std::map<std::size_t, std::string> complaints = {
-      {1, ": cannot be written: No space left on device"},
+      {9, ": cannot be written: File too large"},
       {std::size_t{1} << 20U, ": cannot be written to its end; is the disk full?"}};
   for (const auto& [size, complaint] : complaints) {
-    fs::create_symlink("/dev/full", part_);
-    EXPECT_EQ(complaintOf([&] { writeText(path_, std::string(size, 'x')); }), path_ + complaint);
+    const FileSizeLimit limit(8);  // bytes
+    EXPECT_EQ(complaintOf([&, size = size] { writeText(path_, std::string(size, 'x')); }),
+              path_ + complaint);
     EXPECT_EQ(contentOf(path_), "before");
-    EXPECT_FALSE(fs::exists(fs::symlink_status(part_)));
+    EXPECT_FALSE(fs::exists(part_));
   }
+}
+
+TEST_F(AsideFileTest, WritersOfOnePathEachHaveAFileOfTheirOwn) {
+  AsideFile first(path_);
+  AsideFile second(path_);
+  EXPECT_NE(first.partPath(), second.partPath());
+  first.stream() << "the first";
+  second.stream() << "the second";
+  second.commit();
+  EXPECT_EQ(contentOf(path_), "the second");
+  first.commit();
+  EXPECT_EQ(contentOf(path_), "the first");
+  EXPECT_EQ(namesIn(folder_), std::set<std::string>{"file"});
+}
+
+TEST_F(AsideFileTest, ProcessesThatWriteOnePathLeaveAWholeFile) {
+  constexpr int kProcesses = 8;
+  constexpr int kFiles = 50;
+  const std::size_t size = 100000;
+  std::vector<pid_t> children;
+  for (int process = 0; process < kProcesses; ++process) {
+    children.push_back(::fork());
+    if (children.back() != 0) continue;
+    bool is_whole = true;
+    try {
+      for (int i = 0; i < kFiles; ++i) {
+        writeText(path_, std::string(size, static_cast<char>('a' + process)));
+        const std::string content = contentOf(path_);
+        is_whole &= content == std::string(size, content.front());
+      }
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      is_whole = false;
+    }
+    ::_exit(is_whole ? 0 : 1);
+  }
+  for (const pid_t child : children) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
+  EXPECT_EQ(namesIn(folder_), std::set<std::string>{"file"});
+}
+
+TEST_F(AsideFileTest, WhatAKilledProcessLeftIsRemoved) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    AsideFile file(path_);
+    file.stream() << "half" << std::flush;
+    ::raise(SIGKILL);
+  }
+  ::waitpid(child, nullptr, 0);
+  ASSERT_EQ(contentOf(part_), "half");
+  writeText(path_, "whole");
+  EXPECT_EQ(contentOf(path_), "whole");
+  EXPECT_EQ(namesIn(folder_), std::set<std::string>{"file"});
+}
+
+TEST_F(AsideFileTest, FollowsNoLinkThatSomebodyPlanted) {
+  const std::string other = folder_ + "/other";
+  std::ofstream(other) << "of somebody else";
+  for (const auto& target : {other, folder_ + "/not_there"}) {
+    fs::create_symlink(target, part_);
+    writeText(path_, "text");
+    EXPECT_EQ(contentOf(path_), "text");
+    fs::remove(part_);
+  }
+  fs::create_hard_link(other, part_);
+  writeText(path_, "text");
+  EXPECT_EQ(contentOf(other), "of somebody else");
+  EXPECT_EQ(namesIn(folder_), (std::set<std::string>{"file", "other"}));
 }
 
 TEST_F(AsideFileTest, ReplacesFilesAlone) {

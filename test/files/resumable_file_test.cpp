@@ -2,12 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/resource.h>
 
 #include <sstream>
 
 #include "data/nuscenes_fixture.h"
+#include "files/file_size_limit.h"
 
 namespace forge {
 namespace {
@@ -137,19 +136,13 @@ TEST_F(ResumableFileTest, AFullDiskKeepsTheLinesBefore) {
   ResumableFile file(path_, kOptions);
   resumed(file);
   file.append("one");
-  const auto handler = ::signal(SIGXFSZ, SIG_IGN);
-  rlimit before = {};
-  ::getrlimit(RLIMIT_FSIZE, &before);
-  const rlimit tight = {8, before.rlim_max};  // bytes: "one\n" and half a line
-  ::setrlimit(RLIMIT_FSIZE, &tight);
   std::string complaint;
   try {
+    const FileSizeLimit limit(8);  // bytes: "one\n" and half a line
     file.append("two, three");
   } catch (const std::runtime_error& error) {
     complaint = error.what();
   }
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  ::signal(SIGXFSZ, handler);
   EXPECT_THAT(complaint, AllOf(HasSubstr(part_), HasSubstr("File too large")));
   EXPECT_EQ(contentOf(part_), "one\n");
 }

@@ -424,7 +424,7 @@ class GenerateTest(road.RoadTest):
         process = self.start_and_wait_for_lines(generate_command(self.requests, self.out, '--jobs', 1), 1)
         process.send_signal(signal.SIGSTOP)
         try:
-            self.assert_refused([self.part, 'is being written'])
+            self.assert_refused(['{}: is being written by process {}'.format(self.out, process.pid)])
         finally:
             process.send_signal(signal.SIGCONT)
         process.kill()

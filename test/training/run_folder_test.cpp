@@ -16,10 +16,10 @@ TEST(OpenRunFolder, GoesOnWithTheSameRunAlone) {
   const TemporaryFolder folder;
   TrainingRun run;
   run.out = folder.path() + "/run";
-  openRunFolder(run, "seed = 1\nfold = 2\n");
-  openRunFolder(run, "seed = 1\nfold = 2\n");
+  { const OutputLock lock = openRunFolder(run, "seed = 1\nfold = 2\n"); }
+  { const OutputLock lock = openRunFolder(run, "seed = 1\nfold = 2\n"); }
   try {
-    openRunFolder(run, "seed = 1\nfold = 3\n");
+    const OutputLock lock = openRunFolder(run, "seed = 1\nfold = 3\n");
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("\"fold = 2\""),
@@ -27,12 +27,20 @@ TEST(OpenRunFolder, GoesOnWithTheSameRunAlone) {
   }
 }
 
+TEST(OpenRunFolder, IsOfOneRunAtATime) {
+  const TemporaryFolder folder;
+  TrainingRun run;
+  run.out = folder.path();
+  const OutputLock lock = openRunFolder(run, "seed = 1\n");
+  EXPECT_THROW(static_cast<void>(openRunFolder(run, "seed = 1\n")), std::runtime_error);
+}
+
 TEST(OpenRunFolder, RefusesAStateThatNobodyDescribes) {
   const TemporaryFolder folder;
   TrainingRun run;
   run.out = folder.path();
   writeText(statePath(run), "state");
-  EXPECT_THROW(openRunFolder(run, "seed = 1\n"), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(openRunFolder(run, "seed = 1\n")), std::runtime_error);
 }
 
 TEST(SplitByScene, KeepsAScenesSamplesTogether) {

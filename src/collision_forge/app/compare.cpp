@@ -11,6 +11,7 @@
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/scenario_grid.h"
+#include "collision_forge/files/output_lock.h"
 #include "collision_forge/settings/config.h"
 #include "collision_forge/study/clip_aftermath.h"
 #include "collision_forge/study/clip_choice.h"
@@ -116,6 +117,7 @@ ScenarioGrid gridOf(const std::vector<std::string>& paths, const Arguments& argu
 
 int compare(const Arguments& arguments) {
   checkOut(arguments.out);
+  const OutputLock lock = OutputLock::ofFile(arguments.out + ".png");
   const Config config = loadConfig(arguments.config);
   const std::vector<std::string> paths = pathsOf(arguments);
   const ScenarioGrid grid = gridOf(paths, arguments, config);

@@ -6,6 +6,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/output.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/nuscenes_map.h"
@@ -48,7 +49,7 @@ LaneMap mapAround(const NuScenesRecording& recording, const LaneMap& map, double
 
 int convert(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  std::filesystem::create_directories(arguments.out);
+  const OutputLocks locks = lockFolders({arguments.out});
   std::cerr << "reading " << arguments.dataroot << "/" << arguments.version << "\n";
   const NuScenesRoot root(arguments.dataroot, arguments.version, {arguments.scenes, showReading()});
   const std::vector<std::string> scenes = root.sceneNames();

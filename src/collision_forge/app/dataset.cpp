@@ -7,6 +7,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/output.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/batch/run.h"
 #include "collision_forge/data/request_file.h"
@@ -82,13 +83,14 @@ ResumableFile::Options runOptions(const Arguments& arguments, const Config& conf
   return options;
 }
 
-/// Makes the folder; one that holds a data set, or a part of one, is gone on with.
-void openFolder(const Arguments& arguments) {
+/// A folder that holds a data set, or a part of one, is gone on with.
+void checkFolder(const Arguments& arguments) {
   const bool begun = fs::exists(arguments.attempts()) || fs::exists(arguments.attempts() + ".part");
-  if (!begun && fs::exists(arguments.out) && !fs::is_empty(arguments.out)) {
+  if (begun) return;
+  for (const auto& entry : fs::directory_iterator(arguments.out)) {
+    if (entry.path().filename() == OutputLock::kFileName) continue;
     throw std::runtime_error(arguments.out + ": holds other files; write elsewhere");
   }
-  fs::create_directories(arguments.out);
 }
 
 /// Says which types have no clip at all: the others are balanced without them.
@@ -105,8 +107,9 @@ int buildDataset(const Arguments& arguments) {
   const bool is_master = isMaster();
   const Config config = loadConfig(arguments.config);
   const std::vector<std::string> names = wantedScenes(arguments);
+  const OutputLocks locks = lockFolders({arguments.out, arguments.report});
+  if (is_master) checkFolder(arguments);
   const std::vector<SceneRequest> requests = listRequests(arguments, names, config);
-  if (is_master) openFolder(arguments);
   SceneSource scenes(arguments.dataroot, arguments.version, names, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());

@@ -7,6 +7,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/output.h"
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/data/collide_set.h"
@@ -66,6 +67,7 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const bool is_master = isMaster();
   const Config config = loadConfig(arguments.config);
   const std::vector<std::string> paths = listClips(arguments, config);
+  const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   CityMaps maps(arguments.dataroot, config);
   const Foresight foresight = loadForesight(config);
   const MethodRegistry methods = loadMethods(config);

@@ -13,6 +13,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/output.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/drawing/reliability_plot.h"
@@ -205,6 +206,7 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const EvaluationPlan plan = planOf(arguments, config);
   const WantedRequests wanted = readWanted(arguments, config.crash);
+  const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   SceneSource scenes(arguments.dataroot, arguments.version, wanted.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());

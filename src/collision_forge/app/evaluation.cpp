@@ -1,10 +1,8 @@
 #include "collision_forge/app/evaluation.h"
 
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
-#include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/run.h"
 
 namespace forge {
@@ -31,7 +29,6 @@ std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation) {
       rows.push_back(std::move(row));
     }
   };
-  if (isMaster()) std::filesystem::create_directories(evaluation.folder);
   carryOut(run);
   return rows;
 }

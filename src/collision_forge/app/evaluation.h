@@ -42,7 +42,7 @@ int evaluateRequests(const EvaluationArguments& arguments);
 
 /// Items that give as many rows each.
 struct EvaluationRun {
-  std::string folder;  ///< of results.csv
+  std::string folder;  ///< of results.csv; is there
   ResumableFile::Options options;
   Protocol protocol = Protocol::kStrict;
   RowsOf rows_of = RowsOf::kClips;

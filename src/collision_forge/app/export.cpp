@@ -7,6 +7,7 @@
 #include "collision_forge/app/export_mcap.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/output.h"
 #include "collision_forge/batch/run.h"
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/export/crash_writer.h"
@@ -85,7 +86,6 @@ class CrashExport {
                                                config.attack.verification.drivable})) {}
 
   int run() {
-    if (isMaster()) fs::create_directories(arguments_.out);
     Run run;
     run.path = (fs::path(arguments_.out) / "index.jsonl").string();
     run.options = options();
@@ -159,6 +159,7 @@ class CrashExport {
 int exportAny(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   if (arguments.format == kMcap) return exportMcap(arguments.bags, arguments.out, config);
+  const OutputLocks locks = lockFolders({arguments.out});
   const auto attacks = arguments.bags.empty()
                            ? openScenarioAttacks(arguments.scenarios, arguments.dataroot,
                                                  arguments.version, arguments.jobs, config)

@@ -8,6 +8,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/files/output_lock.h"
 #include "collision_forge/ros/foxglove_layout.h"
 #include "collision_forge/ros/mcap_export.h"
 #include "collision_forge/settings/config.h"
@@ -46,7 +47,7 @@ std::string exportOne(const std::string& bag, const std::string& file, const Con
 
 int exportMcap(const std::vector<std::string>& bags, const std::string& out, const Config& config) {
   const std::vector<fs::path> files = filesOf(bags, out);
-  fs::create_directories(out);
+  const OutputLock lock = OutputLock::ofFolder(out);
   std::size_t written = 0;
   std::size_t before = 0;
   for (std::size_t i = 0; i < bags.size(); ++i) {

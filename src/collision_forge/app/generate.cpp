@@ -9,6 +9,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/output.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/batch/run.h"
 #include "collision_forge/data/collide_export.h"
@@ -83,16 +84,25 @@ void checkAnswer(const std::string& where, const std::string& line, const SceneR
                            requestLine(request));
 }
 
-/// Makes the folder of the clips' format. Clips are written when all scenarios are: without these
+/// Clips are written when all scenarios are: without these
 /// they are of something else, and would be taken for clips of this run.
-void prepareFolder(const Arguments& arguments) {
+void checkFolder(const Arguments& arguments) {
   const std::string clips = CollideExporter::folderIn(arguments.out);
   if (!fs::exists(arguments.scenarios()) && fs::exists(clips) && !fs::is_empty(clips)) {
     throw std::runtime_error(clips + ": holds clips already, but there is no " +
                              arguments.scenarios() +
                              " that they are of; remove them, or write elsewhere");
   }
-  fs::create_directories(arguments.out);
+}
+
+/// Of the scenarios, or the folder that they are in, and of the page.
+OutputLocks lockOutputs(const Arguments& arguments) {
+  OutputLocks locks =
+      lockFolders({arguments.format == Format::kCsvCollide ? arguments.out : "", arguments.report});
+  if (arguments.format == Format::kJsonl) {
+    for (OutputLock& lock : lockFile(arguments.out)) locks.push_back(std::move(lock));
+  }
+  return locks;
 }
 
 /// The clips of all scenarios that have none yet.
@@ -117,7 +127,8 @@ int generate(const Arguments& arguments) {
   const bool is_master = isMaster();
   const Config config = loadConfig(arguments.config);
   const RequestList list = readList(arguments, config.crash);
-  if (is_master && arguments.format == Format::kCsvCollide) prepareFolder(arguments);
+  const OutputLocks locks = lockOutputs(arguments);
+  if (is_master && arguments.format == Format::kCsvCollide) checkFolder(arguments);
   SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());

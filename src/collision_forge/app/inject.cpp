@@ -13,6 +13,7 @@
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/draw_scenario.h"
+#include "collision_forge/files/output_lock.h"
 #include "collision_forge/policy/adaptive_answer.h"
 #include "collision_forge/ros/attack_request.h"
 #include "collision_forge/ros/bag_reader.h"
@@ -165,6 +166,7 @@ BagAttack writeAttackedBag(const TestedAttack& attack, const Scene& scene,
 
 int inject(const Arguments& arguments) {
   checkOutputs(arguments);
+  const OutputLock lock = OutputLock::ofFile(arguments.out);
   collision_forge::CollisionRequest asked = arguments.request;
   asked.mode = toString(arguments.mode);
   const Config config = loadConfig(arguments.config);

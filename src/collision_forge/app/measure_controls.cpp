@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <iostream>
 #include <set>
 #include <stdexcept>
@@ -7,6 +6,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/output.h"
 #include "collision_forge/batch/run.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/request_file.h"
@@ -85,7 +85,7 @@ std::vector<AnsweredQuestion> answerAll(const Arguments& arguments, const Config
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const QuestionsOfList list = readQuestions(arguments, config);
-  if (isMaster()) std::filesystem::create_directories(arguments.out);
+  const OutputLocks locks = lockFolders({arguments.out});
   const std::vector<AnsweredQuestion> answered = answerAll(arguments, config, list);
   if (!isMaster()) return kExitOk;
   const std::vector<ControlRates> rates = controlRates(answered, config.evaluation.statistics);

@@ -7,6 +7,7 @@
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/files/output_lock.h"
 #include "collision_forge/settings/config.h"
 
 namespace forge {
@@ -88,9 +89,10 @@ void printTable(const Tallies& tallies) {
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const MethodMaker method = loadMethod("", config, config.attack);
+  const OutputLock lock = OutputLock::ofFile(arguments.out);
+  AsideFile file(arguments.out);
   SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
-  AsideFile file(arguments.out);
   std::ostream& csv = file.stream();
   csv << "scene,now,mode,type,tta,code,attacker,confidence,off_road_share,confirmed\n";
   Tallies tallies;

@@ -13,6 +13,7 @@
 #include "collision_forge/data/speed_model_file.h"
 #include "collision_forge/data/speed_profiles_file.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/files/output_lock.h"
 #include "collision_forge/forecast/ego_futures.h"
 #include "collision_forge/forecast/ego_paths.h"
 #include "collision_forge/forecast/kinematic_prediction.h"
@@ -224,10 +225,14 @@ int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const Foresight foresight{
       readSpeeds(arguments, config), loadPatternNetwork(arguments.networks), {}};
+  std::optional<OutputLock> lock;
+  std::optional<AsideFile> file;
+  if (!arguments.out.empty()) {
+    lock.emplace(OutputLock::ofFile(arguments.out));
+    file.emplace(arguments.out);
+  }
   SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
-  std::optional<AsideFile> file;
-  if (!arguments.out.empty()) file.emplace(arguments.out);
   std::ostream nowhere(nullptr);
   std::ostream& csv = file ? file->stream() : nowhere;
   csv << "scene,now,horizon,constant_velocity,lane_following,mean,along,across,medoid,best,pit,"

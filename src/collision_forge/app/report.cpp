@@ -6,6 +6,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/files/output_lock.h"
 
 namespace forge {
 namespace {
@@ -20,6 +21,7 @@ struct Arguments {
 int report(const Arguments& arguments) {
   Config config = loadConfig(arguments.config);
   usePlannerFile(arguments.planner_file, {}, config.planners);
+  const OutputLock lock = OutputLock::ofFolder(arguments.out);
   writeReport(arguments.inputs, arguments.out, config);
   return kExitOk;
 }

@@ -13,6 +13,7 @@
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/data/scene_source.h"
+#include "collision_forge/files/output_lock.h"
 #include "collision_forge/settings/config.h"
 #include "collision_forge/study/allowed_requests.h"
 
@@ -123,6 +124,7 @@ CollisionRequest askedFor(const Arguments& arguments, const Config& config,
 
 int makeRequests(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
+  const OutputLock lock = OutputLock::ofFile(arguments.out);
   const RequestListOptions options = listOptions(arguments, config);
   const CollisionRequest asked = askedFor(arguments, config, options.types);
   SceneSource scenes(arguments.dataroot, arguments.version, arguments.scenes, config, 1, {},

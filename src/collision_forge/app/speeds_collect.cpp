@@ -5,6 +5,7 @@
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/data/speed_profiles_file.h"
+#include "collision_forge/files/output_lock.h"
 #include "collision_forge/forecast/speed_profile_collection.h"
 #include "collision_forge/settings/config.h"
 
@@ -20,6 +21,7 @@ struct Arguments {
 
 int collect(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
+  const OutputLock lock = OutputLock::ofFile(arguments.out);
   SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<SpeedProfileRow> rows;

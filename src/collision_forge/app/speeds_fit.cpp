@@ -7,6 +7,7 @@
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/speed_model_file.h"
 #include "collision_forge/data/speed_profiles_file.h"
+#include "collision_forge/files/output_lock.h"
 #include "collision_forge/forecast/speed_forecast_check.h"
 #include "collision_forge/forecast/speed_model_fit.h"
 #include "collision_forge/settings/config.h"
@@ -53,6 +54,7 @@ void compare(const SpeedSituations& recorded, const SpeedForecaster& model,
 
 int fit(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
+  const OutputLock lock = OutputLock::ofFile(arguments.out);
   const SpeedSituations recorded = readSpeedSituations(arguments.profiles);
   ProgressLine progress("models");
   const SpeedModel fitted =

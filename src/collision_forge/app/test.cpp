@@ -15,6 +15,7 @@
 #include "collision_forge/app/report.h"
 #include "collision_forge/app/until_hit.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/output.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
@@ -220,6 +221,7 @@ int drive(Arguments arguments) {
   }
   Config config = loadConfig(arguments.config);
   usePlannerFile(arguments.planner_file, arguments.planners, config.planners);
+  const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   std::optional<DrawnCases> drawn;
   std::unique_ptr<PlannerCases> given;
   if (arguments.until_hit) {
@@ -232,7 +234,6 @@ int drive(Arguments arguments) {
   run.path = (fs::path(arguments.out) / "results.jsonl").string();
   run.options = runOptions(arguments, cases, config);
   run.jobs = arguments.jobs;
-  if (isMaster()) fs::create_directories(arguments.out);
   PlanningTimes times;
   const TestPlan plan = planOf(arguments, config);
   const auto test = [&](const PlannerCase& one) {

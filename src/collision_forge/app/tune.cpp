@@ -11,6 +11,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/batch/output.h"
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/fingerprint.h"
@@ -228,8 +229,8 @@ ReportInputs reportInputs(const Tuning& tuning, std::size_t best) {
 int tune(const Arguments& arguments) {
   Config config = loadConfig(arguments.config);
   usePlannerFile(arguments.planner_file, {arguments.planner}, config.planners);
+  const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   const Tuning tuning = openTuning(arguments, config);
-  if (isMaster()) fs::create_directories(arguments.out);
   std::vector<PlannerTestResult> train;
   const std::optional<std::size_t> best = agree([&]() -> std::size_t {
     train = driveVariants(tuning);

@@ -182,7 +182,7 @@ void trainGenerator(const TrainingRun& run) {
   const std::set<std::string> left_out = leftOutScenes(run);
   const std::string file = configFileOf(run.generator) + ".yaml";
   const std::string asked = "generator = " + run.generator + "\n";
-  openRunFolder(run, asked + describeRun(run, 1, file));
+  const OutputLock lock = openRunFolder(run, asked + describeRun(run, 1, file));
   torch::set_num_threads(run.threads);
   GeneratorTrainer trainer(run, {run.generator,
                                  textOfSections(run.config + "/" + file, sectionsOf(run.generator)),

@@ -1,11 +1,11 @@
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <numeric>
 #include <stdexcept>
 
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/files/output_lock.h"
 #include "collision_forge/training/planner_trainer.h"
 #include "collision_forge/training/training_run.h"
 
@@ -67,6 +67,7 @@ void trainPlanner(const TrainingRun& run) {
   if (run.sources.version.empty())
     throw std::runtime_error("a planner is trained on logs: --version");
   const std::set<std::string> left_out = leftOutScenes(run);
+  const OutputLock lock = OutputLock::ofFolder(run.out);
   ProgressLine reading("reading");
   const std::vector<PlannerSample> samples =
       collectPlannerSamples(run.sources, run.options, run.planners,
@@ -74,7 +75,6 @@ void trainPlanner(const TrainingRun& run) {
   const std::vector<std::size_t> training = samplesOf(samples, left_out, false);
   const std::vector<std::size_t> test = samplesOf(samples, left_out, true);
   if (training.empty()) throw std::runtime_error("there is nothing to train on");
-  std::filesystem::create_directories(run.out);
   PlannerTrainer trainer(run.options.planner_training, run.threads, run.seed);
   trainOn(samples, training, run, trainer);
   std::string table = errorTable("scenes trained on", trainer.errors(samples, training),

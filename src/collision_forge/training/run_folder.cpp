@@ -47,16 +47,16 @@ std::string describeRun(const TrainingRun& run, int ranks, const std::string& co
   return text.str();
 }
 
-void openRunFolder(const TrainingRun& run, const std::string& description) {
+OutputLock openRunFolder(const TrainingRun& run, const std::string& description) {
+  OutputLock lock = OutputLock::ofFolder(run.out);
   const std::string path = run.out + "/run.txt";
   if (!fs::exists(path)) {
     if (fs::exists(statePath(run))) {
       throw std::runtime_error(statePath(run) + ": is there, but not " + path +
                                ", which says what it was made with; remove it, or write elsewhere");
     }
-    fs::create_directories(run.out);
     writeText(path, description);
-    return;
+    return lock;
   }
   std::istringstream known(readText(path));
   std::istringstream wanted(description);
@@ -68,6 +68,7 @@ void openRunFolder(const TrainingRun& run, const std::string& description) {
                                "\"");
     }
   }
+  return lock;
 }
 
 SampleSplit splitByScene(const std::vector<std::string>& scenes, double validation_share,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision_forge/drawing/options.h"
+#include "collision_forge/files/output_lock.h"
 #include "collision_forge/training/training_run.h"
 
 /// What trainings have in common: the folder of a run, that goes on only as the same run; who tells
@@ -15,9 +16,10 @@ namespace forge {
 /// What a run was asked for, `config` being the file of config/ that it is trained by.
 std::string describeRun(const TrainingRun& run, int ranks, const std::string& config);
 
-/// Makes the run folder, or checks that the one there is of the same run. Throws
-/// std::runtime_error naming what differs, and for a state without its description.
-void openRunFolder(const TrainingRun& run, const std::string& description);
+/// Makes the run folder, or checks that the one there is of the same run; it is the caller's alone
+/// while the lock lives. Throws std::runtime_error naming what differs, for a state without its
+/// description, and as OutputLock does.
+[[nodiscard]] OutputLock openRunFolder(const TrainingRun& run, const std::string& description);
 
 /// All of a file; empty where it cannot be read.
 std::string readText(const std::string& path);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/pattern_network_file.h"
@@ -110,7 +111,8 @@ void trainPatternNetwork(const TrainingRun& run) {
   const std::set<std::string> left_out = leftOutScenes(run);
   const TrainingRanks ranks = launchedRanks();
   const bool is_first = ranks.rank == 0;
-  if (is_first) openRunFolder(run, describeRun(run, ranks.size, "training.yaml"));
+  std::optional<OutputLock> lock;
+  if (is_first) lock.emplace(openRunFolder(run, describeRun(run, ranks.size, "training.yaml")));
   PatternTrainer trainer(options.pattern_features, options.pattern_layers, options.training,
                          run.device, run.threads, run.seed);
   trainer.trainTogether(ranks);
