@@ -4,8 +4,10 @@ import json
 import math
 import os
 import shutil
+import zlib
 
 import rosbag
+from genpy.dynamic import generate_dynamic
 
 import road
 from road import DATAROOT, VERSION
@@ -124,6 +126,21 @@ class ConversionTest(road.RoadTest):
         self.assertIn('vehicle.car', seen)
         self.assertIn('human.pedestrian', seen)
 
+    def test_objects_are_the_agents_and_have_the_definition_of_their_md5(self):
+        for name in self.tables.names:
+            with rosbag.Bag(str(self.bag(name))) as bag:
+                connection, = [one for one in bag._get_connections() if one.topic == '/agent_objects']
+            kind = 'derived_object_msgs/ObjectArray'
+            self.assertEqual(connection.datatype, kind)
+            self.assertEqual(generate_dynamic(kind, connection.msg_def)[kind]._md5sum, connection.md5sum)
+            agents, objects = road.read(self.bag(name), '/agents'), road.read(self.bag(name), '/agent_objects')
+            self.assertEqual([time for _, time in objects], [time for _, time in agents])
+            for (frame, _), (message, _) in zip(agents, objects):
+                self.assertEqual(message.header.stamp, frame.header.stamp)
+                self.assertEqual([(one.id, one.pose.position.x, one.twist.linear.y) for one in message.objects],
+                                 [(zlib.crc32(agent.id.encode()), agent.pose.position.x, agent.velocity.y)
+                                  for agent in frame.agents])
+
     def test_one_map_first_and_latched(self):
         for name in self.tables.names:
             with rosbag.Bag(str(self.bag(name))) as bag:
@@ -134,7 +151,7 @@ class ConversionTest(road.RoadTest):
                 latching = {connection.topic: connection.header.get('latching')
                             for connection in bag._get_connections()}
             self.assertEqual(latching, {'/lane_map': b'1', '/tf': None, '/odom': None, '/agents': None,
-                                        '/annotation_markers': None})
+                                        '/annotation_markers': None, '/agent_objects': None})
             self.assertGreater(len(message.lanes), 10)
             self.assertGreater(len(message.drivable_area), 0)
             self.assertTrue(message.location.startswith('embedded-'))
@@ -219,6 +236,18 @@ class BadConversionInputTest(road.RoadTest):
 
     def test_unknown_scene(self):
         self.assertEqual(self.assert_refused(['scene-0099'], '--scene', 'scene-0099'), [])
+
+    def test_names_that_lead_elsewhere(self):
+        for table, field in (('scene', 'name'), ('log', 'location')):
+            for name in ('../evil', str(self.path('evil')), '..', '', 'a\nb'):
+                original = (self.dataroot / VERSION / (table + '.json')).read_text()
+                rows = json.loads(original)
+                rows[0][field] = name
+                (self.dataroot / VERSION / (table + '.json')).write_text(json.dumps(rows))
+                left = self.assert_refused([table + '.json', rows[0]['token'], field, 'cannot be the name of a file'])
+                self.assertEqual(left, [])
+                (self.dataroot / VERSION / (table + '.json')).write_text(original)
+        self.assertEqual(list(self.folder.glob('**/*evil*')), [])
 
     def test_no_such_folder(self):
         result = road.convert(self.path('out'), dataroot=self.path('nowhere'))

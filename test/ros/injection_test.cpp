@@ -16,6 +16,7 @@
 
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/bag_reader.h"
+#include "collision_forge/ros/object_array.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/settings/config.h"
 
@@ -300,18 +301,55 @@ TEST_F(InjectIntoBagTest, MarkersShowEgoAndAttackerWhereTheyAre) {
   EXPECT_EQ(read<visualization_msgs::MarkerArray>(bagTopic(names::kMapMarkers)).size(), 1u);
 }
 
-TEST_F(InjectIntoBagTest, ThePathIsTheAttackersFromNowOn) {
+/// From now to the trajectory's end.
+void expectPathOver(const nav_msgs::Path& path, const collision_forge::AttackerTrajectory& over) {
+  EXPECT_EQ(path.header.frame_id, names::kMapFrame);
+  ASSERT_FALSE(path.poses.empty());
+  EXPECT_EQ(path.header.stamp, path.poses.front().header.stamp);
+  EXPECT_NEAR((path.poses.front().header.stamp - over.points.front().stamp).toSec(), 0.0, 1e-6);
+  EXPECT_NEAR((path.poses.back().header.stamp - over.points.back().stamp).toSec(), 0.0, 1e-6);
+}
+
+TEST_F(InjectIntoBagTest, TheAttackersPathIsItsTrajectory) {
   inject();
   const auto path = read<nav_msgs::Path>(bagTopic(names::kAttackPath));
   ASSERT_EQ(path.size(), 1u);
-  std::vector<geometry_msgs::Pose> expected;
+  const auto& trajectory = attack_.attack.trajectory;
+  expectPathOver(path.front(), trajectory);
+  ASSERT_EQ(path.front().poses.size(), trajectory.points.size());
+  for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
+    const auto& pose = path.front().poses[i];
+    EXPECT_NEAR((pose.header.stamp - trajectory.points[i].stamp).toSec(), 0.0, 1e-6);
+    EXPECT_EQ(pose.pose.position, trajectory.points[i].pose.position);
+  }
+}
+
+TEST_F(InjectIntoBagTest, TheEgosPathIsAsRecorded) {
+  inject();
+  const auto path = read<nav_msgs::Path>(bagTopic(names::kAttackEgoPath));
+  ASSERT_EQ(path.size(), 1u);
+  expectPathOver(path.front(), attack_.attack.trajectory);
+  for (const auto& pose : path.front().poses) {
+    EXPECT_NEAR(pose.pose.position.x, egoAt(pose.header.stamp.toSec()), 1e-5);
+    EXPECT_EQ(pose.pose.position.z, 0.0);
+  }
+}
+
+/// Without the package that they are of: read by their size alone, see object_array_test.cpp.
+TEST_F(InjectIntoBagTest, ObjectsComeWithEveryFrameOfAgents) {
+  inject();
+  const rosbag::Bag bag(out_, rosbag::bagmode::Read);
+  const rosbag::TopicQuery topic(bagTopic(names::kAgentObjects));
+  std::vector<std::pair<ros::Time, std::size_t>> objects;
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag, topic)) {
+    objects.emplace_back(instance.getTime(), instance.size());
+  }
+  std::vector<std::pair<ros::Time, std::size_t>> expected;
   for (const auto& frame : frames()) {
-    if (frame.header.stamp > ros::Time(kNow)) expected.push_back(attackerIn(frame).pose);
+    const auto size = ros::serialization::serializationLength(toObjects(frame));
+    expected.emplace_back(frame.header.stamp, size);
   }
-  ASSERT_EQ(path.front().poses.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    EXPECT_EQ(path.front().poses[i].pose, expected[i]);
-  }
+  EXPECT_EQ(objects, expected);
 }
 
 TEST_F(InjectIntoBagTest, ABagWithAnAttackIsRefusedByFileAndTopic) {

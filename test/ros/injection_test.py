@@ -6,6 +6,7 @@ import resource
 import stat
 import struct
 import subprocess
+import zlib
 
 import rosbag
 
@@ -13,6 +14,7 @@ import road
 
 SCENE = 'scene-0003'
 NOW = 6.0  # s from the first frame
+CENTER_OFFSET = 1.385  # m, of config/ego_vehicle.yaml
 ASKED = ('--mode', 'replay', '--attacker', 'existing')  # against the recorded ego: there is a contact in the bag
 TYPES = ['lane_change', 'opposite_direction', 'rear_end', 'junction_crossing']
 
@@ -119,6 +121,28 @@ class InjectionTest(road.RoadTest):
             message = road.read_one(self.attacked, topic)
             report = message.report if topic == '/attack' else message
             self.assertEqual(report.attacker_id, self.attacker, topic)
+
+    def test_paths_go_from_now_to_the_trajectorys_end(self):
+        path = road.read_one(self.attacked, '/attack_path')
+        self.assertEqual([(pose.header.stamp, pose.pose.position) for pose in path.poses],
+                         [(point.stamp, point.pose.position) for point in self.trajectory.points])
+        driven = {message.header.stamp: message.pose.pose.position for message, _ in road.read(self.source, '/odom')}
+        ego = road.read_one(self.attacked, '/attack_ego_path')
+        self.assertEqual((ego.poses[0].header.stamp, ego.poses[-1].header.stamp), (self.now, self.end))
+        recorded = [pose for pose in ego.poses if pose.header.stamp in driven]
+        self.assertGreater(len(recorded), 10)
+        for pose in recorded:
+            base, middle, yaw = driven[pose.header.stamp], pose.pose.position, road.yaw_of(pose.pose.orientation)
+            ahead = (middle.x - base.x) * math.cos(yaw) + (middle.y - base.y) * math.sin(yaw)
+            self.assertAlmostEqual(ahead, math.hypot(middle.x - base.x, middle.y - base.y), places=4)
+            self.assertAlmostEqual(ahead, CENTER_OFFSET, places=4)
+
+    def test_objects_are_the_agents_of_every_frame(self):
+        agents, objects = road.read(self.attacked, '/agents'), road.read(self.attacked, '/agent_objects')
+        self.assertEqual([time for _, time in objects], [time for _, time in agents])
+        for (frame, _), (message, _) in zip(agents, objects):
+            self.assertEqual([(one.id, one.pose.position.x) for one in message.objects],
+                             [(zlib.crc32(agent.id.encode()), agent.pose.position.x) for agent in frame.agents])
 
     def expected_state(self, stamp):
         """Where the trajectory has the attacker: x, y, yaw and speed."""

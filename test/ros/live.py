@@ -15,6 +15,7 @@ from rosgraph_msgs.msg import Clock
 import road
 from collision_forge.msg import AgentArray, Attack, AttackMethods, AttackRequest, CollisionReport, EncodedScene
 from collision_forge.srv import GenerateCollision
+from nav_msgs.msg import Path
 from visualization_msgs.msg import MarkerArray
 
 TIMEOUT = 30.0  # s; for what takes a fraction of a second on an idle machine
@@ -30,12 +31,13 @@ NODES = {
     'trajectory_realizer': ([], ['/lane_map'], ['/realize_trajectory']),
     'attack_verifier': (['/tested_report'],
                         ['/agents', '/attack', '/lane_map', '/tf'], []),
-    'planner_tester': (['/planner_markers', '/planner_outcome', '/planning_state', '/tested_map'],
+    'planner_tester': (['/planner_markers', '/planner_outcome', '/planner_path', '/planning_state', '/tested_map'],
                        ['/attack', '/planned_trajectory'], ['/test_planner']),
-    'collision_generator': (['/attack', '/attack_methods', '/attack_request', '/predicted_patterns'],
+    'collision_generator': (['/attack', '/attack_ego_path', '/attack_methods', '/attack_path', '/attack_request',
+                             '/predicted_patterns'],
                             ['/encoded_scene', '/lane_map'],
                             ['/generate_collision', '/generate_collisions', '/list_collisions', '/reset']),
-    'attacker_injector': (['/injected_agents'], ['/agents', '/attack', '/tf'], []),
+    'attacker_injector': (['/injected_agents', '/injected_objects'], ['/agents', '/attack', '/tf'], []),
     'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers',
                           '/tf_static'],
                          ['/attack', '/encoded_scene', '/lane_map', '/predicted_patterns', '/tested_report'], []),
@@ -43,8 +45,10 @@ NODES = {
 MANAGER = 'collision_forge_manager'
 PLAYED = ['/agents', '/lane_map', '/tf']  # what the suite hears of a bag
 
-TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/encoded_scene': EncodedScene,
+TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/injected_objects': rospy.AnyMsg,
+         '/encoded_scene': EncodedScene,
          '/attack': Attack, '/attack_methods': AttackMethods,
+         '/attack_path': Path, '/attack_ego_path': Path,
          '/attack_request': AttackRequest, '/tested_report': CollisionReport,
          '/attack_markers': MarkerArray,
          '/map_markers': MarkerArray, '/pattern_markers': MarkerArray, '/scene_markers': MarkerArray}
@@ -323,6 +327,7 @@ class WholeRoadTest(LiveTest):
         self.assert_answer(answer, attacked)
         self.assertTrue(answer.attack.report.verified)
         self.assert_request_published(answer, attacked)
+        self.assert_paths_published(answer, road.read_one(attacked, '/attack_ego_path'), mode)
         return answer, attacked
 
     def assert_request_published(self, answer, attacked):
@@ -333,6 +338,28 @@ class WholeRoadTest(LiveTest):
         offline = road.read_one(attacked, '/attack_request')
         for field in ('request', 'method', 'version', 'configuration'):
             self.assert_close(getattr(message, field), getattr(offline, field), 0.0, field)
+
+    def newest_path(self, topic, now):
+        """Of the attack at `now`; latched."""
+        listener = Listener(topic)
+        path = listener.wait(lambda path: path.header.stamp == now)
+        self.assertEqual(set(listener.latched), {True})
+        listener.close()
+        self.assertEqual({pose.header.frame_id for pose in path.poses} | {path.header.frame_id}, {'map'})
+        return path
+
+    def assert_paths_published(self, answer, recorded, mode):
+        """The attacker's is its trajectory; the ego's is the recorded one in replay mode, else a forecast from there."""
+        now, points = answer.attack.header.stamp, answer.attack.trajectory.points
+        path = self.newest_path('/attack_path', now)
+        self.assertEqual([(pose.header.stamp, pose.pose.position) for pose in path.poses],
+                         [(point.stamp, point.pose.position) for point in points])
+        ego = self.newest_path('/attack_ego_path', now)
+        if mode == 'replay':
+            self.assert_close(ego, recorded)
+        else:
+            self.assert_close(ego.poses[0].pose, recorded.poses[0].pose, tolerance=1e-3)
+            self.assertLess(abs((ego.poses[-1].header.stamp - points[-1].stamp).to_sec()), 0.11)
 
     def assert_published(self, answer):
         """Whoever subscribes later gets the answer, too."""

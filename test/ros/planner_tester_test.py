@@ -16,6 +16,7 @@ from collision_forge.msg import Attack, LaneMap, PlannerOutcome, PlannerParamete
 from collision_forge.srv import TestPlanner, TestPlannerRequest, TestPlannerResponse
 from live import until
 from road import DATAROOT, VERSION
+from nav_msgs.msg import Path as DrivenPath
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
@@ -182,6 +183,10 @@ class PlannerTesterTest(road.RoadTest):
         number = self.tested[0]
         outcome = self.outcome(scenario=str(number), planner='pdm')
         self.assert_close(self.latched('/planner_outcome', PlannerOutcome), outcome, 0.0)
+        path = self.latched('/planner_path', DrivenPath)
+        self.assertEqual((path.header.frame_id, path.header.stamp), ('map', outcome.header.stamp))
+        self.assertEqual([(pose.header.stamp, pose.pose.position) for pose in path.poses],
+                         [(point.stamp, point.pose.position) for point in outcome.driven])
         markers = self.latched('/planner_markers', MarkerArray).markers
         names = {marker.ns for marker in markers}
         self.assertLessEqual({'ego_path', 'recorded_ego_path', 'attacker_path', 'proposals', 'report'}, names)

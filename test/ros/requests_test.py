@@ -33,7 +33,8 @@ def generate_collisions(**fields):
 
 
 class RequestsTest(MadeUpTest):
-    HEARD = ['/encoded_scene', '/injected_agents', '/attack', '/tested_report', '/attack_markers', '/pattern_markers']
+    HEARD = ['/encoded_scene', '/injected_agents', '/attack', '/attack_path', '/attack_ego_path', '/tested_report',
+             '/attack_markers', '/pattern_markers']
 
     def time(self, seconds):
         return rospy.Time(self.start) + rospy.Duration(seconds)
@@ -44,7 +45,9 @@ class RequestsTest(MadeUpTest):
         answer = self.ask_until(lambda answer: answer.code == 0 and answer.attack.header.stamp == self.time(NOW))
         self.heard['/attack'].wait(lambda attack: attack.trajectory == answer.attack.trajectory)
         self.heard['/attack_markers'].wait(lambda array: len(array.markers) > 1)
-        for topic in ('/attack', '/attack_markers'):
+        for topic in ('/attack_path', '/attack_ego_path'):
+            self.heard[topic].wait(lambda path: path.header.stamp == self.time(NOW))
+        for topic in ('/attack', '/attack_path', '/attack_ego_path', '/attack_markers'):
             self.heard[topic].clear()
         return answer
 
@@ -52,6 +55,8 @@ class RequestsTest(MadeUpTest):
         """By all nodes: no markers, and agents pass as they are."""
         self.assertEqual(self.heard['/attack'].wait().trajectory.attacker_id, '')
         self.heard['/attack_markers'].wait(lambda array: len(array.markers) == 1)
+        for topic in ('/attack_path', '/attack_ego_path'):
+            self.heard[topic].wait(lambda path: not path.poses)
         message = AgentArray(agents=traffic(NOW + 1.0))
         message.header.stamp, message.header.frame_id = self.time(NOW + 1.0), 'map'
         self.publishers['/agents'].publish(message)

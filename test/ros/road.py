@@ -24,9 +24,9 @@ CODES = ['OK', 'UNKNOWN_TYPE', 'TTA_OUT_OF_RANGE', 'UNKNOWN_ATTACKER', 'ABSENT_A
          'NODE_UNAVAILABLE', 'LOW_CONFIDENCE', 'NOT_BELIEVABLE', 'ROAD_DOES_NOT_ALLOW',
          'STALE_SCENE']  # GenerateCollision.srv, by number
 
-TOPICS_AT_NOW = ['/attack', '/tested_report', '/attack_request', '/attack_path']
+TOPICS_AT_NOW = ['/attack', '/tested_report', '/attack_request', '/attack_path', '/attack_ego_path']
 ATTACK_TOPICS = TOPICS_AT_NOW + ['/attack_markers', '/map_markers']  # what forge inject adds
-ATTACKED_TOPICS = ['/agents', '/annotation_markers']  # with further frames in between
+ATTACKED_TOPICS = ['/agents', '/annotation_markers', '/agent_objects']  # with further frames in between
 EGO_TOPICS = ['/tf', '/odom']  # rewritten after the contact, unless the ego drives on
 
 
@@ -106,8 +106,8 @@ class RoadTest(unittest.TestCase):
 
 def messages_of(bag, topics=None):
     """Like bag.read_messages(), but as messages of the types that are installed, which compare with others."""
-    for topic, (datatype, data, md5sum, *_), time in bag.read_messages(topics, raw=True):
-        message_class = roslib.message.get_message_class(datatype)
+    for topic, (datatype, data, md5sum, _, class_of_bag), time in bag.read_messages(topics, raw=True):
+        message_class = roslib.message.get_message_class(datatype) or class_of_bag
         assert message_class._md5sum == md5sum, '{} was recorded with another {}'.format(topic, datatype)
         yield topic, message_class().deserialize(data), time
 

@@ -3,8 +3,10 @@
 for in both modes. Answers, topics and injected agents are what forge inject makes of the same bag offline."""
 import math
 import threading
+import zlib
 
 import rospy
+from genpy.dynamic import generate_dynamic
 
 import live
 import road
@@ -56,6 +58,22 @@ class JunctionTest(live.WholeRoadTest):
         recorded = self.heard['/agents'].wait()
         injected = self.heard['/injected_agents'].wait(lambda message: message.header.stamp == recorded.header.stamp)
         self.assert_close(injected, recorded, tolerance=0.0)
+
+    def test_objects_are_the_injected_agents_by_the_definition_that_comes_with_them(self):
+        listener = Listener('/injected_objects')
+        until(lambda: live.living_connections(listener.subscriber) > 0, 'attacker_injector')
+        self.play_to(2.0)
+        raw = listener.wait()
+        listener.close()
+        header = raw._connection_header
+        self.assertEqual(header['type'], 'derived_object_msgs/ObjectArray')
+        kind = generate_dynamic(header['type'], header['message_definition'])[header['type']]
+        self.assertEqual(kind._md5sum, header['md5sum'])
+        objects = kind().deserialize(raw._buff)
+        agents = self.heard['/injected_agents'].wait(lambda message: message.header.stamp == objects.header.stamp)
+        self.assertEqual([(one.id, one.pose.position.x, one.shape.dimensions[0]) for one in objects.objects],
+                         [(zlib.crc32(agent.id.encode()), agent.pose.position.x, agent.size.x) for agent in agents.agents])
+        self.assertGreater(len(objects.objects), 0)
 
     def test_encoded_scene_is_that_of_the_ego_and_the_agents(self):
         scene = self.play_to(5.0)

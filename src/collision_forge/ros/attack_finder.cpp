@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "collision_forge/attack/alternatives.h"
+#include "collision_forge/attack/pattern_predictor.h"
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
@@ -124,6 +125,15 @@ void AttackFinder::addAlternatives(const std::string& name, const Moment& moment
   first.report.manoeuvre = manoeuvreFromString(answer.attack.report.manoeuvre).value();
   setAlternatives(findAlternatives(first, *method, moment, request, config_.attack.prediction),
                   name, moment.snapshot.now, answer);
+}
+
+Track AttackFinder::egoFuture(const Snapshot& snapshot, const CollisionRequest& request) const {
+  if (request.mode == Mode::kReplay) return recording_->ego;
+  const PredictionOptions& prediction = config_.attack.prediction;
+  const auto ego_futures = foresight_.egoFutures(config_.attack.ego_futures);
+  return foreseenFuture(snapshot, *map_.lanes(), *ego_futures, request.tta + prediction.tail,
+                        request.tta, prediction.ego_samples, request.seed, prediction)
+      .ego;
 }
 
 Status AttackFinder::findRecorded(double now, std::optional<Future>& recorded) const {

@@ -36,6 +36,10 @@ class AttackFinder {
                                           const collision_forge::CollisionRequest& asked,
                                           const std::string& method) const;
 
+  /// What the ego drives in an answer to the request: as recorded in replay mode, else the
+  /// likeliest of the futures that the default method foresees.
+  Track egoFuture(const Snapshot& snapshot, const CollisionRequest& request) const;
+
   /// Takes the patterns of the last request from predicted_patterns.
   void forgetPatterns() const { search_.forgetPatterns(); }
 

@@ -11,21 +11,23 @@
 #include "collision_forge/ros/ego_poses.h"
 #include "collision_forge/ros/live_injector.h"
 #include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/object_array.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 
-/// agents -> injected_agents, with the newest attack in them (LiveInjector), against the ego of
-/// /tf.
+/// agents -> injected_agents and injected_objects, with the newest attack in them (LiveInjector),
+/// against the ego of /tf.
 class AttackerInjectorNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
     ros::NodeHandle& node = getNodeHandle();
     const Config config = loadNodeConfig(getPrivateNodeHandle());
     const auto choose = [this] { return afterContact(); };
-    publisher_ = node.advertise<collision_forge::AgentArray>(names::kInjectedAgents, kTopicQueue);
+    agents_ = node.advertise<collision_forge::AgentArray>(names::kInjectedAgents, kTopicQueue);
+    objects_ = node.advertise<ObjectArray>(names::kInjectedObjects, kTopicQueue);
     injector_.emplace(config, loadLogged("choice", choose),
-                      [this](const auto& agents) { publisher_.publish(agents); });
+                      [this](const auto& agents) { publish(agents); });
     attack_subscriber_ =
         node.subscribe(names::kAttack, 1, &AttackerInjectorNodelet::receiveAttack, this);
     agents_subscriber_ =
@@ -33,6 +35,11 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
     ego_poses_ =
         std::make_unique<EgoPoses>(node, config.ego_vehicle.center_offset,
                                    [this](const AgentState& ego) { injector_->addEgo(ego); });
+  }
+
+  void publish(const collision_forge::AgentArray& agents) {
+    agents_.publish(agents);
+    objects_.publish(toObjects(agents));
   }
 
   AfterContact afterContact() {
@@ -56,7 +63,8 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
   }
 
   std::optional<LiveInjector> injector_;
-  ros::Publisher publisher_;
+  ros::Publisher agents_;
+  ros::Publisher objects_;
   ros::Subscriber attack_subscriber_;
   ros::Subscriber agents_subscriber_;
   std::unique_ptr<EgoPoses> ego_poses_;

@@ -9,6 +9,7 @@
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/markers.h"
+#include "collision_forge/ros/object_array.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
@@ -106,6 +107,7 @@ void writeBag(const std::string& path, const NuScenesRecording& recording, const
       bag.write(bagTopic(names::kAgents), agents.header.stamp, agents);
       bag.write(bagTopic(names::kAnnotationMarkers), agents.header.stamp,
                 annotationMarkers(agents));
+      bag.write(bagTopic(names::kAgentObjects), agents.header.stamp, toObjects(agents));
     }
   };
   for (std::size_t i = 0; i < recording.ego_poses.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <collision_forge/GenerateCollision.h>
 #include <collision_forge/GenerateCollisions.h>
 #include <collision_forge/ListCollisions.h>
+#include <nav_msgs/Path.h>
 #include <nodelet/nodelet.h>
 #include <std_srvs/Trigger.h>
 #include <boost/make_shared.hpp>
@@ -17,6 +18,7 @@
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/live_attacker.h"
 #include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/paths.h"
 #include "collision_forge/ros/possible_collisions.h"
 #include "collision_forge/ros/report_text.h"
 #include "collision_forge/ros/scene_memory.h"
@@ -46,10 +48,12 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     configuration_ = fingerprintOfAll(config_, nodeConfigFolder(getPrivateNodeHandle()));
     scenes_ = std::make_unique<SceneMemory>(config_.live);
     attacks_ = node.advertise<collision_forge::Attack>(names::kAttack, 1, true);
+    attacker_paths_ = node.advertise<nav_msgs::Path>(names::kAttackPath, 1, true);
+    ego_paths_ = node.advertise<nav_msgs::Path>(names::kAttackEgoPath, 1, true);
     requests_ = node.advertise<collision_forge::AttackRequest>(names::kAttackRequest, 1, true);
     publishMethods(node);
     live_ = std::make_unique<LiveAttacker>(
-        [this](const collision_forge::Attack& attack) { attacks_.publish(attack); },
+        [this](const collision_forge::Attack& attack) { publish(attack); },
         getPrivateNodeHandle().param("keep_attack", false));
     scene_subscriber_ = node.subscribe(names::kEncodedScene, kSceneQueue,
                                        &CollisionGeneratorNodelet::receive, this);
@@ -63,6 +67,17 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
                            &CollisionGeneratorNodelet::generateEach, this);
     services_.emplace_back(node, names::kListCollisions, &CollisionGeneratorNodelet::list, this);
     services_.emplace_back(node, names::kReset, &CollisionGeneratorNodelet::reset, this);
+  }
+
+  /// With its path; where there is none any more, the ego's path goes, too.
+  void publish(const collision_forge::Attack& attack) {
+    attacks_.publish(attack);
+    if (isNone(attack)) {
+      attacker_paths_.publish(toPath({}));
+      ego_paths_.publish(toPath({}));
+    } else {
+      attacker_paths_.publish(toPath(fromMessage(attack.trajectory).points));
+    }
   }
 
   void publishMethods(ros::NodeHandle& node) {
@@ -126,10 +141,19 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     if (status.code != StatusCode::kOk) return status;
     response.attack = std::move(answer.attack);
     response.alternatives = std::move(answer.alternatives);
+    showEgoPath(snapshot, request, response.attack);
     setOut(snapshot, request, response.attack);
     response.summary = summaryOf(response.attack);
     requests_.publish(attackRequest(request, response.attack, configuration_));
     return status;
+  }
+
+  /// What the ego is to drive while the attack lasts.
+  void showEgoPath(const collision_forge::SceneSnapshot& scene, const CollisionRequest& request,
+                   const collision_forge::Attack& attack) {
+    const double now = scene.header.stamp.toSec();
+    const double end = attack.trajectory.points.back().stamp.toSec();
+    ego_paths_.publish(toPath(finder_->egoFuture(fromMessage(scene), request), now, end));
   }
 
   /// Publishes the attack.
@@ -203,6 +227,8 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   std::unique_ptr<AttackFinder> finder_;
   std::unique_ptr<SceneMemory> scenes_;
   ros::Publisher attacks_;
+  ros::Publisher attacker_paths_;
+  ros::Publisher ego_paths_;
   ros::Publisher requests_;
   ros::Publisher methods_publisher_;
   std::unique_ptr<LiveAttacker> live_;

@@ -1,7 +1,6 @@
 #include "collision_forge/ros/injection.h"
 
 #include <nav_msgs/Odometry.h>
-#include <nav_msgs/Path.h>
 #include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -17,6 +16,8 @@
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/frame_between.h"
 #include "collision_forge/ros/markers.h"
+#include "collision_forge/ros/object_array.h"
+#include "collision_forge/ros/paths.h"
 #include "collision_forge/ros/sliding_ego.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/verify/braking_slide.h"
@@ -27,9 +28,9 @@ namespace {
 constexpr double kSameTime = 1e-3;  // s; frames are no nearer to each other
 
 /// What a bag has once an attack is in it.
-constexpr const char* kAttackTopics[] = {names::kAttack, names::kTestedReport,
+constexpr const char* kAttackTopics[] = {names::kAttack,        names::kTestedReport,
                                          names::kAttackRequest, names::kAttackPath,
-                                         names::kAttackMarkers};
+                                         names::kAttackEgoPath, names::kAttackMarkers};
 
 using Header = boost::shared_ptr<ros::M_string>;
 
@@ -71,6 +72,7 @@ class Injection {
         target_(target),
         attack_(attack),
         shown_(attack.attack),
+        trajectory_(fromMessage(attack.attack.trajectory)),
         recording_(recording),
         now_(attack.attack.trajectory.header.stamp) {
     shown_.report = attack.tested_report;
@@ -98,10 +100,9 @@ class Injection {
   bool hasContact() const { return attack_.tested_report.contact; }
 
   void findSlide() {
-    const AttackerTrajectory trajectory = fromMessage(attack_.attack.trajectory);
-    slide_ = slideFromEnd(trajectory, recording_.limits);
+    slide_ = slideFromEnd(trajectory_, recording_.limits);
     if (attack_.after_contact != AfterContact::kStop || !hasContact()) return;
-    slide_ = slideFromContact(attack_.tested_report.contact_time.toSec(), trajectory,
+    slide_ = slideFromContact(attack_.tested_report.contact_time.toSec(), trajectory_,
                               recording_.ego, recording_.limits);
     ego_.emplace(slide_, fromMessage(attack_.tested_report.ego_at_contact),
                  recording_.center_offset);
@@ -153,6 +154,7 @@ class Injection {
       writeAttackBefore(frame_time);
       if (!frame.is_recorded) writeInBetween(frame_time, frame.agents);
       target_.writeLatched(bagTopic(names::kAttackMarkers), frame_time, markersOf(frame.agents));
+      target_.write(bagTopic(names::kAgentObjects), frame_time, toObjects(frame.agents));
     }
     writeAttackBefore(time);
   }
@@ -163,7 +165,9 @@ class Injection {
     target_.writeLatched(bagTopic(names::kAttack), now_, attack_.attack);
     target_.writeLatched(bagTopic(names::kTestedReport), now_, attack_.tested_report);
     target_.writeLatched(bagTopic(names::kAttackRequest), now_, attack_.request);
-    target_.writeLatched(bagTopic(names::kAttackPath), now_, path());
+    target_.writeLatched(bagTopic(names::kAttackPath), now_, toPath(trajectory_.points));
+    target_.writeLatched(bagTopic(names::kAttackEgoPath), now_,
+                         toPath(recording_.ego, now_.toSec(), trajectory_.points.back().time));
   }
 
   void writeInBetween(const ros::Time& time, const collision_forge::AgentArray& agents) {
@@ -176,20 +180,6 @@ class Injection {
   visualization_msgs::MarkerArray shownAgents(const collision_forge::AgentArray& agents) const {
     return annotationMarkers(agents,
                              agents.header.stamp < now_ ? "" : shown_.trajectory.attacker_id);
-  }
-
-  /// Where the attacker is in the frames from now on.
-  nav_msgs::Path path() const {
-    nav_msgs::Path path;
-    path.header = attack_.attack.trajectory.header;
-    for (const auto& [time, frame] : frames_) {
-      const collision_forge::Agent* attacker = attackerIn(frame.agents);
-      if (frame.agents.header.stamp < now_ || !attacker) continue;
-      path.poses.emplace_back();
-      path.poses.back().header = frame.agents.header;
-      path.poses.back().pose = attacker->pose;
-    }
-    return path;
   }
 
   const collision_forge::Agent* attackerIn(const collision_forge::AgentArray& agents) const {
@@ -238,7 +228,9 @@ class Injection {
   bool copyChanged(const rosbag::MessageInstance& instance) {
     const std::string& topic = instance.getTopic();
     if (topic == bagTopic(names::kLaneMap)) addMapMarkers(instance);
-    if (topic == bagTopic(names::kMapMarkers)) return true;  // made anew
+    for (const char* made_anew : {names::kMapMarkers, names::kAgentObjects}) {
+      if (topic == bagTopic(made_anew)) return true;
+    }
     if (topic == bagTopic(names::kAgents)) return copyAgents(instance);
     if (topic == bagTopic(names::kAnnotationMarkers)) return copyAnnotationMarkers(instance);
     if (topic == names::kTf) return copyEgo<tf2_msgs::TFMessage>(instance);
@@ -284,6 +276,7 @@ class Injection {
   NewBag& target_;
   const BagAttack& attack_;
   collision_forge::Attack shown_;  ///< with the report against the recording
+  AttackerTrajectory trajectory_;
   const RecordingContext& recording_;
   ros::Time now_;
   ros::Time end_ = ros::TIME_MAX;

@@ -1,6 +1,7 @@
 #include <collision_forge/Attack.h>
 #include <collision_forge/PlannerOutcome.h>
 #include <collision_forge/TestPlanner.h>
+#include <nav_msgs/Path.h>
 #include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <tf2_ros/static_transform_broadcaster.h>
@@ -20,6 +21,7 @@
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/external_planner.h"
 #include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/paths.h"
 #include "collision_forge/ros/planner_markers.h"
 #include "collision_forge/ros/planner_messages.h"
 #include "collision_forge/ros/topic_names.h"
@@ -89,6 +91,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     external_ = std::make_unique<ExternalPlanner>(node, config_.planners.external);
     outcomes_ = node.advertise<collision_forge::PlannerOutcome>(names::kPlannerOutcome, 1, true);
     markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kPlannerMarkers, 1, true);
+    paths_ = node.advertise<nav_msgs::Path>(names::kPlannerPath, 1, true);
     maps_ = node.advertise<collision_forge::LaneMap>(names::kTestedMap, 1, true);
     subscribers_ = {node.subscribe(names::kAttack, 1, &PlannerTesterNodelet::receiveAttack, this)};
     service_ = std::make_unique<OwnThreadService>(node, names::kTestPlanner,
@@ -157,6 +160,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
         {options, config_.attack, config_.crash.types, background, true, attacker.get()});
     response.outcome = toMessage(trial, request.planner, policy);
     outcomes_.publish(response.outcome);
+    paths_.publish(toPath(trial.outcome.driven));
     one.scenario.attacker = trial.outcome.attacker;
     markers_.publish(plannerMarkers(trial, scenario, request.planner));
   }
@@ -278,6 +282,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
   tf2_ros::StaticTransformBroadcaster frames_;
   ros::Publisher outcomes_;
   ros::Publisher markers_;
+  ros::Publisher paths_;
   ros::Publisher maps_;
   std::vector<ros::Subscriber> subscribers_;
   std::unique_ptr<OwnThreadService> service_;

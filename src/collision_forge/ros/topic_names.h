@@ -9,6 +9,8 @@ inline constexpr char kLaneMap[] = "lane_map";  // LaneMap, latched
 inline constexpr char kOdometry[] = "odom";     // nav_msgs/Odometry, in bags alone
 inline constexpr char kAnnotationMarkers[] =
     "annotation_markers";  // visualization_msgs/MarkerArray
+inline constexpr char kAgentObjects[] =
+    "agent_objects";  // derived_object_msgs/ObjectArray, in bags
 inline constexpr char kTf[] = "/tf";
 inline constexpr char kStaticTf[] = "/tf_static";
 
@@ -19,14 +21,18 @@ inline constexpr char kAttack[] = "attack";                         // Attack, l
 inline constexpr char kAttackMethods[] = "attack_methods";          // AttackMethods, latched
 inline constexpr char kTestedReport[] = "tested_report";  // CollisionReport, latched: as it came
 inline constexpr char kInjectedAgents[] = "injected_agents";  // AgentArray
-inline constexpr char kMapMarkers[] = "map_markers";          // MarkerArray, latched
+inline constexpr char kInjectedObjects[] =
+    "injected_objects";                               // derived_object_msgs/ObjectArray: the same
+inline constexpr char kMapMarkers[] = "map_markers";  // MarkerArray, latched
 inline constexpr char kSceneMarkers[] = "scene_markers";      // MarkerArray
 inline constexpr char kPatternMarkers[] = "pattern_markers";  // MarkerArray, latched
 inline constexpr char kAttackMarkers[] = "attack_markers";    // MarkerArray, latched
-inline constexpr char kAttackPath[] = "attack_path";          // nav_msgs/Path, latched, in bags
+inline constexpr char kAttackPath[] = "attack_path";          // nav_msgs/Path, latched
+inline constexpr char kAttackEgoPath[] = "attack_ego_path";   // nav_msgs/Path, latched
 inline constexpr char kAttackRequest[] = "attack_request";    // AttackRequest, latched
 inline constexpr char kPlannerOutcome[] = "planner_outcome";  // PlannerOutcome, latched
 inline constexpr char kPlannerMarkers[] = "planner_markers";  // MarkerArray, latched
+inline constexpr char kPlannerPath[] = "planner_path";        // nav_msgs/Path, latched
 inline constexpr char kTestedMap[] = "tested_map";            // LaneMap, latched
 inline constexpr char kPlanningState[] = "planning_state";    // PlanningState
 
