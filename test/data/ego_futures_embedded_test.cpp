@@ -35,7 +35,7 @@ class EmbeddedEgoFutures : public testing::Test {
     if (!map) {
       map = std::make_shared<const LaneMap>(
           readNuScenesMap(kDataroot, recording.location, drivingSide(config_, recording.location),
-                          {config_.conversion.centerline_resolution}));
+                          {config_.conversion.centerline_resolution, config_.input_limits}));
     }
     return toScene(recording, config_.ego_vehicle, map);
   }

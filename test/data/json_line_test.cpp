@@ -133,6 +133,14 @@ TEST(JsonLine, NumbersThatNoDoubleHoldsAreNoJson) {
             "");
 }
 
+TEST(JsonLine, NumbersOutsideARangeNameValueAndRange) {
+  const auto read = [](JsonObject& object) { EXPECT_EQ(object.within("a", -2.0, 0.5), 0.5); };
+  EXPECT_EQ(complaintOf(R"({"a":0.5})", read), "");
+  EXPECT_THAT(complaintOf(R"({"a":0.75})", read),
+              HasSubstr("list: line 3: field a = 0.75 is outside -2 to 0.5"));
+  EXPECT_THAT(complaintOf(R"({"a":-2.5})", read), HasSubstr("a = -2.5 is outside"));
+}
+
 TEST(JsonLine, DeepNestingIsNoCrash) {
   const std::string deep = R"({"a":)" + std::string(200'000, '[') + std::string(200'000, ']') + "}";
   EXPECT_THAT(complaintOf(deep, [](JsonObject& object) { object.number("a"); }),

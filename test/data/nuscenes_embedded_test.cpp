@@ -4,6 +4,7 @@
 
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/nuscenes_tables.h"
+#include "scene/shipped_limits.h"
 
 namespace forge {
 namespace {
@@ -19,8 +20,8 @@ TEST(NuScenesEmbedded, everySceneAndItsMapAreRead) {
     const NuScenesRecording recording = root.readScene(name);
     auto& map = maps[recording.location];
     if (!map) {
-      map = std::make_shared<const LaneMap>(
-          readNuScenesMap(dataroot, recording.location, DrivingSide::kRight));
+      map = std::make_shared<const LaneMap>(readNuScenesMap(
+          dataroot, recording.location, DrivingSide::kRight, {1.0, shippedLimits()}));
     }
     const Scene scene = toScene(recording, {{4.084, 1.73}, 1.0}, map, &warnings);
     EXPECT_FALSE(scene.map->lanes.empty());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "data/nuscenes_fixture.h"
+#include "scene/shipped_limits.h"
 
 namespace forge {
 namespace {
@@ -51,8 +52,8 @@ Result readTiny(const std::string& content, double resolution = 1.0) {
   const TemporaryFolder folder;
   folder.write("maps/expansion/tiny-town.json", content);
   Result result;
-  result.map = readNuScenesMap(folder.path(), "tiny-town", DrivingSide::kLeft, {resolution},
-                               &result.warnings);
+  result.map = readNuScenesMap(folder.path(), "tiny-town", DrivingSide::kLeft,
+                               {resolution, shippedLimits()}, &result.warnings);
   return result;
 }
 
@@ -171,6 +172,9 @@ const Defect kDefects[] = {
     {"nanLength", "[15.707963267948966, 0, 0]", "[NaN, 0, 0]", "1 unusable arclines"},
     {"farLength", "[15.707963267948966, 0, 0]", "[1e9, 0, 0]", "1 unusable arclines"},
     {"negativeLength", "[15.707963267948966, 0, 0]", "[-1, 0, 0]", "1 unusable arclines"},
+    {"longLine", "[15.707963267948966, 0, 0]", "[40000, 0, 0]",
+     "1 lanes without a usable arcline (first: c)"},
+    {"tinyRadius", "\"radius\": 10.0", "\"radius\": 1e-308", "1 unusable arclines"},
     {"zeroRadius", "\"radius\": 10.0", "\"radius\": 0", "1 unusable arclines"},
     {"unknownShape", "\"LSR\"", "\"LXR\"", "1 unusable arclines"},
     {"connectorWithoutPolygon", R"({"token": "b", "polygon_token": "pb"})", R"({"token": "b"})",
@@ -196,6 +200,26 @@ const Defect kDefects[] = {
 
 INSTANTIATE_TEST_SUITE_P(All, DefectiveNuScenesMap, ::testing::ValuesIn(kDefects),
                          [](const auto& info) { return info.param.name; });
+
+TEST(NuScenesMap, moreLanesOrPointsThanTheLimitsHaveAreRefused) {
+  const TemporaryFolder folder;
+  folder.write("maps/expansion/tiny-town.json", tinyMap());
+  const auto errorWith = [&](const InputLimits& limits) -> std::string {
+    try {
+      readNuScenesMap(folder.path(), "tiny-town", DrivingSide::kLeft, {1.0, limits});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(errorWith(shippedLimits()), "");
+  InputLimits limits = shippedLimits();
+  limits.max_lanes = 2;
+  EXPECT_THAT(errorWith(limits), HasSubstr("tiny-town.json: lanes: 3, more than 2"));
+  limits = shippedLimits();
+  limits.max_map_points = 20;
+  EXPECT_THAT(errorWith(limits), HasSubstr("tiny-town.json: points of the map"));
+}
 
 TEST(NuScenesMap, nanArclineLeavesTheLaneWithoutLine) {
   const Result result =
@@ -232,7 +256,7 @@ TEST(NuScenesMap, namesTheByteWhereAFileIsCutOffAndAMissingFile) {
   EXPECT_THAT(errorOf([&] { readTiny(whole.substr(0, 100)); }),
               HasSubstr("tiny-town.json: invalid JSON at byte 100"));
   EXPECT_THAT(errorOf([&] { readTiny(std::string(1000000, '[')); }), HasSubstr("invalid JSON"));
-  EXPECT_THAT(errorOf([&] { readNuScenesMap("/nowhere", "town", DrivingSide::kRight); }),
+  EXPECT_THAT(errorOf([&] { readNuScenesMap("/nowhere", "town", DrivingSide::kRight, {}); }),
               HasSubstr("/nowhere/maps/expansion/town.json: cannot be opened: No such file"));
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "data/nuscenes_fixture.h"
+#include "scene/shipped_limits.h"
 
 namespace forge {
 namespace {
@@ -123,7 +124,7 @@ Scenario refusal() {
 std::string complaintAbout(std::string line, const std::string& from, const std::string& to) {
   replaceIn(line, from, to);
   try {
-    readScenarioLine("file: line 9", line);
+    readScenarioLine("file: line 9", line, shippedLimits());
   } catch (const JsonLineError& error) {
     return error.what();
   }
@@ -134,7 +135,7 @@ TEST(ScenarioFile, ThePlansOfAnAdaptiveAttackerReadBack) {
   const std::string line = scenarioLine(adaptiveAttack());
   EXPECT_THAT(line, HasSubstr(R"({"seen_t":0.5,"from_t":0.8,"phase":"attacking",)"
                               R"("reason":"meets 94 %","trajectory":[{"t":0.1,)"));
-  const Scenario read = readScenarioLine("here", line);
+  const Scenario read = readScenarioLine("here", line, shippedLimits());
   ASSERT_EQ(read.plans.size(), 3u);
   EXPECT_EQ(read.plans[2].phase, AttackerPhase::kCommitted);
   EXPECT_TRUE(read.plans[2].points.empty());
@@ -167,12 +168,12 @@ TEST(ScenarioFile, ARefusalHasNullsAndItsMessage) {
 TEST(ScenarioFile, LinesAreReadAsTheyWereWritten) {
   for (const Scenario& scenario : {attack(), addedAttack(), threeAttacks(), refusal()}) {
     const std::string line = scenarioLine(scenario);
-    EXPECT_EQ(scenarioLine(readScenarioLine("", line)), line);
+    EXPECT_EQ(scenarioLine(readScenarioLine("", line, shippedLimits())), line);
   }
 }
 
 TEST(ScenarioFile, ControlsAreReadAsTheyWereAskedFor) {
-  const Scenario read = readScenarioLine("", scenarioLine(addedAttack()));
+  const Scenario read = readScenarioLine("", scenarioLine(addedAttack()), shippedLimits());
   const CollisionRequest& request = read.asked.request;
   EXPECT_EQ(request.choice, AttackerChoice::kNew);
   EXPECT_TRUE(request.crash.believable);
@@ -189,7 +190,8 @@ TEST(ScenarioFile, ControlsAreReadAsTheyWereAskedFor) {
 }
 
 TEST(ScenarioFile, AlternativesAreReadLikeTheFirstAttack) {
-  const Realization read = readScenarioLine("", scenarioLine(threeAttacks())).answer;
+  const Realization read =
+      readScenarioLine("", scenarioLine(threeAttacks()), shippedLimits()).answer;
   ASSERT_EQ(read.alternatives.size(), 2u);
   EXPECT_TRUE(read.alternatives[0].trajectory.isAdded());
   EXPECT_FALSE(read.alternatives[1].trajectory.isAdded());
@@ -213,17 +215,17 @@ TEST(ScenarioFile, AnAddedVehicleHasAPastAndItsClass) {
   const std::string line = scenarioLine(addedAttack());
   EXPECT_THAT(line, AllOf(HasSubstr(R"("origin":"added")"),
                           HasSubstr(R"("past":[{"t":-0.5,"x":-8,"y":2,"yaw":0.3,"v":9.123457},)")));
-  const AttackerTrajectory read = readScenarioLine("", line).answer.trajectory;
+  const AttackerTrajectory read = readScenarioLine("", line, shippedLimits()).answer.trajectory;
   EXPECT_TRUE(read.isAdded());
   EXPECT_EQ(read.agent_class, AgentClass::kTruck);
   ASSERT_EQ(read.past.size(), 2u);
   EXPECT_NEAR(read.past[0].time, kNow - 0.5, 5e-7);
   EXPECT_NEAR(read.past[0].velocity.x(), 9.1234567 * std::cos(0.3), 1e-6);
-  EXPECT_FALSE(readScenarioLine("", kAttackLine).answer.trajectory.isAdded());
+  EXPECT_FALSE(readScenarioLine("", kAttackLine, shippedLimits()).answer.trajectory.isAdded());
 }
 
 TEST(ScenarioFile, WhatTheAttackerDoesIsReadBack) {
-  const CollisionReport read = readScenarioLine("", kAttackLine).answer.report;
+  const CollisionReport read = readScenarioLine("", kAttackLine, shippedLimits()).answer.report;
   EXPECT_EQ(read.manoeuvre, Manoeuvre::kFollowerCloses);
   EXPECT_NEAR(read.manoeuvre_begin, kNow + 1.5, 5e-7);
   EXPECT_EQ(read.road.on_lane, 0.5);
@@ -242,7 +244,7 @@ TEST(ScenarioFile, OlderVersionsAreToBeGeneratedAnew) {
 }
 
 TEST(ScenarioFile, TimesAreReadOnTheScenesClock) {
-  const Scenario read = readScenarioLine("", kAttackLine);
+  const Scenario read = readScenarioLine("", kAttackLine, shippedLimits());
   constexpr double kRounding = 5e-7;  // s
   EXPECT_NEAR(read.answer.trajectory.points[1].time, kNow + 0.1, kRounding);
   EXPECT_NEAR(read.answer.aim.time, kNow + 4.0, kRounding);
@@ -298,6 +300,46 @@ TEST(ScenarioFile, MalformedLinesNameTheField) {
               field("confidence"));
   EXPECT_THAT(complaintAbout(scenarioLine(refusal()), "\"pattern\":null", "\"pattern\":{}"),
               field("pattern"));
+}
+
+TEST(ScenarioFile, NumbersBeyondTheLimitsNameFieldValueAndLimit) {
+  const std::string added = scenarioLine(addedAttack());
+  const struct {
+    std::string from, to, problem;
+  } cases[] = {
+      {"\"length\":4.6", "\"length\":1e7", "attacker.length = 10000000.0 is outside 0.1 to 50"},
+      {"\"width\":1.9", "\"width\":0.01", "attacker.width = 0.01 is outside 0.1 to 50"},
+      {"\"x\":1.9", "\"x\":1e9",
+       "attacker.trajectory[1].x = 1000000000.0 is outside -50000 to 50000"},
+      {"\"t\":0.1,", "\"t\":1e9,",
+       "attacker.trajectory[1].t = 1000000000.0 is outside -3600 to 60"},
+      {"\"t\":0.1,", "\"t\":0,", "attacker.trajectory[1].t = 0 is not after the one before"},
+      {"\"v\":9.05", "\"v\":1e3", "attacker.trajectory[1].v = 1000.0 is outside -150 to 150"},
+      {"{\"x\":40,", "{\"x\":-4e5,", "pattern.ego.x = -400000.0 is outside"},
+      {"\"attacker_speed\":12.5", "\"attacker_speed\":1e300", "pattern.attacker_speed = 1e300"},
+      {"\"contact_t\":3.875", "\"contact_t\":1e300", "report.contact_t = 1e300 is outside"},
+      {"\"now\":1531883530.949817", "\"now\":1e300", "now = 1e300 is outside 0 to 4.29497e+09"},
+      {"{\"length\":4.084", "{\"length\":1e9", "ego.length = 1000000000.0 is outside 0.1 to 50"},
+      {"\"center_offset\":1.385", "\"center_offset\":1e9", "ego.center_offset = 1000000000.0"}};
+  for (const auto& one : cases) {
+    EXPECT_THAT(complaintAbout(kAttackLine, one.from, one.to),
+                HasSubstr("file: line 9: field " + one.problem));
+  }
+  EXPECT_THAT(complaintAbout(added, "\"past\":[{\"t\":-0.5", "\"past\":[{\"t\":-1e5"),
+              HasSubstr("attacker.past[0].t = -100000.0 is outside -3600 to 60"));
+}
+
+TEST(ScenarioFile, TrajectoriesHaveOneToAsManyPointsAsTheLimitsHave) {
+  Scenario scenario = attack();
+  std::vector<TrajectoryPoint>& points = scenario.answer.trajectory.points;
+  points.clear();
+  EXPECT_THAT(complaintAbout(scenarioLine(scenario), "", ""),
+              HasSubstr("trajectory = [...] has no"));
+  for (int i = 0; i <= shippedLimits().max_points; ++i) points.push_back({kNow + 0.001 * i, {}});
+  EXPECT_THAT(complaintAbout(scenarioLine(scenario), "", ""),
+              HasSubstr("attacker.trajectory = [...] has 5001 elements, more than 5000"));
+  points.pop_back();
+  EXPECT_EQ(complaintAbout(scenarioLine(scenario), "", ""), "");
 }
 
 TEST(ScenarioFile, NumbersThatAreNoneAreNotWritten) {

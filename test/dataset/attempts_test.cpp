@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "scene/shipped_limits.h"
+
 namespace forge {
 namespace {
 
@@ -43,7 +45,7 @@ TEST(Attempt, LengthCountsTheFramesUntilImpact) {
 
 TEST(ReadAttempt, TellsWhatWasAskedAndThatThereIsNoClip) {
   const SceneRequest asked = sampleRequest(CollisionType::kLtap, 3.0);
-  const Attempt attempt = readAttempt("line 1", lineOf(asked), asked);
+  const Attempt attempt = readAttempt("line 1", lineOf(asked), asked, shippedLimits());
   EXPECT_EQ(attempt.asked.scene, "scene-0001");
   EXPECT_EQ(attempt.asked.request.type, CollisionType::kLtap);
   EXPECT_FALSE(attempt.valid);
@@ -52,7 +54,7 @@ TEST(ReadAttempt, TellsWhatWasAskedAndThatThereIsNoClip) {
 TEST(ReadAttempt, RefusesALineOfSomethingElse) {
   const std::string line = lineOf(sampleRequest(CollisionType::kLtap, 3.0));
   try {
-    readAttempt("file: line 3", line, sampleRequest(CollisionType::kLtap, 3.5));
+    readAttempt("file: line 3", line, sampleRequest(CollisionType::kLtap, 3.5), shippedLimits());
     FAIL() << "accepted";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("file: line 3: answers"));

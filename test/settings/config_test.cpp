@@ -84,6 +84,7 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
                                                         {"speed_model_fit.yaml", "speed_model_fit"},
                                                         {"training.yaml", "training"},
                                                         {"conversion.yaml", "conversion"},
+                                                        {"input_limits.yaml", "input_limits"},
                                                         {"models.yaml", "models"},
                                                         {"attacked_bag.yaml", "attacked_bag"},
                                                         {"drawing.yaml", "drawing"},
@@ -110,13 +111,14 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
 }
 
 TEST_F(SpoiltConfig, UnknownSectionsAreRefused) {
-  for (const char* file :
-       {"vehicle_limits.yaml", "ego_vehicle.yaml", "locations.yaml",        "crash_definition.yaml",
-        "prediction.yaml",     "search.yaml",      "verification.yaml",     "encoding.yaml",
-        "conversion.yaml",     "drawing.yaml",     "requests.yaml",         "evaluation.yaml",
-        "dataset.yaml",        "ego_futures.yaml", "methods.yaml",          "speed_model_fit.yaml",
-        "models.yaml",         "training.yaml",    "planner_training.yaml", "planners.yaml",
-        "believability.yaml",  "attacked_bag.yaml"}) {
+  for (const char* file : {"vehicle_limits.yaml",   "ego_vehicle.yaml", "locations.yaml",
+                           "crash_definition.yaml", "prediction.yaml",  "search.yaml",
+                           "verification.yaml",     "encoding.yaml",    "conversion.yaml",
+                           "drawing.yaml",          "requests.yaml",    "evaluation.yaml",
+                           "dataset.yaml",          "ego_futures.yaml", "methods.yaml",
+                           "speed_model_fit.yaml",  "models.yaml",      "training.yaml",
+                           "planner_training.yaml", "planners.yaml",    "believability.yaml",
+                           "attacked_bag.yaml",     "input_limits.yaml"}) {
     expectComplaint(file, "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
   }
 }
@@ -316,8 +318,13 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
   expectComplaint("dataset.yaml", "val_share: 0.1", "val_share: 0.31", {"dataset.val_share"});
   expectComplaint("dataset.yaml", "time_tolerance: 0.1", "time_tolerance: 0.02",
                   {"dataset.time_tolerance"});
-  expectComplaint("crash_definition.yaml", "time_tolerance: 0.5", "time_tolerance: 0.02",
-                  {"crash_definition.time_tolerance"});
+  for (const std::string beyond : {"0.02", "61", "1e308", ".inf"}) {
+    expectComplaint("crash_definition.yaml", "time_tolerance: 0.5", "time_tolerance: " + beyond,
+                    {"crash_definition.time_tolerance"});
+  }
+  expectComplaint("input_limits.yaml", "max_box: 50.0", "max_box: 0.05", {"input_limits.max_box"});
+  expectComplaint("input_limits.yaml", "max_points: 5000", "max_points: 1",
+                  {"input_limits.max_points"});
   expectComplaint("requests.yaml", "[2.0,", "[-2.0,", {"requests.ttas", "-2.0"});
   expectComplaint("requests.yaml", "speed: 2.0", "speed: -1", {"requests.min_ego_speed", "-1"});
   expectComplaint("evaluation.yaml", "resamples: 1000", "resamples: 0",

@@ -52,7 +52,7 @@ struct AttackLines {
   std::string where(std::size_t number) const { return path + ": line " + std::to_string(number); }
 };
 
-AttackLines readAttacks(const std::string& path) {
+AttackLines readAttacks(const std::string& path, const InputLimits& limits) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error(path + ": cannot be read");
   AttackLines found;
@@ -60,7 +60,7 @@ AttackLines readAttacks(const std::string& path) {
   std::set<std::string> seen;
   for (std::string text; std::getline(file, text);) {
     found.fingerprint = fingerprint(text, found.fingerprint);
-    const Scenario scenario = readScenarioLine(found.where(++found.scenarios), text);
+    const Scenario scenario = readScenarioLine(found.where(++found.scenarios), text, limits);
     if (scenario.answer.status.code != StatusCode::kOk) continue;
     if (seen.insert(scenario.asked.scene).second) found.scenes.push_back(scenario.asked.scene);
     found.lines.push_back({found.scenarios, text});
@@ -76,7 +76,7 @@ class ScenarioAttacks : public AttackSource {
       : config_(config),
         dataroot_(dataroot),
         version_(version),
-        attacks_(readAttacks(path)),
+        attacks_(readAttacks(path, config.input_limits)),
         scenes_(dataroot, version, attacks_.scenes, config, static_cast<std::size_t>(jobs) + 1,
                 isMaster() ? OnWarnings(printWarnings) : OnWarnings(), showReading()),
         arcs_(dataroot) {}
@@ -98,7 +98,8 @@ class ScenarioAttacks : public AttackSource {
   }
 
   CrashRecord record(std::size_t index, double history) override {
-    const Scenario scenario = readScenarioLine(where(index), attacks_.lines[index].text);
+    const Scenario scenario =
+        readScenarioLine(where(index), attacks_.lines[index].text, config_.input_limits);
     const auto indexed = scenes_.at(scenario.asked.scene);
     return crashRecord(scenario, numberOf(index), history,
                        {*indexed, arcs_.at(indexed->scene.map->location), config_.exports,

@@ -126,7 +126,7 @@ int buildDataset(const Arguments& arguments) {
                          findClip(asked, *scenes.at(asked.scene), config, config.dataset)});
   };
   run.take = [&](std::size_t index, const std::string& where, const std::string& line) {
-    attempts.push_back(readAttempt(where, line, requests[index]));
+    attempts.push_back(readAttempt(where, line, requests[index], config.input_limits));
   };
   carryOut(run);
   if (!is_master) return kExitOk;
@@ -134,7 +134,7 @@ int buildDataset(const Arguments& arguments) {
   const auto chosen = chooseClips(attempts, config.dataset.balance, arguments.seed);
   if (chosen.empty()) throw std::runtime_error(arguments.out + ": none of the clips is valid");
   std::cout << writeDataset(arguments.out, arguments.attempts(), attempts, chosen, config.dataset,
-                            config.drawing, scenes);
+                            config.drawing, config.input_limits, scenes);
   if (!arguments.report.empty()) {
     writeReport({{arguments.attempts()}, arguments.dataroot, arguments.version}, arguments.report,
                 config);

@@ -75,8 +75,9 @@ RequestList readList(const Arguments& arguments, const CrashDefinition& crash) {
 }
 
 /// Throws for a line that answers something else.
-void checkAnswer(const std::string& where, const std::string& line, const SceneRequest& request) {
-  const SceneRequest asked = readScenarioLine(where, line).asked;
+void checkAnswer(const std::string& where, const std::string& line, const SceneRequest& request,
+                 const InputLimits& limits) {
+  const SceneRequest asked = readScenarioLine(where, line, limits).asked;
   if (requestLine(asked) == requestLine(request) && asked.request.mode == request.request.mode) {
     return;
   }
@@ -106,14 +107,16 @@ OutputLocks lockOutputs(const Arguments& arguments) {
 }
 
 /// The clips of all scenarios that have none yet.
-void exportClips(const Arguments& arguments, std::size_t count, SceneSource& scenes) {
+void exportClips(const Arguments& arguments, std::size_t count, SceneSource& scenes,
+                 const InputLimits& limits) {
   const std::string path = arguments.scenarios();
   CollideExporter exporter(arguments.out);
   ProgressLine progress("clips");
   std::ifstream file(path);
   int index = 0;
   for (std::string line; std::getline(file, line); ++index) {
-    const Scenario scenario = readScenarioLine(path + ": line " + std::to_string(index + 1), line);
+    const Scenario scenario =
+        readScenarioLine(path + ": line " + std::to_string(index + 1), line, limits);
     if (scenario.answer.status.code == StatusCode::kOk) {
       exporter.add(scenario, scenes.at(scenario.asked.scene)->scene, index);
     }
@@ -151,13 +154,13 @@ int generate(const Arguments& arguments) {
     }
   };
   run.take = [&](std::size_t index, const std::string& where, const std::string& line) {
-    checkAnswer(where, line, list.requests[index]);
+    checkAnswer(where, line, list.requests[index], config.input_limits);
   };
   carryOut(run);
   if (!is_master) return kExitOk;
   std::cout << list.requests.size() << " requests answered in " << arguments.scenarios() << "\n";
   if (arguments.format == Format::kCsvCollide) {
-    exportClips(arguments, list.requests.size(), scenes);
+    exportClips(arguments, list.requests.size(), scenes, config.input_limits);
   }
   if (!arguments.report.empty()) {
     writeReport({{arguments.scenarios()}, arguments.dataroot, arguments.version}, arguments.report,

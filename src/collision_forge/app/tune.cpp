@@ -79,7 +79,8 @@ struct BothCases {
 };
 
 BothCases openScenarios(const Arguments& arguments, const Config& config) {
-  checkHeldOut(readScenes(arguments.train), readScenes(arguments.test));
+  const InputLimits& limits = config.input_limits;
+  checkHeldOut(readScenes(arguments.train, limits), readScenes(arguments.test, limits));
   const auto open = [&](const std::vector<std::string>& paths) {
     return openScenarioCases(paths, arguments.dataroot, arguments.version,
                              static_cast<std::size_t>(arguments.jobs) + 1, config, showReading());

@@ -14,9 +14,9 @@ std::shared_ptr<const LaneIndex> CityMaps::at(const std::string& city) {
   std::shared_ptr<const LaneIndex>& lanes = maps_[city];
   if (lanes) return lanes;
   std::vector<std::string> warnings;
-  lanes = std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(
-      readNuScenesMap(dataroot_, city, drivingSide(options_, city),
-                      {options_.conversion.centerline_resolution}, &warnings)));
+  lanes = std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(readNuScenesMap(
+      dataroot_, city, drivingSide(options_, city),
+      {options_.conversion.centerline_resolution, options_.input_limits}, &warnings)));
   if (on_warnings_ && !warnings.empty()) on_warnings_("map " + city, warnings);
   return lanes;
 }

@@ -9,6 +9,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "collision_forge/data/json_numbers.h"
@@ -72,6 +73,16 @@ std::optional<double> JsonObject::numberOrNull(const char* key) {
   if (value.IsNull()) return std::nullopt;
   if (!value.IsNumber()) fail(key, "is neither a number nor null");
   return value.GetDouble();
+}
+
+double JsonObject::within(const char* key, double min, double max) {
+  const double value = number(key);
+  if (value < min || value > max) {
+    std::ostringstream problem;
+    problem << "is outside " << min << " to " << max;
+    fail(key, problem.str());
+  }
+  return value;
 }
 
 std::uint64_t JsonObject::count(const char* key) {

@@ -32,6 +32,7 @@ class JsonObject {
   std::optional<std::string> textOrNull(const char* key);
   double number(const char* key);
   std::optional<double> numberOrNull(const char* key);
+  double within(const char* key, double min, double max);
   std::uint64_t count(const char* key);
   bool flag(const char* key);
   std::vector<double> numbers(const char* key);

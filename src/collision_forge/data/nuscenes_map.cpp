@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "collision_forge/data/nuscenes_map_layers.h"
+#include "collision_forge/files/plain_name.h"
 
 namespace forge {
 namespace {
@@ -39,17 +40,25 @@ std::vector<Polygon> polygonsOf(const NuScenesMapLayers& layers,
   return polygons;
 }
 
+/// False for more poses than a centreline may have.
+bool isShort(const std::vector<ArcPath>& arcline, const NuScenesMapOptions& options) {
+  constexpr double kPosesOfAnArc = 2.5;  // and one every resolution; see discretize()
+  double poses = 0.0;
+  for (const ArcPath& arc : arcline) poses += arc.length() / options.resolution + kPosesOfAnArc;
+  return poses <= options.limits.max_points;
+}
+
 Lane makeLane(const NuScenesMapLayers& layers, const NuScenesMapLayers::Lane& from,
-              double resolution, WarningCounter& warnings) {
+              const NuScenesMapOptions& options, WarningCounter& warnings) {
   const std::string what = from.is_connector ? "lane connectors" : "lanes";
   Lane lane;
   lane.id = from.token;
   lane.is_connector = from.is_connector;
   const auto arcline = layers.arclines.find(from.token);
-  if (arcline == layers.arclines.end()) {
+  if (arcline == layers.arclines.end() || !isShort(arcline->second, options)) {
     warnings.add(what + " without a usable arcline", from.token);
   } else {
-    lane.centerline = discretize(arcline->second, resolution);
+    lane.centerline = discretize(arcline->second, options.resolution);
   }
   const auto polygon = layers.polygons.find(from.polygon_token);
   if (polygon == layers.polygons.end()) {
@@ -114,9 +123,9 @@ LaneMap readNuScenesMap(const std::string& dataroot, const std::string& location
     throw std::invalid_argument("readNuScenesMap: resolution must be positive, is " +
                                 std::to_string(options.resolution));
   }
-  const std::string path = dataroot + "/maps/expansion/" + location + ".json";
+  const std::string path = pathIn(dataroot + "/maps/expansion", location + ".json");
   WarningCounter counter;
-  const NuScenesMapLayers layers = readNuScenesMapLayers(path, counter);
+  const NuScenesMapLayers layers = readNuScenesMapLayers(path, options.limits, counter);
 
   LaneMap map;
   map.location = location;
@@ -125,10 +134,14 @@ LaneMap readNuScenesMap(const std::string& dataroot, const std::string& location
   map.walkways = polygonsOf(layers, layers.walkways, "walkways", counter);
   const std::vector<Polygon> intersections =
       polygonsOf(layers, layers.intersections, "intersections", counter);
+  std::size_t points = 0;
   for (const NuScenesMapLayers::Lane& from : layers.lanes) {
-    map.lanes.push_back(makeLane(layers, from, options.resolution, counter));
+    map.lanes.push_back(makeLane(layers, from, options, counter));
+    points += map.lanes.back().centerline.size();
+    if (points > static_cast<std::size_t>(options.limits.max_map_points)) break;  // see checkMap()
     map.lanes.back().is_intersection = isInIntersection(map.lanes.back(), intersections);
   }
+  checkMap(map, options.limits, path);
   linkLanes(map.lanes, layers, counter);
   if (warnings != nullptr) {
     for (std::string& line : counter.lines(path)) warnings->push_back(std::move(line));

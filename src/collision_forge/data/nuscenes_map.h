@@ -5,11 +5,13 @@
 
 #include "collision_forge/data/nuscenes_json.h"
 #include "collision_forge/map/lane_map.h"
+#include "collision_forge/scene/input_limits.h"
 
 namespace forge {
 
 struct NuScenesMapOptions {
   double resolution = 1.0;  ///< metres between the poses of a centreline, > 0
+  InputLimits limits;
 };
 
 /// Reads DATAROOT/maps/expansion/LOCATION.json, map expansion 1.3 or later: lanes and lane
@@ -17,12 +19,14 @@ struct NuScenesMapOptions {
 /// intersection when the middle of its outline or of its centreline does.
 ///
 /// Known defects of the published maps (links to tokens that do not exist, lanes without links,
-/// arclines or outlines, unusable arclines and polygons) are left out of the result; `warnings`, if
-/// given, gets one line a kind with the number of cases and the first of them.
+/// arclines or outlines, unusable arclines and polygons, those beyond the limits among them) are
+/// left out of the result; `warnings`, if given, gets one line a kind with the number of cases and
+/// the first of them.
 /// Throws NuScenesError for a file that is missing, no JSON or of another version, a layer that is
-/// missing, and a row that lacks a field or holds another type there.
+/// missing, and a row that lacks a field or holds another type there; InputError for more lanes or
+/// points than the limits have.
 LaneMap readNuScenesMap(const std::string& dataroot, const std::string& location,
-                        DrivingSide driving_side, const NuScenesMapOptions& options = {},
+                        DrivingSide driving_side, const NuScenesMapOptions& options,
                         std::vector<std::string>* warnings = nullptr);
 
 /// The lanes (by outline or centreline) and drivable polygons within `radius` metres of any of the

@@ -14,11 +14,6 @@ namespace {
 using Ring = std::vector<Vector2>;
 
 constexpr double kSmallestArea = 1e-6;  // square metres
-constexpr double kFarthest = 5e4;       // metres from the map's origin; what is farther is damaged
-
-bool isWithinReach(const Vector2& point) {
-  return std::abs(point.x()) <= kFarthest && std::abs(point.y()) <= kFarthest;  // false for NaN
-}
 
 double signedArea(const Ring& ring) {
   double twice = 0.0;
@@ -33,8 +28,8 @@ double signedArea(const Ring& ring) {
 /// Turns a file's layers into NuScenesMapLayers.
 class LayerReader {
  public:
-  LayerReader(const std::string& path, WarningCounter& warnings)
-      : path_(path), document_(path), warnings_(warnings) {}
+  LayerReader(const std::string& path, const InputLimits& limits, WarningCounter& warnings)
+      : path_(path), document_(path), limits_(limits), warnings_(warnings) {}
 
   NuScenesMapLayers read() {
     readPolygons();
@@ -58,11 +53,11 @@ class LayerReader {
   }
 
   /// An open ring of distinct neighbours; empty when the nodes do not enclose some area.
-  static Ring ringOf(const Nodes& nodes, const std::vector<std::string>& tokens) {
+  Ring ringOf(const Nodes& nodes, const std::vector<std::string>& tokens) const {
     Ring ring;
     for (const std::string& token : tokens) {
       const auto node = nodes.find(token);
-      if (node == nodes.end() || !isWithinReach(node->second)) return {};
+      if (node == nodes.end() || !isWithin(node->second, limits_)) return {};
       if (ring.empty() || ring.back() != node->second) ring.push_back(node->second);
     }
     while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
@@ -126,7 +121,7 @@ class LayerReader {
     }
   }
 
-  /// Empty when it cannot be driven: a value that is not finite, no such shape, a negative length.
+  /// Empty when it cannot be driven: a value beyond the limits, no such shape, a negative length.
   std::optional<ArcPath> arcOf(const MapRow& row) const {
     const std::vector<double> start = document_.numbers(row, "start_pose", 3);
     const std::vector<double> lengths = document_.numbers(row, "segment_length", 3);
@@ -134,15 +129,12 @@ class LayerReader {
     ArcPath path;
     path.start = {start[0], start[1], start[2]};
     path.radius = document_.number(row, "radius");
-    const bool has_radius = std::isfinite(path.radius) && path.radius > 0.0;
+    const bool has_radius = std::isfinite(path.radius) && path.radius >= limits_.min_radius;
     const bool has_shape =
         shape.size() == path.shape.size() && shape.find_first_not_of("LSR") == std::string::npos;
-    if (!path.start.isFinite() || !isWithinReach(path.start.position()) || !has_radius ||
-        !has_shape) {
-      return std::nullopt;
-    }
+    if (!isWithin(path.start, limits_) || !has_radius || !has_shape) return std::nullopt;
     for (std::size_t i = 0; i < path.shape.size(); ++i) {
-      if (!(lengths[i] >= 0.0 && lengths[i] <= kFarthest)) return std::nullopt;
+      if (!(lengths[i] >= 0.0 && lengths[i] <= limits_.max_coordinate)) return std::nullopt;
       path.shape[i] = shape[i];
       path.segment_length[i] = lengths[i];
     }
@@ -169,6 +161,7 @@ class LayerReader {
 
   std::string path_;
   NuScenesMapDocument document_;
+  const InputLimits& limits_;
   WarningCounter& warnings_;
   std::unordered_set<std::string> lane_tokens_;
   NuScenesMapLayers layers_;
@@ -191,8 +184,9 @@ std::vector<std::string> WarningCounter::lines(const std::string& path) const {
   return lines;
 }
 
-NuScenesMapLayers readNuScenesMapLayers(const std::string& path, WarningCounter& warnings) {
-  return LayerReader(path, warnings).read();
+NuScenesMapLayers readNuScenesMapLayers(const std::string& path, const InputLimits& limits,
+                                        WarningCounter& warnings) {
+  return LayerReader(path, limits, warnings).read();
 }
 
 }  // namespace forge

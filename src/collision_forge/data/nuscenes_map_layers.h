@@ -7,6 +7,7 @@
 
 #include "collision_forge/geometry/arc_path.h"
 #include "collision_forge/geometry/polygon.h"
+#include "collision_forge/scene/input_limits.h"
 
 namespace forge {
 
@@ -48,6 +49,7 @@ struct NuScenesMapLayers {
 };
 
 /// Throws NuScenesError as readNuScenesMap() does.
-NuScenesMapLayers readNuScenesMapLayers(const std::string& path, WarningCounter& warnings);
+NuScenesMapLayers readNuScenesMapLayers(const std::string& path, const InputLimits& limits,
+                                        WarningCounter& warnings);
 
 }  // namespace forge

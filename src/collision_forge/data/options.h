@@ -6,6 +6,7 @@
 
 #include "collision_forge/forecast/options.h"
 #include "collision_forge/map/lane_map.h"
+#include "collision_forge/scene/input_limits.h"
 #include "collision_forge/scene/scene.h"
 
 namespace forge {
@@ -28,6 +29,7 @@ struct AttackedBagOptions {
 struct DataOptions {
   EgoVehicle ego_vehicle;  ///< config/ego_vehicle.yaml
   ConversionOptions conversion;
+  InputLimits input_limits;                      ///< config/input_limits.yaml
   std::map<std::string, DrivingSide> locations;  ///< config/locations.yaml, by a name's prefix
 };
 

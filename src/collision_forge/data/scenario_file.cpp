@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "collision_forge/attack/request_check.h"
 #include "collision_forge/data/request_fields.h"
 #include "collision_forge/scene/request_words.h"
 
@@ -131,14 +132,49 @@ void writeAnswer(JsonLineWriter& writer, const Realization& answer, double now) 
   writer.endArray();
 }
 
-Pose2 readPoseFields(JsonObject& object) {
-  return {object.number("x"), object.number("y"), object.number("yaw")};
+/// What the numbers of a line are read with.
+struct LineContext {
+  const InputLimits& limits;
+  double now = 0.0;  ///< s, the scene's clock
+};
+
+/// s on the scene's clock.
+double readTime(JsonObject& object, const char* key, const LineContext& line) {
+  return line.now + object.within(key, -line.limits.max_past, line.limits.max_trajectory);
 }
 
-Pose2 readPose(JsonObject object) {
-  const Pose2 pose = readPoseFields(object);
+double readSpeed(JsonObject& object, const char* key, const LineContext& line) {
+  return object.within(key, -line.limits.max_speed, line.limits.max_speed);
+}
+
+BoxSize readBox(JsonObject& object, const InputLimits& limits) {
+  return {object.within("length", limits.min_box, limits.max_box),
+          object.within("width", limits.min_box, limits.max_box)};
+}
+
+Pose2 readPoseFields(JsonObject& object, const LineContext& line) {
+  const double farthest = line.limits.max_coordinate;
+  return {object.within("x", -farthest, farthest), object.within("y", -farthest, farthest),
+          object.number("yaw")};
+}
+
+Pose2 readPose(JsonObject object, const LineContext& line) {
+  const Pose2 pose = readPoseFields(object, line);
   object.finish();
   return pose;
+}
+
+void checkCount(const JsonObject& object, const char* key, std::size_t count, int max) {
+  if (count > static_cast<std::size_t>(max)) {
+    object.fail(key,
+                "has " + std::to_string(count) + " elements, more than " + std::to_string(max));
+  }
+}
+
+/// Fails unless the time is after that of the state before.
+template <typename State>
+void checkTime(const JsonObject& entry, double time, const std::vector<State>& before) {
+  if (!before.empty() && time <= before.back().time) entry.fail("t", "is not after the one before");
 }
 
 CollisionRequest readRequest(JsonObject object) {
@@ -167,25 +203,21 @@ Status readStatus(JsonObject object) {
   return status;
 }
 
-double readPositive(JsonObject& object, const char* key) {
-  const double value = object.number(key);
-  if (!(value > 0.0)) object.fail(key, "is not positive");
-  return value;
-}
-
 /// `is_added`: it must be there, else it must not.
-std::vector<AgentState> readPast(JsonObject& object, bool is_added, double now) {
+std::vector<AgentState> readPast(JsonObject& object, bool is_added, const LineContext& line) {
   std::vector<AgentState> past;
   auto entries = object.objectsOrNull("past");
   if (is_added != (entries && !entries->empty())) {
     object.fail("past", is_added ? "is of no added vehicle" : "is of no recorded vehicle");
   }
   if (!entries) return past;
+  checkCount(object, "past", entries->size(), line.limits.max_points);
   for (JsonObject& entry : *entries) {
     AgentState state;
-    state.time = now + entry.number("t");
-    state.pose = readPoseFields(entry);
-    state.velocity = entry.number("v") * state.pose.heading();
+    state.time = readTime(entry, "t", line);
+    checkTime(entry, state.time, past);
+    state.pose = readPoseFields(entry, line);
+    state.velocity = readSpeed(entry, "v", line) * state.pose.heading();
     entry.finish();
     past.push_back(state);
   }
@@ -200,45 +232,50 @@ bool readIsAdded(JsonObject& object) {
   return origin == kAdded;
 }
 
-std::vector<TrajectoryPoint> readPoints(JsonObject& object, double now) {
+std::vector<TrajectoryPoint> readPoints(JsonObject& object, const LineContext& line) {
   std::vector<TrajectoryPoint> points;
-  for (JsonObject& entry : object.objects("trajectory")) {
-    TrajectoryPoint& point = points.emplace_back();
-    point.time = now + entry.number("t");
-    point.pose = readPoseFields(entry);
-    point.speed = entry.number("v");
+  std::vector<JsonObject> entries = object.objects("trajectory");
+  checkCount(object, "trajectory", entries.size(), line.limits.max_points);
+  for (JsonObject& entry : entries) {
+    TrajectoryPoint point;
+    point.time = readTime(entry, "t", line);
+    checkTime(entry, point.time, points);
+    point.pose = readPoseFields(entry, line);
+    point.speed = readSpeed(entry, "v", line);
     point.acceleration = entry.number("a");
     point.curvature = entry.number("kappa");
     entry.finish();
+    points.push_back(point);
   }
   return points;
 }
 
-AttackerTrajectory readAttacker(JsonObject object, double now) {
+AttackerTrajectory readAttacker(JsonObject object, const LineContext& line) {
   AttackerTrajectory trajectory;
   trajectory.attacker_id = object.text("id");
   const auto agent_class = agentClassFromString(object.text("class"));
   if (!agent_class) object.fail("class", "is no class of agents");
   trajectory.agent_class = *agent_class;
-  trajectory.past = readPast(object, readIsAdded(object), now);
-  trajectory.size = {readPositive(object, "length"), readPositive(object, "width")};
-  trajectory.points = readPoints(object, now);
+  trajectory.past = readPast(object, readIsAdded(object), line);
+  trajectory.size = readBox(object, line.limits);
+  trajectory.points = readPoints(object, line);
+  if (trajectory.points.empty()) object.fail("trajectory", "has no point");
   object.finish();
   return trajectory;
 }
 
-std::vector<AttackerPlan> readPlans(JsonObject& object, const Scenario& scenario) {
+std::vector<AttackerPlan> readPlans(JsonObject& object, const Scenario& scenario,
+                                    const LineContext& line) {
   std::vector<AttackerPlan> plans;
-  const double now = scenario.asked.now;
   for (JsonObject& entry : object.objects("plans")) {
     AttackerPlan& plan = plans.emplace_back();
-    plan.seen = now + entry.number("seen_t");
-    plan.from = now + entry.number("from_t");
+    plan.seen = readTime(entry, "seen_t", line);
+    plan.from = readTime(entry, "from_t", line);
     const auto phase = attackerPhaseFromString(entry.text("phase"));
     if (!phase) entry.fail("phase", "is no phase of an attacker");
     plan.phase = *phase;
     plan.reason = entry.text("reason");
-    plan.points = readPoints(entry, now);
+    plan.points = readPoints(entry, line);
     entry.finish();
   }
   const bool is_adaptive = scenario.asked.request.mode == Mode::kAdaptive &&
@@ -249,12 +286,12 @@ std::vector<AttackerPlan> readPlans(JsonObject& object, const Scenario& scenario
   return plans;
 }
 
-CollisionPattern readPattern(JsonObject object, double now, PatternMiss& miss) {
+CollisionPattern readPattern(JsonObject object, const LineContext& line, PatternMiss& miss) {
   CollisionPattern pattern;
-  pattern.time = now + object.number("t");
-  pattern.ego.center = readPose(object.object("ego"));
-  pattern.attacker_offset = readPose(object.object("attacker_offset"));
-  pattern.attacker_speed = object.number("attacker_speed");
+  pattern.time = readTime(object, "t", line);
+  pattern.ego.center = readPose(object.object("ego"), line);
+  pattern.attacker_offset = readPose(object.object("attacker_offset"), line);
+  pattern.attacker_speed = readSpeed(object, "attacker_speed", line);
   miss = {object.number("miss_distance"), object.number("miss_heading")};
   object.finish();
   return pattern;
@@ -267,14 +304,14 @@ Side readSide(JsonObject& object, const char* key) {
   return *side;
 }
 
-CollisionReport readReport(JsonObject object, double now) {
+CollisionReport readReport(JsonObject object, const LineContext& line) {
   CollisionReport report;
   const bool is_verified = object.flag("verified");
   report.contact = object.flag("contact");
-  report.contact_time = now + object.number("contact_t");
+  report.contact_time = readTime(object, "contact_t", line);
   report.relative_heading = object.number("relative_heading");
-  report.ego_at_contact = readPose(object.object("ego_at_contact"));
-  report.attacker_at_contact = readPose(object.object("attacker_at_contact"));
+  report.ego_at_contact = readPose(object.object("ego_at_contact"), line);
+  report.attacker_at_contact = readPose(object.object("attacker_at_contact"), line);
   report.ego_side = readSide(object, "ego_side");
   report.attacker_side = readSide(object, "attacker_side");
   report.impact_speed = object.number("impact_speed");
@@ -288,7 +325,7 @@ CollisionReport readReport(JsonObject object, double now) {
   const auto manoeuvre = manoeuvreFromString(object.text("manoeuvre"));
   if (!manoeuvre) object.fail("manoeuvre", "is no manoeuvre");
   report.manoeuvre = *manoeuvre;
-  report.manoeuvre_begin = now + object.number("manoeuvre_begin_t");
+  report.manoeuvre_begin = readTime(object, "manoeuvre_begin_t", line);
   report.road = {object.number("on_lane"), object.number("wrong_way"), 0.0,
                  object.number("on_walkway"), object.number("on_island")};
   const bool is_believable = object.flag("believable");
@@ -303,9 +340,9 @@ CollisionReport readReport(JsonObject object, double now) {
   return report;
 }
 
-EgoVehicle readEgo(JsonObject object) {
-  const EgoVehicle ego{{readPositive(object, "length"), readPositive(object, "width")},
-                       object.number("center_offset")};
+EgoVehicle readEgo(JsonObject object, const InputLimits& limits) {
+  const EgoVehicle ego{readBox(object, limits),
+                       object.within("center_offset", -limits.max_box, limits.max_box)};
   object.finish();
   return ego;
 }
@@ -319,32 +356,35 @@ void checkFormat(JsonObject& object) {
   }
 }
 
-void readAttack(JsonObject& object, const Scenario& scenario, Realization& answer) {
-  const double now = scenario.asked.now;
-  answer.trajectory = readAttacker(object.object("attacker"), now);
-  answer.aim = readPattern(object.object("pattern"), now, answer.miss);
+void readAttack(JsonObject& object, const Scenario& scenario, const LineContext& line,
+                Realization& answer) {
+  answer.trajectory = readAttacker(object.object("attacker"), line);
+  answer.aim = readPattern(object.object("pattern"), line, answer.miss);
   answer.aim.type = scenario.asked.request.type;
   answer.aim.attacker_id = answer.trajectory.attacker_id;
   answer.aim.ego.size = scenario.ego.size;
-  answer.report = readReport(object.object("report"), now);
+  answer.report = readReport(object.object("report"), line);
   answer.report.confidence = object.number("confidence");
 }
 
 /// The attack is null unless the answer is OK.
-void readAnswer(JsonObject& object, const Scenario& scenario, Realization& answer) {
+void readAnswer(JsonObject& object, const Scenario& scenario, const LineContext& line,
+                Realization& answer) {
   const bool is_attack = answer.status.code == StatusCode::kOk;
   if (is_attack) {
-    readAttack(object, scenario, answer);
+    readAttack(object, scenario, line, answer);
   } else {
     for (const char* key : {"attacker", "pattern", "report"}) {
       if (object.objectOrNull(key)) object.fail(key, "is there without an attack");
     }
     if (object.numberOrNull("confidence")) object.fail("confidence", "is there without an attack");
   }
-  for (JsonObject& entry : object.objects("alternatives")) {
+  std::vector<JsonObject> alternatives = object.objects("alternatives");
+  checkCount(object, "alternatives", alternatives.size(), kMaxAlternatives);
+  for (JsonObject& entry : alternatives) {
     if (!is_attack) object.fail("alternatives", "are there without an attack");
     Realization& alternative = answer.alternatives.emplace_back();
-    readAttack(entry, scenario, alternative);
+    readAttack(entry, scenario, line, alternative);
     entry.finish();
   }
 }
@@ -427,18 +467,20 @@ std::string scenarioLine(const Scenario& scenario) {
   return writer.line();
 }
 
-Scenario readScenarioLine(const std::string& where, const std::string& line) {
-  const JsonLine parsed(where, line);
+Scenario readScenarioLine(const std::string& where, const std::string& text,
+                          const InputLimits& limits) {
+  const JsonLine parsed(where, text);
   JsonObject object = parsed.root();
   checkFormat(object);
   Scenario scenario;
   scenario.asked.scene = object.text("scene");
-  scenario.asked.now = object.number("now");
+  scenario.asked.now = object.within("now", 0.0, limits.max_time);
+  const LineContext line{limits, scenario.asked.now};
   scenario.asked.request = readRequest(object.object("request"));
-  scenario.ego = readEgo(object.object("ego"));
+  scenario.ego = readEgo(object.object("ego"), limits);
   scenario.answer.status = readStatus(object.object("status"));
-  readAnswer(object, scenario, scenario.answer);
-  scenario.plans = readPlans(object, scenario);
+  readAnswer(object, scenario, line, scenario.answer);
+  scenario.plans = readPlans(object, scenario, line);
   object.finish();
   return scenario;
 }

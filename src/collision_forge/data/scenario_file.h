@@ -8,6 +8,7 @@
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/policy/attacker_policy.h"
 #include "collision_forge/scene/collision_request.h"
+#include "collision_forge/scene/input_limits.h"
 #include "collision_forge/scene/scene.h"
 
 namespace forge {
@@ -28,8 +29,10 @@ std::string scenarioLine(const Scenario& scenario);
 
 /// The opposite of scenarioLine(): the same line again gives the same bytes. Not in
 /// the file: the report's time of another's touch and its road.off_road. Throws JsonLineError,
-/// naming `where`, for a line that is not of this format and version.
-Scenario readScenarioLine(const std::string& where, const std::string& line);
+/// naming `where`, for a line that is not of this format and version, and for a number beyond the
+/// limits.
+Scenario readScenarioLine(const std::string& where, const std::string& line,
+                          const InputLimits& limits);
 
 /// s from `now`, to the microsecond, the clock's resolution.
 double fromNow(double time, double now);

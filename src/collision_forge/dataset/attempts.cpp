@@ -13,8 +13,9 @@ int Attempt::length() const {
          static_cast<int>(std::lround(asked.request.tta / kCollideFrameInterval));
 }
 
-Attempt readAttempt(const std::string& where, const std::string& line, const SceneRequest& asked) {
-  const Scenario scenario = readScenarioLine(where, line);
+Attempt readAttempt(const std::string& where, const std::string& line, const SceneRequest& asked,
+                    const InputLimits& limits) {
+  const Scenario scenario = readScenarioLine(where, line, limits);
   if (requestLine(scenario.asked) != requestLine(asked)) {
     throw std::runtime_error(where + ": answers " + requestLine(scenario.asked) +
                              ", which is not what was tried there");

@@ -21,7 +21,8 @@ struct Attempt {
 
 /// Throws as readScenarioLine(), and std::runtime_error for a line of something else than `asked`;
 /// `where` says where it stands.
-Attempt readAttempt(const std::string& where, const std::string& line, const SceneRequest& asked);
+Attempt readAttempt(const std::string& where, const std::string& line, const SceneRequest& asked,
+                    const InputLimits& limits);
 
 /// Places of the attempts that make up a balanced data set, rising.
 std::vector<std::size_t> chooseClips(const std::vector<Attempt>& attempts,

@@ -36,8 +36,13 @@ ScenarioView viewOf(const Scenario& scenario, const Scene& scene) {
 class DatasetWriter {
  public:
   DatasetWriter(const std::string& folder, const std::string& path, const DatasetOptions& options,
-                const DrawingOptions& drawing, SceneSource& scenes)
-      : folder_(folder), path_(path), options_(options), drawing_(drawing), scenes_(scenes) {}
+                const DrawingOptions& drawing, const InputLimits& limits, SceneSource& scenes)
+      : folder_(folder),
+        path_(path),
+        options_(options),
+        drawing_(drawing),
+        limits_(limits),
+        scenes_(scenes) {}
 
   std::string write(const std::vector<Attempt>& attempts, const std::vector<std::size_t>& chosen) {
     deal(attempts, chosen);
@@ -86,7 +91,7 @@ class DatasetWriter {
 
   void writeClip(const std::string& line, std::size_t index) {
     const std::string where = path_ + ": line " + std::to_string(index + 1);
-    Scenario scenario = readScenarioLine(where, line);
+    Scenario scenario = readScenarioLine(where, line, limits_);
     const auto indexed = scenes_.at(scenario.asked.scene);
     const std::string& split = splits_.at(scenario.asked.scene);
     Store& store = storeOf(split);
@@ -137,6 +142,7 @@ class DatasetWriter {
   const std::string& path_;
   const DatasetOptions& options_;
   const DrawingOptions& drawing_;
+  const InputLimits& limits_;
   SceneSource& scenes_;
   std::map<std::string, std::string> splits_;
   std::set<std::size_t> shown_;
@@ -150,8 +156,9 @@ class DatasetWriter {
 std::string writeDataset(const std::string& folder, const std::string& path,
                          const std::vector<Attempt>& attempts,
                          const std::vector<std::size_t>& chosen, const DatasetOptions& options,
-                         const DrawingOptions& drawing, SceneSource& scenes) {
-  return DatasetWriter(folder, path, options, drawing, scenes).write(attempts, chosen);
+                         const DrawingOptions& drawing, const InputLimits& limits,
+                         SceneSource& scenes) {
+  return DatasetWriter(folder, path, options, drawing, limits, scenes).write(attempts, chosen);
 }
 
 }  // namespace forge

@@ -16,6 +16,7 @@ namespace forge {
 std::string writeDataset(const std::string& folder, const std::string& path,
                          const std::vector<Attempt>& attempts,
                          const std::vector<std::size_t>& chosen, const DatasetOptions& options,
-                         const DrawingOptions& drawing, SceneSource& scenes);
+                         const DrawingOptions& drawing, const InputLimits& limits,
+                         SceneSource& scenes);
 
 }  // namespace forge

@@ -29,7 +29,7 @@ void readOptions(Section& section, DatasetOptions& options, double time_margin) 
   }
   attempts.finish();
   options.heading_spread = section.positive("heading_spread");
-  options.time_tolerance = section.atLeast("time_tolerance", time_margin);
+  options.time_tolerance = section.within("time_tolerance", time_margin, kMaxTimeTolerance);
   options.max_off_road_share = section.share("max_off_road_share");
   options.balance.min_type_share =
       section.within("min_type_share", 0.0, 1.0 / static_cast<double>(std::size(kCollisionTypes)));

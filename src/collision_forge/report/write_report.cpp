@@ -137,7 +137,7 @@ class ReportBuilder {
     const auto known = readSceneNames(inputs_.dataroot, inputs_.version);
     known_.insert(known.begin(), known.end());
     std::vector<std::string> wanted;
-    for (const std::string& scene : readScenes(scenarioPaths())) {
+    for (const std::string& scene : readScenes(scenarioPaths(), settings_.study.input_limits)) {
       if (known_.count(scene) > 0) wanted.push_back(scene);
     }
     if (wanted.empty()) return;
@@ -171,7 +171,7 @@ class ReportBuilder {
 
   void addScenario(const std::string& where, const std::string& text, const std::string& source,
                    std::size_t line) {
-    const Scenario scenario = readScenarioLine(where, text);
+    const Scenario scenario = readScenarioLine(where, text, settings_.study.input_limits);
     const std::string& scene = scenario.asked.scene;
     if (!inputs_.dataroot.empty() && known_.count(scene) == 0) {
       throw std::runtime_error(where + ": scene = \"" + scene + "\" is not in " + inputs_.dataroot +

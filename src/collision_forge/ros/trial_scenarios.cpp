@@ -17,12 +17,12 @@ namespace {
 using Codes = collision_forge::TestPlanner::Response;
 
 /// The scenes of the lines that can be read.
-std::set<std::string> scenesIn(const std::string& path) {
+std::set<std::string> scenesIn(const std::string& path, const InputLimits& limits) {
   std::set<std::string> scenes;
   std::ifstream file(path, std::ios::binary);
   for (std::string line; std::getline(file, line);) {
     try {
-      scenes.insert(readScenarioLine(path, line).asked.scene);
+      scenes.insert(readScenarioLine(path, line, limits).asked.scene);
     } catch (const JsonLineError&) {
       continue;  // told when it is asked for
     }
@@ -59,7 +59,7 @@ PlannerCase TrialScenarios::ofLine(const std::string& line) {
       is_number ? sources_.scenarios + ": line " + line : std::string("scenario");
   const std::string text = is_number ? numberedLine(line) : line;
   try {
-    const Scenario scenario = readScenarioLine(where, text);
+    const Scenario scenario = readScenarioLine(where, text, config_.input_limits);
     const auto scene = sceneOf(scenario.asked.scene);
     PlannerCase one = caseOfScenario(scenario, *scene, config_);
     if (one.status.code != StatusCode::kOk) {
@@ -71,6 +71,8 @@ PlannerCase TrialScenarios::ofLine(const std::string& line) {
     throw TestRefusal(Codes::UNREADABLE, error.what());
   } catch (const NuScenesError& error) {
     throw TestRefusal(Codes::UNREADABLE, where + ": " + error.what());
+  } catch (const InputError& error) {
+    throw TestRefusal(Codes::UNREADABLE, where + ": " + error.what());
   }
 }
 
@@ -80,7 +82,8 @@ std::string TrialScenarios::firstAnswered() const {
   for (std::string line; std::getline(file, line);) {
     const std::string where = sources_.scenarios + ": line " + std::to_string(++number);
     try {
-      if (readScenarioLine(where, line).answer.status.code != StatusCode::kOk) continue;
+      const Scenario scenario = readScenarioLine(where, line, config_.input_limits);
+      if (scenario.answer.status.code != StatusCode::kOk) continue;
     } catch (const JsonLineError&) {
       continue;
     }
@@ -117,7 +120,7 @@ std::shared_ptr<const IndexedScene> TrialScenarios::sceneOf(const std::string& n
   }
   if (wanted_.count(name) == 0) {
     const std::vector<std::string> known = readSceneNames(sources_.dataroot, sources_.version);
-    std::set<std::string> wanted = scenesIn(sources_.scenarios);
+    std::set<std::string> wanted = scenesIn(sources_.scenarios, config_.input_limits);
     wanted.insert(wanted_.begin(), wanted_.end());
     wanted.insert(name);
     std::vector<std::string> scenes;

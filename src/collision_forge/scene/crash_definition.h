@@ -26,6 +26,9 @@ enum class TypeRules { kFull, kAngle };
 /// kStrict those of the strict protocol, the same for all.
 enum class LimitSet { kDrivable, kStrict };
 
+/// s; a longer time tolerance would let any time do.
+inline constexpr double kMaxTimeTolerance = 60.0;
+
 /// What counts as the crash that is asked for, and what an answer has to promise:
 /// config/crash_definition.yaml, unless a request says otherwise.
 struct CrashDefinition {

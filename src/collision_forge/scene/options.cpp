@@ -16,6 +16,21 @@ void readOptions(Section& section, LiveOptions& live) {
   live.wait_for = section.nonNegative("wait_for");
 }
 
+void readOptions(Section& section, InputLimits& limits) {
+  limits.max_coordinate = section.positive("max_coordinate");
+  limits.min_box = section.positive("min_box");
+  limits.max_box = section.atLeast("max_box", limits.min_box);
+  limits.max_speed = section.positive("max_speed");
+  limits.max_time = section.positive("max_time");
+  limits.max_past = section.positive("max_past");
+  limits.max_trajectory = section.positive("max_trajectory");
+  limits.max_points = section.count("max_points", 2);
+  limits.min_radius = section.positive("min_radius");
+  limits.max_agents = section.count("max_agents", 1);
+  limits.max_lanes = section.count("max_lanes", 1);
+  limits.max_map_points = section.count("max_map_points", 1);
+}
+
 static void readOptions(Section& section, TypeDefinition& definition) {
   definition.min_heading = section.angle("min_heading");
   definition.max_heading = section.angle("max_heading", definition.min_heading);
@@ -28,7 +43,7 @@ static void readOptions(Section& section, TypeDefinition& definition) {
 void readOptions(Section& section, CrashDefinition& crash, double time_margin) {
   crash.rules = section.choice<TypeRules>(
       "rules", {{"full", TypeRules::kFull}, {"angle", TypeRules::kAngle}});
-  crash.time_tolerance = section.atLeast("time_tolerance", time_margin);
+  crash.time_tolerance = section.within("time_tolerance", time_margin, kMaxTimeTolerance);
   crash.min_confidence = section.share("min_confidence");
   crash.limits = section.choice<LimitSet>(
       "limits", {{"drivable", LimitSet::kDrivable}, {"strict", LimitSet::kStrict}});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "collision_forge/scene/crash_definition.h"
+#include "collision_forge/scene/input_limits.h"
 #include "collision_forge/scene/live_options.h"
 #include "collision_forge/scene/scene.h"
 
@@ -10,6 +11,7 @@ class Section;
 
 void readOptions(Section& section, EgoVehicle& vehicle);
 void readOptions(Section& section, LiveOptions& live);
+void readOptions(Section& section, InputLimits& limits);
 /// Attacks keep `time_margin` to the ends of the time tolerance.
 void readOptions(Section& section, CrashDefinition& crash, double time_margin);
 

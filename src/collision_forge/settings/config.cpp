@@ -32,6 +32,7 @@ Config loadConfig(const std::string& directory) {
   readConfigFile(directory, "encoding", config.encoding);
   readConfigFile(directory, "live", config.live);
   readConfigFile(directory, "conversion", config.conversion);
+  readConfigFile(directory, "input_limits", config.input_limits);
   readConfigFile(directory, "locations", config.locations);
   readConfigFile(directory, "attacked_bag", config.attacked_bag);
   readConfigFile(directory, "drawing", config.drawing);

@@ -36,9 +36,9 @@ std::vector<ScenarioText> readLines(const std::string& path) {
 }
 
 /// Empty for a line that cannot be read.
-std::optional<std::string> sceneOf(const ScenarioText& line) {
+std::optional<std::string> sceneOf(const ScenarioText& line, const InputLimits& limits) {
   try {
-    return readScenarioLine(line.where, line.text).asked.scene;
+    return readScenarioLine(line.where, line.text, limits).asked.scene;
   } catch (const JsonLineError&) {
     return std::nullopt;
   }
@@ -79,7 +79,7 @@ class ScenarioCases : public PlannerCases {
 
   PlannerCase at(std::size_t index) const override {
     const ScenarioText& line = lines_[index];
-    const Scenario scenario = readScenarioLine(line.where, line.text);
+    const Scenario scenario = readScenarioLine(line.where, line.text, study_.input_limits);
     if (known_.count(scenario.asked.scene) == 0) {
       throw std::runtime_error(line.where + ": scene = \"" + scenario.asked.scene +
                                "\" is not in the data");
@@ -96,7 +96,7 @@ class ScenarioCases : public PlannerCases {
     std::vector<std::string> wanted;
     std::set<std::string> seen;
     for (const ScenarioText& line : lines_) {
-      const auto scene = sceneOf(line);
+      const auto scene = sceneOf(line, study_.input_limits);
       if (scene && known_.count(*scene) > 0 && seen.insert(*scene).second) wanted.push_back(*scene);
     }
     return wanted;
@@ -165,11 +165,11 @@ class ClipCases : public PlannerCases {
 
 }  // namespace
 
-std::set<std::string> readScenes(const std::vector<std::string>& paths) {
+std::set<std::string> readScenes(const std::vector<std::string>& paths, const InputLimits& limits) {
   std::set<std::string> scenes;
   for (const std::string& path : paths) {
     for (const ScenarioText& line : readLines(path)) {
-      if (const auto scene = sceneOf(line)) scenes.insert(*scene);
+      if (const auto scene = sceneOf(line, limits)) scenes.insert(*scene);
     }
   }
   return scenes;

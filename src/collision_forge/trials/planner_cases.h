@@ -26,7 +26,7 @@ class PlannerCases {
 
 /// The scenes that the readable lines of scenario files are of. Throws std::runtime_error as
 /// openScenarioCases().
-std::set<std::string> readScenes(const std::vector<std::string>& paths);
+std::set<std::string> readScenes(const std::vector<std::string>& paths, const InputLimits& limits);
 
 /// The lines of scenario files, named FILE:LINE without the file's ending; the source is that name.
 /// Throws std::runtime_error for a file that cannot be read or has no lines; a line that is none of

@@ -91,7 +91,8 @@ std::string RequestCases::fingerprint() const {
 }
 
 Scenario RequestCases::scenario(std::size_t index) const {
-  return readScenarioLine(names_[index], scenarioLine(answerer_.answer(requests_[index])));
+  return readScenarioLine(names_[index], scenarioLine(answerer_.answer(requests_[index])),
+                          study_.input_limits);
 }
 
 PlannerCase RequestCases::at(std::size_t index) const {

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "collision_forge/scene/attack.h"
+#include "collision_forge/scene/scene.h"
+
+namespace forge {
+
+/// What input may hold: config/input_limits.yaml, where each number's unit stands. What is beyond
+/// is damaged, and would cost time and memory without bound.
+struct InputLimits {
+  double max_coordinate = 0.0;
+  double min_box = 0.0;
+  double max_box = 0.0;
+  double max_speed = 0.0;
+  double max_time = 0.0;
+  double max_past = 0.0;
+  double max_trajectory = 0.0;
+  int max_points = 0;
+  double min_radius = 0.0;
+  int max_agents = 0;
+  int max_lanes = 0;
+  int max_map_points = 0;
+};
+
+/// Input beyond the limits. The message names where it is, the field, its value and the limit.
+struct InputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Not NaN, and no farther than max_coordinate.
+bool isWithin(const Vector2& position, const InputLimits& limits);
+/// The heading is finite, too.
+bool isWithin(const Pose2& pose, const InputLimits& limits);
+bool isWithin(const BoxSize& size, const InputLimits& limits);
+
+// Every reader of a kind of input has it checked here. `where` names the file or the message; all
+// throw InputError.
+
+/// Numbers of lanes and points, and every point.
+void checkMap(const LaneMap& map, const InputLimits& limits, const std::string& where);
+
+/// The ego, the frames' times, and the number of agents; the map, if there is one. Agents whose
+/// box, position, speed or time is beyond the limits are left out; `warnings`, if given, gets one
+/// line a kind with the number of them and the first.
+void checkScene(Scene& scene, const InputLimits& limits, const std::string& where,
+                std::vector<std::string>* warnings = nullptr);
+
+/// Those of the ego and of all agents, whoever they are; not the map.
+void checkSnapshot(const Snapshot& snapshot, const InputLimits& limits, const std::string& where);
+void checkFuture(const Future& future, const InputLimits& limits, const std::string& where);
+
+/// Box, points and past; times increase, and are near those of the first point.
+void checkTrajectory(const AttackerTrajectory& trajectory, const InputLimits& limits,
+                     const std::string& where);
+
+void checkPattern(const CollisionPattern& pattern, const InputLimits& limits,
+                  const std::string& where);
+
+}  // namespace forge
