@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "collision_forge/data/nuscenes_json.h"
+#include "collision_forge/files/plain_name.h"
 
 namespace forge {
 namespace {
@@ -98,8 +99,12 @@ class TableReader {
       const std::uint32_t number = addNew(tables_.scene_tokens, row);
       NuScenesTables::Scene scene;
       scene.name = row.text(kName);
+      if (const std::string fault = nameFault(scene.name); !fault.empty()) row.fail(kName, fault);
       scene.description = row.text(kDescription);
       scene.location = locations[follow(logs, row, kLog, "log")];
+      if (const std::string fault = nameFault(scene.location); !fault.empty()) {
+        row.fail(kLog, "is of a log whose location " + fault);
+      }
       scene.is_wanted = only_.empty();
       if (!scene_of_name.emplace(scene.name, number).second) {
         row.fail(kName, inQuotes(scene.name) + " is another scene's too");
