@@ -39,6 +39,15 @@ TEST(PicturesBeside, AreFoundByTheirRankAmongTheHits) {
   EXPECT_TRUE(pictures.at({"case:1", "idm"}).empty());
 }
 
+TEST(PicturesBeside, AreBesideTheResultsAlone) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() + "/out/worst");
+  folder.write("secret_fixed_1.png", "");
+  PlannerTestResult stranger = hit(1);
+  stranger.rows.front().planner = "../../secret";
+  EXPECT_TRUE(picturesBeside(folder.path() + "/out/results.jsonl", {stranger}).empty());
+}
+
 TEST(PicturesBeside, OfAWeaknessShowHitAndEscape) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() + "/weaknesses");

@@ -11,6 +11,7 @@
 #include "collision_forge/data/nuscenes_map_layers.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/files/fingerprint.h"
+#include "collision_forge/files/plain_name.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/settings/config_fingerprint.h"
 
@@ -27,7 +28,7 @@ class ArcSource {
     const auto found = arcs_.find(location);
     if (found != arcs_.end()) return found->second;
     WarningCounter warnings;  // those who read the lanes tell them
-    const std::string path = dataroot_ + "/maps/expansion/" + location + ".json";
+    const std::string path = pathIn(dataroot_ + "/maps/expansion", location + ".json");
     return arcs_.emplace(location, readNuScenesMapLayers(path, warnings).arclines).first->second;
   }
 

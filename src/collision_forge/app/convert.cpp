@@ -11,6 +11,7 @@
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/nuscenes_tables.h"
+#include "collision_forge/files/plain_name.h"
 #include "collision_forge/ros/bag_writer.h"
 #include "collision_forge/settings/config.h"
 
@@ -27,8 +28,8 @@ struct Arguments {
   bool force = false;
 };
 
-std::filesystem::path bagPath(const Arguments& arguments, const std::string& scene) {
-  return std::filesystem::path(arguments.out) / (scene + ".bag");
+std::string bagPath(const Arguments& arguments, const std::string& scene) {
+  return pathIn(arguments.out, scene + ".bag");
 }
 
 /// True for a scene that has its bag: a bag has its name only when it is complete.

@@ -1,4 +1,5 @@
 #include "collision_forge/data/collide_export.h"
+#include "collision_forge/files/plain_name.h"
 
 #include <algorithm>
 #include <cmath>
@@ -229,8 +230,8 @@ void CollideExporter::add(const Scenario& scenario, const Scene& scene, int vari
     return;
   }
   const auto& clip = std::get<CollideClip>(result);
-  const fs::path path = fs::path(folder_) / (clip.name + ".csv");
-  if (!fs::exists(path)) writeCollideClip(path.string(), clip);
+  const std::string path = pathIn(folder_, clip.name + ".csv");
+  if (!fs::exists(path)) writeCollideClip(path, clip);
   ++clips_;
 }
 

@@ -79,6 +79,14 @@ class TableReader {
     return follow(index, row, field, row.text(field), table);
   }
 
+  /// A text that becomes part of the names of files.
+  static std::string nameOfFiles(const JsonRow& row, std::size_t field) {
+    std::string name(row.text(field));
+    const std::string fault = nameFault(name);
+    if (!fault.empty()) row.fail(field, fault);
+    return name;
+  }
+
   /// A table of tokens with one text each, for instance names; the texts by token number.
   std::vector<std::string> readTexts(const std::string& table, const std::string& field,
                                      TokenIndex& index) {
@@ -92,19 +100,19 @@ class TableReader {
 
   void readScenes() {
     TokenIndex logs;
-    const std::vector<std::string> locations = readTexts("log", "location", logs);
+    std::vector<std::string> locations;
+    readRows("log", {"token", "location"}, [&](const JsonRow& row) {
+      addNew(logs, row);
+      locations.push_back(nameOfFiles(row, 1));
+    });
     std::map<std::string, std::size_t> scene_of_name;
     enum { kToken, kName, kDescription, kLog };
     readRows("scene", {"token", "name", "description", "log_token"}, [&](const JsonRow& row) {
       const std::uint32_t number = addNew(tables_.scene_tokens, row);
       NuScenesTables::Scene scene;
-      scene.name = row.text(kName);
-      if (const std::string fault = nameFault(scene.name); !fault.empty()) row.fail(kName, fault);
+      scene.name = nameOfFiles(row, kName);
       scene.description = row.text(kDescription);
       scene.location = locations[follow(logs, row, kLog, "log")];
-      if (const std::string fault = nameFault(scene.location); !fault.empty()) {
-        row.fail(kLog, "is of a log whose location " + fault);
-      }
       scene.is_wanted = only_.empty();
       if (!scene_of_name.emplace(scene.name, number).second) {
         row.fail(kName, inQuotes(scene.name) + " is another scene's too");

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include "collision_forge/export/road_network.h"
 #include "collision_forge/export/xml.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/files/plain_name.h"
 #include "collision_forge/geometry/polyline.h"
 
 namespace forge {
@@ -466,8 +466,7 @@ class CommonRoadWriter : public CrashWriter {
 
   std::vector<std::string> write(const CrashRecord& record) const override {
     const std::string name = record.name + ".xml";
-    writeText((std::filesystem::path(plan_.folder) / name).string(),
-              CommonRoadFile(record, plan_).text());
+    writeText(pathIn(plan_.folder, name), CommonRoadFile(record, plan_).text());
     return {name};
   }
 

@@ -1,11 +1,11 @@
 #include "collision_forge/export/open_scenario.h"
 
 #include <cmath>
-#include <filesystem>
 
 #include "collision_forge/export/open_drive.h"
 #include "collision_forge/export/xml.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/files/plain_name.h"
 
 namespace forge {
 namespace {
@@ -328,9 +328,8 @@ class OpenScenarioWriter : public CrashWriter {
 
   std::vector<std::string> write(const CrashRecord& record) const override {
     const std::vector<std::string> files = {record.name + ".xodr", record.name + ".xosc"};
-    const std::filesystem::path folder = plan_.folder;
-    writeText((folder / files[0]).string(), openDriveText(record, plan_.options));
-    writeText((folder / files[1]).string(), ScenarioWriter(record, plan_).text());
+    writeText(pathIn(plan_.folder, files[0]), openDriveText(record, plan_.options));
+    writeText(pathIn(plan_.folder, files[1]), ScenarioWriter(record, plan_).text());
     return files;
   }
 

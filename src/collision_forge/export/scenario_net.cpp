@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -12,6 +11,7 @@
 #include "collision_forge/export/drivable_edge.h"
 #include "collision_forge/export/pickle_writer.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/files/plain_name.h"
 #include "collision_forge/map/lane_map.h"
 
 namespace forge {
@@ -366,9 +366,7 @@ class ScenarioNetWriter : public CrashWriter {
   }
 
  private:
-  std::string pathOf(const std::string& file) const {
-    return (std::filesystem::path(plan_.folder) / file).string();
-  }
+  std::string pathOf(const std::string& file) const { return pathIn(plan_.folder, file); }
 
   ExportPlan plan_;
 };

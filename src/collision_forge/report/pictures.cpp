@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <set>
 
+#include "collision_forge/files/plain_name.h"
 #include "collision_forge/report/weakness_files.h"
 #include "collision_forge/trials/planner_report.h"
 
@@ -29,6 +30,7 @@ void addWorst(TestPictures& pictures, const std::string& folder,
     for (const PlannerRow& row : result.rows) tested.emplace(row.planner, row.attacker.policy);
   }
   for (const auto& [planner, policy] : tested) {
+    if (!nameFault(planner).empty()) continue;  // of a file that somebody wrote by hand
     const std::string row = rowName(planner, policy);
     int rank = 0;
     for (const WorstCase& worst : worstCases(results, {row}, results.size())) {
