@@ -18,6 +18,7 @@ TEST(FingerprintsOf, NameEveryYamlFileThatResultsDependOn) {
   folder.write("training.yaml", "a");
   folder.write("planner_training.yaml", "a");
   folder.write("report.yaml", "a");
+  folder.write("topics_mine.yaml", "a");
   folder.write("tuning.yaml", "a");
   folder.write("notes.txt", "a");
   EXPECT_EQ(fingerprintsOf({}, folder.path()),

@@ -11,6 +11,7 @@
 #include <map>
 
 #include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/read_opened.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
@@ -98,29 +99,19 @@ void requireTopics(const std::string& path, const Scene& scene) {
   }
 }
 
-/// What `read` makes of the open bag; errors of rosbag as BagError.
-template <typename Read>
-auto readOpened(const std::string& path, const Read& read) {
-  try {
-    const OpenedBag opened(path);
-    return read(opened.bag());
-  } catch (const rosbag::BagUnindexedException&) {
-    throw BagError(path + ": truncated (no index); `rosbag reindex` may save what is there");
-  } catch (const rosbag::BagException& error) {
-    throw BagError(path + ": cannot be read: " + error.what());
-  } catch (const ros::serialization::StreamOverrunException& error) {
-    throw BagError(path + ": a message is shorter than its type: " + error.what());
-  } catch (const MessageError& error) {
-    throw BagError(path + ": " + error.what());
-  }
-}
-
-/// The last message on a topic. Throws BagError where there is none.
+/// The last message on a topic, if there is one.
 template <typename Message>
-Message lastOn(const rosbag::Bag& bag, const char* name, const std::string& path) {
+boost::shared_ptr<Message> lastOn(const rosbag::Bag& bag, const char* name) {
   boost::shared_ptr<Message> last;
   rosbag::View view(bag, rosbag::TopicQuery(bagTopic(name)));
   for (const rosbag::MessageInstance& instance : view) last = instance.instantiate<Message>();
+  return last;
+}
+
+/// Throws BagError where there is none.
+template <typename Message>
+Message requiredOn(const rosbag::Bag& bag, const char* name, const std::string& path) {
+  const auto last = lastOn<Message>(bag, name);
   if (!last) throw BagError(path + ": no attack: no message on " + bagTopic(name));
   return *last;
 }
@@ -161,11 +152,18 @@ Scene readBag(const std::string& path, const EgoVehicle& ego, std::vector<std::s
   return scene;
 }
 
+std::shared_ptr<const LaneMap> readLaneMap(const std::string& path) {
+  return readOpened(path, [](const rosbag::Bag& bag) {
+    const auto map = lastOn<collision_forge::LaneMap>(bag, names::kLaneMap);
+    return map ? std::make_shared<const LaneMap>(fromMessage(*map)) : nullptr;
+  });
+}
+
 Scenario readAttack(const std::string& path, const EgoVehicle& ego, const CrashDefinition& crash) {
   Scenario scenario;
   readOpened(path, [&](const rosbag::Bag& bag) {
-    const auto attack = lastOn<collision_forge::Attack>(bag, names::kAttack, path);
-    const auto asked = lastOn<collision_forge::AttackRequest>(bag, names::kAttackRequest, path);
+    const auto attack = requiredOn<collision_forge::Attack>(bag, names::kAttack, path);
+    const auto asked = requiredOn<collision_forge::AttackRequest>(bag, names::kAttackRequest, path);
     const auto request = fromMessage(asked.request, crash);
     if (const auto* status = std::get_if<Status>(&request)) {
       throw BagError(path + ": " + bagTopic(names::kAttackRequest) + ": " + status->message);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ namespace forge {
 /// without one of the three.
 Scene readBag(const std::string& path, const EgoVehicle& ego,
               std::vector<std::string>* warnings = nullptr);
+
+/// The lanes of /lane_map; none without such a topic. Throws BagError as above.
+std::shared_ptr<const LaneMap> readLaneMap(const std::string& path);
 
 /// The attack in a bag of forge inject: what was asked for, aim and trajectory, and of the report
 /// its manoeuvre. The scene is named after the file. Throws BagError as above, and for a bag

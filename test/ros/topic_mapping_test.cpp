@@ -1,0 +1,137 @@
+#include "collision_forge/ros/topic_mapping.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "collision_forge/config/config_error.h"
+#include "data/nuscenes_fixture.h"
+
+namespace forge {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string shipped(const std::string& name) {
+  return COLLISION_FORGE_SOURCE_DIR "/config/topics_" + name + ".yaml";
+}
+
+/// A shipped mapping with another text in one place.
+TopicMapping spoilt(const std::string& from, const std::string& to) {
+  std::stringstream content;
+  content << std::ifstream(shipped("derived_object")).rdbuf();
+  std::string text = content.str();
+  replaceIn(text, from, to);
+  const TemporaryFolder folder;
+  return readTopicMapping(folder.write("mapping.yaml", text));
+}
+
+std::string complaintOf(const std::string& from, const std::string& to) {
+  try {
+    spoilt(from, to);
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("mapping.yaml"));
+    return error.what();
+  }
+  return "";
+}
+
+std::string pathOf(const NumberSource& source) { return std::get<std::string>(source); }
+
+TEST(ReadTopicMapping, DerivedObjectsHaveTheirPlaces) {
+  const TopicMapping mapping = readTopicMapping(shipped("derived_object"));
+  EXPECT_EQ(mapping.ego.fields.topic, "/odom");
+  EXPECT_EQ(mapping.ego.fields.type, "nav_msgs/Odometry");
+  EXPECT_EQ(mapping.ego.fields.stamp, "header.stamp");
+  EXPECT_EQ(mapping.ego.fields.frame_id, "map");
+  EXPECT_EQ(mapping.ego.fields.frame_id_path, "header.frame_id");
+  EXPECT_EQ(mapping.ego.reference, EgoReference::kBaseLink);
+  EXPECT_EQ(mapping.ego.child_frame_id, "");
+  EXPECT_EQ(pathOf(mapping.ego.pose.position[2]), "pose.pose.position.z");
+  EXPECT_EQ(pathOf(std::get<0>(mapping.ego.pose.orientation)[3]), "pose.pose.orientation.w");
+  const AgentsMapping& agents = mapping.agents;
+  EXPECT_EQ(agents.fields.type, "derived_object_msgs/ObjectArray");
+  EXPECT_EQ(agents.fields.stamp, "header.stamp");
+  EXPECT_EQ(agents.id, "objects[].id");
+  EXPECT_EQ(agents.classification, "objects[].classification");
+  EXPECT_EQ(agents.probability, "");
+  EXPECT_EQ(agents.classes.size(), 6U);
+  EXPECT_EQ(agents.classes.at("7"), AgentClass::kTruck);
+  EXPECT_EQ(agents.default_class, AgentClass::kStaticObject);
+  EXPECT_EQ(pathOf(agents.pose.position[1]), "objects[].pose.position.y");
+  EXPECT_EQ(pathOf(agents.size[2]), "objects[].shape.dimensions[2]");
+  ASSERT_TRUE(agents.velocity);
+  EXPECT_EQ(agents.velocity->frame, VelocityFrame::kMap);
+  EXPECT_EQ(pathOf(agents.velocity->velocity[0]), "objects[].twist.linear.x");
+}
+
+TEST(ReadTopicMapping, AutowaresObjectsHaveTheirPlaces) {
+  const AgentsMapping agents = readTopicMapping(shipped("autoware")).agents;
+  EXPECT_EQ(agents.id, "objects[].object_id.uuid");
+  EXPECT_EQ(agents.classification, "objects[].classification[].label");
+  EXPECT_EQ(agents.probability, "objects[].classification[].probability");
+  EXPECT_EQ(agents.velocity->frame, VelocityFrame::kObject);
+}
+
+TEST(ReadTopicMapping, TransformsHaveTheirPlacesByTheirType) {
+  const TemporaryFolder folder;
+  std::stringstream content;
+  content << std::ifstream(shipped("derived_object")).rdbuf();
+  const std::string text = content.str();
+  const std::string agents = text.substr(text.find("\nagents:"));
+  const std::string ego =
+      "ego: {topic: /tf, type: tf2_msgs/TFMessage, frame_id: map, reference: box_middle";
+  const EgoMapping read =
+      readTopicMapping(folder.write("mapping.yaml", ego + ", child_frame_id: car}" + agents)).ego;
+  EXPECT_EQ(read.child_frame_id, "car");
+  EXPECT_EQ(read.child_frame_id_path, "transforms[].child_frame_id");
+  EXPECT_EQ(read.fields.stamp, "transforms[].header.stamp");
+  EXPECT_EQ(read.fields.frame_id_path, "transforms[].header.frame_id");
+  EXPECT_EQ(pathOf(read.pose.position[0]), "transforms[].transform.translation.x");
+  EXPECT_EQ(pathOf(std::get<0>(read.pose.orientation)[0]), "transforms[].transform.rotation.x");
+  EXPECT_EQ(read.reference, EgoReference::kBoxMiddle);
+  EXPECT_THROW(readTopicMapping(folder.write("mapping.yaml", ego + "}" + agents)), ConfigError);
+}
+
+TEST(ReadTopicMapping, WhatMayBeLeftOutOrOtherwise) {
+  EXPECT_FALSE(
+      spoilt("  velocity: {frame: map, x: twist.linear.x, y: twist.linear.y, z: twist.linear.z}\n",
+             "")
+          .agents.velocity);
+  EXPECT_EQ(spoilt("  frame_id: map\n", "").ego.fields.frame_id, "");
+  EXPECT_EQ(spoilt("  frame_id: map\n", "  stamp: time\n").ego.fields.stamp, "time");
+  EXPECT_EQ(std::get<double>(spoilt("z: pose.position.z", "z: -1.5").agents.pose.position[2]),
+            -1.5);
+  EXPECT_EQ(pathOf(std::get<NumberSource>(spoilt("{x: pose.orientation.x, y: pose.orientation.y, "
+                                                 "z: pose.orientation.z, w: pose.orientation.w}",
+                                                 "{yaw: heading}")
+                                              .agents.pose.orientation)),
+            "objects[].heading");
+}
+
+TEST(ReadTopicMapping, EveryKeyIsChecked) {
+  EXPECT_THAT(complaintOf("ego:\n", "ego:\n  stray: 7\n"),
+              AllOf(HasSubstr("ego.stray"), HasSubstr("unknown")));
+  EXPECT_THAT(complaintOf("agents:\n", "agents:\n  stray: 7\n"), HasSubstr("agents.stray"));
+  EXPECT_THAT(complaintOf("ego:\n", "stray: 7\nego:\n"), HasSubstr("stray"));
+  EXPECT_THAT(complaintOf("  id: id\n", ""), AllOf(HasSubstr("agents.id"), HasSubstr("missing")));
+  EXPECT_THAT(complaintOf("id: id", "id: ''"), AllOf(HasSubstr("agents.id"), HasSubstr("empty")));
+  EXPECT_THAT(complaintOf("reference: base_link", "reference: bumper"),
+              AllOf(HasSubstr("ego.reference"), HasSubstr("bumper"), HasSubstr("box_middle")));
+  EXPECT_THAT(complaintOf("frame: map", "frame: sun"), HasSubstr("agents.velocity.frame"));
+  EXPECT_THAT(complaintOf("6: car", "6: plane"),
+              AllOf(HasSubstr("agents.class.values.6"), HasSubstr("'plane'")));
+  EXPECT_THAT(complaintOf("default: static_object", "default: none"),
+              HasSubstr("agents.class.default"));
+  EXPECT_THAT(complaintOf("{length:", "{depth: 1, length:"), HasSubstr("agents.size.depth"));
+  EXPECT_THAT(complaintOf("z: pose.position.z", "z: inf"),
+              AllOf(HasSubstr("agents.position.z"), HasSubstr("finite")));
+  EXPECT_THAT(complaintOf("objects: objects", "objects: objects[]"), HasSubstr("agents.objects"));
+  EXPECT_THAT(complaintOf("ego:", "{ego:"), HasSubstr("mapping.yaml"));
+}
+
+}  // namespace
+}  // namespace forge
