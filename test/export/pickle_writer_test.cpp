@@ -78,6 +78,18 @@ TEST(PickleWriter, AMatrixHasRowsAndColumns) {
   EXPECT_THAT(written(&PickleWriter::numbers, {}, 2), HasSubstr("J\0\0\0\0J\2\0\0\0\x86"s));
 }
 
+TEST(PickleWriter, ListsHoldDictsAndMatrices) {
+  PickleWriter first;
+  first.none("a");
+  EXPECT_EQ(written(&PickleWriter::values, {first.dict(), PickleWriter().dict()}),
+            "](}(X\1\0\0\0aNu}(ue"s);
+  EXPECT_EQ(written(&PickleWriter::values, {}), "](e");
+  const std::string one = written(&PickleWriter::numbers, {1.0, 2.0}, 2);
+  const std::string two = written(&PickleWriter::numbers, {3.0, 4.0, 5.0, 6.0}, 2);
+  EXPECT_EQ(written(&PickleWriter::matrices, {{1.0, 2.0}, {3.0, 4.0, 5.0, 6.0}}, 2),
+            "](" + one + two + "e");
+}
+
 TEST(PickleWriter, AnArrayOfFlagsHasAByteEach) {
   const std::string bytes = written(&PickleWriter::flags, {true, false, true});
   EXPECT_THAT(bytes, HasSubstr("X\2\0\0\0b1\x89\x88\x87R(J\3\0\0\0X\1\0\0\0|"s));
@@ -111,6 +123,7 @@ TEST(PickleWriter, RefusesNumbersThatAreNotFinite) {
   PickleWriter writer;
   EXPECT_THROW(writer.number("heading", std::nan("")), std::invalid_argument);
   EXPECT_THROW(writer.numbers("position", {0.0, HUGE_VAL}, 2), std::invalid_argument);
+  EXPECT_THROW(writer.matrices("interiors", {{0.0, HUGE_VAL}}, 2), std::invalid_argument);
   try {
     writer.number("heading", -HUGE_VAL);
     FAIL();

@@ -85,6 +85,24 @@ std::string pickledArray(const std::string& shape, const std::string& type,
          sized(kBinBytes, data) + kTuple + kBuild;
 }
 
+/// An array of float64; with columns a matrix.
+std::string pickledNumbers(const std::string& key, const std::vector<double>& values,
+                           std::size_t columns) {
+  std::string data;
+  for (const double value : values) data += littleEndian(bitsOf(key, value), sizeof value);
+  const std::string shape =
+      columns == 0 ? pickledCount(values.size()) + kTuple1
+                   : pickledCount(values.size() / columns) + pickledCount(columns) + kTuple2;
+  return pickledArray(shape, pickledType("f8", "<"), data);
+}
+
+/// A list of values, given as their bytes.
+std::string pickledList(const std::vector<std::string>& values) {
+  std::string list{kEmptyList, kMark};
+  for (const std::string& value : values) list += value;
+  return list + kAppends;
+}
+
 }  // namespace
 
 std::string pickledText(const std::string& text) { return sized(kBinUnicode, text); }
@@ -100,9 +118,9 @@ void PickleWriter::text(const std::string& key, const std::string& value) {
 }
 
 void PickleWriter::texts(const std::string& key, const std::vector<std::string>& values) {
-  items_ += pickledText(key) + kEmptyList + kMark;
-  for (const std::string& value : values) items_ += pickledText(value);
-  items_ += kAppends;
+  std::vector<std::string> pickled;
+  for (const std::string& value : values) pickled.push_back(pickledText(value));
+  items_ += pickledText(key) + pickledList(pickled);
 }
 
 void PickleWriter::count(const std::string& key, std::uint64_t value) {
@@ -122,12 +140,16 @@ void PickleWriter::none(const std::string& key) { items_ += pickledText(key) + k
 
 void PickleWriter::numbers(const std::string& key, const std::vector<double>& values,
                            std::size_t columns) {
-  std::string data;
-  for (const double value : values) data += littleEndian(bitsOf(key, value), sizeof value);
-  const std::string shape =
-      columns == 0 ? pickledCount(values.size()) + kTuple1
-                   : pickledCount(values.size() / columns) + pickledCount(columns) + kTuple2;
-  items_ += pickledText(key) + pickledArray(shape, pickledType("f8", "<"), data);
+  items_ += pickledText(key) + pickledNumbers(key, values, columns);
+}
+
+void PickleWriter::matrices(const std::string& key, const std::vector<std::vector<double>>& values,
+                            std::size_t columns) {
+  std::vector<std::string> pickled;
+  for (const std::vector<double>& value : values) {
+    pickled.push_back(pickledNumbers(key, value, columns));
+  }
+  items_ += pickledText(key) + pickledList(pickled);
 }
 
 void PickleWriter::flags(const std::string& key, const std::vector<bool>& values) {
@@ -139,6 +161,10 @@ void PickleWriter::flags(const std::string& key, const std::vector<bool>& values
 
 void PickleWriter::value(const std::string& key, const std::string& dict) {
   items_ += pickledText(key) + dict;
+}
+
+void PickleWriter::values(const std::string& key, const std::vector<std::string>& dicts) {
+  items_ += pickledText(key) + pickledList(dicts);
 }
 
 std::string PickleWriter::dict() const {

@@ -25,10 +25,15 @@ class PickleWriter {
   void none(const std::string& key);
   /// An array of float64; throws as number(). With `columns` a matrix, given row by row.
   void numbers(const std::string& key, const std::vector<double>& values, std::size_t columns = 0);
+  /// A list of matrices, each as numbers() writes one.
+  void matrices(const std::string& key, const std::vector<std::vector<double>>& values,
+                std::size_t columns);
   /// An array of bool.
   void flags(const std::string& key, const std::vector<bool>& values);
   /// What dict() of another writer gave.
   void value(const std::string& key, const std::string& dict);
+  /// A list of what dict() of other writers gave.
+  void values(const std::string& key, const std::vector<std::string>& dicts);
 
   /// The bytes of the dict as a value within a pickle. Every beginDict() has had its endDict().
   std::string dict() const;
