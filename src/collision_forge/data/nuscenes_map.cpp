@@ -1,6 +1,7 @@
 #include "collision_forge/data/nuscenes_map.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -119,16 +120,21 @@ void linkLanes(std::vector<Lane>& lanes, const NuScenesMapLayers& layers,
 LaneMap readNuScenesMap(const std::string& dataroot, const std::string& location,
                         DrivingSide driving_side, const NuScenesMapOptions& options,
                         std::vector<std::string>* warnings) {
+  return readNuScenesMapFile(pathIn(dataroot + "/maps/expansion", location + ".json"), driving_side,
+                             options, warnings);
+}
+
+LaneMap readNuScenesMapFile(const std::string& path, DrivingSide driving_side,
+                            const NuScenesMapOptions& options, std::vector<std::string>* warnings) {
   if (!(options.resolution > 0.0)) {
     throw std::invalid_argument("readNuScenesMap: resolution must be positive, is " +
                                 std::to_string(options.resolution));
   }
-  const std::string path = pathIn(dataroot + "/maps/expansion", location + ".json");
   WarningCounter counter;
   const NuScenesMapLayers layers = readNuScenesMapLayers(path, options.limits, counter);
 
   LaneMap map;
-  map.location = location;
+  map.location = std::filesystem::path(path).stem().string();
   map.driving_side = driving_side;
   map.drivable_area = polygonsOf(layers, layers.drivable_area, "drivable areas", counter);
   map.walkways = polygonsOf(layers, layers.walkways, "walkways", counter);

@@ -29,6 +29,11 @@ LaneMap readNuScenesMap(const std::string& dataroot, const std::string& location
                         DrivingSide driving_side, const NuScenesMapOptions& options,
                         std::vector<std::string>* warnings = nullptr);
 
+/// The same of a file LOCATION.json anywhere.
+LaneMap readNuScenesMapFile(const std::string& path, DrivingSide driving_side,
+                            const NuScenesMapOptions& options,
+                            std::vector<std::string>* warnings = nullptr);
+
 /// The lanes (by outline or centreline) and drivable polygons within `radius` metres of any of the
 /// points. Links to lanes that are left out go too.
 LaneMap cropped(const LaneMap& map, const std::vector<Vector2>& points, double radius);
