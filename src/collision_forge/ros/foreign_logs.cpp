@@ -1,0 +1,80 @@
+#include "collision_forge/ros/foreign_logs.h"
+
+#include <filesystem>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "collision_forge/data/nuscenes_map.h"
+#include "collision_forge/files/plain_name.h"
+#include "collision_forge/ros/bag_reader.h"
+#include "collision_forge/ros/foreign_bag.h"
+#include "collision_forge/ros/topic_names.h"
+
+namespace forge {
+namespace {
+
+class ForeignLogs : public SceneReader {
+ public:
+  ForeignLogs(LogSource bags, ForeignBags how, SceneReading reading)
+      : bags_(std::move(bags)),
+        how_(std::move(how)),
+        reading_(std::move(reading)),
+        names_(wantedScenes(bags_, reading_.scenes)) {}
+
+  std::vector<std::string> names() const override { return names_; }
+
+  LoggedScene recording(const std::string& name) override {
+    const std::string path =
+        std::filesystem::is_directory(bags_.path) ? pathIn(bags_.path, name + ".bag") : bags_.path;
+    std::vector<std::string> warnings;
+    LoggedScene logged;
+    logged.recording = readForeignBag(path, how_.mapping, reading_.options.ego_vehicle, &warnings);
+    if (reading_.on_warnings && !warnings.empty()) reading_.on_warnings(name, warnings);
+    logged.lanes = how_.map.empty() ? lanesIn(path) : lanesOfMap();
+    logged.recording.location = logged.lanes->map().location;
+    return logged;
+  }
+
+  IndexedScene read(const std::string& name) override {
+    return flattened(recording(name), reading_);
+  }
+
+ private:
+  static std::shared_ptr<const LaneIndex> lanesIn(const std::string& path) {
+    const auto map = readLaneMap(path);
+    if (map) return std::make_shared<const LaneIndex>(map);
+    throw BagError(path + ": no message on " + bagTopic(names::kLaneMap) + "; --map gives the map");
+  }
+
+  /// Read once.
+  std::shared_ptr<const LaneIndex> lanesOfMap() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (lanes_) return lanes_;
+    const std::string location = std::filesystem::path(how_.map).stem().string();
+    const DataOptions& options = reading_.options;
+    std::vector<std::string> warnings;
+    lanes_ = std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(readNuScenesMapFile(
+        how_.map, drivingSide(options, location),
+        {options.conversion.centerline_resolution, options.input_limits}, &warnings)));
+    if (reading_.on_warnings && !warnings.empty())
+      reading_.on_warnings("map " + location, warnings);
+    return lanes_;
+  }
+
+  LogSource bags_;
+  ForeignBags how_;
+  SceneReading reading_;
+  std::vector<std::string> names_;
+  std::mutex mutex_;
+  std::shared_ptr<const LaneIndex> lanes_;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneReader> openForeignBags(const LogSource& bags, ForeignBags how,
+                                             SceneReading reading) {
+  return std::make_unique<ForeignLogs>(bags, std::move(how), std::move(reading));
+}
+
+}  // namespace forge

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "collision_forge/data/log_source.h"
+#include "collision_forge/ros/topic_mapping.h"
+
+namespace forge {
+
+/// How bags of others are read.
+struct ForeignBags {
+  TopicMapping mapping;
+  /// A file of nuScenes' map expansion, whose name is the location; empty: every bag has its lanes
+  /// on /lane_map.
+  std::string map;
+};
+
+/// The bags of a log source, one a scene, by readForeignBag(). recording() throws as that does, as
+/// readLaneMap() and readNuScenesMapFile() do, BagError for a bag without lanes, and ConfigError
+/// for a location without a driving side.
+std::unique_ptr<SceneReader> openForeignBags(const LogSource& bags, ForeignBags how,
+                                             SceneReading reading);
+
+}  // namespace forge
