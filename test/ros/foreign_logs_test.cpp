@@ -7,7 +7,6 @@
 #include "collision_forge/config/config_error.h"
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/bag_writer.h"
-#include "collision_forge/ros/log_sources.h"
 #include "data/nuscenes_fixture.h"
 
 namespace forge {
@@ -50,7 +49,7 @@ class ForeignLogsTest : public testing::Test {
   }
 
   std::unique_ptr<SceneReader> open() const {
-    return openForeignBags({folder_.path(), "", &bagFormat()}, how_, reading_);
+    return openForeignBags(folder_.path(), how_, reading_);
   }
 
   const TemporaryFolder folder_;
@@ -70,10 +69,13 @@ TEST_F(ForeignLogsTest, EveryBagIsASceneWithTheLanesThatItHas) {
 }
 
 TEST_F(ForeignLogsTest, OneBagIsASource) {
-  const auto logs =
-      openForeignBags({folder_.path() + "/two.bag", "", &bagFormat()}, how_, reading_);
+  const auto logs = openForeignBags(folder_.path() + "/two.bag", how_, reading_);
   EXPECT_THAT(logs->names(), ElementsAre("two"));
   EXPECT_EQ(logs->recording("two").recording.name, "two");
+}
+
+TEST_F(ForeignLogsTest, AFolderWithoutBagsIsNone) {
+  EXPECT_THROW(openForeignBags(COLLISION_FORGE_SOURCE_DIR "/config", how_, reading_), BagError);
 }
 
 TEST_F(ForeignLogsTest, WantedScenesAloneAreRead) {

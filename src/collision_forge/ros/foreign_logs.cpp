@@ -9,6 +9,7 @@
 #include "collision_forge/files/plain_name.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/foreign_bag.h"
+#include "collision_forge/ros/log_sources.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
@@ -16,8 +17,8 @@ namespace {
 
 class ForeignLogs : public SceneReader {
  public:
-  ForeignLogs(LogSource bags, ForeignBags how, SceneReading reading)
-      : bags_(std::move(bags)),
+  ForeignLogs(const std::string& bags, ForeignBags how, SceneReading reading)
+      : bags_{bags, "", &bagFormat()},
         how_(std::move(how)),
         reading_(std::move(reading)),
         names_(wantedScenes(bags_, reading_.scenes)) {}
@@ -72,7 +73,7 @@ class ForeignLogs : public SceneReader {
 
 }  // namespace
 
-std::unique_ptr<SceneReader> openForeignBags(const LogSource& bags, ForeignBags how,
+std::unique_ptr<SceneReader> openForeignBags(const std::string& bags, ForeignBags how,
                                              SceneReading reading) {
   return std::make_unique<ForeignLogs>(bags, std::move(how), std::move(reading));
 }

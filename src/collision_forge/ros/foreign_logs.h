@@ -16,10 +16,11 @@ struct ForeignBags {
   std::string map;
 };
 
-/// The bags of a log source, one a scene, by readForeignBag(). recording() throws as that does, as
-/// readLaneMap() and readNuScenesMapFile() do, BagError for a bag without lanes, and ConfigError
-/// for a location without a driving side.
-std::unique_ptr<SceneReader> openForeignBags(const LogSource& bags, ForeignBags how,
+/// A bag or a folder of bags, one a scene, by readForeignBag(). Throws BagError where there is no
+/// bag, std::runtime_error for a wanted scene that is not there. recording() throws as
+/// readForeignBag(), readLaneMap() and readNuScenesMapFile() do, BagError for a bag without lanes,
+/// and ConfigError for a location without a driving side.
+std::unique_ptr<SceneReader> openForeignBags(const std::string& bags, ForeignBags how,
                                              SceneReading reading);
 
 }  // namespace forge
