@@ -109,6 +109,21 @@ TEST(ScenarioNetScene, WhoIsOutOfSightForATimeIsZeroThere) {
               })));
 }
 
+TEST(ScenarioNetScene, AFrameAtWhichSomebodyWasNotAnnotatedIsFilledAtStepsAlone) {
+  Scene scene = sampleScene();
+  Track& walker = scene.agents[1];
+  ASSERT_EQ(walker.id, "walker");
+  walker.states.erase(walker.states.begin() + 3);
+  std::vector<bool> seen(scene.frame_times.size(), true);
+  seen[3] = false;
+  const std::string gap = item(&PickleWriter::flags, "valid", seen);
+  EXPECT_THAT(told(scene, RowTimes::kAsRecorded), HasSubstr(gap));
+  scene.agents = {walker};
+  const std::string always = item(&PickleWriter::flags, "valid", std::vector<bool>(91, true));
+  const std::string bytes = told(scene, RowTimes::kEveryStep);
+  EXPECT_NE(bytes.find(always), bytes.rfind(always));  // of the ego and the walker
+}
+
 TEST(ScenarioNetScene, EverybodyIsToldHoweverFarAndWhoIsNeverSeenIsNot) {
   Scene scene = sampleScene();
   scene.agents.push_back({"before", AgentClass::kCar, {4.0, 2.0}, {{kNow - 20.0, {}, {}}}});

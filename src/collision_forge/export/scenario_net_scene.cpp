@@ -50,11 +50,11 @@ std::vector<RowTime> rowsEvery(double step, const std::vector<double>& frames) {
   return rows;
 }
 
-/// The track's states at the rows at which it has one.
-Track sampled(const Track& track, const std::vector<RowTime>& rows) {
+/// The track's states at the rows at which it has one, over gaps of `max_gap` seconds.
+Track sampled(const Track& track, const std::vector<RowTime>& rows, double max_gap) {
   Track result{track.id, track.agent_class, track.size, {}};
   for (const RowTime& row : rows) {
-    std::optional<AgentState> state = stateAt(track, row.of_scene);
+    std::optional<AgentState> state = stateAt(track, row.of_scene, max_gap);
     if (!state) continue;
     state->time = row.told;
     result.states.push_back(*state);
@@ -63,7 +63,7 @@ Track sampled(const Track& track, const std::vector<RowTime>& rows) {
 }
 
 Track egoTrack(const Scene& scene, const std::vector<RowTime>& rows) {
-  Track ego = sampled(scene.ego, rows);
+  Track ego = sampled(scene.ego, rows, kMaxGap);
   if (ego.states.size() < rows.size()) {
     throw std::runtime_error("the ego is lost for a time in " + scene.name);
   }
@@ -71,12 +71,12 @@ Track egoTrack(const Scene& scene, const std::vector<RowTime>& rows) {
   return ego;
 }
 
-TrackTable tableOf(const Scene& scene, const std::vector<RowTime>& rows) {
+TrackTable tableOf(const Scene& scene, const std::vector<RowTime>& rows, double max_gap) {
   TrackTable table;
   for (const RowTime& row : rows) table.times.push_back(row.told);
   table.tracks.push_back(egoTrack(scene, rows));
   for (const Track& agent : scene.agents) {
-    Track track = sampled(agent, rows);
+    Track track = sampled(agent, rows, max_gap);
     if (!track.states.empty()) table.tracks.push_back(std::move(track));
   }
   return table;
@@ -97,7 +97,8 @@ PickleWriter ownOf(const Scene& scene, const std::vector<double>& frames) {
 std::string scenarioNetOf(const Scene& scene, RowTimes rows, const ExportOptions& options) {
   const std::vector<double> frames = framesWithEgo(scene);
   const bool is_even = rows == RowTimes::kEveryStep;
-  TrackTable table = tableOf(scene, is_even ? rowsEvery(options.step, frames) : rowsAt(frames));
+  TrackTable table = is_even ? tableOf(scene, rowsEvery(options.step, frames), kMaxGap)
+                             : tableOf(scene, rowsAt(frames), 0.0);
   std::vector<Vector2> ways;
   for (const AgentState& state : table.tracks.front().states) {
     ways.push_back(state.pose.position());

@@ -10,7 +10,7 @@ namespace forge {
 /// At which times a recording is told.
 enum class RowTimes {
   kEveryStep,   ///< of the options, from the first frame on: what MetaDrive replays
-  kAsRecorded,  ///< at the frames: what was annotated comes back exactly
+  kAsRecorded,  ///< at the frames, and agents where they were annotated: all comes back exactly
 };
 
 /// A recording, without an attack, as the bytes of a scenario description of ScenarioNet; its name
