@@ -11,6 +11,7 @@
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/ranks.h"
 #include "data/nuscenes_fixture.h"
+#include "files/left_part.h"
 
 // These tests are run twice, as those of dispatch(): by themselves, and by ranks of mpirun.
 namespace forge {
@@ -66,7 +67,15 @@ class RunTest : public testing::Test {
   void leave(const std::string& path, const std::string& text) const {
     if (!isMaster()) return;
     std::ofstream(path) << text;
-    std::ofstream(path_ + ".options") << "power: 2\n";
+    leaveOptions();
+  }
+  void leavePartOf(const std::string& text) const {
+    if (!isMaster()) return;
+    leavePart(path_, text, {"number and square", 2});
+    leaveOptions();
+  }
+  void leaveOptions(const std::string& program = "collision_forge " COLLISION_FORGE_VERSION) const {
+    std::ofstream(path_ + ".options") << "power: 2\nprogram: " << program << "\n";
   }
 
   /// What carryOut() throws here; empty for nothing.
@@ -105,7 +114,7 @@ TEST_F(RunTest, ResultsAreTakenAndWrittenInOrderByTheMasterAlone) {
 }
 
 TEST_F(RunTest, AStoppedRunGoesOnAfterTheLastWholeItem) {
-  leave(part_, expected(7) + "7\n");  // killed within an item
+  leavePartOf(expected(7) + "7\n");  // killed within an item
   forge::Run run = squares();
   const auto work = run.work;
   run.work = [&](std::size_t index) {
@@ -130,7 +139,7 @@ TEST_F(RunTest, ACompleteFileIsReadAndLeftAlone) {
 }
 
 TEST_F(RunTest, OtherOptionsAreRefusedAndNothingIsLost) {
-  leave(part_, expected(7));
+  leavePartOf(expected(7));
   forge::Run run = squares();
   run.options = {{"power", "3"}};
   expectComplaint(run, "power = 2, now power = 3");
@@ -141,12 +150,18 @@ TEST_F(RunTest, OtherOptionsAreRefusedAndNothingIsLost) {
   }
 }
 
+TEST_F(RunTest, AnotherVersionOfTheProgramDoesNotGoOn) {
+  leave(path_, expected());
+  leaveOptions("collision_forge 0.0.1");
+  expectComplaint(squares(), "program = collision_forge 0.0.1, now program = collision_forge ");
+}
+
 TEST_F(RunTest, ItemsThatAreNotTheRunsAreRefusedByLine) {
-  leave(part_, expected(2) + "3\n9\n");
+  leavePartOf(expected(2) + "3\n9\n");
   expectComplaint(squares(), part_ + ": line 6: is not of 2");
-  leave(part_, "another header\n");
+  leavePartOf("another header\n");
   expectComplaint(squares(), part_ + ": line 1");
-  leave(part_, expected(kCount + 1));
+  leavePartOf(expected(kCount + 1));
   expectComplaint(squares(), "there are 40 numbers only");
 }
 

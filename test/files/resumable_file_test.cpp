@@ -5,8 +5,10 @@
 
 #include <sstream>
 
+#include "collision_forge/files/aside_file.h"
 #include "data/nuscenes_fixture.h"
 #include "files/file_size_limit.h"
+#include "files/left_part.h"
 
 namespace forge {
 namespace {
@@ -79,6 +81,57 @@ TEST_F(ResumableFileTest, GoesOnAfterTheLastCompleteLine) {
   file.append("three");
   file.complete();
   EXPECT_EQ(contentOf(path_), "one\ntwo\nthree\n");
+}
+
+TEST_F(ResumableFileTest, AnAlteredLineIsRefusedAndCanBeDoneAgain) {
+  leavePart(path_, "one\ntwo\nthree\n");
+  writeText(path_ + ".options", "mode: history\nversion: v1.0-mini\n");
+  std::ofstream(part_) << "one\ntvo\nthree\n";
+  std::vector<std::string> lines;
+  try {
+    ResumableFile(path_, kOptions).resume([&](const std::string&, const std::string& line) {
+      lines.push_back(line);
+    });
+    FAIL() << "taken";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr(part_ + ": line 2: is not as it was written"));
+  }
+  EXPECT_THAT(lines, ElementsAre("one"));
+  EXPECT_EQ(contentOf(part_), "one\ntvo\nthree\n");
+  std::ofstream(part_) << "one\n";  // as the message says
+  ResumableFile file(path_, kOptions);
+  EXPECT_THAT(resumed(file), ElementsAre("one"));
+  file.append("two");
+  file.complete();
+  EXPECT_EQ(contentOf(path_), "one\ntwo\n");
+  EXPECT_FALSE(fs::exists(part_ + ".sums"));
+}
+
+TEST_F(ResumableFileTest, LinesThatChangedPlacesAreRefused) {
+  leavePart(path_, "one\ntwo\n");
+  writeText(path_ + ".options", "mode: history\nversion: v1.0-mini\n");
+  std::ofstream(part_) << "two\none\n";
+  ResumableFile file(path_, kOptions);
+  EXPECT_THROW(resumed(file), std::runtime_error);
+}
+
+TEST_F(ResumableFileTest, WhatHasNoChecksumYetIsDoneAgain) {
+  leavePart(path_, "one\ntwo\n");
+  writeText(path_ + ".options", "mode: history\nversion: v1.0-mini\n");
+  for (const std::uintmax_t left : {17 + 5, 17, 16, 0}) {  // killed while it was written, or before
+    fs::resize_file(part_ + ".sums", left);
+    ResumableFile file(path_, kOptions);
+    EXPECT_EQ(resumed(file).size(), left / 17) << left;
+    EXPECT_EQ(contentOf(part_), left < 17 ? "" : "one\n");
+    EXPECT_EQ(fs::file_size(part_ + ".sums"), left / 17 * 17);
+  }
+}
+
+TEST_F(ResumableFileTest, FollowsNoLink) {
+  const std::string other = folder_.write("other", "of somebody else");
+  fs::create_symlink(other, part_);
+  EXPECT_THAT(complaint(), HasSubstr(part_ + ": cannot be opened"));
+  EXPECT_EQ(contentOf(other), "of somebody else");
 }
 
 TEST_F(ResumableFileTest, WhatTheReaderThrowsLeavesTheFile) {
@@ -168,7 +221,7 @@ TEST_F(ResumableFileTest, AnItemOfSeveralLinesIsCutOffWhole) {
   const std::string whole = contentOf(part_);
   EXPECT_EQ(whole, "header\none\n1\ntwo\n2\n");
   for (std::size_t length = 0; length <= whole.size(); ++length) {
-    std::ofstream(part_) << whole.substr(0, length);
+    leavePart(path_, whole.substr(0, length), layout);
     ResumableFile file(path_, kOptions, layout);
     const std::size_t items = resumed(file).size();
     EXPECT_EQ(items, length < 13 ? 0u : length < 19 ? 1u : 2u) << length;

@@ -100,16 +100,44 @@ class EvaluateTest(road.RoadTest):
     def test_interrupted_run_is_gone_on_with(self):
         out = self.path('out')
         evaluate(self.collide, out)
-        whole = (out / 'results.csv').read_text()
-        lines = whole.splitlines(keepends=True)
+        lines = (out / 'results.csv').read_bytes().splitlines(keepends=True)
         (out / 'results.csv').unlink()
         # The first clip's rows, one of them changed so as to be known again, and half a row of the second's.
         first = lines[:4]
-        first[1] = first[1].rstrip('\n') + 'as found\n'
-        (out / 'results.csv.part').write_text(''.join(first) + lines[4][:20])
+        first[1] = first[1].rstrip(b'\n') + b'as found\n'
+        road.leave_part(out / 'results.csv', b''.join(first) + lines[4][:20], header=True, lines_per_item=3)
         result = evaluate(self.collide, out)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual((out / 'results.csv').read_text(), ''.join(first + lines[4:]))
+        self.assertEqual((out / 'results.csv').read_bytes(), b''.join(first + lines[4:]))
+
+    def test_an_altered_number_is_not_taken(self):
+        out = self.path('out')
+        evaluate(self.collide, out)
+        lines = (out / 'results.csv').read_bytes().splitlines(keepends=True)
+        (out / 'results.csv').unlink()
+        road.leave_part(out / 'results.csv', b''.join(lines[:4]), header=True, lines_per_item=3)
+        part = out / 'results.csv.part'
+        altered = re.sub(rb'(\d)\.(\d)', lambda match: match[1] + b'.' + str((int(match[2]) + 1) % 10).encode(),
+                         part.read_bytes(), count=1)
+        self.assertNotEqual(altered, part.read_bytes())
+        part.write_bytes(altered)
+        result = evaluate(self.collide, out)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('{}: line 2: is not as it was written'.format(part), result.stderr)
+        self.assertEqual(part.read_bytes(), altered)
+        part.write_bytes(lines[0])  # as the message says
+        self.assertEqual(evaluate(self.collide, out).returncode, 0)
+        self.assertEqual((out / 'results.csv').read_bytes(), b''.join(lines))
+
+    def test_clips_that_were_changed_are_not_gone_on_with(self):
+        collide, out = self.path('collide'), self.path('out')
+        shutil.copytree(str(self.collide), str(collide))
+        self.assertEqual(evaluate(collide, out).returncode, 0)
+        clip = sorted((collide / 'trajectory' / 'val').iterdir())[0]
+        clip.write_text(clip.read_text() + '\n')
+        result = evaluate(collide, out)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('was begun with clips = 2 files, fingerprint ', result.stderr)
 
     def test_other_arguments_or_configuration_do_not_go_on(self):
         out = self.path('out')
@@ -307,9 +335,9 @@ class EvaluateRequestsTest(road.RoadTest):
     def test_interrupted_run_is_gone_on_with(self):
         out = self.path('out')
         shutil.copytree(str(self.expected), str(out))
-        lines = (out / 'results.csv').read_text().splitlines(keepends=True)
+        lines = (out / 'results.csv').read_bytes().splitlines(keepends=True)
         (out / 'results.csv').unlink()
-        (out / 'results.csv.part').write_text(''.join(lines[:1 + 4 * 10 + 2]))
+        road.leave_part(out / 'results.csv', b''.join(lines[:1 + 4 * 10 + 2]), header=True, lines_per_item=4)
         result = self.run_on('--out', out)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn('({} times in this process)'.format(len(self.listed) - 10), result.stdout)

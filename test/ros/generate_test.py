@@ -359,8 +359,39 @@ class GenerateTest(road.RoadTest):
         lines = self.expected.read_bytes().splitlines(keepends=True)
         run(generate_command(self.requests, self.out))
         self.out.unlink()
-        self.part.write_bytes(b''.join(lines[:7]) + lines[7][:100])
+        road.leave_part(self.out, b''.join(lines[:7]) + lines[7][:100])
         self.assert_goes_on(7)
+
+    def test_tables_and_maps_that_were_changed_are_not_gone_on_with(self):
+        lines = self.expected.read_bytes().splitlines(keepends=True)
+        dataroot = self.path('data')
+        shutil.copytree(str(DATAROOT), str(dataroot))
+        command = [word if word != str(DATAROOT) else str(dataroot) for word in
+                   map(str, generate_command(self.requests, self.out))]
+        self.assertEqual(run(command).returncode, 0)
+        self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
+        self.out.unlink()
+        road.leave_part(self.out, b''.join(lines[:7]))
+        for name, file in (('tables', dataroot / VERSION / 'ego_pose.json'),
+                           ('maps', dataroot / 'maps' / 'expansion' / 'embedded-right.json')):
+            original = file.read_bytes()
+            file.write_bytes(original + b'\n')
+            result = run(command)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertRegex(result.stderr, 'was begun with {} = .*, now {} = '.format(name, name))
+            file.write_bytes(original)
+        self.assertEqual(run(command).returncode, 0)
+        self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
+
+    def test_an_altered_line_is_not_taken(self):
+        lines = self.expected.read_bytes().splitlines(keepends=True)
+        shutil.copy(str(self.expected) + '.options', str(self.out) + '.options')
+        road.leave_part(self.out, b''.join(lines[:7]))
+        self.part.write_bytes(b''.join(lines[:2]) + lines[2].replace(b'"confidence":0', b'"confidence":1') +
+                              b''.join(lines[3:7]))
+        self.assert_refused(['{}: line 3: is not as it was written'.format(self.part)])
+        self.part.write_bytes(b''.join(lines[:2]))
+        self.assert_goes_on(2)
 
     def test_a_run_that_loses_a_rank_goes_on(self):
         command = ranks_command(3, self.requests, self.out)
@@ -397,7 +428,7 @@ class GenerateTest(road.RoadTest):
 
     def test_a_run_does_not_go_on_with_what_another_began(self):
         begun = b''.join(self.expected.read_bytes().splitlines(keepends=True)[:4])
-        self.part.write_bytes(begun)
+        road.leave_part(self.out, begun)
         shutil.copy(str(self.expected) + '.options', str(self.out) + '.options')
         self.assert_refused([self.part, 'mode = history, now mode = replay'], '--mode', 'replay')
         other = self.path('other.jsonl')
@@ -413,11 +444,11 @@ class GenerateTest(road.RoadTest):
     def test_a_run_does_not_go_on_after_lines_that_answer_something_else(self):
         lines = self.expected.read_bytes().splitlines(keepends=True)
         shutil.copy(str(self.expected) + '.options', str(self.out) + '.options')
-        self.part.write_bytes(lines[0] + lines[2])
+        road.leave_part(self.out, lines[0] + lines[2])
         self.assert_refused([str(self.part) + ': line 2', 'answers'])
-        self.part.write_bytes(lines[0] + b'{"format": "something else"}\n')
+        road.leave_part(self.out, lines[0] + b'{"format": "something else"}\n')
         self.assert_refused([str(self.part) + ': line 2', 'field format'])
-        self.part.write_bytes(b''.join(lines) + lines[0])
+        road.leave_part(self.out, b''.join(lines) + lines[0])
         self.assert_refused(['line {}'.format(self.count + 1), '{} requests only'.format(self.count)])
 
     def test_two_runs_do_not_write_one_file(self):

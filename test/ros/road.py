@@ -55,6 +55,20 @@ def inject(bag, out, collision_type, tta, now, *arguments):
                *arguments)
 
 
+def leave_part(path, text, header=False, lines_per_item=1):
+    """What a stopped run leaves: PATH.part, and beside it the checksums of its complete items (FNV-1a, one going on
+    from the other)."""
+    part = Path(str(path) + '.part')
+    part.write_bytes(text)
+    lines = text.split(b'\n')[int(header):-1]
+    value, sums = 0xcbf29ce484222325, ''
+    for first in range(0, len(lines) - lines_per_item + 1, lines_per_item):
+        for byte in b'\n'.join(lines[first:first + lines_per_item]):
+            value = (value ^ byte) * 0x100000001b3 % 2 ** 64
+        sums += '{:016x}\n'.format(value)
+    Path(str(part) + '.sums').write_text(sums)
+
+
 def code_of(injection):
     """The name of the status code that a run of forge inject ended with."""
     if injection.returncode == 0:

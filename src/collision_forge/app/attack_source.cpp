@@ -8,6 +8,7 @@
 
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/data/log_fingerprints.h"
 #include "collision_forge/data/nuscenes_map_layers.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/files/fingerprint.h"
@@ -93,9 +94,11 @@ class ScenarioAttacks : public AttackSource {
   }
 
   std::map<std::string, std::string> fingerprints() const override {
-    return {{"dataroot", std::filesystem::canonical(dataroot_).string()},
-            {"version", version_},
-            {"scenarios", described() + ", fingerprint " + attacks_.fingerprint}};
+    std::map<std::string, std::string> found = logFingerprints(dataroot_, version_);
+    found["dataroot"] = std::filesystem::canonical(dataroot_).string();
+    found["version"] = version_;
+    found["scenarios"] = described() + ", fingerprint " + attacks_.fingerprint;
+    return found;
   }
 
   CrashRecord record(std::size_t index, double history) override {

@@ -13,6 +13,7 @@
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/files/file_fingerprint.h"
 #include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/study/clip_methods.h"
 
@@ -28,9 +29,11 @@ std::vector<std::string> listClips(const EvaluationArguments& arguments, const C
   return paths;
 }
 
-ResumableFile::Options runOptions(const EvaluationArguments& arguments, const Config& config) {
+ResumableFile::Options runOptions(const EvaluationArguments& arguments, const Config& config,
+                                  const std::vector<std::string>& paths) {
   ResumableFile::Options options = inputsOf(config, arguments.config, arguments.dataroot, "");
   options["collide"] = std::filesystem::canonical(arguments.collide).string();
+  options["clips"] = fingerprintOfFiles(paths);
   options["split"] = arguments.split;
   options["by-scene"] = arguments.by_scene ? "yes" : "no";
   options["seen-scenes"] = arguments.plan.seen_scenes ? "yes" : "no";
@@ -79,7 +82,7 @@ int evaluateClips(const EvaluationArguments& arguments) {
     return evaluateClip(clip, lanes, {methods, foresight, config}, arguments.plan);
   };
   const std::vector<ResultRow> rows = runEvaluation(
-      {arguments.out, runOptions(arguments, config), arguments.plan.protocol, RowsOf::kClips,
+      {arguments.out, runOptions(arguments, config, paths), arguments.plan.protocol, RowsOf::kClips,
        "clips", namesOf(paths), rowsPerClip(arguments.plan), arguments.jobs, rows_of});
   if (!is_master) return kExitOk;
   const StatisticsOptions& statistics = config.evaluation.statistics;

@@ -6,6 +6,7 @@
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/progress_line.h"
+#include "collision_forge/data/log_fingerprints.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/scene/request_words.h"
@@ -253,6 +254,7 @@ ResumableFile::Options inputsOf(const Config& config, const std::string& config_
   ResumableFile::Options options = fingerprintsOf(config, config_folder);
   options["dataroot"] = std::filesystem::canonical(dataroot).string();
   if (!version.empty()) options["version"] = version;
+  for (const auto& [name, found] : logFingerprints(dataroot, version)) options[name] = found;
   return options;
 }
 

@@ -14,12 +14,18 @@
 namespace forge {
 namespace {
 
+/// With the version of the program, that of package.xml.
+ResumableFile::Options withProgram(ResumableFile::Options options) {
+  options["program"] = "collision_forge " COLLISION_FORGE_VERSION;
+  return options;
+}
+
 /// What the master alone has.
 class Results {
  public:
   explicit Results(const Run& run)
       : run_(run),
-        file_(run.path, run.options, run.layout),
+        file_(run.path, withProgram(run.options), run.layout),
         notice_("\ninterrupted; what was done is in " + run.path +
                 ".part: run the same command again to go on\n"),
         done_(resume()),

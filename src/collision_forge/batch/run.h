@@ -13,7 +13,8 @@ namespace forge {
 /// when it is started again with the same options, and refuses with others.
 struct Run {
   std::string path;  ///< of the results; while they grow PATH.part, and PATH.options beside them
-  ResumableFile::Options options;  ///< everything that the results depend on
+  /// Everything that the results depend on, but the program's version, which is compared, too.
+  ResumableFile::Options options;
   ItemLayout layout;
   std::string items;      ///< what they are, for messages, as "requests"
   std::size_t count = 0;  ///< of the items

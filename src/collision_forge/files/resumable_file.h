@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "collision_forge/files/descriptor.h"
+
 namespace forge {
 
 struct ItemLayout {
@@ -15,7 +17,8 @@ struct ItemLayout {
 
 /// A file of items, each of a line or a few, that is written over several runs, if need be: items
 /// go to PATH.part, which is moved to PATH when complete. PATH.options, which stays, holds what
-/// they were made with, so that no run goes on with items of another. Every item is written at
+/// they were made with, so that no run goes on with items of another. PATH.part.sums has a checksum
+/// of every item of PATH.part, so that none is taken that was altered. Every item is written at
 /// once: a process that is killed loses at most the item that it is writing.
 class ResumableFile {
  public:
@@ -26,17 +29,15 @@ class ResumableFile {
   /// cannot be opened, when another process is writing it, and when PATH or PATH.part was begun
   /// with other options: which, and what they were.
   ResumableFile(const std::string& path, const Options& options, const ItemLayout& layout = {});
-  ~ResumableFile();
-  ResumableFile(const ResumableFile&) = delete;
-  ResumableFile& operator=(const ResumableFile&) = delete;
 
   /// True when PATH was completed by a run before: there is nothing to write.
   bool isComplete() const { return is_complete_; }
 
   /// Hands the complete items of PATH or PATH.part to `on_item` in order, with where they stand
-  /// ("PATH.part: line 1"), cuts off an incomplete last one, and returns their number. To be called
-  /// once, before append(). Throws std::runtime_error for another header; that, and what `on_item`
-  /// throws, leaves the file as it was.
+  /// ("PATH.part: line 1"), cuts off what is incomplete or has no checksum yet, and returns their
+  /// number. To be called once, before append(). Throws std::runtime_error for another header and
+  /// an item that is not as it was written; that, and what `on_item` throws, leaves the file as it
+  /// was.
   std::size_t resume(
       const std::function<void(const std::string& where, const std::string& lines)>& on_item);
 
@@ -49,13 +50,19 @@ class ResumableFile {
 
  private:
   void checkHeader(const std::string& path, const std::string& line) const;
-  void cutTo(std::int64_t size);
+  void checkSum(const std::string& sum, const std::string& where) const;
+  void cutTo(std::int64_t size, std::size_t items);
+  void appendLines(const std::string& lines);
 
   std::string path_;
   std::string part_;
+  std::string sums_path_;
   ItemLayout layout_;
-  int descriptor_ = -1;
-  std::int64_t size_ = 0;  // bytes of complete items
+  Descriptor file_;
+  Descriptor sums_;
+  std::int64_t size_ = 0;       // bytes of complete items
+  std::int64_t sums_size_ = 0;  // bytes
+  std::string sum_;             // of all items up to the last one
   bool is_complete_ = false;
 };
 

@@ -8,8 +8,10 @@
 #include <set>
 #include <sstream>
 
+#include "collision_forge/data/log_fingerprints.h"
 #include "collision_forge/drawing/line_chart.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/files/file_fingerprint.h"
 
 namespace forge {
 namespace {
@@ -41,6 +43,12 @@ std::string describeRun(const TrainingRun& run, int ranks, const std::string& co
   text << "dataroot = " << run.sources.dataroot << "\nversion = " << run.sources.version
        << "\ncollide = " << run.sources.collide << "\nsplits =";
   for (const std::string& split : run.sources.splits) text << ' ' << split;
+  for (const auto& [name, found] : logFingerprints(run.sources.dataroot, run.sources.version)) {
+    text << '\n' << name << " = " << found;
+  }
+  if (!run.sources.collide.empty()) {
+    text << "\nclips = " << fingerprintOfTree(run.sources.collide + "/trajectory", ".csv");
+  }
   text << "\nfold = " << run.fold << "\nfolds = " << run.folds << "\nseed = " << run.seed
        << "\ndevice = " << run.device << "\nranks = " << ranks << "\n\n";
   text << readText(run.config + "/" + config);

@@ -9,6 +9,7 @@
 
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/files/file_fingerprint.h"
 #include "collision_forge/files/fingerprint.h"
 
 namespace forge {
@@ -137,13 +138,9 @@ class ClipCases : public PlannerCases {
   const std::vector<std::string>& names() const override { return names_; }
 
   std::string fingerprint() const override {
-    std::string found;
-    for (const std::string& path : paths_) {
-      found = forge::fingerprint(fs::canonical(path).string(), found);
-    }
-    return std::to_string(names_.size()) + " clips, attacker " + toString(attacker_) + " by " +
-           method_.name() + (answers_ == ClipAnswers::kAll ? ", unverified" : "") +
-           ", fingerprint " + found;
+    return "clips, attacker " + std::string(toString(attacker_)) + " by " + method_.name() +
+           (answers_ == ClipAnswers::kAll ? ", unverified" : "") + ", " +
+           fingerprintOfFiles(paths_);
   }
 
   PlannerCase at(std::size_t index) const override {
