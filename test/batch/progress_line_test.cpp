@@ -1,7 +1,14 @@
 #include "collision_forge/batch/progress_line.h"
 
+#include <fcntl.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <functional>
+#include <iostream>
 #include <sstream>
 
 namespace forge {
@@ -93,6 +100,50 @@ TEST_F(ProgressLineTest, WorkThatEndsEarlyEndsItsLine) {
     printed();
   }
   EXPECT_EQ(printed(), "");
+}
+
+/// What `print` leaves on a terminal that stdout and stderr go to.
+std::string shownOnATerminal(const std::function<void()>& print) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+  EXPECT_EQ(::grantpt(terminal), 0);
+  EXPECT_EQ(::unlockpt(terminal), 0);
+  const int screen = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::dup2(screen, STDOUT_FILENO);
+    ::dup2(screen, STDERR_FILENO);
+    print();
+    std::cout.flush();
+    ::_exit(0);
+  }
+  ::close(screen);
+  std::string lines = "\n";
+  char letter = 0;
+  while (::read(terminal, &letter, 1) == 1) {
+    lines += letter;
+    const std::string kCleared = "\r\033[K";
+    const std::size_t cleared = lines.find(kCleared);
+    if (cleared == std::string::npos) continue;
+    const std::size_t begin = lines.rfind('\n', cleared) + 1;
+    lines.erase(begin, cleared + kCleared.size() - begin);
+  }
+  ::waitpid(child, nullptr, 0);
+  ::close(terminal);
+  return lines.substr(1);
+}
+
+TEST(PrintLine, StandsAloneOnATerminalThatShowsProgress) {
+  const std::string shown = shownOnATerminal([] {
+    double time = 0.0;
+    ProgressLine progress("work", 0.0, {std::cerr, true, [&] { return time += 1.0; }});
+    progress.show(0.5);
+    printLine("warning: odd");
+    progress.show(0.6);
+    clearLine();
+    std::cout << "a row" << std::endl;
+    progress.show(1.0);
+  });
+  EXPECT_THAT(shown, testing::MatchesRegex("warning: odd\r\na row\r\nwork 100 %[^\n]*\r\n"));
 }
 
 TEST(PrintLine, IsALineOfItsOwn) {

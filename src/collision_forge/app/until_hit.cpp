@@ -8,6 +8,7 @@
 #include <set>
 
 #include "collision_forge/app/planner_pictures.h"
+#include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/files/aside_file.h"
@@ -124,8 +125,8 @@ void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestRe
     const std::size_t hardest = weakness.results.front();
     const auto shown = show(weakness, cases, plan, config);
     if (!shown) {
-      std::cerr << cases.names()[hardest] << ": " << weakness.planner
-                << " was hit, but is not when it is driven again: left out\n";
+      printLine(cases.names()[hardest] + ": " + weakness.planner +
+                " was hit, but is not when it is driven again: left out");
       continue;
     }
     table += tableRow(++rank, weakness, *shown);

@@ -83,6 +83,10 @@ void ProgressLine::show(double share, double whole, const std::string& unit,
                  << std::flush;
 }
 
+void clearLine() {
+  if (isTerminal()) std::fputs(kClear, stderr);
+}
+
 void printLine(const std::string& line) {
   const std::string text = (isTerminal() ? kClear : "") + line + "\n";
   std::fputs(text.c_str(), stderr);

@@ -43,6 +43,10 @@ class ProgressLine {
   bool is_open_ = false;  ///< on the terminal, without its end
 };
 
+/// Takes a progress line off the terminal until it is shown anew: before anything is printed
+/// otherwise than by printLine().
+void clearLine();
+
 /// Prints a line on stderr, where a progress line may be: in place of it, until that is shown anew.
 /// From any thread.
 void printLine(const std::string& line);

@@ -1,6 +1,5 @@
 #include "collision_forge/batch/run.h"
 
-#include <cstdio>
 #include <exception>
 #include <memory>
 #include <stdexcept>
@@ -54,8 +53,8 @@ class Results {
                                std::to_string(run_.count) + " " + run_.items);
     }
     if (done > 0) {
-      std::fprintf(stderr, "%zu of %zu %s were done before\n", done, run_.count,
-                   run_.items.c_str());
+      printLine(std::to_string(done) + " of " + std::to_string(run_.count) + " " + run_.items +
+                " were done before");
     }
     return done;
   }

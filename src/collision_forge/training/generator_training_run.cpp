@@ -86,6 +86,7 @@ class GeneratorTrainer {
       table.drawCurves(run_.out + "/curves.png", "Training of " + run_.generator + ": validation",
                        curves(), run_.drawing);
       writeGenerator(statePath(run_), header_, *model_, true);
+      clearLine();
       std::cout << table.lastRow() << '\n' << std::flush;
     }
   }

@@ -57,6 +57,7 @@ void record(const PatternTrainer& trainer, const std::set<std::string>& left_out
   table.drawCurves(run.out + "/curves.png", "Training: negative log density of the ego's place",
                    {{"ego", "training"}, {"validation_ego", "validation"}}, run.drawing);
   trainer.save(statePath(run));
+  clearLine();
   std::cout << table.lastRow() << '\n' << std::flush;
 }
 
