@@ -138,6 +138,15 @@ TEST(SpeedModel, AFoldForecastsTheScenesThatItLeftOut) {
   EXPECT_THROW(SpeedModel(plainWeights(), {fold, other}), std::invalid_argument);
 }
 
+TEST(SpeedModel, SpeedsThatNobodyDrivesAreErrors) {
+  SpeedModelWeights weights = plainWeights();
+  weights.log_spreads.row(0).setConstant(1e5);
+  EXPECT_THROW(SpeedModel(weights).forecast(driving(8.0, 1.0), 4), std::runtime_error);
+  weights = plainWeights();
+  weights.gains.row(2).setConstant(9e5);
+  EXPECT_THROW(SpeedModel(weights).forecast(driving(8.0, 1.0), 4), std::runtime_error);
+}
+
 TEST(CheckWeights, NamesTheField) {
   const auto expectRefused = [](const std::string& field,
                                 const std::function<void(SpeedModelWeights&)>& spoil) {

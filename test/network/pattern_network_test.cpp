@@ -120,6 +120,34 @@ TEST(PatternNetwork, RefusesWeightsOfAnotherArchitecture) {
   EXPECT_NE(complaintAbout(broken).find("layer key"), std::string::npos);
 }
 
+TEST(PatternNetwork, RefusesWeightsThatNoTrainingGives) {
+  for (const float number : {3e38F, -2e6F, std::numeric_limits<float>::quiet_NaN()}) {
+    PatternWeights weights = randomWeights();
+    weights.layers.at("anchor_first").matrix(0, 0) = number;
+    EXPECT_THROW(PatternNetwork{weights}, std::invalid_argument) << number;
+    weights = randomWeights();
+    weights.layers.at("candidate_first").bias[0] = number;
+    EXPECT_THROW(PatternNetwork{weights}, std::invalid_argument) << number;
+  }
+}
+
+TEST(PatternNetwork, AnswersThatNoTrainedNetworkGivesAreErrors) {
+  const Snapshot snapshot = junctionSnapshot();
+  const LaneIndex lanes = lanesOf(snapshot);
+  const auto networkWithLarge = [](const char* layer) {
+    PatternWeights weights = randomWeights();
+    weights.layers.at(layer).bias.setConstant(9e5F);
+    return PatternNetwork(weights);
+  };
+  const PatternNetwork of_ego = networkWithLarge("anchor_last");
+  const PredictedScene ego(of_ego, snapshot, lanes, 9.0, shippedEgoFutureOptions());
+  EXPECT_THROW(ego.egoAfter(kTta, std::nullopt), std::runtime_error);
+  const PatternNetwork of_others = networkWithLarge("candidate_last");
+  const PredictedScene others(of_others, snapshot, lanes, 9.0, shippedEgoFutureOptions());
+  EXPECT_THROW(others.judge({&snapshot.agents[0]}, {10.0, 0.0, 0.0}, kTta, CollisionType::kLtap),
+               std::runtime_error);
+}
+
 TEST(MedianPose, HasTheLeastExpectedDistance) {
   const std::vector<EgoComponent> components = {{0.6, {0.0, 0.0, 0.1}, 1.0, 1.0, 0, 0.0},
                                                 {0.3, {10.0, 0.0, 0.2}, 1.0, 1.0, 0, 10.0},

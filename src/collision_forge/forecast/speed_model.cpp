@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kWeightTolerance = 1e-3;  // of a sum of rounded weights
 constexpr double kMinShare = 1e-6;         // of a profile that is not expected
+constexpr double kLargestWeight = 1e6;     // what is fitted to recordings is some hundreds at most
+constexpr double kLargestGain = 1e3;       // m/s
 
 void checkMatrix(const Eigen::MatrixXd& matrix, Eigen::Index rows, Eigen::Index columns,
                  const std::string& field) {
@@ -22,7 +24,10 @@ void checkMatrix(const Eigen::MatrixXd& matrix, Eigen::Index rows, Eigen::Index 
     throw std::invalid_argument(field + " is " + text(matrix.rows(), matrix.cols()) + ", not " +
                                 text(rows, columns));
   }
-  if (!matrix.allFinite()) throw std::invalid_argument(field + " has a value that is not finite");
+  if (!(matrix.array().abs() <= kLargestWeight).all()) {
+    throw std::invalid_argument(field + " has a value beyond " +
+                                std::to_string(static_cast<int>(kLargestWeight)));
+  }
 }
 
 void checkProfiles(const WeightedProfiles& profiles, Eigen::Index intervals,
@@ -39,6 +44,11 @@ void checkProfiles(const WeightedProfiles& profiles, Eigen::Index intervals,
 }
 
 SpeedForecast gaining(const Eigen::MatrixXd& gains, const Eigen::VectorXd& weights, double speed) {
+  if (!(gains.array().abs() <= kLargestGain).all() || !weights.allFinite()) {
+    throw std::runtime_error("the speed model foretells speeds beyond " +
+                             std::to_string(static_cast<int>(kLargestGain)) +
+                             " m/s: its weights are damaged");
+  }
   return {(gains.array() + speed).cwiseMax(0.0), weights / weights.sum()};
 }
 

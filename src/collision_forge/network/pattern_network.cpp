@@ -13,6 +13,8 @@ constexpr double kMedianFloor = 0.05;  // m
 constexpr double kHeadingReach = 2.0;  // m around the median whose headings count
 constexpr int kEgoOutputs = 6;
 constexpr int kCandidateOutputs = 5;
+constexpr float kLargestWeight = 1e6F;  // those that were trained are 2 at most
+constexpr float kLargestOutput = 1e4F;  // of the last layers
 
 std::string shapeText(Eigen::Index outputs, Eigen::Index inputs) {
   return std::to_string(outputs) + " x " + std::to_string(inputs);
@@ -28,6 +30,18 @@ void requireShape(const Eigen::Ref<const RowMatrix>& matrix, Eigen::Index rows,
   if (!matrix.allFinite()) {
     throw std::invalid_argument(std::string(name) + " have a number that is not finite");
   }
+}
+
+/// False for NaN.
+template <typename Numbers>
+bool isWithin(const Numbers& numbers, float largest) {
+  return (numbers.array().abs() <= largest).all();
+}
+
+void checkOutputs(const RowMatrix& outputs) {
+  if (isWithin(outputs, kLargestOutput)) return;
+  throw std::runtime_error(
+      "the pattern network answers with a number beyond 10000: its weights are damaged");
 }
 
 RowMatrix apply(const LinearWeights& layer, const RowMatrix& input) {
@@ -149,8 +163,9 @@ void checkWeights(const PatternWeights& weights) {
                                   shapeText(matrix.rows(), matrix.cols()) + ", not " +
                                   shapeText(shape.outputs, shape.inputs));
     }
-    if (!matrix.allFinite() || !layer->second.bias.allFinite()) {
-      throw std::invalid_argument("layer " + name + " has a number that is not finite");
+    if (!isWithin(matrix, kLargestWeight) || !isWithin(layer->second.bias, kLargestWeight)) {
+      throw std::invalid_argument("layer " + name + " has a number beyond " +
+                                  std::to_string(static_cast<int>(kLargestWeight)));
     }
   }
   for (const auto& layer : weights.layers) {
@@ -230,6 +245,7 @@ std::vector<EgoComponent> PatternNetwork::ego(const Eigen::VectorXf& with_reques
   RowMatrix second = apply(layers.at("anchor_second"), hidden);
   relu(second);
   const RowMatrix out = apply(layers.at("anchor_last"), second);
+  checkOutputs(out);
   const Eigen::VectorXf scores = out.col(0) + anchors.prior(present.rows);
   const float largest = scores.maxCoeff();
   const float sum = (scores.array() - largest).exp().sum();
@@ -264,6 +280,7 @@ std::vector<CandidateAnswer> PatternNetwork::candidates(const Eigen::VectorXf& w
   RowMatrix second = apply(layers.at("candidate_second"), hidden);
   relu(second);
   const RowMatrix out = apply(layers.at("candidate_last"), second);
+  checkOutputs(out);
   std::vector<CandidateAnswer> answers;
   for (Eigen::Index i = 0; i < out.rows(); ++i) {
     answers.push_back(

@@ -47,6 +47,7 @@ class PatternNetwork {
   /// Throws std::invalid_argument for features of another size or with a number that is not finite.
   Eigen::VectorXf encode(const SceneFeatures& features) const;
   Eigen::VectorXf withRequest(const Eigen::VectorXf& scene, const Eigen::VectorXf& request) const;
+  // The answers. Throw std::runtime_error for numbers that no trained network gives.
   /// Most probable first is not promised; the order is that of the anchors that are there.
   std::vector<EgoComponent> ego(const Eigen::VectorXf& with_request,
                                 const AnchorFeatures& anchors) const;
