@@ -2,6 +2,8 @@
 
 #include <mutex>
 
+#include "collision_forge/ros/bag_check.h"
+
 namespace forge {
 namespace {
 
@@ -26,6 +28,7 @@ void dropBag(std::unique_ptr<rosbag::Bag>& bag) {
 
 OpenedBag::OpenedBag(const std::string& path) : bag_(makeBag()) {
   try {
+    checkBag(path);
     bag_->open(path, rosbag::bagmode::Read);
   } catch (...) {
     dropBag(bag_);

@@ -21,7 +21,7 @@ inline std::string bagTopic(const char* name) { return std::string("/") + name; 
 /// A bag to be read. Different bags may be read from different threads.
 class OpenedBag {
  public:
-  /// Throws as rosbag::Bag::open().
+  /// Throws as rosbag::Bag::open(), and BagError for one that is damaged (checkBag()).
   explicit OpenedBag(const std::string& path);
   ~OpenedBag();
   OpenedBag(const OpenedBag&) = delete;

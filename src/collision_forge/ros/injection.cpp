@@ -305,7 +305,8 @@ const char* toString(AfterContact after) {
 
 void requireNoAttack(const std::string& path) {
   try {
-    const rosbag::Bag bag(path, rosbag::bagmode::Read);
+    const OpenedBag opened(path);
+    const rosbag::Bag& bag = opened.bag();
     for (const char* name : kAttackTopics) {
       const std::string topic = bagTopic(name);
       if (rosbag::View(bag, rosbag::TopicQuery(topic)).size() == 0) continue;
@@ -321,9 +322,9 @@ void injectIntoBag(const std::string& in, const std::string& out, const BagAttac
                    const RecordingContext& recording,
                    const std::function<void(double)>& on_progress) {
   try {
-    const rosbag::Bag source(in, rosbag::bagmode::Read);
+    const OpenedBag source(in);
     NewBag target(out);
-    Injection(source, target, attack, recording).write(on_progress);
+    Injection(source.bag(), target, attack, recording).write(on_progress);
     target.commit();
   } catch (const rosbag::BagException& error) {
     throw BagError(in + " to " + out + ": " + error.what());

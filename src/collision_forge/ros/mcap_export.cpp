@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/ros/bag_check.h"
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/bag_index.h"
 #include "collision_forge/ros/crash_topics.h"
@@ -106,6 +107,7 @@ void convert(const std::string& in, const std::string& out, const EgoVehicle& eg
 
 void exportToMcap(const std::string& in, const std::string& out, const EgoVehicle& ego,
                   const std::function<void(double)>& on_progress) {
+  checkBag(in);
   try {
     convert(in, out, ego, on_progress);
   } catch (const rosbag::BagUnindexedException&) {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace forge {
+
+/// Walks through the records of a bag, those in its chunks too, and throws BagError, naming the
+/// path and the byte, for a length or a place that leads out of its record: rosbag believes them.
+/// Bags of other versions, encrypted ones, those without an index and what is no bag are left to
+/// rosbag, which tells.
+void checkBag(const std::string& path);
+
+}  // namespace forge

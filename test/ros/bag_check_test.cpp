@@ -1,0 +1,158 @@
+#include "collision_forge/ros/bag_check.h"
+
+#include <collision_forge/AgentArray.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "collision_forge/ros/bag_file.h"
+
+namespace forge {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class BagCheck : public testing::TestWithParam<rosbag::compression::CompressionType> {
+ protected:
+  void SetUp() override {
+    std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::replace(name.begin(), name.end(), '/', '_');
+    path_ = testing::TempDir() + "bag_check_" + name + ".bag";
+    rosbag::Bag bag(path_, rosbag::bagmode::Write);
+    bag.setCompression(GetParam());
+    bag.setChunkThreshold(1000);  // bytes: several chunks
+    for (std::uint32_t second = 1; second <= 20; ++second) {
+      collision_forge::AgentArray agents;
+      agents.header.stamp = ros::Time(second, 0);
+      agents.agents.resize(3);
+      bag.write("/agents", ros::Time(second, 0), agents);
+      bag.write("/others", ros::Time(second, 0), agents);
+    }
+    bag.close();
+    std::ifstream file(path_, std::ios::binary);
+    bytes_.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  void write(const std::string& bytes) const {
+    std::ofstream(path_, std::ios::binary | std::ios::trunc) << bytes;
+  }
+
+  /// The bag with another length in the four bytes at `at`.
+  std::string withLength(std::uint32_t length, std::size_t at) const {
+    std::string bytes = bytes_;
+    std::memcpy(bytes.data() + at, &length, sizeof(length));
+    return bytes;
+  }
+
+  std::string complaint() const {
+    try {
+      checkBag(path_);
+    } catch (const BagError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  /// As readers do.
+  std::size_t countMessages() const {
+    const rosbag::Bag bag(path_, rosbag::bagmode::Read);
+    std::size_t count = 0;
+    for (const rosbag::MessageInstance& instance : rosbag::View(bag)) {
+      count += instance.instantiate<collision_forge::AgentArray>() ? 1 : 0;
+    }
+    return count;
+  }
+
+  std::string path_;
+  std::string bytes_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Compressions, BagCheck,
+                         testing::Values(rosbag::compression::Uncompressed,
+                                         rosbag::compression::BZ2, rosbag::compression::LZ4));
+
+TEST_P(BagCheck, SoundBagsPass) {
+  EXPECT_EQ(complaint(), "");
+  EXPECT_EQ(countMessages(), 40u);
+}
+
+TEST_P(BagCheck, WhatIsNoBagIsLeftToRosbag) {
+  for (const std::string bytes : {"", "#ROSBAG V1.2\nand more", "no bag at all, but some bytes"}) {
+    write(bytes);
+    EXPECT_EQ(complaint(), "") << bytes;
+  }
+  std::filesystem::remove(path_);
+  EXPECT_EQ(complaint(), "");
+}
+
+TEST_P(BagCheck, LengthsBeyondTheFileNameTheByte) {
+  const std::size_t header = std::strlen("#ROSBAG V2.0\n");
+  write(withLength(0x7fffffff, header));
+  EXPECT_THAT(complaint(),
+              AllOf(HasSubstr(path_ + ": truncated or damaged: the record at byte 13 "),
+                    HasSubstr("header of 2147483647 bytes")));
+  const std::size_t chunk = bytes_.find("compression=") - 4;
+  write(withLength(1 << 30, chunk));
+  EXPECT_THAT(complaint(), HasSubstr("has a field of 1073741824 bytes"));
+  write(bytes_.substr(0, bytes_.size() - 3));
+  EXPECT_THAT(complaint(), HasSubstr("that are left")) << "cut off";
+}
+
+TEST_P(BagCheck, PlacesWhereNothingIsAreRefused) {
+  std::string bytes = bytes_;
+  bytes[bytes.find("index_pos=") + std::strlen("index_pos=")] ^= 1;
+  write(bytes);
+  EXPECT_THAT(complaint(), HasSubstr("where the index should begin"));
+  bytes = bytes_;
+  bytes[bytes.find("chunk_pos=") + std::strlen("chunk_pos=")] ^= 1;
+  write(bytes);
+  EXPECT_THAT(complaint(), HasSubstr("names a chunk where there is none"));
+}
+
+TEST_P(BagCheck, LengthsOfMessagesInAChunk) {
+  if (GetParam() != rosbag::compression::Uncompressed) GTEST_SKIP() << "not in plain sight";
+  const std::string message = std::string("op=") + '\x02';
+  const std::size_t op = bytes_.find(message);
+  ASSERT_NE(op, std::string::npos);
+  const std::size_t time = bytes_.find("time=", op);
+  ASSERT_LT(time - op, 40u);
+  write(withLength(1 << 20, time + std::strlen("time=") + 8));
+  EXPECT_THAT(complaint(), HasSubstr("has a content of 1048576 bytes"));
+}
+
+TEST_P(BagCheck, WhatPassesIsReadWithoutHarm) {
+  const unsigned seed = 20261125;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  int passed = 0;
+  for (std::size_t mutant = 0; mutant < 200; ++mutant) {
+    std::string bytes = bytes_;
+    const std::size_t at = random() % bytes.size();
+    const auto length = static_cast<std::uint32_t>(random());
+    for (std::size_t i = 0; i < 1 + mutant % 4 && at + i < bytes.size(); ++i) {
+      bytes[at + i] = static_cast<char>(length >> (8 * i));
+    }
+    write(bytes);
+    if (!complaint().empty()) continue;
+    ++passed;
+    try {
+      countMessages();
+    } catch (const std::exception&) {
+      continue;  // told, and nothing worse
+    }
+  }
+  EXPECT_GT(passed, 0);
+}
+
+}  // namespace
+}  // namespace forge
