@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/bag_reader.h"
@@ -362,6 +363,51 @@ TEST_F(InjectIntoBagTest, ABagWithAnAttackIsRefusedByFileAndTopic) {
     EXPECT_NE(std::string(error.what()).find(out_), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("/attack"), std::string::npos);
   }
+}
+
+TEST_F(InjectIntoBagTest, WhatIsNotFiniteIsLeftOutAndTold) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const std::string spoilt = folder_ / "spoilt.bag";
+  {
+    NewBag bag(spoilt);
+    const rosbag::Bag sound(in_, rosbag::bagmode::Read);
+    for (const rosbag::MessageInstance& instance : rosbag::View(sound)) {
+      const double time = instance.getTime().toSec();
+      const bool is_spoilt = time == 9.0 || time == 11.0;  // before and after now
+      if (const auto agents = instance.instantiate<collision_forge::AgentArray>()) {
+        if (is_spoilt) {
+          agents->agents.push_back(agents->agents[0]);
+          agents->agents.back().id = "spoilt";
+          agents->agents.back().pose.position.x = kNan;
+          agents->agents[0].velocity.x = kNan;
+        }
+        bag.write(instance.getTopic(), instance.getTime(), *agents);
+      } else if (const auto odometry = instance.instantiate<nav_msgs::Odometry>()) {
+        if (is_spoilt) odometry->twist.twist.linear.x = kNan;
+        bag.write(instance.getTopic(), instance.getTime(), *odometry);
+      } else if (const auto transform = instance.instantiate<tf2_msgs::TFMessage>()) {
+        if (is_spoilt) transform->transforms[0].transform.rotation.w = kNan;
+        bag.write(instance.getTopic(), instance.getTime(), *transform);
+      } else {
+        bag.write(instance.getTopic(), instance.getTime(), instance);
+      }
+    }
+    bag.commit();
+  }
+  const auto warnings =
+      injectIntoBag(spoilt, out_, attack_,
+                    {ego_, 0.0, config_.attack.verification.drivable, config_.attacked_bag});
+  EXPECT_EQ(warnings, (std::vector<std::string>{"4 entries of /agents that are not finite left out",
+                                                "2 entries of /odom that are not finite left out",
+                                                "2 entries of /tf that are not finite left out"}));
+  for (const auto& message : read<collision_forge::AgentArray>(bagTopic(names::kAgents))) {
+    for (const auto& agent : message.agents) {
+      EXPECT_NE(agent.id, "spoilt");
+      EXPECT_TRUE(std::isfinite(agent.pose.position.x + agent.velocity.x)) << message.header.stamp;
+    }
+  }
+  EXPECT_EQ(read<nav_msgs::Odometry>(bagTopic(names::kOdometry)).size(), 7u);
+  EXPECT_EQ(read<tf2_msgs::TFMessage>(names::kTf).size(), 7u);
 }
 
 TEST_F(InjectIntoBagTest, TellsItsProgressUpToTheEnd) {

@@ -141,18 +141,23 @@ TEST(InputLimits, AgentsBeyondAreLeftOutWithAWarningAKind) {
   EXPECT_EQ(spoilt.agents[0].id, "c");
   EXPECT_THAT(
       warnings,
-      ElementsAre("log: 2 agents whose box is beyond the limits of input left out (first: a)",
-                  "log: 1 agents whose motion is beyond the limits of input left out (first: b)"));
+      ElementsAre("2 agents whose box is beyond the limits of input left out (first: a)",
+                  "1 agents whose motion is beyond the limits of input left out (first: b)"));
 }
 
-TEST(InputLimits, EveryAgentOfASnapshotAndAFuture) {
-  Snapshot snapshot{10.5, car(kEgoId), {car("a")}, nullptr};
-  EXPECT_NO_THROW(checkSnapshot(snapshot, shippedLimits(), "scene"));
+TEST(InputLimits, SnapshotsAndFutures) {
+  Snapshot snapshot{10.5, car(kEgoId), {car("a"), car("b")}, nullptr};
   snapshot.agents[0].states[1].pose.x = 1e9;
+  EXPECT_NO_THROW(checkSnapshot(snapshot, shippedLimits(), "scene"));
+  ASSERT_EQ(snapshot.agents.size(), 1u);
+  EXPECT_EQ(snapshot.agents[0].id, "b");
+  snapshot.ego.states[1].pose.x = 1e9;
   EXPECT_THAT(errorOf([&] { checkSnapshot(snapshot, shippedLimits(), "scene"); }),
-              StartsWith("scene: agent \"a\": states[1].x = 1000000000 is outside"));
-  Future future{car(kEgoId), {}, {car(kEgoId)}};
+              StartsWith("scene: ego: states[1].x = 1000000000 is outside"));
+  Future future{car(kEgoId), {car("a")}, {car(kEgoId)}};
+  future.agents[0].size.width = 1e9;
   EXPECT_NO_THROW(checkFuture(future, shippedLimits(), "future"));
+  EXPECT_TRUE(future.agents.empty());
   future.ego_samples[0].states[0].time = kNan;
   EXPECT_THAT(errorOf([&] { checkFuture(future, shippedLimits(), "future"); }),
               StartsWith("future: ego_samples[0]: states[0].time = nan is outside"));

@@ -22,7 +22,8 @@ namespace {
 /// The arcs of the lanes of every location, each read once. Thread-safe.
 class ArcSource {
  public:
-  explicit ArcSource(std::string dataroot) : dataroot_(std::move(dataroot)) {}
+  ArcSource(std::string dataroot, const InputLimits& limits)
+      : dataroot_(std::move(dataroot)), limits_(limits) {}
 
   const LaneArcs& at(const std::string& location) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -30,11 +31,13 @@ class ArcSource {
     if (found != arcs_.end()) return found->second;
     WarningCounter warnings;  // those who read the lanes tell them
     const std::string path = pathIn(dataroot_ + "/maps/expansion", location + ".json");
-    return arcs_.emplace(location, readNuScenesMapLayers(path, warnings).arclines).first->second;
+    return arcs_.emplace(location, readNuScenesMapLayers(path, limits_, warnings).arclines)
+        .first->second;
   }
 
  private:
   std::string dataroot_;
+  const InputLimits& limits_;
   std::mutex mutex_;
   std::map<std::string, LaneArcs> arcs_;
 };
@@ -81,7 +84,7 @@ class ScenarioAttacks : public AttackSource {
         attacks_(readAttacks(path, config.input_limits)),
         scenes_(dataroot, version, attacks_.scenes, config, static_cast<std::size_t>(jobs) + 1,
                 isMaster() ? OnWarnings(printWarnings) : OnWarnings(), showReading()),
-        arcs_(dataroot) {}
+        arcs_(dataroot, config.input_limits) {}
 
   std::size_t count() const override { return attacks_.lines.size(); }
 
@@ -141,7 +144,10 @@ class BagAttacks : public AttackSource {
     const std::string& path = paths_[index];
     const Scenario scenario = readAttack(path, config_.ego_vehicle, config_.crash);
     IndexedScene indexed;
+    checkTrajectory(scenario.answer.trajectory, config_.input_limits, path);
+    checkPattern(scenario.answer.aim, config_.input_limits, path);
     indexed.scene = readBag(path, config_.ego_vehicle);
+    checkScene(indexed.scene, config_.input_limits, path);
     indexed.lanes = std::make_shared<LaneIndex>(indexed.scene.map);
     return crashRecord(scenario, numberOf(index), history,
                        {indexed, {}, config_.exports, config_.attack.verification});

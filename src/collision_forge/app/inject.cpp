@@ -157,10 +157,12 @@ BagAttack writeAttackedBag(const TestedAttack& attack, const Scene& scene,
     bag_attack.tested_report.decision = bag_attack.attack.decision;
   }
   ProgressLine progress("writing");
-  injectIntoBag(arguments.bag, arguments.out, bag_attack,
-                {scene.ego, config.ego_vehicle.center_offset, config.attack.verification.drivable,
-                 config.attacked_bag},
-                [&](double share) { progress.show(share); });
+  const std::vector<std::string> warnings =
+      injectIntoBag(arguments.bag, arguments.out, bag_attack,
+                    {scene.ego, config.ego_vehicle.center_offset,
+                     config.attack.verification.drivable, config.attacked_bag},
+                    [&](double share) { progress.show(share); });
+  printWarnings(arguments.out, warnings);
   return bag_attack;
 }
 

@@ -36,7 +36,7 @@ AttackFinder::AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private
       methods_(loadMethods(config)),
       foresight_(loadForesight(config)),
       default_method_(forge::defaultMethod(foresight_.network != nullptr)),
-      map_(node),
+      map_(node, config.input_limits),
       search_(node) {
   loadRecording(private_node.param<std::string>("recording", ""));
 }
@@ -45,8 +45,10 @@ void AttackFinder::loadRecording(const std::string& path) {
   if (path.empty()) return;
   std::vector<std::string> warnings;
   try {
-    recording_ = readBag(path, config_.ego_vehicle, &warnings);
-  } catch (const BagError& error) {
+    Scene recording = readBag(path, config_.ego_vehicle, &warnings);
+    checkScene(recording, config_.input_limits, path, &warnings);
+    recording_ = std::move(recording);
+  } catch (const std::exception& error) {
     ROS_ERROR_STREAM("no replay mode: " << error.what());
   }
   for (const std::string& warning : warnings) ROS_WARN_STREAM(path << ": " << warning);
@@ -79,6 +81,7 @@ Status AttackFinder::find(const std::string& method, const collision_forge::Scen
             "method = \"" + method + "\" is none of the topic attack_methods"};
   }
   Moment moment{fromMessage(scene), std::nullopt, map_.lanes()};
+  checkSnapshot(moment.snapshot, config_.input_limits, "scene");
   const CollisionRequest request = withFullId(std::get<CollisionRequest>(parsed), moment.snapshot);
   if (request.attacker) asked.attacker_id = *request.attacker;
   if (request.mode == Mode::kReplay) {
@@ -92,6 +95,9 @@ Status AttackFinder::find(const std::string& method, const collision_forge::Scen
   }
   Status status = search_.generate(scene, asked, moment.recorded, answer.attack);
   answer.attack.method = method;
+  if (status.code == StatusCode::kOk) {
+    checkTrajectory(fromMessage(answer.attack.trajectory), config_.input_limits, "answer");
+  }
   if (mayBeAnsweredHere(status, request)) {
     CollisionRequest again = request;
     again.alternatives = 1;

@@ -33,7 +33,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
   void onInit() override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
     ros::NodeHandle& node = getNodeHandle();
-    map_ = std::make_unique<LaneMapSubscriber>(node);
+    map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     publisher_ = node.advertise<collision_forge::CollisionReport>(names::kTestedReport, 1, true);
     subscribers_ = {
         node.subscribe(names::kAttack, 1, &AttackVerifierNodelet::receiveAttack, this),
@@ -62,9 +62,16 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
            attack_->trajectory.attacker_id == message.trajectory.attacker_id;
   }
 
+  /// Of the attack. Throws MessageError and InputError.
+  AttackerTrajectory trajectory() const {
+    AttackerTrajectory trajectory = fromMessage(attack_->trajectory);
+    checkTrajectory(trajectory, config_.input_limits, names::kAttack);
+    return trajectory;
+  }
+
   void changeTest() {
     try {
-      test_->changeTrajectory(fromMessage(attack_->trajectory));
+      test_->changeTrajectory(trajectory());
     } catch (const std::exception& error) {
       NODELET_ERROR_STREAM("attack left out: " << error.what());
       test_.reset();
@@ -84,7 +91,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
       if (attack_->report.manoeuvre == toString(Manoeuvre::kWrongWay)) {
         request.manoeuvre = Manoeuvre::kWrongWay;
       }
-      test_.emplace(fromMessage(attack_->trajectory), request, config_.ego_vehicle);
+      test_.emplace(trajectory(), request, config_.ego_vehicle);
       for (const AgentState& ego : egos_) test_->addEgo(ego);
       for (const Frame& frame : frames_) test_->addAgents(frame.agents);
     } catch (const std::exception& error) {
@@ -119,6 +126,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     try {
       requireMapFrame(message.header, names::kAgents);
       Frame frame{time, fromMessage(message)};
+      keepWithin(frame.agents, config_.input_limits);
       dropFramesAfter(time);
       keepNewest(frames_, frame);
       if (test_) test_->addAgents(frame.agents);

@@ -53,7 +53,7 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
   void receiveAttack(const collision_forge::Attack& message) {
     try {
       injector_->setAttack(message);
-    } catch (const MessageError& error) {
+    } catch (const std::exception& error) {
       NODELET_ERROR_STREAM("attack left out: " << error.what());
     }
   }

@@ -14,6 +14,7 @@
 #include "collision_forge/ros/attacker_injector.h"
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/finite_parts.h"
 #include "collision_forge/ros/frame_between.h"
 #include "collision_forge/ros/markers.h"
 #include "collision_forge/ros/object_array.h"
@@ -45,6 +46,7 @@ Header markedInBetween(const Header& recorded) {
 struct AttackedFrame {
   collision_forge::AgentArray agents;
   bool is_recorded = true;
+  bool is_mended = false;  ///< something that was not finite is gone
 };
 using AttackedFrames = std::map<ros::Time, AttackedFrame>;  // by when they are in the bag
 
@@ -82,7 +84,8 @@ class Injection {
     next_frame_ = frames_.begin();
   }
 
-  void write(const std::function<void(double)>& on_progress) {
+  /// What was left out.
+  std::vector<std::string> write(const std::function<void(double)>& on_progress) {
     rosbag::View view(source_);
     const double count = view.size();
     double done = 0.0;
@@ -94,6 +97,12 @@ class Injection {
     }
     writeMadeBefore(ros::TIME_MAX);
     on_progress(1.0);
+    std::vector<std::string> warnings;
+    for (const auto& [topic, count] : left_out_) {
+      warnings.push_back(std::to_string(count) + " entries of " + topic +
+                         " that are not finite left out");
+    }
+    return warnings;
   }
 
  private:
@@ -115,14 +124,16 @@ class Injection {
 
   void makeFrames() {
     AttackerInjector injector(attack_.attack.trajectory, slide_);
-    collision_forge::AgentArray::ConstPtr before;
+    collision_forge::AgentArray::Ptr before;
     ros::Time time_before;
     const rosbag::TopicQuery topic(bagTopic(names::kAgents));
     for (const rosbag::MessageInstance& instance : rosbag::View(source_, topic)) {
       const auto agents = instance.instantiate<collision_forge::AgentArray>();
       if (!agents) continue;
+      const int left_out = keepFinite(*agents);
+      if (left_out > 0) left_out_[instance.getTopic()] += left_out;
       agents_header_ = instance.getConnectionHeader();
-      frames_[instance.getTime()].agents = injector.inject(*agents);
+      frames_[instance.getTime()] = {injector.inject(*agents), true, left_out > 0};
       if (before && before->header.stamp >= now_) {
         addFramesBetween(*before, *agents, time_before, instance.getTime(), injector);
       }
@@ -246,7 +257,8 @@ class Injection {
 
   bool copyAgents(const rosbag::MessageInstance& instance) {
     const auto frame = frames_.find(instance.getTime());
-    if (frame == frames_.end() || !isChangedAt(instance.getTime())) return false;
+    if (frame == frames_.end()) return false;
+    if (!isChangedAt(instance.getTime()) && !frame->second.is_mended) return false;
     target_.write(instance.getTopic(), instance.getTime(), frame->second.agents,
                   instance.getConnectionHeader());
     return true;
@@ -262,12 +274,19 @@ class Injection {
     return true;
   }
 
+  /// Of a message that is not finite.
+  static bool isEmpty(const tf2_msgs::TFMessage& message) { return message.transforms.empty(); }
+  static bool isEmpty(const nav_msgs::Odometry& /*message*/) { return true; }
+
   template <typename Message>
   bool copyEgo(const rosbag::MessageInstance& instance) {
     const auto message = instance.instantiate<Message>();
-    if (!ego_ || !message) return false;
-    const Message changed = ego_->changed(*message);
-    if (changed == *message) return false;
+    if (!message) return false;
+    const int left_out = keepFinite(*message);
+    if (left_out > 0) left_out_[instance.getTopic()] += left_out;
+    if (left_out > 0 && isEmpty(*message)) return true;
+    const Message changed = ego_ ? ego_->changed(*message) : *message;
+    if (left_out == 0 && changed == *message) return false;
     target_.write(instance.getTopic(), instance.getTime(), changed, instance.getConnectionHeader());
     return true;
   }
@@ -284,6 +303,7 @@ class Injection {
   std::optional<SlidingEgo> ego_;  ///< with AfterContact::kStop and a contact
   AttackedFrames frames_;
   AttackedFrames::const_iterator next_frame_;  ///< that is not yet shown
+  std::map<std::string, int> left_out_;        ///< by topic
   Header agents_header_;
   Header markers_header_;  ///< null until markers of annotations have come
   bool is_attack_written_ = false;
@@ -318,14 +338,16 @@ void requireNoAttack(const std::string& path) {
   }
 }
 
-void injectIntoBag(const std::string& in, const std::string& out, const BagAttack& attack,
-                   const RecordingContext& recording,
-                   const std::function<void(double)>& on_progress) {
+std::vector<std::string> injectIntoBag(const std::string& in, const std::string& out,
+                                       const BagAttack& attack, const RecordingContext& recording,
+                                       const std::function<void(double)>& on_progress) {
   try {
     const OpenedBag source(in);
     NewBag target(out);
-    Injection(source.bag(), target, attack, recording).write(on_progress);
+    std::vector<std::string> warnings =
+        Injection(source.bag(), target, attack, recording).write(on_progress);
     target.commit();
+    return warnings;
   } catch (const rosbag::BagException& error) {
     throw BagError(in + " to " + out + ": " + error.what());
   }

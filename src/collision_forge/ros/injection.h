@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "collision_forge/data/options.h"
 #include "collision_forge/scene/scene.h"
@@ -51,8 +52,9 @@ void requireNoAttack(const std::string& path);
 /// map, ego and attack. /agent_objects comes with every frame of agents, in place of one that is
 /// there. After the contact with the recorded ego, if there is one, the bag goes on as
 /// `after_contact` says. Every other message is copied byte for byte with its connection.
-/// `on_progress` is told the share that is done. Throws BagError.
-void injectIntoBag(
+/// What is not finite in agents, /tf and odom is left out (ros/finite_parts.h); a line a topic is
+/// returned of that. `on_progress` is told the share that is done. Throws BagError.
+std::vector<std::string> injectIntoBag(
     const std::string& in, const std::string& out, const BagAttack& attack,
     const RecordingContext& recording,
     const std::function<void(double)>& on_progress = [](double) {});

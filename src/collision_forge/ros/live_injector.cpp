@@ -24,6 +24,7 @@ double secondsFrom(const collision_forge::AgentArray::ConstPtr& from, const ros:
 
 LiveInjector::LiveInjector(const Config& config, AfterContact after_contact, Publish publish)
     : step_(1.0 / config.attacked_bag.frame_rate),
+      limits_(config.input_limits),
       after_contact_(after_contact),
       verification_(config.attack.verification),
       publish_(std::move(publish)),
@@ -36,7 +37,7 @@ void LiveInjector::setAttack(const collision_forge::Attack& attack) {
     return send();
   }
   const AttackerTrajectory trajectory = fromMessage(attack.trajectory);
-  if (trajectory.points.empty()) throw MessageError("the trajectory has no points");
+  checkTrajectory(trajectory, limits_, "attack");
   message_ = attack.trajectory;
   trajectory_ = trajectory;
   const BrakingSlide slide = slideFromEnd(trajectory, verification_.drivable);

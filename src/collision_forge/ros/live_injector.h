@@ -38,7 +38,7 @@ class LiveInjector {
   LiveInjector(const Config& config, AfterContact after_contact, Publish publish);
 
   /// In place of the one before; one that goes on (AttackerInjector::change()) keeps its contact.
-  /// By nobody: there is none any more. Throws MessageError, and changes nothing.
+  /// By nobody: there is none any more. Throws MessageError and InputError, and changes nothing.
   void setAttack(const collision_forge::Attack& attack);
 
   void addFrame(const collision_forge::AgentArray::ConstPtr& recorded);
@@ -65,6 +65,7 @@ class LiveInjector {
   bool isEgoKnown(const ros::Time& stamp) const;
 
   double step_;  // s between frames
+  InputLimits limits_;
   AfterContact after_contact_;
   VerificationOptions verification_;
   Publish publish_;

@@ -25,8 +25,9 @@ void requireMapFrame(const std_msgs::Header& header, const char* topic) {
                               "\", not in \"" + names::kMapFrame + "\"");
 }
 
-LaneMapSubscriber::LaneMapSubscriber(ros::NodeHandle& node)
-    : subscriber_(node.subscribe(names::kLaneMap, 1, &LaneMapSubscriber::receive, this)) {}
+LaneMapSubscriber::LaneMapSubscriber(ros::NodeHandle& node, const InputLimits& limits)
+    : limits_(limits),
+      subscriber_(node.subscribe(names::kLaneMap, 1, &LaneMapSubscriber::receive, this)) {}
 
 std::shared_ptr<const LaneIndex> LaneMapSubscriber::lanes() const {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -35,8 +36,9 @@ std::shared_ptr<const LaneIndex> LaneMapSubscriber::lanes() const {
 
 void LaneMapSubscriber::receive(const collision_forge::LaneMap& message) {
   try {
-    auto lanes =
-        std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(fromMessage(message)));
+    const auto map = std::make_shared<const LaneMap>(fromMessage(message));
+    checkMap(*map, limits_, names::kLaneMap);
+    auto lanes = std::make_shared<const LaneIndex>(map);
     const std::lock_guard<std::mutex> lock(mutex_);
     lanes_ = std::move(lanes);
   } catch (const std::exception& error) {
@@ -46,14 +48,14 @@ void LaneMapSubscriber::receive(const collision_forge::LaneMap& message) {
 
 std::variant<CheckedRequest, Status> checkedRequest(
     const LaneMapSubscriber& map, const collision_forge::SceneSnapshot& scene,
-    const collision_forge::CollisionRequest& request, const PredictionOptions& options,
-    const CrashDefinition& crash) {
-  const auto parsed = fromMessage(request, crash);
+    const collision_forge::CollisionRequest& request, const Config& config) {
+  const auto parsed = fromMessage(request, config.crash);
   if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
   CheckedRequest checked{map.lanes(), fromMessage(scene), std::get<CollisionRequest>(parsed)};
+  checkSnapshot(checked.snapshot, config.input_limits, "scene");
   checked.request = withFullId(checked.request, checked.snapshot);
   if (!checked.lanes) return Status{StatusCode::kNoScene, "no usable lane_map has come yet"};
-  const Status status = checkRequest(checked.request, checked.snapshot, options);
+  const Status status = checkRequest(checked.request, checked.snapshot, config.attack.prediction);
   if (status.code != StatusCode::kOk) return status;
   return checked;
 }

@@ -52,7 +52,7 @@ inline bool isNone(const collision_forge::Attack& attack) {
 /// Keeps the newest lane map, ready for queries. Thread-safe.
 class LaneMapSubscriber {
  public:
-  explicit LaneMapSubscriber(ros::NodeHandle& node);
+  LaneMapSubscriber(ros::NodeHandle& node, const InputLimits& limits);
 
   /// Null until a usable map has come.
   std::shared_ptr<const LaneIndex> lanes() const;
@@ -60,6 +60,7 @@ class LaneMapSubscriber {
  private:
   void receive(const collision_forge::LaneMap& message);
 
+  InputLimits limits_;
   mutable std::mutex mutex_;
   std::shared_ptr<const LaneIndex> lanes_;
   ros::Subscriber subscriber_;
@@ -72,11 +73,11 @@ struct CheckedRequest {
   CollisionRequest request;
 };
 
-/// The messages converted and passed through checkRequest(), or why that failed.
+/// The messages converted and passed through checkSnapshot() and checkRequest(), or why that
+/// failed. Throws InputError.
 std::variant<CheckedRequest, Status> checkedRequest(
     const LaneMapSubscriber& map, const collision_forge::SceneSnapshot& scene,
-    const collision_forge::CollisionRequest& request, const PredictionOptions& options,
-    const CrashDefinition& crash);
+    const collision_forge::CollisionRequest& request, const Config& config);
 
 /// Answers a service with what `work` returns, code and message; an exception is INVALID_INPUT.
 template <typename Response, typename Work>

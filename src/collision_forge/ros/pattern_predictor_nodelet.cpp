@@ -16,12 +16,11 @@ namespace forge {
 class PatternPredictorNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
-    const Config config = loadNodeConfig(getPrivateNodeHandle());
-    options_ = config.attack;
-    crash_ = config.crash;
-    predictor_ = loadLogged("foresight", [&] { return loadForesight(config).patterns(options_); });
+    config_ = loadNodeConfig(getPrivateNodeHandle());
+    predictor_ =
+        loadLogged("foresight", [&] { return loadForesight(config_).patterns(config_.attack); });
     ros::NodeHandle& node = getNodeHandle();
-    map_ = std::make_unique<LaneMapSubscriber>(node);
+    map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     service_ = std::make_unique<OwnThreadService>(node, names::kPredictPattern,
                                                   &PatternPredictorNodelet::answer, this);
   }
@@ -33,12 +32,14 @@ class PatternPredictorNodelet : public nodelet::Nodelet {
 
   Status predict(const collision_forge::PredictPattern::Request& message,
                  collision_forge::PredictPattern::Response& response) {
-    const auto checked =
-        checkedRequest(*map_, message.scene, message.request, options_.prediction, crash_);
+    const auto checked = checkedRequest(*map_, message.scene, message.request, config_);
     if (const Status* refusal = std::get_if<Status>(&checked)) return *refusal;
     const auto& [lanes, snapshot, request] = std::get<CheckedRequest>(checked);
     std::optional<Future> recorded;
-    if (request.mode == Mode::kReplay) recorded = fromMessage(message.recorded_future);
+    if (request.mode == Mode::kReplay) {
+      recorded = fromMessage(message.recorded_future);
+      checkFuture(*recorded, config_.input_limits, "recorded_future");
+    }
     const PatternPrediction prediction =
         predictor_->predict(snapshot, *lanes, request, recorded ? &*recorded : nullptr);
     for (const CollisionPattern& pattern : prediction.patterns) {
@@ -48,8 +49,7 @@ class PatternPredictorNodelet : public nodelet::Nodelet {
     return prediction.status;
   }
 
-  AttackOptions options_;
-  CrashDefinition crash_;
+  Config config_;
   std::unique_ptr<const PatternPredictor> predictor_;
   std::unique_ptr<LaneMapSubscriber> map_;
   std::unique_ptr<OwnThreadService> service_;

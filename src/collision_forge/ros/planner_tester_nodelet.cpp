@@ -236,7 +236,9 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
                                           "\" is not that of the newest attack, which an adaptive "
                                           "attacker is after");
     }
-    PlannerCase one = scenarios_->ofTrajectory(fromMessage(message), *parsed);
+    const AttackerTrajectory trajectory = fromMessage(message);
+    checkTrajectory(trajectory, config_.input_limits, "trajectory");
+    PlannerCase one = scenarios_->ofTrajectory(trajectory, *parsed);
     one.request.type = *parsed;
     one.request.crash = config_.crash;
     if (!is_given) {

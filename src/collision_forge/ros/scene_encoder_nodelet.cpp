@@ -27,7 +27,7 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
     config_ = loadNodeConfig(getPrivateNodeHandle());
     history_.emplace(config_.attack.prediction.history_frames, config_.ego_vehicle);
     ros::NodeHandle& node = getNodeHandle();
-    map_ = std::make_unique<LaneMapSubscriber>(node);
+    map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     publisher_ = node.advertise<collision_forge::EncodedScene>(names::kEncodedScene, kPublished);
     subscribers_ = {
         node.subscribe(names::kTf, kTopicQueue, &SceneEncoderNodelet::receiveTransforms, this),
@@ -77,7 +77,15 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
       throw std::invalid_argument("it is no later than the one before");
     }
     frame.ego = compose(fromMessage(posed.pose), {config_.ego_vehicle.center_offset, 0.0, 0.0});
+    if (!isWithin(frame.ego, config_.input_limits)) {
+      throw std::invalid_argument("the ego's pose is beyond the limits of input");
+    }
     frame.agents = fromMessage(message);
+    std::vector<std::string> warnings;
+    keepWithin(frame.agents, config_.input_limits, &warnings);
+    for (const std::string& warning : warnings) {
+      NODELET_WARN_STREAM_THROTTLE(1.0, names::kAgents << ": " << warning);
+    }
     if (const int dropped = history_->add(std::move(frame))) {
       NODELET_WARN_STREAM_THROTTLE(1.0, dropped << " agents at " << message.header.stamp
                                                 << " are not a number or have no size");

@@ -13,11 +13,9 @@ namespace forge {
 class TrajectoryRealizerNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
-    const Config config = loadNodeConfig(getPrivateNodeHandle());
-    options_ = config.attack;
-    crash_ = config.crash;
+    config_ = loadNodeConfig(getPrivateNodeHandle());
     ros::NodeHandle& node = getNodeHandle();
-    map_ = std::make_unique<LaneMapSubscriber>(node);
+    map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     service_ = std::make_unique<OwnThreadService>(node, names::kRealizeTrajectory,
                                                   &TrajectoryRealizerNodelet::answer, this);
   }
@@ -29,22 +27,24 @@ class TrajectoryRealizerNodelet : public nodelet::Nodelet {
 
   Status realizeInto(const collision_forge::RealizeTrajectory::Request& message,
                      collision_forge::RealizeTrajectory::Response& response) {
-    const auto checked =
-        checkedRequest(*map_, message.scene, message.request, options_.prediction, crash_);
+    const auto checked = checkedRequest(*map_, message.scene, message.request, config_);
     if (const Status* refusal = std::get_if<Status>(&checked)) return *refusal;
     const auto& [lanes, snapshot, request] = std::get<CheckedRequest>(checked);
-    const Future future = fromMessage(message.future);
+    Future future = fromMessage(message.future);
+    checkFuture(future, config_.input_limits, "future");
     std::vector<CollisionPattern> patterns;
-    for (const auto& pattern : message.patterns) patterns.push_back(fromMessage(pattern));
+    for (const auto& pattern : message.patterns) {
+      patterns.push_back(fromMessage(pattern));
+      checkPattern(patterns.back(), config_.input_limits, "patterns");
+    }
     const Realization realization =
-        realize(patterns, {snapshot, future, request, *lanes}, options_, message.exact);
+        realize(patterns, {snapshot, future, request, *lanes}, config_.attack, message.exact);
     if (realization.status.code != StatusCode::kOk) return realization.status;
     response.attack = toMessage(realization, "", snapshot.now);
     return realization.status;
   }
 
-  AttackOptions options_;
-  CrashDefinition crash_;
+  Config config_;
   std::unique_ptr<LaneMapSubscriber> map_;
   std::unique_ptr<OwnThreadService> service_;
 };

@@ -70,8 +70,6 @@ void checkTrack(const Track& track, const InputLimits& limits, const std::string
   }
 }
 
-std::string nameOf(const Track& agent) { return "agent \"" + agent.id + "\""; }
-
 /// Why an agent of a recording cannot be used; null for one that can.
 const char* problemOf(const Track& agent, const InputLimits& limits) {
   if (!isWithin(agent.size, limits)) return "whose box is beyond the limits of input";
@@ -79,22 +77,6 @@ const char* problemOf(const Track& agent, const InputLimits& limits) {
       std::all_of(agent.states.begin(), agent.states.end(),
                   [&](const AgentState& state) { return isWithin(state, limits); });
   return is_within ? nullptr : "whose motion is beyond the limits of input";
-}
-
-void leaveOutAgents(std::vector<Track>& agents, const InputLimits& limits, const std::string& where,
-                    std::vector<std::string>* warnings) {
-  std::map<std::string, std::vector<std::string>> left_out;
-  const auto is_unusable = [&](const Track& agent) {
-    const char* const problem = problemOf(agent, limits);
-    if (problem) left_out[problem].push_back(agent.id);
-    return problem != nullptr;
-  };
-  agents.erase(std::remove_if(agents.begin(), agents.end(), is_unusable), agents.end());
-  if (!warnings) return;
-  for (const auto& [problem, ids] : left_out) {
-    warnings->push_back(where + ": " + std::to_string(ids.size()) + " agents " + problem +
-                        " left out (first: " + ids.front() + ")");
-  }
 }
 
 void checkRing(const std::vector<Vector2>& ring, const InputLimits& limits, std::size_t& points,
@@ -148,6 +130,22 @@ void checkMap(const LaneMap& map, const InputLimits& limits, const std::string& 
   checkCount(points, limits.max_map_points, where + ": points of the map");
 }
 
+void keepWithin(std::vector<Track>& agents, const InputLimits& limits,
+                std::vector<std::string>* warnings) {
+  std::map<std::string, std::vector<std::string>> left_out;
+  const auto is_unusable = [&](const Track& agent) {
+    const char* const problem = problemOf(agent, limits);
+    if (problem) left_out[problem].push_back(agent.id);
+    return problem != nullptr;
+  };
+  agents.erase(std::remove_if(agents.begin(), agents.end(), is_unusable), agents.end());
+  if (!warnings) return;
+  for (const auto& [problem, ids] : left_out) {
+    warnings->push_back(std::to_string(ids.size()) + " agents " + problem +
+                        " left out (first: " + ids.front() + ")");
+  }
+}
+
 void checkScene(Scene& scene, const InputLimits& limits, const std::string& where,
                 std::vector<std::string>* warnings) {
   if (scene.map) checkMap(*scene.map, limits, where);
@@ -158,21 +156,20 @@ void checkScene(Scene& scene, const InputLimits& limits, const std::string& wher
     if (i > 0) checkTimes(scene.frame_times[i - 1], scene.frame_times[i], frame);
   }
   checkCount(scene.agents.size(), limits.max_agents, where + ": agents");
-  leaveOutAgents(scene.agents, limits, where, warnings);
+  keepWithin(scene.agents, limits, warnings);
 }
 
-void checkSnapshot(const Snapshot& snapshot, const InputLimits& limits, const std::string& where) {
+void checkSnapshot(Snapshot& snapshot, const InputLimits& limits, const std::string& where) {
   check(snapshot.now, 0.0, limits.max_time, where + ": now");
   checkTrack(snapshot.ego, limits, where + ": " + kEgoId);
   checkCount(snapshot.agents.size(), limits.max_agents, where + ": agents");
-  for (const Track& agent : snapshot.agents)
-    checkTrack(agent, limits, where + ": " + nameOf(agent));
+  keepWithin(snapshot.agents, limits);
 }
 
-void checkFuture(const Future& future, const InputLimits& limits, const std::string& where) {
+void checkFuture(Future& future, const InputLimits& limits, const std::string& where) {
   checkTrack(future.ego, limits, where + ": " + kEgoId);
   checkCount(future.agents.size(), limits.max_agents, where + ": agents");
-  for (const Track& agent : future.agents) checkTrack(agent, limits, where + ": " + nameOf(agent));
+  keepWithin(future.agents, limits);
   checkCount(future.ego_samples.size(), limits.max_agents, where + ": ego_samples");
   for (std::size_t i = 0; i < future.ego_samples.size(); ++i) {
     checkTrack(future.ego_samples[i], limits, element(where + ": ego_samples", i));

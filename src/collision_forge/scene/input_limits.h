@@ -43,15 +43,18 @@ bool isWithin(const BoxSize& size, const InputLimits& limits);
 /// Numbers of lanes and points, and every point.
 void checkMap(const LaneMap& map, const InputLimits& limits, const std::string& where);
 
-/// The ego, the frames' times, and the number of agents; the map, if there is one. Agents whose
-/// box, position, speed or time is beyond the limits are left out; `warnings`, if given, gets one
-/// line a kind with the number of them and the first.
-void checkScene(Scene& scene, const InputLimits& limits, const std::string& where,
+/// Leaves out agents whose box, position, speed or time is beyond the limits; `warnings`, if given,
+/// gets one line a kind with the number of them and the first.
+void keepWithin(std::vector<Track>& agents, const InputLimits& limits,
                 std::vector<std::string>* warnings = nullptr);
 
-/// Those of the ego and of all agents, whoever they are; not the map.
-void checkSnapshot(const Snapshot& snapshot, const InputLimits& limits, const std::string& where);
-void checkFuture(const Future& future, const InputLimits& limits, const std::string& where);
+// The ego, all times, and the number of agents; keepWithin() of the agents.
+
+/// And the map, if there is one.
+void checkScene(Scene& scene, const InputLimits& limits, const std::string& where,
+                std::vector<std::string>* warnings = nullptr);
+void checkSnapshot(Snapshot& snapshot, const InputLimits& limits, const std::string& where);
+void checkFuture(Future& future, const InputLimits& limits, const std::string& where);
 
 /// Box, points and past; times increase, and are near those of the first point.
 void checkTrajectory(const AttackerTrajectory& trajectory, const InputLimits& limits,
