@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include "collision_forge/batch/printable.h"
+
 namespace forge {
 namespace {
 
@@ -70,10 +72,11 @@ std::optional<int> CommandLine::parse(int argc, const char* const* argv) {
 
 int CommandLine::run() const {
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is told like a full disk
+  const PrintableOutput output;
   try {
     return runs_.at(chosen())();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", name().c_str(), error.what());
+    std::fprintf(stderr, "%s: %s\n", name().c_str(), printable(error.what()).c_str());
     return kExitError;
   }
 }

@@ -10,6 +10,7 @@
 #include "collision_forge/app/instant.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/attack/request_check.h"
+#include "collision_forge/batch/printable.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/draw_scenario.h"
@@ -60,7 +61,7 @@ std::string aftermathOf(AfterContact after, bool has_contact, double end_time) {
 }
 
 int refuse(const Status& status) {
-  std::cerr << toString(status.code) << ": " << status.message << "\n";
+  std::cerr << toString(status.code) << ": " << printable(status.message) << "\n";
   return kExitNoAttack;
 }
 

@@ -6,6 +6,8 @@
 #include <iostream>
 #include <utility>
 
+#include "collision_forge/batch/printable.h"
+
 namespace forge {
 namespace {
 
@@ -88,7 +90,7 @@ void clearLine() {
 }
 
 void printLine(const std::string& line) {
-  const std::string text = (isTerminal() ? kClear : "") + line + "\n";
+  const std::string text = (isTerminal() ? kClear : "") + printable(line) + "\n";
   std::fputs(text.c_str(), stderr);
 }
 

@@ -47,8 +47,8 @@ class ProgressLine {
 /// otherwise than by printLine().
 void clearLine();
 
-/// Prints a line on stderr, where a progress line may be: in place of it, until that is shown anew.
-/// From any thread.
+/// Prints a line on stderr, printable(), where a progress line may be: in place of it, until that
+/// is shown anew. From any thread.
 void printLine(const std::string& line);
 
 }  // namespace forge
