@@ -244,10 +244,11 @@ TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {
   }
 }
 
-TEST(CommandLine, APageNeedsBothDatarootAndVersionOrNone) {
+TEST(CommandLine, AVersionNeedsASourceWhoseOlderNameIsDataroot) {
   const std::string line = "report" + kComplete.at("report");
   EXPECT_EQ(read(line + " --dataroot " + kDataroot + " --version v").exit_code, std::nullopt);
-  EXPECT_EQ(read(line + " --dataroot " + kDataroot).exit_code, kExitUsage);
+  EXPECT_EQ(read(line + " --dataroot " + kDataroot).exit_code, std::nullopt);
+  EXPECT_EQ(read(line + " --source " + kDataroot).exit_code, std::nullopt);
   EXPECT_EQ(read(line + " --version v").exit_code, kExitUsage);
 }
 

@@ -6,6 +6,8 @@
 #include <thread>
 
 #include "collision_forge/config/config_error.h"
+#include "collision_forge/data/nuscenes_json.h"
+#include "collision_forge/data/nuscenes_tables.h"
 #include "collision_forge/settings/config.h"
 
 namespace forge {
@@ -17,13 +19,13 @@ constexpr const char* kVersion = "v1.0-embedded";
 Config config() { return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config"); }
 
 SceneSource source(std::size_t kept) {
-  return {kDataroot, kVersion, {"scene-0001", "scene-0002", "scene-0007"}, config(), kept};
+  return {{kDataroot, kVersion}, {"scene-0001", "scene-0002", "scene-0007"}, config(), kept};
 }
 
 TEST(ReadSceneNames, AreThoseOfTheTable) {
-  const auto names = readSceneNames(kDataroot, kVersion);
+  const auto names = readSceneNames({kDataroot, kVersion});
   EXPECT_EQ(names, NuScenesRoot(kDataroot, kVersion).sceneNames());
-  EXPECT_THROW(readSceneNames(kDataroot, "v0"), NuScenesError);
+  EXPECT_THROW(readSceneNames({kDataroot, "v0"}), NuScenesError);
 }
 
 TEST(SceneSource, HasTheSceneWithItsMap) {
@@ -67,7 +69,7 @@ TEST(SceneSource, MayBeAskedByManyThreads) {
 }
 
 TEST(SceneSource, RefusesUnknownScenes) {
-  EXPECT_THROW(SceneSource(kDataroot, kVersion, {"scene-0099"}, config(), 1), NuScenesError);
+  EXPECT_THROW(SceneSource({kDataroot, kVersion}, {"scene-0099"}, config(), 1), NuScenesError);
   SceneSource scenes = source(1);
   EXPECT_THROW(scenes.at("scene-0003"), NuScenesError) << "not among the wanted";
 }

@@ -191,7 +191,7 @@ class ResumeTest(road.RoadTest):
 
         forced = road.convert(self.folder, '--scene', 'scene-0001', 'scene-0002', '--force')
         self.assertEqual(forced.returncode, 0, forced.stderr)
-        self.assertIn('2 bags written', forced.stderr)
+        self.assertIn('2 scenes written', forced.stderr)
         self.assertGreater(bags[0].stat().st_mtime, 0)
 
     def test_same_bytes_whatever_the_number_of_jobs(self):

@@ -364,7 +364,6 @@ class EvaluateRequestsTest(road.RoadTest):
         collide = ['--dataroot', DATAROOT, '--collide', self.folder]
         for arguments, named in ((self.command('--collide', self.folder), 'Exactly 1'),
                                  (['--dataroot', DATAROOT], 'Exactly 1'),
-                                 (['--dataroot', DATAROOT, '--requests', self.requests], '--requests requires --version'),
                                  (self.command('--split', 'val'), '--split requires --collide'),
                                  (self.command('--by-scene'), '--by-scene requires --collide'),
                                  (self.command('--limit', 3), '--limit requires --collide'),
@@ -372,8 +371,7 @@ class EvaluateRequestsTest(road.RoadTest):
                                  (collide + ['--believable', 'true'], '--believable requires --requests'),
                                  (self.command('--method', 'recorded'), '"recorded" is none of search,'),
                                  (self.command('--protocol', 'published'), 'published is of clips alone'),
-                                 (collide + ['--scene', 'scene-0001'], '--scene requires --requests'),
-                                 (collide + ['--version', VERSION], '--version requires --requests')):
+                                 (collide + ['--scene', 'scene-0001'], '--scene requires --requests')):
             result = road.run('evaluate', '--out', out, *arguments)
             self.assertEqual(result.returncode, 2, arguments)
             self.assertIn(named, result.stderr)

@@ -24,7 +24,7 @@ class ControlEvaluatorTest : public testing::Test {
   }
 
   const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
-  SceneSource scenes_{kDataroot, "v1.0-embedded", {"scene-0001"}, config_, 1};
+  SceneSource scenes_{{kDataroot, "v1.0-embedded"}, {"scene-0001"}, config_, 1};
   const ControlEvaluator evaluator_{scenes_, loadMethod("search", config_, config_.attack), config_,
                                     config_.ego_vehicle};
 };

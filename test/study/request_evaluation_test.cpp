@@ -76,7 +76,7 @@ class RequestEvaluationTest : public testing::Test {
   }
 
   Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
-  SceneSource scenes_{kDataroot, "v1.0-embedded", {"scene-0001", "scene-0007"}, config_, 1};
+  SceneSource scenes_{{kDataroot, "v1.0-embedded"}, {"scene-0001", "scene-0007"}, config_, 1};
   std::shared_ptr<const IndexedScene> held_;
   EvaluationPlan plan_;
 };

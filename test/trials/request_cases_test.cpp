@@ -21,7 +21,7 @@ class RequestCasesTest : public testing::Test {
 
   Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   SceneSource scenes_{
-      COLLISION_FORGE_SOURCE_DIR "/data/embedded", "v1.0-embedded", {"scene-0001"}, config_, 1};
+      {COLLISION_FORGE_SOURCE_DIR "/data/embedded", "v1.0-embedded"}, {"scene-0001"}, config_, 1};
 };
 
 TEST_F(RequestCasesTest, DrawsDifferentRequestsOfEveryKind) {

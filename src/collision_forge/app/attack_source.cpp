@@ -8,7 +8,6 @@
 
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
-#include "collision_forge/data/log_fingerprints.h"
 #include "collision_forge/data/nuscenes_map_layers.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/files/fingerprint.h"
@@ -19,24 +18,25 @@
 namespace forge {
 namespace {
 
-/// The arcs of the lanes of every location, each read once. Thread-safe.
+/// The arcs of the lanes of every location, each read once; none of logs that have points alone.
+/// Thread-safe.
 class ArcSource {
  public:
-  ArcSource(std::string dataroot, const InputLimits& limits)
-      : dataroot_(std::move(dataroot)), limits_(limits) {}
+  ArcSource(LogSource logs, const InputLimits& limits) : logs_(std::move(logs)), limits_(limits) {}
 
   const LaneArcs& at(const std::string& location) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto found = arcs_.find(location);
     if (found != arcs_.end()) return found->second;
+    if (logs_.format != &nuScenesFormat()) return arcs_[location];
     WarningCounter warnings;  // those who read the lanes tell them
-    const std::string path = pathIn(dataroot_ + "/maps/expansion", location + ".json");
+    const std::string path = pathIn(logs_.path + "/maps/expansion", location + ".json");
     return arcs_.emplace(location, readNuScenesMapLayers(path, limits_, warnings).arclines)
         .first->second;
   }
 
  private:
-  std::string dataroot_;
+  LogSource logs_;
   const InputLimits& limits_;
   std::mutex mutex_;
   std::map<std::string, LaneArcs> arcs_;
@@ -76,15 +76,13 @@ AttackLines readAttacks(const std::string& path, const InputLimits& limits) {
 
 class ScenarioAttacks : public AttackSource {
  public:
-  ScenarioAttacks(const std::string& path, const std::string& dataroot, const std::string& version,
-                  int jobs, const Config& config)
+  ScenarioAttacks(const std::string& path, const LogSource& logs, int jobs, const Config& config)
       : config_(config),
-        dataroot_(dataroot),
-        version_(version),
+        logs_(logs),
         attacks_(readAttacks(path, config.input_limits)),
-        scenes_(dataroot, version, attacks_.scenes, config, static_cast<std::size_t>(jobs) + 1,
+        scenes_(logs, attacks_.scenes, config, static_cast<std::size_t>(jobs) + 1,
                 isMaster() ? OnWarnings(printWarnings) : OnWarnings(), showReading()),
-        arcs_(dataroot, config.input_limits) {}
+        arcs_(logs, config.input_limits) {}
 
   std::size_t count() const override { return attacks_.lines.size(); }
 
@@ -97,9 +95,7 @@ class ScenarioAttacks : public AttackSource {
   }
 
   std::map<std::string, std::string> fingerprints() const override {
-    std::map<std::string, std::string> found = logFingerprints(dataroot_, version_);
-    found["dataroot"] = std::filesystem::canonical(dataroot_).string();
-    found["version"] = version_;
+    std::map<std::string, std::string> found = fingerprintsOf(logs_);
     found["scenarios"] = described() + ", fingerprint " + attacks_.fingerprint;
     return found;
   }
@@ -115,8 +111,7 @@ class ScenarioAttacks : public AttackSource {
 
  private:
   const Config& config_;
-  std::string dataroot_;
-  std::string version_;
+  LogSource logs_;
   const AttackLines attacks_;
   SceneSource scenes_;
   ArcSource arcs_;
@@ -160,11 +155,9 @@ class BagAttacks : public AttackSource {
 
 }  // namespace
 
-std::unique_ptr<AttackSource> openScenarioAttacks(const std::string& path,
-                                                  const std::string& dataroot,
-                                                  const std::string& version, int jobs,
-                                                  const Config& config) {
-  return std::make_unique<ScenarioAttacks>(path, dataroot, version, jobs, config);
+std::unique_ptr<AttackSource> openScenarioAttacks(const std::string& path, const LogSource& logs,
+                                                  int jobs, const Config& config) {
+  return std::make_unique<ScenarioAttacks>(path, logs, jobs, config);
 }
 
 std::unique_ptr<AttackSource> openBagAttacks(const std::vector<std::string>& paths,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/data/log_source.h"
 #include "collision_forge/export/crash_record.h"
 #include "collision_forge/settings/config.h"
 
@@ -28,12 +29,10 @@ class AttackSource {
   virtual CrashRecord record(std::size_t index, double history) = 0;
 };
 
-/// The lines of a scenario file that are attacks, over a nuScenes root. Throws JsonLineError for a
+/// The lines of a scenario file that are attacks, over their scenes. Throws JsonLineError for a
 /// line that is no scenario, std::runtime_error for a file without attacks, and as SceneSource.
-std::unique_ptr<AttackSource> openScenarioAttacks(const std::string& path,
-                                                  const std::string& dataroot,
-                                                  const std::string& version, int jobs,
-                                                  const Config& config);
+std::unique_ptr<AttackSource> openScenarioAttacks(const std::string& path, const LogSource& logs,
+                                                  int jobs, const Config& config);
 
 /// Bags of forge inject.
 std::unique_ptr<AttackSource> openBagAttacks(const std::vector<std::string>& paths,

@@ -32,11 +32,11 @@ void describe(const CLI::App& command, const std::string& name, std::ostream& ne
   next << "    '" << name << "') words='";
   for (const CLI::App* part : partsOf(command)) next << part->get_name() << " ";
   for (const CLI::Option* option : optionsOf(command)) {
-    if (option->get_lnames().empty()) continue;  // files, which bash completes
-    next << "--" << option->get_lnames().front() << " ";
-    if (option->get_items_expected_max() == 0) continue;  // a flag
-    values << "    '" << name << " --" << option->get_lnames().front() << "') words='"
-           << wordsOf(*option) << "' ;;\n";
+    for (const std::string& word : option->get_lnames()) {  // none: files, which bash completes
+      next << "--" << word << " ";
+      if (option->get_items_expected_max() == 0) continue;  // a flag
+      values << "    '" << name << " --" << word << "') words='" << wordsOf(*option) << "' ;;\n";
+    }
   }
   next << "' ;;\n";
   for (const CLI::App* part : partsOf(command)) {

@@ -2,39 +2,45 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/output.h"
 #include "collision_forge/batch/progress_line.h"
-#include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/nuscenes_map.h"
-#include "collision_forge/data/nuscenes_tables.h"
+#include "collision_forge/export/scenario_net_description.h"
+#include "collision_forge/export/scenario_net_scene.h"
+#include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/plain_name.h"
 #include "collision_forge/ros/bag_writer.h"
+#include "collision_forge/ros/foreign_logs.h"
 #include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
 
 struct Arguments {
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   std::vector<std::string> scenes;
   std::string out;
   std::string config;
+  std::string topics;  ///< the mapping of others' bags; empty: the source is not of such
+  std::string map;
   int jobs = defaultJobs();
   bool force = false;
+  bool to_scenario_net = false;
 };
 
-std::string bagPath(const Arguments& arguments, const std::string& scene) {
-  return pathIn(arguments.out, scene + ".bag");
+/// The file of a scene.
+std::string resultPath(const Arguments& arguments, const std::string& scene) {
+  return pathIn(arguments.out, arguments.to_scenario_net ? scenarioNetFile(scene) : scene + ".bag");
 }
 
-/// True for a scene that has its bag: a bag has its name only when it is complete.
+/// True for a scene that has its file: one has its name only when it is complete.
 bool isConverted(const Arguments& arguments, const std::string& scene) {
-  return !arguments.force && std::filesystem::exists(bagPath(arguments, scene));
+  return !arguments.force && std::filesystem::exists(resultPath(arguments, scene));
 }
 
 /// The map around everything that was recorded.
@@ -48,12 +54,49 @@ LaneMap mapAround(const NuScenesRecording& recording, const LaneMap& map, double
   return cropped(map, points, radius);
 }
 
+void convertScene(const Arguments& arguments, const LoggedScene& logged, const Config& config) {
+  const std::string& name = logged.recording.name;
+  LaneMap map = mapAround(logged.recording, logged.lanes->map(), config.conversion.map_radius);
+  if (!arguments.to_scenario_net) {
+    writeBag(resultPath(arguments, name), logged.recording, map);
+    return;
+  }
+  const Scene scene = toScene(logged.recording, config.ego_vehicle,
+                              std::make_shared<const LaneMap>(std::move(map)));
+  writeText(resultPath(arguments, name),
+            scenarioNetOf(scene, RowTimes::kEveryStep, config.exports));
+}
+
+/// The names of the scenes that have their files.
+std::vector<std::string> converted(const Arguments& arguments,
+                                   const std::vector<std::string>& scenes) {
+  std::vector<std::string> names;
+  for (const std::string& scene : scenes) {
+    if (std::filesystem::exists(resultPath(arguments, scene))) names.push_back(scene);
+  }
+  return names;
+}
+
+std::unique_ptr<SceneReader> openLogs(const Arguments& arguments, const Config& config) {
+  const SceneReading reading{arguments.scenes, config,
+                             isMaster() ? OnWarnings(printWarnings) : OnWarnings(), showReading()};
+  if (arguments.topics.empty()) return arguments.logs.format->open(arguments.logs, reading);
+  const std::filesystem::path source = std::filesystem::canonical(arguments.logs.path);
+  const bool is_folder = std::filesystem::is_directory(source);
+  if (std::filesystem::equivalent(is_folder ? source : source.parent_path(), arguments.out)) {
+    throw std::runtime_error(arguments.out +
+                             ": has the bags that are read; write to another --out");
+  }
+  return openForeignBags(arguments.logs.path, {readTopicMapping(arguments.topics), arguments.map},
+                         reading);
+}
+
 int convert(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const OutputLocks locks = lockFolders({arguments.out});
-  std::cerr << "reading " << arguments.dataroot << "/" << arguments.version << "\n";
-  const NuScenesRoot root(arguments.dataroot, arguments.version, {arguments.scenes, showReading()});
-  const std::vector<std::string> scenes = root.sceneNames();
+  std::cerr << "reading " << arguments.logs.described() << "\n";
+  const auto logs = openLogs(arguments, config);
+  const std::vector<std::string> scenes = logs->names();
   const auto before = static_cast<std::size_t>(
       std::count_if(scenes.begin(), scenes.end(),
                     [&](const std::string& scene) { return isConverted(arguments, scene); }));
@@ -61,15 +104,11 @@ int convert(const Arguments& arguments) {
     std::cerr << scenes.size() - before << " scenes to convert, " << before
               << " converted before\n";
   }
-  CityMaps maps(arguments.dataroot, config, isMaster() ? OnWarnings(printWarnings) : OnWarnings());
-  const auto convertScene = [&](std::size_t index) -> std::string {
+  const auto convertOne = [&](std::size_t index) -> std::string {
     const std::string& scene = scenes[index];
     if (isConverted(arguments, scene)) return "";
     try {
-      const NuScenesRecording recording = root.readScene(scene);
-      writeBag(bagPath(arguments, scene), recording,
-               mapAround(recording, *maps.at(recording.location)->sharedMap(),
-                         config.conversion.map_radius));
+      convertScene(arguments, logs->recording(scene), config);
       return "";
     } catch (const std::exception& error) {
       return scene + ": " + error.what();
@@ -83,9 +122,12 @@ int convert(const Arguments& arguments) {
     ++failures;
     printLine("not converted: " + failure);
   };
-  dispatch(scenes.size(), convertScene, take, {arguments.jobs, 0});
+  dispatch(scenes.size(), convertOne, take, {arguments.jobs, 0});
   if (!isMaster()) return kExitOk;
-  std::cerr << scenes.size() - before - failures << " bags written to " << arguments.out << "\n";
+  if (arguments.to_scenario_net) {
+    writeScenarioNetSummary(arguments.out, converted(arguments, scenes));
+  }
+  std::cerr << scenes.size() - before - failures << " scenes written to " << arguments.out << "\n";
   return failures == 0 ? kExitOk : kExitError;
 }
 
@@ -93,12 +135,23 @@ int convert(const Arguments& arguments) {
 
 void addConvert(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App& app = line.add(kMakingCollisions, "convert",
-                           "Converts nuScenes scenes to bags: poses, agents, lane map, markers.",
-                           [arguments] { return convert(*arguments); });
-  addLogs(app, arguments->dataroot, arguments->version);
+  CLI::App& app = line.add(
+      kMakingCollisions, "convert",
+      "Converts recorded scenes to bags (poses, agents, lane map, markers) or to ScenarioNet.",
+      [arguments] { return convert(*arguments); });
+  addSource(app, arguments->logs)->required();
+  CLI::Option* const topics =
+      app.add_option("--topics", arguments->topics,
+                     "mapping of the topics of others' bags, as config/topics_autoware.yaml")
+          ->check(CLI::ExistingFile);
+  app.add_option("--map", arguments->map,
+                 "map expansion of these bags; /lane_map in each by default")
+      ->check(CLI::ExistingFile)
+      ->needs(topics);
   addScenes(app, arguments->scenes);
-  addOut(app, arguments->out, "folder for the bags, one a scene");
+  addOut(app, arguments->out, "folder for the files, one a scene");
+  addChoice<bool>(app, "--to", arguments->to_scenario_net, {{"bag", false}, {"scenarionet", true}},
+                  "what is written");
   addJobs(app, arguments->jobs, "scenes at a time");
   app.add_flag("--force", arguments->force, "convert again what has been converted");
   addConfig(app, arguments->config);

@@ -22,8 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   std::vector<std::string> scenes;
   std::string out;
   std::string report;
@@ -36,12 +35,12 @@ struct Arguments {
 };
 
 std::vector<std::string> wantedScenes(const Arguments& arguments) {
-  const std::vector<std::string> names = readSceneNames(arguments.dataroot, arguments.version);
+  const std::vector<std::string> names = readSceneNames(arguments.logs);
   const std::set<std::string> known(names.begin(), names.end());
   const std::set<std::string> wanted(arguments.scenes.begin(), arguments.scenes.end());
   for (const std::string& name : wanted) {
     if (known.count(name) == 0) {
-      throw std::runtime_error("--scene " + name + ": " + arguments.version +
+      throw std::runtime_error("--scene " + name + ": " + arguments.logs.described() +
                                " has no scene of that name");
     }
   }
@@ -56,18 +55,17 @@ std::vector<std::string> wantedScenes(const Arguments& arguments) {
 std::vector<SceneRequest> listRequests(const Arguments& arguments,
                                        const std::vector<std::string>& scenes,
                                        const Config& config) {
-  const NuScenesRoot root(arguments.dataroot, arguments.version, {scenes, {}});
+  SceneSource source(arguments.logs, scenes, config, 1);
   std::vector<SceneRequest> requests;
-  for (const std::string& name : root.sceneNames()) {
-    const Scene scene = toScene(root.readScene(name), config.ego_vehicle, nullptr);
-    for (SceneRequest& request :
-         listClipRequests(scene, config.dataset, config.attack.prediction, arguments.seed)) {
+  for (const std::string& name : source.names()) {
+    for (SceneRequest& request : listClipRequests(source.at(name)->scene, config.dataset,
+                                                  config.attack.prediction, arguments.seed)) {
       request.request.crash = config.crash;
       requests.push_back(std::move(request));
     }
   }
   if (requests.empty()) {
-    throw std::runtime_error(arguments.dataroot + ": no scene is long enough for a clip of " +
+    throw std::runtime_error(arguments.logs.path + ": no scene is long enough for a clip of " +
                              std::to_string(config.dataset.min_length) +
                              " s (dataset.min_length) with an ego that moves");
   }
@@ -76,8 +74,7 @@ std::vector<SceneRequest> listRequests(const Arguments& arguments,
 
 ResumableFile::Options runOptions(const Arguments& arguments, const Config& config,
                                   const std::vector<SceneRequest>& requests) {
-  ResumableFile::Options options =
-      inputsOf(config, arguments.config, arguments.dataroot, arguments.version);
+  ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
   options["seed"] = std::to_string(arguments.seed);
   options["wanted_clips"] = fingerprintOf(requests);
   return options;
@@ -110,8 +107,7 @@ int buildDataset(const Arguments& arguments) {
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   if (is_master) checkFolder(arguments);
   const std::vector<SceneRequest> requests = listRequests(arguments, names, config);
-  SceneSource scenes(arguments.dataroot, arguments.version, names, config,
-                     static_cast<std::size_t>(arguments.jobs) + 1,
+  SceneSource scenes(arguments.logs, names, config, static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
   std::vector<Attempt> attempts;
   Run run;
@@ -136,8 +132,7 @@ int buildDataset(const Arguments& arguments) {
   std::cout << writeDataset(arguments.out, arguments.attempts(), attempts, chosen, config.dataset,
                             config.drawing, config.input_limits, scenes);
   if (!arguments.report.empty()) {
-    writeReport({{arguments.attempts()}, arguments.dataroot, arguments.version}, arguments.report,
-                config);
+    writeReport({{arguments.attempts()}, arguments.logs}, arguments.report, config);
   }
   return kExitOk;
 }
@@ -149,7 +144,7 @@ void addDataset(CommandLine& line) {
   CLI::App& app =
       line.add(kTraining, "dataset", "Makes a data set of collisions of logs, in COLLIDE's layout.",
                [arguments] { return buildDataset(*arguments); });
-  addLogs(app, arguments->dataroot, arguments->version);
+  addSource(app, arguments->logs)->required();
   addScenes(app, arguments->scenes);
   addOut(app, arguments->out, "folder to write; see docs/dataset.md");
   addSeed(app, arguments->seed, "of lengths, headings, searches and the balance");

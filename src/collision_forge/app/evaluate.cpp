@@ -88,7 +88,7 @@ void addEvaluate(CommandLine& line) {
       kMeasuring, "evaluate",
       "Measures a method, and baselines beside it, on clips of COLLIDE or on requests over logs.",
       [arguments] { return evaluate(*arguments); });
-  addDataroot(app, arguments->dataroot);
+  addSource(app, arguments->logs)->required();
   CLI::Option_group* source = app.add_option_group("what is evaluated");
   CLI::Option* collide = addCollide(*source, arguments->collide);
   CLI::Option* requests =
@@ -96,7 +96,6 @@ void addEvaluate(CommandLine& line) {
           ->check(CLI::ExistingFile);
   source->require_option(1);
   addClips(app, *arguments, collide);
-  requests->needs(addVersion(app, arguments->version)->needs(requests));
   addScenes(app, arguments->scenes)->needs(requests);
   addOut(app, arguments->out,
          "folder for results.csv, table.md and charts; a run that was interrupted goes on there");

@@ -31,7 +31,7 @@ std::vector<std::string> listClips(const EvaluationArguments& arguments, const C
 
 ResumableFile::Options runOptions(const EvaluationArguments& arguments, const Config& config,
                                   const std::vector<std::string>& paths) {
-  ResumableFile::Options options = inputsOf(config, arguments.config, arguments.dataroot, "");
+  ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
   options["collide"] = std::filesystem::canonical(arguments.collide).string();
   options["clips"] = fingerprintOfFiles(paths);
   options["split"] = arguments.split;
@@ -71,7 +71,7 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const std::vector<std::string> paths = listClips(arguments, config);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
-  CityMaps maps(arguments.dataroot, config);
+  CityMaps maps(arguments.logs.path, config);
   const Foresight foresight = loadForesight(config);
   const MethodRegistry methods = loadMethods(config);
   const MethodMaker checked(arguments.plan.method, clipMethods(methods, nullptr, config.evaluation),

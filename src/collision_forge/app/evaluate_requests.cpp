@@ -41,9 +41,9 @@ void checkScenes(const std::vector<std::string>& wanted, const std::set<std::str
 }
 
 WantedRequests readWanted(const EvaluationArguments& arguments, const CrashDefinition& crash) {
-  const auto names = readSceneNames(arguments.dataroot, arguments.version);
+  const auto names = readSceneNames(arguments.logs);
   const std::set<std::string> known(names.begin(), names.end());
-  checkScenes(arguments.scenes, known, arguments.dataroot + "/" + arguments.version);
+  checkScenes(arguments.scenes, known, arguments.logs.described());
   const std::set<std::string> scenes(arguments.scenes.begin(), arguments.scenes.end());
   WantedRequests wanted;
   std::set<std::string> seen;
@@ -71,8 +71,7 @@ EvaluationPlan planOf(const EvaluationArguments& arguments, const Config& config
 
 ResumableFile::Options runOptions(const EvaluationArguments& arguments, const Config& config,
                                   const EvaluationPlan& plan, const WantedRequests& wanted) {
-  ResumableFile::Options options =
-      inputsOf(config, arguments.config, arguments.dataroot, arguments.version);
+  ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
   options["requests"] = fingerprintOf(wanted.requests);
   options["method"] = plan.method;
   options["mode"] = toString(plan.mode);
@@ -121,14 +120,14 @@ ReliabilityPlot plotOf(const std::vector<Calibration>& calibrations, const std::
 }
 
 /// Of what, for a chart.
-std::string headline(const std::string& version, const WantedRequests& wanted) {
-  return version + ", " + std::to_string(wanted.requests.size()) + " requests";
+std::string headline(const std::string& logs, const WantedRequests& wanted) {
+  return logs + ", " + std::to_string(wanted.requests.size()) + " requests";
 }
 
 /// What is measured, on one line.
-std::string headline(const std::string& version, const EvaluationPlan& plan,
+std::string headline(const std::string& logs, const EvaluationPlan& plan,
                      const WantedRequests& wanted) {
-  return version + ", strict protocol, " + toString(plan.limits) + " limits" +
+  return logs + ", strict protocol, " + toString(plan.limits) + " limits" +
          (plan.believable ? ", believable" : "") + ", " + toString(plan.mode) + " mode, " +
          std::to_string(wanted.requests.size()) + " requests of " +
          std::to_string(wanted.scenes.size()) + " scenes";
@@ -137,8 +136,8 @@ std::string headline(const std::string& version, const EvaluationPlan& plan,
 void report(const EvaluationArguments& arguments, const EvaluationPlan& plan, const Config& config,
             const std::vector<ResultRow>& rows, const WantedRequests& wanted) {
   const StatisticsOptions& statistics = config.evaluation.statistics;
-  const std::string title = headline(arguments.version, plan, wanted);
-  const std::string short_title = headline(arguments.version, wanted);
+  const std::string title = headline(arguments.logs.title(), plan, wanted);
+  const std::string short_title = headline(arguments.logs.title(), wanted);
   std::string text = reportTitle(title, statistics);
   for (const RateTable& table : requestTables(rows, plan, statistics)) {
     text += "\n" + toMarkdown(table);
@@ -190,12 +189,13 @@ void writeScorecard(const EvaluationArguments& arguments, const EvaluationPlan& 
     }
   }
   const ScorecardReport card = reportScorecard(rows, methods, recorded, config);
-  writeText(arguments.out + "/scorecard.md",
-            reportTitle(headline(arguments.version, plan, wanted), config.evaluation.statistics) +
-                card.markdown);
+  writeText(
+      arguments.out + "/scorecard.md",
+      reportTitle(headline(arguments.logs.title(), plan, wanted), config.evaluation.statistics) +
+          card.markdown);
   writeText(arguments.out + "/scorecard.csv", card.csv);
   drawBarChart(arguments.out + "/scorecard.png",
-               chartOf(card.shares, headline(arguments.version, wanted), config.drawing),
+               chartOf(card.shares, headline(arguments.logs.title(), wanted), config.drawing),
                config.drawing);
 }
 
@@ -207,7 +207,7 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   const EvaluationPlan plan = planOf(arguments, config);
   const WantedRequests wanted = readWanted(arguments, config.crash);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
-  SceneSource scenes(arguments.dataroot, arguments.version, wanted.scenes, config,
+  SceneSource scenes(arguments.logs, wanted.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
   const RequestEvaluator evaluator(scenes, config, loadForesight(config), loadMethods(config),

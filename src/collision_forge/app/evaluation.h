@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/data/log_source.h"
 #include "collision_forge/drawing/bar_chart.h"
 #include "collision_forge/drawing/options.h"
 #include "collision_forge/files/resumable_file.h"
@@ -21,10 +22,9 @@ struct EvaluationArguments {
   std::string split = "val";
   bool by_scene = false;
   std::size_t limit = 0;
-  std::string requests;  ///< these three of requests
-  std::string version;
+  std::string requests;  ///< these two of requests
   std::vector<std::string> scenes;
-  std::string dataroot;
+  LogSource logs;  ///< of clips the maps of a nuScenes root
   std::string out;
   std::string report;  ///< folder of the page of forge report; empty: none
   std::string config;

@@ -24,8 +24,7 @@ struct Arguments {
   std::string format;
   std::string scenarios;
   std::vector<std::string> bags;
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   bool ego_free = false;
   std::string out;
   std::string config;
@@ -160,10 +159,10 @@ int exportAny(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   if (arguments.format == kMcap) return exportMcap(arguments.bags, arguments.out, config);
   const OutputLocks locks = lockFolders({arguments.out});
-  const auto attacks = arguments.bags.empty()
-                           ? openScenarioAttacks(arguments.scenarios, arguments.dataroot,
-                                                 arguments.version, arguments.jobs, config)
-                           : openBagAttacks(arguments.bags, config);
+  const auto attacks =
+      arguments.bags.empty()
+          ? openScenarioAttacks(arguments.scenarios, arguments.logs, arguments.jobs, config)
+          : openBagAttacks(arguments.bags, config);
   return CrashExport(arguments, config, *attacks).run();
 }
 
@@ -194,11 +193,7 @@ void addExport(CommandLine& line) {
                    "bags of forge inject; with mcap also those of forge convert")
       ->check(CLI::ExistingFile);
   source->require_option(1);
-  CLI::Option* dataroot =
-      app.add_option("--dataroot", arguments->dataroot, "nuScenes root that the scenarios are of")
-          ->check(CLI::ExistingDirectory);
-  CLI::Option* version = addVersion(app, arguments->version);
-  scenarios->needs(dataroot)->needs(version);
+  scenarios->needs(addSource(app, arguments->logs, "scenes that the scenarios are of"));
   addChoice<bool>(app, "--ego", arguments->ego_free, {{"recorded", false}, {"free", true}},
                   "who drives the ego: as recorded, or free, the tool that reads the file; then "
                   "it begins at now");

@@ -25,8 +25,7 @@ namespace fs = std::filesystem;
 enum class Format { kJsonl, kCsvCollide };
 
 struct Arguments {
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   std::string requests;
   std::string out;
   std::string config;
@@ -46,8 +45,7 @@ struct Arguments {
 /// What the answers depend on.
 ResumableFile::Options runOptions(const Arguments& arguments, const Config& config,
                                   const std::vector<SceneRequest>& requests) {
-  ResumableFile::Options options =
-      inputsOf(config, arguments.config, arguments.dataroot, arguments.version);
+  ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
   if (!arguments.method.empty()) options["method"] = arguments.method;
   options["mode"] = toString(arguments.mode);
   options["requests"] = fingerprintOf(requests);
@@ -62,7 +60,7 @@ struct RequestList {
 };
 
 RequestList readList(const Arguments& arguments, const CrashDefinition& crash) {
-  const auto names = readSceneNames(arguments.dataroot, arguments.version);
+  const auto names = readSceneNames(arguments.logs);
   RequestList list;
   list.requests = readRequests(arguments.requests, {names.begin(), names.end()}, crash);
   std::set<std::string> seen;
@@ -132,7 +130,7 @@ int generate(const Arguments& arguments) {
   const RequestList list = readList(arguments, config.crash);
   const OutputLocks locks = lockOutputs(arguments);
   if (is_master && arguments.format == Format::kCsvCollide) checkFolder(arguments);
-  SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,
+  SceneSource scenes(arguments.logs, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
   const MethodMaker method = loadMethod(arguments.method, config, config.attack);
@@ -163,8 +161,7 @@ int generate(const Arguments& arguments) {
     exportClips(arguments, list.requests.size(), scenes, config.input_limits);
   }
   if (!arguments.report.empty()) {
-    writeReport({{arguments.scenarios()}, arguments.dataroot, arguments.version}, arguments.report,
-                config);
+    writeReport({{arguments.scenarios()}, arguments.logs}, arguments.report, config);
   }
   return kExitOk;
 }
@@ -176,7 +173,7 @@ void addGenerate(CommandLine& line) {
   CLI::App& app = line.add(kMakingCollisions, "generate",
                            "Answers a list of requests; goes on where a run stopped.",
                            [arguments] { return generate(*arguments); });
-  addLogs(app, arguments->dataroot, arguments->version);
+  addSource(app, arguments->logs)->required();
   app.add_option("--requests", arguments->requests, "list of forge requests")->required();
   addOut(app, arguments->out,
          "scenarios to write, a JSON line a request; with csv-collide a folder");

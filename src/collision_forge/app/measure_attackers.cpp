@@ -16,8 +16,7 @@ namespace forge {
 namespace {
 
 struct Arguments {
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   std::vector<std::string> scenarios;
   std::string config;
   std::size_t drives = 20;
@@ -102,7 +101,7 @@ int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const Foresight foresight = loadForesight(config);
   const auto cases =
-      openScenarioCases(arguments.scenarios, arguments.dataroot, arguments.version,
+      openScenarioCases(arguments.scenarios, arguments.logs,
                         static_cast<std::size_t>(arguments.jobs) + 1, config, showReading());
   Tallies tallies;
   std::string broken;
@@ -130,7 +129,7 @@ void addMeasureAttackers(CommandLine& line) {
       "Drives attackers that see and react against egos that evade, stop, reverse, jump or vanish "
       "at a random instant, and tells whether they keep their limits.",
       [arguments] { return measure(*arguments); });
-  addLogs(app, arguments->dataroot, arguments->version);
+  addSource(app, arguments->logs)->required();
   app.add_option("--scenarios", arguments->scenarios, "scenario files of forge generate")
       ->required();
   app.add_option("--drives", arguments->drives, "drives a scenario, of the five kinds in turn")

@@ -17,8 +17,7 @@ namespace forge {
 namespace {
 
 struct Arguments {
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   std::string requests;
   std::string out;
   std::string config;
@@ -34,7 +33,7 @@ struct QuestionsOfList {
 };
 
 QuestionsOfList readQuestions(const Arguments& arguments, const Config& config) {
-  const auto names = readSceneNames(arguments.dataroot, arguments.version);
+  const auto names = readSceneNames(arguments.logs);
   const std::vector<SceneRequest> requests =
       readRequests(arguments.requests, {names.begin(), names.end()}, config.crash);
   QuestionsOfList list;
@@ -52,7 +51,7 @@ QuestionsOfList readQuestions(const Arguments& arguments, const Config& config) 
 
 std::vector<AnsweredQuestion> answerAll(const Arguments& arguments, const Config& config,
                                         const QuestionsOfList& list) {
-  SceneSource scenes(arguments.dataroot, arguments.version, list.scenes, config,
+  SceneSource scenes(arguments.logs, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
                      isMaster() ? OnWarnings(printWarnings) : OnWarnings(), showReading());
   const ControlEvaluator evaluator(scenes, loadMethod(arguments.method, config, config.attack),
@@ -60,7 +59,7 @@ std::vector<AnsweredQuestion> answerAll(const Arguments& arguments, const Config
   std::vector<AnsweredQuestion> answered;
   Run run;
   run.path = arguments.out + "/results.csv";
-  run.options = inputsOf(config, arguments.config, arguments.dataroot, arguments.version);
+  run.options = inputsOf(config, arguments.config, arguments.logs);
   run.options["requests"] = list.fingerprint;
   if (!arguments.method.empty()) run.options["method"] = arguments.method;
   run.layout.header = controlCsvHeader();
@@ -104,7 +103,7 @@ void addMeasureControls(CommandLine& line) {
       kMeasuring, "measure controls",
       "Asks for every value of every control and tells what was answered, and whether it was kept.",
       [arguments] { return measure(*arguments); });
-  addLogs(app, arguments->dataroot, arguments->version);
+  addSource(app, arguments->logs)->required();
   app.add_option("--requests", arguments->requests, "list of forge requests")
       ->required()
       ->check(CLI::ExistingFile);

@@ -14,8 +14,7 @@ namespace forge {
 namespace {
 
 struct Arguments {
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   std::string out;
   std::string config;
   std::vector<double> nows = {4.0, 8.0, 12.0};
@@ -91,7 +90,7 @@ int measure(const Arguments& arguments) {
   const MethodMaker method = loadMethod("", config, config.attack);
   const OutputLock lock = OutputLock::ofFile(arguments.out);
   AsideFile file(arguments.out);
-  SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1, {}, showReading());
+  SceneSource scenes(arguments.logs, {}, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   std::ostream& csv = file.stream();
   csv << "scene,now,mode,type,tta,code,attacker,confidence,off_road_share,confirmed\n";
@@ -116,7 +115,7 @@ void addMeasureCoverage(CommandLine& line) {
   CLI::App& app = line.add(kMeasuring, "measure coverage",
                            "Asks for every type and TTA in every scene and tells what came.",
                            [arguments] { return measure(*arguments); });
-  addLogs(app, arguments->dataroot, arguments->version);
+  addSource(app, arguments->logs)->required();
   addOut(app, arguments->out, "CSV to write, a row a request");
   app.add_option("--now", arguments->nows, "seconds from each scene's first frame")
       ->capture_default_str();

@@ -28,8 +28,7 @@ constexpr double kIntervals[] = {0.5, 0.8, 0.9};           // central ones, of p
 constexpr std::size_t kPitBins = 10;
 
 struct Arguments {
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   std::string profiles;
   std::string speed_model;
   std::string networks;
@@ -231,7 +230,7 @@ int measure(const Arguments& arguments) {
     lock.emplace(OutputLock::ofFile(arguments.out));
     file.emplace(arguments.out);
   }
-  SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1, {}, showReading());
+  SceneSource scenes(arguments.logs, {}, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   std::ostream nowhere(nullptr);
   std::ostream& csv = file ? file->stream() : nowhere;
@@ -265,7 +264,7 @@ void addMeasureEgoFutures(CommandLine& line) {
   CLI::App& app = line.add(kMeasuring, "measure ego-futures",
                            "Compares sampled futures of the ego with recordings.",
                            [arguments] { return measure(*arguments); });
-  addLogs(app, arguments->dataroot, arguments->version);
+  addSource(app, arguments->logs)->required();
   CLI::Option* profiles = app.add_option("--profiles", arguments->profiles,
                                          "CSV of forge speeds collect; none by default");
   app.add_option("--speed-model", arguments->speed_model,

@@ -14,8 +14,7 @@ namespace forge {
 namespace {
 
 struct Arguments {
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   std::vector<std::string> scenes;
   std::vector<std::string> planners = plannerNames();
   std::string planner_file;
@@ -79,8 +78,7 @@ void print(Measurement& measurement) {
 int measure(const Arguments& arguments) {
   Config config = loadConfig(arguments.config);
   usePlannerFile(arguments.planner_file, arguments.planners, config.planners);
-  SceneSource scenes(arguments.dataroot, arguments.version, arguments.scenes, config, 1, {},
-                     showReading());
+  SceneSource scenes(arguments.logs, arguments.scenes, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<Measurement> measurements;
   for (const std::string& planner : arguments.planners) measurements.push_back({planner, {}, {}});
@@ -103,7 +101,7 @@ void addMeasurePlanners(CommandLine& line) {
   CLI::App& app = line.add(kMeasuring, "measure planners",
                            "Tells the processor time of planning steps, at every frame of scenes.",
                            [arguments] { return measure(*arguments); });
-  addLogs(app, arguments->dataroot, arguments->version);
+  addSource(app, arguments->logs)->required();
   addScenes(app, arguments->scenes);
   app.add_option("--planners", arguments->planners, "whose steps; names, separated by commas")
       ->delimiter(',')

@@ -1,13 +1,12 @@
 #include "collision_forge/app/options.h"
 
-#include <filesystem>
 #include <memory>
 
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/progress_line.h"
-#include "collision_forge/data/log_fingerprints.h"
 #include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/data/scenario_net_logs.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/scene/request_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
@@ -15,6 +14,8 @@
 
 #ifndef COLLISION_FORGE_WITHOUT_ROS
 #include <ros/package.h>
+
+#include "collision_forge/ros/log_sources.h"
 #endif
 
 namespace forge {
@@ -29,6 +30,14 @@ const std::string& packageFolder() {
 #endif
   return folder;
 }
+
+#ifdef COLLISION_FORGE_WITHOUT_ROS
+/// Bags are not read here.
+LogSource logSourceAt(const std::string& path, const std::string& version) {
+  const LogFormat& scenario_net = scenarioNetFormat();
+  return {path, version, scenario_net.accepts(path) ? &scenario_net : &nuScenesFormat()};
+}
+#endif
 
 /// The names of the values, each with its value.
 template <typename Value, typename Values>
@@ -121,12 +130,21 @@ void addDataroot(CLI::App& app, std::string& dataroot) {
 }
 
 CLI::Option* addVersion(CLI::App& app, std::string& version) {
-  return app.add_option("--version", version, "folder of the tables in --dataroot, as v1.0-mini");
+  return app.add_option("--version", version,
+                        "folder of the tables in a nuScenes root, as v1.0-mini; may be left out "
+                        "where there is one alone");
 }
 
-void addLogs(CLI::App& app, std::string& dataroot, std::string& version) {
-  addDataroot(app, dataroot);
-  addVersion(app, version)->required();
+CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text) {
+  CLI::Option* source =
+      app.add_option_function<std::string>(
+             "--source,--dataroot",
+             [&logs](const std::string& path) { logs = logSourceAt(path, logs.version); },
+             text + ": a nuScenes root, a ScenarioNet folder, a bag or a folder of bags")
+          ->type_name("PATH")
+          ->check(CLI::ExistingPath);
+  addVersion(app, logs.version)->needs(source);
+  return source;
 }
 
 CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes) {
@@ -250,11 +268,9 @@ void addBackground(CLI::App& app, Background& background) {
 }
 
 ResumableFile::Options inputsOf(const Config& config, const std::string& config_folder,
-                                const std::string& dataroot, const std::string& version) {
+                                const LogSource& logs) {
   ResumableFile::Options options = fingerprintsOf(config, config_folder);
-  options["dataroot"] = std::filesystem::canonical(dataroot).string();
-  if (!version.empty()) options["version"] = version;
-  for (const auto& [name, found] : logFingerprints(dataroot, version)) options[name] = found;
+  for (const auto& [name, found] : fingerprintsOf(logs)) options[name] = found;
   return options;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "collision_forge/data/log_source.h"
 #include "collision_forge/data/nuscenes_rows.h"
 #include "collision_forge/files/resumable_file.h"
 #include "collision_forge/scene/collision_request.h"
@@ -62,12 +63,12 @@ void addControls(CLI::App& app, RequestControls& controls);
 /// --alternatives.
 void addAlternatives(CLI::App& app, RequestControls& controls);
 
-/// --dataroot, required.
+/// --dataroot, required: a nuScenes root for its maps alone.
 void addDataroot(CLI::App& app, std::string& dataroot);
 /// --version, not required.
 CLI::Option* addVersion(CLI::App& app, std::string& version);
-/// --dataroot and --version, both required.
-void addLogs(CLI::App& app, std::string& dataroot, std::string& version);
+/// --source, whose older name is --dataroot, and --version. Gives the first; required by none.
+CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text = "recorded scenes");
 /// --scene, all by default.
 CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes);
 
@@ -112,9 +113,9 @@ void addPlannerFingerprint(ResumableFile::Options& options,
 /// --background of tests of planners, replay or idm.
 void addBackground(CLI::App& app, Background& background);
 
-/// What every result over logs depends on: configuration, models, --dataroot and --version.
+/// What every result over logs depends on: configuration, models and the source of logs.
 ResumableFile::Options inputsOf(const Config& config, const std::string& config_folder,
-                                const std::string& dataroot, const std::string& version);
+                                const LogSource& logs);
 
 /// Shows on stderr how far the reading of nuScenes tables is; nothing on other ranks than the
 /// master.

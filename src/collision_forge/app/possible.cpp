@@ -18,8 +18,7 @@ namespace {
 
 struct Arguments {
   std::string bag;
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   std::string scene;
   double now = 0.0;
   std::vector<std::string> types;
@@ -35,8 +34,7 @@ std::shared_ptr<const IndexedScene> recordingOf(const Arguments& arguments, cons
   if (!arguments.bag.empty()) {
     return std::make_shared<const IndexedScene>(readRecording(arguments.bag, config));
   }
-  SceneSource scenes(arguments.dataroot, arguments.version, {arguments.scene}, config, 1,
-                     printWarnings);
+  SceneSource scenes(arguments.logs, {arguments.scene}, config, 1, printWarnings);
   return scenes.at(arguments.scene);
 }
 
@@ -127,12 +125,10 @@ void addPossible(CommandLine& line) {
                            [arguments] { return listPossible(*arguments); });
   CLI::Option_group& recording = *app.add_option_group("recording", "one of them");
   recording.add_option("--bag", arguments->bag, "recorded bag, as from forge convert");
-  CLI::Option* dataroot = recording.add_option("--dataroot", arguments->dataroot,
-                                               "nuScenes root, with --version and --scene");
+  CLI::Option* source = addSource(app, arguments->logs, "recorded scenes, with --scene");
+  recording.add_option(source);
   recording.require_option(1);
-  CLI::Option* version = addVersion(app, arguments->version)->needs(dataroot);
-  dataroot->needs(version);
-  dataroot->needs(app.add_option("--scene", arguments->scene, "as scene-0061")->needs(dataroot));
+  source->needs(app.add_option("--scene", arguments->scene, "as scene-0061")->needs(source));
   app.add_option("--now", arguments->now, "seconds from the first frame; the frame at or before")
       ->required();
   app.add_option("--type", arguments->types, "collision types; default: all five")

@@ -50,12 +50,8 @@ void addReport(CommandLine& line) {
       ->required()
       ->check(CLI::ExistingFile);
   addOut(app, arguments->out, "folder to write; the page is index.html in it");
-  CLI::Option* dataroot = app.add_option("--dataroot", arguments->inputs.dataroot,
-                                         "nuScenes root that the results are of: the page shows "
-                                         "map and traffic, too")
-                              ->check(CLI::ExistingDirectory);
-  CLI::Option* version = addVersion(app, arguments->inputs.version)->needs(dataroot);
-  dataroot->needs(version);
+  addSource(app, arguments->inputs.logs,
+            "scenes that the results are of, so that the page shows map and traffic, too");
   addBackground(app, arguments->inputs.background);
   addPlannerFile(app, arguments->planner_file);
   addJobs(app, arguments->inputs.jobs, "planner tests driven again at a time");

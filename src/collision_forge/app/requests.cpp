@@ -25,8 +25,7 @@ constexpr double kMinStride = 0.01;  // s; shorter than between any two frames
 constexpr const char* kEach = "each";
 
 struct Arguments {
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   std::vector<std::string> scenes;
   std::string out;
   std::string config;
@@ -127,8 +126,7 @@ int makeRequests(const Arguments& arguments) {
   const OutputLock lock = OutputLock::ofFile(arguments.out);
   const RequestListOptions options = listOptions(arguments, config);
   const CollisionRequest asked = askedFor(arguments, config, options.types);
-  SceneSource scenes(arguments.dataroot, arguments.version, arguments.scenes, config, 1, {},
-                     showReading());
+  SceneSource scenes(arguments.logs, arguments.scenes, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<SceneRequest> requests;
   RoadCounts counts;
@@ -166,7 +164,7 @@ void addRequests(CommandLine& line) {
   CLI::App& app = line.add(kMakingCollisions, "requests",
                            "Lists the collisions that can be asked for in nuScenes scenes.",
                            [arguments] { return makeRequests(*arguments); });
-  addLogs(app, arguments->dataroot, arguments->version);
+  addSource(app, arguments->logs)->required();
   addScenes(app, arguments->scenes);
   addOut(app, arguments->out, "list to write, for forge generate: one JSON a line");
   app.add_option("--stride", arguments->stride, "seconds between two instants; see requests.yaml")

@@ -13,8 +13,7 @@ namespace forge {
 namespace {
 
 struct Arguments {
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   std::string out;
   std::string config;
 };
@@ -22,7 +21,7 @@ struct Arguments {
 int collect(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFile(arguments.out);
-  SceneSource scenes(arguments.dataroot, arguments.version, {}, config, 1, {}, showReading());
+  SceneSource scenes(arguments.logs, {}, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<SpeedProfileRow> rows;
   ProgressLine progress("scenes");
@@ -45,7 +44,7 @@ void addSpeedsCollect(CommandLine& line) {
   CLI::App& app =
       line.add(kTraining, "speeds collect", "Collects how the egos of recorded scenes drove.",
                [arguments] { return collect(*arguments); });
-  addLogs(app, arguments->dataroot, arguments->version);
+  addSource(app, arguments->logs)->required();
   addOut(app, arguments->out, "CSV to write, a row a frame");
   addConfig(app, arguments->config);
 }

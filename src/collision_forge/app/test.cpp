@@ -34,8 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   std::vector<std::string> scenarios;
   bool until_hit = false;
   std::vector<std::string> scenes;
@@ -63,8 +62,7 @@ struct DrawnCases {
   static constexpr std::size_t kScenesKept = 64;
 
   DrawnCases(const Arguments& arguments, const Config& config)
-      : scenes(arguments.dataroot, arguments.version, arguments.scenes, config, kScenesKept, {},
-               showReading()),
+      : scenes(arguments.logs, arguments.scenes, config, kScenesKept, {}, showReading()),
         requests(scenes, loadMethod(arguments.method, config, config.attack), config,
                  {config.requests, arguments.tries.value_or(config.planners.until_hit.tries),
                   arguments.seed, [this](std::size_t done, std::size_t count) {
@@ -78,12 +76,12 @@ struct DrawnCases {
 
 std::unique_ptr<PlannerCases> openCases(const Arguments& arguments, const Config& config) {
   if (arguments.collide.empty()) {
-    return openScenarioCases(arguments.scenarios, arguments.dataroot, arguments.version,
+    return openScenarioCases(arguments.scenarios, arguments.logs,
                              static_cast<std::size_t>(arguments.jobs) + 1, config, showReading());
   }
   std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
   if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
-  return openClipCases(paths, arguments.dataroot, arguments.attacker, arguments.method,
+  return openClipCases(paths, arguments.logs.path, arguments.attacker, arguments.method,
                        arguments.unverified ? ClipAnswers::kAll : ClipAnswers::kVerified, config);
 }
 
@@ -96,8 +94,7 @@ std::string joined(const std::vector<std::string>& words) {
 /// What the results depend on.
 ResumableFile::Options runOptions(const Arguments& arguments, const PlannerCases& cases,
                                   const Config& config) {
-  ResumableFile::Options options =
-      inputsOf(config, arguments.config, arguments.dataroot, arguments.version);
+  ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
   options["cases"] = cases.fingerprint();
   options["planners"] = joined(arguments.planners);
   options["attacker_policy"] = joined(arguments.policies);
@@ -204,13 +201,10 @@ void checkTested(const std::vector<PlannerTestResult>& results, const std::strin
 
 /// Of a draw the attacks behind the weaknesses; clips are in no file that a page is made of.
 ReportInputs reportInputs(const Arguments& arguments, const std::string& results) {
-  ReportInputs inputs{arguments.scenarios, "", "", arguments.background, arguments.jobs};
+  ReportInputs inputs{arguments.scenarios, {}, arguments.background, arguments.jobs};
   const std::string weaknesses = arguments.out + "/weaknesses.jsonl";
   if (arguments.until_hit && fs::file_size(weaknesses) > 0) inputs.files.push_back(weaknesses);
-  if (!inputs.files.empty()) {
-    inputs.dataroot = arguments.dataroot;
-    inputs.version = arguments.version;
-  }
+  if (!inputs.files.empty()) inputs.logs = arguments.logs;
   inputs.files.push_back(results);
   return inputs;
 }
@@ -261,16 +255,13 @@ void addTest(CommandLine& line) {
   CLI::App& app =
       line.add(kPlanners, "test", "Drives planners through crashes; goes on where a run stopped.",
                [arguments] { return drive(*arguments); });
-  addDataroot(app, arguments->dataroot);
-  CLI::Option* version = addVersion(app, arguments->version);
+  addSource(app, arguments->logs)->required();
   CLI::Option_group* source = app.add_option_group("what they are driven through");
-  source->add_option("--scenarios", arguments->scenarios, "scenario files of forge generate")
-      ->needs(version);
+  source->add_option("--scenarios", arguments->scenarios, "scenario files of forge generate");
   CLI::Option* until_hit =
       source->add_flag("--until-hit", arguments->until_hit,
                        "collisions drawn from all that can be asked for in scenes; writes the "
                        "planners' weaknesses, the worst first");
-  until_hit->needs(version);
   addScenes(app, arguments->scenes)->needs(until_hit);
   app.add_option("--tries", arguments->tries, "collisions that are tried; see planners.yaml")
       ->check(CLI::PositiveNumber)

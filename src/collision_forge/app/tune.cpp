@@ -37,8 +37,7 @@ struct Arguments {
   std::string split = "val";
   std::string train_method;
   std::string test_method;
-  std::string dataroot;
-  std::string version;
+  LogSource logs;
   Background background = Background::kReplay;
   std::string out;
   std::string report;
@@ -82,8 +81,8 @@ BothCases openScenarios(const Arguments& arguments, const Config& config) {
   const InputLimits& limits = config.input_limits;
   checkHeldOut(readScenes(arguments.train, limits), readScenes(arguments.test, limits));
   const auto open = [&](const std::vector<std::string>& paths) {
-    return openScenarioCases(paths, arguments.dataroot, arguments.version,
-                             static_cast<std::size_t>(arguments.jobs) + 1, config, showReading());
+    return openScenarioCases(paths, arguments.logs, static_cast<std::size_t>(arguments.jobs) + 1,
+                             config, showReading());
   };
   return {open(arguments.train), open(arguments.test)};
 }
@@ -92,7 +91,7 @@ BothCases openScenarios(const Arguments& arguments, const Config& config) {
 BothCases openClips(const Arguments& arguments, const Config& config) {
   const ClipHalves halves = halvesByScene(listCollideClips(arguments.collide, arguments.split));
   const auto open = [&](const std::vector<std::string>& paths, const std::string& method) {
-    return openClipCases(paths, arguments.dataroot, ClipAttacker::kHistory, method,
+    return openClipCases(paths, arguments.logs.path, ClipAttacker::kHistory, method,
                          ClipAnswers::kAll, config);
   };
   return {open(halves.first, arguments.train_method), open(halves.second, arguments.test_method)};
@@ -116,8 +115,7 @@ Tuning openTuning(const Arguments& arguments, const Config& config) {
 /// What the results of both parts depend on.
 ResumableFile::Options runOptions(const Tuning& tuning) {
   const Arguments& arguments = tuning.arguments;
-  ResumableFile::Options options =
-      inputsOf(tuning.config, arguments.config, arguments.dataroot, arguments.version);
+  ResumableFile::Options options = inputsOf(tuning.config, arguments.config, arguments.logs);
   options["planner"] = arguments.planner;
   addPlannerFingerprint(options, {arguments.planner}, tuning.config.planners);
   options["background"] = arguments.background == Background::kIdm ? "idm" : "replay";
@@ -216,13 +214,9 @@ void report(const Tuning& tuning, std::size_t best, const std::vector<PlannerTes
 ReportInputs reportInputs(const Tuning& tuning, std::size_t best) {
   const Arguments& arguments = tuning.arguments;
   const bool has_logs = arguments.collide.empty();
-  ReportInputs inputs{arguments.test,
-                      has_logs ? arguments.dataroot : "",
-                      has_logs ? arguments.version : "",
-                      arguments.background,
-                      arguments.jobs,
-                      arguments.planner,
-                      comparedVariants(tuning, best)};
+  ReportInputs inputs{arguments.test,       has_logs ? arguments.logs : LogSource(),
+                      arguments.background, arguments.jobs,
+                      arguments.planner,    comparedVariants(tuning, best)};
   inputs.files.push_back((fs::path(arguments.out) / "test.jsonl").string());
   return inputs;
 }
@@ -281,12 +275,10 @@ void addTune(CommandLine& line) {
   addPlannerFile(app, arguments->planner_file);
   app.add_option("--grid", arguments->grid, "values to try (default: tuning.yaml of --config)")
       ->check(CLI::ExistingFile);
-  addDataroot(app, arguments->dataroot);
-  CLI::Option* version = addVersion(app, arguments->version);
+  addSource(app, arguments->logs)->required();
   CLI::Option_group* source = app.add_option_group("what is tuned on");
   CLI::Option* train =
-      source->add_option("--train", arguments->train, "scenario files of forge generate")
-          ->needs(version);
+      source->add_option("--train", arguments->train, "scenario files of forge generate");
   CLI::Option* test =
       app.add_option("--test", arguments->test, "scenario files of other scenes, to compare on")
           ->needs(train);

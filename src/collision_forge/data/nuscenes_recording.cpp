@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -43,6 +44,21 @@ Eigen::Vector3d velocityAt(const std::vector<Sighting>& sightings, std::size_t i
   return velocityBetween(sightings[first], sightings[first + 1]);
 }
 
+/// Every class has one at least.
+constexpr std::pair<const char*, AgentClass> kCategories[] = {
+    {"vehicle.car", AgentClass::kCar},
+    {"vehicle.truck", AgentClass::kTruck},
+    {"vehicle.bus", AgentClass::kBus},
+    {"vehicle.trailer", AgentClass::kTrailer},
+    {"vehicle.construction", AgentClass::kConstructionVehicle},
+    {"vehicle.emergency", AgentClass::kEmergencyVehicle},
+    {"vehicle.motorcycle", AgentClass::kMotorcycle},
+    {"vehicle.bicycle", AgentClass::kBicycle},
+    {"human.pedestrian", AgentClass::kPedestrian},
+    {"animal", AgentClass::kAnimal},
+    {"movable_object", AgentClass::kStaticObject},
+    {"static_object", AgentClass::kStaticObject}};
+
 /// True when the category is `name` or one of its subcategories.
 bool isKindOf(const std::string& category, const std::string& name) {
   return category.compare(0, name.size(), name) == 0 &&
@@ -82,23 +98,16 @@ double yawOf(const Eigen::Quaterniond& rotation) {
 }
 
 std::optional<AgentClass> agentClassOfCategory(const std::string& category) {
-  static const std::pair<const char*, AgentClass> classes[] = {
-      {"vehicle.car", AgentClass::kCar},
-      {"vehicle.truck", AgentClass::kTruck},
-      {"vehicle.bus", AgentClass::kBus},
-      {"vehicle.trailer", AgentClass::kTrailer},
-      {"vehicle.construction", AgentClass::kConstructionVehicle},
-      {"vehicle.emergency", AgentClass::kEmergencyVehicle},
-      {"vehicle.motorcycle", AgentClass::kMotorcycle},
-      {"vehicle.bicycle", AgentClass::kBicycle},
-      {"human.pedestrian", AgentClass::kPedestrian},
-      {"animal", AgentClass::kAnimal},
-      {"movable_object", AgentClass::kStaticObject},
-      {"static_object", AgentClass::kStaticObject}};
-  for (const auto& [name, agent_class] : classes) {
+  for (const auto& [name, agent_class] : kCategories) {
     if (isKindOf(category, name)) return agent_class;
   }
   return std::nullopt;
+}
+
+const char* categoryOf(AgentClass agent_class) {
+  return std::find_if(std::begin(kCategories), std::end(kCategories),
+                      [&](const auto& category) { return category.second == agent_class; })
+      ->first;
 }
 
 void deriveVelocities(NuScenesRecording& recording) {

@@ -52,6 +52,9 @@ double yawOf(const Eigen::Quaterniond& rotation);
 /// The class for a category's name ("vehicle.bus.rigid" -> kBus); empty for an unknown one.
 std::optional<AgentClass> agentClassOfCategory(const std::string& category);
 
+/// The plainest category of a class, as "vehicle.car".
+const char* categoryOf(AgentClass agent_class);
+
 /// Fills in every annotation's velocity as the nuScenes devkit does: from the instance's previous
 /// frame to its next (at most 3 s apart), at the ends of its track one-sided (at most 1.5 s). Where
 /// the devkit answers NaN: one-sided towards the nearer neighbour within 1.5 s, else zero.

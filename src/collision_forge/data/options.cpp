@@ -9,6 +9,7 @@ namespace forge {
 void readOptions(Section& section, ConversionOptions& options) {
   options.map_radius = section.positive("map_radius");
   options.centerline_resolution = section.positive("centerline_resolution");
+  options.lane_width = section.positive("lane_width");
 }
 
 void readOptions(Section& section, AttackedBagOptions& options) {

@@ -17,6 +17,7 @@ class Section;
 struct ConversionOptions {
   double map_radius = 0.0;
   double centerline_resolution = 0.0;
+  double lane_width = 0.0;
 };
 
 /// config/attacked_bag.yaml, where each number's unit stands.

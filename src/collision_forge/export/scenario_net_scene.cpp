@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 
 #include "collision_forge/export/scenario_net_description.h"
@@ -28,10 +29,17 @@ std::vector<double> framesWithEgo(const Scene& scene) {
   return frames;
 }
 
-std::vector<RowTime> rowsAt(const std::vector<double>& frames) {
+std::vector<RowTime> rowsAt(const std::vector<double>& times) {
   std::vector<RowTime> rows;
-  for (const double time : frames) rows.push_back({time, time - frames.front()});
+  for (const double time : times) rows.push_back({time, time - times.front()});
   return rows;
+}
+
+/// The frames, and the times at which the ego was recorded.
+std::vector<double> recordedTimes(const Scene& scene, const std::vector<double>& frames) {
+  std::set<double> times(frames.begin(), frames.end());
+  for (const AgentState& state : scene.ego.states) times.insert(state.time);
+  return {times.begin(), times.end()};
 }
 
 /// A step at a frame, to a tick, is at the frame's time, so that rounding does not step over
@@ -82,12 +90,12 @@ TrackTable tableOf(const Scene& scene, const std::vector<RowTime>& rows, double 
   return table;
 }
 
-PickleWriter ownOf(const Scene& scene, const std::vector<double>& frames) {
+PickleWriter ownOf(const Scene& scene, double start, const std::vector<double>& frames) {
   PickleWriter own;
   own.text("scene", scene.name);
-  own.number("start", frames.front());
+  own.number("start", start);
   std::vector<double> times;
-  for (const double time : frames) times.push_back(time - frames.front());
+  for (const double time : frames) times.push_back(time - start);
   own.numbers("frame_times", times);
   return own;
 }
@@ -97,14 +105,16 @@ PickleWriter ownOf(const Scene& scene, const std::vector<double>& frames) {
 std::string scenarioNetOf(const Scene& scene, RowTimes rows, const ExportOptions& options) {
   const std::vector<double> frames = framesWithEgo(scene);
   const bool is_even = rows == RowTimes::kEveryStep;
-  TrackTable table = is_even ? tableOf(scene, rowsEvery(options.step, frames), kMaxGap)
-                             : tableOf(scene, rowsAt(frames), 0.0);
+  const std::vector<RowTime> times =
+      is_even ? rowsEvery(options.step, frames) : rowsAt(recordedTimes(scene, frames));
+  TrackTable table = tableOf(scene, times, is_even ? kMaxGap : 0.0);
   std::vector<Vector2> ways;
   for (const AgentState& state : table.tracks.front().states) {
     ways.push_back(state.pose.position());
   }
   const auto step = is_even ? std::optional(options.step) : std::nullopt;
-  return pickledScenario({scene.name, std::move(table), step, 0, *scene.map, ownOf(scene, frames)},
+  return pickledScenario({scene.name, std::move(table), step, 0, *scene.map,
+                          ownOf(scene, times.front().of_scene, frames)},
                          ways, options);
 }
 

@@ -9,8 +9,10 @@ namespace forge {
 
 /// At which times a recording is told.
 enum class RowTimes {
-  kEveryStep,   ///< of the options, from the first frame on: what MetaDrive replays
-  kAsRecorded,  ///< at the frames, and agents where they were annotated: all comes back exactly
+  kEveryStep,  ///< of the options, from the first frame on: what MetaDrive replays
+  /// At the frames and at the ego's poses, agents where they were annotated: all comes back
+  /// exactly.
+  kAsRecorded,
 };
 
 /// A recording, without an attack, as the bytes of a scenario description of ScenarioNet; its name
@@ -19,8 +21,8 @@ enum class RowTimes {
 /// lines where drivable ground ends are told within `options.radius` of the ego's way.
 ///
 /// The metadata have below "collision_forge": "scene", "start" (s, the scene's clock at ts 0),
-/// "frame_times" (of ts), and those of writeGround(). At rows as recorded start + ts is a frame's
-/// time to the last bit.
+/// "frame_times" (of ts), and those of writeGround(). At rows as recorded start + ts is the time to
+/// the last bit.
 ///
 /// Throws std::runtime_error for a scene without such a frame, and where the ego is lost for a time
 /// that has steps.

@@ -30,4 +30,15 @@ bool contains(const Polygon& polygon, const Vector2& point) {
                       [&](const auto& hole) { return ringContains(hole, point); });
 }
 
+std::vector<Vector2> stripAlong(const std::vector<Pose2>& line, double width) {
+  std::vector<Vector2> outline;
+  for (const Pose2& pose : line) {
+    outline.push_back(compose(pose, {0.0, 0.5 * width, 0.0}).position());
+  }
+  for (auto pose = line.rbegin(); pose != line.rend(); ++pose) {
+    outline.push_back(compose(*pose, {0.0, -0.5 * width, 0.0}).position());
+  }
+  return outline;
+}
+
 }  // namespace forge

@@ -15,4 +15,7 @@ struct Polygon {
 /// True inside the exterior and outside every hole (even-odd rule).
 bool contains(const Polygon& polygon, const Vector2& point);
 
+/// The outline of a strip along a line, half of its width on either side.
+std::vector<Vector2> stripAlong(const std::vector<Pose2>& line, double width);
+
 }  // namespace forge

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "collision_forge/geometry/polygon.h"
 #include "collision_forge/map/reference_path.h"
 
 namespace forge {
@@ -18,18 +19,6 @@ std::vector<Pose2> nodesOf(const Polyline& line) {
   std::vector<Pose2> nodes;
   for (int i = 0; i <= count; ++i) nodes.push_back(path.at(path.length() * i / count).pose);
   return nodes;
-}
-
-/// The strip of a width along a line.
-std::vector<Vector2> stripAlong(const std::vector<Pose2>& line, double width) {
-  std::vector<Vector2> outline;
-  for (const Pose2& pose : line) {
-    outline.push_back(compose(pose, {0.0, 0.5 * width, 0.0}).position());
-  }
-  for (auto pose = line.rbegin(); pose != line.rend(); ++pose) {
-    outline.push_back(compose(*pose, {0.0, -0.5 * width, 0.0}).position());
-  }
-  return outline;
 }
 
 /// Indices of the lanes of the roads that the route takes.

@@ -91,7 +91,7 @@ class ReportBuilder {
         page_((fs::path(folder) / "index.html").string()) {
     for (const std::string& path : inputs.files) files_.push_back(openReportFile(path));
     for (const std::string& path : scenarioPaths()) nameWeaknesses(path);
-    if (!inputs.dataroot.empty()) openScenes();
+    if (!inputs.logs.path.empty()) openScenes();
   }
 
   std::size_t build() {
@@ -134,15 +134,14 @@ class ReportBuilder {
   }
 
   void openScenes() {
-    const auto known = readSceneNames(inputs_.dataroot, inputs_.version);
+    const auto known = readSceneNames(inputs_.logs);
     known_.insert(known.begin(), known.end());
     std::vector<std::string> wanted;
     for (const std::string& scene : readScenes(scenarioPaths(), settings_.study.input_limits)) {
       if (known_.count(scene) > 0) wanted.push_back(scene);
     }
     if (wanted.empty()) return;
-    scenes_ = std::make_unique<SceneSource>(inputs_.dataroot, inputs_.version, wanted,
-                                            settings_.study, 2);
+    scenes_ = std::make_unique<SceneSource>(inputs_.logs, wanted, settings_.study, 2);
   }
 
   void read(std::size_t place) {
@@ -173,9 +172,9 @@ class ReportBuilder {
                    std::size_t line) {
     const Scenario scenario = readScenarioLine(where, text, settings_.study.input_limits);
     const std::string& scene = scenario.asked.scene;
-    if (!inputs_.dataroot.empty() && known_.count(scene) == 0) {
-      throw std::runtime_error(where + ": scene = \"" + scene + "\" is not in " + inputs_.dataroot +
-                               "/" + inputs_.version);
+    if (!inputs_.logs.path.empty() && known_.count(scene) == 0) {
+      throw std::runtime_error(where + ": scene = \"" + scene + "\" is not in " +
+                               inputs_.logs.described());
     }
     attacks_.emplace(source + ":" + std::to_string(line), rows_.size());
     addAttack(scenario, scenario.answer);
@@ -277,7 +276,7 @@ class ReportBuilder {
     std::unique_ptr<PlannerCases> cases;
     std::map<std::string, std::size_t> places;
     if (scenes_ && !tests_.empty()) {
-      cases = openScenarioCases(scenarioPaths(), inputs_.dataroot, inputs_.version,
+      cases = openScenarioCases(scenarioPaths(), inputs_.logs,
                                 static_cast<std::size_t>(inputs_.jobs) + 1, settings_.study);
       for (const std::string& name : cases->names()) places.emplace(name, places.size());
     }
@@ -330,8 +329,8 @@ class ReportBuilder {
   std::string index() const {
     JsonLineWriter writer;
     writer.beginObject();
-    writer.text("dataroot", inputs_.dataroot);
-    writer.text("version", inputs_.version);
+    writer.text("dataroot", inputs_.logs.path);
+    writer.text("version", inputs_.logs.version);
     writer.count("rows", rows_.size());
     writer.beginArray("files");
     for (const ReportFile& file : files_) {

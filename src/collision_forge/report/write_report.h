@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/data/log_source.h"
 #include "collision_forge/drawing/options.h"
 #include "collision_forge/report/options.h"
 #include "collision_forge/study/options.h"
@@ -13,9 +14,8 @@
 namespace forge {
 
 struct ReportInputs {
-  std::vector<std::string> files;  ///< as openReportFile() takes them
-  std::string dataroot;            ///< with `version`, the logs that they are of; empty: none
-  std::string version;
+  std::vector<std::string> files;               ///< as openReportFile() takes them
+  LogSource logs;                               ///< that they are of; without a path: none
   Background background = Background::kReplay;  ///< that planners were tested against
   int jobs = 1;                                 ///< planner tests driven at a time
   /// Of forge tune: rows that are named as one of these are that planner with its options.
@@ -31,9 +31,9 @@ struct ReportSettings {
 };
 
 /// Writes FOLDER/index.html, a page of all that is in the files, with progress on stderr. With a
-/// dataroot it shows map and traffic, holds attacks against the recording, and drives planner tests
-/// of scenario files that are among the inputs again, for their motion. Returns the rows of its
-/// table. Throws std::runtime_error and the errors of those who read, naming file and line.
+/// source of logs it shows map and traffic, holds attacks against the recording, and drives planner
+/// tests of scenario files that are among the inputs again, for their motion. Returns the rows of
+/// its table. Throws std::runtime_error and the errors of those who read, naming file and line.
 std::size_t writeReportPage(const ReportInputs& inputs, const std::string& folder,
                             const ReportSettings& settings);
 

@@ -7,8 +7,10 @@
 #include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
+#include <unordered_map>
 
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/read_opened.h"
@@ -53,8 +55,12 @@ class SceneBuilder {
         ++skipped_["agents that are not a number or have no size"];
         continue;
       }
-      Track& track = tracks_.try_emplace(agent.id, agent).first->second;
-      append(track, agent.states.front());
+      const auto [place, is_new] = places_.try_emplace(agent.id, scene_.agents.size());
+      if (is_new) {
+        scene_.agents.push_back(std::move(agent));
+      } else {
+        append(scene_.agents[place->second], agent.states.front());
+      }
     }
   }
 
@@ -64,9 +70,8 @@ class SceneBuilder {
 
   Scene finish(std::vector<std::string>* warnings) {
     deriveVelocities(scene_.ego);
-    for (auto& [id, track] : tracks_) {
-      deriveVelocities(track);
-      scene_.agents.push_back(std::move(track));
+    for (Track& agent : scene_.agents) {
+      if (hasNoVelocities(agent)) deriveVelocities(agent);
     }
     for (const auto& [what, count] : skipped_) {
       if (warnings) warnings->push_back(std::to_string(count) + " " + what + " left out");
@@ -75,6 +80,11 @@ class SceneBuilder {
   }
 
  private:
+  static bool hasNoVelocities(const Track& track) {
+    return std::all_of(track.states.begin(), track.states.end(),
+                       [](const AgentState& state) { return state.velocity == Vector2::Zero(); });
+  }
+
   void append(Track& track, const AgentState& state) {
     if (track.states.empty() || state.time > track.states.back().time) {
       track.states.push_back(state);
@@ -85,7 +95,7 @@ class SceneBuilder {
 
   double center_offset_;
   Scene scene_;
-  std::map<std::string, Track> tracks_;
+  std::unordered_map<std::string, std::size_t> places_;  // of ids, among the agents
   std::map<std::string, int> skipped_;
 };
 

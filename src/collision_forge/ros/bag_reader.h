@@ -11,11 +11,11 @@
 namespace forge {
 
 /// Reads /tf (map -> base_link), /agents and /lane_map of a bag into a scene named after the file;
-/// agents are sorted by id. Of a bag with an attack the recorded frames of agents alone are taken,
-/// not those in between. Messages that cannot be used (a stamp that is not after the one before,
-/// an agent that is not a number or has no size) are left out, and `warnings`, if given, gets a
-/// line a kind. Throws BagError naming path and topic for a bag that is truncated, no bag, or
-/// without one of the three.
+/// agents are in the order they appear, and their velocities are derived where a bag has none. Of a
+/// bag with an attack the recorded frames of agents alone are taken, not those in between. Messages
+/// that cannot be used (a stamp that is not after the one before, an agent that is not a number or
+/// has no size) are left out, and `warnings`, if given, gets a line a kind. Throws BagError naming
+/// path and topic for a bag that is truncated, no bag, or without one of the three.
 Scene readBag(const std::string& path, const EgoVehicle& ego,
               std::vector<std::string>* warnings = nullptr);
 

@@ -20,6 +20,7 @@
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/external_planner.h"
+#include "collision_forge/ros/log_sources.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/paths.h"
 #include "collision_forge/ros/planner_markers.h"
@@ -100,10 +101,10 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
 
   void openSources(const ros::NodeHandle& own) {
     TrialSources sources{
-        own.param<std::string>("dataroot", ""), own.param<std::string>("version", ""),
+        logSourceAt(own.param<std::string>("dataroot", ""), own.param<std::string>("version", "")),
         own.param<std::string>("scenarios", ""), own.param<std::string>("recording", "")};
     for (const auto& [name, path] :
-         {std::pair<const char*, std::string>{"dataroot", sources.dataroot},
+         {std::pair<const char*, std::string>{"dataroot", sources.logs.path},
           {"scenarios", sources.scenarios}}) {
       requireAbsolute(name, path);
     }

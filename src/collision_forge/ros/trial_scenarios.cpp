@@ -115,12 +115,12 @@ std::string TrialScenarios::numberedLine(const std::string& number) const {
 }
 
 std::shared_ptr<const IndexedScene> TrialScenarios::sceneOf(const std::string& name) {
-  if (sources_.dataroot.empty()) {
+  if (sources_.logs.path.empty()) {
     throw TestRefusal(Codes::UNREADABLE,
                       "a scenario is tested over the parameter dataroot, which is not set");
   }
   if (wanted_.count(name) == 0) {
-    const std::vector<std::string> known = readSceneNames(sources_.dataroot, sources_.version);
+    const std::vector<std::string> known = readSceneNames(sources_.logs);
     std::set<std::string> wanted = scenesIn(sources_.scenarios, config_.input_limits);
     wanted.insert(wanted_.begin(), wanted_.end());
     wanted.insert(name);
@@ -128,11 +128,10 @@ std::shared_ptr<const IndexedScene> TrialScenarios::sceneOf(const std::string& n
     std::copy_if(known.begin(), known.end(), std::back_inserter(scenes),
                  [&](const std::string& scene) { return wanted.count(scene) > 0; });
     if (std::find(scenes.begin(), scenes.end(), name) == scenes.end()) {
-      throw TestRefusal(Codes::UNREADABLE, "scene = \"" + name + "\" is not in " +
-                                               sources_.dataroot + "/" + sources_.version);
+      throw TestRefusal(Codes::UNREADABLE,
+                        "scene = \"" + name + "\" is not in " + sources_.logs.described());
     }
-    source_ = std::make_unique<SceneSource>(sources_.dataroot, sources_.version, scenes, config_,
-                                            std::size_t{1});
+    source_ = std::make_unique<SceneSource>(sources_.logs, scenes, config_, std::size_t{1});
     wanted_ = {scenes.begin(), scenes.end()};
   }
   return source_->at(name);

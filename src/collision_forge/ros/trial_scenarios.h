@@ -25,8 +25,7 @@ struct TestRefusal : std::runtime_error {
 
 /// Where the crashes that planner_tester is asked for come from; empty: not given.
 struct TrialSources {
-  std::string dataroot;   ///< of nuScenes tables, for scenario files
-  std::string version;    ///< folder of the tables
+  LogSource logs;         ///< for scenario files
   std::string scenarios;  ///< scenario file whose lines are asked for by their number
   std::string recording;  ///< bag, for trajectories
 };

@@ -47,8 +47,8 @@ std::optional<std::string> sceneOf(const ScenarioText& line, const InputLimits& 
 
 class ScenarioCases : public PlannerCases {
  public:
-  ScenarioCases(const std::vector<std::string>& paths, const std::string& dataroot,
-                const std::string& version, std::size_t scenes_kept, const StudyOptions& study,
+  ScenarioCases(const std::vector<std::string>& paths, const LogSource& logs,
+                std::size_t scenes_kept, const StudyOptions& study,
                 const NuScenesProgress& on_progress)
       : study_(study) {
     for (const std::string& path : paths) {
@@ -61,12 +61,12 @@ class ScenarioCases : public PlannerCases {
     if (std::set<std::string>(names_.begin(), names_.end()).size() < names_.size()) {
       throw std::runtime_error("two scenario files have the same name, " + lines_.back().source);
     }
-    const auto known = readSceneNames(dataroot, version);
+    const auto known = readSceneNames(logs);
     known_.insert(known.begin(), known.end());
     const std::vector<std::string> wanted = wantedScenes();
     if (!wanted.empty()) {
-      scenes_ = std::make_unique<SceneSource>(dataroot, version, wanted, study, scenes_kept,
-                                              OnWarnings(), on_progress);
+      scenes_ = std::make_unique<SceneSource>(logs, wanted, study, scenes_kept, OnWarnings(),
+                                              on_progress);
     }
   }
 
@@ -173,11 +173,10 @@ std::set<std::string> readScenes(const std::vector<std::string>& paths, const In
 }
 
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
-                                                const std::string& dataroot,
-                                                const std::string& version, std::size_t scenes_kept,
+                                                const LogSource& logs, std::size_t scenes_kept,
                                                 const StudyOptions& study,
                                                 const NuScenesProgress& on_progress) {
-  return std::make_unique<ScenarioCases>(paths, dataroot, version, scenes_kept, study, on_progress);
+  return std::make_unique<ScenarioCases>(paths, logs, scenes_kept, study, on_progress);
 }
 
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,

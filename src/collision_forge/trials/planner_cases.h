@@ -30,10 +30,9 @@ std::set<std::string> readScenes(const std::vector<std::string>& paths, const In
 
 /// The lines of scenario files, named FILE:LINE without the file's ending; the source is that name.
 /// Throws std::runtime_error for a file that cannot be read or has no lines; a line that is none of
-/// the format, or of a scene that the root does not have, is a case that cannot be read.
+/// the format, or of a scene that the source does not have, is a case that cannot be read.
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
-                                                const std::string& dataroot,
-                                                const std::string& version, std::size_t scenes_kept,
+                                                const LogSource& logs, std::size_t scenes_kept,
                                                 const StudyOptions& study,
                                                 const NuScenesProgress& on_progress = {});
 
