@@ -120,7 +120,7 @@ class ExportTest(road.RoadTest):
         out = self.path('out')
         for words, told in ((('--to', 'mcap', '--scenarios', self.scenarios, *LOGS), '--bag'),
                             (('--to', 'magic', '--bag', self.scenarios), 'openscenario'),
-                            (('--to', 'openscenario', '--scenarios', self.scenarios), '--dataroot')):
+                            (('--to', 'openscenario', '--scenarios', self.scenarios), '--source')):
             result = road.run('export', *words, '--out', out)
             self.assertEqual(result.returncode, 2)
             self.assertIn(told, result.stderr)
