@@ -192,7 +192,7 @@ class TestPlannersTest(road.RoadTest):
         scenarios.write_text('\n'.join([
             attack.replace('"version":5', '"version":7'),
             attack.replace(parsed['scene'], 'scene-9999'),
-            attack.replace('"now":', '"now":1'),
+            attack.replace('"now":16', '"now":17'),
             json.dumps(touching),
             attack,
             attack[:100]]) + '\n')

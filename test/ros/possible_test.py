@@ -68,7 +68,7 @@ class PossibleTest(road.RoadTest):
 
     def test_bad_command_lines_are_told(self):
         for arguments, code, words in (
-                ((), 2, '--bag'), (('--dataroot', DATAROOT), 2, '--version'),
+                ((), 2, '--bag'), (('--dataroot', DATAROOT), 2, '--scene'),
                 (('--bag', 'nowhere.bag'), 1, 'nowhere.bag'),
                 (('--bag', self.bag(SCENE), '--type', 'sideswipe'), 2, 'sideswipe')):
             result = possible(*arguments)
