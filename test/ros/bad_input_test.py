@@ -167,6 +167,23 @@ class BadInputTest(MadeUpTest):
               'the injector and the verifier to leave it out')
         self.assert_works()
 
+    def test_numbers_beyond_the_limits(self):
+        """A box of a kilometre and a place beyond the map's reach are left out, a trajectory of years is refused."""
+        def agents(seconds):
+            broken = [agent('long', -10.0), agent('far', 60000.0)]
+            broken[0].size.x = 1000.0
+            return broken + traffic(seconds)
+        scene = self.show(drive(6, agents))
+        self.assertEqual([track.id for track in scene.snapshot.agents], ['behind', 'oncoming', 'walker'])
+        answer = self.ask_for_code('OK', 'rear_end', 4.0)
+        answer.attack.trajectory.points[-1].stamp += rospy.Duration(100000)
+        publisher = rospy.Publisher('/attack', Attack, queue_size=1, latch=True)
+        self.addCleanup(publisher.unregister)
+        publisher.publish(answer.attack)
+        until(lambda: self.suite.output().count('time from the first point = 10000') >= 2,
+              'the injector and the verifier to leave it out')
+        self.assert_works()
+
     def test_ego_pose_that_is_not_a_number(self):
         """tf drops it, and knows the ego's pose from those around it."""
         frames = drive(6)
