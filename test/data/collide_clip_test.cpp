@@ -9,6 +9,7 @@
 
 #include "data/collide_fixture.h"
 #include "data/nuscenes_fixture.h"
+#include "scene/shipped_limits.h"
 
 namespace forge {
 namespace {
@@ -38,7 +39,7 @@ std::string smallFile() {
 std::string complaint(const std::string& name, const std::string& text) {
   const TemporaryFolder folder;
   try {
-    readCollideClip(folder.write(name, text));
+    readCollideClip(folder.write(name, text), shippedLimits());
   } catch (const CollideError& error) {
     return error.what();
   }
@@ -107,7 +108,7 @@ TEST(CollideClip, AngleOfANameKeepsItsTwoDecimals) {
 
 TEST(CollideClip, RowsBecomeTracksInRadiansAndSeconds) {
   const TemporaryFolder folder;
-  const CollideClip clip = readCollideClip(folder.write(kName, smallFile()));
+  const CollideClip clip = readCollideClip(folder.write(kName, smallFile()), shippedLimits());
   EXPECT_EQ(clip.name + ".csv", kName);
   ASSERT_EQ(clip.times.size(), 10u);
   EXPECT_DOUBLE_EQ(clip.times[0], 1542800668.198393);
@@ -125,7 +126,7 @@ TEST(CollideClip, RowsBecomeTracksInRadiansAndSeconds) {
 
 TEST(CollideClip, RowsOfZerosAreMissingFrames) {
   const TemporaryFolder folder;
-  const CollideClip clip = readCollideClip(folder.write(kName, smallFile()));
+  const CollideClip clip = readCollideClip(folder.write(kName, smallFile()), shippedLimits());
   const CollideTrack& track = clip.track("aaaa");
   for (std::size_t frame = 0; frame < 10; ++frame) {
     EXPECT_EQ(track.frames[frame].has_value(), frame == 8) << frame;
@@ -136,7 +137,7 @@ TEST(CollideClip, RowsOfZerosAreMissingFrames) {
 TEST(CollideClip, WrittenFileIsTheOneRead) {
   const TemporaryFolder folder;
   const std::string path = folder.write(kName, smallFile());
-  writeCollideClip(folder.path() + "/copy.csv", readCollideClip(path));
+  writeCollideClip(folder.path() + "/copy.csv", readCollideClip(path, shippedLimits()));
   std::ostringstream copy;
   copy << std::ifstream(folder.path() + "/copy.csv").rdbuf();
   EXPECT_EQ(copy.str(), smallFile());
@@ -156,7 +157,7 @@ TEST(CollideClip, EveryNumberSurvivesWritingAndReading) {
   const TemporaryFolder folder;
   const std::string path = folder.path() + "/" + composeCollideName(clip);
   writeCollideClip(path, clip);
-  const CollideClip copy = readCollideClip(path);
+  const CollideClip copy = readCollideClip(path, shippedLimits());
   EXPECT_EQ(copy.name, clip.name);
   EXPECT_DOUBLE_EQ(copy.angle, clip.angle);
   EXPECT_EQ(copy.times, clip.times);
@@ -176,7 +177,7 @@ TEST(CollideClip, EveryNumberSurvivesWritingAndReading) {
 
 TEST(CollideClip, AnUnwritablePathIsNamed) {
   const TemporaryFolder folder;
-  const CollideClip clip = readCollideClip(folder.write(kName, smallFile()));
+  const CollideClip clip = readCollideClip(folder.write(kName, smallFile()), shippedLimits());
   EXPECT_THROW(writeCollideClip(folder.path() + "/none/clip.csv", clip), std::runtime_error);
 }
 
@@ -202,6 +203,10 @@ TEST(CollideClip, RowErrorsNameLineColumnAndValue) {
               HasSubstr("line 10: X = \"east\" is not a number"));
   EXPECT_THAT(complaintAfter("-7.5,90.0", "nan,90.0"),
               HasSubstr("line 10: Y = \"nan\" is not finite"));
+  EXPECT_THAT(complaintAfter("2.5,1.25", "2.5,1e9"),
+              HasSubstr("line 10: X = \"1e9\" is outside -50000 to 50000"));
+  EXPECT_THAT(complaintAfter("2.5,1.25", "-1e308,1.25"),
+              HasSubstr("line 10: V = \"-1e308\" is outside -150 to 150"));
   EXPECT_THAT(complaintAfter("2.5,1.25", "2.5"), HasSubstr("line 10: 5 values, the header has 6"));
   EXPECT_THAT(complaintAfter("1542800668198393", "1.5e9"),
               HasSubstr("line 2: TIMESTAMP = \"1.5e9\""));
@@ -235,7 +240,7 @@ TEST(CollideClip, EgoAndAttackerMustBeThereInEveryFrame) {
 TEST(CollideClip, EmptyAndAbsentFilesAreErrors) {
   EXPECT_THAT(complaint(kName, ""), HasSubstr("is empty"));
   EXPECT_THAT(complaint(kName, "TRACK_ID,TIMESTAMP,V,X,Y,YAW\n"), HasSubstr("\"ego\" is missing"));
-  EXPECT_THROW(readCollideClip(std::string("/nowhere/") + kName), CollideError);
+  EXPECT_THROW(readCollideClip(std::string("/nowhere/") + kName, shippedLimits()), CollideError);
 }
 
 TEST(CollideClip, LineEndsOfWindowsAreTaken) {

@@ -12,6 +12,7 @@
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published.h"
 #include "data/nuscenes_fixture.h"
+#include "scene/shipped_limits.h"
 
 namespace forge {
 namespace {
@@ -213,7 +214,7 @@ TEST(CollideExport, WhatIsReadAgainCollidesUnderThePublishedProtocol) {
   exporter.add(attack(), recording(), 3);
   const auto paths = listCollideClips(folder.path(), "val");
   ASSERT_EQ(paths.size(), 1u);
-  const CollideClip clip = readCollideClip(paths[0]);
+  const CollideClip clip = readCollideClip(paths[0], shippedLimits());
   EXPECT_EQ(clip.batch, "collision-forge");
   EXPECT_EQ(clip.city, "embedded-right");
   EXPECT_EQ(clip.scene, "scene-0042");
@@ -342,7 +343,7 @@ TEST(CollideExport, ClipsThatAreThereAreLeftAloneAndMissingOnesWritten) {
   EXPECT_EQ(listCollideClips(folder.path(), "val"), paths);
   EXPECT_EQ(std::filesystem::last_write_time(paths[0]), old);
   EXPECT_NE(std::filesystem::last_write_time(paths[1]), old);
-  EXPECT_EQ(readCollideClip(paths[1]).tracks.size(), 3u);
+  EXPECT_EQ(readCollideClip(paths[1], shippedLimits()).tracks.size(), 3u);
 }
 
 TEST(CollideExport, AnotherRecordingAndARefusalAreMisuse) {

@@ -10,6 +10,7 @@
 #include "collision_forge/trials/published_planner.h"
 #include "parity/parity_fixture.h"
 #include "planners/planner_scenes.h"
+#include "scene/shipped_limits.h"
 
 // The clips are not in the repository: FORGE_COLLIDE_DIR names the folder of the data set
 // (docs/protocols.md).
@@ -70,7 +71,7 @@ TEST(PublishedIdmParity, EgosOfClipsDriveAsPublished) {
   for (const Value* one : fixture.cases("driven_egos")) {
     const std::string name = textOf(*one, "in");
     if (paths.count(name) == 0) continue;
-    const CollideClip clip = readCollideClip(paths.at(name));
+    const CollideClip clip = readCollideClip(paths.at(name), shippedLimits());
     const auto driven = driveOf(clip);
     const Value& expected = memberOf(memberOf(*one, "out"), "ego_x_y_v_every_5_steps");
     ASSERT_EQ((driven.size() + kStepsApart - 1) / kStepsApart, expected.Size()) << name;
@@ -99,7 +100,7 @@ TEST(PublishedIdmParity, ClipsAreHitAsPublished) {
     const std::string name = textOf(*one, "in");
     if (paths.count(name) == 0) continue;
     const Value& expected = memberOf(*one, "out");  // by out_fields
-    const PublishedOutcome outcome = outcomeOf(readCollideClip(paths.at(name)));
+    const PublishedOutcome outcome = outcomeOf(readCollideClip(paths.at(name), shippedLimits()));
     EXPECT_EQ(outcome.isHit(), numberOf(expected[0]) != 0.0) << name;
     if (outcome.isHit()) {
       EXPECT_EQ(outcome.step, static_cast<int>(numberOf(expected[4]))) << name;

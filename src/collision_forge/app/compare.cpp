@@ -102,7 +102,7 @@ ScenarioGrid gridOf(const std::vector<std::string>& paths, const Arguments& argu
   ProgressLine progress("answers");
   std::size_t answered = 0;
   for (const std::string& path : paths) {
-    const CollideClip clip = readCollideClip(path);
+    const CollideClip clip = readCollideClip(path, config.input_limits);
     const ClipQuestion question(clip, maps.at(clip.city), arguments.mode, config);
     grid.rows.emplace_back();
     for (const std::string& name : arguments.methods) {

@@ -77,7 +77,7 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const MethodMaker checked(arguments.plan.method, clipMethods(methods, nullptr, config.evaluation),
                             config.attack, foresight);
   const auto rows_of = [&](std::size_t index) {
-    const CollideClip clip = readCollideClip(paths[index]);
+    const CollideClip clip = readCollideClip(paths[index], config.input_limits);
     const auto lanes = maps.at(clip.city);
     return evaluateClip(clip, lanes, {methods, foresight, config}, arguments.plan);
   };

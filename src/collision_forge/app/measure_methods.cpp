@@ -78,7 +78,7 @@ int measure(const Arguments& arguments) {
   for (const std::string& method : arguments.methods) measurements.push_back({method, {}});
   ProgressLine progress("clips");
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const CollideClip clip = readCollideClip(paths[i]);
+    const CollideClip clip = readCollideClip(paths[i], config.input_limits);
     const ClipQuestion question(clip, maps.at(clip.city), arguments.mode, config);
     for (Measurement& measurement : measurements) measureClip(clip, question, setup, measurement);
     progress.show(i + 1, paths.size());

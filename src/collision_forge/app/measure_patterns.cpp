@@ -224,7 +224,7 @@ int measure(const Arguments& arguments) {
   Totals totals;
   const auto paths = listCollideClips(arguments.collide, arguments.split);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const CollideClip clip = readCollideClip(paths[i]);
+    const CollideClip clip = readCollideClip(paths[i], config.input_limits);
     const Foresight known = arguments.seen_scenes ? foresight : foresight.withoutScene(clip.scene);
     const auto& left_out = known.network->weights().left_out_scenes;
     if (arguments.unseen &&

@@ -151,7 +151,8 @@ std::string shortest(double value) {
 /// Reads the lines of one file into a clip.
 class RowReader {
  public:
-  RowReader(const std::string& path, CollideClip& clip) : path_(path), clip_(clip) {}
+  RowReader(const std::string& path, const InputLimits& limits, CollideClip& clip)
+      : path_(path), limits_(limits), clip_(clip) {}
 
   void readHeader(std::string_view line) {
     ++line_;
@@ -173,8 +174,9 @@ class RowReader {
       throw CollideError(where() + std::to_string(values_.size()) + " values, the header has " +
                          std::to_string(columns_));
     }
-    const double speed = real(kSpeed);
-    const Pose2 pose{real(kX), real(kY), real(kYaw) * kDegree};
+    const double speed = within(kSpeed, limits_.max_speed);
+    const Pose2 pose{within(kX, limits_.max_coordinate), within(kY, limits_.max_coordinate),
+                     real(kYaw) * kDegree};
     const auto timestamp = toNumber<std::int64_t>(value(kTimestamp));
     if (!timestamp) fail(kTimestamp, "is not a whole number of microseconds");
     CollideTrack& track = trackOf(std::string(value(kTrackId)));
@@ -227,6 +229,17 @@ class RowReader {
     return *number;
   }
 
+  /// To either side of 0.
+  double within(Column column, double largest) const {
+    const double number = real(column);
+    if (std::abs(number) > largest) {
+      std::ostringstream problem;
+      problem << "is outside " << -largest << " to " << largest;
+      fail(column, problem.str());
+    }
+    return number;
+  }
+
   CollideTrack& trackOf(const std::string& id) {
     if (id.empty()) fail(kTrackId, "is empty");
     const auto [entry, is_new] = numbers_.emplace(id, clip_.tracks.size());
@@ -248,6 +261,7 @@ class RowReader {
   }
 
   const std::string& path_;
+  const InputLimits& limits_;
   CollideClip& clip_;
   std::size_t line_ = 0;
   std::size_t columns_ = 0;
@@ -320,13 +334,13 @@ std::string composeCollideName(const CollideName& name) {
   return text.str();
 }
 
-CollideClip readCollideClip(const std::string& path) {
+CollideClip readCollideClip(const std::string& path, const InputLimits& limits) {
   CollideClip clip;
   static_cast<CollideName&>(clip) = parseCollideName(path);
   clip.name = std::filesystem::path(path).stem().string();
   std::ifstream file(path, std::ios::binary);
   if (!file) throw CollideError(path + ": cannot be read");
-  RowReader reader(path, clip);
+  RowReader reader(path, limits, clip);
   std::string line;
   const auto next = [&] {
     if (!std::getline(file, line)) return false;

@@ -7,6 +7,7 @@
 
 #include "collision_forge/geometry/pose2.h"
 #include "collision_forge/scene/collision_request.h"
+#include "collision_forge/scene/input_limits.h"
 
 namespace forge {
 
@@ -72,9 +73,10 @@ std::string composeCollideName(const CollideName& name);
 
 /// Reads one clip: its name and its rows. A row whose V, X, Y and YAW are all 0 is a frame in which
 /// the track is missing. Throws CollideError for a name as above, a missing column, a value that is
-/// no finite number, a track without exactly collision_frame + 1 rows, timestamps that do not
-/// increase or differ between tracks, and an ego or attacker that is absent or missing in a frame.
-CollideClip readCollideClip(const std::string& path);
+/// no finite number or beyond the limits, a track without exactly collision_frame + 1 rows,
+/// timestamps that do not increase or differ between tracks, and an ego or attacker that is absent
+/// or missing in a frame.
+CollideClip readCollideClip(const std::string& path, const InputLimits& limits);
 
 /// Writes the rows of a clip as published: TRACK_ID,TIMESTAMP,V,X,Y,YAW with microseconds and
 /// degrees, every number as the shortest text that reads back as the same, zeros for a missing

@@ -33,7 +33,7 @@ std::vector<TrafficClip> collectTraffic(const TrainingRun& run, const TrafficOpt
   ProgressLine reading("reading");
   std::vector<TrafficClip> clips;
   for (const std::string& path : paths) {
-    const CollideClip clip = readCollideClip(path);
+    const CollideClip clip = readCollideClip(path, run.options.input_limits);
     const auto lanes = traffic.lanes.max_lanes > 0 ? maps.at(clip.city) : nullptr;
     clips.push_back(trafficOf(clip, run.options.evaluation.collide, traffic, lanes.get()));
     reading.show(clips.size(), paths.size());

@@ -177,7 +177,7 @@ std::optional<TrainingSample> clipSample(const std::string& path, const LaneInde
                                          const LearningOptions& options,
                                          const PatternFeatureOptions& features, int others,
                                          std::uint64_t seed) {
-  const CollideClip clip = readCollideClip(path);
+  const CollideClip clip = readCollideClip(path, options.input_limits);
   const Scene scene = toScene(clip, options.evaluation.collide, nullptr);
   const Snapshot observed =
       observedSnapshot(snapshotAt(scene, clip.now(), features.history_frames), {});

@@ -144,7 +144,7 @@ class ClipCases : public PlannerCases {
   }
 
   PlannerCase at(std::size_t index) const override {
-    const CollideClip clip = readCollideClip(paths_[index]);
+    const CollideClip clip = readCollideClip(paths_[index], study_.input_limits);
     PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), method_, study_, answers_);
     one.source = toString(attacker_);
     return one;
