@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <topic_tools/shape_shifter.h>
 
 #include <algorithm>
 #include <cstring>
@@ -128,6 +129,30 @@ TEST_P(BagCheck, LengthsOfMessagesInAChunk) {
   ASSERT_LT(time - op, 40u);
   write(withLength(1 << 20, time + std::strlen("time=") + 8));
   EXPECT_THAT(complaint(), HasSubstr("has a content of 1048576 bytes"));
+}
+
+TEST_P(BagCheck, LengthsOfArraysInAMessage) {
+  rosbag::Bag bag(path_, rosbag::bagmode::Write);
+  bag.setCompression(GetParam());
+  collision_forge::AgentArray agents;
+  agents.agents.resize(3);
+  bag.write("/agents", ros::Time(1, 0), agents);
+  topic_tools::ShapeShifter other;  // with the bytes of one, but for the number of agents
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(agents));
+  ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(out, agents);
+  const std::uint32_t many = 100000000;
+  std::memcpy(bytes.data() + ros::serialization::serializationLength(agents.header), &many,
+              sizeof(many));
+  namespace traits = ros::message_traits;
+  using Agents = collision_forge::AgentArray;
+  other.morph(traits::md5sum<Agents>(), traits::datatype<Agents>(), traits::definition<Agents>(),
+              "");
+  ros::serialization::IStream in(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  other.read(in);
+  bag.write("/agents", ros::Time(2, 0), other);
+  bag.close();
+  EXPECT_THAT(complaint(), HasSubstr("collision_forge/AgentArray: the bytes of a message end"));
 }
 
 TEST_P(BagCheck, WhatPassesIsReadWithoutHarm) {

@@ -1,8 +1,15 @@
 #include "collision_forge/ros/bag_check.h"
 
+#include <collision_forge/AgentArray.h>
+#include <collision_forge/Attack.h>
+#include <collision_forge/AttackRequest.h>
+#include <collision_forge/CollisionReport.h>
+#include <collision_forge/LaneMap.h>
+#include <nav_msgs/Odometry.h>
 #include <rosbag/chunked_file.h>
 #include <rosbag/constants.h>
 #include <rosbag/exceptions.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
 #include <boost/interprocess/file_mapping.hpp>
@@ -15,6 +22,7 @@
 #include <vector>
 
 #include "collision_forge/ros/bag_file.h"
+#include "collision_forge/ros/message_fields.h"
 
 namespace forge {
 namespace {
@@ -79,6 +87,28 @@ struct Record {
   std::string_view data;
 };
 
+using Types = std::map<std::string, std::unique_ptr<const MessageFields>, std::less<>>;
+
+/// What readers make of bytes, by md5sum: memory is taken for as many elements as an array says to
+/// have, whether or not they are there.
+Types readTypes() {
+  Types types;
+  const auto add = [&](auto message) {
+    using Message = decltype(message);
+    namespace traits = ros::message_traits;
+    types[traits::md5sum<Message>()] = std::make_unique<const MessageFields>(
+        traits::datatype<Message>(), traits::definition<Message>(), std::vector<FieldPath>());
+  };
+  add(collision_forge::AgentArray());
+  add(collision_forge::Attack());
+  add(collision_forge::AttackRequest());
+  add(collision_forge::CollisionReport());
+  add(collision_forge::LaneMap());
+  add(nav_msgs::Odometry());
+  add(tf2_msgs::TFMessage());
+  return types;
+}
+
 /// The records of one bag, from front to back.
 class RecordWalk {
  public:
@@ -129,7 +159,7 @@ class RecordWalk {
         }
         break;
       case rosbag::OP_CONNECTION:
-        fieldsOf(record.data);
+        addConnection(record);
         break;
       default:
         break;
@@ -145,12 +175,33 @@ class RecordWalk {
       places_.push_back(static_cast<std::uint32_t>(chunk.size() - rest.size()));
       const Record inner(rest);
       if (inner.op() == rosbag::OP_CONNECTION) {
-        fieldsOf(inner.data);
+        addConnection(inner);
       } else {
+        checkMessage(inner);
         followed = places_.size();
       }
     }
     places_.resize(followed);
+  }
+
+  void addConnection(const Record& record) {
+    const Fields connection = fieldsOf(record.data);
+    const auto md5sum = connection.find("md5sum");
+    const auto type = md5sum == connection.end() ? types_.end() : types_.find(md5sum->second);
+    connections_[numberOf<std::uint32_t>(record.fields, rosbag::CONNECTION_FIELD_NAME)] =
+        type == types_.end() ? nullptr : type->second.get();
+  }
+
+  void checkMessage(const Record& record) const {
+    const auto connection =
+        connections_.find(numberOf<std::uint32_t>(record.fields, rosbag::CONNECTION_FIELD_NAME));
+    if (connection == connections_.end() || !connection->second) return;
+    try {
+      connection->second->read(reinterpret_cast<const std::uint8_t*>(record.data.data()),
+                               record.data.size());
+    } catch (const BagError& error) {
+      throw Damage{std::string("has ") + error.what()};
+    }
   }
 
   std::string_view unpacked(const Record& record) {
@@ -192,6 +243,8 @@ class RecordWalk {
   std::size_t at_ = 0;                 ///< bytes before the record in hand
   std::vector<std::uint64_t> chunks_;  ///< where they are; rising, as are the places
   std::vector<std::uint32_t> places_;  ///< of messages in the newest chunk
+  const Types types_ = readTypes();
+  std::map<std::uint32_t, const MessageFields*> connections_;  ///< null for types that nobody reads
   std::unique_ptr<std::uint8_t[]> unpacked_;
   rosbag::ChunkedFile file_;
 };
