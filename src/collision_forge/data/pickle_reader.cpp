@@ -68,7 +68,17 @@ double numberAt(const char* bytes, const NumberType& type) {
 }
 
 /// What may be called, by module and name.
-enum class Callable { kNothing, kReconstruct, kFromBuffer, kScalar, kDtype, kEncode, kDict, kSet };
+enum class Callable {
+  kNothing,
+  kReconstruct,
+  kFromBuffer,
+  kScalar,
+  kDtype,
+  kEncode,
+  kNoBytes,
+  kDict,
+  kSet
+};
 
 Callable callableOf(const std::string& name) {
   static const std::pair<const char*, Callable> known[] = {
@@ -80,6 +90,7 @@ Callable callableOf(const std::string& name) {
       {"numpy._core.multiarray scalar", Callable::kScalar},
       {"numpy dtype", Callable::kDtype},
       {"_codecs encode", Callable::kEncode},
+      {"builtins bytes", Callable::kNoBytes},
       {"collections defaultdict", Callable::kDict},
       {"collections OrderedDict", Callable::kDict},
       {"builtins set", Callable::kSet},
@@ -92,9 +103,9 @@ Callable callableOf(const std::string& name) {
 
 /// Named, but never called: arguments of the above.
 bool isHarmless(const std::string& name) {
-  static const std::set<std::string> harmless{"numpy ndarray",  "builtins int",  "builtins float",
-                                              "builtins str",   "builtins list", "builtins dict",
-                                              "builtins bytes", "builtins bool"};
+  static const std::set<std::string> harmless{"numpy ndarray", "builtins int",  "builtins float",
+                                              "builtins str",  "builtins list", "builtins dict",
+                                              "builtins bool"};
   return harmless.count(name) > 0;
 }
 
@@ -324,6 +335,10 @@ class Machine {
         return;
       case Callable::kEncode:
         pushText(Kind::kBytes, latin1(argument(*arguments, 0, Kind::kText).text));
+        return;
+      case Callable::kNoBytes:
+        if (!arguments->values.empty()) fail("makes bytes of something");
+        pushNew(Kind::kBytes);
         return;
       case Callable::kDict:
         pushNew(Kind::kDict);
