@@ -141,7 +141,8 @@ Realization realizationIn(const collision_forge::Attack& message, const std::str
 
 }  // namespace
 
-Scene readBag(const std::string& path, const EgoVehicle& ego, std::vector<std::string>* warnings) {
+Scene readBagAsWritten(const std::string& path, const EgoVehicle& ego,
+                       std::vector<std::string>* warnings) {
   Scene scene = readOpened(path, [&](const rosbag::Bag& bag) {
     SceneBuilder builder(ego);
     const std::vector<std::string> topics = {names::kTf, bagTopic(names::kAgents),
@@ -167,6 +168,14 @@ std::shared_ptr<const LaneMap> readLaneMap(const std::string& path) {
     const auto map = lastOn<collision_forge::LaneMap>(bag, names::kLaneMap);
     return map ? std::make_shared<const LaneMap>(fromMessage(*map)) : nullptr;
   });
+}
+
+Scene readBag(const std::string& path, const EgoVehicle& ego, std::vector<std::string>* warnings) {
+  Scene scene = readBagAsWritten(path, ego, warnings);
+  std::sort(scene.agents.begin(), scene.agents.end(),
+            [](const Track& one, const Track& other) { return one.id < other.id; });
+  for (Track& agent : scene.agents) deriveVelocities(agent);
+  return scene;
 }
 
 Scenario readAttack(const std::string& path, const EgoVehicle& ego, const CrashDefinition& crash) {

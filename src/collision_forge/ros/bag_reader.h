@@ -11,13 +11,18 @@
 namespace forge {
 
 /// Reads /tf (map -> base_link), /agents and /lane_map of a bag into a scene named after the file;
-/// agents are in the order they appear, and their velocities are derived where a bag has none. Of a
+/// as the nodes see it live: agents are sorted by id, and velocities derived. Of a
 /// bag with an attack the recorded frames of agents alone are taken, not those in between. Messages
 /// that cannot be used (a stamp that is not after the one before, an agent that is not a number or
 /// has no size) are left out, and `warnings`, if given, gets a line a kind. Throws BagError naming
 /// path and topic for a bag that is truncated, no bag, or without one of the three.
 Scene readBag(const std::string& path, const EgoVehicle& ego,
               std::vector<std::string>* warnings = nullptr);
+
+/// The same with agents in the order they appear, and with the velocities that the bag has; derived
+/// where it has none.
+Scene readBagAsWritten(const std::string& path, const EgoVehicle& ego,
+                       std::vector<std::string>* warnings = nullptr);
 
 /// The lanes of /lane_map; none without such a topic. Throws BagError as above.
 std::shared_ptr<const LaneMap> readLaneMap(const std::string& path);

@@ -65,8 +65,8 @@ class BagLogs : public SceneReader {
 
   IndexedScene read(const std::string& name) override {
     std::vector<std::string> warnings;
-    Scene scene =
-        readBag((folder_ / (name + ".bag")).string(), reading_.options.ego_vehicle, &warnings);
+    Scene scene = readBagAsWritten((folder_ / (name + ".bag")).string(),
+                                   reading_.options.ego_vehicle, &warnings);
     roundToMicroseconds(scene);
     if (reading_.on_warnings && !warnings.empty()) reading_.on_warnings(name, warnings);
     auto lanes = std::make_shared<const LaneIndex>(scene.map);
