@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <set>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
@@ -33,24 +32,6 @@ struct Arguments {
   /// Every clip that was tried, with what came of it.
   std::string attempts() const { return (fs::path(out) / "attempts.jsonl").string(); }
 };
-
-std::vector<std::string> wantedScenes(const Arguments& arguments) {
-  const std::vector<std::string> names = readSceneNames(arguments.logs);
-  const std::set<std::string> known(names.begin(), names.end());
-  const std::set<std::string> wanted(arguments.scenes.begin(), arguments.scenes.end());
-  for (const std::string& name : wanted) {
-    if (known.count(name) == 0) {
-      throw std::runtime_error("--scene " + name + ": " + arguments.logs.described() +
-                               " has no scene of that name");
-    }
-  }
-  if (wanted.empty()) return names;
-  std::vector<std::string> chosen;
-  for (const std::string& name : names) {
-    if (wanted.count(name) > 0) chosen.push_back(name);
-  }
-  return chosen;
-}
 
 std::vector<SceneRequest> listRequests(const Arguments& arguments,
                                        const std::vector<std::string>& scenes,
@@ -103,7 +84,7 @@ void warnOfMissingTypes(const std::vector<Attempt>& attempts) {
 int buildDataset(const Arguments& arguments) {
   const bool is_master = isMaster();
   const Config config = loadConfig(arguments.config);
-  const std::vector<std::string> names = wantedScenes(arguments);
+  const std::vector<std::string> names = wantedScenes(arguments.logs, arguments.scenes);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   if (is_master) checkFolder(arguments);
   const std::vector<SceneRequest> requests = listRequests(arguments, names, config);

@@ -33,24 +33,17 @@ struct WantedRequests {
   std::vector<std::string> scenes;
 };
 
-void checkScenes(const std::vector<std::string>& wanted, const std::set<std::string>& known,
-                 const std::string& root) {
-  for (const std::string& scene : wanted) {
-    if (known.count(scene) == 0) throw std::runtime_error(root + ": no scene \"" + scene + "\"");
-  }
-}
-
 WantedRequests readWanted(const EvaluationArguments& arguments, const CrashDefinition& crash) {
   const auto names = readSceneNames(arguments.logs);
   const std::set<std::string> known(names.begin(), names.end());
-  checkScenes(arguments.scenes, known, arguments.logs.described());
-  const std::set<std::string> scenes(arguments.scenes.begin(), arguments.scenes.end());
+  const auto chosen = wantedScenes(arguments.logs, arguments.scenes);
+  const std::set<std::string> scenes(chosen.begin(), chosen.end());
   WantedRequests wanted;
   std::set<std::string> seen;
   std::size_t line = 0;
   for (SceneRequest& request : readRequests(arguments.requests, known, crash)) {
     ++line;
-    if (!scenes.empty() && scenes.count(request.scene) == 0) continue;
+    if (scenes.count(request.scene) == 0) continue;
     if (seen.insert(request.scene).second) wanted.scenes.push_back(request.scene);
     wanted.requests.push_back(std::move(request));
     wanted.lines.push_back(std::to_string(line));

@@ -162,7 +162,7 @@ std::string checkFinite(const std::string& text) {
 void addRequests(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMakingCollisions, "requests",
-                           "Lists the collisions that can be asked for in nuScenes scenes.",
+                           "Lists the collisions that can be asked for in recorded scenes.",
                            [arguments] { return makeRequests(*arguments); });
   addSource(app, arguments->logs)->required();
   addScenes(app, arguments->scenes);
