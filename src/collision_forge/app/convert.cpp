@@ -31,6 +31,7 @@ struct Arguments {
   int jobs = defaultJobs();
   bool force = false;
   bool to_scenario_net = false;
+  RowTimes rows = RowTimes::kEveryStep;  ///< of ScenarioNet
 };
 
 /// The file of a scene.
@@ -63,8 +64,7 @@ void convertScene(const Arguments& arguments, const LoggedScene& logged, const C
   }
   const Scene scene = toScene(logged.recording, config.ego_vehicle,
                               std::make_shared<const LaneMap>(std::move(map)));
-  writeText(resultPath(arguments, name),
-            scenarioNetOf(scene, RowTimes::kEveryStep, config.exports));
+  writeText(resultPath(arguments, name), scenarioNetOf(scene, arguments.rows, config.exports));
 }
 
 /// The names of the scenes that have their files.
@@ -152,6 +152,10 @@ void addConvert(CommandLine& line) {
   addOut(app, arguments->out, "folder for the files, one a scene");
   addChoice<bool>(app, "--to", arguments->to_scenario_net, {{"bag", false}, {"scenarionet", true}},
                   "what is written");
+  addChoice<RowTimes>(app, "--rows", arguments->rows,
+                      {{"even", RowTimes::kEveryStep}, {"recorded", RowTimes::kAsRecorded}},
+                      "of ScenarioNet; even: every step of export.yaml, as MetaDrive replays; "
+                      "recorded: when something was recorded, so that nothing is lost");
   addJobs(app, arguments->jobs, "scenes at a time");
   app.add_flag("--force", arguments->force, "convert again what has been converted");
   addConfig(app, arguments->config);
