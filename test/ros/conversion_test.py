@@ -170,6 +170,27 @@ class ConversionTest(road.RoadTest):
                 times = [time.to_nsec() for _, _, time in bag.read_messages(raw=True)]
             self.assertEqual(times, sorted(times))
 
+    def stamps_after_scenarionet(self, rows):
+        """Of /odom and /agents, us, where scene-0001 went through a description with these rows."""
+        told, back = self.path(rows), self.path(rows + '_back')
+        result = road.convert(told, '--scene', 'scene-0001', '--to', 'scenarionet', '--rows', rows)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(sorted(path.name for path in told.iterdir()),
+                         ['dataset_mapping.pkl', 'dataset_summary.pkl', 'sd_collision_forge_v1_scene-0001.pkl'])
+        result = road.run('convert', '--source', told, '--out', back)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with rosbag.Bag(str(back / 'scene-0001.bag')) as bag:
+            return [[message.header.stamp.to_nsec() // 1000 for _, message, _ in bag.read_messages([topic])]
+                    for topic in ('/odom', '/agents')]
+
+    def test_scenes_come_back_from_scenarionet(self):
+        poses = [row['timestamp'] for row in self.tables.ego_poses['scene-0001']]
+        frames = [row['timestamp'] for row in self.tables.samples['scene-0001']]
+        self.assertEqual(self.stamps_after_scenarionet('recorded'), [poses, frames])
+        odometry, agents = self.stamps_after_scenarionet('even')
+        self.assertEqual(agents, frames)
+        self.assertEqual({after - before for before, after in zip(odometry, odometry[1:])}, {100000})
+
 
 class ResumeTest(road.RoadTest):
     def test_second_run_converts_nothing_and_force_everything(self):
@@ -200,27 +221,6 @@ class ResumeTest(road.RoadTest):
             self.assertEqual(result.returncode, 0, result.stderr)
         for bag in self.path('1').iterdir():
             self.assertEqual(bag.read_bytes(), (self.path('4') / bag.name).read_bytes(), bag.name)
-
-    def stamps_after_scenarionet(self, rows):
-        """Of /odom and /agents, us, where scene-0001 went through a description with these rows."""
-        told, back = self.path(rows), self.path(rows + '_back')
-        result = road.convert(told, '--scene', 'scene-0001', '--to', 'scenarionet', '--rows', rows)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(sorted(path.name for path in told.iterdir()),
-                         ['dataset_mapping.pkl', 'dataset_summary.pkl', 'sd_collision_forge_v1_scene-0001.pkl'])
-        result = road.run('convert', '--source', told, '--out', back)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        with rosbag.Bag(str(back / 'scene-0001.bag')) as bag:
-            return [[message.header.stamp.to_nsec() // 1000 for _, message, _ in bag.read_messages([topic])]
-                    for topic in ('/odom', '/agents')]
-
-    def test_scenes_come_back_from_scenarionet(self):
-        poses = [row['timestamp'] for row in self.tables.ego_poses['scene-0001']]
-        frames = [row['timestamp'] for row in self.tables.samples['scene-0001']]
-        self.assertEqual(self.stamps_after_scenarionet('recorded'), [poses, frames])
-        odometry, agents = self.stamps_after_scenarionet('even')
-        self.assertEqual(agents, frames)
-        self.assertEqual({after - before for before, after in zip(odometry, odometry[1:])}, {100000})
 
     def test_leftover_of_an_interrupted_run_is_no_bag(self):
         out = self.path('out')
