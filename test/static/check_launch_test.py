@@ -1,0 +1,40 @@
+#!/usr/bin/python3
+"""What check_launch.py must find, and what it must let pass."""
+import tempfile
+import unittest
+from pathlib import Path
+
+from check_launch import violations
+
+NODE = '<node pkg="collision_forge" type="scene_encoder" name="encoder"{}/>'
+
+
+def violations_of(content):
+    """violations() of a folder with one launch file that holds this."""
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, 'some.launch').write_text('<launch>{}</launch>'.format(content))
+        return list(violations(Path(folder)))
+
+
+class CheckLaunchTest(unittest.TestCase):
+    def test_a_node_without_respawn_is_found(self):
+        for attributes in ('', ' respawn="false"', ' respawn_delay="1"', ' required="true"'):
+            self.assertEqual(violations_of(NODE.format(attributes)),
+                             ['some.launch: the node encoder has no respawn="true"'])
+
+    def test_a_node_with_respawn_passes(self):
+        self.assertEqual(violations_of(NODE.format(' respawn="true"')), [])
+
+    def test_nodes_in_groups_are_looked_at(self):
+        self.assertEqual(len(violations_of('<group if="true">{}</group>'.format(NODE.format('')))), 1)
+
+    def test_rviz_may_end(self):
+        self.assertEqual(violations_of('<node pkg="rviz" type="rviz" name="rviz"/>'), [])
+
+    def test_a_folder_without_launch_files_is_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(len(list(violations(Path(folder)))), 1)
+
+
+if __name__ == '__main__':
+    unittest.main()
