@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Patterns are realised: what a predictor in a node of its own asks for is what comes."""
 import math
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -8,7 +9,7 @@ from pathlib import Path
 import live
 import road
 import rospy
-from corner_predictor import left_rear_corner
+from corner_predictor import left_rear_corner, predict
 from made_up import MadeUpTest, agent, drive
 
 from collision_forge.msg import Future
@@ -35,10 +36,18 @@ class PatternsTest(MadeUpTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        predictor = subprocess.Popen([sys.executable, str(Path(__file__).parent / 'corner_predictor.py')])
-        cls.addClassCleanup(predictor.wait)
-        cls.addClassCleanup(predictor.terminate)
-        rospy.wait_for_service('predict_pattern', live.TIMEOUT)
+        cls.start_predictor()
+        cls.addClassCleanup(cls.end_predictor)
+
+    @classmethod
+    def start_predictor(cls):
+        cls.predictor = subprocess.Popen([sys.executable, str(Path(__file__).parent / 'corner_predictor.py')])
+        live.until(lambda: ('/predict_pattern', 'corner_predictor') in live.graph()[2], 'the predictor')
+
+    @classmethod
+    def end_predictor(cls):
+        cls.predictor.kill()
+        cls.predictor.wait()
 
     def corner_miss(self, attack, size):
         """m between the attacker's right front corner and the ego's left rear one at the contact."""
@@ -82,6 +91,17 @@ class PatternsTest(MadeUpTest):
         answer = self.realize_exactly(across)
         self.assertEqual(road.CODES[answer.code], 'NO_ATTACK_WITHIN_LIMITS')
         self.assertTrue(answer.message)
+
+    def test_a_node_that_does_not_answer_is_asked_again_over_another_connection(self):
+        self.show(drive(8, beside))
+        self.ask_for_code('OK', 'lane_change', 4.0)
+        self.predictor.send_signal(signal.SIGSTOP)
+        self.addCleanup(self.start_predictor)
+        self.addCleanup(self.end_predictor)
+        another = rospy.Service('predict_pattern', PredictPattern, predict)
+        self.addCleanup(another.shutdown)
+        answer = live.ask('lane_change', 4.0)
+        self.assertEqual(road.CODES[answer.code], 'OK', answer.message)
 
 
 if __name__ == '__main__':

@@ -7,8 +7,8 @@
 
 #include <atomic>
 #include <optional>
-#include <string>
 
+#include "collision_forge/ros/service_caller.h"
 #include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/scene.h"
 
@@ -31,8 +31,8 @@ class ServiceSearch {
   void forgetPatterns() const;
 
  private:
-  std::string predict_name_;
-  std::string realize_name_;
+  mutable ServiceCaller predict_;
+  mutable ServiceCaller realize_;
   ros::Publisher patterns_;
   mutable std::atomic<bool> has_patterns_{false};
 };
