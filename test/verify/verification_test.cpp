@@ -368,6 +368,30 @@ TEST(Verify, FindsNoContactWithOthersThatHaveVanishedOrAreNotThereYet) {
   EXPECT_TRUE(attack.report().verified());
 }
 
+TEST(Verify, FindsAContactWithWhoIsSeenAtOneInstantAlone) {
+  Case attack = rearEnd();
+  attack.addStanding("other", {30.0, 1.0, 0.0});
+  Track& other = attack.future.agents[0];
+  const Track whole = other;
+  other.states = {whole.states[4]};  // at 2 s, when the attacker is on top of it
+  EXPECT_EQ(attack.report().first_other_id, "other");
+  EXPECT_NEAR(attack.report().first_other_time, kNow + 2.0, kFine);
+  other.states = {whole.states[0], whole.states[4], whole.states[8]};  // with gaps between
+  EXPECT_EQ(attack.report().first_other_id, "other");
+  other.states = {whole.states[3]};  // 1.5 s: it comes later
+  EXPECT_EQ(attack.report().first_other_id, "");
+}
+
+TEST(Verify, FindsNoContactWithinAGapThatNoPointOfTheTrajectoryFallsInto) {
+  Case attack({}, 0.0, {0.0, -40.0, M_PI_2}, 10.0);
+  auto& points = attack.trajectory.points;
+  points = {points.front(), points.back()};
+  EXPECT_TRUE(attack.report().contact);
+  auto& states = attack.future.ego.states;
+  states.erase(states.begin() + 8, states.begin() + 10);  // from 3.5 to 5 s
+  EXPECT_FALSE(attack.report().contact);
+}
+
 TEST(Verify, FindsAContactInTheLastInstantOfATrack) {
   // Gap and closing speed are exact, so contact is at the very end of the ego's last piece. For
   // some of these times begin + (end - begin) is after the end in floating point.

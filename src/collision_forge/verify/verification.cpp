@@ -52,6 +52,13 @@ bool staysClear(const AttackerTrajectory& trajectory, const Track& track, double
   return attacker.squaredExteriorDistance(other) > reach * reach;
 }
 
+/// The next instant, where the track is seen from the one of `index` on until it; else that instant.
+double seenUntil(const Track& track, const std::vector<double>& times, std::size_t index) {
+  if (index + 1 == times.size()) return times[index];
+  const double middle = 0.5 * (times[index] + times[index + 1]);
+  return stateAt(track, middle) ? times[index + 1] : times[index];
+}
+
 Vector2 velocityAt(const AttackerTrajectory& trajectory, double time) {
   const auto& points = trajectory.points;
   const auto after = std::find_if(points.begin(), points.end(),
@@ -118,16 +125,15 @@ std::optional<double> firstContactTime(const AttackerTrajectory& trajectory, con
                                        double end, double tolerance) {
   if (staysClear(trajectory, track, end)) return std::nullopt;
   const std::vector<double> times = breakpoints(trajectory, track, end);
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
     const auto from = stateAt(track, times[i]);
-    const auto to = stateAt(track, times[i + 1]);
-    if (!from || !to) continue;
+    if (!from) continue;
+    const double until = seenUntil(track, times, i);
+    const auto to = stateAt(track, until);
     const auto ratio = firstContact(
-        {poseAt(trajectory, times[i]), poseAt(trajectory, times[i + 1]), trajectory.size},
+        {poseAt(trajectory, times[i]), poseAt(trajectory, until), trajectory.size},
         {from->pose, to->pose, track.size}, tolerance);
-    if (ratio) {
-      return std::min(times[i] + *ratio * (times[i + 1] - times[i]), times[i + 1]);
-    }
+    if (ratio) return std::min(times[i] + *ratio * (until - times[i]), until);
   }
   return std::nullopt;
 }
