@@ -37,7 +37,8 @@ std::optional<double> nearestDouble(std::string_view text) {
 bool ExactNumbers::RawNumber(const char* text, rapidjson::SizeType size, bool /*copy*/) {
   const std::string_view number(text, size);
   if (const auto natural = integerOf<std::uint64_t>(number)) return document_.Uint64(*natural);
-  if (const auto integer = integerOf<std::int64_t>(number)) return document_.Int64(*integer);
+  const auto integer = integerOf<std::int64_t>(number);
+  if (integer && *integer != 0) return document_.Int64(*integer);  // none has the sign of "-0"
   const auto value = nearestDouble(number);
   return value && document_.Double(*value);
 }
