@@ -56,7 +56,7 @@ struct Description {
     writer.endDict();
     writer.beginDict("13");
     writer.text("type", lane_type);
-    writer.numbers("polyline", {10.0, 0.0, 20.0, 0.0}, 2);
+    writer.numbers("polyline", {10.0, 0.0, lane_end, 0.0}, 2);
     writer.endDict();
     writer.endDict();
     writer.beginDict("metadata");
@@ -69,6 +69,7 @@ struct Description {
   double length = 4.6;
   double width = 2.0;
   const char* lane_type = "LANE_SURFACE_UNSTRUCTURE";
+  double lane_end = 20.0;
   std::string ego = "7";
   std::vector<double> times{0.0, 0.1};
 };
@@ -176,6 +177,12 @@ TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsTurned) {
   std::swap(description.length, description.width);
   EXPECT_EQ(read(description.bytes()).recording.frames.at(0).annotations.at(0).category,
             "vehicle.truck");
+}
+
+TEST_F(ScenarioNetLogsTest, ALaneWithoutLengthHasNoCenterline) {
+  Description short_lane;
+  short_lane.lane_end = 10.0 + 1e-8;
+  EXPECT_TRUE(read(short_lane.bytes()).lanes->map().lanes[1].centerline.empty());
 }
 
 TEST_F(ScenarioNetLogsTest, NamesWhatIsWrong) {

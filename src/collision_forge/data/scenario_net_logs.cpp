@@ -247,7 +247,10 @@ class MapReader {
 
   /// Empty for a line without length.
   static std::vector<Pose2> centerline(const std::vector<Vector2>& points) {
-    const auto differs = [&](const Vector2& point) { return point != points.front(); };
+    constexpr double kCoincidence = 1e-6;  // m, as Polyline
+    const auto differs = [&](const Vector2& point) {
+      return (point - points.front()).norm() > kCoincidence;
+    };
     if (std::none_of(points.begin(), points.end(), differs)) return {};
     const Polyline line(points);
     std::vector<Pose2> poses;
