@@ -198,6 +198,7 @@ TEST(MessageFields, DefinitionsThatCannotBeReadAreRefused) {
   EXPECT_THAT(complaintOf("Lion lion\n", {}), HasSubstr("type Lion of its field lion"));
   EXPECT_THAT(complaintOf("float64\n", {}), HasSubstr("'float64'"));
   EXPECT_THAT(complaintOf("uint8 a b\n", {}), HasSubstr("'uint8 a b'"));
+  EXPECT_THAT(complaintOf(std::string("uint8 a\0b\n", 10), {}), HasSubstr("has a zero byte"));
   EXPECT_THAT(complaintOf("uint8[x] a\n", {}), HasSubstr("'uint8[x] a'"));
   EXPECT_THAT(complaintOf("uint8[-1] a\n", {}), HasSubstr("'uint8[-1] a'"));
   EXPECT_THAT(complaintOf("uint8[3 a\n", {}), HasSubstr("'uint8[3 a'"));

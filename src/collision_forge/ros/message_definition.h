@@ -55,8 +55,8 @@ struct MessageType {
 /// names. Constants are left out.
 class MessageDefinition {
  public:
-  /// Throws BagError naming type and field for a line that cannot be read, for a type that is not
-  /// defined, and for types that nest too deep, as one does that holds itself.
+  /// Throws BagError naming type and field for a line that cannot be read or has a zero byte, for a
+  /// type that is not defined, and for types that nest too deep, as one does that holds itself.
   MessageDefinition(const std::string& type, const std::string& text);
   MessageDefinition(const MessageDefinition&) = delete;
   MessageDefinition& operator=(const MessageDefinition&) = delete;
