@@ -129,6 +129,9 @@ TEST(ResultRow, OtherLinesAreNoRows) {
   EXPECT_FALSE(rowFromCsv("", Protocol::kPublished));
   EXPECT_FALSE(rowFromCsv(csvHeader(Protocol::kPublished), Protocol::kPublished));
   EXPECT_FALSE(rowFromCsv(line, Protocol::kStrict));
+  ResultRow turned = sampleRow();
+  turned.relative_heading = 2.0 * M_PI;
+  EXPECT_FALSE(rowFromCsv(toCsv(turned), Protocol::kPublished)) << "no heading";
   EXPECT_FALSE(rowFromCsv(line.substr(0, line.find(",0,-0.1")), Protocol::kPublished));
   std::string other = line;
   EXPECT_FALSE(rowFromCsv(other.replace(other.find("ltap"), 4, "xyzw"), Protocol::kPublished));

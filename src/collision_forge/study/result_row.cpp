@@ -152,6 +152,7 @@ std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol) 
                        &row.off_road_share, &row.own_off_road_share}) {
     if (!parse(*part++, *number)) return std::nullopt;
   }
+  if (row.relative_heading && std::abs(*row.relative_heading) > 180.0) return std::nullopt;
   if (row.relative_heading) *row.relative_heading *= kDegree;
   if (parts.size() == columns) return row;
   const auto rest = parts.begin() + static_cast<std::ptrdiff_t>(columns - 1);
