@@ -6,6 +6,7 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/app/run_config.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/output.h"
 #include "collision_forge/batch/progress_line.h"
@@ -92,7 +93,7 @@ std::unique_ptr<SceneReader> openLogs(const Arguments& arguments, const Config& 
 }
 
 int convert(const Arguments& arguments) {
-  const Config config = loadConfig(arguments.config);
+  const Config config = loadRunConfig(arguments.config);
   const OutputLocks locks = lockFolders({arguments.out});
   std::cerr << "reading " << arguments.logs.described() << "\n";
   const auto logs = openLogs(arguments, config);

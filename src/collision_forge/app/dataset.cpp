@@ -5,6 +5,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
+#include "collision_forge/app/run_config.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/output.h"
 #include "collision_forge/batch/progress_line.h"
@@ -83,7 +84,7 @@ void warnOfMissingTypes(const std::vector<Attempt>& attempts) {
 
 int buildDataset(const Arguments& arguments) {
   const bool is_master = isMaster();
-  const Config config = loadConfig(arguments.config);
+  const Config config = loadRunConfig(arguments.config);
   const std::vector<std::string> names = wantedScenes(arguments.logs, arguments.scenes);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   if (is_master) checkFolder(arguments);

@@ -6,6 +6,7 @@
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
+#include "collision_forge/app/run_config.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/output.h"
 #include "collision_forge/data/city_maps.h"
@@ -68,7 +69,7 @@ std::string headline(const EvaluationArguments& arguments, std::size_t clips) {
 
 int evaluateClips(const EvaluationArguments& arguments) {
   const bool is_master = isMaster();
-  const Config config = loadConfig(arguments.config);
+  const Config config = loadRunConfig(arguments.config);
   const std::vector<std::string> paths = listClips(arguments, config);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   CityMaps maps(arguments.logs.path, config);

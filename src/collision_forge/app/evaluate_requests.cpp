@@ -12,6 +12,7 @@
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
+#include "collision_forge/app/run_config.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/output.h"
 #include "collision_forge/data/pattern_network_file.h"
@@ -196,7 +197,7 @@ void writeScorecard(const EvaluationArguments& arguments, const EvaluationPlan& 
 
 int evaluateRequests(const EvaluationArguments& arguments) {
   const bool is_master = isMaster();
-  const Config config = loadConfig(arguments.config);
+  const Config config = loadRunConfig(arguments.config);
   const EvaluationPlan plan = planOf(arguments, config);
   const WantedRequests wanted = readWanted(arguments, config.crash);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});

@@ -6,6 +6,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/export_mcap.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/app/run_config.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/output.h"
 #include "collision_forge/batch/run.h"
@@ -156,7 +157,7 @@ class CrashExport {
 };
 
 int exportAny(const Arguments& arguments) {
-  const Config config = loadConfig(arguments.config);
+  const Config config = loadRunConfig(arguments.config);
   if (arguments.format == kMcap) return exportMcap(arguments.bags, arguments.out, config);
   const OutputLocks locks = lockFolders({arguments.out});
   const auto attacks =

@@ -8,6 +8,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
+#include "collision_forge/app/run_config.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/output.h"
 #include "collision_forge/batch/progress_line.h"
@@ -126,7 +127,7 @@ void exportClips(const Arguments& arguments, std::size_t count, SceneSource& sce
 
 int generate(const Arguments& arguments) {
   const bool is_master = isMaster();
-  const Config config = loadConfig(arguments.config);
+  const Config config = loadRunConfig(arguments.config);
   const RequestList list = readList(arguments, config.crash);
   const OutputLocks locks = lockOutputs(arguments);
   if (is_master && arguments.format == Format::kCsvCollide) checkFolder(arguments);

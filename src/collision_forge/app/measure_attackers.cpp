@@ -4,6 +4,7 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/app/run_config.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/data/pattern_network_file.h"
@@ -98,7 +99,7 @@ void print(const Tallies& tallies, const std::string& broken) {
 }
 
 int measure(const Arguments& arguments) {
-  const Config config = loadConfig(arguments.config);
+  const Config config = loadRunConfig(arguments.config);
   const Foresight foresight = loadForesight(config);
   const auto cases =
       openScenarioCases(arguments.scenarios, arguments.logs,

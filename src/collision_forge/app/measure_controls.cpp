@@ -5,6 +5,7 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/app/run_config.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/output.h"
 #include "collision_forge/batch/run.h"
@@ -82,7 +83,7 @@ std::vector<AnsweredQuestion> answerAll(const Arguments& arguments, const Config
 }
 
 int measure(const Arguments& arguments) {
-  const Config config = loadConfig(arguments.config);
+  const Config config = loadRunConfig(arguments.config);
   const QuestionsOfList list = readQuestions(arguments, config);
   const OutputLocks locks = lockFolders({arguments.out});
   const std::vector<AnsweredQuestion> answered = answerAll(arguments, config, list);

@@ -13,6 +13,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/planner_pictures.h"
 #include "collision_forge/app/report.h"
+#include "collision_forge/app/run_config.h"
 #include "collision_forge/app/until_hit.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/output.h"
@@ -213,7 +214,7 @@ int drive(Arguments arguments) {
   if (arguments.policies.empty()) {
     arguments.policies = {arguments.until_hit ? "adaptive" : "fixed"};
   }
-  Config config = loadConfig(arguments.config);
+  Config config = loadRunConfig(arguments.config);
   usePlannerFile(arguments.planner_file, arguments.planners, config.planners);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   std::optional<DrawnCases> drawn;

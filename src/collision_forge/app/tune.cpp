@@ -10,6 +10,7 @@
 #include "collision_forge/app/evaluation.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
+#include "collision_forge/app/run_config.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/output.h"
 #include "collision_forge/data/collide_set.h"
@@ -222,7 +223,7 @@ ReportInputs reportInputs(const Tuning& tuning, std::size_t best) {
 }
 
 int tune(const Arguments& arguments) {
-  Config config = loadConfig(arguments.config);
+  Config config = loadRunConfig(arguments.config);
   usePlannerFile(arguments.planner_file, {arguments.planner}, config.planners);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   const Tuning tuning = openTuning(arguments, config);

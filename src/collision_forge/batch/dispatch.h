@@ -30,7 +30,8 @@ int defaultJobs();
 /// An exception of `work` or `take` ends the run with that error on the master after all results
 /// before it were taken; the other ranks return. What was thrown in another rank arrives as
 /// std::runtime_error with the same text. A rank that dies takes the whole run with it: Open MPI
-/// ends all ranks, and what was taken before stays taken.
+/// ends all ranks, and what was taken before stays taken. So does one that is silent, where
+/// Ranks::watch() was called.
 void dispatch(std::size_t count, const std::function<std::string(std::size_t)>& work,
               const std::function<void(std::size_t, const std::string&)>& take,
               const DispatchOptions& options);

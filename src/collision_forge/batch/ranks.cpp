@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+#include "collision_forge/batch/rank_watch.h"
+
 namespace forge {
 
 bool Ranks::areLaunched() { return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr; }
@@ -16,13 +18,23 @@ Ranks& Ranks::get() {
 Ranks::Ranks() {
   if (!areLaunched()) return;
   int provided = MPI_THREAD_SINGLE;
-  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_MULTIPLE, &provided);
+  is_threaded_ = provided == MPI_THREAD_MULTIPLE;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
 }
 
 Ranks::~Ranks() {
-  if (areLaunched() && is_settled_) MPI_Finalize();
+  if (!areLaunched() || !is_settled_) return;
+  if (watch_) watch_->leave();
+  MPI_Finalize();
+}
+
+void Ranks::watch(double max_silence) {
+  if (size_ == 1 || !is_threaded_) return;
+  MPI_Comm channel = MPI_COMM_NULL;
+  MPI_Comm_dup(MPI_COMM_WORLD, &channel);
+  watch_ = std::make_unique<RankWatch>(channel, max_silence);
 }
 
 void Ranks::send(int to, MessageTag tag, const std::string& bytes) const {

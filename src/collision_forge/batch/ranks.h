@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace forge {
+
+class RankWatch;
 
 /// What ranks tell each other.
 enum class MessageTag : int {
@@ -44,6 +47,10 @@ class Ranks {
   /// which must bring as many numbers.
   void sum(std::vector<double>& numbers) const;
 
+  /// From now on a rank that is silent for longer than `max_silence` s, stopped or out of reach, is
+  /// named on stderr and ends the run. Every rank must call it, once; one alone is not watched.
+  void watch(double max_silence);
+
   /// From now on this process may end without the others: MPI is shut down in good order at its
   /// exit. A process that exits without has failed, and mpirun ends the others.
   void settle() { is_settled_ = true; }
@@ -55,6 +62,8 @@ class Ranks {
   int rank_ = 0;
   int size_ = 1;
   bool is_settled_ = false;
+  bool is_threaded_ = false;  // MPI may be used on several threads
+  std::unique_ptr<RankWatch> watch_;
 };
 
 }  // namespace forge

@@ -12,6 +12,7 @@
 #include "collision_forge/training/run_folder.h"
 
 #ifndef COLLISION_FORGE_WITHOUT_MPI
+#include "collision_forge/batch/options.h"
 #include "collision_forge/batch/ranks.h"
 #endif
 
@@ -20,12 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The processes that mpirun started.
-TrainingRanks launchedRanks() {
+/// The processes that mpirun started, which end together where one is silent.
+TrainingRanks launchedRanks([[maybe_unused]] const std::string& config) {
 #ifdef COLLISION_FORGE_WITHOUT_MPI
   return {};
 #else
-  const Ranks& ranks = Ranks::get();
+  Ranks& ranks = Ranks::get();
+  ranks.watch(loadRankOptions(config).max_silence);
   return {ranks.rank(), ranks.size(),
           [&ranks](std::vector<double>& numbers) { ranks.sum(numbers); }};
 #endif
@@ -110,7 +112,7 @@ std::set<std::string> leftOutScenes(const TrainingRun& run) {
 void trainPatternNetwork(const TrainingRun& run) {
   const LearningOptions& options = run.options;
   const std::set<std::string> left_out = leftOutScenes(run);
-  const TrainingRanks ranks = launchedRanks();
+  const TrainingRanks ranks = launchedRanks(run.config);
   const bool is_first = ranks.rank == 0;
   std::optional<OutputLock> lock;
   if (is_first) lock.emplace(openRunFolder(run, describeRun(run, ranks.size, "training.yaml")));

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "collision_forge/settings/config.h"
+
+namespace forge {
+
+/// The configuration in `directory`, for a command whose work is dealt out: from now on ranks that
+/// are silent end the run, as ranks.yaml there says. Throws ConfigError.
+Config loadRunConfig(const std::string& directory);
+
+}  // namespace forge

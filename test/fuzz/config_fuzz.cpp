@@ -1,0 +1,128 @@
+#include <filesystem>
+#include <functional>
+#include <map>
+
+#include "collision_forge/config/section.h"
+#include "collision_forge/ros/topic_mapping.h"
+#include "collision_forge/trials/planner_grid.h"
+#include "fuzz/reading.h"
+#include "fuzz/targets.h"
+
+namespace forge {
+namespace {
+
+/// Reads one file of a folder of configuration.
+using ReadFile = std::function<void(const std::string& folder, const std::string& name)>;
+
+/// A file of one section.
+template <class Options>
+ReadFile sectionOf() {
+  return [](const std::string& folder, const std::string& name) {
+    Options options;
+    readConfigFile(folder, name, options);
+  };
+}
+
+template <class Options>
+ReadFile crashSectionOf() {
+  return [](const std::string& folder, const std::string& name) {
+    Options options;
+    readConfigFile(folder, name, options, configuration().attack.search.time_margin);
+  };
+}
+
+void readAttack(const std::string& folder, const std::string& /*name*/) {
+  AttackOptions options;
+  readAttackOptions(folder, options);
+}
+
+void readTopics(const std::string& folder, const std::string& name) {
+  readTopicMapping(folder + "/" + name + ".yaml");
+}
+
+void readPlanners(const std::string& folder, const std::string& name) {
+  TrialOptions options;
+  readConfigFile(openConfigFile(folder, name + ".yaml"), options,
+                 configuration().attack.verification.limits);
+}
+
+/// The grid, and the numbers that planners.yaml has for it.
+void readTuning(const std::string& folder, const std::string& name) {
+  const std::string path = folder + "/planners.yaml";
+  const std::string text = bytesOf(path);
+  const PlannerGrid grid = readPlannerGrid(folder + "/" + name + ".yaml", "pdm");
+  const PlannerValues values = readPlannerValues(path, text, grid);
+  requireSame(text, withPlannerValues(path, text, values));
+}
+
+/// Files that are read with no others, or with few.
+const std::map<std::string, ReadFile>& readers() {
+  static const std::map<std::string, ReadFile> by_name = {
+      {"adaptive", sectionOf<AdaptiveOptions>()},
+      {"attacked_bag", sectionOf<AttackedBagOptions>()},
+      {"believability", readAttack},
+      {"conversion", sectionOf<ConversionOptions>()},
+      {"crash_definition", crashSectionOf<CrashDefinition>()},
+      {"dataset", crashSectionOf<DatasetOptions>()},
+      {"drawing", sectionOf<DrawingOptions>()},
+      {"ego_futures", readAttack},
+      {"ego_vehicle", sectionOf<EgoVehicle>()},
+      {"encoding", sectionOf<EncodingOptions>()},
+      {"evaluation", sectionOf<EvaluationOptions>()},
+      {"input_limits", sectionOf<InputLimits>()},
+      {"live", sectionOf<LiveOptions>()},
+      {"locations", sectionOf<std::map<std::string, DrivingSide>>()},
+      {"models", sectionOf<ModelOptions>()},
+      {"planner_training", sectionOf<PlannerTrainingOptions>()},
+      {"planners", readPlanners},
+      {"prediction", readAttack},
+      {"report", sectionOf<ReportOptions>()},
+      {"requests", sectionOf<RequestListOptions>()},
+      {"search", readAttack},
+      {"speed_model_fit", sectionOf<SpeedModelFitOptions>()},
+      {"topics_autoware", readTopics},
+      {"topics_derived_object", readTopics},
+      {"tuning", readTuning},
+      {"vehicle_limits", readAttack},
+      {"verification", readAttack},
+  };
+  return by_name;
+}
+
+/// A copy of config/, in which one file after the other is another.
+class ConfigCopy {
+ public:
+  ConfigCopy() { std::filesystem::copy(COLLISION_FORGE_SOURCE_DIR "/config", folder_.path()); }
+
+  bool has(const std::string& name) const {
+    return std::filesystem::exists(folder_.path() + "/" + name + ".yaml");
+  }
+
+  template <class Read>
+  bool with(const std::string& name, const std::string& text, const Read& read) const {
+    const std::string path = folder_.path() + "/" + name + ".yaml";
+    const std::string shipped = bytesOf(path);
+    folder_.write(name + ".yaml", text);
+    const bool is_taken = isTaken(folder_.path(), [&] { read(folder_.path(), name); });
+    folder_.write(name + ".yaml", shipped);
+    return is_taken;
+  }
+
+ private:
+  InputFolder folder_;
+};
+
+}  // namespace
+
+/// A file of config/: a line with its name, then its text.
+bool fuzzConfig(const std::string& input) {
+  static const ConfigCopy copy;
+  const auto [name, text] = firstLineOf(input);
+  const auto reader = readers().find(name);
+  if (reader != readers().end()) return copy.with(name, text, reader->second);
+  if (name.find('/') != std::string::npos || !copy.has(name)) return false;
+  return copy.with(name, text,
+                   [](const auto& folder, const auto& /*name*/) { loadConfig(folder); });
+}
+
+}  // namespace forge

@@ -1,0 +1,38 @@
+#include <sstream>
+#include <vector>
+
+#include "collision_forge/ros/message_fields.h"
+#include "fuzz/reading.h"
+#include "fuzz/targets.h"
+
+namespace forge {
+namespace {
+
+/// A path a line, each behind its kind: n, t or s.
+std::vector<FieldPath> pathsIn(const std::string& text) {
+  std::vector<FieldPath> paths;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() < 3) continue;
+    const FieldKind kind = line[0] == 't'   ? FieldKind::kTime
+                           : line[0] == 's' ? FieldKind::kText
+                                            : FieldKind::kNumber;
+    paths.push_back({line.substr(2), kind});
+  }
+  return paths;
+}
+
+}  // namespace
+
+/// The definition of a message type of others, paths of its fields, and a message of it: parts
+/// "definition", "paths" and "bytes".
+bool fuzzDefinitions(const std::string& input) {
+  Parts parts = partsOf(input);
+  return isTaken("", [&] {
+    const MessageFields fields("zoo_msgs/Cage", parts["definition"], pathsIn(parts["paths"]));
+    const std::string& bytes = parts["bytes"];
+    fields.read(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  });
+}
+
+}  // namespace forge

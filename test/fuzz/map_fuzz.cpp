@@ -1,0 +1,30 @@
+#include <memory>
+#include <vector>
+
+#include "collision_forge/data/nuscenes_map.h"
+#include "collision_forge/map/lane_queries.h"
+#include "fuzz/reading.h"
+#include "fuzz/targets.h"
+
+namespace forge {
+
+/// A file of nuScenes' map expansion.
+bool fuzzMap(const std::string& input) {
+  const InputFolder folder;
+  const std::string path = folder.write("town.json", input);
+  return isTaken(path, [&] {
+    const Config& config = configuration();
+    std::vector<std::string> warnings;
+    LaneMap map = readNuScenesMapFile(
+        path, DrivingSide::kRight, {config.conversion.centerline_resolution, config.input_limits},
+        &warnings);
+    for (const Lane& lane : map.lanes) {
+      for (const Pose2& pose : lane.centerline) {
+        require(isWithin(pose, config.input_limits), "lane " + lane.id + " is far away");
+      }
+    }
+    const LaneIndex index(std::make_shared<const LaneMap>(std::move(map)));
+  });
+}
+
+}  // namespace forge

@@ -1,0 +1,20 @@
+#include "collision_forge/data/request_file.h"
+#include "fuzz/reading.h"
+#include "fuzz/targets.h"
+
+namespace forge {
+
+/// A list of requests.
+bool fuzzRequests(const std::string& input) {
+  const InputFolder folder;
+  const std::string path = folder.write("requests.jsonl", input);
+  return isTaken(path, [&] {
+    const CrashDefinition& crash = configuration().crash;
+    for (const SceneRequest& request : readRequests(path, {"scene-0001"}, crash)) {
+      const std::string line = requestLine(request, crash);
+      requireSame(line, requestLine(readRequestLine(path, line, crash), crash));
+    }
+  });
+}
+
+}  // namespace forge

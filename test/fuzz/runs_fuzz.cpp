@@ -1,0 +1,57 @@
+#include "collision_forge/files/resumable_file.h"
+#include "collision_forge/study/result_row.h"
+#include "collision_forge/trials/planner_result_file.h"
+#include "fuzz/reading.h"
+#include "fuzz/targets.h"
+
+namespace forge {
+namespace {
+
+void readPlannerResult(const std::string& where, const std::string& line) {
+  const std::string written = plannerResultLine(readPlannerResultLine(where, line));
+  requireSame(written, plannerResultLine(readPlannerResultLine(where, written)));
+}
+
+void readRow(const std::string& line) {
+  for (const Protocol protocol : {Protocol::kStrict, Protocol::kPublished}) {
+    const auto row = rowFromCsv(line, protocol);
+    if (!row) continue;
+    const std::string written = toCsv(*row);
+    const auto again = rowFromCsv(written, protocol);
+    require(again.has_value(), "written it is no row any more: " + written);
+    requireSame(written, toCsv(*again));
+  }
+}
+
+/// What a run left: the parts "part", "options" and "sums" of a file of items of two lines.
+void resumeRun(const std::string& path) {
+  ResumableFile file(path, {{"seed", "1"}}, {"header", 2});
+  std::string items;
+  file.resume([&](const std::string& where, const std::string& lines) {
+    require(where.rfind(path, 0) == 0, "an item stands nowhere");
+    items += lines + "\n";
+  });
+  file.append("one\ntwo");
+  file.complete();
+  requireSame("header\n" + items + "one\ntwo\n", bytesOf(path));
+}
+
+}  // namespace
+
+/// What runs leave and read again: a line of planner results, a row of results.csv, or the files of
+/// a run that was stopped.
+bool fuzzRuns(const std::string& input) {
+  const InputFolder folder;
+  const std::string path = folder.path() + "/results";
+  if (!input.empty() && input.front() == '{') {
+    return isTaken("line 1", [&] { readPlannerResult("results.jsonl: line 1", input); });
+  }
+  Parts parts = partsOf(input);
+  if (parts.empty()) return isTaken("", [&] { readRow(input); });
+  folder.write("results.part", parts["part"]);
+  folder.write("results.options", parts["options"]);
+  folder.write("results.part.sums", parts["sums"]);
+  return isTaken(path, [&] { resumeRun(path); });
+}
+
+}  // namespace forge

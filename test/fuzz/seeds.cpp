@@ -1,0 +1,258 @@
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+
+#include "collision_forge/data/collide_clip.h"
+#include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/data/request_file.h"
+#include "collision_forge/data/scenario_file.h"
+#include "collision_forge/data/speed_model_file.h"
+#include "collision_forge/data/speed_profiles_file.h"
+#include "collision_forge/export/pickle_writer.h"
+#include "collision_forge/export/scenario_net_scene.h"
+#include "collision_forge/forecast/speed_model_fit.h"
+#include "data/collide_fixture.h"
+#include "data/map_fixture.h"
+#include "data/nuscenes_fixture.h"
+#include "fuzz/reading.h"
+#include "fuzz/targets.h"
+#include "network/sample_network.h"
+
+namespace forge {
+namespace {
+
+using Seeds = std::vector<std::string>;
+
+/// What `write` leaves at the path that it is given.
+std::string writtenBy(const std::function<void(const std::string& path)>& write) {
+  const InputFolder folder;
+  const std::string path = folder.path() + "/written";
+  write(path);
+  return bytesOf(path);
+}
+
+Seeds clipSeeds() {
+  const CollideClip straight =
+      straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-14.7, 0.0, 0.0}, 10.0);
+  CollideClip crossing =
+      straightClip(CollisionType::kJunctionCrossing, 90.0, 9, 8.0, {8.0, -8.0, M_PI_2}, 8.0);
+  crossing.tracks.push_back(standingClipTrack("parked", {20.0, 5.0, 0.5}, 9));
+  crossing.tracks.back().frames[3].reset();
+  Seeds seeds;
+  for (const CollideClip& clip : {straight, crossing}) {
+    const auto write = [&](const std::string& path) { writeCollideClip(path, clip); };
+    seeds.push_back(composeCollideName(clip) + "\n" + writtenBy(write));
+  }
+  return seeds;
+}
+
+Seeds configSeeds() {
+  Seeds seeds;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(COLLISION_FORGE_SOURCE_DIR "/config")) {
+    seeds.push_back(entry.path().stem().string() + "\n" + bytesOf(entry.path().string()));
+  }
+  std::sort(seeds.begin(), seeds.end());  // folders are in any order
+  return seeds;
+}
+
+Seeds mapSeeds() { return {tinyMap()}; }
+
+Seeds numberSeeds() {
+  return {"0",
+          "-0.0",
+          "1",
+          "-12.5e3",
+          "0.1",
+          "1e308",
+          "4.9e-324",
+          "123456789012345678",
+          "1E+2",
+          "2.5E-7",
+          "1.7976931348623157e308",
+          "9007199254740993",
+          "0." + std::string(348, '0') + "1",
+          std::string(42, '7') + "e-336"};
+}
+
+CollisionRequest demandingRequest() {
+  CollisionRequest request = believableRequestFor(CollisionType::kLaneChange, 3.5);
+  request.attacker = "a1";
+  request.choice = AttackerChoice::kExisting;
+  request.attacker_class = AgentClass::kTruck;
+  request.manoeuvre = Manoeuvre::kCutIn;
+  request.ego_side = Side::kLeft;
+  request.impact_speed = Range{1.0, 9.5};
+  request.overlap = Range{0.25, 1.0};
+  request.alternatives = 3;
+  request.seed = 7;
+  return request;
+}
+
+Seeds requestSeeds() {
+  const auto line = [](const CollisionRequest& request) {
+    return requestLine({"scene-0001", kNow, request}, shippedCrash()) + "\n";
+  };
+  return {line(believableRequestFor(CollisionType::kLtap)) + line(requestFor()),
+          line(demandingRequest())};
+}
+
+Scenario answered() {
+  Scenario scenario;
+  scenario.asked = {"scene-0001", kNow, requestFor()};
+  scenario.ego = {kEgoSize, 1.385};
+  Realization& answer = scenario.answer;
+  answer.aim = {CollisionType::kRearEnd,      "attacker",          kNow + 2.0,
+                {{16.0, 0.0, 0.0}, kEgoSize}, {-4.3, 0.25, 0.125}, 12.5};
+  answer.trajectory = straightDrive({-14.7, 0.0, 0.0}, 10.0, 2.0);
+  CollisionReport& report = answer.report;
+  report.contact = report.type_kept = report.on_time = report.limits_kept = true;
+  report.contact_time = kNow + 1.875;
+  report.impact_speed = 4.5;
+  report.overlap = 0.375;
+  report.confidence = 0.6;
+  return scenario;
+}
+
+Seeds scenarioSeeds() {
+  Scenario declined = answered();
+  declined.asked.request = demandingRequest();
+  declined.answer = {};
+  declined.answer.status = {StatusCode::kNoCandidate, "nobody is behind the ego"};
+  Scenario adaptive = answered();
+  adaptive.asked.request.mode = Mode::kAdaptive;
+  adaptive.plans = {firstPlan(adaptive.answer.trajectory, AttackerPhase::kAttacking)};
+  Scenario added = answered();
+  const Track past = pastTrack("attacker", kCarSize, {-14.7, 0.0, 0.0}, 10.0);
+  added.answer.trajectory.past = past.states;
+  return {scenarioLine(answered()), scenarioLine(declined), scenarioLine(adaptive),
+          scenarioLine(added)};
+}
+
+std::vector<SpeedProfileRow> steadyRows() {
+  std::vector<SpeedProfileRow> rows;
+  for (int scene = 0; scene < 24; ++scene) {
+    for (int frame = 0; frame < 20; ++frame) {
+      const double speed = scene % 3 == 0 ? 0.0 : 4.0 + 0.3 * scene + 0.1 * (frame * scene % 3);
+      rows.push_back({"scene-" + std::to_string(scene), frame, speed, {}});
+    }
+  }
+  return rows;
+}
+
+Seeds speedSeeds() {
+  SpeedModelFitOptions options = configuration().speed_model_fit;
+  options.centers = 3;
+  options.profiles = 3;
+  options.standing_profiles = 2;
+  const SpeedModel model = fitSpeedModelWithFolds(SpeedSituations(steadyRows()), 2, options, 0);
+  return {writtenBy([&](const std::string& path) { writeSpeedModel(model, path); }),
+          writtenBy([](const std::string& path) { writeSpeedProfiles(steadyRows(), path); })};
+}
+
+/// A description in the words of ScenarioNet alone, as its converters of other data sets write it.
+std::string foreignDescription() {
+  PickleWriter writer;
+  writer.beginDict("tracks");
+  for (const char* id : {"7", "8"}) {
+    writer.beginDict(id);
+    writer.text("type", "VEHICLE");
+    writer.beginDict("state");
+    writer.numbers("position", {0.0, 0.0, 0.0, 1.0, 0.0, 0.0}, 3);
+    writer.numbers("heading", {0.0, 0.0});
+    writer.numbers("length", {4.6, 4.6});
+    writer.numbers("width", {2.0, 2.0});
+    writer.flags("valid", {true, true});
+    writer.endDict();
+    writer.endDict();
+  }
+  writer.endDict();
+  writer.beginDict("map_features");
+  writer.beginDict("12");
+  writer.text("type", "LANE_SURFACE_STREET");
+  writer.numbers("polyline", {0.0, 0.0, 10.0, 0.0}, 2);
+  writer.texts("exit_lanes", {"13", "nowhere"});
+  writer.number("speed_limit_kmh", 36.0);
+  writer.endDict();
+  writer.endDict();
+  writer.beginDict("metadata");
+  writer.text("sdc_id", "7");
+  writer.numbers("ts", {0.0, 0.1});
+  writer.endDict();
+  return writer.pickle();
+}
+
+Scene smallScene() {
+  Scene scene;
+  scene.name = "scene-0001";
+  scene.ego = pastTrack(kEgoId, kEgoSize, {}, 8.0);
+  scene.agents = {pastTrack("ahead", kCarSize, {25.0, 0.0, 0.0}, 6.0)};
+  for (const AgentState& state : scene.ego.states) scene.frame_times.push_back(state.time);
+  auto map = emptyMap();
+  map->lanes = {straightLane("east", {-30.0, 0.0}, {60.0, 0.0})};
+  map->drivable_area = {rectangle(-30.0, -1.75, 60.0, 1.75)};
+  scene.map = map;
+  return scene;
+}
+
+Seeds pickleSeeds() {
+  return {foreignDescription(),
+          scenarioNetOf(smallScene(), RowTimes::kAsRecorded, configuration().exports)};
+}
+
+Seeds tableSeeds() {
+  const auto tables = tinyTables();
+  return {joined(Parts(tables.begin(), tables.end()))};
+}
+
+Seeds weightSeeds() {
+  PatternWeights fold = randomWeights(1);
+  fold.left_out_scenes = {"scene-0001"};
+  return {
+      writtenBy([&](const std::string& path) {
+        writePatternWeights({randomWeights(), fold}, path);
+      }),
+      writtenBy([](const std::string& path) { writePatternWeights({randomWeights(2)}, path); })};
+}
+
+Seeds definitionSeeds() {
+  const std::string rule(80, '=');
+  const std::string cage =
+      "Header header\nAnimal[] animals\nint16 WORD=3\nfloat32[2] size\nuint8[3] tag\n" + rule +
+      "\nMSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring frame_id\n" + rule +
+      "\nMSG: zoo_msgs/Animal\nstring name\nfloat64[] limbs\nduration age\n";
+  const std::string paths =
+      "t header.stamp\ns header.frame_id\ns animals[].name\nn animals[].limbs[]\nn size[1]\ns "
+      "tag\n";
+  const auto number = [](std::uint32_t value) {
+    return std::string(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  const std::string animal =
+      number(3) + "cat" + number(1) + std::string(8, '\1') + std::string(8, '\2');
+  const std::string bytes = number(1) + number(3) + number(4) + number(3) + "map" + number(2) +
+                            animal + animal + std::string(8, '\3') + "abc";
+  return {joined({{"definition", cage}, {"paths", paths}, {"bytes", bytes}})};
+}
+
+}  // namespace
+
+const SeedMakers& seedMakers() {
+  static const SeedMakers makers = {{"bags", bagSeeds},
+                                    {"clips", clipSeeds},
+                                    {"config", configSeeds},
+                                    {"definitions", definitionSeeds},
+                                    {"map", mapSeeds},
+                                    {"messages", messageSeeds},
+                                    {"numbers", numberSeeds},
+                                    {"pickles", pickleSeeds},
+                                    {"requests", requestSeeds},
+                                    {"runs", runSeeds},
+                                    {"scenarios", scenarioSeeds},
+                                    {"speeds", speedSeeds},
+                                    {"tables", tableSeeds},
+                                    {"weights", weightSeeds}};
+  return makers;
+}
+
+}  // namespace forge

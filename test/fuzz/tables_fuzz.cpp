@@ -1,0 +1,25 @@
+#include <memory>
+
+#include "collision_forge/data/log_source.h"
+#include "collision_forge/data/nuscenes_tables.h"
+#include "fuzz/reading.h"
+#include "fuzz/targets.h"
+
+namespace forge {
+
+/// The tables of a nuScenes root, a part each.
+bool fuzzTables(const std::string& input) {
+  const InputFolder folder;
+  for (const auto& [name, table] : partsOf(input)) folder.write(name + ".json", table);
+  const auto lanes = std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>());
+  SceneReading reading;
+  reading.options = configuration();
+  return isTaken("", [&] {
+    const NuScenesRoot root(folder.path(), ".");
+    for (const std::string& name : root.sceneNames()) {
+      flattened({root.readScene(name), lanes}, reading);
+    }
+  });
+}
+
+}  // namespace forge

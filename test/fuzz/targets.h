@@ -1,0 +1,59 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace forge {
+
+/// A kind of input, and what reads it.
+struct FuzzTarget {
+  const char* name;
+  /// Reads these bytes: true when they were taken, false when they were refused as the reader's
+  /// header says. Throws Finding for all else.
+  bool (*read)(const std::string& input);
+};
+
+bool fuzzBags(const std::string& input);
+bool fuzzClips(const std::string& input);
+bool fuzzConfig(const std::string& input);
+bool fuzzDefinitions(const std::string& input);
+bool fuzzMap(const std::string& input);
+bool fuzzMessages(const std::string& input);
+bool fuzzNumbers(const std::string& input);
+bool fuzzPickles(const std::string& input);
+bool fuzzRequests(const std::string& input);
+bool fuzzRuns(const std::string& input);
+bool fuzzScenarios(const std::string& input);
+bool fuzzSpeeds(const std::string& input);
+bool fuzzTables(const std::string& input);
+bool fuzzWeights(const std::string& input);
+
+inline constexpr FuzzTarget kFuzzTargets[] = {
+    {"bags", fuzzBags},
+    {"clips", fuzzClips},
+    {"config", fuzzConfig},
+    {"definitions", fuzzDefinitions},
+    {"map", fuzzMap},
+    {"messages", fuzzMessages},
+    {"numbers", fuzzNumbers},
+    {"pickles", fuzzPickles},
+    {"requests", fuzzRequests},
+    {"runs", fuzzRuns},
+    {"scenarios", fuzzScenarios},
+    {"speeds", fuzzSpeeds},
+    {"tables", fuzzTables},
+    {"weights", fuzzWeights},
+};
+
+/// What makes small inputs that are taken, by the names of the targets.
+using SeedMakers = std::map<std::string, std::vector<std::string> (*)()>;
+const SeedMakers& seedMakers();
+
+// Some of these.
+
+std::vector<std::string> bagSeeds();
+std::vector<std::string> messageSeeds();
+std::vector<std::string> runSeeds();
+
+}  // namespace forge

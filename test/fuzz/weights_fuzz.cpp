@@ -1,0 +1,39 @@
+#include <memory>
+
+#include "collision_forge/data/pattern_network_file.h"
+#include "fuzz/reading.h"
+#include "fuzz/targets.h"
+#include "network/sample_network.h"
+
+namespace forge {
+namespace {
+
+/// What the networks say of a scene is finite, or refused.
+void predict(const std::shared_ptr<const PatternNetwork>& network) {
+  static const Snapshot snapshot = junctionSnapshot();
+  static const LaneIndex lanes = lanesOf(snapshot);
+  const auto predictor = Foresight{nullptr, network, {}}.patterns(configuration().attack);
+  const PatternPrediction found = predictor->predict(snapshot, lanes, requestFor(), nullptr);
+  for (const CollisionPattern& pattern : found.patterns) {
+    require(pattern.attacker_offset.isFinite(), "a pattern is not finite");
+  }
+}
+
+}  // namespace
+
+/// A file of pattern networks.
+bool fuzzWeights(const std::string& input) {
+  const InputFolder folder;
+  const std::string path = folder.write("network.bin", input);
+  std::shared_ptr<const PatternNetwork> network;
+  const bool is_taken = isTaken(path, [&] {
+    network = loadPatternNetwork(path);
+    writePatternWeights(readPatternWeights(path), path);
+    const std::string written = bytesOf(path);
+    writePatternWeights(readPatternWeights(path), path);
+    requireSame(written, bytesOf(path));
+  });
+  return is_taken && isTaken("", [&] { predict(network); });
+}
+
+}  // namespace forge
