@@ -52,7 +52,8 @@ bool staysClear(const AttackerTrajectory& trajectory, const Track& track, double
   return attacker.squaredExteriorDistance(other) > reach * reach;
 }
 
-/// The next instant, where the track is seen from the one of `index` on until it; else that instant.
+/// The next instant, where the track is seen from the one of `index` on until it; else that
+/// instant.
 double seenUntil(const Track& track, const std::vector<double>& times, std::size_t index) {
   if (index + 1 == times.size()) return times[index];
   const double middle = 0.5 * (times[index] + times[index + 1]);
@@ -130,9 +131,9 @@ std::optional<double> firstContactTime(const AttackerTrajectory& trajectory, con
     if (!from) continue;
     const double until = seenUntil(track, times, i);
     const auto to = stateAt(track, until);
-    const auto ratio = firstContact(
-        {poseAt(trajectory, times[i]), poseAt(trajectory, until), trajectory.size},
-        {from->pose, to->pose, track.size}, tolerance);
+    const auto ratio =
+        firstContact({poseAt(trajectory, times[i]), poseAt(trajectory, until), trajectory.size},
+                     {from->pose, to->pose, track.size}, tolerance);
     if (ratio) return std::min(times[i] + *ratio * (until - times[i]), until);
   }
   return std::nullopt;

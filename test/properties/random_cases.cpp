@@ -1,0 +1,72 @@
+#include "properties/random_cases.h"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace forge {
+namespace {
+
+std::uint64_t numberOr(const char* variable, std::uint64_t otherwise) {
+  const char* text = std::getenv(variable);
+  if (text == nullptr) return otherwise;
+  std::uint64_t value = 0;
+  const char* end = text + std::strlen(text);
+  const auto [read, error] = std::from_chars(text, end, value);
+  if (error != std::errc() || read != end || text == end) {
+    throw std::invalid_argument(std::string(variable) + " = \"" + text + "\" is no number");
+  }
+  return value;
+}
+
+std::string nameOfTest() {
+  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+  return std::string(test->test_suite_name()) + "." + test->name();
+}
+
+/// How a case is tried again alone.
+std::string repetition(std::uint64_t seed) {
+  return "PROPERTY_SEED=" + std::to_string(seed) +
+         " PROPERTY_CASES=1 properties_tests --gtest_filter=" + nameOfTest();
+}
+
+}  // namespace
+
+CaseRange caseRange() {
+  const CaseRange usual;
+  return {numberOr("PROPERTY_CASES", usual.count), numberOr("PROPERTY_SEED", usual.first_seed)};
+}
+
+void forAllCases(const std::function<void(Random&)>& check) {
+  const CaseRange range = caseRange();
+  for (std::uint64_t i = 0; i < range.count; ++i) {
+    const std::uint64_t seed = range.first_seed + i;
+    SCOPED_TRACE(repetition(seed));
+    Random random(seed);
+    check(random);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+void forMostCases(double least_share, const std::function<bool(Random&)>& check) {
+  const CaseRange range = caseRange();
+  std::uint64_t tried = 0, differing = 0;
+  std::ostringstream seeds;
+  forAllCases([&](Random& random) {
+    const std::uint64_t seed = range.first_seed + tried++;
+    if (check(random)) return;
+    ++differing;
+    seeds << " " << seed;
+  });
+  std::cout << nameOfTest() << ": " << differing << " of " << tried << " cases differ"
+            << (differing > 0 ? "; seeds" : "") << seeds.str() << std::endl;
+  EXPECT_GE(static_cast<double>(tried - differing), least_share * static_cast<double>(tried));
+}
+
+}  // namespace forge

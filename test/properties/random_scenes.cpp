@@ -1,0 +1,59 @@
+#include "properties/random_scenes.h"
+
+#include "collision_forge/attack/attack_method.h"
+#include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/data/scene_source.h"
+#include "collision_forge/verify/verification.h"
+
+namespace forge {
+namespace {
+
+constexpr std::size_t kScenes = 10;  // of data/embedded
+
+SceneSource& embeddedScenes() {
+  static SceneSource scenes({COLLISION_FORGE_SOURCE_DIR "/data/embedded", "v1.0-embedded"}, {},
+                            embeddedConfig(), kScenes);
+  return scenes;
+}
+
+}  // namespace
+
+const Config& embeddedConfig() {
+  static const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  return config;
+}
+
+Moment AskedMoment::moment() const {
+  return std::get<Moment>(
+      momentAt(*recording, now, embeddedConfig().attack.prediction.history_frames));
+}
+
+AskedMoment randomRequest(Random& random, const std::vector<Mode>& modes) {
+  AskedMoment asked;
+  asked.recording = embeddedScenes().at(oneOf(embeddedScenes().names(), random));
+  const std::vector<double>& frames = asked.recording->scene.frame_times;
+  asked.now = frames[2 + random.index(frames.size() - 12)];
+  CollisionRequest& request = asked.request;
+  request.crash = embeddedConfig().crash;
+  request.type = oneOf(kCollisionTypes, random);
+  request.tta = random.uniform(1.0, 5.0);
+  request.mode = oneOf(modes, random);
+  request.seed = random.index(1000);
+  if (isLikely(random, 0.2)) request.choice = AttackerChoice::kNew;
+  request.crash.believable = isLikely(random, 0.7);
+  return asked;
+}
+
+Realization answerTo(const AskedMoment& asked) {
+  static const MethodMaker maker = loadMethod("search", embeddedConfig(), embeddedConfig().attack);
+  return generateCollision(*maker.makeWithoutScene(asked.recording->scene.name), asked.moment(),
+                           asked.request, embeddedConfig().attack.prediction);
+}
+
+CollisionReport testedReport(const AttackerTrajectory& trajectory, const AskedMoment& asked) {
+  const Moment moment = asked.moment();
+  return verify(trajectory, {moment.snapshot, *moment.recorded, asked.request, *moment.lanes},
+                embeddedConfig().attack.verification);
+}
+
+}  // namespace forge
