@@ -162,7 +162,8 @@ TEST(SearchAttacks, ComeBestFirstWithTheScoresOfTheirMotions) {
     for (const Track& ego : scene.egos) egos.push_back(&ego);
     const FutureScorer scorer(egos, scene.future.agents, scene.request, kNow,
                               scene.map->driving_side, scene.options);
-    const auto attacks = scene.found();
+    const auto patterns = scene.patterns();
+    const auto attacks = scene.found(patterns);
     EXPECT_LE(attacks.size(), 2 * static_cast<std::size_t>(scene.options.search.kept))
         << "of each family";
     for (std::size_t i = 0; i < attacks.size(); ++i) {
