@@ -30,12 +30,13 @@ refuse_arguments() {
 
 # ---- packages ----
 
-# listed_packages forge|all|interop: those of the first part of the list, of the first two, or of all three.
+# listed_packages forge|all|interop|sanitize: those of the first part of the list, of the first two, or of these and the
+# part of that name.
 listed_packages() {
-  local last='$' # line
-  [[ $1 != forge ]] || last='/^# ==== rest/'
-  [[ $1 != all ]] || last='/^# ==== interop/'
-  sed -n "1,${last}{s/#.*//;p}" "$REPO_ROOT/scripts/packages.txt" | xargs -n 1
+  local parts=forge
+  [[ $1 == forge ]] || parts="forge|rest|$1"
+  awk -v parts="^($parts):$" '/^# ====/ { wanted = $3 ~ parts } { sub(/#.*/, "") } wanted' \
+    "$REPO_ROOT/scripts/packages.txt" | xargs -n 1
 }
 
 missing_packages() {
@@ -44,7 +45,7 @@ missing_packages() {
   comm -23 <(listed_packages "$1" | sort -u) <(printf '%s\n' "$installed")
 }
 
-# install_packages forge|all|interop
+# install_packages forge|all|interop|sanitize
 install_packages() {
   { command -v dpkg-query && command -v apt-get; } > /dev/null ||
     die "this is no Debian: install what scripts/packages.txt lists in your system's way"
@@ -94,7 +95,7 @@ build_folder_is_stale() {
 # configure OPTION...: with these options of CMake beside those of every build.
 configure() {
   if build_folder_is_stale; then
-    say "removing build/ and devel/: configured for another folder, in another way, or not to the end"
+    say "removing $BUILD_DIR and $DEVEL_DIR: configured for another folder, in another way, or not to the end"
     rm -rf "$BUILD_DIR" "$DEVEL_DIR"
   fi
   local log=$BUILD_DIR/configure.log
@@ -144,4 +145,11 @@ use_ros_environment() {
   # shellcheck source=scripts/env.bash
   source "$REPO_ROOT/scripts/env.bash" || exit 1
   set -eu
+}
+
+# isolate_ros HOME: tests start masters and nodes of their own; nothing of the caller's ROS may reach them.
+isolate_ros() {
+  local home=$1
+  unset ROS_IP ROS_LOG_DIR ROS_NAMESPACE ROSCONSOLE_CONFIG_FILE
+  export ROS_HOME=$home ROS_HOSTNAME=localhost
 }

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """Counts test cases after ctest and prints `N passed, N failed` as the last line.
 
-usage: count_tests.py BUILD_DIR CTEST_JUNIT_XML
+usage: count_tests.py BUILD_DIR CTEST_JUNIT_XML [PATTERN]
 
+PATTERN is what ctest was given with -R: other tests are not counted.
 Cases that were skipped are named, with the reason that they give, and counted.
 
 catkin's tests have the JUnit file that they write on their command line: its cases are counted. A file that is
@@ -61,9 +62,9 @@ def junit_outcomes(junit_file):
     return outcomes
 
 
-def registered_tests(build_dir):
-    """(name, the JUnit file that it writes or None) of every test that ctest knows."""
-    listing = subprocess.run(['ctest', '--test-dir', build_dir, '--show-only=json-v1'], check=True,
+def registered_tests(build_dir, pattern):
+    """(name, the JUnit file that it writes or None) of every test that ctest knows by such a name."""
+    listing = subprocess.run(['ctest', '--test-dir', build_dir, '--show-only=json-v1', '-R', pattern], check=True,
                              stdout=subprocess.PIPE)
     results = str(Path(build_dir) / 'test_results')
     for test in json.loads(listing.stdout)['tests']:
@@ -84,10 +85,10 @@ def outcomes_of(name, junit_file, by_ctest):
     return cases
 
 
-def main(build_dir, ctest_junit):
+def main(build_dir, ctest_junit, pattern='.'):
     by_ctest = ctest_outcomes(ctest_junit)
     count = Counter()
-    for name, junit_file in registered_tests(build_dir):
+    for name, junit_file in registered_tests(build_dir, pattern):
         outcomes = outcomes_of(name, junit_file, by_ctest)
         count.update(outcomes)
         if 'failed' in outcomes:
@@ -101,6 +102,6 @@ def main(build_dir, ctest_junit):
 
 
 if __name__ == '__main__':
-    if len(sys.argv) != 3:
+    if len(sys.argv) not in (3, 4):
         sys.exit(__doc__)
     sys.exit(main(*sys.argv[1:]))
