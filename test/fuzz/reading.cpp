@@ -23,7 +23,7 @@ const char* const kHead = "=== ";
 /// How it begins what libraries say when nobody said it better.
 const char* const kBareMessages[] = {"stoi",          "stod",           "stol",    "stoul",
                                      "basic_string:", "vector:",        "map::at", "std::",
-                                     "array::at",     "bad conversion", "bad_",    "__"};
+                                     "array::at",     "bad conversion", "bad_"};
 
 std::string typeOf(const std::exception& error) {
   int status = 0;
