@@ -202,11 +202,13 @@ TEST(JsonLineWriter, EveryNumberIsReadBackAsItWas) {
 }
 
 TEST(JsonLineWriter, NumbersThatAreNoneAreRefused) {
-  JsonLineWriter writer;
-  writer.beginObject();
   for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
-    EXPECT_THROW(writer.number("n", value), std::invalid_argument);
-    EXPECT_THROW(writer.numbers("n", {1.0, value}), std::invalid_argument);
+    JsonLineWriter single;
+    single.beginObject();
+    EXPECT_THROW(single.number("n", value), std::invalid_argument);
+    JsonLineWriter several;
+    several.beginObject();
+    EXPECT_THROW(several.numbers("n", {1.0, value}), std::invalid_argument);
   }
 }
 
