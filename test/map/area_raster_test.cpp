@@ -193,5 +193,20 @@ TEST(AreaRaster, AnswersTheSameToManyThreadsAtOnce) {
   }
 }
 
+TEST(AreaRaster, OfAPartHasTheCellsOfTheWhole) {
+  const LaneMap whole = stars(7);
+  LaneMap part;
+  part.drivable_area = {whole.drivable_area[3]};
+  LaneMap wider = part;
+  wider.drivable_area.push_back(rectangle(300.37, -900.11, 310.0, -890.0));
+  const AreaRaster of_part(part.drivable_area);
+  const AreaRaster of_wider(wider.drivable_area);
+  Random random(11);
+  for (int i = 0; i < 20000; ++i) {
+    const Vector2 point = random.in(-110.0, 110.0) + Vector2(1000.0, -500.0);
+    EXPECT_EQ(of_part.contains(point), of_wider.contains(point)) << point.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace forge

@@ -47,8 +47,10 @@ AreaRaster::AreaRaster(const std::vector<Polygon>& area) : area_(area) {
     throw std::invalid_argument("an area of " + std::to_string(all.sizes().x()) + " x " +
                                 std::to_string(all.sizes().y()) + " m is too large");
   }
-  origin_ = all.min();
-  const Vector2 tiles = (all.sizes() / (kCell * kCells)).array().floor() + 1.0;
+  // At whole tiles of the map's frame, so that a part of the map has the cells of the whole.
+  constexpr double kTile = kCell * kCells;
+  origin_ = (all.min() / kTile).array().floor() * kTile;
+  const Vector2 tiles = ((all.max() - origin_) / kTile).array().floor() + 1.0;
   columns_ = static_cast<int>(tiles.x());
   rows_ = static_cast<int>(tiles.y());
   tiles_ = std::vector<std::atomic<const Tile*>>(static_cast<std::size_t>(columns_) *
