@@ -14,6 +14,7 @@
 namespace forge {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -103,6 +104,15 @@ TEST_F(ScenarioNetSummary, OfAllHoldsTheMetadataOfEach) {
   writeScenarioNetSummary(folder_, {"s1", "s2"});
   EXPECT_EQ(read("dataset_summary.pkl"), summary.pickle());
   EXPECT_EQ(read("dataset_mapping.pkl"), mapping.pickle());
+}
+
+TEST_F(ScenarioNetSummary, TheNamesOfAFolderAreThoseOfItsScenarios) {
+  for (const std::string file :
+       {scenarioNetFile("s2"), scenarioNetFile("s1.a"), std::string("sd_waymo_v1_s3.pkl"),
+        scenarioNetFile("s4") + ".part", std::string("dataset_summary.pkl")}) {
+    writeText(pathOf(file), "");
+  }
+  EXPECT_THAT(scenarioNetNames(folder_), ElementsAre("s1.a", "s2"));
 }
 
 TEST_F(ScenarioNetSummary, AFileThatIsGoneIsNamed) {

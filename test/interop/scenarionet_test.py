@@ -70,14 +70,26 @@ class ScenarioNetTest(unittest.TestCase):
     def read(self, name):
         return read_pickle(self.out / name)
 
-    def test_metadrive_lists_all_files_and_finds_them_sound(self):
+    def sound_files(self, folder):
+        """The files of a folder that MetaDrive lists, all of them sound."""
         script = Path(__file__).with_name('metadrive_checks.py')
-        words = [self.metadrive, '-W', 'error:numpy.core:DeprecationWarning', script, self.out]
+        words = [self.metadrive, '-W', 'error:numpy.core:DeprecationWarning', script, folder]
         done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout)
-        listed = [line for line in done.stdout.splitlines() if line.startswith('sd_')]
+        return [line for line in done.stdout.splitlines() if line.startswith('sd_')]
+
+    def test_metadrive_lists_all_files_and_finds_them_sound(self):
+        listed = self.sound_files(self.out)
         self.assertEqual(listed, [entry['files'][0] for entry in self.index])
         self.assertGreater(len(listed), 50)
+
+    def test_metadrive_finds_recorded_scenes_sound(self):
+        out = Path(self.folder.name, 'recorded')
+        forge('convert', '--to', 'scenarionet', *LOGS, '--out', str(out))
+        scenes = {json.loads(line)['scene'] for line in Path(self.scenarios).read_text(encoding='utf-8').splitlines()}
+        listed = self.sound_files(out)
+        self.assertEqual(len(listed), len(list(out.glob('sd_*.pkl'))))
+        self.assertGreaterEqual(len(listed), len(scenes))
 
     def test_ego_and_attacker_touch_when_the_index_says(self):
         touches = 0

@@ -68,16 +68,6 @@ void convertScene(const Arguments& arguments, const LoggedScene& logged, const C
   writeText(resultPath(arguments, name), scenarioNetOf(scene, arguments.rows, config.exports));
 }
 
-/// The names of the scenes that have their files.
-std::vector<std::string> converted(const Arguments& arguments,
-                                   const std::vector<std::string>& scenes) {
-  std::vector<std::string> names;
-  for (const std::string& scene : scenes) {
-    if (std::filesystem::exists(resultPath(arguments, scene))) names.push_back(scene);
-  }
-  return names;
-}
-
 std::unique_ptr<SceneReader> openLogs(const Arguments& arguments, const Config& config) {
   const SceneReading reading{arguments.scenes, config,
                              isMaster() ? OnWarnings(printWarnings) : OnWarnings(), showReading()};
@@ -126,7 +116,7 @@ int convert(const Arguments& arguments) {
   dispatch(scenes.size(), convertOne, take, {arguments.jobs, 0});
   if (!isMaster()) return kExitOk;
   if (arguments.to_scenario_net) {
-    writeScenarioNetSummary(arguments.out, converted(arguments, scenes));
+    writeScenarioNetSummary(arguments.out, scenarioNetNames(arguments.out));
   }
   std::cerr << scenes.size() - before - failures << " scenes written to " << arguments.out << "\n";
   return failures == 0 ? kExitOk : kExitError;

@@ -1,5 +1,7 @@
 #include "collision_forge/export/scenario_net_description.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -15,9 +17,12 @@ namespace {
 // What the names of files are made of, as the format wants it.
 constexpr const char* kDataset = "collision_forge";
 constexpr const char* kVersion = "v1";
+constexpr const char* kEnding = ".pkl";
 
 constexpr const char* kMetadata = "metadata";
 constexpr std::size_t kAfterMetadata = 2;  // bytes of a file: the end of its dict, and its own
+
+std::string beginOfFiles() { return std::string("sd_") + kDataset + "_" + kVersion + "_"; }
 
 /// What a scenario's metadata begin with.
 PickleWriter begunMetadata() {
@@ -87,8 +92,18 @@ std::string pickledScenario(const ScenarioDescription& scenario, const std::vect
   return writer.pickle();
 }
 
-std::string scenarioNetFile(const std::string& name) {
-  return std::string("sd_") + kDataset + "_" + kVersion + "_" + name + ".pkl";
+std::string scenarioNetFile(const std::string& name) { return beginOfFiles() + name + kEnding; }
+
+std::vector<std::string> scenarioNetNames(const std::string& folder) {
+  const std::string begin = beginOfFiles();
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string stem = entry.path().stem().string();
+    if (entry.path().extension() != kEnding || stem.compare(0, begin.size(), begin) != 0) continue;
+    names.push_back(stem.substr(begin.size()));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 void writeScenarioNetSummary(const std::string& folder, const std::vector<std::string>& names) {

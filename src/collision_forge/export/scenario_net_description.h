@@ -31,6 +31,9 @@ std::string pickledScenario(const ScenarioDescription& scenario, const std::vect
 /// The name of a scenario's file: sd_collision_forge_v1_NAME.pkl.
 std::string scenarioNetFile(const std::string& name);
 
+/// The names of the scenarios that have their files in a folder, sorted.
+std::vector<std::string> scenarioNetNames(const std::string& folder);
+
 /// Writes what the format wants of all scenarios of a folder: dataset_summary.pkl, from the
 /// metadata in their files, and dataset_mapping.pkl. Throws std::runtime_error naming a file that
 /// is missing or no scenario of this suite.
