@@ -13,7 +13,8 @@ namespace forge {
 std::optional<double> nearestDouble(std::string_view text);
 
 /// What RapidJSON reads, into a document, with its numbers made here: its own conversion reads
-/// beyond its memory for some long numbers. Integers stay integers where 64 bits hold them, but for -0.
+/// beyond its memory for some long numbers. Integers stay integers where 64 bits hold them, but for
+/// -0.
 class ExactNumbers : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, ExactNumbers> {
  public:
   explicit ExactNumbers(rapidjson::Document& document) : document_(document) {}
