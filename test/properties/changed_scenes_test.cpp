@@ -17,9 +17,11 @@ const std::vector<Mode> kBothModes = {Mode::kHistory, Mode::kReplay};
 constexpr double kSame = 1e-3;
 
 /// Within 20 km, and on the clock's steps.
+/// By whole cells of drivable ground, which lie at half metres of the map's frame.
 PlaneChange elsewhere(Random& random) {
   PlaneChange change;
-  change.shift = {random.uniform(-2e4, 2e4), random.uniform(-2e4, 2e4)};
+  const auto cells = [&] { return 0.5 * std::round(random.uniform(-4e4, 4e4)); };
+  change.shift = {cells(), cells()};
   change.later = std::round(random.uniform(-1.5e9, 5e8) * 64.0) / 64.0;
   return change;
 }

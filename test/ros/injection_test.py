@@ -350,11 +350,11 @@ class InjectionTest(road.RoadTest):
 
 class AdaptiveInjectionTest(road.RoadTest):
     """An attacker that sees and reacts says in its bag what it decided."""
-    SCENES = ['scene-0007']
+    SCENES = ['scene-0005']
 
     def reports(self, mode):
         out = self.path(mode + '.bag')
-        result = road.inject(self.bag('scene-0007'), out, 'rear_end', 4.0, 4.0, '--mode', mode)
+        result = road.inject(self.bag('scene-0005'), out, 'rear_end', 4.0, 4.0, '--mode', mode)
         self.assertEqual(road.code_of(result), 'OK', result.stderr)
         return road.read_one(out, '/attack'), road.read_one(out, '/tested_report')
 

@@ -132,6 +132,9 @@ TEST(ResultRow, OtherLinesAreNoRows) {
   ResultRow turned = sampleRow();
   turned.relative_heading = 2.0 * M_PI;
   EXPECT_FALSE(rowFromCsv(toCsv(turned), Protocol::kPublished)) << "no heading";
+  ResultRow sure = sampleRow();
+  sure.confidence = 1e12;
+  EXPECT_FALSE(rowFromCsv(toCsv(sure), Protocol::kPublished)) << "no confidence";
   EXPECT_FALSE(rowFromCsv(line.substr(0, line.find(",0,-0.1")), Protocol::kPublished));
   std::string other = line;
   EXPECT_FALSE(rowFromCsv(other.replace(other.find("ltap"), 4, "xyzw"), Protocol::kPublished));

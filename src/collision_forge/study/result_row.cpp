@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;  // rad
 constexpr std::size_t kFixedColumns = 13;
+constexpr double kLargest = 1e9;  // no figure of a row comes near it, and all of it is written
 
 std::string decimals(const char* format, const std::optional<double>& value) {
   if (!value) return "";
@@ -48,7 +49,7 @@ bool parse(const std::string& text, Number& number) {
 
 bool parse(const std::string& text, std::optional<double>& number) {
   if (text.empty()) return true;
-  return parse(text, number.emplace());
+  return parse(text, number.emplace()) && std::abs(*number) <= kLargest;
 }
 
 bool parse(const std::string& text, std::optional<bool>& answer) {
