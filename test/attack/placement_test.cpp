@@ -148,7 +148,7 @@ TEST(AttackerOffset, SlidesAsAShareOfHalfTheSideThatIsHit) {
 }
 
 TEST(PlacementsAlong, ALaneThatCrossesIsMetAtItsOwnHeading) {
-  const TypeDefinition& band = shippedCrash().types.at(CollisionType::kJunctionCrossing);
+  const TypeDefinition band = shippedCrash().types.at(CollisionType::kJunctionCrossing);
   const auto found =
       placementsAlong(-1.5, CollisionType::kJunctionCrossing, band, DrivingSide::kRight, 0.03, 0.6);
   ASSERT_EQ(found.size(), 2U) << "from the left or in front, heading to the right";
@@ -158,7 +158,7 @@ TEST(PlacementsAlong, ALaneThatCrossesIsMetAtItsOwnHeading) {
 }
 
 TEST(PlacementsAlong, HeadingsAreHeldToTheBandAndNotTooFarFromTheLane) {
-  const TypeDefinition& band = shippedCrash().types.at(CollisionType::kLaneChange);
+  const TypeDefinition band = shippedCrash().types.at(CollisionType::kLaneChange);
   const auto along = [&](double direction) {
     return placementsAlong(direction, CollisionType::kLaneChange, band, DrivingSide::kRight, 0.03,
                            0.6);
@@ -173,7 +173,7 @@ TEST(PlacementsAlong, HeadingsAreHeldToTheBandAndNotTooFarFromTheLane) {
 }
 
 TEST(PlacementsAlong, StraightOnIsOneHeading) {
-  const TypeDefinition& band = shippedCrash().types.at(CollisionType::kRearEnd);
+  const TypeDefinition band = shippedCrash().types.at(CollisionType::kRearEnd);
   const auto found =
       placementsAlong(0.0, CollisionType::kRearEnd, band, DrivingSide::kRight, 0.03, 0.6);
   ASSERT_EQ(found.size(), 2U) << "behind and ahead";

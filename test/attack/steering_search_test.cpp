@@ -77,7 +77,7 @@ struct Case {
     EXPECT_NEAR(touch * start.step, tta, kTolerance + start.step);
     const Pose2& pose = points[static_cast<std::size_t>(touch)].pose;
     const double heading = std::abs(angleBetween(ego.yaw, pose.yaw));
-    const TypeDefinition& band = shippedCrash().types.at(type);
+    const TypeDefinition band = shippedCrash().types.at(type);
     EXPECT_GE(heading, band.min_heading - 0.1);
     EXPECT_LE(heading, band.max_heading + 0.1);
   }
