@@ -117,10 +117,10 @@ TEST(Scorecard, SmoothAttackersAreAlikeWithTheRecordingsNoise) {
   for (MotionWindow& window : recorded) {
     for (WindowSample& sample : window.samples) sample.pose.x += noise(generator);
   }
-  const ClassifierRow& all = scorecardOf(attacks, recorded, kOptions).classifiers.front();
+  const ClassifierRow all = scorecardOf(attacks, recorded, kOptions).classifiers.front();
   EXPECT_GT(all.test.larger(), 0.8);
   EXPECT_NEAR(all.noisy.larger(), 0.5, 3.0 * all.noisy.standard_error);
-  const DistanceRow& jerk = scorecardOf(attacks, recorded, kOptions).distances[2];
+  const DistanceRow jerk = scorecardOf(attacks, recorded, kOptions).distances[2];
   ASSERT_EQ(jerk.quantity, MotionQuantity::kJerk);
   EXPECT_GT(jerk.distance.wasserstein, 3.0 * jerk.noisy.wasserstein);
 }
