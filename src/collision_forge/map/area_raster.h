@@ -10,8 +10,8 @@
 
 namespace forge {
 
-/// The union of some polygons as cells of half a metre, for questions that are asked thousands of
-/// times and may be half a cell wrong. Tiles are filled when they are first asked for. Thread-safe.
+/// The union of some polygons as cells of half a metre, at half metres of the map's frame: for many
+/// questions that may be half a cell wrong. Tiles are filled when first asked for. Thread-safe.
 class AreaRaster {
  public:
   /// The polygons must outlive the raster. Throws std::invalid_argument beyond 100 km.

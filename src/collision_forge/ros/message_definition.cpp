@@ -77,8 +77,9 @@ MessageDefinition::MessageDefinition(const std::string& type, const std::string&
 }
 
 void MessageDefinition::parse(const std::string& type, const std::string& text) {
-  if (text.find('\0') != std::string::npos)
+  if (text.find('\0') != std::string::npos) {
     throw BagError(type + ": its definition has a zero byte");
+  }
   MessageType* current = &types_[type];
   current->name = type;
   std::istringstream lines(text);
