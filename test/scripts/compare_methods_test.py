@@ -37,7 +37,7 @@ trained = open(value('--config') + '/weights.bin', 'rb').read()[0] - 1
 if words[0] == 'evaluate' and '--collide' in words:
     clips = len(os.listdir(pathlib.Path(value('--collide'), 'trajectory', value('--split'))))
     print('COLLIDE val, {{}} clips; rates'.format(clips))
-    rate = 10.0 + known.index(value('--method')) + trained
+    rate = 10.0 + known.index(value('--method')) + trained + 0.2 * (value('--mode') == 'adaptive')
     rows = {{'recorded': 98.0, 'constant_velocity': 28.0, value('--method'): rate}}
     if value('--method') in ('recorded', 'constant_velocity'):
         rows = {{'recorded': 98.0, 'constant_velocity': 28.0}}
@@ -50,7 +50,8 @@ if words[0] == 'evaluate' and '--collide' in words:
         table('All conditions, full definitions', {{name: 0.0 for name in rows}})
 elif words[0] == 'evaluate':
     print('v, strict protocol, {{}} requests of 2 scenes'.format(len(open(value('--requests')).readlines())))
-    table('All conditions, full definitions', {{'constant_velocity': 1.0, value('--method'): 44.0}})
+    adaptive = {{'adaptive': 55.0}} if value('--mode') == 'adaptive' else {{}}
+    table('All conditions, full definitions', {{'constant_velocity': 1.0, **adaptive, value('--method'): 44.0}})
 elif words[0] == 'test':
     print('5 cases, of which were tested: 4')
     base = 50.0 if value('--drive') == 'recorded' else 60.0 + known.index(value('--method'))
@@ -122,6 +123,8 @@ class CompareMethods(unittest.TestCase):
                           '25 / 68 |', part)
             self.assertNotIn('99.9', part, 'a column of times')
             self.assertNotIn('| c_mid |', part)
+            self.assertIn('| network+search | 10 | 15.0 / 7.5 |', part)
+            self.assertIn('| network+search:adaptive | 10 | 15.2 / 7.6 |', part)
             self.assertIn('Left out', part)
             self.assertIn('`c_mid`', part)
         self.assertIn('--seeds 3', self.called()[0])
@@ -176,6 +179,8 @@ class CompareMethods(unittest.TestCase):
         self.assertIn('| network | 4 | 44.0 | - |', text)
         self.assertNotIn('| recorded |', text)
         self.assertNotIn('--limits', self.called()[0])
+        text = self.done('--only', 'drivable', '--requests', self.requests, '--methods', 'network+search:adaptive')
+        self.assertIn('| network+search:adaptive | 8 | 55.0 | - |', text)
         self.assertIn('--version V', self.called()[0])
 
     def test_planners_against_attackers_of_three_sources(self):

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "attack/test_scenes.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/settings/config.h"
 #include "collision_forge/study/clip_methods.h"
@@ -136,6 +137,34 @@ TEST(ClipEvaluation, SearchFindsAnAttack) {
   EXPECT_EQ(row.status, "OK");
   EXPECT_EQ(row.confidence, 1.0);
   EXPECT_TRUE(meets(row, Protocol::kStrict, "full_definitions"));
+}
+
+/// The ego brakes from now on; its past does not tell.
+CollideClip brakingEgo(double deceleration) {
+  CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
+  for (std::size_t i = kCollideNowFrame + 1; i < clip.times.size(); ++i) {
+    const double t = clip.times[i] - clip.now();
+    CollideState& ego = *clip.tracks.back().frames[i];
+    ego.pose = {8.0 * t - 0.5 * deceleration * t * t, 0.0, 0.0};
+    ego.speed = 8.0 - deceleration * t;
+  }
+  return clip;
+}
+
+TEST(ClipEvaluation, AnAdaptiveAttackerReactsToWhatTheClipReveals) {
+  Evaluation evaluation;
+  evaluation.lanes = std::make_shared<const LaneIndex>(twoLaneRoad());
+  evaluation.plan.method = "search";
+  evaluation.plan.mode = Mode::kAdaptive;
+  const CollideClip clip = brakingEgo(2.0);
+  const ResultRow adaptive = evaluation.row(clip, "search");
+  const ResultRow fixed = evaluation.row(clip, "first_plan");
+  EXPECT_FALSE(meets(fixed, Protocol::kStrict, "contact"));
+  EXPECT_TRUE(meets(adaptive, Protocol::kStrict, "on_time"));
+  const auto baseline = evaluation.row(clip, "nominal").contact_after;
+  evaluation.plan.mode = Mode::kHistory;
+  EXPECT_EQ(evaluation.row(clip, "nominal").contact_after, baseline);
+  EXPECT_THROW(evaluation.row(clip, "first_plan"), std::out_of_range);
 }
 
 TEST(ClipEvaluation, MethodsWithNetworksNeedThem) {

@@ -57,8 +57,9 @@ void completePlan(const CLI::App& app, const std::string& directory, bool is_of_
     throw CLI::ValidationError("--report", "a page is of the strict protocol alone");
   }
   if (!is_of_clips && app.count("--method") == 0) plan.method = "search";
-  if (is_of_clips && plan.mode == Mode::kAdaptive) {
-    throw CLI::ValidationError("--mode", "adaptive needs --requests");
+  if (is_of_clips && plan.mode == Mode::kAdaptive && isBaseline(plan.method)) {
+    throw CLI::ValidationError("--mode", "nobody reacts in the baseline " + plan.method +
+                                             ": adaptive needs another --method");
   }
   try {
     const Config config = loadConfig(directory);

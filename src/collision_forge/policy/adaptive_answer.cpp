@@ -9,13 +9,19 @@ namespace forge {
 AdaptiveAnswer answerAdaptively(const AttackMethod& method, const Moment& moment,
                                 const Scene& recording, const EgoVehicle& ego,
                                 const CollisionRequest& request, const AttackerSetup& setup) {
-  AdaptiveAnswer answer;
-  CollisionRequest first = request;
-  first.crash.min_confidence = 0.0;
-  answer.attack = generateCollision(method, moment, first, setup.attack.prediction);
-  if (answer.attack.status.code != StatusCode::kOk) return answer;
+  CollisionRequest likely_or_not = request;
+  likely_or_not.crash.min_confidence = 0.0;
+  Realization first = generateCollision(method, moment, likely_or_not, setup.attack.prediction);
+  if (first.status.code != StatusCode::kOk) return {std::move(first), {}, {}};
+  return driveAdaptively(std::move(first), moment, recording, ego, request, setup);
+}
+
+AdaptiveAnswer driveAdaptively(Realization first, const Moment& moment, const Scene& recording,
+                               const EgoVehicle& ego, const CollisionRequest& request,
+                               const AttackerSetup& setup) {
+  AdaptiveAnswer answer{std::move(first), {}, {}};
   AdaptiveAttacker attacker(
-      {moment.snapshot, moment.lanes, ego, first, answer.attack.aim, answer.attack.trajectory},
+      {moment.snapshot, moment.lanes, ego, request, answer.attack.aim, answer.attack.trajectory},
       setup);
   answer.milliseconds = driveOverRecording(attacker, recording, moment.snapshot.now);
   answer.plans = attacker.plans();

@@ -21,6 +21,11 @@ AdaptiveAnswer answerAdaptively(const AttackMethod& method, const Moment& moment
                                 const Scene& recording, const EgoVehicle& ego,
                                 const CollisionRequest& request, const AttackerSetup& setup);
 
+/// The same with a first attack, status kOk, that was found already, verified or not.
+AdaptiveAnswer driveAdaptively(Realization first, const Moment& moment, const Scene& recording,
+                               const EgoVehicle& ego, const CollisionRequest& request,
+                               const AttackerSetup& setup);
+
 /// Declines, with the shortcoming, an answer whose drive turned out not to be as asked.
 AdaptiveAnswer withoutMisses(AdaptiveAnswer answer, const CollisionRequest& request);
 

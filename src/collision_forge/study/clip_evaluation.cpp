@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "collision_forge/network/method_maker.h"
+#include "collision_forge/policy/adaptive_answer.h"
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published.h"
 #include "collision_forge/study/strict.h"
@@ -12,6 +13,7 @@ namespace forge {
 namespace {
 
 const std::vector<std::string> kBaselines = {"recorded", "constant_velocity", "nominal"};
+constexpr char kFirstPlan[] = "first_plan";
 
 /// A clip made ready for all methods.
 class ClipCase {
@@ -21,14 +23,26 @@ class ClipCase {
       : clip_(clip),
         setup_(setup),
         plan_(plan),
-        question_(clip, std::move(lanes), plan.mode, setup.study) {}
+        question_(clip, std::move(lanes), plan.mode == Mode::kAdaptive ? Mode::kHistory : plan.mode,
+                  setup.study) {}
 
-  MethodMaker maker(const std::string& method) const {
-    return clipMethod(method, clip_, setup_, plan_.seen_scenes);
+  MethodMaker maker(const std::string& row) const {
+    return clipMethod(row == kFirstPlan ? plan_.method : row, clip_, setup_, plan_.seen_scenes);
   }
 
-  Realization answer(const MethodMaker& maker, std::uint64_t seed) const {
-    return question_.answer(maker, *maker.make(), seed);
+  Realization answer(const std::string& row, const MethodMaker& maker, std::uint64_t seed) const {
+    if (plan_.mode != Mode::kAdaptive || isBaseline(row)) {
+      return question_.answer(maker, *maker.make(), seed);
+    }
+    CollisionRequest request = question_.request();
+    request.seed = seed;
+    request.crash.limits = LimitSet::kDrivable;  // as adaptive attackers drive
+    Realization first = firstPlan(maker, request);
+    if (row == kFirstPlan || first.status.code != StatusCode::kOk) return first;
+    return driveAdaptively(std::move(first), question_.moment(), question_.recording(),
+                           {setup_.study.evaluation.collide.box, 0.0}, request,
+                           {maker.egoFutures(), setup_.study.attack, setup_.study.adaptive})
+        .attack;
   }
 
   void judge(const Realization& answer, const MethodMaker& maker, ResultRow& row) const {
@@ -47,6 +61,13 @@ class ClipCase {
   }
 
  private:
+  Realization firstPlan(const MethodMaker& maker, const CollisionRequest& request) const {
+    Realization refused;
+    refused.status = question_.check(maker);
+    if (refused.status.code != StatusCode::kOk) return refused;
+    return attempt(*maker.make(), question_.moment(), request);
+  }
+
   void judgeAsPublished(const std::vector<Pose2>& frames, ResultRow& row) const {
     const PublishedOptions& published = setup_.study.evaluation.published;
     const PublishedOutcome outcome = publishedOutcome(clip_, frames, published);
@@ -71,7 +92,7 @@ class ClipCase {
 ResultRow rowOf(const ClipCase& clip_case, const CollideClip& clip, Protocol protocol,
                 const std::string& method, std::uint64_t seed) {
   const MethodMaker maker = clip_case.maker(method);
-  const Realization answer = clip_case.answer(maker, seed);
+  const Realization answer = clip_case.answer(method, maker, seed);
   ResultRow row;
   row.name = clip.name;
   row.scene = clip.scene;
@@ -91,18 +112,21 @@ ResultRow rowOf(const ClipCase& clip_case, const CollideClip& clip, Protocol pro
 
 /// Seeds matter to methods that draw alone.
 int seedsOf(const std::string& method, const EvaluationPlan& plan) {
-  const bool is_baseline =
-      std::find(kBaselines.begin(), kBaselines.end(), method) != kBaselines.end();
-  return plan.is_seeded && !is_baseline ? plan.seeds : 1;
+  return plan.is_seeded && !isBaseline(method) ? plan.seeds : 1;
 }
 
 }  // namespace
+
+bool isBaseline(const std::string& method) {
+  return std::find(kBaselines.begin(), kBaselines.end(), method) != kBaselines.end();
+}
 
 std::vector<std::string> methodsOf(const EvaluationPlan& plan) {
   std::vector<std::string> names = kBaselines;
   for (const std::string& name : {withoutNetworks(plan.method), plan.method}) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
+  if (plan.mode == Mode::kAdaptive) names.push_back(kFirstPlan);
   return names;
 }
 

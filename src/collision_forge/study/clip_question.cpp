@@ -30,11 +30,10 @@ MethodMaker clipMethod(const std::string& name, const CollideClip& clip,
 ClipQuestion::ClipQuestion(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes,
                            Mode mode, const StudyOptions& study)
     : prediction_(study.attack.prediction),
-      request_(requestOf(clip, mode, prediction_.min_tta, clipCrash(study.crash))) {
-  const Scene scene = toScene(clip, study.evaluation.collide, lanes->sharedMap());
-  moment_ = {snapshotAt(scene, clip.now(), prediction_.history_frames),
-             recordedFuture(scene, clip.now()), std::move(lanes)};
-}
+      request_(requestOf(clip, mode, prediction_.min_tta, clipCrash(study.crash))),
+      recording_(toScene(clip, study.evaluation.collide, lanes->sharedMap())),
+      moment_{snapshotAt(recording_, clip.now(), prediction_.history_frames),
+              recordedFuture(recording_, clip.now()), std::move(lanes)} {}
 
 Status ClipQuestion::check(const MethodMaker& maker) const {
   return maker.isSeeded() ? checkRequest(request_, moment_.snapshot, prediction_) : Status();

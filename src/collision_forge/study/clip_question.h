@@ -37,6 +37,9 @@ class ClipQuestion {
   const Moment& moment() const { return moment_; }
   const CollisionRequest& request() const { return request_; }
 
+  /// The clip as a recording: the snapshot and the future of the moment are of it.
+  const Scene& recording() const { return recording_; }
+
   /// Why the method is not asked, as checkRequest(); kOk where it is, always of a baseline.
   Status check(const MethodMaker& maker) const;
   /// The method's answer with that seed, verified or not.
@@ -48,6 +51,7 @@ class ClipQuestion {
  private:
   PredictionOptions prediction_;
   CollisionRequest request_;
+  Scene recording_;
   Moment moment_;
 };
 
