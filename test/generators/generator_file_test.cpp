@@ -27,9 +27,15 @@ class GeneratorFile : public testing::Test {
  protected:
   GeneratorFile() : path_(folder_.path() + "/weights.pt") {}
 
+  std::shared_ptr<const TrafficMethods> loaded(const std::string& name) const {
+    std::shared_ptr<const TrafficMethods> methods;
+    forgeLoadGenerator(name, {path_}, methods);
+    return methods;
+  }
+
   std::string refusal(const std::string& name = "c_sgan") const {
     try {
-      forgeLoadGenerator(name, {path_});
+      loaded(name);
       return "";
     } catch (const TrafficGeneratorError& error) {
       return error.what();
@@ -56,7 +62,7 @@ TEST_F(GeneratorFile, GivesTheSameGeneratorBack) {
       historyOf(sampleBatch(clips, options_.traffic), options_.traffic.history_frames);
   EXPECT_TRUE(
       torch::equal(generator_->predict(history, noiseOf(5)), other->predict(history, noiseOf(5))));
-  EXPECT_NE(forgeLoadGenerator("c_sgan", {path_}), nullptr);
+  EXPECT_NE(loaded("c_sgan"), nullptr);
 }
 
 TEST_F(GeneratorFile, TrainingGoesOnAsIfItHadNotStopped) {

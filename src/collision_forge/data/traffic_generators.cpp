@@ -30,7 +30,7 @@ class LazyModel {
     if (paths_.empty()) {
       throw std::invalid_argument("generator_weights: " + name_ + " in models.yaml names no file");
     }
-    if (!loaded_) loaded_ = loader()(name_, paths_);
+    if (!loaded_) loader()(name_, paths_, loaded_);
     return *loaded_;
   }
 

@@ -33,8 +33,8 @@ void addGeneratorMethods(const ModelOptions& options, MethodRegistry& registry);
 
 }  // namespace forge
 
-/// Reads a model's files: the first one learned from all scenes, others left some out. In the
-/// library that brings libtorch along, found there by this name. Throws
+/// Reads a model's files into `methods`: the first one learned from all scenes, others left some
+/// out. In the library that brings libtorch along, found there by this name. Throws
 /// forge::TrafficGeneratorError.
-extern "C" std::shared_ptr<const forge::TrafficMethods> forgeLoadGenerator(
-    const std::string& name, const std::vector<std::string>& paths);
+extern "C" void forgeLoadGenerator(const std::string& name, const std::vector<std::string>& paths,
+                                   std::shared_ptr<const forge::TrafficMethods>& methods);

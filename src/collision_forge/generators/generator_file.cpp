@@ -182,10 +182,10 @@ void readGenerator(const std::string& path, TrafficModel& model, bool training) 
 
 }  // namespace forge
 
-std::shared_ptr<const forge::TrafficMethods> forgeLoadGenerator(
-    const std::string& name, const std::vector<std::string>& paths) {
+void forgeLoadGenerator(const std::string& name, const std::vector<std::string>& paths,
+                        std::shared_ptr<const forge::TrafficMethods>& methods) {
   torch::set_num_threads(1);
   std::vector<forge::LoadedModel> models;
   for (const std::string& path : paths) models.push_back(forge::loadModel(name, path));
-  return std::make_shared<forge::LoadedModels>(std::move(models));
+  methods = std::make_shared<forge::LoadedModels>(std::move(models));
 }
