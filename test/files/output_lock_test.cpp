@@ -47,6 +47,12 @@ TEST_F(OutputLockTest, NamesTheProcessThatHasIt) {
   EXPECT_EQ(complaintOf([&] { return OutputLock::ofFile(file_); }), file_ + held);
 }
 
+TEST_F(OutputLockTest, FolderThatCannotBeMadeIsNamed) {
+  std::ofstream(out_) << "a file";
+  const auto lock = [&] { return OutputLock::ofFolder(out_ + "/in"); };
+  EXPECT_EQ(complaintOf(lock), out_ + "/in: cannot be made: Not a directory");
+}
+
 TEST_F(OutputLockTest, EndsWithoutATrace) {
   { const OutputLock lock = OutputLock::ofFolder(out_); }
   EXPECT_FALSE(fs::exists(out_)) << "nothing was written to it";

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <stdexcept>
+
 #include "collision_forge/planners/planner_contract.h"
 #include "collision_forge/planners/planner_worker.h"
 #include "data/nuscenes_fixture.h"
+#include "files/file_size_limit.h"
 #include "planners/planner_scenes.h"
 
 namespace forge {
@@ -112,6 +116,19 @@ TEST(PlannerTrainer, SavesWhatItHasLearntAsAFileOfTheContract) {
     error += std::hypot(poses[3 * i] - sample.poses[3 * i], poses[3 * i + 1]);
   }
   EXPECT_NEAR(error / kContractPoses, trainer.errors(learning.samples, {0}).means.back(), 1e-3);
+}
+
+TEST(PlannerTrainer, SaysThatTheDiskIsFull) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() + "/planner.pt";
+  PlannerTrainer trainer(smallLearning().options, 1, 0);
+  trainer.save(path, {});
+  const auto size = std::filesystem::file_size(path);
+  for (std::size_t room = 8; room < size; room += size / 8) {
+    const FileSizeLimit limit(room);
+    EXPECT_THROW(trainer.save(path, {}), std::runtime_error);
+  }
+  EXPECT_EQ(std::filesystem::file_size(path), size);
 }
 
 }  // namespace

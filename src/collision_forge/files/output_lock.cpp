@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace forge {
@@ -25,7 +26,9 @@ std::string holderOf(const Descriptor& lock) {
 }  // namespace
 
 OutputLock OutputLock::ofFolder(const std::string& folder) {
-  const bool is_new = fs::create_directories(folder);
+  std::error_code error;
+  const bool is_new = fs::create_directories(folder, error);
+  if (error) throw std::runtime_error(folder + ": cannot be made: " + error.message());
   OutputLock lock(folder, (fs::path(folder) / kFileName).string());
   if (is_new) lock.made_folder_ = folder;
   return lock;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <sstream>
 
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/planners/planner_contract.h"
@@ -290,9 +291,9 @@ void PlannerTrainer::save(const std::string& path,
   for (const std::string& name : left_out_scenes) names += name + '\n';
   torch::jit::Module module = state_->module.deepcopy();
   for (torch::Tensor parameter : module.parameters()) parameter.set_requires_grad(false);
-  AsideFile file(path);
-  module.save(file.partPath(), extra);
-  file.commit();
+  std::ostringstream bytes;  // one that cannot write to a file ends the process
+  module.save(bytes, extra);
+  writeText(path, bytes.str());
 }
 
 }  // namespace forge
