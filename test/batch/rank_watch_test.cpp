@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
+#include <mpi.h>
 #include <signal.h>
 
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -13,14 +15,14 @@
 namespace forge {
 namespace {
 
-constexpr double kMaxSilence = 1.0;  // s
+const RankOptions kImpatient = {1.0, 5.0};  // s
 
 void stopIf(bool is_to_stop) {
   if (is_to_stop && Ranks::get().size() > 1) ::raise(SIGSTOP);
 }
 
 void dispatchWithOneThatStops(int stopping) {
-  Ranks::get().watch(kMaxSilence);
+  Ranks::watch(kImpatient);
   std::size_t count = 0;
   dispatch(
       8,
@@ -36,8 +38,28 @@ TEST(SilentRank, IsNamed) { dispatchWithOneThatStops(1); }
 
 TEST(SilentRank, ThatDealsIsNamed) { dispatchWithOneThatStops(0); }
 
+TEST(SilentRank, ThatDoesNotComeIsNotWaitedFor) {
+  const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
+  if (rank != nullptr && std::string(rank) == "1") ::raise(SIGSTOP);
+  Ranks::watch(kImpatient);
+}
+
+TEST(SilentRank, ThatDoesNotComeToTheEndIsNotWaitedFor) {
+  Ranks::watch(kImpatient);
+  if (Ranks::get().size() == 1) return;
+  // MPI calls this when it is about to end.
+  const auto stop = [](MPI_Comm, int, void*, void*) {
+    stopIf(Ranks::get().rank() == 1);
+    return MPI_SUCCESS;
+  };
+  int key = MPI_KEYVAL_INVALID;
+  MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, stop, &key, nullptr);
+  MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr);
+  Ranks::get().settle();
+}
+
 TEST(SilentRank, IsNamedWhereASumWaitsForIt) {
-  Ranks::get().watch(kMaxSilence);
+  Ranks::watch(kImpatient);
   stopIf(Ranks::get().rank() == 1);
   std::vector<double> numbers = {1.0};
   Ranks::get().sum(numbers);

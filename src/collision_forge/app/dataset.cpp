@@ -83,8 +83,8 @@ void warnOfMissingTypes(const std::vector<Attempt>& attempts) {
 }
 
 int buildDataset(const Arguments& arguments) {
-  const bool is_master = isMaster();
   const Config config = loadRunConfig(arguments.config);
+  const bool is_master = isMaster();
   const std::vector<std::string> names = wantedScenes(arguments.logs, arguments.scenes);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   if (is_master) checkFolder(arguments);

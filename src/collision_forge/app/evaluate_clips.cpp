@@ -68,8 +68,8 @@ std::string headline(const EvaluationArguments& arguments, std::size_t clips) {
 }  // namespace
 
 int evaluateClips(const EvaluationArguments& arguments) {
-  const bool is_master = isMaster();
   const Config config = loadRunConfig(arguments.config);
+  const bool is_master = isMaster();
   const std::vector<std::string> paths = listClips(arguments, config);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   CityMaps maps(arguments.logs.path, config);

@@ -196,8 +196,8 @@ void writeScorecard(const EvaluationArguments& arguments, const EvaluationPlan& 
 }  // namespace
 
 int evaluateRequests(const EvaluationArguments& arguments) {
-  const bool is_master = isMaster();
   const Config config = loadRunConfig(arguments.config);
+  const bool is_master = isMaster();
   const EvaluationPlan plan = planOf(arguments, config);
   const WantedRequests wanted = readWanted(arguments, config.crash);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});

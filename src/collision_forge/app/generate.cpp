@@ -126,8 +126,8 @@ void exportClips(const Arguments& arguments, std::size_t count, SceneSource& sce
 }
 
 int generate(const Arguments& arguments) {
-  const bool is_master = isMaster();
   const Config config = loadRunConfig(arguments.config);
+  const bool is_master = isMaster();
   const RequestList list = readList(arguments, config.crash);
   const OutputLocks locks = lockOutputs(arguments);
   if (is_master && arguments.format == Format::kCsvCollide) checkFolder(arguments);

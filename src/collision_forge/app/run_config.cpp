@@ -6,7 +6,7 @@
 namespace forge {
 
 Config loadRunConfig(const std::string& directory) {
-  Ranks::get().watch(loadRankOptions(directory).max_silence);
+  Ranks::watch(loadRankOptions(directory));
   return loadConfig(directory);
 }
 

@@ -7,7 +7,8 @@
 namespace forge {
 
 /// The configuration in `directory`, for a command whose work is dealt out: from now on ranks that
-/// are silent end the run, as ranks.yaml there says. Throws ConfigError.
+/// are silent end the run, as ranks.yaml there says. To be called before anything asks for the
+/// ranks. Throws ConfigError.
 Config loadRunConfig(const std::string& directory);
 
 }  // namespace forge

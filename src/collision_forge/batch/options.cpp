@@ -6,6 +6,7 @@ namespace forge {
 
 void readOptions(Section& section, RankOptions& options) {
   options.max_silence = section.atLeast("max_silence", 1.0);
+  options.max_meeting = section.atLeast("max_meeting", 1.0);
 }
 
 RankOptions loadRankOptions(const std::string& directory) {

@@ -9,6 +9,7 @@ class Section;
 /// config/ranks.yaml, where each number's unit and source stand.
 struct RankOptions {
   double max_silence = 0.0;
+  double max_meeting = 0.0;
 };
 
 void readOptions(Section& section, RankOptions& options);

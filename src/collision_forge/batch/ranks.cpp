@@ -3,7 +3,9 @@
 #include <mpi.h>
 
 #include <cstdlib>
+#include <optional>
 
+#include "collision_forge/batch/patience.h"
 #include "collision_forge/batch/rank_watch.h"
 
 namespace forge {
@@ -26,15 +28,23 @@ Ranks::Ranks() {
 
 Ranks::~Ranks() {
   if (!areLaunched() || !is_settled_) return;
-  if (watch_) watch_->leave();
+  std::optional<Patience> patience;
+  if (watch_) {
+    watch_->leave();
+    patience.emplace(max_meeting_, "the other ranks to end");
+  }
   MPI_Finalize();
 }
 
-void Ranks::watch(double max_silence) {
-  if (size_ == 1 || !is_threaded_) return;
+void Ranks::watch(const RankOptions& options) {
+  if (!areLaunched()) return;
+  const Patience patience(options.max_meeting, "the other ranks to start");
+  Ranks& ranks = get();
+  if (ranks.size_ == 1 || !ranks.is_threaded_) return;
   MPI_Comm channel = MPI_COMM_NULL;
   MPI_Comm_dup(MPI_COMM_WORLD, &channel);
-  watch_ = std::make_unique<RankWatch>(channel, max_silence);
+  ranks.watch_ = std::make_unique<RankWatch>(channel, options.max_silence);
+  ranks.max_meeting_ = options.max_meeting;
 }
 
 void Ranks::send(int to, MessageTag tag, const std::string& bytes) const {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/batch/options.h"
+
 namespace forge {
 
 class RankWatch;
@@ -47,9 +49,11 @@ class Ranks {
   /// which must bring as many numbers.
   void sum(std::vector<double>& numbers) const;
 
-  /// From now on a rank that is silent for longer than `max_silence` s, stopped or out of reach, is
-  /// named on stderr and ends the run. Every rank must call it, once; one alone is not watched.
-  void watch(double max_silence);
+  /// Starts MPI, if mpirun started this process. From now on a rank that is silent for longer than
+  /// `max_silence`, stopped or out of reach, is named on stderr and ends the run, and so does one
+  /// that does not come to the start or the end within `max_meeting`. Every rank must call it, once
+  /// and before get(); one alone is not watched.
+  static void watch(const RankOptions& options);
 
   /// From now on this process may end without the others: MPI is shut down in good order at its
   /// exit. A process that exits without has failed, and mpirun ends the others.
@@ -63,6 +67,7 @@ class Ranks {
   int size_ = 1;
   bool is_settled_ = false;
   bool is_threaded_ = false;  // MPI may be used on several threads
+  double max_meeting_ = 0.0;  // s; of those that are watched
   std::unique_ptr<RankWatch> watch_;
 };
 

@@ -26,8 +26,8 @@ TrainingRanks launchedRanks([[maybe_unused]] const std::string& config) {
 #ifdef COLLISION_FORGE_WITHOUT_MPI
   return {};
 #else
-  Ranks& ranks = Ranks::get();
-  ranks.watch(loadRankOptions(config).max_silence);
+  Ranks::watch(loadRankOptions(config));
+  const Ranks& ranks = Ranks::get();
   return {ranks.rank(), ranks.size(),
           [&ranks](std::vector<double>& numbers) { ranks.sum(numbers); }};
 #endif

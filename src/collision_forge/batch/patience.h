@@ -1,0 +1,29 @@
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace forge {
+
+/// What may wait for others for ever: while it lives for longer than `seconds`, it says on stderr
+/// what is waited for, and ends the process with EXIT_FAILURE, without clearing up.
+class Patience {
+ public:
+  /// `awaited` goes on with "process 12 has waited 3 s for ".
+  Patience(double seconds, std::string awaited);
+  ~Patience();
+  Patience(const Patience&) = delete;
+  Patience& operator=(const Patience&) = delete;
+
+ private:
+  void wait(double seconds, const std::string& awaited);
+
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool has_ended_ = false;
+  std::thread thread_;  // last: it uses the members above
+};
+
+}  // namespace forge
