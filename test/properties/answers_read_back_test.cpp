@@ -1,4 +1,4 @@
-// Answers are written, read and verified again: scenario files, messages of bags, ScenarioNet; and
+// Answers are written, read and verified again: scenario files, messages of bags, clips; and
 // requests of any kind.
 #include <gtest/gtest.h>
 
@@ -6,47 +6,49 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_forge/data/collide_export.h"
 #include "collision_forge/data/request_file.h"
-#include "collision_forge/data/scenario_file.h"
-#include "collision_forge/data/scenario_net_logs.h"
-#include "collision_forge/export/scenario_net.h"
 #include "collision_forge/ros/conversions.h"
-#include "collision_forge/verify/verification.h"
+#include "collision_forge/study/published.h"
 #include "data/nuscenes_fixture.h"
-#include "properties/random_scenes.h"
+#include "properties/same_verdict.h"
 
 namespace forge {
 namespace {
 
-const std::vector<Mode> kBothModes = {Mode::kHistory, Mode::kReplay};
-constexpr double kClock = 2e-6;  // s: files and messages have microseconds
+constexpr double kSamePlace = 1e-6;  // m and rad
 
-void expectSameVerdict(const AttackerTrajectory& read, const AttackerTrajectory& written,
-                       const AskedMoment& asked) {
-  const CollisionReport before = testedReport(written, asked), after = testedReport(read, asked);
-  EXPECT_EQ(after.verified(), before.verified());
-  EXPECT_EQ(after.unbelievable, before.unbelievable);
-  ASSERT_EQ(after.contact, before.contact);
-  if (!before.contact) return;
-  EXPECT_NEAR(after.contact_time, before.contact_time, kClock);
-}
-
-Scenario scenarioOf(const AskedMoment& asked) {
-  return {{asked.recording->scene.name, asked.now, asked.request},
-          embeddedConfig().ego_vehicle,
-          answerTo(asked)};
+PublishedOutcome outcomeOf(const CollideClip& clip) {
+  std::vector<Pose2> attacker;
+  for (const auto& state : clip.attacker().frames) attacker.push_back(state->pose);
+  return publishedOutcome(clip, attacker, embeddedConfig().evaluation.published);
 }
 
 TEST(AnswersReadBack, OfAScenarioFileTheyAreTheSameLineAndVerdict) {
   forAllCases([](Random& random) {
     const AskedMoment asked = randomRequest(random, kBothModes);
-    const Scenario scenario = scenarioOf(asked);
+    const Scenario scenario = answered(asked);
     const std::string line = scenarioLine(scenario);
     const Scenario read = readScenarioLine("here", line, embeddedConfig().input_limits);
     EXPECT_EQ(scenarioLine(read), line);
     if (scenario.answer.status.code != StatusCode::kOk) return;
     expectSameVerdict(read.answer.trajectory, scenario.answer.trajectory, asked);
   });
+}
+
+TEST(AnswersReadBack, OfAnAdaptiveAttackerTheyAreTheSameLineAndWhatWasAskedFor) {
+  forAllCases(
+      [](Random& random) {
+        const AskedMoment asked = randomRequest(random, {Mode::kAdaptive});
+        const Scenario scenario = answered(asked);
+        const std::string line = scenarioLine(scenario);
+        const Scenario read = readScenarioLine("here", line, embeddedConfig().input_limits);
+        EXPECT_EQ(scenarioLine(read), line);
+        if (scenario.answer.status.code != StatusCode::kOk) return;
+        EXPECT_TRUE(testedReport(read.answer.trajectory, asked).verified());
+        expectSameVerdict(read.answer.trajectory, scenario.answer.trajectory, asked);
+      },
+      0.2);
 }
 
 TEST(AnswersReadBack, OfTheMessagesInABagTheyHaveTheSameVerdict) {
@@ -58,38 +60,41 @@ TEST(AnswersReadBack, OfTheMessagesInABagTheyHaveTheSameVerdict) {
   });
 }
 
-const Track& trackOf(const Scene& scene, const std::string& id) {
-  return *std::find_if(scene.agents.begin(), scene.agents.end(),
-                       [&](const Track& agent) { return agent.id == id; });
+/// Every frame after now, as the clip has it, is on what the attacker drives and on what the ego
+/// drove.
+void expectFramesOf(const CollideClip& read, const AttackerTrajectory& drive, const Track& ego) {
+  for (std::size_t frame = kCollideNowFrame + 1; frame < read.times.size(); ++frame) {
+    const auto missed = [&](const CollideTrack& track, const Pose2& expected) {
+      const PatternMiss miss = missBetween(expected, track.frames[frame]->pose);
+      return std::max(miss.distance, miss.heading);
+    };
+    EXPECT_LE(missed(read.attacker(), poseAt(drive, read.times[frame])), kSamePlace);
+    EXPECT_LE(missed(read.ego(), stateAt(ego, read.times[frame])->pose), kSamePlace);
+  }
 }
 
-TEST(AnswersReadBack, OfScenarioNetTheBoxesMeetWhenTheyDidToAStep) {
+TEST(AnswersReadBack, OfAClipTheyAreTheSameRowsAndOutcomeAndOnWhatWasDriven) {
   const TemporaryFolder folder;
-  const Config& config = embeddedConfig();
-  const auto writer = makeScenarioNetWriter(
-      {folder.path(), false, config.exports, config.attack.verification.drivable});
-  const LaneArcs no_arcs;
-  forAllCases([&](Random& random) {
+  const auto check = [&](Random& random) {
     const AskedMoment asked = randomRequest(random, kBothModes);
-    const Scenario scenario = scenarioOf(asked);
+    const Scenario scenario = answered(asked);
     if (scenario.answer.status.code != StatusCode::kOk) return;
-    const CrashRecord record =
-        crashRecord(scenario, 1, config.exports.history,
-                    {*asked.recording, no_arcs, config.exports, config.attack.verification});
-    const std::string path = folder.path() + "/" + writer->write(record).at(0);
-    const Scene scene = flattened(readScenarioNet(path, config), {{}, config, {}, {}}).scene;
-    const Track& attacker = trackOf(scene, record.attacker.id);
-    AttackerTrajectory drive{attacker.id, attacker.agent_class, attacker.size, {}};
-    const double begin = scene.ego.states.front().time;
-    for (const AgentState& state : attacker.states) {
-      if (state.time - begin < record.now) continue;
-      drive.points.push_back({state.time, state.pose, 0.0, 0.0, 0.0});
-    }
-    const auto contact = firstContactTime(drive, scene.ego, drive.points.back().time, 1e-3);
-    ASSERT_EQ(contact.has_value(), record.contact.has_value());
-    if (!contact) return;
-    EXPECT_NEAR(*contact - begin, *record.contact, record.step + kClock);
-  });
+    const auto made = toCollideClip(scenario, asked.recording->scene, 0);
+    const auto* clip = std::get_if<CollideClip>(&made);
+    if (clip == nullptr) return;
+    const std::string path = folder.path() + "/" + clip->name + ".csv";
+    const std::string again = folder.path() + "/again.csv";
+    writeCollideClip(path, *clip);
+    const CollideClip read = readCollideClip(path, embeddedConfig().input_limits);
+    writeCollideClip(again, read);
+    EXPECT_EQ(contentOf(again), contentOf(path));
+    expectFramesOf(read, scenario.answer.trajectory, asked.recording->scene.ego);
+    const PublishedOutcome before = outcomeOf(*clip), after = outcomeOf(read);
+    EXPECT_EQ(after.event, before.event);
+    EXPECT_EQ(after.step, before.step);
+    EXPECT_EQ(after.similar, before.similar);
+  };
+  forAllCases(check, 0.5);
 }
 
 /// Any number that a file can hold, and at times the largest and the smallest.

@@ -11,8 +11,6 @@
 namespace forge {
 namespace {
 
-const std::vector<Mode> kBothModes = {Mode::kHistory, Mode::kReplay};
-
 // m and s: contacts are found to a millimetre, and the clock's steps, 0.24 us, are 6 um at 25 m/s.
 constexpr double kSame = 1e-3;
 

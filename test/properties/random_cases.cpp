@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -43,9 +45,10 @@ CaseRange caseRange() {
   return {numberOr("PROPERTY_CASES", usual.count), numberOr("PROPERTY_SEED", usual.first_seed)};
 }
 
-void forAllCases(const std::function<void(Random&)>& check) {
+void forAllCases(const std::function<void(Random&)>& check, double share) {
   const CaseRange range = caseRange();
-  for (std::uint64_t i = 0; i < range.count; ++i) {
+  const double count = std::ceil(share * static_cast<double>(range.count));
+  for (std::uint64_t i = 0; static_cast<double>(i) < count; ++i) {
     const std::uint64_t seed = range.first_seed + i;
     SCOPED_TRACE(repetition(seed));
     Random random(seed);
@@ -67,6 +70,11 @@ void forMostCases(double least_share, const std::function<bool(Random&)>& check)
   std::cout << nameOfTest() << ": " << differing << " of " << tried << " cases differ"
             << (differing > 0 ? "; seeds" : "") << seeds.str() << std::endl;
   EXPECT_GE(static_cast<double>(tried - differing), least_share * static_cast<double>(tried));
+}
+
+std::string contentOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace forge

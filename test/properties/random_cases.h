@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <string>
 
 #include "collision_forge/forecast/random.h"
 
@@ -19,12 +20,16 @@ struct CaseRange {
 /// for what is no number.
 CaseRange caseRange();
 
-/// Tries a property on every case, up to the first that fails, whose seed is told.
-void forAllCases(const std::function<void(Random&)>& check);
+/// Tries a property on every case, up to the first that fails, whose seed is told. `share`: of the
+/// cases, for what takes long; at least one.
+void forAllCases(const std::function<void(Random&)>& check, double share = 1.0);
 
 /// For a property that does not hold always, as rounding may turn a choice: `check` returns true in
 /// at least this share of the cases. Tells the number of the others, and their seeds.
 void forMostCases(double least_share, const std::function<bool(Random&)>& check);
+
+/// The bytes of a file; none where it is not there.
+std::string contentOf(const std::string& path);
 
 inline bool isLikely(Random& random, double share) { return random.uniform(0.0, 1.0) < share; }
 

@@ -2,7 +2,7 @@
 
 #include "collision_forge/attack/attack_method.h"
 #include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/data/scene_source.h"
+#include "collision_forge/study/request_answerer.h"
 #include "collision_forge/verify/verification.h"
 
 namespace forge {
@@ -11,9 +11,13 @@ namespace {
 constexpr std::size_t kScenes = 10;  // of data/embedded
 
 SceneSource& embeddedScenes() {
-  static SceneSource scenes({COLLISION_FORGE_SOURCE_DIR "/data/embedded", "v1.0-embedded"}, {},
-                            embeddedConfig(), kScenes);
+  static SceneSource scenes(embeddedLogs(), {}, embeddedConfig(), kScenes);
   return scenes;
+}
+
+const MethodMaker& searchMaker() {
+  static const MethodMaker maker = loadMethod("search", embeddedConfig(), embeddedConfig().attack);
+  return maker;
 }
 
 }  // namespace
@@ -22,6 +26,8 @@ const Config& embeddedConfig() {
   static const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   return config;
 }
+
+LogSource embeddedLogs() { return {COLLISION_FORGE_SOURCE_DIR "/data/embedded", "v1.0-embedded"}; }
 
 Moment AskedMoment::moment() const {
   return std::get<Moment>(
@@ -45,9 +51,15 @@ AskedMoment randomRequest(Random& random, const std::vector<Mode>& modes) {
 }
 
 Realization answerTo(const AskedMoment& asked) {
-  static const MethodMaker maker = loadMethod("search", embeddedConfig(), embeddedConfig().attack);
-  return generateCollision(*maker.makeWithoutScene(asked.recording->scene.name), asked.moment(),
-                           asked.request, embeddedConfig().attack.prediction);
+  return generateCollision(*searchMaker().makeWithoutScene(asked.recording->scene.name),
+                           asked.moment(), asked.request, embeddedConfig().attack.prediction);
+}
+
+Scenario answered(const SceneRequest& asked) {
+  const Config& config = embeddedConfig();
+  return RequestAnswerer(embeddedScenes(), searchMaker(), asked.request.crash, config.ego_vehicle,
+                         config.adaptive)
+      .answer(asked);
 }
 
 CollisionReport testedReport(const AttackerTrajectory& trajectory, const AskedMoment& asked) {

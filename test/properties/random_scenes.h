@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "collision_forge/attack/realizer.h"
+#include "collision_forge/data/scenario_file.h"
+#include "collision_forge/data/scene_source.h"
 #include "collision_forge/scene/moment.h"
 #include "collision_forge/settings/config.h"
 #include "properties/random_cases.h"
@@ -11,6 +13,11 @@
 namespace forge {
 
 const Config& embeddedConfig();
+
+LogSource embeddedLogs();
+
+inline const std::vector<Mode> kBothModes = {Mode::kHistory, Mode::kReplay};
+inline const std::vector<Mode> kAllModes = {Mode::kHistory, Mode::kReplay, Mode::kAdaptive};
 
 /// A request at a frame of a recording.
 struct AskedMoment {
@@ -26,6 +33,12 @@ AskedMoment randomRequest(Random& random, const std::vector<Mode>& modes);
 
 /// Of the method `search`, that knows nothing of the recording.
 Realization answerTo(const AskedMoment& asked);
+
+/// The same of any mode, as forge generate answers a line of a list. Thread-safe.
+Scenario answered(const SceneRequest& asked);
+inline Scenario answered(const AskedMoment& asked) {
+  return answered({asked.recording->scene.name, asked.now, asked.request});
+}
 
 /// verify() against what was recorded.
 CollisionReport testedReport(const AttackerTrajectory& trajectory, const AskedMoment& asked);

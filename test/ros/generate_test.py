@@ -4,12 +4,14 @@ import csv
 import json
 import math
 import os
+import random
 import re
 import resource
 import shutil
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import jsonschema
 
@@ -18,6 +20,8 @@ from road import DATAROOT, PACKAGE_FOLDER, VERSION
 
 SCHEMA = PACKAGE_FOLDER / 'docs' / 'scenario.schema.json'
 ROOT = ('--dataroot', DATAROOT, '--version', VERSION)
+SEED = int(os.environ.get('PROPERTY_SEED', '1'))  # of the first random list
+LISTS = 3
 WAIT = 60.0  # s for something to happen that takes less than one
 
 
@@ -337,6 +341,28 @@ class GenerateTest(road.RoadTest):
         result = run(ranks_command(2, self.requests, self.out, '--jobs', 2), env=ranks_environment())
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
+
+    def test_random_lists_have_the_same_bytes_whatever_the_numbers_of_ranks_and_jobs(self):
+        for seed in range(SEED, SEED + LISTS):
+            draw = random.Random(seed)
+            requests, alone = self.path('requests.jsonl'), self.path('alone.jsonl')
+            listed = draw.sample(lines_of(self.requests), draw.randint(1, 9))
+            requests.write_text('\n'.join(json.dumps(dict(json.loads(line), seed=draw.randrange(1000),
+                                                          believable=draw.random() < 0.7)) for line in listed) + '\n')
+            mode = draw.choice(['history', 'replay', 'adaptive'])
+            commands = [(alone, generate_command(requests, alone, '--mode', mode, '--jobs', 1))]
+            for ranks in (1, 2, 3):
+                out = self.path('{}.jsonl'.format(ranks))
+                jobs = draw.randint(1, 3)
+                commands.append((out, ranks_command(ranks, requests, out, '--mode', mode, '--jobs', jobs)))
+            for out, command in commands:
+                told = 'PROPERTY_SEED={}: {}'.format(seed, ' '.join(command))
+                result = run(command, env=ranks_environment())
+                self.assertEqual(result.returncode, 0, told + '\n' + result.stderr)
+                self.assertEqual(out.read_bytes(), alone.read_bytes(), told)
+            for out, _ in commands:
+                out.unlink()
+                Path(str(out) + '.options').unlink()
 
     def test_a_killed_run_goes_on(self):
         process = self.start_and_wait_for_lines(generate_command(self.requests, self.out, '--jobs', 1), 5)

@@ -1,0 +1,147 @@
+// Crashes in the formats of other tools: what their files tell is the crash that was written.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <pugixml.hpp>
+#include <string>
+
+#include "collision_forge/data/scenario_net_logs.h"
+#include "collision_forge/export/crash_writer.h"
+#include "data/nuscenes_fixture.h"
+#include "properties/same_verdict.h"
+
+namespace forge {
+namespace {
+
+void move(Track& track, double later) {
+  for (AgentState& state : track.states) state.time += later;
+}
+
+ReadCrash readOfScenarioNet(const std::string& path, const CrashRecord& written) {
+  const Config& config = embeddedConfig();
+  const Scene scene = flattened(readScenarioNet(path, config), {{}, config, {}, {}}).scene;
+  ReadCrash read{scene.ego,
+                 *std::find_if(scene.agents.begin(), scene.agents.end(), [&](const Track& agent) {
+                   return agent.id == written.attacker.id;
+                 })};
+  const double begin = scene.ego.states.front().time;
+  move(read.ego, -begin);
+  move(read.attacker, -begin);
+  return read;
+}
+
+pugi::xml_document documentAt(const std::string& path) {
+  pugi::xml_document document;
+  if (!document.load_file(path.c_str())) throw std::runtime_error(path + ": is no XML");
+  return document;
+}
+
+AgentState stateOfCommonRoad(const pugi::xml_node& state, double step) {
+  const pugi::xml_node point = state.child("position").child("point");
+  const auto exact = [&](const char* name) {
+    return state.child(name).child("exact").text().as_double();
+  };
+  const double yaw = exact("orientation");
+  return {step * exact("time"),
+          {point.child("x").text().as_double(), point.child("y").text().as_double(), yaw},
+          exact("velocity") * Pose2{0.0, 0.0, yaw}.heading()};
+}
+
+Track trackOfCommonRoad(const pugi::xml_node& root, const char* number) {
+  const pugi::xml_node obstacle = root.find_child_by_attribute("dynamicObstacle", "id", number);
+  const pugi::xml_node box = obstacle.child("shape").child("rectangle");
+  const double step = root.attribute("timeStepSize").as_double();
+  Track track{number,
+              AgentClass::kCar,
+              {box.child("length").text().as_double(), box.child("width").text().as_double()},
+              {stateOfCommonRoad(obstacle.child("initialState"), step)}};
+  for (const pugi::xml_node& state : obstacle.child("trajectory").children("state")) {
+    track.states.push_back(stateOfCommonRoad(state, step));
+  }
+  return track;
+}
+
+ReadCrash readOfCommonRoad(const std::string& path, const CrashRecord& /*written*/) {
+  const pugi::xml_document document = documentAt(path);
+  const pugi::xml_node root = document.child("commonRoad");
+  return {trackOfCommonRoad(root, "1"), trackOfCommonRoad(root, "2")};
+}
+
+/// The file tells who stands by the first and last state of that time alone.
+void addStates(Track& track, const AgentState& until, double step) {
+  while (!track.states.empty() && until.time - track.states.back().time > 1.5 * step) {
+    track.states.push_back(track.states.back());
+    track.states.back().time += step;
+  }
+  track.states.push_back(until);
+}
+
+Track trackOfOpenScenario(const pugi::xml_node& root, const std::string& name, double step) {
+  const auto parameter = [&](const char* of) {
+    return root.child("ParameterDeclarations")
+        .find_child_by_attribute("ParameterDeclaration", "name", of)
+        .attribute("value")
+        .as_double();
+  };
+  const pugi::xml_node box = root.child("Entities")
+                                 .find_child_by_attribute("ScenarioObject", "name", name.c_str())
+                                 .child("Vehicle")
+                                 .child("BoundingBox");
+  const pugi::xml_node size = box.child("Dimensions");
+  Track track{name,
+              AgentClass::kCar,
+              {size.attribute("length").as_double(), size.attribute("width").as_double()},
+              {}};
+  const double ahead = box.child("Center").attribute("x").as_double();
+  const std::string path = "//Trajectory[@name='trajectory of " + name + "']/Shape/Polyline/Vertex";
+  for (const pugi::xpath_node& vertex : root.select_nodes(path.c_str())) {
+    const pugi::xml_node at = vertex.node().child("Position").child("WorldPosition");
+    const Pose2 axle{at.attribute("x").as_double() + parameter("map_origin_x"),
+                     at.attribute("y").as_double() + parameter("map_origin_y"),
+                     at.attribute("h").as_double()};
+    const double time = vertex.node().attribute("time").as_double();
+    addStates(track, {time, compose(axle, {ahead, 0.0, 0.0})}, step);
+  }
+  return track;
+}
+
+ReadCrash readOfOpenScenario(const std::string& path, const CrashRecord& written) {
+  const pugi::xml_document document = documentAt(path);
+  const pugi::xml_node root = document.child("OpenSCENARIO");
+  return {trackOfOpenScenario(root, "ego", written.step),
+          trackOfOpenScenario(root, "attacker", written.step)};
+}
+
+/// A format with its writer, and with what reads it here.
+struct Format {
+  const char* name;
+  ReadCrash (*read)(const std::string& path, const CrashRecord& written);
+};
+constexpr Format kFormats[] = {{"scenarionet", readOfScenarioNet},
+                               {"commonroad", readOfCommonRoad},
+                               {"openscenario", readOfOpenScenario}};
+
+TEST(ExportsReadBack, EveryFormatTellsTheCrashThatWasWritten) {
+  ASSERT_EQ(std::size(kFormats), exportFormats().size());
+  const TemporaryFolder folder;
+  const Config& config = embeddedConfig();
+  const ExportPlan plan{folder.path(), false, config.exports, config.attack.verification.drivable};
+  const LaneArcs no_arcs;
+  const auto check = [&](Random& random) {
+    const AskedMoment asked = randomRequest(random, kAllModes);
+    const Scenario scenario = answered(asked);
+    if (scenario.answer.status.code != StatusCode::kOk) return;
+    const CrashRecord record =
+        crashRecord(scenario, 1, config.exports.history,
+                    {*asked.recording, no_arcs, config.exports, config.attack.verification});
+    for (const Format& format : kFormats) {
+      SCOPED_TRACE(format.name);
+      const std::string file = makeCrashWriter(format.name, plan)->write(record).back();
+      expectSameCrash(format.read(folder.path() + "/" + file, record), record, asked);
+    }
+  };
+  forAllCases(check, 0.4);
+}
+
+}  // namespace
+}  // namespace forge
