@@ -38,10 +38,11 @@ bool isDocumented(const std::exception& error) {
          type == "std::invalid_argument";
 }
 
-/// Behind the place that others put before it.
+/// Behind the place that others put before it. A quote there is of the input, which says anything.
 bool isBare(const std::string& message) {
   const std::size_t colon = message.rfind(": ");
   const std::string said = colon == std::string::npos ? message : message.substr(colon + 2);
+  if (said.find_first_of("\"'") != std::string::npos) return false;
   return std::any_of(std::begin(kBareMessages), std::end(kBareMessages),
                      [&](const char* bare) { return said.rfind(bare, 0) == 0; });
 }

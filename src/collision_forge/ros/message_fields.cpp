@@ -50,7 +50,7 @@ std::string typeOf(const MessageField& field) {
 std::string namesOf(const MessageType& type) {
   std::string names;
   for (const MessageField& field : type.fields) names += (names.empty() ? "" : ", ") + field.name;
-  return names;
+  return names.empty() ? "none" : names;
 }
 
 /// One name of a path: "size[0]".
