@@ -1,12 +1,13 @@
 """Publishes the messages of a bag and `/clock`."""
 import itertools
+import struct
 import time
 from pathlib import Path
 from typing import Any, Iterator, List, Optional, Tuple, Union
 
 import rosbag
 import rospy
-from genpy import Time
+from genpy import DeserializationError, Time
 from rosgraph_msgs.msg import Clock
 
 from collision_forge.errors import ForgeError
@@ -16,6 +17,8 @@ AGENTS = '/agents'
 CLOCK = '/clock'
 CLOCK_LEAD = 0.5  # s of the wall clock from the first /clock to the first message: whoever keeps transforms drops those
                   # that come before it has seen time jump back
+UNREADABLE = (OSError, RuntimeError, ValueError, struct.error, rosbag.ROSBagException,
+              DeserializationError)  # what the library says of a damaged bag
 
 
 class BagPublisher:
@@ -33,8 +36,8 @@ class BagPublisher:
             self._bag = rosbag.Bag(str(bag))
             self.frames: List[Tuple[Time, Time]] = [(time_of, message.header.stamp) for _, message, time_of in
                                                     self._bag.read_messages(AGENTS)]  # time and stamp
-        except (OSError, rosbag.ROSBagException) as error:
-            raise ForgeError('{} cannot be read: {}'.format(bag, error)) from error
+        except UNREADABLE as error:
+            raise self._unreadable(error) from error
         if not self.frames:
             self._bag.close()
             raise ForgeError('{} has no frame of {}'.format(bag, AGENTS))
@@ -139,8 +142,15 @@ class BagPublisher:
     def _messages_by_time(self, begin: Optional[Time]) -> Iterator[Tuple[Time, List[Any]]]:
         """The messages of an instant together, agents last: they need the transform of that instant."""
         entries = ((stamp, topic, message) for topic, message, stamp in self._bag.read_messages(start_time=begin))
-        for stamp, group in itertools.groupby(entries, key=lambda entry: entry[0]):
-            yield stamp, sorted(((topic, message) for _, topic, message in group), key=lambda entry: entry[0] == AGENTS)
+        try:
+            for stamp, group in itertools.groupby(entries, key=lambda entry: entry[0]):
+                yield stamp, sorted(((topic, message) for _, topic, message in group),
+                                    key=lambda entry: entry[0] == AGENTS)
+        except UNREADABLE as error:  # it has changed since it was opened
+            raise self._unreadable(error) from error
+
+    def _unreadable(self, error: Exception) -> ForgeError:
+        return ForgeError('{} cannot be read: {}'.format(self.path, error))
 
     def _first_of_topics(self) -> Iterator[Tuple[str, Any]]:
         for topic in self._bag.get_type_and_topic_info().topics:

@@ -1,10 +1,12 @@
 #!/usr/bin/python3
 """The node `player`: alone, and in replay.launch with the suite."""
 import math
+import os
 import subprocess
 import threading
 import time
 
+import rosbag
 import rospy
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool
@@ -91,6 +93,20 @@ class PlayerAloneTest(PlayerTest):
         self.assertIn('text.bag cannot be read', self.refusal('_bag:={}'.format(text)))
         self.assertIn('empty.bag has no frame of /agents', self.refusal('_bag:={}'.format(empty)))
         self.assertIn('the parameter bag is empty', self.refusal())
+
+    def test_a_bag_that_is_cut_while_it_plays_is_named_in_one_line(self):
+        cut = self.path('cut.bag')
+        with rosbag.Bag(str(self.bag(SCENE))) as bag, rosbag.Bag(str(cut), 'w', chunk_threshold=20000) as chunks:
+            for topic, message, stamp in road.messages_of(bag):
+                chunks.write(topic, message, stamp)
+
+        def truncate():
+            until(self.agents.all, 'the first frame of agents')
+            os.truncate(str(cut), cut.stat().st_size // 2)
+        thread = threading.Thread(target=truncate)
+        thread.start()
+        self.addCleanup(thread.join)
+        self.assertIn('cut.bag cannot be read', self.refusal('_bag:={}'.format(cut)))
 
     def test_a_rate_that_is_none_is_refused(self):
         for rate in ('0', '-1', 'fast'):
