@@ -7,7 +7,7 @@ import sys
 import xml.etree.ElementTree
 from pathlib import Path
 
-ENDS = {('rviz', 'rviz'), ('collision_forge', 'player')}  # package and program
+ENDS = {('rviz', 'rviz'), ('collision_forge', 'player'), ('collision_forge', 'master_watch')}  # package and program
 
 
 def violations(root):
