@@ -8,9 +8,9 @@ namespace forge {
 
 inline constexpr double kClock = 2e-6;  // s: files and messages have microseconds
 
-/// How near two contacts must be.
+/// How near two contacts must be, which are found to a millimetre.
 struct Nearness {
-  double time = kClock;    ///< s
+  double time = 1e-3;      ///< s
   double distance = 1e-3;  ///< m, of the attacker as seen from the ego
 };
 
