@@ -203,7 +203,8 @@ TEST(MessageFields, DefinitionsThatCannotBeReadAreRefused) {
   EXPECT_THAT(complaintOf("uint8[-1] a\n", {}), HasSubstr("'uint8[-1] a'"));
   EXPECT_THAT(complaintOf("uint8[3 a\n", {}), HasSubstr("'uint8[3 a'"));
   EXPECT_THAT(complaintOf("uint8[99999999999999999999] a\n", {}), HasSubstr("[9999"));
-  EXPECT_THAT(complaintOf("", {{"header.stamp", FieldKind::kTime}}), HasSubstr("has no field 'header' but none"));
+  EXPECT_THAT(complaintOf("", {{"header.stamp", FieldKind::kTime}}),
+              HasSubstr("has no field 'header' but none"));
 }
 
 TEST(MessageFields, PathsThatLeadNowhereAreRefused) {
