@@ -1,0 +1,61 @@
+"""What scripts/faults disturbs: commands of forge over data/embedded, each of them a few seconds long."""
+import re
+import shutil
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+DATA = ROOT / 'data' / 'embedded'
+SCENES = ['scene-0001', 'scene-0007']
+LOGS = ['--dataroot', DATA, '--version', 'v1.0-embedded']
+OVER_RANKS = ('convert', 'dataset', 'evaluate', 'export', 'generate', 'test', 'train', 'tune')
+SETTINGS = {  # by file of config/, so that commands take seconds
+    'training.yaml': {'epochs': 3, 'min_vehicle_speed': 30.0}, 'planner_training.yaml': {'epochs': 3, 'hidden': 8},
+    'generators.yaml': {'epochs': 3}, 'dataset.yaml': {'begin_stride': 2.0, 'junction_crossing': 1, 'ltap': 1},
+    'ranks.yaml': {'max_silence': 3.0, 'max_meeting': 10.0}}
+GRID = 'idm:\n  idm.standard.min_gap: [1.0, 4.0]\n'
+
+
+def inputs(folder):
+    """The words that make what commands read, by its path."""
+    made = {folder / 'clips': ['dataset', *LOGS, '--scene', *SCENES],
+            folder / 'bags': ['convert', *LOGS, '--scene', SCENES[0]]}
+    for name, scenes, stride in (('both', SCENES, '4'), *((scene, [scene], '8') for scene in SCENES)):
+        requests = folder / (name + '_requests.jsonl')
+        made[requests] = ['requests', *LOGS, '--scene', *scenes, '--stride', stride, '--tta', '2', '4']
+        made[folder / (name + '.jsonl')] = ['generate', *LOGS, '--requests', requests, '--mode', 'replay']
+    return made
+
+
+def commands(folder):
+    """The words of every command but --out and --config, by its name; what they read is in `folder`."""
+    asked, answered = ['--requests', folder / 'both_requests.jsonl'], folder / 'both.jsonl'
+    return {
+        'convert': ['convert', *LOGS],
+        'dataset': inputs(folder)[folder / 'clips'],
+        'evaluate': ['evaluate', *LOGS, *asked],
+        'export': ['export', '--to', 'openscenario', *LOGS, '--scenarios', answered],
+        'generate': ['generate', *LOGS, *asked],
+        'inject': ['inject', '--bag', folder / 'bags' / (SCENES[0] + '.bag'), '--type', 'lane_change', '--tta', '3',
+                   '--now', '5'],
+        'report': ['report', answered, *LOGS],
+        'requests': inputs(folder)[folder / 'both_requests.jsonl'],
+        'speeds': ['speeds', 'fit', '--profiles', ROOT / 'data' / 'speed_profiles' / 'embedded.csv'],
+        'test': ['test', *LOGS, '--scenarios', answered, '--planners', 'idm'],
+        'train': ['train', *LOGS],
+        'train-generator': ['train', '--generator', 'c_sgan', '--dataroot', DATA, '--collide', folder / 'clips'],
+        'train-planner': ['train', '--planner', *LOGS],
+        'tune': ['tune', *LOGS, '--planner', 'idm', '--grid', folder / 'grid.yaml', '--train',
+                 folder / (SCENES[0] + '.jsonl'), '--test', folder / (SCENES[1] + '.jsonl')]}
+
+
+def write_settings(folder):
+    """The configuration with SETTINGS, beside a link to where it finds weights, and the grid of `tune`."""
+    shutil.copytree(str(ROOT / 'config'), str(folder / 'config'))
+    (folder / 'data').symlink_to(ROOT / 'data')
+    (folder / 'grid.yaml').write_text(GRID)
+    for name, values in SETTINGS.items():
+        text = (folder / 'config' / name).read_text()
+        for key, value in values.items():
+            text, count = re.subn(r'(?m)^( +{}: )\S+'.format(key), r'\g<1>{}'.format(value), text)
+            assert count, key
+        (folder / 'config' / name).write_text(text)
