@@ -2,8 +2,10 @@
 #include <mpi.h>
 #include <signal.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "collision_forge/batch/dispatch.h"
@@ -28,6 +30,8 @@ void dispatchWithOneThatStops(int stopping) {
       8,
       [&](std::size_t) {
         stopIf(Ranks::get().rank() == stopping);
+        // So that the other does not do all of them before the one that stops has come.
+        if (Ranks::get().size() > 1) std::this_thread::sleep_for(std::chrono::seconds(1));
         return std::string();
       },
       [&](std::size_t, const std::string&) { ++count; }, {1, 0});
