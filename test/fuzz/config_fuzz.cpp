@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <system_error>
 
 #include "collision_forge/config/section.h"
 #include "collision_forge/ros/topic_mapping.h"
@@ -95,7 +96,8 @@ class ConfigCopy {
   ConfigCopy() { std::filesystem::copy(COLLISION_FORGE_SOURCE_DIR "/config", folder_.path()); }
 
   bool has(const std::string& name) const {
-    return std::filesystem::exists(folder_.path() + "/" + name + ".yaml");
+    std::error_code too_long;
+    return std::filesystem::exists(folder_.path() + "/" + name + ".yaml", too_long);
   }
 
   template <class Read>

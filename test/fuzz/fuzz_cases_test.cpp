@@ -105,6 +105,7 @@ TEST(FuzzReading, TellsRefusalsFromFindings) {
   EXPECT_THROW(isTaken("", [] { throw std::out_of_range("file: it is far"); }), Finding);
   EXPECT_THROW(isTaken("file", [] { throw std::runtime_error("file: stoi"); }), Finding);
   EXPECT_FALSE(isTaken("file", [] { throw std::runtime_error("file: n = \": stoi\" is none"); }));
+  EXPECT_THROW(isTaken("file", [] { throw std::runtime_error("file: \"n\": stoi"); }), Finding);
   EXPECT_THROW(requireSame("one", "other"), Finding);
   EXPECT_NO_THROW(requireSame("one", "one"));
 }

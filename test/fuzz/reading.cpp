@@ -38,11 +38,15 @@ bool isDocumented(const std::exception& error) {
          type == "std::invalid_argument";
 }
 
-/// Behind the place that others put before it. A quote there is of the input, which says anything.
+/// Behind the place that others put before it, and not within a quote of the input.
 bool isBare(const std::string& message) {
   const std::size_t colon = message.rfind(": ");
-  const std::string said = colon == std::string::npos ? message : message.substr(colon + 2);
-  if (said.find_first_of("\"'") != std::string::npos) return false;
+  const std::size_t begin = colon == std::string::npos ? 0 : colon + 2;
+  const std::string said = message.substr(begin);
+  for (const char quote : {'"', '\''}) {
+    const auto end = message.begin() + static_cast<std::ptrdiff_t>(begin);
+    if (std::count(message.begin(), end, quote) % 2 != 0) return false;
+  }
   return std::any_of(std::begin(kBareMessages), std::end(kBareMessages),
                      [&](const char* bare) { return said.rfind(bare, 0) == 0; });
 }
