@@ -107,7 +107,7 @@ TEST_F(ScenarioNetSummary, OfAllHoldsTheMetadataOfEach) {
 }
 
 TEST_F(ScenarioNetSummary, TheNamesOfAFolderAreThoseOfItsScenarios) {
-  for (const std::string file :
+  for (const std::string& file :
        {scenarioNetFile("s2"), scenarioNetFile("s1.a"), std::string("sd_waymo_v1_s3.pkl"),
         scenarioNetFile("s4") + ".part", std::string("dataset_summary.pkl")}) {
     writeText(pathOf(file), "");
