@@ -103,9 +103,7 @@ TEST(FuzzReading, TellsRefusalsFromFindings) {
   EXPECT_THROW(isTaken("", [] { static_cast<void>(std::stoi("a")); }), Finding);
   EXPECT_THROW(isTaken("", [] { throw std::bad_alloc(); }), Finding);
   EXPECT_THROW(isTaken("", [] { throw std::out_of_range("file: it is far"); }), Finding);
-  EXPECT_THROW(isTaken("file", [] { throw std::runtime_error("file: stoi"); }), Finding);
-  EXPECT_FALSE(isTaken("file", [] { throw std::runtime_error("file: n = \": stoi\" is none"); }));
-  EXPECT_THROW(isTaken("file", [] { throw std::runtime_error("file: \"n\": stoi"); }), Finding);
+  EXPECT_THROW(isTaken("file", [] { throw std::runtime_error("file: stoi"); }), BareMessage);
   EXPECT_THROW(requireSame("one", "other"), Finding);
   EXPECT_NO_THROW(requireSame("one", "one"));
 }

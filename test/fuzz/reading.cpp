@@ -38,17 +38,13 @@ bool isDocumented(const std::exception& error) {
          type == "std::invalid_argument";
 }
 
-/// Behind the place that others put before it, and not within a quote of the input.
-bool isBare(const std::string& message) {
+/// What the message begins with, behind the place that others put before it, if it is bare.
+const char* bareWordsIn(const std::string& message) {
   const std::size_t colon = message.rfind(": ");
-  const std::size_t begin = colon == std::string::npos ? 0 : colon + 2;
-  const std::string said = message.substr(begin);
-  for (const char quote : {'"', '\''}) {
-    const auto end = message.begin() + static_cast<std::ptrdiff_t>(begin);
-    if (std::count(message.begin(), end, quote) % 2 != 0) return false;
-  }
-  return std::any_of(std::begin(kBareMessages), std::end(kBareMessages),
-                     [&](const char* bare) { return said.rfind(bare, 0) == 0; });
+  const std::string said = colon == std::string::npos ? message : message.substr(colon + 2);
+  const auto bare = std::find_if(std::begin(kBareMessages), std::end(kBareMessages),
+                                 [&](const char* words) { return said.rfind(words, 0) == 0; });
+  return bare == std::end(kBareMessages) ? nullptr : *bare;
 }
 
 bool isPartName(const std::string& name) {
@@ -69,7 +65,7 @@ bool isTaken(const std::string& where, const std::function<void()>& read) {
   } catch (const std::exception& error) {
     const std::string message = error.what();
     if (!isDocumented(error)) throw Finding(typeOf(error) + ": " + message);
-    if (isBare(message)) throw Finding("a bare message: " + message);
+    if (const char* words = bareWordsIn(message)) throw BareMessage(message, words);
     if (message.find(where) == std::string::npos) {
       throw Finding("\"" + where + "\" is not in the message: " + message);
     }

@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "collision_forge/settings/config.h"
 
@@ -15,9 +16,18 @@ struct Finding : std::logic_error {
   using std::logic_error::logic_error;
 };
 
+/// A reader let through what a library says, which begins with these words.
+struct BareMessage : Finding {
+  BareMessage(const std::string& message, std::string begin)
+      : Finding("a bare message: " + message), words(std::move(begin)) {}
+
+  std::string words;
+};
+
 /// True when `read` came to its end, false when it refused. A refusal is a type of this package, or
 /// exactly std::runtime_error or std::invalid_argument, and its message holds `where` and no bare
-/// message of a library. Throws Finding for any other exception.
+/// message of a library. Throws BareMessage or another Finding for any other
+/// exception.
 bool isTaken(const std::string& where, const std::function<void()>& read);
 
 /// What was read, written and read again. Throws Finding where it is not the same.

@@ -88,12 +88,19 @@ TEST_P(BagCheck, SoundBagsPass) {
 }
 
 TEST_P(BagCheck, WhatIsNoBagIsLeftToRosbag) {
-  for (const std::string bytes : {"", "#ROSBAG V1.2\nand more", "no bag at all, but some bytes"}) {
+  for (const char* bytes : {"", "no bag at all, but some bytes"}) {
     write(bytes);
     EXPECT_EQ(complaint(), "") << bytes;
   }
   std::filesystem::remove(path_);
   EXPECT_EQ(complaint(), "");
+}
+
+TEST_P(BagCheck, BagsOfOtherVersionsAndNamesAreRefused) {
+  for (const char* line : {"#ROSBAG V1.2\n", "#ROSG V2.0\n", "#ROSRECORD V2.0\n"}) {
+    write(line + withLength(0x7fffffff, std::strlen("#ROSBAG V2.0\n")));
+    EXPECT_EQ(complaint(), path_ + ": is no bag of version 2.0") << line;
+  }
 }
 
 TEST_P(BagCheck, LengthsBeyondTheFileNameTheByte) {

@@ -253,12 +253,17 @@ class RecordWalk {
 
 void checkBag(const std::string& path) {
   namespace ipc = boost::interprocess;
+  constexpr std::string_view kAnyBag = "#ROS";
   std::error_code none;
   if (std::filesystem::file_size(path, none) <= RecordWalk::kFirstLine.size() || none) return;
   const ipc::file_mapping file(path.c_str(), ipc::read_only);
   const ipc::mapped_region region(file, ipc::read_only);
   const std::string_view bag(static_cast<const char*>(region.get_address()), region.get_size());
-  if (bag.substr(0, RecordWalk::kFirstLine.size()) != RecordWalk::kFirstLine) return;
+  if (bag.substr(0, RecordWalk::kFirstLine.size()) != RecordWalk::kFirstLine) {
+    // rosbag takes any word behind "#ROS", and reads the older version, too.
+    if (bag.substr(0, kAnyBag.size()) != kAnyBag) return;
+    throw BagError(path + ": is no bag of version 2.0");
+  }
   RecordWalk walk(bag);
   const auto fail = [&](const std::string& problem) {
     throw BagError(path + ": truncated or damaged: the record at byte " +
