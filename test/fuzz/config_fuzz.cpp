@@ -106,10 +106,16 @@ class ConfigCopy {
   bool with(const std::string& name, const std::string& text, const Read& read) const {
     const std::string path = folder_.path() + "/" + name + ".yaml";
     const std::string shipped = bytesOf(path);
-    folder_.write(name + ".yaml", text);
-    const bool is_taken = isTaken(folder_.path(), [&] { read(folder_.path(), name); });
-    folder_.write(name + ".yaml", shipped);
-    return is_taken;
+    const auto write = [&](const std::string& bytes) { folder_.write(name + ".yaml", bytes); };
+    write(text);
+    try {
+      const bool is_taken = isTaken(folder_.path(), [&] { read(folder_.path(), name); });
+      write(shipped);
+      return is_taken;
+    } catch (const Finding&) {
+      write(shipped);  // the driver may go on
+      throw;
+    }
   }
 
  private:
