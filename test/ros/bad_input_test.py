@@ -31,8 +31,10 @@ class BadInputTest(MadeUpTest):
     def test_2_map_that_is_not_a_number(self):
         broken = lane_map()
         broken.lanes[0].centerline[7].x = math.nan
+        broken.location += '\x1b[2J'  # clears a terminal
         self.publishers['/lane_map'].publish(broken)
-        until(lambda: 'lane_map of made-up-right is not usable' in self.suite.output(), 'the message about the map')
+        until(lambda: r'lane_map of made-up-right\x1b[2J is not usable' in self.suite.output(),
+              'the message about the map')
         self.assertEqual(road.CODES[ask('rear_end', 4.0).code], 'NO_SCENE')
         self.assert_works()
 

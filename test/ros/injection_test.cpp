@@ -214,12 +214,32 @@ TEST_F(InjectIntoBagTest, TheEgoIsAsRecordedUpToTheContact) {
   inject();
   for (const auto& message : read<tf2_msgs::TFMessage>(names::kTf)) {
     const double time = message.transforms.front().header.stamp.toSec();
-    EXPECT_EQ(message == transformAt(time), time < kContact) << time;
+    EXPECT_EQ(message == transformAt(time), time < kContact - 1e-6)
+        << "not at its height: " << time;
   }
   for (const auto& message : read<nav_msgs::Odometry>(bagTopic(names::kOdometry))) {
     const double time = message.header.stamp.toSec();
-    EXPECT_EQ(message == odometryAt(time), time < kContact) << time;
+    EXPECT_EQ(message == odometryAt(time), time < kContact + 1e-6) << time;
   }
+}
+
+TEST_F(InjectIntoBagTest, TheEgoIsThereAtTheContact) {
+  inject();
+  const rosbag::Bag bag(out_, rosbag::bagmode::Read);
+  for (const std::string& topic : {std::string(names::kTf), bagTopic(names::kOdometry)}) {
+    std::vector<double> times;
+    for (const auto& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
+      times.push_back(instance.getTime().toSec());
+    }
+    ASSERT_EQ(times.size(), 10u) << topic;
+    EXPECT_NEAR(times[5], kContact, 1e-6) << topic;
+  }
+  const auto transform = read<tf2_msgs::TFMessage>(names::kTf)[5].transforms.front();
+  EXPECT_NEAR(transform.header.stamp.toSec(), kContact, 1e-6);
+  EXPECT_NEAR(transform.transform.translation.x, egoAt(kContact), 1e-6);
+  const auto odometry = read<nav_msgs::Odometry>(bagTopic(names::kOdometry))[5];
+  EXPECT_NEAR(odometry.pose.pose.position.x, egoAt(kContact), 1e-6);
+  EXPECT_NEAR(odometry.twist.twist.linear.x, kEgoSpeed, 1e-9);
 }
 
 TEST_F(InjectIntoBagTest, TheBagMayEndShortlyAfterTheContact) {
@@ -406,8 +426,8 @@ TEST_F(InjectIntoBagTest, WhatIsNotFiniteIsLeftOutAndTold) {
       EXPECT_TRUE(std::isfinite(agent.pose.position.x + agent.velocity.x)) << message.header.stamp;
     }
   }
-  EXPECT_EQ(read<nav_msgs::Odometry>(bagTopic(names::kOdometry)).size(), 7u);
-  EXPECT_EQ(read<tf2_msgs::TFMessage>(names::kTf).size(), 7u);
+  EXPECT_EQ(read<nav_msgs::Odometry>(bagTopic(names::kOdometry)).size(), 8u);
+  EXPECT_EQ(read<tf2_msgs::TFMessage>(names::kTf).size(), 8u);
 }
 
 TEST_F(InjectIntoBagTest, TellsItsProgressUpToTheEnd) {

@@ -9,6 +9,7 @@ import subprocess
 import zlib
 
 import rosbag
+import rospy
 
 import road
 
@@ -54,9 +55,10 @@ class InjectionTest(road.RoadTest):
                 self.assertEqual(after[topic], before[topic], topic)
 
     def test_messages_up_to_the_change_are_copied_byte_for_byte(self):
-        """Of the agents up to now, of the ego up to the contact."""
+        """Of the agents up to now, of the ego up to the contact, where there is one message more."""
         before, after = road.read_raw(self.source), road.read_raw(self.attacked)
-        for topics, change in ((road.ATTACKED_TOPICS, self.now), (road.EGO_TOPICS, self.contact)):
+        nearly = self.contact - rospy.Duration(nsecs=1000)
+        for topics, change in ((road.ATTACKED_TOPICS, self.now), (road.EGO_TOPICS, nearly)):
             for topic in topics:
                 first, last = ([message for message in messages[topic] if message[0] <= change.to_nsec()]
                                for messages in (before, after))
@@ -64,7 +66,22 @@ class InjectionTest(road.RoadTest):
                 self.assertGreater(len(before[topic]), len(first), topic)
                 self.assertNotEqual(after[topic][-1], before[topic][-1], topic)
         for topic in road.EGO_TOPICS:
-            self.assertEqual([time for time, _ in after[topic]], [time for time, _ in before[topic]])
+            times = [time for time, _ in after[topic]]
+            made = set(times) - {time for time, _ in before[topic]}
+            self.assertEqual([time for time in times if time not in made], [time for time, _ in before[topic]])
+            self.assertEqual(len(made), 1, topic)
+            self.assertAlmostEqual(made.pop() / 1e9, self.contact.to_sec(), delta=2e-3)
+
+    def test_the_ego_is_where_it_is_hit_for_who_interpolates_its_poses(self):
+        tested = road.read_one(self.attacked, '/tested_report')
+        poses = [message.transforms[0] for message, _ in road.read(self.attacked, '/tf')]
+        at_contact = min(poses, key=lambda pose: abs((pose.header.stamp - self.contact).to_sec()))
+        self.assertLess(abs((at_contact.header.stamp - self.contact).to_sec()), 2e-3)
+        yaw = road.yaw_of(at_contact.transform.rotation)
+        place, expected = at_contact.transform.translation, tested.ego_at_contact
+        self.assertAlmostEqual(place.x + CENTER_OFFSET * math.cos(yaw), expected.x, places=5)
+        self.assertAlmostEqual(place.y + CENTER_OFFSET * math.sin(yaw), expected.y, places=5)
+        self.assertAlmostEqual(road.angle_between(yaw, expected.theta), 0.0, places=6)
 
     def test_frames_come_ten_times_a_second_from_now_on(self):
         """Recorded ones at their stamps among them."""

@@ -71,5 +71,54 @@ TEST(SlidingEgo, OdometryHasTheVelocityInBaseLink) {
   EXPECT_DOUBLE_EQ(changed.pose.pose.position.y, 1.5);
 }
 
+TEST(SlidingEgo, IsThereWhenTheSlideBeginsOnceBetweenTwoMessages) {
+  SlidingEgo ego(sideways(), {7.0, 1.0, M_PI / 2}, 1.5);
+  EXPECT_FALSE(ego.atBeginning(messageAt(10.3))) << "nothing before tells of its height";
+  ego.changed(messageAt(9.9));
+  EXPECT_FALSE(ego.atBeginning(messageAt(9.95)));
+  const auto made = ego.atBeginning(messageAt(10.3));
+  ASSERT_TRUE(made);
+  EXPECT_NEAR(made->ratio, 0.25, 1e-9);
+  ASSERT_EQ(made->message.transforms.size(), 1u);
+  const auto& base = made->message.transforms.front();
+  EXPECT_EQ(base.header.stamp, ros::Time(10.0));
+  EXPECT_EQ(base.child_frame_id, names::kBaseFrame);
+  EXPECT_NEAR(base.transform.translation.x, 7.0, 1e-9);
+  EXPECT_NEAR(base.transform.translation.y, 1.0 - 1.5, 1e-9);
+  EXPECT_NEAR(base.transform.translation.z, 0.99, 1e-9);
+  EXPECT_NEAR(base.transform.rotation.z, std::sqrt(0.5), 1e-9);
+  ego.changed(messageAt(10.3));
+  EXPECT_FALSE(ego.atBeginning(messageAt(10.6)));
+}
+
+TEST(SlidingEgo, IsNotMadeWhereAMessageHasThatStamp) {
+  SlidingEgo before(sideways(), {}, 0.0);
+  before.changed(messageAt(10.0));
+  EXPECT_FALSE(before.atBeginning(messageAt(10.3)));
+  SlidingEgo soon_after(sideways(), {}, 0.0);
+  soon_after.changed(messageAt(10.0 - 1e-4));
+  EXPECT_TRUE(soon_after.atBeginning(messageAt(10.3)));
+}
+
+TEST(SlidingEgo, OdometryAtTheBeginningMovesAsBetweenTheMessages) {
+  SlidingEgo ego(sideways(), {5.0, 0.0, 0.0}, 0.0);
+  nav_msgs::Odometry message;
+  message.pose.pose.orientation.w = 1.0;
+  message.header.stamp = ros::Time(9.9);
+  message.twist.twist.linear.x = 8.0;
+  message.twist.twist.angular.z = 0.1;
+  ego.changed(message);
+  message.header.stamp = ros::Time(10.3);
+  message.twist.twist.linear.x = 4.0;
+  message.twist.twist.angular.z = 0.5;
+  const auto made = ego.atBeginning(message);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->message.header.stamp, ros::Time(10.0));
+  EXPECT_NEAR(made->message.pose.pose.position.x, 5.0, 1e-9);
+  EXPECT_NEAR(made->message.twist.twist.linear.x, 7.0, 1e-9);
+  EXPECT_NEAR(made->message.twist.twist.angular.z, 0.2, 1e-9);
+  EXPECT_FALSE(ego.atBeginning(message));
+}
+
 }  // namespace
 }  // namespace forge

@@ -31,7 +31,7 @@ class GeneratorTrainingRun : public testing::Test {
     const std::string config = COLLISION_FORGE_SOURCE_DIR "/config";
     const Config read = loadConfig(config);
     TrainingRun run;
-    run.sources.dataroot = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
+    run.sources.logs.path = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
     run.sources.collide = folder_.path();
     run.sources.splits = {"train"};
     run.out = folder_.path() + "/" + name;

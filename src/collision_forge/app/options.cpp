@@ -129,12 +129,6 @@ void addDataroot(CLI::App& app, std::string& dataroot) {
       ->check(CLI::ExistingDirectory);
 }
 
-CLI::Option* addVersion(CLI::App& app, std::string& version) {
-  return app.add_option("--version", version,
-                        "folder of the tables in a nuScenes root, as v1.0-mini; may be left out "
-                        "where there is one alone");
-}
-
 CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text) {
   CLI::Option* source =
       app.add_option_function<std::string>(
@@ -143,7 +137,11 @@ CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text) 
              text + ": a nuScenes root, a ScenarioNet folder, a bag or a folder of bags")
           ->type_name("PATH")
           ->check(CLI::ExistingPath);
-  addVersion(app, logs.version)->needs(source);
+  app.add_option(
+         "--version", logs.version,
+         "folder of the tables in a nuScenes root, as v1.0-mini; may be left out where there "
+         "is one alone")
+      ->needs(source);
   return source;
 }
 

@@ -65,8 +65,6 @@ void addAlternatives(CLI::App& app, RequestControls& controls);
 
 /// --dataroot, required: a nuScenes root for its maps alone.
 void addDataroot(CLI::App& app, std::string& dataroot);
-/// --version, not required.
-CLI::Option* addVersion(CLI::App& app, std::string& version);
 /// --source, whose older name is --dataroot, and --version. Gives the first; required by none.
 CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text = "recorded scenes");
 /// --scene, all by default.

@@ -43,10 +43,9 @@ void addTrain(CommandLine& line) {
   CLI::App& app =
       line.add(kTraining, "train", "Trains the collision-pattern network on logs and clips.",
                [run] { return train(*run); });
-  addDataroot(app, run->sources.dataroot);
-  addVersion(app, run->sources.version)->description("folder of the logs' tables; none: no logs");
+  addSource(app, run->sources.logs)->required();
   CLI::Option* collide = addCollide(app, run->sources.collide);
-  collide->description("folder of clips; none: no clips");
+  collide->description("folder of clips, whose maps are in --source; with --version logs, too");
   app.add_option("--splits", run->sources.splits, "splits of the clips")
       ->default_val(std::vector<std::string>{"train"});
   addOut(app, run->out, "folder of the run; one that was stopped goes on there");

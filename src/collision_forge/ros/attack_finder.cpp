@@ -5,6 +5,7 @@
 #include "collision_forge/attack/alternatives.h"
 #include "collision_forge/attack/pattern_predictor.h"
 #include "collision_forge/attack/request_check.h"
+#include "collision_forge/batch/printable.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/report_text.h"
@@ -49,9 +50,9 @@ void AttackFinder::loadRecording(const std::string& path) {
     checkScene(recording, config_.input_limits, path, &warnings);
     recording_ = std::move(recording);
   } catch (const std::exception& error) {
-    ROS_ERROR_STREAM("no replay mode: " << error.what());
+    ROS_ERROR_STREAM("no replay mode: " << printable(error.what()));
   }
-  for (const std::string& warning : warnings) ROS_WARN_STREAM(path << ": " << warning);
+  for (const std::string& warning : warnings) ROS_WARN_STREAM(printable(path + ": " + warning));
 }
 
 collision_forge::CollisionAnswer AttackFinder::answer(

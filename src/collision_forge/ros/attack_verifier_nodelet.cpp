@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "collision_forge/batch/printable.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/ego_poses.h"
 #include "collision_forge/ros/node_support.h"
@@ -73,7 +74,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     try {
       test_->changeTrajectory(trajectory());
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM("attack left out: " << error.what());
+      NODELET_ERROR_STREAM("attack left out: " << printable(error.what()));
       test_.reset();
     }
   }
@@ -95,7 +96,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
       for (const AgentState& ego : egos_) test_->addEgo(ego);
       for (const Frame& frame : frames_) test_->addAgents(frame.agents);
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM("attack left out: " << error.what());
+      NODELET_ERROR_STREAM("attack left out: " << printable(error.what()));
     }
   }
 
@@ -113,7 +114,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     try {
       publishOutcome();
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM("attack left out: " << error.what());
+      NODELET_ERROR_STREAM("attack left out: " << printable(error.what()));
       test_.reset();
     }
   }
@@ -131,7 +132,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
       keepNewest(frames_, frame);
       if (test_) test_->addAgents(frame.agents);
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM_THROTTLE(1.0, "frame left out: " << error.what());
+      NODELET_ERROR_STREAM_THROTTLE(1.0, "frame left out: " << printable(error.what()));
     }
   }
 

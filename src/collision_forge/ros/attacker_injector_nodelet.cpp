@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "collision_forge/batch/printable.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/ego_poses.h"
 #include "collision_forge/ros/live_injector.h"
@@ -54,7 +55,7 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
     try {
       injector_->setAttack(message);
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM("attack left out: " << error.what());
+      NODELET_ERROR_STREAM("attack left out: " << printable(error.what()));
     }
   }
 

@@ -13,6 +13,7 @@
 #include <deque>
 #include <memory>
 
+#include "collision_forge/batch/printable.h"
 #include "collision_forge/ros/attack_finder.h"
 #include "collision_forge/ros/attack_request.h"
 #include "collision_forge/ros/conversions.h"
@@ -105,7 +106,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     try {
       look();
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM_THROTTLE(1.0, "the attacker cannot look: " << error.what());
+      NODELET_ERROR_STREAM_THROTTLE(1.0, "the attacker cannot look: " << printable(error.what()));
     }
   }
 
@@ -119,7 +120,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     if (response.code != Response::OK) {
       live_->forget();
       NODELET_INFO_STREAM(toString(static_cast<StatusCode>(response.code))
-                          << ": " << response.message);
+                          << ": " << printable(response.message));
     }
     return true;
   }

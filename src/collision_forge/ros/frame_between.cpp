@@ -10,16 +10,6 @@
 namespace forge {
 namespace {
 
-/// Of points and vectors.
-template <typename Message>
-Message between(const Message& before, const Message& after, double ratio) {
-  Message message;
-  message.x = before.x + ratio * (after.x - before.x);
-  message.y = before.y + ratio * (after.y - before.y);
-  message.z = before.z + ratio * (after.z - before.z);
-  return message;
-}
-
 geometry_msgs::Quaternion turnedBetween(const geometry_msgs::Quaternion& before,
                                         const geometry_msgs::Quaternion& after, double ratio) {
   const Eigen::Quaterniond from(before.w, before.x, before.y, before.z);

@@ -4,6 +4,18 @@
 
 namespace forge {
 
+inline constexpr double kSameTime = 1e-3;  ///< seconds; frames are no nearer to each other
+
+/// The point or vector at a ratio of the way from one to another.
+template <typename Message>
+Message between(const Message& before, const Message& after, double ratio) {
+  Message message;
+  message.x = before.x + ratio * (after.x - before.x);
+  message.y = before.y + ratio * (after.y - before.y);
+  message.z = before.z + ratio * (after.z - before.z);
+  return message;
+}
+
 /// A frame of agents between two recorded ones, at the ratio of the time between them that is in
 /// (0, 1): those who are in both, moved linearly and turned the shorter way.
 collision_forge::AgentArray frameBetween(const collision_forge::AgentArray& before,

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "collision_forge/ros/attacker_injector.h"
@@ -25,8 +26,6 @@
 
 namespace forge {
 namespace {
-
-constexpr double kSameTime = 1e-3;  // s; frames are no nearer to each other
 
 /// What a bag has once an attack is in it.
 constexpr const char* kAttackTopics[] = {names::kAttack,        names::kTestedReport,
@@ -278,6 +277,16 @@ class Injection {
   static bool isEmpty(const tf2_msgs::TFMessage& message) { return message.transforms.empty(); }
   static bool isEmpty(const nav_msgs::Odometry& /*message*/) { return true; }
 
+  /// The ego at the contact, before the first message that comes later.
+  template <typename Message>
+  void writeAtContact(const rosbag::MessageInstance& next, const Message& message) {
+    const auto made = ego_->atBeginning(message);
+    const ros::Time before = std::exchange(ego_times_[next.getTopic()], next.getTime());
+    if (!made) return;
+    target_.write(next.getTopic(), before + (next.getTime() - before) * made->ratio, made->message,
+                  next.getConnectionHeader());
+  }
+
   template <typename Message>
   bool copyEgo(const rosbag::MessageInstance& instance) {
     const auto message = instance.instantiate<Message>();
@@ -285,6 +294,7 @@ class Injection {
     const int left_out = keepFinite(*message);
     if (left_out > 0) left_out_[instance.getTopic()] += left_out;
     if (left_out > 0 && isEmpty(*message)) return true;
+    if (ego_) writeAtContact(instance, *message);
     const Message changed = ego_ ? ego_->changed(*message) : *message;
     if (left_out == 0 && changed == *message) return false;
     target_.write(instance.getTopic(), instance.getTime(), changed, instance.getConnectionHeader());
@@ -299,8 +309,9 @@ class Injection {
   const RecordingContext& recording_;
   ros::Time now_;
   ros::Time end_ = ros::TIME_MAX;
-  BrakingSlide slide_;             ///< of the attacker, and of the ego if it slides
-  std::optional<SlidingEgo> ego_;  ///< with AfterContact::kStop and a contact
+  BrakingSlide slide_;                          ///< of the attacker, and of the ego if it slides
+  std::optional<SlidingEgo> ego_;               ///< with AfterContact::kStop and a contact
+  std::map<std::string, ros::Time> ego_times_;  ///< by topic: when its last message was recorded
   AttackedFrames frames_;
   AttackedFrames::const_iterator next_frame_;  ///< that is not yet shown
   std::map<std::string, int> left_out_;        ///< by topic

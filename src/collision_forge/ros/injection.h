@@ -51,9 +51,10 @@ void requireNoAttack(const std::string& path);
 /// paths of attacker and recorded ego are added, latched, at the trajectory's start, and markers of
 /// map, ego and attack. /agent_objects comes with every frame of agents, in place of one that is
 /// there. After the contact with the recorded ego, if there is one, the bag goes on as
-/// `after_contact` says. Every other message is copied byte for byte with its connection.
-/// What is not finite in agents, /tf and odom is left out (ros/finite_parts.h); a line a topic is
-/// returned of that. `on_progress` is told the share that is done. Throws BagError.
+/// `after_contact` says; where it rewrites /tf and odom, they have one more message at the contact.
+/// Every other message is copied byte for byte with its connection. What is not finite in agents,
+/// /tf and odom is left out (ros/finite_parts.h); a line a topic is returned of that. `on_progress`
+/// is told the share that is done. Throws BagError.
 std::vector<std::string> injectIntoBag(
     const std::string& in, const std::string& out, const BagAttack& attack,
     const RecordingContext& recording,

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "collision_forge/batch/printable.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/verify/verification.h"
 
@@ -88,8 +89,9 @@ void LiveAttacker::goBackTo(double time) {
     driven_->policy = driven_->start;
     publish(driven_->first);
   } else if (driven_->policy) {
-    ROS_WARN_STREAM("the replay went back while " << driven_->first.trajectory.attacker_id
-                                                  << " was driving: it reacts no more");
+    ROS_WARN_STREAM("the replay went back while "
+                    << printable(driven_->first.trajectory.attacker_id)
+                    << " was driving: it reacts no more");
     driven_->policy.reset();
   }
 }

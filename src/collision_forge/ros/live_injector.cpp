@@ -12,7 +12,6 @@
 namespace forge {
 namespace {
 
-constexpr double kSameTime = 1e-3;        // s; frames are no nearer to each other
 constexpr std::size_t kKept = 100;        // newest poses of the ego
 constexpr std::size_t kMostWait = 10000;  // frames that may wait for the ego's poses
 

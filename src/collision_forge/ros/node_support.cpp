@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "collision_forge/attack/request_check.h"
+#include "collision_forge/batch/printable.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/topic_names.h"
 
@@ -42,7 +43,8 @@ void LaneMapSubscriber::receive(const collision_forge::LaneMap& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
     lanes_ = std::move(lanes);
   } catch (const std::exception& error) {
-    ROS_ERROR_STREAM("lane_map of " << message.location << " is not usable: " << error.what());
+    ROS_ERROR_STREAM("lane_map of " << printable(message.location)
+                                    << " is not usable: " << printable(error.what()));
   }
 }
 

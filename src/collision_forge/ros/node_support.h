@@ -13,6 +13,7 @@
 #include <string>
 #include <variant>
 
+#include "collision_forge/batch/printable.h"
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/scene/scene.h"
 #include "collision_forge/settings/config.h"
@@ -35,7 +36,7 @@ auto loadLogged(const char* what, Load load) {
   try {
     return load();
   } catch (const std::exception& error) {
-    ROS_FATAL_STREAM("no " << what << ": " << error.what());
+    ROS_FATAL_STREAM("no " << what << ": " << printable(error.what()));
     throw;
   }
 }

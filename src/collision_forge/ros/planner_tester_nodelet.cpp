@@ -14,6 +14,7 @@
 #include <sstream>
 #include <utility>
 
+#include "collision_forge/batch/printable.h"
 #include "collision_forge/config/section.h"
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/pattern_network_file.h"
@@ -112,12 +113,12 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     try {
       scenarios_ = std::make_unique<TrialScenarios>(sources, config_, &warnings);
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM("no trajectories can be tested: " << error.what());
+      NODELET_ERROR_STREAM("no trajectories can be tested: " << printable(error.what()));
       sources.recording.clear();
       scenarios_ = std::make_unique<TrialScenarios>(sources, config_, nullptr);
     }
     for (const std::string& warning : warnings) {
-      NODELET_WARN_STREAM(sources.recording << ": " << warning);
+      NODELET_WARN_STREAM(printable(sources.recording + ": " + warning));
     }
   }
 
@@ -142,7 +143,8 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
       response.message = error.what();
     }
     if (response.code != Response::OK) {
-      NODELET_INFO_STREAM("no test (" << int{response.code} << "): " << response.message);
+      NODELET_INFO_STREAM("no test (" << int{response.code}
+                                      << "): " << printable(response.message));
     }
     return true;
   }

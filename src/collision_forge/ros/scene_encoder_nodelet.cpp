@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "collision_forge/batch/printable.h"
 #include "collision_forge/network/scene_encoding.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/node_support.h"
@@ -62,8 +63,8 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
         add(*frame);
         publish();
       } catch (const std::exception& error) {
-        NODELET_ERROR_STREAM_THROTTLE(
-            1.0, "frame at " << frame->message->header.stamp << " left out: " << error.what());
+        NODELET_ERROR_STREAM_THROTTLE(1.0, "frame at " << frame->message->header.stamp
+                                                       << " left out: " << printable(error.what()));
       }
     }
   }
@@ -84,7 +85,7 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
     std::vector<std::string> warnings;
     keepWithin(frame.agents, config_.input_limits, &warnings);
     for (const std::string& warning : warnings) {
-      NODELET_WARN_STREAM_THROTTLE(1.0, names::kAgents << ": " << warning);
+      NODELET_WARN_STREAM_THROTTLE(1.0, names::kAgents << ": " << printable(warning));
     }
     if (const int dropped = history_->add(std::move(frame))) {
       NODELET_WARN_STREAM_THROTTLE(1.0, dropped << " agents at " << message.header.stamp

@@ -1,6 +1,9 @@
 #include "collision_forge/ros/sliding_ego.h"
 
+#include <algorithm>
+
 #include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/frame_between.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
@@ -15,10 +18,23 @@ geometry_msgs::Pose poseOf(const geometry_msgs::Transform& transform) {
   return pose;
 }
 
+bool isEgo(const geometry_msgs::TransformStamped& transform) {
+  return transform.header.frame_id == names::kMapFrame &&
+         transform.child_frame_id == names::kBaseFrame;
+}
+
 }  // namespace
 
 SlidingEgo::SlidingEgo(const BrakingSlide& slide, const Pose2& box, double center_offset)
     : slide_(slide), base_(compose(box, {-center_offset, 0.0, 0.0})) {}
+
+/// Nothing where the beginning is not between the two stamps.
+std::optional<double> SlidingEgo::ratioOfBeginning(const ros::Time& before,
+                                                   const ros::Time& after) const {
+  const ros::Time begin = stampOf(slide_.begin);
+  if (begin <= before || begin >= after) return std::nullopt;
+  return (begin - before).toSec() / (after - before).toSec();
+}
 
 geometry_msgs::Pose SlidingEgo::poseAt(double time, const geometry_msgs::Pose& like) const {
   geometry_msgs::Pose pose = like;
@@ -26,33 +42,63 @@ geometry_msgs::Pose SlidingEgo::poseAt(double time, const geometry_msgs::Pose& l
   return pose;
 }
 
+geometry_msgs::Transform SlidingEgo::transformAt(double time,
+                                                 const geometry_msgs::Transform& like) const {
+  const geometry_msgs::Pose pose = poseAt(time, poseOf(like));
+  geometry_msgs::Transform transform;
+  transform.translation.x = pose.position.x;
+  transform.translation.y = pose.position.y;
+  transform.translation.z = pose.position.z;
+  transform.rotation = pose.orientation;
+  return transform;
+}
+
+std::optional<EgoBetween<tf2_msgs::TFMessage>> SlidingEgo::atBeginning(
+    const tf2_msgs::TFMessage& next) {
+  const auto ego = std::find_if(next.transforms.begin(), next.transforms.end(), isEgo);
+  if (ego == next.transforms.end() || !last_transform_) return std::nullopt;
+  const auto ratio = ratioOfBeginning(last_transform_->header.stamp, ego->header.stamp);
+  if (!ratio) return std::nullopt;
+  last_transform_->header.stamp = stampOf(slide_.begin);
+  last_transform_->transform = transformAt(slide_.begin, last_transform_->transform);
+  tf2_msgs::TFMessage message;
+  message.transforms = {*last_transform_};
+  return {{message, *ratio}};
+}
+
 tf2_msgs::TFMessage SlidingEgo::changed(tf2_msgs::TFMessage message) {
   for (auto& transform : message.transforms) {
-    const bool is_ego = transform.header.frame_id == names::kMapFrame &&
-                        transform.child_frame_id == names::kBaseFrame;
-    if (!is_ego) continue;
+    if (!isEgo(transform)) continue;
     const double time = transform.header.stamp.toSec();
     if (time <= slide_.begin) {
-      last_transform_ = transform.transform;
+      last_transform_ = transform;
       continue;
     }
-    const geometry_msgs::Pose pose =
-        poseAt(time, poseOf(last_transform_.value_or(transform.transform)));
-    transform.transform.translation.x = pose.position.x;
-    transform.transform.translation.y = pose.position.y;
-    transform.transform.translation.z = pose.position.z;
-    transform.transform.rotation = pose.orientation;
+    transform.transform = transformAt(time, last_transform_.value_or(transform).transform);
   }
   return message;
+}
+
+std::optional<EgoBetween<nav_msgs::Odometry>> SlidingEgo::atBeginning(
+    const nav_msgs::Odometry& next) {
+  if (!last_odometry_) return std::nullopt;
+  const auto ratio = ratioOfBeginning(last_odometry_->header.stamp, next.header.stamp);
+  if (!ratio) return std::nullopt;
+  last_odometry_->header.stamp = stampOf(slide_.begin);
+  last_odometry_->pose.pose = poseAt(slide_.begin, last_odometry_->pose.pose);
+  geometry_msgs::Twist& twist = last_odometry_->twist.twist;
+  twist.linear = between(twist.linear, next.twist.twist.linear, *ratio);
+  twist.angular = between(twist.angular, next.twist.twist.angular, *ratio);
+  return {{*last_odometry_, *ratio}};
 }
 
 nav_msgs::Odometry SlidingEgo::changed(nav_msgs::Odometry message) {
   const double time = message.header.stamp.toSec();
   if (time <= slide_.begin) {
-    last_pose_ = message.pose.pose;
+    last_odometry_ = message;
     return message;
   }
-  message.pose.pose = poseAt(time, last_pose_.value_or(message.pose.pose));
+  message.pose.pose = poseAt(time, last_odometry_.value_or(message).pose.pose);
   const Vector2 velocity = slide_.stateFrom(base_, time).velocity;
   const Pose2 local = relativeTo({0.0, 0.0, base_.yaw}, {velocity.x(), velocity.y(), base_.yaw});
   message.twist.twist = geometry_msgs::Twist();

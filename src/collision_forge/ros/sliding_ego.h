@@ -1,14 +1,23 @@
 #pragma once
 
 #include <geometry_msgs/Pose.h>
+#include <geometry_msgs/TransformStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <optional>
+#include <vector>
 
 #include "collision_forge/verify/braking_slide.h"
 
 namespace forge {
+
+/// A message between two recorded ones.
+template <typename Message>
+struct EgoBetween {
+  Message message;
+  double ratio;  ///< of the time between the two, in (0, 1)
+};
 
 /// Rewrites what tells the ego's motion in a recording, from the beginning of a slide on. Height,
 /// roll and pitch stay those of the newest message up to then. Messages come in the order of time.
@@ -21,13 +30,20 @@ class SlidingEgo {
   tf2_msgs::TFMessage changed(tf2_msgs::TFMessage message);
   nav_msgs::Odometry changed(nav_msgs::Odometry message);
 
+  /// The ego when the slide begins, for the first message that comes after that, before it is
+  /// changed(). Nothing where there was none before, or where one of the two has that stamp.
+  std::optional<EgoBetween<tf2_msgs::TFMessage>> atBeginning(const tf2_msgs::TFMessage& next);
+  std::optional<EgoBetween<nav_msgs::Odometry>> atBeginning(const nav_msgs::Odometry& next);
+
  private:
+  std::optional<double> ratioOfBeginning(const ros::Time& before, const ros::Time& after) const;
   geometry_msgs::Pose poseAt(double time, const geometry_msgs::Pose& like) const;
+  geometry_msgs::Transform transformAt(double time, const geometry_msgs::Transform& like) const;
 
   BrakingSlide slide_;
-  Pose2 base_;                                              ///< base_link when the slide begins
-  std::optional<geometry_msgs::Transform> last_transform_;  ///< up to then, as is the next
-  std::optional<geometry_msgs::Pose> last_pose_;
+  Pose2 base_;  ///< base_link when the slide begins
+  std::optional<geometry_msgs::TransformStamped> last_transform_;  ///< up to then, as is the next
+  std::optional<nav_msgs::Odometry> last_odometry_;
 };
 
 }  // namespace forge

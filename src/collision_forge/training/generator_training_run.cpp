@@ -29,7 +29,7 @@ std::vector<TrafficClip> collectTraffic(const TrainingRun& run, const TrafficOpt
       if (left_out.count(parseCollideName(path).scene) == 0) paths.push_back(std::move(path));
     }
   }
-  CityMaps maps(run.sources.dataroot, run.options);
+  CityMaps maps(run.sources.logs.path, run.options);
   ProgressLine reading("reading");
   std::vector<TrafficClip> clips;
   for (const std::string& path : paths) {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "collision_forge/data/city_maps.h"
-#include "collision_forge/data/nuscenes_tables.h"
+#include "collision_forge/data/scene_source.h"
 #include "collision_forge/forecast/motion_estimate.h"
 #include "collision_forge/planners/planner_contract.h"
 #include "collision_forge/planners/planner_inputs.h"
@@ -88,15 +87,12 @@ std::vector<PlannerSample> plannerSamples(const Scene& scene,
 std::vector<PlannerSample> collectPlannerSamples(
     const TrainingSources& sources, const LearningOptions& options, const PlannerOptions& planners,
     const std::function<void(std::size_t, std::size_t)>& on_item) {
-  CityMaps maps(sources.dataroot, options);
-  const NuScenesRoot root(sources.dataroot, sources.version);
-  const std::vector<std::string> names = root.sceneNames();
+  SceneSource scenes(sources.logs, {}, options, 1);
+  const std::vector<std::string> names = scenes.names();
   std::vector<PlannerSample> samples;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const NuScenesRecording recording = root.readScene(names[i]);
-    const Scene scene = toScene(recording, options.ego_vehicle, nullptr);
-    for (PlannerSample& sample :
-         plannerSamples(scene, maps.at(recording.location), options, planners)) {
+    const auto logged = scenes.at(names[i]);
+    for (PlannerSample& sample : plannerSamples(logged->scene, logged->lanes, options, planners)) {
       samples.push_back(std::move(sample));
     }
     if (on_item) on_item(i + 1, names.size());

@@ -64,8 +64,6 @@ void trainOn(const std::vector<PlannerSample>& samples, const std::vector<std::s
 }  // namespace
 
 void trainPlanner(const TrainingRun& run) {
-  if (run.sources.version.empty())
-    throw std::runtime_error("a planner is trained on logs: --version");
   const std::set<std::string> left_out = leftOutScenes(run);
   const OutputLock lock = OutputLock::ofFolder(run.out);
   ProgressLine reading("reading");

@@ -40,12 +40,11 @@ std::string statePath(const TrainingRun& run) { return run.out + "/state.pt"; }
 
 std::string describeRun(const TrainingRun& run, int ranks, const std::string& config) {
   std::ostringstream text;
-  text << "dataroot = " << run.sources.dataroot << "\nversion = " << run.sources.version
-       << "\ncollide = " << run.sources.collide << "\nsplits =";
+  text << "collide = " << run.sources.collide << "\nsplits =";
   for (const std::string& split : run.sources.splits) text << ' ' << split;
-  for (const auto& [name, found] : logFingerprints(run.sources.dataroot, run.sources.version)) {
-    text << '\n' << name << " = " << found;
-  }
+  const auto logs = run.sources.hasLogs() ? fingerprintsOf(run.sources.logs)
+                                          : logFingerprints(run.sources.logs.path, "");
+  for (const auto& [name, found] : logs) text << '\n' << name << " = " << found;
   if (!run.sources.collide.empty()) {
     text << "\nclips = " << fingerprintOfTree(run.sources.collide + "/trajectory", ".csv");
   }

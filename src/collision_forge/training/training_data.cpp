@@ -11,7 +11,7 @@
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/collide_scene.h"
 #include "collision_forge/data/collide_set.h"
-#include "collision_forge/data/nuscenes_tables.h"
+#include "collision_forge/data/scene_source.h"
 #include "collision_forge/files/fingerprint.h"
 
 namespace forge {
@@ -147,12 +147,14 @@ std::optional<AttackSample> attackOf(const CollideClip& clip, const Scene& scene
 
 }  // namespace
 
+bool TrainingSources::hasLogs() const {
+  return collide.empty() || !logs.version.empty() || logs.format != &nuScenesFormat();
+}
+
 std::vector<std::string> sceneNames(const TrainingSources& sources) {
   std::set<std::string> names;
-  if (!sources.version.empty()) {
-    for (const std::string& name : NuScenesRoot(sources.dataroot, sources.version).sceneNames()) {
-      names.insert(name);
-    }
+  if (sources.hasLogs()) {
+    for (const std::string& name : readSceneNames(sources.logs)) names.insert(name);
   }
   if (!sources.collide.empty()) {
     for (const std::string& path : clipPaths(sources)) names.insert(parseCollideName(path).scene);
@@ -205,12 +207,12 @@ std::vector<TrainingSample> collectTrainingSamples(
     const TrainingSources& sources, const LearningOptions& options,
     const std::set<std::string>& left_out, std::uint64_t seed,
     const std::function<void(std::size_t, std::size_t)>& on_item) {
-  CityMaps lanes(sources.dataroot, options);
+  CityMaps maps(sources.logs.path, options);
   std::vector<std::string> names;
-  std::optional<NuScenesRoot> root;
-  if (!sources.version.empty()) {
-    root.emplace(sources.dataroot, sources.version);
-    for (const std::string& name : root->sceneNames()) {
+  std::optional<SceneSource> scenes;
+  if (sources.hasLogs()) {
+    scenes.emplace(sources.logs, std::vector<std::string>(), options, 1);
+    for (const std::string& name : scenes->names()) {
       if (left_out.count(name) == 0) names.push_back(name);
     }
   }
@@ -227,13 +229,12 @@ std::vector<TrainingSample> collectTrainingSamples(
   std::size_t done = 0;
   const auto collectItem = [&](std::size_t item) {
     if (item < names.size()) {
-      const NuScenesRecording recording = root->readScene(names[item]);
-      collectScene(toScene(recording, options.ego_vehicle, nullptr), *lanes.at(recording.location),
-                   options, seed, parts[item]);
+      const auto logged = scenes->at(names[item]);
+      collectScene(logged->scene, *logged->lanes, options, seed, parts[item]);
       return;
     }
     const std::string& path = clips[item - names.size()];
-    const auto sample = clipSample(path, *lanes.at(parseCollideName(path).city), options,
+    const auto sample = clipSample(path, *maps.at(parseCollideName(path).city), options,
                                    options.pattern_features, kClipTimes, seed);
     if (sample) parts[item].push_back(*sample);
   };

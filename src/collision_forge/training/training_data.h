@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/data/log_source.h"
 #include "collision_forge/training/options.h"
 #include "collision_forge/training/training_sample.h"
 
@@ -13,11 +14,14 @@ namespace forge {
 
 /// What a network is trained on.
 struct TrainingSources {
-  std::string dataroot;  ///< nuScenes root: the maps, and the logs of `version`
-  std::string version;
+  LogSource logs;                   ///< for clips a nuScenes root, with their maps
   std::string collide;              ///< folder of clips; empty: none
   std::vector<std::string> splits;  ///< of the clips
   int jobs = 1;                     ///< threads
+
+  /// False where the logs are there for the maps of clips alone: no version of their tables is
+  /// named.
+  bool hasLogs() const;
 };
 
 /// Names of all scenes of the logs and clips, sorted.
