@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <functional>
 #include <iostream>
 #include <sstream>
@@ -108,6 +109,7 @@ std::string shownOnATerminal(const std::function<void()>& print) {
   EXPECT_EQ(::grantpt(terminal), 0);
   EXPECT_EQ(::unlockpt(terminal), 0);
   const int screen = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY);
+  std::fflush(nullptr);  // or the child writes what waits to be written, too
   const pid_t child = ::fork();
   if (child == 0) {
     ::dup2(screen, STDOUT_FILENO);

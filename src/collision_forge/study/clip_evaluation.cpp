@@ -1,6 +1,7 @@
 #include "collision_forge/study/clip_evaluation.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "collision_forge/network/method_maker.h"
@@ -30,7 +31,7 @@ class ClipCase {
     return clipMethod(row == kFirstPlan ? plan_.method : row, clip_, setup_, plan_.seen_scenes);
   }
 
-  Realization answer(const std::string& row, const MethodMaker& maker, std::uint64_t seed) const {
+  Realization answer(const std::string& row, const MethodMaker& maker, std::uint64_t seed) {
     if (plan_.mode != Mode::kAdaptive || isBaseline(row)) {
       return question_.answer(maker, *maker.make(), seed);
     }
@@ -61,11 +62,16 @@ class ClipCase {
   }
 
  private:
-  Realization firstPlan(const MethodMaker& maker, const CollisionRequest& request) const {
-    Realization refused;
-    refused.status = question_.check(maker);
-    if (refused.status.code != StatusCode::kOk) return refused;
-    return attempt(*maker.make(), question_.moment(), request);
+  /// Two rows ask for that of the plan's method.
+  Realization firstPlan(const MethodMaker& maker, const CollisionRequest& request) {
+    const auto [found, is_new] = first_plans_.try_emplace({maker.name(), request.seed});
+    if (!is_new) return found->second;
+    Realization& first = found->second;
+    first.status = question_.check(maker);
+    if (first.status.code == StatusCode::kOk) {
+      first = attempt(*maker.make(), question_.moment(), request);
+    }
+    return first;
   }
 
   void judgeAsPublished(const std::vector<Pose2>& frames, ResultRow& row) const {
@@ -87,9 +93,10 @@ class ClipCase {
   const ClipEvaluationSetup& setup_;
   const EvaluationPlan& plan_;
   ClipQuestion question_;
+  std::map<std::pair<std::string, std::uint64_t>, Realization> first_plans_;  // by method, seed
 };
 
-ResultRow rowOf(const ClipCase& clip_case, const CollideClip& clip, Protocol protocol,
+ResultRow rowOf(ClipCase& clip_case, const CollideClip& clip, Protocol protocol,
                 const std::string& method, std::uint64_t seed) {
   const MethodMaker maker = clip_case.maker(method);
   const Realization answer = clip_case.answer(method, maker, seed);
@@ -140,7 +147,7 @@ std::size_t rowsPerClip(const EvaluationPlan& plan) {
 
 std::vector<ResultRow> evaluateClip(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes,
                                     const ClipEvaluationSetup& setup, const EvaluationPlan& plan) {
-  const ClipCase clip_case(clip, std::move(lanes), setup, plan);
+  ClipCase clip_case(clip, std::move(lanes), setup, plan);
   std::vector<ResultRow> rows;
   for (const std::string& method : methodsOf(plan)) {
     for (int seed = 0; seed < seedsOf(method, plan); ++seed) {
