@@ -85,6 +85,8 @@ TEST_F(SpeedProfilesFile, MalformedLinesAreNamed) {
   expectComplaint(header + "a,1,fast,0,0,0,0,0,0\n", {"line 2", "speed", "fast"});
   expectComplaint(header + "a,1,2 ,0,0,0,0,0,0\n", {"line 2", "speed", "\"2 \""});
   expectComplaint(header + "a,1,nan,0,0,0,0,0,0\n", {"line 2", "speed", "nan"});
+  expectComplaint(header + "a,1,1e300,0,0,0,0,0,0\n", {"line 2", "speed", "1e300", "beyond"});
+  expectComplaint(header + "a,1,2,0,0,0,0,0,-151\n", {"line 2", "closing", "-151", "beyond"});
   expectComplaint(header + "a,1.5,2,0,0,0,0,0,0\n", {"line 2", "frame", "1.5"});
   expectComplaint(header + "a,1,2,0,0,0,0,0,\n", {"line 2", "closing", "\"\""});
   expectComplaint(header + ",1,2,0,0,0,0,0,0\n", {"line 2", "scene"});

@@ -106,9 +106,21 @@ class TrainTest(road.RoadTest):
         self.assert_refused(result, '--fold: 11 has none of the 10 scenes')
         self.assertFalse(out.exists())
 
-    def assert_refused(self, result, message):
+    def test_speeds_that_no_model_fits_are_told(self):
+        profiles = self.folder / 'profiles.csv'
+        result = road.run('speeds', 'collect', '--source', DATAROOT, '--out', profiles)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        lines = profiles.read_text().splitlines()
+        cells = lines[49].split(',')
+        cells[2] = '149'
+        profiles.write_text('\n'.join(lines[:49] + [','.join(cells)] + lines[50:]) + '\n')
+        result = road.run('speeds', 'fit', '--profiles', profiles, '--out', self.folder / 'speeds.jsonl')
+        self.assert_refused(result, '{}: no model can be fitted: '.format(profiles), 'speeds fit')
+        self.assertFalse((self.folder / 'speeds.jsonl').exists())
+
+    def assert_refused(self, result, message, command='train'):
         self.assertEqual(result.returncode, 1, result.stderr)
-        complaints = [line for line in result.stderr.splitlines() if line.startswith('forge train: ')]
+        complaints = [line for line in result.stderr.splitlines() if line.startswith('forge {}: '.format(command))]
         self.assertEqual(result.stderr.splitlines()[-1:], complaints, result.stderr)
         self.assertIn(message, complaints[0])
 

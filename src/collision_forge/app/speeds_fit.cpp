@@ -1,6 +1,7 @@
 #include <chrono>
 #include <iostream>
 #include <limits>
+#include <stdexcept>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
@@ -52,14 +53,24 @@ void compare(const SpeedSituations& recorded, const SpeedForecaster& model,
   printErrors("profiles, slow", recorded, profiles, -kFastest, kDriving);
 }
 
+/// Names the file in what is wrong.
+SpeedModel fitTo(const SpeedSituations& recorded, const Arguments& arguments,
+                 const Config& config) {
+  ProgressLine progress("models");
+  try {
+    return fitSpeedModelWithFolds(
+        recorded, arguments.folds, config.speed_model_fit, arguments.seed,
+        [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(arguments.profiles + ": no model can be fitted: " + error.what());
+  }
+}
+
 int fit(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFile(arguments.out);
   const SpeedSituations recorded = readSpeedSituations(arguments.profiles);
-  ProgressLine progress("models");
-  const SpeedModel fitted =
-      fitSpeedModelWithFolds(recorded, arguments.folds, config.speed_model_fit, arguments.seed,
-                             [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+  const SpeedModel fitted = fitTo(recorded, arguments, config);
   writeSpeedModel(fitted, arguments.out);
   std::printf("%d intervals of %zu scenes\n", static_cast<int>(fitted.weights().gains.cols()),
               recorded.scenes().size());

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <sstream>
 #include <system_error>
+#include <type_traits>
 
 #include "collision_forge/files/aside_file.h"
 
@@ -15,6 +16,7 @@ namespace {
 const char* const kColumns =
     "scene,frame,speed,turn_rate,bend_braking,bend_turn,bend_curvature,headway,closing";
 constexpr double kRounding = 1e3;
+constexpr double kLargest = 150.0;  // in any unit; what is recorded is some tens at most
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> cells;
@@ -62,6 +64,10 @@ class RowReader {
         !std::isfinite(static_cast<double>(value))) {
       throw SpeedProfilesFileError(place_ + ": " + split(kColumns)[next_] + " = \"" + cell +
                                    "\" is not a number");
+    }
+    if (std::is_floating_point_v<Number> && std::abs(value) > kLargest) {
+      throw SpeedProfilesFileError(place_ + ": " + split(kColumns)[next_] + " = \"" + cell +
+                                   "\" is beyond " + std::to_string(static_cast<int>(kLargest)));
     }
     ++next_;
     return value;
