@@ -64,7 +64,7 @@ inline Track egoAt(const SpeedOf& speed) {
 }
 
 inline Frame frameOf(const Track& ego, double time, std::vector<Track> agents = {}) {
-  return {time, stateAt(ego, time)->pose, std::move(agents)};
+  return {time, stateAt(ego, time).value().pose, std::move(agents)};
 }
 
 /// Shows the frames up to `until` seconds after kNow.

@@ -26,11 +26,13 @@ class LiveAttackerTest : public testing::Test {
         shippedSetupOfAttackers());
   }
 
-  /// Frames after `from` seconds from kNow up to `until`.
+  /// Frames after `from` seconds from kNow up to `until`; before kNow the ego stands.
   void see(const SpeedOf& speed, double from, double until) {
     const Track ego = egoAt(speed);
     for (int i = static_cast<int>(std::lround(10.0 * from)) + 1; 0.1 * i <= until + 1e-9; ++i) {
-      live_.see(frameOf(ego, kNow + 0.1 * i), kClock + 0.1 * i);
+      Frame frame = frameOf(ego, kNow + 0.1 * std::max(i, 0));
+      frame.time = kNow + 0.1 * i;
+      live_.see(frame, kClock + 0.1 * i);
     }
   }
 
