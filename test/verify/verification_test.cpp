@@ -392,6 +392,17 @@ TEST(Verify, FindsNoContactWithinAGapThatNoPointOfTheTrajectoryFallsInto) {
   EXPECT_FALSE(attack.report().contact);
 }
 
+TEST(Verify, FindsNoContactWhereTheTrajectoryHasAPointRightAfterTheEndOfATrack) {
+  Case attack({10.0, 0.0, 0.0}, 0.0, {}, 0.0);
+  attack.future.ego.states = {{0.0, {10.0, 0.0, 0.0}, Vector2::Zero()},
+                              {1.0, {10.0, 0.0, 0.0}, Vector2::Zero()}};
+  const double after = std::nextafter(1.0, 2.0);  // there is no number between
+  attack.trajectory.points = {{0.0, {0.0, 0.0, 0.0}, 2.0, 0.0, 0.0},
+                              {after, {2.0, 0.0, 0.0}, 2.0, 0.0, 0.0},
+                              {5.0, {10.0, 0.0, 0.0}, 2.0, 0.0, 0.0}};
+  EXPECT_FALSE(attack.report().contact);
+}
+
 TEST(Verify, FindsAContactInTheLastInstantOfATrack) {
   // Gap and closing speed are exact, so contact is at the very end of the ego's last piece. For
   // some of these times begin + (end - begin) is after the end in floating point.

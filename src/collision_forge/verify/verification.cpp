@@ -56,8 +56,9 @@ bool staysClear(const AttackerTrajectory& trajectory, const Track& track, double
 /// instant.
 double seenUntil(const Track& track, const std::vector<double>& times, std::size_t index) {
   if (index + 1 == times.size()) return times[index];
-  const double middle = 0.5 * (times[index] + times[index + 1]);
-  return stateAt(track, middle) ? times[index + 1] : times[index];
+  const double next = times[index + 1];
+  const double middle = 0.5 * (times[index] + next);  // one of the two, where nothing is between
+  return stateAt(track, middle) && stateAt(track, next) ? next : times[index];
 }
 
 Vector2 velocityAt(const AttackerTrajectory& trajectory, double time) {
