@@ -36,8 +36,9 @@ std::vector<int> othersOf(MPI_Comm channel) {
 
 /// Process and machine of every rank. All must call it.
 std::vector<std::string> namesOn(MPI_Comm channel) {
-  using Name = std::array<char, MPI_MAX_PROCESSOR_NAME>;
-  Name machine = {};
+  constexpr std::size_t kBefore = 32;  // characters that stand before the machine's, at most
+  using Name = std::array<char, kBefore + MPI_MAX_PROCESSOR_NAME>;
+  std::array<char, MPI_MAX_PROCESSOR_NAME> machine = {};
   int length = 0;
   MPI_Get_processor_name(machine.data(), &length);
   Name own = {};
