@@ -75,6 +75,16 @@ class TrainTest(road.RoadTest):
         for name in ('weights.bin', 'metrics.csv'):
             self.assertEqual((whole / name).read_bytes(), (stopped / name).read_bytes(), name)
 
+    def test_logs_of_every_kind_train_the_same_network(self):
+        whole = self.trained('tables', '--stop-after', 1)
+        for kind in ('bag', 'scenarionet'):
+            logs, out = self.folder / kind, self.folder / ('of_' + kind)
+            result = road.run('convert', '--source', DATAROOT, '--to', kind, '--out', logs)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            result = road.run('train', '--config', self.config, '--source', logs, '--out', out, '--stop-after', 1)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual((whole / 'weights.bin').read_bytes(), (out / 'weights.bin').read_bytes(), kind)
+
     def test_a_planner_is_trained_that_does_not_know_its_fold(self):
         out, again = self.folder / 'planner', self.folder / 'planner_again'
         path = self.config / 'planner_training.yaml'

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <sstream>
 #include <system_error>
-#include <type_traits>
 
 #include "collision_forge/files/aside_file.h"
 
@@ -49,7 +48,7 @@ class RowReader {
     for (double* const value :
          {&row.speed, &row.ahead.turn_rate, &row.ahead.bend_braking, &row.ahead.bend_turn,
           &row.ahead.bend_curvature, &row.ahead.headway, &row.ahead.closing}) {
-      *value = number<double>();
+      *value = measured();
     }
     return row;
   }
@@ -65,11 +64,17 @@ class RowReader {
       throw SpeedProfilesFileError(place_ + ": " + split(kColumns)[next_] + " = \"" + cell +
                                    "\" is not a number");
     }
-    if (std::is_floating_point_v<Number> && std::abs(value) > kLargest) {
-      throw SpeedProfilesFileError(place_ + ": " + split(kColumns)[next_] + " = \"" + cell +
-                                   "\" is beyond " + std::to_string(static_cast<int>(kLargest)));
-    }
     ++next_;
+    return value;
+  }
+
+  double measured() {
+    const auto value = number<double>();
+    if (std::abs(value) > kLargest) {
+      throw SpeedProfilesFileError(place_ + ": " + split(kColumns)[next_ - 1] + " = \"" +
+                                   cells_[next_ - 1] + "\" is beyond " +
+                                   std::to_string(static_cast<int>(kLargest)));
+    }
     return value;
   }
 

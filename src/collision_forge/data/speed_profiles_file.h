@@ -15,7 +15,7 @@ struct SpeedProfilesFileError : std::runtime_error {
 
 /// Reads a CSV file of data/speed_profiles. The first line names the columns, as
 /// writeSpeedProfiles() writes them; each other line is a row of SpeedSituations. Throws
-/// SpeedProfilesFileError for a file that is missing or malformed.
+/// SpeedProfilesFileError for a file that is missing or malformed, or has a value beyond +-150.
 SpeedSituations readSpeedSituations(const std::string& path);
 
 /// The same, to forecast by.

@@ -33,7 +33,7 @@ std::set<std::string> scenesOfFold(std::vector<std::string> names, int fold, int
 
 /// A moment of each frame of the logs' egos, of the logs' moving vehicles in the ego's place, and
 /// of each clip, in the order of the scenes whatever the number of jobs. Nothing of the scenes in
-/// `left_out` is read. `on_item` counts logs and clips done; sceneCount() of them.
+/// `left_out` is read. `on_item` is told logs and clips done, of how many.
 std::vector<TrainingSample> collectTrainingSamples(
     const TrainingSources& sources, const LearningOptions& options,
     const std::set<std::string>& left_out, std::uint64_t seed,
