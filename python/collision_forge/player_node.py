@@ -12,6 +12,7 @@ from collision_forge import msg
 from collision_forge.bag_publisher import BagPublisher
 from collision_forge.client import PUBLISHED
 from collision_forge.errors import ForgeError, NotReady
+from collision_forge.node import run_node
 from collision_forge.waiting import Graph, wait_until
 
 TICK = 0.02           # s of the wall clock from one /clock to the next
@@ -153,9 +154,8 @@ def wait_for_suite(source: BagPublisher) -> None:
         rospy.logwarn('plays without the suite: %s', error)
 
 
-def main() -> int:
+def play() -> int:
     """Returns the exit code."""
-    rospy.init_node('player')
     try:
         arguments = Arguments()
         source = BagPublisher(arguments.bag)
@@ -165,11 +165,12 @@ def main() -> int:
         time.sleep(arguments.delay)
         PlayerNode(source, arguments.rate, arguments.loop, arguments.start_paused).run()
     except ForgeError as error:
-        if rospy.is_shutdown():
-            return 0
-        rospy.logfatal(str(error))
-        return 1
-    except rospy.ROSException:  # published after the end
         if not rospy.is_shutdown():
-            raise
+            rospy.logfatal(str(error))
+            return 1
     return 0
+
+
+def main() -> int:
+    """Returns the exit code."""
+    return run_node('player', play)

@@ -22,6 +22,25 @@ from live import until
 SCENE, TYPE, NOW, TTA = 'scene-0007', 'lane_change', 4.0, 4.0
 START_TIMEOUT = 60.0  # s
 STOPPED = 4.0  # s after the contact; the attacker has come to a stand
+# A node that is interrupted while its main thread holds what a message is queued with.
+INTERRUPTED = """
+import os, signal, sys, time
+import rospy
+from std_msgs.msg import Bool
+from collision_forge.node import run_node
+
+def work():
+    publisher = rospy.Publisher('interrupted', Bool, queue_size=0)
+    subscriber = rospy.Subscriber('interrupted', Bool, lambda message: None)
+    while not publisher.impl.connections:
+        time.sleep(0.01)
+    with publisher.impl.connections[0]._lock:
+        os.kill(os.getpid(), signal.{})
+        time.sleep(10.0)
+    return 1
+
+sys.exit(run_node('interrupted', work))
+"""
 
 
 class Heard:
@@ -126,6 +145,12 @@ class PlayerAloneTest(PlayerTest):
             until(lambda: len(self.agents.all()) > 1, 'frames of agents')
             self.assertEqual(self.agents.all()[0].header.stamp, frames[0][1])
 
+    def test_ends_even_if_it_is_interrupted_while_it_publishes(self):
+        for number in ('SIGINT', 'SIGTERM'):
+            result = subprocess.run(['/usr/bin/python3', '-c', INTERRUPTED.format(number)], stdin=subprocess.DEVNULL,
+                                    timeout=START_TIMEOUT, check=False)
+            self.assertEqual(result.returncode, 0, number)
+
     def test_begins_anew_at_the_end_with_loop(self):
         with Program(self.command('_bag:={}'.format(self.bag(SCENE)), '_rate:=10', '_loop:=true'), self.path('log')):
             first = self.frames()[0][1]
@@ -219,27 +244,32 @@ class ReplayTest(PlayerTest):
             self.addCleanup(listener.close)
         self.call('pause', False)
         reports.wait()
-        for listener in (reports, injected):
-            listener.clear()
+        reports.clear()
         self.call('back_to_now')
         self.call('pause', False)
         report = reports.wait()
         self.assertEqual(report.attacker_id, first.attacker)
         points = {point.stamp: point.pose.position for point in first.message.trajectory.points}
-        driven = [(agent.pose.position, points[message.header.stamp]) for message in injected.all()
+        driven = [(agent.pose.position, points[message.header.stamp]) for message in self.gone_back(injected, now)
                   if message.header.stamp in points for agent in message.agents if agent.id == first.attacker]
         self.assertGreater(len(driven), 5)
         for actual, planned in driven[:5]:
             self.assertLess(abs(actual.x - planned.x) + abs(actual.y - planned.y), 0.01)
         until(lambda: injected.all()[-1].header.stamp > report.contact_time + rospy.Duration(STOPPED), 'more frames')
         self.check_rate(injected, now)
-        self.check_stands(injected, report)
+        self.check_stands(injected, report, now)
 
-    def check_stands(self, injected, report):
+    @staticmethod
+    def gone_back(injected, now):
+        """What came after the player went back to `now`; before it the attacker drove into the contact already."""
+        messages = injected.all()
+        return messages[max(index for index, message in enumerate(messages) if message.header.stamp == now):]
+
+    def check_stands(self, injected, report, now):
         """The attacker leaves its trajectory at the contact, and comes to a stand."""
         self.assertTrue(report.contact)
-        driven = [(message.header.stamp, agent) for message in injected.all() for agent in message.agents
-                  if agent.id == report.attacker_id]
+        driven = [(message.header.stamp, agent) for message in self.gone_back(injected, now)
+                  for agent in message.agents if agent.id == report.attacker_id]
         speeds = [math.hypot(agent.velocity.x, agent.velocity.y) for stamp, agent in driven
                   if stamp > report.contact_time]
         self.assertEqual(speeds, sorted(speeds, reverse=True))
@@ -251,9 +281,7 @@ class ReplayTest(PlayerTest):
         self.call('pause', True)
         self.wait_for_state(True)
         time.sleep(0.3)
-        stamps = [message.header.stamp for message in injected.all() if message.header.stamp >= now]
-        start = max(index for index, stamp in enumerate(stamps) if stamp == now)  # went back to it
-        stamps = stamps[start:]
+        stamps = [message.header.stamp for message in self.gone_back(injected, now)]
         self.assertEqual(stamps, sorted(set(stamps)))
         self.assertAlmostEqual((len(stamps) - 1) / (stamps[-1] - stamps[0]).to_sec(), 10.0, delta=0.5)
         self.assertLess(max(after - before for before, after in zip(stamps, stamps[1:])).to_sec(), 0.151)
