@@ -137,6 +137,13 @@ prepare_all() {
   build "$@"
 }
 
+# use_sanitizer_build KIND: what follows is of that build. It is inside build/, where rosrun does not look for programs:
+# it would find two of each name.
+use_sanitizer_build() {
+  BUILD_DIR=$REPO_ROOT/build/sanitize/$1
+  DEVEL_DIR=$BUILD_DIR/devel
+}
+
 # ---- ROS ----
 
 # env.bash for scripts, which have `set -eu` where catkin's own files do not expect it.

@@ -195,8 +195,7 @@ TEST(GenerateCollision, OtherSeedsGiveOtherVerifiedAttacks) {
 /// own separating axes and interpolation, limits from differences of positions.
 class BruteForce {
  public:
-  BruteForce(const Realization& answer, const Future& future, const AttackOptions& options)
-      : answer_(answer), future_(future), options_(options) {
+  BruteForce(const Realization& answer, const Future& future) : answer_(answer), future_(future) {
     for (const TrajectoryPoint& point : answer.trajectory.points) {
       path_.push_back({point.time, point.pose.x, point.pose.y, point.pose.yaw});
     }
@@ -359,7 +358,6 @@ class BruteForce {
 
   const Realization& answer_;
   const Future& future_;
-  const AttackOptions& options_;
   std::vector<Sample> path_;
 };
 
@@ -428,7 +426,7 @@ TEST(GenerateCollision, EveryAnswerHoldsAgainstABruteForceCheck) {
       return agent.id == answer.trajectory.attacker_id;
     });
     ASSERT_NE(attacker, agents.end());
-    BruteForce(answer, scene.futureOf(answer), scene.options).check(scene.request, *attacker);
+    BruteForce(answer, scene.futureOf(answer)).check(scene.request, *attacker);
   }
   for (const CollisionType type : kCollisionTypes) {
     EXPECT_GE(answered[type], 6) << toString(type) << ": too few answers to mean anything";

@@ -40,13 +40,13 @@ TEST(WriteReportPage, HasARowForEveryAttack) {
   Scenario two = rearEnd();
   two.answer.alternatives.push_back(rearEnd().answer);
   folder.write("a.jsonl", scenarioLine(rearEnd()) + "\n" + scenarioLine(two) + "\n");
-  EXPECT_EQ(write({{folder.path() + "/a.jsonl"}, "", ""}, folder.path() + "/page"), 3u);
+  EXPECT_EQ(write({{folder.path() + "/a.jsonl"}, {}}, folder.path() + "/page"), 3u);
 }
 
 TEST(WriteReportPage, FetchesNothingAndRunsNothingElse) {
   const TemporaryFolder folder;
   folder.write("a.jsonl", scenarioLine(rearEnd()) + "\n");
-  write({{folder.path() + "/a.jsonl"}, "", ""}, folder.path());
+  write({{folder.path() + "/a.jsonl"}, {}}, folder.path());
   const std::string content = contentOf(folder.path() + "/index.html");
   EXPECT_THAT(content, HasSubstr("default-src 'none'"));
   EXPECT_THAT(content, Not(HasSubstr("unsafe-inline")));
@@ -58,7 +58,7 @@ TEST(WriteReportPage, NamesTheLineThatIsWrong) {
   folder.write("a.jsonl",
                scenarioLine(rearEnd()) + "\n{\"format\":\"collision_forge/scenario\"}\n");
   try {
-    write({{folder.path() + "/a.jsonl"}, "", ""}, folder.path());
+    write({{folder.path() + "/a.jsonl"}, {}}, folder.path());
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("a.jsonl: line 2"));
@@ -71,8 +71,7 @@ TEST(WriteReportPage, NamesASceneThatTheLogsDoNotHave) {
   folder.write("a.jsonl", scenarioLine(rearEnd()) + "\n");
   try {
     write({{folder.path() + "/a.jsonl"},
-           COLLISION_FORGE_SOURCE_DIR "/data/embedded",
-           "v1.0-embedded"},
+           {COLLISION_FORGE_SOURCE_DIR "/data/embedded", "v1.0-embedded"}},
           folder.path());
     FAIL();
   } catch (const std::runtime_error& error) {

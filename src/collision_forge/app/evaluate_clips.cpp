@@ -97,7 +97,7 @@ int evaluateClips(const EvaluationArguments& arguments) {
   writeText(arguments.out + "/table.md", text);
   std::cout << text;
   if (!arguments.report.empty()) {
-    writeReport({{arguments.out + "/results.csv"}, "", ""}, arguments.report, config);
+    writeReport({{arguments.out + "/results.csv"}, {}}, arguments.report, config);
   }
   return kExitOk;
 }

@@ -220,7 +220,7 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   writeScorecard(arguments, plan, config, rows, wanted, scenes);
   times.print();
   if (!arguments.report.empty()) {
-    writeReport({{arguments.out + "/results.csv"}, "", ""}, arguments.report, config);
+    writeReport({{arguments.out + "/results.csv"}, {}}, arguments.report, config);
   }
   return kExitOk;
 }

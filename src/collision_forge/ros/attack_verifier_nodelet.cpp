@@ -33,7 +33,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
 
   void onInit() override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
-    ros::NodeHandle& node = getNodeHandle();
+    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
     map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     publisher_ = node.advertise<collision_forge::CollisionReport>(names::kTestedReport, 1, true);
     subscribers_ = {
@@ -41,6 +41,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
         node.subscribe(names::kAgents, kTopicQueue, &AttackVerifierNodelet::receiveAgents, this)};
     ego_poses_ = std::make_unique<EgoPoses>(node, config_.ego_vehicle.center_offset,
                                             [this](const AgentState& ego) { addEgo(ego); });
+    spinner_.start();
   }
 
   void receiveAttack(const collision_forge::Attack& message) {
@@ -159,6 +160,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     test_.reset();
   }
 
+  ros::CallbackQueue callbacks_;
   Config config_;
   std::unique_ptr<LaneMapSubscriber> map_;
   std::optional<collision_forge::Attack> attack_;
@@ -168,6 +170,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
   ros::Publisher publisher_;
   std::vector<ros::Subscriber> subscribers_;
   std::unique_ptr<EgoPoses> ego_poses_;
+  ros::AsyncSpinner spinner_{1, &callbacks_};
 };
 
 }  // namespace forge

@@ -22,7 +22,7 @@ namespace forge {
 class AttackerInjectorNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
-    ros::NodeHandle& node = getNodeHandle();
+    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
     const Config config = loadNodeConfig(getPrivateNodeHandle());
     const auto choose = [this] { return afterContact(); };
     agents_ = node.advertise<collision_forge::AgentArray>(names::kInjectedAgents, kTopicQueue);
@@ -36,6 +36,7 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
     ego_poses_ =
         std::make_unique<EgoPoses>(node, config.ego_vehicle.center_offset,
                                    [this](const AgentState& ego) { injector_->addEgo(ego); });
+    spinner_.start();
   }
 
   void publish(const collision_forge::AgentArray& agents) {
@@ -63,12 +64,14 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
     injector_->addFrame(message);
   }
 
+  ros::CallbackQueue callbacks_;
   std::optional<LiveInjector> injector_;
   ros::Publisher agents_;
   ros::Publisher objects_;
   ros::Subscriber attack_subscriber_;
   ros::Subscriber agents_subscriber_;
   std::unique_ptr<EgoPoses> ego_poses_;
+  ros::AsyncSpinner spinner_{1, &callbacks_};
 };
 
 }  // namespace forge

@@ -41,7 +41,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   static constexpr std::uint32_t kSceneQueue = 100;  // scenes that may wait for an attacker's look
 
   void onInit() override {
-    ros::NodeHandle& node = getNodeHandle();
+    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
     config_ = loadNodeConfig(getPrivateNodeHandle());
     loadLogged("methods", [&] {
       finder_ = std::make_unique<AttackFinder>(node, getPrivateNodeHandle(), config_);
@@ -68,6 +68,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
                            &CollisionGeneratorNodelet::generateEach, this);
     services_.emplace_back(node, names::kListCollisions, &CollisionGeneratorNodelet::list, this);
     services_.emplace_back(node, names::kReset, &CollisionGeneratorNodelet::reset, this);
+    spinner_.start();
   }
 
   /// With its path; where there is none any more, the ego's path goes, too.
@@ -223,6 +224,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     return live_->forget();
   }
 
+  ros::CallbackQueue callbacks_;
   Config config_;
   std::string configuration_;  // its fingerprint
   std::unique_ptr<AttackFinder> finder_;
@@ -235,6 +237,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   std::unique_ptr<LiveAttacker> live_;
   ros::Subscriber scene_subscriber_;  // from here on: they call what is above
   ros::WallTimer watch_;
+  ros::AsyncSpinner spinner_{1, &callbacks_};
   std::deque<OwnThreadService> services_;
 };
 

@@ -19,10 +19,11 @@ class PatternPredictorNodelet : public nodelet::Nodelet {
     config_ = loadNodeConfig(getPrivateNodeHandle());
     predictor_ =
         loadLogged("foresight", [&] { return loadForesight(config_).patterns(config_.attack); });
-    ros::NodeHandle& node = getNodeHandle();
+    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
     map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     service_ = std::make_unique<OwnThreadService>(node, names::kPredictPattern,
                                                   &PatternPredictorNodelet::answer, this);
+    spinner_.start();
   }
 
   bool answer(collision_forge::PredictPattern::Request& message,
@@ -49,9 +50,11 @@ class PatternPredictorNodelet : public nodelet::Nodelet {
     return prediction.status;
   }
 
+  ros::CallbackQueue callbacks_;
   Config config_;
   std::unique_ptr<const PatternPredictor> predictor_;
   std::unique_ptr<LaneMapSubscriber> map_;
+  ros::AsyncSpinner spinner_{1, &callbacks_};
   std::unique_ptr<OwnThreadService> service_;
 };
 

@@ -83,7 +83,7 @@ PolicyKind policyOf(const std::string& name) {
 class PlannerTesterNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
-    ros::NodeHandle& node = getNodeHandle();
+    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
     const ros::NodeHandle& own = getPrivateNodeHandle();
     config_ = loadNodeConfig(own);
     planners_path_ = nodeConfigFolder(own) + "/planners.yaml";
@@ -98,6 +98,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     subscribers_ = {node.subscribe(names::kAttack, 1, &PlannerTesterNodelet::receiveAttack, this)};
     service_ = std::make_unique<OwnThreadService>(node, names::kTestPlanner,
                                                   &PlannerTesterNodelet::answer, this);
+    spinner_.start();
   }
 
   void openSources(const ros::NodeHandle& own) {
@@ -276,6 +277,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     frames_.sendTransform(frame);
   }
 
+  ros::CallbackQueue callbacks_;
   Config config_;
   std::string planners_path_;
   std::string planners_text_;
@@ -290,6 +292,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
   ros::Publisher paths_;
   ros::Publisher maps_;
   std::vector<ros::Subscriber> subscribers_;
+  ros::AsyncSpinner spinner_{1, &callbacks_};
   std::unique_ptr<OwnThreadService> service_;
 };
 

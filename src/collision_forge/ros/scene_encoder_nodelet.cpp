@@ -27,7 +27,7 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
   void onInit() override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
     history_.emplace(config_.attack.prediction.history_frames, config_.ego_vehicle);
-    ros::NodeHandle& node = getNodeHandle();
+    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
     map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     publisher_ = node.advertise<collision_forge::EncodedScene>(names::kEncodedScene, kPublished);
     subscribers_ = {
@@ -35,6 +35,7 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
         node.subscribe(names::kStaticTf, kTopicQueue, &SceneEncoderNodelet::receiveStaticTransforms,
                        this),
         node.subscribe(names::kAgents, kTopicQueue, &SceneEncoderNodelet::receiveAgents, this)};
+    spinner_.start();
   }
 
   void receiveTransforms(const tf2_msgs::TFMessage& message) {
@@ -105,12 +106,14 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
         encodeScene(snapshot, *lanes, config_.attack.prediction.history_frames, config_.encoding)));
   }
 
+  ros::CallbackQueue callbacks_;
   Config config_;
   std::optional<SceneHistory> history_;
   std::unique_ptr<LaneMapSubscriber> map_;
   ros::Publisher publisher_;
   PosedFrames<collision_forge::AgentArray> frames_;
   std::vector<ros::Subscriber> subscribers_;
+  ros::AsyncSpinner spinner_{1, &callbacks_};
 };
 
 }  // namespace forge

@@ -22,7 +22,7 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
   static constexpr double kPictureRate = 20.0;  // Hz, of the wall clock
 
   void onInit() override {
-    ros::NodeHandle& node = getNodeHandle();
+    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
     map_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kMapMarkers, 1, true);
     scene_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kSceneMarkers, 1);
     pattern_markers_ =
@@ -39,6 +39,7 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
     // Of the wall clock: whoever comes while the replay is paused sees the picture, too.
     timer_ = node.createWallTimer(ros::WallDuration(1.0 / kPictureRate),
                                   &SceneVisualizerNodelet::show, this);
+    spinner_.start();
   }
 
   void onMap(const collision_forge::LaneMapConstPtr& map) {
@@ -132,6 +133,7 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
 
   enum class Shown { kNothing, kPlan, kPast, kOutdated };
 
+  ros::CallbackQueue callbacks_;
   ros::Publisher map_markers_;
   ros::Publisher scene_markers_;
   ros::Publisher pattern_markers_;
@@ -144,6 +146,7 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
   ros::Time patterns_start_;  ///< "now" of the patterns that are shown; zero: none
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer timer_;
+  ros::AsyncSpinner spinner_{1, &callbacks_};
 };
 
 }  // namespace forge

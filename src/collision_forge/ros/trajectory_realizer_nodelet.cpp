@@ -14,10 +14,11 @@ class TrajectoryRealizerNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
-    ros::NodeHandle& node = getNodeHandle();
+    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
     map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     service_ = std::make_unique<OwnThreadService>(node, names::kRealizeTrajectory,
                                                   &TrajectoryRealizerNodelet::answer, this);
+    spinner_.start();
   }
 
   bool answer(collision_forge::RealizeTrajectory::Request& message,
@@ -44,8 +45,10 @@ class TrajectoryRealizerNodelet : public nodelet::Nodelet {
     return realization.status;
   }
 
+  ros::CallbackQueue callbacks_;
   Config config_;
   std::unique_ptr<LaneMapSubscriber> map_;
+  ros::AsyncSpinner spinner_{1, &callbacks_};
   std::unique_ptr<OwnThreadService> service_;
 };
 
