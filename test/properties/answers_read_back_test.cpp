@@ -11,6 +11,7 @@
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/study/published.h"
 #include "data/nuscenes_fixture.h"
+#include "properties/plane_change.h"
 #include "properties/same_verdict.h"
 
 namespace forge {
@@ -24,40 +25,44 @@ PublishedOutcome outcomeOf(const CollideClip& clip) {
   return publishedOutcome(clip, attacker, embeddedConfig().evaluation.published);
 }
 
-TEST(AnswersReadBack, OfAScenarioFileTheyAreTheSameLineAndVerdict) {
-  forAllCases([](Random& random) {
-    const AskedMoment asked = randomRequest(random, kBothModes);
-    const Scenario scenario = answered(asked);
-    const std::string line = scenarioLine(scenario);
-    const Scenario read = readScenarioLine("here", line, embeddedConfig().input_limits);
-    EXPECT_EQ(scenarioLine(read), line);
-    if (scenario.answer.status.code != StatusCode::kOk) return;
+/// Written and read again it is the same line, and its attack has the same verdict.
+Scenario expectSameLineAndVerdict(const Scenario& scenario, const AskedMoment& asked) {
+  const std::string line = scenarioLine(scenario);
+  Scenario read = readScenarioLine("here", line, embeddedConfig().input_limits);
+  EXPECT_EQ(scenarioLine(read), line);
+  if (scenario.answer.status.code == StatusCode::kOk) {
     expectSameVerdict(read.answer.trajectory, scenario.answer.trajectory, asked);
-  });
+  }
+  return read;
+}
+
+TEST(AnswersReadBack, OfAScenarioFileTheyAreTheSameLineAndVerdict) {
+  forChangedAnswers(
+      kBothModes, anyChange,
+      [](const AskedMoment& asked, const Scenario& scenario, const PlaneChange& change) {
+        expectSameLineAndVerdict(change.scenario(scenario), change.asked(asked));
+      });
 }
 
 TEST(AnswersReadBack, OfAnAdaptiveAttackerTheyAreTheSameLineAndWhatWasAskedFor) {
-  forAllCases(
-      [](Random& random) {
-        const AskedMoment asked = randomRequest(random, {Mode::kAdaptive});
-        const Scenario scenario = answered(asked);
-        const std::string line = scenarioLine(scenario);
-        const Scenario read = readScenarioLine("here", line, embeddedConfig().input_limits);
-        EXPECT_EQ(scenarioLine(read), line);
+  forChangedAnswers(
+      {Mode::kAdaptive}, anyChange,
+      [](const AskedMoment& asked, const Scenario& scenario, const PlaneChange& change) {
+        const AskedMoment there = change.asked(asked);
+        const Scenario read = expectSameLineAndVerdict(change.scenario(scenario), there);
         if (scenario.answer.status.code != StatusCode::kOk) return;
-        EXPECT_TRUE(testedReport(read.answer.trajectory, asked).verified());
-        expectSameVerdict(read.answer.trajectory, scenario.answer.trajectory, asked);
-      },
-      0.2);
+        EXPECT_TRUE(testedReport(read.answer.trajectory, there).verified());
+      });
 }
 
 TEST(AnswersReadBack, OfTheMessagesInABagTheyHaveTheSameVerdict) {
-  forAllCases([](Random& random) {
-    const AskedMoment asked = randomRequest(random, kBothModes);
-    const Realization answer = answerTo(asked);
-    if (answer.status.code != StatusCode::kOk) return;
-    expectSameVerdict(fromMessage(toMessage(answer.trajectory)), answer.trajectory, asked);
-  });
+  forChangedAnswers(
+      kBothModes, anyChange,
+      [](const AskedMoment& asked, const Scenario& scenario, const PlaneChange& change) {
+        if (scenario.answer.status.code != StatusCode::kOk) return;
+        const AttackerTrajectory written = change.trajectory(scenario.answer.trajectory);
+        expectSameVerdict(fromMessage(toMessage(written)), written, change.asked(asked));
+      });
 }
 
 /// Every frame after now, as the clip has it, is on what the attacker drives and on what the ego
@@ -75,11 +80,12 @@ void expectFramesOf(const CollideClip& read, const AttackerTrajectory& drive, co
 
 TEST(AnswersReadBack, OfAClipTheyAreTheSameRowsAndOutcomeAndOnWhatWasDriven) {
   const TemporaryFolder folder;
-  const auto check = [&](Random& random) {
-    const AskedMoment asked = randomRequest(random, kBothModes);
-    const Scenario scenario = answered(asked);
+  const auto check = [&](const AskedMoment& asked, const Scenario& scenario,
+                         const PlaneChange& change) {
     if (scenario.answer.status.code != StatusCode::kOk) return;
-    const auto made = toCollideClip(scenario, asked.recording->scene, 0);
+    const AskedMoment there = change.asked(asked);
+    const Scenario moved = change.scenario(scenario);
+    const auto made = toCollideClip(moved, there.recording->scene, 0);
     const auto* clip = std::get_if<CollideClip>(&made);
     if (clip == nullptr) return;
     const std::string path = folder.path() + "/" + clip->name + ".csv";
@@ -88,13 +94,13 @@ TEST(AnswersReadBack, OfAClipTheyAreTheSameRowsAndOutcomeAndOnWhatWasDriven) {
     const CollideClip read = readCollideClip(path, embeddedConfig().input_limits);
     writeCollideClip(again, read);
     EXPECT_EQ(contentOf(again), contentOf(path));
-    expectFramesOf(read, scenario.answer.trajectory, asked.recording->scene.ego);
+    expectFramesOf(read, moved.answer.trajectory, there.recording->scene.ego);
     const PublishedOutcome before = outcomeOf(*clip), after = outcomeOf(read);
     EXPECT_EQ(after.event, before.event);
     EXPECT_EQ(after.step, before.step);
     EXPECT_EQ(after.similar, before.similar);
   };
-  forAllCases(check, 0.5);
+  forChangedAnswers(kBothModes, anyChange, check);
 }
 
 /// Any number that a file can hold, and at times the largest and the smallest.

@@ -14,35 +14,6 @@ namespace {
 // m and s: contacts are found to a millimetre, and the clock's steps, 0.24 us, are 6 um at 25 m/s.
 constexpr double kSame = 1e-3;
 
-/// Within 20 km, and on the clock's steps.
-/// By whole cells of drivable ground, which lie at half metres of the map's frame.
-PlaneChange elsewhere(Random& random) {
-  PlaneChange change;
-  const auto cells = [&] { return 0.5 * std::round(random.uniform(-4e4, 4e4)); };
-  change.shift = {cells(), cells()};
-  change.later = std::round(random.uniform(-1.5e9, 5e8) * 64.0) / 64.0;
-  return change;
-}
-
-PlaneChange turned(Random& random) {
-  PlaneChange change;
-  change.turn = random.uniform(-M_PI, M_PI);
-  return change;
-}
-
-PlaneChange mirrored(Random& /*random*/) {
-  PlaneChange change;
-  change.is_mirrored = true;
-  return change;
-}
-
-PlaneChange anyChange(Random& random) {
-  PlaneChange change = elsewhere(random);
-  change.turn = turned(random).turn;
-  change.is_mirrored = isLikely(random, 0.5);
-  return change;
-}
-
 bool isSame(const AttackerTrajectory& a, const AttackerTrajectory& b) {
   return a.attacker_id == b.attacker_id &&
          std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
@@ -52,8 +23,6 @@ bool isSame(const AttackerTrajectory& a, const AttackerTrajectory& b) {
                              std::abs(p.time - q.time) <= kSame;
                     });
 }
-
-using MakeChange = PlaneChange (*)(Random&);
 
 /// Least shares of requests whose answer has the same status in the changed scene, and of attacks,
 /// where there is one in both, that are the same.
@@ -79,25 +48,25 @@ void expectSameAnswers(const LeastShares& least, MakeChange make) {
 }
 
 TEST(ChangedScenes, AnAttackThatIsChangedWithItsSceneHasTheSameVerdict) {
-  forAllCases([](Random& random) {
-    const AskedMoment asked = randomRequest(random, kBothModes);
-    const PlaneChange change = anyChange(random);
-    const Realization answer = answerTo(asked);
-    if (answer.status.code != StatusCode::kOk) return;
-    const CollisionReport here = change.report(testedReport(answer.trajectory, asked));
-    const CollisionReport there =
-        testedReport(change.trajectory(answer.trajectory), change.asked(asked));
-    EXPECT_EQ(there.verified(), here.verified());
-    EXPECT_EQ(there.type_kept, here.type_kept);
-    EXPECT_EQ(there.on_time, here.on_time);
-    EXPECT_EQ(there.limits_kept, here.limits_kept) << there.broken_limit << here.broken_limit;
-    EXPECT_EQ(there.first_other_id, here.first_other_id);
-    ASSERT_EQ(there.contact, here.contact);
-    if (!here.contact) return;
-    EXPECT_NEAR(there.contact_time, here.contact_time, kSame);
-    EXPECT_NEAR(there.relative_heading, here.relative_heading, kSame);
-    EXPECT_NEAR(there.impact_speed, here.impact_speed, kSame);
-  });
+  forChangedAnswers(
+      kBothModes, anyChange,
+      [](const AskedMoment& asked, const Scenario& scenario, const PlaneChange& change) {
+        const Realization& answer = scenario.answer;
+        if (answer.status.code != StatusCode::kOk) return;
+        const CollisionReport here = change.report(testedReport(answer.trajectory, asked));
+        const CollisionReport there =
+            testedReport(change.trajectory(answer.trajectory), change.asked(asked));
+        EXPECT_EQ(there.verified(), here.verified());
+        EXPECT_EQ(there.type_kept, here.type_kept);
+        EXPECT_EQ(there.on_time, here.on_time);
+        EXPECT_EQ(there.limits_kept, here.limits_kept) << there.broken_limit << here.broken_limit;
+        EXPECT_EQ(there.first_other_id, here.first_other_id);
+        ASSERT_EQ(there.contact, here.contact);
+        if (!here.contact) return;
+        EXPECT_NEAR(there.contact_time, here.contact_time, kSame);
+        EXPECT_NEAR(there.relative_heading, here.relative_heading, kSame);
+        EXPECT_NEAR(there.impact_speed, here.impact_speed, kSame);
+      });
 }
 
 // Rounding turns some choices of a search. Shares are below those that docs/results.md has.

@@ -1,10 +1,14 @@
 #include "properties/plane_change.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace forge {
 namespace {
+
+constexpr std::uint64_t kChanges = 10;  // of an answer
 
 Side mirrored(Side side) {
   switch (side) {
@@ -24,6 +28,16 @@ std::vector<AgentState> changed(std::vector<AgentState> states, const PlaneChang
     state.velocity = change.direction(state.velocity);
   }
   return states;
+}
+
+std::vector<TrajectoryPoint> changed(std::vector<TrajectoryPoint> points,
+                                     const PlaneChange& change) {
+  for (TrajectoryPoint& point : points) {
+    point.time += change.later;
+    point.pose = change.pose(point.pose);
+    if (change.is_mirrored) point.curvature = -point.curvature;
+  }
+  return points;
 }
 
 void changePoints(std::vector<Vector2>& points, const PlaneChange& change) {
@@ -69,11 +83,7 @@ Pose2 PlaneChange::pose(const Pose2& of) const {
 }
 
 AttackerTrajectory PlaneChange::trajectory(AttackerTrajectory of) const {
-  for (TrajectoryPoint& point : of.points) {
-    point.time += later;
-    point.pose = pose(point.pose);
-    if (is_mirrored) point.curvature = -point.curvature;
-  }
+  of.points = changed(std::move(of.points), *this);
   of.past = changed(std::move(of.past), *this);
   return of;
 }
@@ -98,6 +108,73 @@ AskedMoment PlaneChange::asked(AskedMoment of) const {
   of.now += later;
   if (is_mirrored && of.request.ego_side) of.request.ego_side = mirrored(*of.request.ego_side);
   return of;
+}
+
+Scenario PlaneChange::scenario(Scenario of) const {
+  of.asked.now += later;
+  std::optional<Side>& side = of.asked.request.ego_side;
+  if (is_mirrored && side) side = mirrored(*side);
+  of.answer.trajectory = trajectory(std::move(of.answer.trajectory));
+  of.answer.report = report(std::move(of.answer.report));
+  CollisionPattern& aim = of.answer.aim;
+  aim.time += later;
+  aim.ego.center = pose(aim.ego.center);
+  if (is_mirrored) {
+    Pose2& offset = aim.attacker_offset;
+    offset = {offset.x, -offset.y, wrapAngle(-offset.yaw)};
+  }
+  for (AttackerPlan& plan : of.plans) {
+    plan.seen += later;
+    plan.from += later;
+    plan.points = changed(std::move(plan.points), *this);
+  }
+  return of;
+}
+
+PlaneChange elsewhere(Random& random) {
+  PlaneChange change;
+  const auto cells = [&] { return 0.5 * std::round(random.uniform(-4e4, 4e4)); };
+  change.shift = {cells(), cells()};
+  change.later = std::round(random.uniform(-1.5e9, 5e8) * 64.0) / 64.0;
+  return change;
+}
+
+PlaneChange turned(Random& random) {
+  PlaneChange change;
+  change.turn = random.uniform(-M_PI, M_PI);
+  return change;
+}
+
+PlaneChange mirrored(Random& /*random*/) {
+  PlaneChange change;
+  change.is_mirrored = true;
+  return change;
+}
+
+PlaneChange anyChange(Random& random) {
+  PlaneChange change = elsewhere(random);
+  change.turn = turned(random).turn;
+  change.is_mirrored = isLikely(random, 0.5);
+  return change;
+}
+
+void forChangedAnswers(
+    const std::vector<Mode>& modes, MakeChange make,
+    const std::function<void(const AskedMoment&, const Scenario&, const PlaneChange&)>& check) {
+  std::uint64_t seed = caseRange().first_seed;
+  std::optional<std::uint64_t> known;
+  AskedMoment asked;
+  Scenario scenario;
+  forAllCases([&](Random& random) {
+    const std::uint64_t wanted = seed++ / kChanges;
+    if (known != wanted) {
+      Random of_answer(wanted);
+      asked = randomRequest(of_answer, modes);
+      scenario = answered(asked);
+      known = wanted;
+    }
+    check(asked, scenario, make(random));
+  });
 }
 
 }  // namespace forge

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "properties/random_scenes.h"
 
 namespace forge {
@@ -20,6 +22,25 @@ struct PlaneChange {
   CollisionReport report(CollisionReport of) const;
   /// Recording, map, time and request.
   AskedMoment asked(AskedMoment of) const;
+  /// What was asked for, and the answer's attack without its alternatives. A believable attack may
+  /// be none elsewhere, where cells of drivable ground lie otherwise.
+  Scenario scenario(Scenario of) const;
 };
+
+/// Within 20 km, by whole cells of drivable ground, which lie at half metres of the map's frame,
+/// and on the clock's steps.
+PlaneChange elsewhere(Random& random);
+PlaneChange turned(Random& random);
+PlaneChange mirrored(Random& random);
+/// All of these at once.
+PlaneChange anyChange(Random& random);
+
+using MakeChange = PlaneChange (*)(Random&);
+
+/// Tries a property on every case: ten in a row have the answer to the same random request, which
+/// costs most, each with a change of its own.
+void forChangedAnswers(
+    const std::vector<Mode>& modes, MakeChange make,
+    const std::function<void(const AskedMoment&, const Scenario&, const PlaneChange&)>& check);
 
 }  // namespace forge
