@@ -147,7 +147,12 @@ std::vector<JsonObject> JsonObject::objectsIn(const char* key, const Value& valu
 }
 
 void JsonObject::finish() const {
-  if (!unread_.empty()) fail(unread_.begin()->c_str(), "is an unknown field");
+  if (unread_.empty()) return;
+  const std::string& key = *unread_.begin();
+  const auto length = static_cast<rapidjson::SizeType>(key.size());
+  const Value name(rapidjson::StringRef(key.data(), length));  // it may hold a zero
+  throw JsonLineError(where_ + ": field " + pathOf(key) + " = " +
+                      excerpt(value_->FindMember(name)->value) + " is an unknown field");
 }
 
 void JsonObject::fail(const char* key, const std::string& problem) const {
