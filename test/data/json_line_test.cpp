@@ -106,6 +106,10 @@ TEST(JsonLine, MissingUnknownAndDoubleFieldsAreNamed) {
   EXPECT_THAT(complaintOf(R"({"stray":"x"})", kNothing),
               HasSubstr("field stray = \"x\" is an unknown field"));
   EXPECT_THAT(complaintOf(R"({"a":1,"a":1})", kNothing), HasSubstr("field a = 1 is there twice"));
+  EXPECT_THAT(complaintOf(R"({"a\u0000b":1,"a\u0000b":2})", kNothing),
+              HasSubstr("field a\\u0000b = 1 is there twice"));
+  EXPECT_THAT(complaintOf(R"({"a\u0000b":1})", kNothing),
+              HasSubstr("field a\\u0000b = 1 is an unknown field"));
   EXPECT_THAT(complaintOf(R"({"o":{"x":1,"x":2}})", [](JsonObject& object) { object.object("o"); }),
               HasSubstr("field o.x"));
   EXPECT_THAT(complaintOf(R"({"l":[{},{"y":"?"}]})",

@@ -217,6 +217,9 @@ class ReplayTest(PlayerTest):
         steps = sorted((after - before).to_sec() for before, after in zip(times, times[1:]))
         self.assertLess(steps[len(steps) * 9 // 10], 0.1)
         self.wait_until_still(lambda: self.times()[-1])
+        stands = self.times()[-1]
+        time.sleep(0.3)
+        self.assertEqual(self.times()[-1], stands)
 
     def test_back_to_now_without_an_attack_says_so(self):
         answer = self.call('back_to_now')
@@ -292,6 +295,9 @@ class ReplayTest(PlayerTest):
         self.assertEqual(stamps, sorted(set(stamps)))
         self.assertAlmostEqual((len(stamps) - 1) / (stamps[-1] - stamps[0]).to_sec(), 10.0, delta=0.5)
         self.assertLess(max(after - before for before, after in zip(stamps, stamps[1:])).to_sec(), 0.151)
+        count = len(injected.all())
+        time.sleep(0.5)
+        self.assertEqual(len(injected.all()), count)
 
 
 if __name__ == '__main__':

@@ -21,6 +21,14 @@ using rapidjson::Value;
 
 std::string stringOf(const Value& value) { return {value.GetString(), value.GetStringLength()}; }
 
+/// A zero would end the message: it is written as in the file.
+std::string withoutZeros(std::string name) {
+  for (std::size_t at = 0; (at = name.find('\0', at)) != std::string::npos;) {
+    name.replace(at, 1, "\\u0000");
+  }
+  return name;
+}
+
 /// A value as it stands in the file, cut where it is long or nested.
 std::string excerpt(const Value& value) {
   if (value.IsObject()) return "{...}";
@@ -43,7 +51,7 @@ JsonObject::JsonObject(std::string where, std::string path, const Value& value)
   }
   for (const auto& member : value.GetObject()) {
     const std::string key = stringOf(member.name);
-    if (!unread_.insert(key).second) fail(key.c_str(), "is there twice");
+    if (!unread_.insert(key).second) fail(key, "is there twice");
   }
 }
 
@@ -147,17 +155,14 @@ std::vector<JsonObject> JsonObject::objectsIn(const char* key, const Value& valu
 }
 
 void JsonObject::finish() const {
-  if (unread_.empty()) return;
-  const std::string& key = *unread_.begin();
-  const auto length = static_cast<rapidjson::SizeType>(key.size());
-  const Value name(rapidjson::StringRef(key.data(), length));  // it may hold a zero
-  throw JsonLineError(where_ + ": field " + pathOf(key) + " = " +
-                      excerpt(value_->FindMember(name)->value) + " is an unknown field");
+  if (!unread_.empty()) fail(*unread_.begin(), "is an unknown field");
 }
 
-void JsonObject::fail(const char* key, const std::string& problem) const {
-  throw JsonLineError(where_ + ": field " + pathOf(key) + " = " +
-                      excerpt(value_->FindMember(key)->value) + " " + problem);
+void JsonObject::fail(const std::string& key, const std::string& problem) const {
+  const auto length = static_cast<rapidjson::SizeType>(key.size());
+  const Value name(rapidjson::StringRef(key.data(), length));
+  throw JsonLineError(where_ + ": field " + pathOf(withoutZeros(key)) + " = " +
+                      excerpt(value_->FindMember(name)->value) + " " + problem);
 }
 
 const Value& JsonObject::take(const char* key) {

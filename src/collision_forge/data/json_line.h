@@ -45,7 +45,7 @@ class JsonObject {
   void finish() const;
 
   /// Throws JsonLineError: where, the field, its value, then `problem`.
-  [[noreturn]] void fail(const char* key, const std::string& problem) const;
+  [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
 
  private:
   const rapidjson::Value& take(const char* key);
