@@ -23,6 +23,8 @@ InterruptionNotice::InterruptionNotice(const std::string& message) {
     action.sa_handler = onInterruption;
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     ::sigaction(kSignals[i], &action, &before_[i]);
+    const bool was_ignored = before_[i].sa_handler == SIG_IGN;
+    if (was_ignored) ::sigaction(kSignals[i], &before_[i], nullptr);
   }
 }
 

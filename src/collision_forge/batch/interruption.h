@@ -8,7 +8,8 @@
 namespace forge {
 
 /// While it lives, SIGINT, SIGTERM and SIGHUP write a message to stderr before they end the
-/// process. One at a time in a process.
+/// process. Those that are ignored when it begins, as SIGHUP under nohup, stay ignored. One at a
+/// time in a process.
 class InterruptionNotice {
  public:
   explicit InterruptionNotice(const std::string& message);
