@@ -6,6 +6,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <QApplication>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 
@@ -23,6 +24,7 @@ using collision_forge::ListCollisions;
 using testing::HasSubstr;
 
 constexpr std::chrono::seconds kPatience{20};
+const ros::Time kListed(1234.5);  // the instant of the list
 
 collision_forge::Attack attackBy(const std::string& attacker, const std::string& manoeuvre) {
   collision_forge::Attack attack;
@@ -70,6 +72,7 @@ class Suite {
   }
 
   bool list(ListCollisions::Request& /*request*/, ListCollisions::Response& response) {
+    response.now = kListed;
     response.collisions.resize(2);
     response.collisions[0].collision_type = "rear_end";
     response.collisions[0].attacker_id = "a1";
@@ -147,6 +150,30 @@ TEST_F(PanelTest, ListsWhatIsPossibleInAPauseAndAsksForTheRowThatIsChosen) {
   EXPECT_EQ(suite_.asked().collision_type, "lane_change");
   EXPECT_EQ(suite_.asked().attacker_id, "b2");
   EXPECT_EQ(suite_.asked().manoeuvre, "merge");
+  EXPECT_EQ(suite_.asked().stamp, kListed);
+}
+
+TEST_F(PanelTest, AsksAboutTheNewestSceneOnceARowIsNoLongerAskedFor) {
+  ASSERT_TRUE(comes([&] { return button("step")->isEnabled(); }));
+  const auto choose = [&] {
+    button("list")->click();
+    ASSERT_TRUE(comes([&] { return button("list")->isEnabled(); }));
+    table().clearSelection();
+    table().selectRow(1);
+  };
+  const auto asked = [&] {
+    button("generate")->click();
+    EXPECT_TRUE(comes([&] { return button("generate")->isEnabled(); }));
+    return suite_.asked().stamp;
+  };
+  choose();
+  panel_.findChild<QDoubleSpinBox*>()->setValue(2.5);
+  EXPECT_EQ(asked(), ros::Time()) << "another time";
+  choose();
+  button("step")->click();
+  EXPECT_EQ(asked(), ros::Time()) << "the player went on";
+  choose();
+  EXPECT_EQ(asked(), kListed);
 }
 
 TEST_F(PanelTest, ShowsTheAttackItsAlternativesAndTheCountdown) {

@@ -79,7 +79,10 @@ GeneratePanel::GeneratePanel(QWidget* parent)
   connect(form_, &RequestForm::changed, this, &rviz::Panel::configChanged);
   connect(generate_, &QPushButton::clicked, this, &GeneratePanel::generate);
   connect(list_, &QPushButton::clicked, this, &GeneratePanel::list);
-  connect(table_, &PossibleTable::chosen, form_, &RequestForm::choose);
+  connect(table_, &PossibleTable::chosen, this, &GeneratePanel::choose);
+  const auto forget_row = [this] { is_row_chosen_ = false; };
+  connect(form_, &RequestForm::changed, this, forget_row);
+  connect(player_, &PlayerButtons::moved, this, forget_row);
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &GeneratePanel::showCrash);
   timer->start(kCountdownPeriod);
@@ -131,7 +134,22 @@ void GeneratePanel::subscribe() {
 void GeneratePanel::generate() {
   generate_->setEnabled(false);
   status_->setText("Generating ...");
-  generating_.start(names::kGenerateCollision, form_->request());
+  GenerateCollision::Request request = form_->request();
+  if (is_row_chosen_) request.stamp = listed_;
+  asked_tta_ = request.tta;
+  generating_.start(names::kGenerateCollision, request);
+}
+
+void GeneratePanel::choose(const collision_forge::PossibleCollision& collision) {
+  form_->choose(collision);
+  is_row_chosen_ = true;
+}
+
+void GeneratePanel::setTable(const std::vector<collision_forge::PossibleCollision>& collisions,
+                             const ros::Time& now) {
+  table_->setCollisions(collisions);
+  listed_ = now;
+  is_row_chosen_ = false;
 }
 
 void GeneratePanel::showAnswer(const ServiceCall<GenerateCollision>::Answer& answer) {
@@ -139,9 +157,9 @@ void GeneratePanel::showAnswer(const ServiceCall<GenerateCollision>::Answer& ans
   const QString problem = problemOf(answer, names::kGenerateCollision);
   status_->setText(problem.isEmpty() ? "An attack was found." : problem);
   if (!problem.isEmpty() || answer->alternatives.empty()) return;
-  const auto attacks = attacksIn(*answer, form_->request().tta);
+  const auto attacks = attacksIn(*answer, asked_tta_);
   status_->setText(QString("%1 attacks, the first is driven.").arg(attacks.size()));
-  table_->setCollisions(attacks);
+  setTable(attacks, answer->attack.header.stamp);
 }
 
 void GeneratePanel::list() {
@@ -159,7 +177,7 @@ void GeneratePanel::showPossible(const ServiceCall<ListCollisions>::Answer& answ
   const QString problem = problemOf(answer, names::kListCollisions);
   status_->setText(problem);
   if (!problem.isEmpty()) return;
-  table_->setCollisions(answer->collisions);
+  setTable(answer->collisions, answer->now);
   status_->setText(answer->collisions.empty() ? "Nothing is possible at this instant."
                                               : "Possible now; choose one, then Generate.");
 }

@@ -19,7 +19,8 @@ class PossibleTable;
 class RequestForm;
 
 /// Plays, asks what is possible, asks generate_collision for an attack, and shows what becomes of
-/// the newest attack, whoever asked for it.
+/// the newest attack, whoever asked for it. Asks for a row of the table at the instant that the
+/// table is of, until another field is changed or the player is moved; else about the newest scene.
 class GeneratePanel : public rviz::Panel {
   Q_OBJECT
 
@@ -35,6 +36,9 @@ class GeneratePanel : public rviz::Panel {
   void subscribe();
   void generate();
   void list();
+  void choose(const collision_forge::PossibleCollision& collision);
+  void setTable(const std::vector<collision_forge::PossibleCollision>& collisions,
+                const ros::Time& now);
   void showAnswer(const ServiceCall<collision_forge::GenerateCollision>::Answer& answer);
   void showPossible(const ServiceCall<collision_forge::ListCollisions>::Answer& answer);
   void showAttack(const collision_forge::AttackConstPtr& attack);
@@ -51,6 +55,10 @@ class GeneratePanel : public rviz::Panel {
   QLabel* status_ = nullptr;       ///< of the newest call
   QLabel* crash_ = nullptr;        ///< countdown or verdict
   QLabel* attack_text_ = nullptr;  ///< the newest attack
+
+  ros::Time listed_;            ///< the instant that the table is of
+  bool is_row_chosen_ = false;  ///< that the fields are those of
+  double asked_tta_ = 0.0;      ///< s, of the newest call
 
   ros::NodeHandle node_;
   std::vector<ros::Subscriber> subscribers_;

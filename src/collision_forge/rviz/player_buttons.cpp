@@ -27,7 +27,10 @@ PlayerButtons::PlayerButtons(QWidget* parent)
       pausing_([this](const auto& answer) { showFailure(answer, *said_); }),
       going_([this](const auto& answer) { showFailure(answer, *said_); }) {
   createLayout();
-  connect(pause_, &QPushButton::clicked, this, [this] { setPaused(!is_paused_); });
+  connect(pause_, &QPushButton::clicked, this, [this] {
+    setPaused(!is_paused_);
+    if (is_paused_) Q_EMIT moved();
+  });
   connect(step_, &QPushButton::clicked, this, [this] { trigger(names::kPlayerStep); });
   connect(back_, &QPushButton::clicked, this, [this] { trigger(names::kPlayerBackToNow); });
   paused_subscriber_ = node_.subscribe(names::kPlayerPaused, 1, &PlayerButtons::showState, this);
@@ -67,7 +70,10 @@ void PlayerButtons::setPaused(bool is_paused) {
   pausing_.start(names::kPlayerPause, request);
 }
 
-void PlayerButtons::trigger(const char* service) { going_.start(service, {}); }
+void PlayerButtons::trigger(const char* service) {
+  going_.start(service, {});
+  Q_EMIT moved();
+}
 
 void PlayerButtons::showState(const std_msgs::Bool& is_paused) {
   is_paused_ = is_paused.data;

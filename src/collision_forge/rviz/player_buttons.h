@@ -24,6 +24,10 @@ class PlayerButtons : public QWidget {
   /// Where there is a player that plays.
   void pause();
 
+ Q_SIGNALS:
+  /// It was told to play on, to step or to go back.
+  void moved();
+
  private:
   void createLayout();
   void setPaused(bool is_paused);
