@@ -49,7 +49,7 @@ class PlannerTesterTest(road.RoadTest):
         cls.lines = cls.scenarios.read_text().splitlines()
         cls.bulk = [json.loads(line) for line in (cls.folder / 'bulk' / 'results.jsonl').read_text().splitlines()]
         cls.tested = [number for number, result in enumerate(cls.bulk, 1) if result['status'] == 'OK']
-        cls.node = start(cls.folder, '/usr/bin/rosrun', road.PACKAGE, 'planner_tester', '_dataroot:={}'.format(DATAROOT),
+        cls.node = start(cls.folder, '/usr/bin/rosrun', road.PACKAGE, 'planner_tester', '_source:={}'.format(DATAROOT),
                          '_version:=' + VERSION, '_scenarios:={}'.format(cls.scenarios),
                          '_recording:={}'.format(cls.folder / 'scene-0001.bag'))
         cls.addClassCleanup(cls.node.wait)
@@ -238,7 +238,7 @@ class PlannerTesterTest(road.RoadTest):
             self.assertIn(word, self.ask(code, scenario=scenario, planner='idm').message)
 
     def test_a_relative_path_is_refused_at_start(self):
-        for parameter in ('dataroot', 'scenarios'):
+        for parameter in ('source', 'scenarios'):
             result = subprocess.run(['/usr/bin/rosrun', road.PACKAGE, 'planner_tester', '__name:=relative_' + parameter,
                                      '_{}:=data/here'.format(parameter)], stdout=subprocess.PIPE,
                                     stderr=subprocess.STDOUT, universal_newlines=True, timeout=60, check=False)

@@ -94,7 +94,7 @@ std::map<std::string, std::string> fingerprintsOf(const LogSource& source) {
     if (found.size() == 1) version = found.front();
   }
   std::map<std::string, std::string> fingerprints = logFingerprints(source.path, version);
-  fingerprints["dataroot"] = fs::canonical(source.path).string();
+  fingerprints["source"] = fs::canonical(source.path).string();
   if (!version.empty()) fingerprints["version"] = version;
   return fingerprints;
 }

@@ -329,7 +329,7 @@ class ReportBuilder {
   std::string index() const {
     JsonLineWriter writer;
     writer.beginObject();
-    writer.text("dataroot", inputs_.logs.path);
+    writer.text("source", inputs_.logs.path);
     writer.text("version", inputs_.logs.version);
     writer.count("rows", rows_.size());
     writer.beginArray("files");
@@ -367,8 +367,8 @@ class ReportBuilder {
   const ReportSettings& settings_;
   PageFile page_;
   std::vector<ReportFile> files_;
-  std::set<std::string> known_;          ///< scenes of the dataroot
-  std::unique_ptr<SceneSource> scenes_;  ///< of the scenario files; null without a dataroot
+  std::set<std::string> known_;          ///< scenes of the source
+  std::unique_ptr<SceneSource> scenes_;  ///< of the scenario files; null without a source
   std::vector<ReportRow> rows_;
   std::map<std::string, std::size_t> attacks_;  ///< rows of scenarios by the names of their cases
   std::map<std::string, std::string> lines_;    ///< see lineOf()

@@ -78,7 +78,7 @@ PolicyKind policyOf(const std::string& name) {
 }  // namespace
 
 /// Answers test_planner: drives a planner in closed loop through a generated crash, and shows how
-/// it went. Private parameters: `dataroot`, `version` and `scenarios` for lines of scenario files,
+/// it went. Private parameters: `source`, `version` and `scenarios` for lines of scenario files,
 /// `recording` (a bag) for trajectories, `config_dir`.
 class PlannerTesterNodelet : public nodelet::Nodelet {
  private:
@@ -103,10 +103,10 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
 
   void openSources(const ros::NodeHandle& own) {
     TrialSources sources{
-        logSourceAt(own.param<std::string>("dataroot", ""), own.param<std::string>("version", "")),
+        logSourceAt(own.param<std::string>("source", ""), own.param<std::string>("version", "")),
         own.param<std::string>("scenarios", ""), own.param<std::string>("recording", "")};
     for (const auto& [name, path] :
-         {std::pair<const char*, std::string>{"dataroot", sources.logs.path},
+         {std::pair<const char*, std::string>{"source", sources.logs.path},
           {"scenarios", sources.scenarios}}) {
       requireAbsolute(name, path);
     }

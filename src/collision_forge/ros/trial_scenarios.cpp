@@ -117,7 +117,7 @@ std::string TrialScenarios::numberedLine(const std::string& number) const {
 std::shared_ptr<const IndexedScene> TrialScenarios::sceneOf(const std::string& name) {
   if (sources_.logs.path.empty()) {
     throw TestRefusal(Codes::UNREADABLE,
-                      "a scenario is tested over the parameter dataroot, which is not set");
+                      "a scenario is tested over the parameter source, which is not set");
   }
   if (wanted_.count(name) == 0) {
     const std::vector<std::string> known = readSceneNames(sources_.logs);

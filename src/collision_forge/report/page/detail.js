@@ -224,7 +224,7 @@ export class Detail {
 
   noticeFor(scene) {
     if (!this.world.roles.length) return 'These results hold no motion.';
-    return scene ? '' : 'Made without --dataroot: no map, no traffic, no recorded ego.';
+    return scene ? '' : 'Made without --source: no map, no traffic, no recorded ego.';
   }
 
   legendEntries() {

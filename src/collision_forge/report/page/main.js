@@ -82,7 +82,7 @@ function showIndex(index) {
   });
   find('clear').addEventListener('click', () => filters.clear());
   find('source').textContent = index.files.map(({path}) => path).join(', ')
-    + (index.dataroot ? `; ${index.dataroot}, ${index.version}` : '');
+    + (index.source ? `; ${[index.source, index.version].filter(Boolean).join(', ')}` : '');
   filters.apply();
   if (/^#\d+$/.test(location.hash) && Number(location.hash.slice(1)) < rows.length) {
     open(Number(location.hash.slice(1)));
