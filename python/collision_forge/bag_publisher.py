@@ -11,14 +11,21 @@ from genpy import DeserializationError, Time
 from rosgraph_msgs.msg import Clock
 
 from collision_forge.errors import ForgeError
+from collision_forge.stamps import is_same
 from collision_forge.waiting import Graph, names
 
 AGENTS = '/agents'
 CLOCK = '/clock'
+GLOBAL = (CLOCK, '/tf', '/tf_static')  # topics that are the same in every namespace
 CLOCK_LEAD = 0.5  # s of the wall clock from the first /clock to the first message: whoever keeps transforms drops those
                   # that come before it has seen time jump back
 UNREADABLE = (OSError, RuntimeError, ValueError, struct.error, rosbag.ROSBagException,
               DeserializationError)  # what the library says of a damaged bag
+
+
+def published(topic: str) -> str:
+    """The name by which a bag's topic is published: relative, as the names that the suite hears."""
+    return topic if topic in GLOBAL else topic.lstrip('/')
 
 
 class BagPublisher:
@@ -78,7 +85,7 @@ class BagPublisher:
 
     def time_of_frame(self, stamp: Time) -> Time:
         """When the frame of agents with a stamp is in the bag."""
-        time_of = next((time_of for time_of, of in self.frames if of == stamp), None)
+        time_of = next((time_of for time_of, of in self.frames if is_same(of, stamp)), None)
         if time_of is None:
             raise ForgeError('{} has no frame of agents at {:.3f} s'.format(self.path, stamp.to_sec()))
         return time_of
@@ -96,8 +103,8 @@ class BagPublisher:
         """Lets everybody who hears the bag's topics connect."""
         for topic, message in self._first_of_topics():
             if topic not in self._publishers:
-                self._publishers[topic] = rospy.Publisher(topic, type(message), queue_size=0, tcp_nodelay=True,
-                                                          latch=self._is_latched(topic))
+                self._publishers[topic] = rospy.Publisher(published(topic), type(message), queue_size=0,
+                                                          tcp_nodelay=True, latch=self._is_latched(topic))
 
     def begin(self, at: Optional[Time] = None) -> None:
         """Goes to the bag's first message, or to the first one that is not before a time, and shows when that is."""
@@ -132,11 +139,11 @@ class BagPublisher:
         missing = []
         for topic, publisher in self._publishers.items():
             publisher.impl.check()
-            late = graph.subscribers_of(topic) - {connection.endpoint_id for connection in publisher.impl.connections}
+            late = graph.subscribers_of(published(topic)) - {connection.endpoint_id for connection in publisher.impl.connections}
             if late:
                 missing.append('a connection to {}, which hear(s) {}'.format(names(late), topic))
-        if not graph.subscribers_of(AGENTS):
-            missing.append('somebody who hears ' + AGENTS)
+        if not graph.subscribers_of(published(AGENTS)):
+            missing.append('somebody who hears ' + rospy.resolve_name(published(AGENTS)))
         return missing
 
     def _messages_by_time(self, begin: Optional[Time]) -> Iterator[Tuple[Time, List[Any]]]:

@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Union
 
 import rospy
-from genpy import Time
+from genpy import SerializationError, Time
 from std_srvs.srv import Trigger
 
 from collision_forge import msg, srv
@@ -119,7 +119,8 @@ class CollisionForge:
         """As `generate()`, by an attacker that sees and reacts. Iterate over what becomes of it."""
         mark = self._attacks.mark()
         first = self._generate(collision, tta, at, method, control_fields(**controls), True)
-        return AdaptiveAttack(self, first, mark)
+        is_first = [same_attack(message, first.message) for message in self._attacks.since(mark)]
+        return AdaptiveAttack(self, first, mark + is_first.index(True))  # those before it end an earlier attack
 
     def _generate(self, collision: Collision, tta: Optional[float], at: Optional[Time], method: str,
                   controls: Dict[str, Any], adaptive: bool) -> Attack:
@@ -262,6 +263,8 @@ class CollisionForge:
             answer = rospy.ServiceProxy(name, service)(service._request_class(**fields))
         except (rospy.ServiceException, rospy.ROSException) as error:
             raise Unavailable('{}: {}'.format(name, error)) from error
+        except SerializationError as error:
+            raise ForgeError('{}: a value that no message can hold: {}'.format(name, error)) from error
         code = getattr(answer, 'code', Code.OK)
         if code != Code.OK:
             raise Declined(code, answer.message)

@@ -4,7 +4,8 @@ from typing import Sequence
 
 
 class Code(enum.IntEnum):
-    """Status codes of the services, as in GenerateCollision.srv and TestPlanner.srv; the README says what they mean."""
+    """Status codes of the services, as in GenerateCollision.srv and TestPlanner.srv; docs/messages.md says what they
+    mean."""
 
     OK = 0
     UNKNOWN_TYPE = 1

@@ -5,6 +5,7 @@ from typing import Iterator, List, Optional, Union
 from genpy import Duration, Time
 
 from collision_forge.bag_publisher import BagPublisher
+from collision_forge.stamps import is_same
 from collision_forge.waiting import Inbox, wait_until
 
 
@@ -109,7 +110,7 @@ class Player:
 
     def _wait_for_scene(self, stamp: Time, mark: int) -> None:
         def missing() -> List[str]:
-            if self._scenes.find(lambda scene: scene.header.stamp == stamp, mark):
+            if self._scenes.find(lambda scene: is_same(scene.header.stamp, stamp), mark):
                 return []
             return ['{} of the frame of agents at {:.3f} s: has the bag /lane_map, and a transform map -> base_link '
                     'at that time?'.format(self._scenes.topic, stamp.to_sec())]

@@ -8,6 +8,7 @@ import re
 import subprocess
 import threading
 import time
+import unittest.mock
 
 import rospy
 from rosgraph_msgs.msg import Clock
@@ -20,6 +21,14 @@ from collision_forge.waiting import wait_until
 
 SCENE, TYPE, NOW, TTA = 'scene-0007', 'lane_change', 4.0, 4.0
 TIMEOUT = 60.0  # s
+IN_A_NAMESPACE = """
+import rospy
+from collision_forge import CollisionForge
+forge = CollisionForge(60.0)
+forge.play('{bag}').until({now})
+attack = forge.generate('{type}', {tta})
+print(rospy.resolve_name('generate_collision'), forge.tested(attack).contact is not None)
+"""
 BLOCK = re.compile(r'^```(\w*)\n(.*?)^```$', re.MULTILINE | re.DOTALL)
 PAGE = road.PACKAGE_FOLDER / 'docs' / 'python.md'
 
@@ -123,6 +132,32 @@ class ClientTest(road.RoadTest):
         player.until(NOW)
         self.assert_close(self.forge.scene.message, first.message, tolerance=1e-9)
 
+    def test_stamps_may_be_finer_than_those_of_the_suite(self):
+        fine = self.path('fine.bag')
+
+        def finer(topic, message):
+            if topic == '/agents':
+                message.header.stamp -= rospy.Duration(0, 211)
+            return message
+        road.copy_bag(self.bag(SCENE), fine, finer)
+        player = self.forge.play(fine).until(NOW)
+        self.assertEqual(player.stamp.nsecs % 1000, 789)
+        attack = self.forge.generate(TYPE, TTA)
+        self.assertAlmostEqual(player.instant_of(attack.now), NOW, 6)
+        self.forge.tested(attack)
+
+    def test_plays_and_asks_in_a_namespace(self):
+        with unittest.mock.patch.dict(os.environ, ROS_NAMESPACE='front'):
+            self.path('front').mkdir()
+            suite = Suite(self.path('front'), nodelets='false')
+            self.addCleanup(suite.stop)
+            said = subprocess.run(['/usr/bin/python3', '-c', IN_A_NAMESPACE.format(bag=self.bag(SCENE), now=NOW,
+                                                                                   type=TYPE, tta=TTA)],
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
+                                  timeout=2 * TIMEOUT, check=False)
+        self.assertEqual((said.returncode, said.stderr), (0, ''))
+        self.assertEqual(said.stdout, '/front/generate_collision True\n')
+
     def test_refuses_a_second_source_of_time(self):
         self.play()
         other = subprocess.Popen(['rostopic', 'pub', '/clock', 'rosgraph_msgs/Clock', '{}'], stdout=subprocess.DEVNULL)
@@ -217,6 +252,9 @@ class ClientTest(road.RoadTest):
         with self.assertRaises(Declined) as raised:
             self.forge.test_planner('magic', self.forge.generate(TYPE, TTA))
         self.assertIs(raised.exception.code, Code.UNKNOWN_PLANNER)
+        for arguments in (dict(seed=-1), dict(alternatives='many'), dict(attacker=5)):
+            with self.assertRaisesRegex(ForgeError, 'no message can hold'):
+                self.forge.generate(TYPE, TTA, **arguments)
 
     def test_reset_forgets_the_attack(self):
         self.play()

@@ -26,18 +26,19 @@ CLOCK_LEAD = 0.5  # s from the first /clock to the first message: tf2 drops what
 
 # What every node of the suite publishes, hears and answers.
 NODES = {
-    'scene_encoder': (['/encoded_scene'], ['/agents', '/lane_map', '/tf'], []),
+    'scene_encoder': (['/encoded_scene'], ['/agents', '/lane_map', '/tf', '/tf_static'], []),
     'pattern_predictor': ([], ['/lane_map'], ['/predict_pattern']),
     'trajectory_realizer': ([], ['/lane_map'], ['/realize_trajectory']),
     'attack_verifier': (['/tested_report'],
-                        ['/agents', '/attack', '/lane_map', '/tf'], []),
-    'planner_tester': (['/planner_markers', '/planner_outcome', '/planner_path', '/planning_state', '/tested_map'],
+                        ['/agents', '/attack', '/lane_map', '/tf', '/tf_static'], []),
+    'planner_tester': (['/planner_markers', '/planner_outcome', '/planner_path', '/planning_state', '/tested_map',
+                        '/tf_static'],
                        ['/attack', '/planned_trajectory'], ['/test_planner']),
     'collision_generator': (['/attack', '/attack_ego_path', '/attack_methods', '/attack_path', '/attack_request',
                              '/predicted_patterns'],
                             ['/encoded_scene', '/lane_map'],
                             ['/generate_collision', '/generate_collisions', '/list_collisions', '/reset']),
-    'attacker_injector': (['/injected_agents', '/injected_objects'], ['/agents', '/attack', '/tf'], []),
+    'attacker_injector': (['/injected_agents', '/injected_objects'], ['/agents', '/attack', '/tf', '/tf_static'], []),
     'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers',
                           '/tf_static'],
                          ['/attack', '/encoded_scene', '/lane_map', '/predicted_patterns', '/tested_report'], []),

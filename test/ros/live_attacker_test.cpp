@@ -16,7 +16,7 @@ double braking(double seconds) { return std::max(3.0, 8.0 - 2.5 * seconds); }
 class LiveAttackerTest : public testing::Test {
  protected:
   explicit LiveAttackerTest(bool keeps_attack = true)
-      : live_([this](const auto& attack) { published_.push_back(attack); }, keeps_attack) {}
+      : live_([this](const auto& attack) { published_.push_back(attack); }, keeps_attack, 40.0) {}
 
   collision_forge::Attack setOut() {
     const Realization first = chase_.firstAttack();
@@ -76,8 +76,12 @@ TEST_F(ForgetfulLiveAttackerTest, AFixedOneIsForgottenToo) {
   EXPECT_EQ(published_.back(), collision_forge::Attack());
 }
 
-TEST_F(LiveAttackerTest, IsForgottenOnceWhereThatIsAskedFor) {
+TEST_F(LiveAttackerTest, SaysThatThereIsNoneThoughItKnowsOfNone) {
   EXPECT_FALSE(live_.forget());
+  EXPECT_EQ(published_, std::vector<collision_forge::Attack>(1)) << "one from elsewhere ends";
+}
+
+TEST_F(LiveAttackerTest, IsForgottenOnceWhereThatIsAskedFor) {
   setOut();
   EXPECT_TRUE(live_.forget());
   EXPECT_EQ(published_.back(), collision_forge::Attack());

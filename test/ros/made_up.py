@@ -39,6 +39,14 @@ def agent(name, x, y=0.0, yaw=0.0, agent_class=Agent.CAR):
     return message
 
 
+def transform_of(time, parent, child, x=0.0, y=0.0):
+    transform = TransformStamped(child_frame_id=child)
+    transform.header.stamp, transform.header.frame_id = time, parent
+    transform.transform.translation.x, transform.transform.translation.y = x, y
+    transform.transform.rotation.w = 1.0
+    return transform
+
+
 def traffic(seconds):
     """Somebody behind, somebody coming towards, and somebody who walks."""
     return [agent('behind', -20.0 + 11.0 * seconds), agent('oncoming', 140.0 - 9.0 * seconds, 3.5, math.pi),
@@ -53,6 +61,7 @@ def drive(frames, agents=traffic, speed=SPEED):
 class MadeUpTest(live.LiveTest):
     """A test of the suite in made-up scenes."""
     RECORDING = False
+    MOVED = 'base_link'  # frame that /tf moves in the map
     HEARD = ['/encoded_scene', '/injected_agents']
 
     @classmethod
@@ -72,10 +81,7 @@ class MadeUpTest(live.LiveTest):
         type(self).start -= 100.0
 
     def publish_transform(self, time, x):
-        transform = TransformStamped()
-        transform.header.stamp, transform.header.frame_id, transform.child_frame_id = time, 'map', 'base_link'
-        transform.transform.translation.x, transform.transform.rotation.w = x, 1.0
-        self.publishers['/tf'].publish(TFMessage([transform]))
+        self.publishers['/tf'].publish(TFMessage([transform_of(time, 'map', self.MOVED, x)]))
 
     def publish(self, frames):
         """Frames and the ego's poses at their times, with one pose before them all."""

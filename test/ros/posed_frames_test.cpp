@@ -118,6 +118,27 @@ TEST_F(PosedFramesTest, StaticTransformsOutliveARestart) {
   EXPECT_EQ(ready(), Times({0.0}));
 }
 
+TEST_F(PosedFramesTest, WhatMovesTheEgoIsToldFromWhatIsFixedToIt) {
+  const auto from = [](const char* parent, const char* child, double seconds) {
+    tf2_msgs::TFMessage message = poseAt(seconds);
+    message.transforms[0].header.frame_id = parent;
+    message.transforms[0].child_frame_id = child;
+    return message;
+  };
+  const tf2_msgs::TFMessage moving = from("map", "base_footprint", 20.0);
+  EXPECT_TRUE(frames_.movesEgo(poseAt(0.0).transforms[0]));
+  EXPECT_FALSE(frames_.movesEgo(moving.transforms[0])) << "not as far as is known yet";
+  frames_.addTransforms(from("base_footprint", "base_link", 0.0), true);
+  EXPECT_TRUE(frames_.movesEgo(moving.transforms[0]));
+  EXPECT_FALSE(frames_.movesEgo(poseAt(0.0).transforms[0]));
+  frames_.addTransforms(moving, false);
+  frame(20.5);
+  frames_.addTransforms(from("map", "base_footprint", 0.0), false);
+  frames_.addTransforms(from("map", "base_footprint", 20.5), false);
+  frame(10.0);
+  EXPECT_EQ(ready(), Times({10.0})) << "the replay started again";
+}
+
 TEST_F(PosedFramesTest, NoMoreThanAThousandFramesWait) {
   for (int i = 0; i < 1500; ++i) frame(0.1 * i);
   pose(0.0);

@@ -5,14 +5,13 @@ import threading
 import live
 import road
 import rospy
-from geometry_msgs.msg import TransformStamped
 from live import ask, until
-from made_up import HISTORY, SPEED, MadeUpTest, agent, drive, traffic
+from made_up import HISTORY, SPEED, MadeUpTest, agent, drive, traffic, transform_of
 from rosgraph_msgs.msg import Clock
 from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
-from collision_forge.msg import AgentArray, CollisionRequest
+from collision_forge.msg import AgentArray, Attack, CollisionRequest
 from collision_forge.srv import (GenerateCollision, GenerateCollisions, ListCollisions, PredictPattern,
                                  RealizeTrajectory, TestPlanner)
 
@@ -32,7 +31,7 @@ def generate_collisions(**fields):
     return call('/generate_collisions', GenerateCollisions, **fields)
 
 
-class RequestsTest(MadeUpTest):
+class AttackedTest(MadeUpTest):
     HEARD = ['/encoded_scene', '/injected_agents', '/attack', '/attack_path', '/attack_ego_path', '/tested_report',
              '/attack_markers', '/pattern_markers']
 
@@ -47,14 +46,53 @@ class RequestsTest(MadeUpTest):
         self.heard['/attack_markers'].wait(lambda array: len(array.markers) > 1)
         for topic in ('/attack_path', '/attack_ego_path'):
             self.heard[topic].wait(lambda path: path.header.stamp == self.time(NOW))
-        for topic in ('/attack', '/attack_path', '/attack_ego_path', '/attack_markers'):
+        self.heard['/pattern_markers'].wait(lambda array: len(array.markers) > 1)
+        for topic in ('/attack', '/attack_path', '/attack_ego_path', '/attack_markers', '/pattern_markers'):
             self.heard[topic].clear()
         return answer
+
+    def assert_tested_by(self, publish_pose):
+        """`publish_pose` says where the ego goes on to."""
+        answer = self.attacked()
+        self.heard['/tested_report'].clear()
+        self.heard['/injected_agents'].clear()
+        for i in range(1, 71):
+            seconds = NOW + 0.1 * i
+            self.publishers['/clock'].publish(Clock(self.time(seconds)))
+            publish_pose(self.time(seconds), seconds)
+            if i % 5 == 0:
+                message = AgentArray(agents=traffic(seconds))
+                message.header.stamp, message.header.frame_id = self.time(seconds), 'map'
+                self.publishers['/agents'].publish(message)
+        tested = self.heard['/tested_report'].wait()
+        self.assertTrue(tested.contact)
+        self.assertLess(abs((tested.contact_time - answer.attack.report.contact_time).to_sec()), 0.3)
+        self.heard['/injected_agents'].wait(lambda agents: agents.header.stamp > tested.contact_time)
+
+
+class FixedBaseTest(AttackedTest):
+    """/tf moves base_footprint, and /tf_static fixes base_link to it."""
+    MOVED = 'base_footprint'
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        fixed = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
+        cls.addClassCleanup(fixed.unregister)
+        fixed.publish(TFMessage([transform_of(rospy.Time(), 'base_footprint', 'base_link')]))
+        until(lambda: fixed.get_num_connections() > 0, 'the suite, a process, hears /tf_static')
+
+    def test_the_ego_is_tested_where_it_is(self):
+        self.assert_tested_by(lambda time, seconds: self.publish_transform(time, SPEED * seconds))
+
+
+class RequestsTest(AttackedTest):
 
     def assert_forgotten(self):
         """By all nodes: no markers, and agents pass as they are."""
         self.assertEqual(self.heard['/attack'].wait().trajectory.attacker_id, '')
         self.heard['/attack_markers'].wait(lambda array: len(array.markers) == 1)
+        self.heard['/pattern_markers'].wait(lambda array: len(array.markers) == 1)
         for topic in ('/attack_path', '/attack_ego_path'):
             self.heard[topic].wait(lambda path: not path.poses)
         message = AgentArray(agents=traffic(NOW + 1.0))
@@ -138,6 +176,20 @@ class RequestsTest(MadeUpTest):
         self.assert_forgotten()
         self.assertIn('no attack', reset().message)
 
+    def test_reset_ends_an_attack_that_somebody_else_has_published(self):
+        answer = self.attacked()
+        rospy.ServiceProxy('/reset', Trigger)()
+        self.assert_forgotten()
+        other = rospy.Publisher('/attack', Attack, queue_size=1)
+        self.addCleanup(other.unregister)
+        until(lambda: other.get_num_connections() >= 2, 'the suite and this test hear it')
+        other.publish(answer.attack)
+        self.heard['/attack_markers'].wait(lambda array: len(array.markers) > 1)
+        self.heard['/attack'].clear()
+        self.heard['/attack_markers'].clear()
+        self.assertIn('no attack', rospy.ServiceProxy('/reset', Trigger)().message)
+        self.heard['/attack_markers'].wait(lambda array: len(array.markers) == 1)
+
     def test_a_declined_request_shows_nothing_of_the_attack_before(self):
         self.attacked()
         self.ask_for_code('UNKNOWN_ATTACKER', attacker='nobody')
@@ -208,34 +260,19 @@ class RequestsTest(MadeUpTest):
         message.header.stamp, message.header.frame_id = self.time(3.0), 'odom'
         self.publish_transform(self.time(3.0), SPEED * 3.0)
         self.publishers['/agents'].publish(message)
-        until(lambda: 'agents are in frame "odom"' in self.suite.output(), 'the message about the frame')
+        until(lambda: self.suite.output().count('agents: header.frame_id = "odom"') >= 3,
+              'the message of encoder, verifier and injector about the frame')
+        self.assertNotIn(message.header.stamp,
+                         [frame.header.stamp for frame in self.heard['/injected_agents'].all()])
 
     def test_the_ego_is_tested_where_tf_has_it_though_odometry_drifts(self):
         """map -> odom takes back a drift of odom -> base_link, 0.3 m/s to the side."""
-        answer = self.attacked()
-        self.heard['/tested_report'].clear()
-        for i in range(1, 71):
-            seconds = NOW + 0.1 * i
-            self.publishers['/clock'].publish(Clock(self.time(seconds)))
-            self.publish_drifting(self.time(seconds), seconds)
-            if i % 5 == 0:
-                message = AgentArray(agents=traffic(seconds))
-                message.header.stamp, message.header.frame_id = self.time(seconds), 'map'
-                self.publishers['/agents'].publish(message)
-        tested = self.heard['/tested_report'].wait()
-        self.assertTrue(tested.contact)
-        self.assertLess(abs((tested.contact_time - answer.attack.report.contact_time).to_sec()), 0.3)
+        self.assert_tested_by(self.publish_drifting)
 
     def publish_drifting(self, time, seconds):
-        transforms = []
-        for parent, child, x, y in (('map', 'odom', 0.0, -0.3 * seconds), ('odom', 'base_link', SPEED * seconds, 0.3 * seconds)):
-            transform = TransformStamped()
-            transform.header.stamp, transform.header.frame_id, transform.child_frame_id = time, parent, child
-            transform.transform.translation.x, transform.transform.translation.y = x, y
-            transform.transform.rotation.w = 1.0
-            transforms.append(transform)
-        for transform in transforms:
-            self.publishers['/tf'].publish(TFMessage([transform]))
+        for parent, child, x, y in (('map', 'odom', 0.0, -0.3 * seconds),
+                                    ('odom', 'base_link', SPEED * seconds, 0.3 * seconds)):
+            self.publishers['/tf'].publish(TFMessage([transform_of(time, parent, child, x, y)]))
 
     def show_at(self, times):
         """Frames at these seconds, in this order; the scene of the last."""

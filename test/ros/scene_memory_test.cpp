@@ -8,6 +8,8 @@
 #include <string>
 #include <thread>
 
+#include "collision_forge/ros/conversions.h"
+
 namespace forge {
 namespace {
 
@@ -62,6 +64,21 @@ TEST_F(SceneMemoryTest, AStampNamesTheSceneAtOrBeforeIt) {
   EXPECT_EQ(stampOf(memory_.at(ros::Time(101.2))), 101.0);
   EXPECT_EQ(stampOf(memory_.at(ros::Time(102.0))), 102.0);
   EXPECT_EQ(codeOf(memory_.at(ros::Time(99.9))), StatusCode::kNoScene);
+}
+
+TEST_F(SceneMemoryTest, AFrameOfAgentsIsNamedByItsStampHoweverFineThatIs) {
+  for (const std::uint32_t nanoseconds : {123456499u, 123456500u, 123456789u}) {
+    const ros::Time agents(1600000000, nanoseconds);
+    SceneMemory memory(options());
+    for (const double later : {0.0, 0.5}) {
+      auto scene = boost::make_shared<collision_forge::SceneSnapshot>();
+      scene->header.stamp = forge::stampOf((agents + ros::Duration(later)).toSec());
+      memory.add(scene, kClock);
+      const Found found = memory.at(agents + ros::Duration(later));
+      ASSERT_TRUE(std::holds_alternative<SceneMemory::Scene>(found)) << messageOf(found);
+      EXPECT_EQ(std::get<SceneMemory::Scene>(found), scene);
+    }
+  }
 }
 
 TEST_F(SceneMemoryTest, OldOnesAreForgotten) {

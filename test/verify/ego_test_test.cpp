@@ -76,6 +76,16 @@ TEST(EgoTest, ReportsAMissWhenTheTrajectoryHasEnded) {
   EXPECT_FALSE(report->contact);
 }
 
+TEST(EgoTest, SaysNothingOfAnEgoThatWasSeenTooLate) {
+  for (const double seen_from : {0.0, 0.1, 2.0}) {
+    EgoTest test = testOf(1.0);
+    for (double t = seen_from; t < 3.15; t += 0.1) test.addEgo(standing(kNow + t, 15.0));
+    test.addAgents(frame(kNow + 3.1));
+    EXPECT_EQ(test.outcome(emptyMap(), shippedOptions().verification).has_value(), seen_from == 0.0)
+        << seen_from;
+  }
+}
+
 TEST(EgoTest, JudgesTheStartAgainstTheRecordedHeading) {
   EgoTest test = testOf(1.0);
   const Track turned{

@@ -38,7 +38,7 @@ AttackFinder::AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private
       foresight_(loadForesight(config)),
       default_method_(forge::defaultMethod(foresight_.network != nullptr)),
       map_(node, config.input_limits),
-      search_(node) {
+      search_(node, config.live.answer_within) {
   loadRecording(private_node.param<std::string>("recording", ""));
 }
 

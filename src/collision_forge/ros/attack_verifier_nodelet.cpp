@@ -14,6 +14,7 @@
 #include "collision_forge/ros/ego_poses.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/topic_names.h"
+#include "collision_forge/scene/scene_history.h"
 #include "collision_forge/verify/ego_test.h"
 
 namespace forge {
@@ -23,8 +24,7 @@ namespace forge {
 /// reacts goes on being tested when it comes again.
 class AttackVerifierNodelet : public nodelet::Nodelet {
  private:
-  static constexpr std::size_t kKept = 100;  // newest poses and frames
-  static constexpr double kAhead = 1.0;      // s; agents of a new replay may come before its poses
+  static constexpr double kAhead = 1.0;  // s; agents of a new replay may come before its poses
 
   struct Frame {
     double time = 0.0;
@@ -109,7 +109,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
       test_.reset();
       if (attack_ && ego.time <= attack_->header.stamp.toSec()) startTest();
     }
-    keepNewest(egos_, ego);
+    add(egos_, ego);
     if (!test_) return;
     test_->addEgo(ego);
     try {
@@ -130,7 +130,7 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
       Frame frame{time, fromMessage(message)};
       keepWithin(frame.agents, config_.input_limits);
       dropFramesAfter(time);
-      keepNewest(frames_, frame);
+      add(frames_, frame);
       if (test_) test_->addAgents(frame.agents);
     } catch (const std::exception& error) {
       NODELET_ERROR_STREAM_THROTTLE(1.0, "frame left out: " << printable(error.what()));
@@ -143,9 +143,9 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
   }
 
   template <typename Value>
-  static void keepNewest(std::deque<Value>& values, const Value& value) {
+  void add(std::deque<Value>& values, const Value& value) {
     values.push_back(value);
-    if (values.size() > kKept) values.pop_front();
+    keepNewest(values, config_.live.answerAge());
   }
 
   void publishOutcome() {

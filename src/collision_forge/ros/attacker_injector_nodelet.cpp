@@ -61,7 +61,12 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
   }
 
   void receiveAgents(const collision_forge::AgentArray::ConstPtr& message) {
-    injector_->addFrame(message);
+    try {
+      requireMapFrame(message->header, names::kAgents);
+      injector_->addFrame(message);
+    } catch (const std::exception& error) {
+      NODELET_ERROR_STREAM_THROTTLE(1.0, "frame left out: " << printable(error.what()));
+    }
   }
 
   ros::CallbackQueue callbacks_;

@@ -43,6 +43,7 @@ class SceneBuilder {
   }
 
   void add(const collision_forge::AgentArray& message) {
+    requireMapFrame(message.header, names::kAgents);
     const double time = message.header.stamp.toSec();
     if (!scene_.frame_times.empty() && time <= scene_.frame_times.back()) {
       ++skipped_["frames of agents whose stamp is not after the one before"];
@@ -65,6 +66,7 @@ class SceneBuilder {
   }
 
   void add(const collision_forge::LaneMap& message) {
+    requireMapFrame(message.header, names::kLaneMap);
     scene_.map = std::make_shared<const LaneMap>(fromMessage(message));
   }
 

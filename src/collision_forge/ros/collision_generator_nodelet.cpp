@@ -55,7 +55,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     publishMethods(node);
     live_ = std::make_unique<LiveAttacker>(
         [this](const collision_forge::Attack& attack) { publish(attack); },
-        getPrivateNodeHandle().param("keep_attack", false));
+        getPrivateNodeHandle().param("keep_attack", false), config_.live.answerAge());
     scene_subscriber_ = node.subscribe(names::kEncodedScene, kSceneQueue,
                                        &CollisionGeneratorNodelet::receive, this);
     watch_ = node.createWallTimer(ros::WallDuration(kWatchInterval),
@@ -119,7 +119,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   bool generate(Request& message, Response& response) {
     answerWith(response, [&] { return generateOne(message, response); });
     if (response.code != Response::OK) {
-      live_->forget();
+      forget();
       NODELET_INFO_STREAM(toString(static_cast<StatusCode>(response.code))
                           << ": " << printable(response.message));
     }
@@ -218,7 +218,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     return true;
   }
 
-  /// True when there was an attack.
+  /// True when there was an attack of its own.
   bool forget() {
     finder_->forgetPatterns();
     return live_->forget();

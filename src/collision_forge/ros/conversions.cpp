@@ -152,6 +152,12 @@ std::vector<AgentState> pastIn(const collision_forge::AttackerTrajectory& messag
 
 }  // namespace
 
+void requireMapFrame(const std_msgs::Header& header, const char* topic) {
+  if (header.frame_id.empty() || header.frame_id == names::kMapFrame) return;
+  throw MessageError(std::string(topic) + ": header.frame_id = \"" + header.frame_id +
+                     "\", not \"" + names::kMapFrame + "\"");
+}
+
 ros::Time stampOf(double time) {
   constexpr std::uint64_t kMicrosecond = 1000;  // ns
   const std::uint64_t nanoseconds = ros::Time(time).toNSec();

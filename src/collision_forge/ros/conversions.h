@@ -15,6 +15,7 @@
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
 #include <geometry_msgs/Vector3.h>
+#include <std_msgs/Header.h>
 
 #include <stdexcept>
 #include <string>
@@ -35,6 +36,10 @@ namespace forge {
 struct MessageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// Throws MessageError where a message of that topic is in another frame than `map`; one without a
+/// frame is taken to be in it.
+void requireMapFrame(const std_msgs::Header& header, const char* topic);
 
 /// The stamp of a time in seconds. A double does not tell the nanoseconds of today's times: it is
 /// taken to the nearest microsecond, which gives the stamps of nuScenes back as they were.

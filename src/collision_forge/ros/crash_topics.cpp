@@ -112,7 +112,7 @@ void CrashTopics::takeAgents(const collision_forge::AgentArray& agents, const ro
 void CrashTopics::takeTransforms(const tf2_msgs::TFMessage& message, const ros::Time& time,
                                  bool is_static) {
   for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-    if (transform.child_frame_id != names::kBaseFrame) continue;
+    if (is_static || !places_.movesEgo(transform)) continue;
     places_.addFrame(boost::make_shared<Place>(Place{transform.header, time}));
   }
   places_.addTransforms(message, is_static);

@@ -20,7 +20,7 @@ EgoPoses::EgoPoses(ros::NodeHandle& node, double center_offset, Callback callbac
 
 void EgoPoses::receive(const tf2_msgs::TFMessage& message) {
   for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-    if (transform.child_frame_id == names::kBaseFrame) {
+    if (poses_.movesEgo(transform)) {
       poses_.addFrame(boost::make_shared<geometry_msgs::TransformStamped>(transform));
     }
   }

@@ -12,10 +12,10 @@
 
 namespace forge {
 
-/// Tells where the middle of the ego's box is, as /tf comes: at every pose of base_link, as soon as
-/// its place in the map is known, whatever frames lie between. Velocities are zero. Times grow but
-/// where a replay starts again, which they tell by going back by more than kRestart; what is late
-/// or not finite is left out.
+/// Tells where the middle of the ego's box is, as /tf comes: whenever that moves base_link, as soon
+/// as its place in the map is known, whatever frames lie between. Velocities are zero. Times grow
+/// but where a replay starts again, which they tell by going back by more than kRestart; what is
+/// late or not finite is left out.
 class EgoPoses {
  public:
   using Callback = std::function<void(const AgentState& ego)>;

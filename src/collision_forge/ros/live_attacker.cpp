@@ -38,15 +38,15 @@ void LiveAttacker::publish(const collision_forge::Attack& attack) {
 
 bool LiveAttacker::forget() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return forgetLocked();
+  const bool was_there = now_.has_value();
+  forgetLocked();
+  return was_there;
 }
 
-bool LiveAttacker::forgetLocked() {
+void LiveAttacker::forgetLocked() {
   driven_.reset();
-  if (!now_) return false;
   now_.reset();
   publish_({});
-  return true;
 }
 
 collision_forge::Attack LiveAttacker::setOut(collision_forge::Attack attack, AttackerTask task,
@@ -66,7 +66,7 @@ void LiveAttacker::see(const Frame& frame, double clock) {
   is_watched_ = false;
   if (!frames_.empty() && frame.time < frames_.back().time) goBackTo(frame.time);
   frames_.push_back(frame);
-  if (frames_.size() > kKept) frames_.pop_front();
+  keepNewest(frames_, kept_for_);
   show(frame);
 }
 

@@ -18,8 +18,9 @@ namespace forge {
 class LiveAttacker {
  public:
   using Publish = std::function<void(const collision_forge::Attack&)>;
-  LiveAttacker(Publish publish, bool keeps_attack)
-      : publish_(std::move(publish)), keeps_attack_(keeps_attack) {}
+  /// `kept_for`: s of frames that an attack may be older than the scene when it sets out.
+  LiveAttacker(Publish publish, bool keeps_attack, double kept_for)
+      : publish_(std::move(publish)), keeps_attack_(keeps_attack), kept_for_(kept_for) {}
 
   /// Publishes a fixed attack. Nobody sees and reacts any more.
   void setOut(const collision_forge::Attack& attack);
@@ -29,8 +30,8 @@ class LiveAttacker {
   collision_forge::Attack setOut(collision_forge::Attack attack, AttackerTask task,
                                  const AttackerSetup& setup);
 
-  /// Publishes an attack by nobody (isNone()) in place of the one that there is, if any. Returns
-  /// whether there was one.
+  /// Publishes an attack by nobody (isNone()), so that one from elsewhere, as of a played bag,
+  /// ends, too. Returns whether there was one of its own.
   bool forget();
 
   /// The newest frame of the scene; `clock`, s, is when it came. Where a replay goes back, but not
@@ -42,8 +43,6 @@ class LiveAttacker {
   void watch(double clock);
 
  private:
-  static constexpr std::size_t kKept = 100;  // frames
-
   struct Driven {
     collision_forge::Attack first;
     AttackerTask task;
@@ -53,7 +52,7 @@ class LiveAttacker {
   };
 
   void publish(const collision_forge::Attack& attack);
-  bool forgetLocked();
+  void forgetLocked();
   void show(const Frame& frame);
   void goBackTo(double time);
   collision_forge::Attack attackNow() const;
@@ -61,6 +60,7 @@ class LiveAttacker {
   std::mutex mutex_;  // of all that follows
   Publish publish_;
   bool keeps_attack_;
+  double kept_for_;
   std::optional<double> now_;  // of the attack that there is
   std::deque<Frame> frames_;   // the newest: a request is answered later than its now
   double came_ = 0.0;          // s, the clock when the newest came

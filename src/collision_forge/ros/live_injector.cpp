@@ -12,7 +12,6 @@
 namespace forge {
 namespace {
 
-constexpr std::size_t kKept = 100;        // newest poses of the ego
 constexpr std::size_t kMostWait = 10000;  // frames that may wait for the ego's poses
 
 double secondsFrom(const collision_forge::AgentArray::ConstPtr& from, const ros::Time& to) {
@@ -23,6 +22,7 @@ double secondsFrom(const collision_forge::AgentArray::ConstPtr& from, const ros:
 
 LiveInjector::LiveInjector(const Config& config, AfterContact after_contact, Publish publish)
     : step_(1.0 / config.attacked_bag.frame_rate),
+      kept_for_(config.live.answerAge()),
       limits_(config.input_limits),
       after_contact_(after_contact),
       verification_(config.attack.verification),
@@ -72,7 +72,7 @@ void LiveInjector::addEgo(const AgentState& ego) {
     if (contact_ && ego.time < contact_->slide.begin) forgetContact();
   }
   states.push_back(ego);
-  if (states.size() > kKept) states.erase(states.begin());
+  while (states.front().time < ego.time - kept_for_) states.erase(states.begin());
   if (states.size() > 1) {
     findContact({ego_.id, ego_.agent_class, ego_.size, {*std::prev(states.end(), 2), ego}});
   }

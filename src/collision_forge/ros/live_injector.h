@@ -64,7 +64,8 @@ class LiveInjector {
   bool isAfterNow(const ros::Time& stamp) const;
   bool isEgoKnown(const ros::Time& stamp) const;
 
-  double step_;  // s between frames
+  double step_;      // s between frames
+  double kept_for_;  // s of the ego's poses
   InputLimits limits_;
   AfterContact after_contact_;
   VerificationOptions verification_;

@@ -2,8 +2,6 @@
 
 #include <ros/package.h>
 
-#include <stdexcept>
-
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/batch/printable.h"
 #include "collision_forge/ros/conversions.h"
@@ -20,12 +18,6 @@ Config loadNodeConfig(const ros::NodeHandle& private_node) {
   return loadLogged("configuration", [&] { return loadConfig(nodeConfigFolder(private_node)); });
 }
 
-void requireMapFrame(const std_msgs::Header& header, const char* topic) {
-  if (header.frame_id.empty() || header.frame_id == names::kMapFrame) return;
-  throw std::invalid_argument(std::string(topic) + " are in frame \"" + header.frame_id +
-                              "\", not in \"" + names::kMapFrame + "\"");
-}
-
 LaneMapSubscriber::LaneMapSubscriber(ros::NodeHandle& node, const InputLimits& limits)
     : limits_(limits),
       subscriber_(node.subscribe(names::kLaneMap, 1, &LaneMapSubscriber::receive, this)) {}
@@ -37,6 +29,7 @@ std::shared_ptr<const LaneIndex> LaneMapSubscriber::lanes() const {
 
 void LaneMapSubscriber::receive(const collision_forge::LaneMap& message) {
   try {
+    requireMapFrame(message.header, names::kLaneMap);
     const auto map = std::make_shared<const LaneMap>(fromMessage(message));
     checkMap(*map, limits_, names::kLaneMap);
     auto lanes = std::make_shared<const LaneIndex>(map);

@@ -6,7 +6,6 @@
 #include <collision_forge/SceneSnapshot.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <std_msgs/Header.h>
 
 #include <memory>
 #include <mutex>
@@ -40,10 +39,6 @@ auto loadLogged(const char* what, Load load) {
     throw;
   }
 }
-
-/// Throws std::invalid_argument, naming topic and frame, where a message is in another frame than
-/// `map`; one without a frame is taken to be in it.
-void requireMapFrame(const std_msgs::Header& header, const char* topic);
 
 /// What is published in place of an attack that is over and done with.
 inline bool isNone(const collision_forge::Attack& attack) {

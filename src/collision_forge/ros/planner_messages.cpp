@@ -51,6 +51,7 @@ collision_forge::PlanningState toMessage(const Observation& observation, const D
 }
 
 std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajectory& message) {
+  requireMapFrame(message.header, names::kPlannedTrajectory);
   std::vector<TrajectoryPoint> points;
   for (const auto& point : message.points) {
     const auto& q = point.pose.orientation;

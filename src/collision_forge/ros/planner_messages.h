@@ -19,8 +19,8 @@ namespace forge {
 collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
                                          std::uint32_t test, double interval);
 
-/// The planned points as they are, numbers that are none among them. Throws MessageError for an
-/// orientation that was not filled in.
+/// The planned points as they are, numbers that are none among them. Throws MessageError for a
+/// frame that is not `map`, and for an orientation that was not filled in.
 std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajectory& message);
 
 collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::string& planner,

@@ -6,12 +6,39 @@
 
 #include <boost/shared_ptr.hpp>
 #include <deque>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/scene/scene_history.h"
 
 namespace forge {
+
+/// Which transforms of /tf move the ego: those of the nearest frame from base_link upwards that
+/// /tf_static does not fix to the one above it.
+class EgoMovers {
+ public:
+  /// Of /tf_static.
+  void addFixed(const tf2_msgs::TFMessage& message) {
+    for (const geometry_msgs::TransformStamped& transform : message.transforms) {
+      parents_[transform.child_frame_id] = transform.header.frame_id;
+    }
+    moving_ = names::kBaseFrame;
+    for (std::size_t i = 0; i < parents_.size() && parents_.count(moving_) > 0; ++i) {
+      moving_ = parents_[moving_];
+    }
+  }
+
+  /// For a transform of /tf.
+  bool has(const geometry_msgs::TransformStamped& transform) const {
+    return transform.child_frame_id == moving_;
+  }
+
+ private:
+  std::map<std::string, std::string> parents_;  // that /tf_static has
+  std::string moving_ = names::kBaseFrame;
+};
 
 /// Messages with a header in their order, each with the ego's pose at its time, which it waits for:
 /// both come over connections of their own. Not thread-safe.
@@ -35,14 +62,20 @@ class PosedFrames {
   /// Poses of the ego that go back by more than kRestart are a replay that starts again: what was
   /// known is forgotten.
   void addTransforms(const tf2_msgs::TFMessage& message, bool is_static) {
+    if (is_static) movers_.addFixed(message);
     for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-      if (transform.child_frame_id == names::kBaseFrame) {
+      if (!is_static && movesEgo(transform)) {
         const ros::Time& stamp = transform.header.stamp;
         if (stamp + ros::Duration(kRestart) < newest_pose_) buffer_.clear();
         newest_pose_ = stamp;
       }
       buffer_.setTransform(transform, names::kTf, is_static);
     }
+  }
+
+  /// For a transform of /tf, by what /tf_static has told up to now.
+  bool movesEgo(const geometry_msgs::TransformStamped& transform) const {
+    return movers_.has(transform);
   }
 
   /// A frame from before one that waits, by more than kRestart, is of a replay that starts again,
@@ -71,6 +104,7 @@ class PosedFrames {
   static constexpr double kCache = 600.0;      // s of transforms that may come before their frames
   static constexpr std::size_t kQueue = 1000;  // frames that may wait
 
+  EgoMovers movers_;
   tf2::BufferCore buffer_{ros::Duration(kCache)};
   ros::Time newest_pose_;
   std::deque<Pointer> waiting_;

@@ -3,6 +3,7 @@
 #include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
+#include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
 #include <optional>
@@ -101,9 +102,11 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
       return;
     }
     const Snapshot snapshot = history_->snapshot();
-    publisher_.publish(toMessage(
-        snapshot,
-        encodeScene(snapshot, *lanes, config_.attack.prediction.history_frames, config_.encoding)));
+    const SceneEncoding encoding =
+        encodeScene(snapshot, *lanes, config_.attack.prediction.history_frames, config_.encoding);
+    // As a pointer: nodelets of one process share what it points to.
+    publisher_.publish(
+        boost::make_shared<const collision_forge::EncodedScene>(toMessage(snapshot, encoding)));
   }
 
   ros::CallbackQueue callbacks_;

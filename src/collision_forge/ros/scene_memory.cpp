@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <iterator>
 
+#include "collision_forge/ros/conversions.h"
+
 namespace forge {
 namespace {
 
@@ -47,7 +49,8 @@ std::variant<SceneMemory::Scene, Status> SceneMemory::newest(double clock) const
            scenes_.back()->header.stamp.toSec(), age, options_.max_scene_age)};
 }
 
-std::variant<SceneMemory::Scene, Status> SceneMemory::at(const ros::Time& stamp) const {
+std::variant<SceneMemory::Scene, Status> SceneMemory::at(const ros::Time& asked) const {
+  const ros::Time stamp = stampOf(asked.toSec());
   std::unique_lock<std::mutex> lock(mutex_);
   const bool has_come =
       came_one_.wait_for(lock, std::chrono::duration<double>(options_.wait_for),

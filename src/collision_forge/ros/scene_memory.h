@@ -30,9 +30,10 @@ class SceneMemory {
   /// come for longer than max_scene_age.
   std::variant<Scene, Status> newest(double clock) const;
 
-  /// The one at or before `stamp`. One that is still to come is waited for, up to wait_for seconds
+  /// The one at or before a stamp, which is taken as those of scenes are (stampOf()): agents may
+  /// have finer ones. One that is still to come is waited for, up to wait_for seconds
   /// of the wall clock; then kStaleScene. kNoScene for one from before all that are kept.
-  std::variant<Scene, Status> at(const ros::Time& stamp) const;
+  std::variant<Scene, Status> at(const ros::Time& asked) const;
 
  private:
   LiveOptions options_;

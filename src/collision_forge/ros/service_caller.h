@@ -21,10 +21,12 @@ namespace forge {
 /// waits in vain, or is lost (seen: 1 call in 20,000).
 class ServiceCaller {
  public:
-  explicit ServiceCaller(std::string resolved_name) : name_(std::move(resolved_name)) {}
+  /// `answer_within`: s of the wall clock.
+  ServiceCaller(std::string resolved_name, double answer_within)
+      : name_(std::move(resolved_name)), answer_within_(answer_within) {}
 
   /// The answer's status; kNodeUnavailable when none has come over a kept connection, nor then over
-  /// a fresh one, within kPatience each.
+  /// a fresh one, in time.
   template <typename Service>
   Status call(Service& service) {
     if (isAnswered(keptConnection<Service>(), service) ||
@@ -35,12 +37,11 @@ class ServiceCaller {
   }
 
  private:
-  static constexpr std::chrono::seconds kPatience{5};  // hundreds of times the usual
-
   template <typename Service>
   bool isAnswered(ros::ServiceClient client, Service& service) {
     auto answer = std::async(std::launch::async, [&] { return client.call(service); });
-    if (answer.wait_for(kPatience) == std::future_status::timeout) client.shutdown();  // ends it
+    if (answer.wait_for(answer_within_) == std::future_status::timeout)
+      client.shutdown();  // ends it
     if (!answer.get()) return false;
     const std::lock_guard<std::mutex> lock(mutex_);
     idle_.push_back(std::move(client));
@@ -67,6 +68,7 @@ class ServiceCaller {
   }
 
   std::string name_;
+  std::chrono::duration<double> answer_within_;
   std::mutex mutex_;
   std::vector<ros::ServiceClient> idle_;
 };

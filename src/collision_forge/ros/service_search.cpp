@@ -11,9 +11,9 @@
 
 namespace forge {
 
-ServiceSearch::ServiceSearch(ros::NodeHandle& node)
-    : predict_(node.resolveName(names::kPredictPattern)),
-      realize_(node.resolveName(names::kRealizeTrajectory)),
+ServiceSearch::ServiceSearch(ros::NodeHandle& node, double answer_within)
+    : predict_(node.resolveName(names::kPredictPattern), answer_within),
+      realize_(node.resolveName(names::kRealizeTrajectory), answer_within),
       patterns_(
           node.advertise<collision_forge::PredictedPatterns>(names::kPredictedPatterns, 1, true)) {}
 

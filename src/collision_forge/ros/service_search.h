@@ -18,8 +18,9 @@ namespace forge {
 /// realize_trajectory drives there. Either may be answered by a node outside this package.
 class ServiceSearch {
  public:
-  /// Publishes the patterns of every request on predicted_patterns.
-  explicit ServiceSearch(ros::NodeHandle& node);
+  /// Publishes the patterns of every request on predicted_patterns. `answer_within`: s of the wall
+  /// clock for either service.
+  ServiceSearch(ros::NodeHandle& node, double answer_within);
 
   /// Fills `attack` with kOk only. Whether the request can be met at all is checked by those who
   /// answer the services; kNodeUnavailable when one does not answer.

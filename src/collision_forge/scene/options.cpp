@@ -14,6 +14,7 @@ void readOptions(Section& section, LiveOptions& live) {
   live.max_scene_age = section.positive("max_scene_age");
   live.kept_for = section.nonNegative("kept_for");
   live.wait_for = section.nonNegative("wait_for");
+  live.answer_within = section.positive("answer_within");
 }
 
 void readOptions(Section& section, InputLimits& limits) {

@@ -28,6 +28,13 @@ Frame newestFrame(const Snapshot& snapshot);
 /// overtaken. One that is older by more is of a replay that starts again.
 inline constexpr double kRestart = 1.0;
 
+/// Takes away, from the front, what is older than the newest by more than `age` s. For states and
+/// frames, oldest first.
+template <typename Timed>
+void keepNewest(std::deque<Timed>& values, double age) {
+  while (values.front().time < values.back().time - age) values.pop_front();
+}
+
 /// Keeps the newest frames of a running scene, and shows those that a snapshot holds
 /// (historyTimes()), however often frames come. Not thread-safe.
 class SceneHistory {

@@ -8,13 +8,14 @@
 namespace forge {
 namespace {
 
+constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
+
 void append(Track& track, const AgentState& state) {
   if (track.states.empty() || state.time > track.states.back().time) track.states.push_back(state);
 }
 
 /// What was seen of a track up to `now`, with velocities that its poses tell.
 Track upTo(double now, Track track) {
-  constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
   auto& states = track.states;
   const auto later = std::find_if(states.begin(), states.end(), [&](const AgentState& state) {
     return state.time > now + kTimeEpsilon;
@@ -55,12 +56,13 @@ void EgoTest::addAgents(const std::vector<Track>& agents) {
 
 std::optional<CollisionReport> EgoTest::outcome(const LaneIndex& lanes,
                                                 const VerificationOptions& options) const {
-  if (ego_.states.empty()) return std::nullopt;
+  const double begin = trajectory_.points.front().time;
+  if (ego_.states.empty() || ego_.states.front().time > begin + kTimeEpsilon) return std::nullopt;
   Future driven;
   driven.ego = ego_;
   for (const auto& [id, track] : agents_) driven.agents.push_back(track);
   Snapshot start;
-  start.now = trajectory_.points.front().time;
+  start.now = begin;
   const auto attacker = agents_.find(trajectory_.attacker_id);
   if (attacker != agents_.end()) {
     const Track past = upTo(start.now, attacker->second);

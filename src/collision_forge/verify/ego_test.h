@@ -24,7 +24,8 @@ class EgoTest {
   void addAgents(const std::vector<Track>& agents);
 
   /// The verification against what was driven: as soon as the attacker has touched the ego and the
-  /// others are known up to then, or when the trajectory has ended; empty before.
+  /// others are known up to then, or when the trajectory has ended; empty before, and for an ego
+  /// whose first state is later than the trajectory's start.
   std::optional<CollisionReport> outcome(const LaneIndex& lanes,
                                          const VerificationOptions& options) const;
 
