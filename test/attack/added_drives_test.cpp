@@ -74,6 +74,17 @@ TEST_F(AddedDrivesTest, WhoCruisesIsAtTheMeetingAtTheContact) {
   }
 }
 
+TEST_F(AddedDrivesTest, PlacesAheadAreThoseOfTheirTimesWhateverTheContactIs) {
+  AddedMeeting meeting = meetingAt(Side::kRear);
+  meeting.contact = 1.33;
+  ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 10.0}));
+  const double now = drive_.back.front();
+  for (int i = 1; i <= 13; ++i) {
+    EXPECT_NEAR(drive_.at(i), now + 10.0 * AddedDrive::kStep * i, 1e-6) << i;
+  }
+  EXPECT_NEAR(drive_.step() * static_cast<double>(drive_.on.size()), 1.33, 1e-9);
+}
+
 TEST_F(AddedDrivesTest, WhoCruisesEndsWhereTheWayBegins) {
   ASSERT_TRUE(plan(meetingAt(Side::kRear), {AddedManner::kCruise, 17.0}));
   ASSERT_LT(drive_.back.size(), 121u);

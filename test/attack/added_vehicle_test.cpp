@@ -204,7 +204,9 @@ TEST(AddedVehicle, NeverAppearsInSight) {
   // Lanes begin 45 m behind the ego: who follows it was not there at the first frame.
   scene.map->lanes[0] = straightLane("east_in", {-85.0, -1.75}, {-10.0, -1.75}, {"east_through"});
   const Snapshot past = scene.past();
-  for (const AddedVehicle& vehicle : scene.vehicles().found) {
+  const AddedVehicles vehicles = scene.vehicles();
+  ASSERT_FALSE(vehicles.found.empty()) << vehicles.status.message;
+  for (const AddedVehicle& vehicle : vehicles.found) {
     const AgentState& first = vehicle.track.states.front();
     if (first.time == past.ego.states.front().time) continue;
     const auto ego = stateAt(past.ego, first.time);

@@ -49,6 +49,16 @@ TEST(AddedFlow, IsSomewhereAtAnyTime) {
   EXPECT_FALSE(flow.covers(5.1));
 }
 
+TEST_F(AddedWaysTest, BeginSoFarBackThatTheFastestThatIsSeenWasOnThem) {
+  scene_.map->lanes.front() = straightLane("east", {-600.0, 0.0}, {200.0, 0.0});
+  const FittingLane east{0, 600.0, {}};
+  const double known = AddedWay::kStep * static_cast<double>(stepsBack(*scene_.input().past));
+  const auto behind = [&] { return wayTo(east).path.project({0.0, 0.0}); };
+  EXPECT_LT(behind(), 25.0 * known);
+  scene_.add("fast", {-60.0, 0.0, 0.0}, 25.0);
+  EXPECT_GE(behind(), 25.0 * (known + scene_.request.tta) - 1e-6);
+}
+
 TEST_F(AddedWaysTest, CapSpeedsInABendAndBeforeAndAfterIt) {
   constexpr double kRadius = 12.0;
   Lane& lane = scene_.map->lanes.front();

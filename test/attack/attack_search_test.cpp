@@ -316,6 +316,7 @@ TEST(SearchAttacks, TheBicycleFindsWhatNoQuinticCan) {
 
 TEST(SearchAttacks, MoreRoundsFindNoWorse) {
   Case scene = leftTurn();
+  int compared = 0;
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     scene.request.seed = seed;
     scene.options.search.rounds = 0;
@@ -327,7 +328,9 @@ TEST(SearchAttacks, MoreRoundsFindNoWorse) {
     if (drawn.empty()) continue;
     ASSERT_FALSE(perturbed.empty());
     EXPECT_GE(perturbed[0].objective, drawn[0].objective);
+    ++compared;
   }
+  EXPECT_GT(compared, 0);
 }
 
 /// A car that overtakes on the right half of the left lane, in a scene without uncertainty.
@@ -430,7 +433,9 @@ TEST(SearchAttacks, ExactlyPayForAMissMoreThanForAnythingElse) {
 TEST(SearchAttacks, PointsCoverTheToleranceWhateverTheTail) {
   Case scene = rearEnd();
   scene.options.search.tail = scene.options.search.step;
-  for (const FoundAttack& attack : scene.found()) {
+  const auto attacks = scene.found();
+  ASSERT_FALSE(attacks.empty());
+  for (const FoundAttack& attack : attacks) {
     EXPECT_GE(attack.points.back().time,
               kNow + scene.request.tta + scene.request.crash.time_tolerance - 1e-6)
         << "the scorer looks so far";

@@ -97,6 +97,7 @@ TEST(AdaptiveAttacker, TheSameFramesGiveTheSameTrajectory) {
   AdaptiveAttacker other = chase.attacker();
   watch(one, egoAt(braking), 5.5);
   watch(other, egoAt(braking), 5.5);
+  ASSERT_EQ(one.trajectory().points.size(), other.trajectory().points.size());
   for (std::size_t i = 0; i < one.trajectory().points.size(); ++i) {
     EXPECT_EQ(one.trajectory().points[i].pose.x, other.trajectory().points[i].pose.x);
     EXPECT_EQ(one.trajectory().points[i].curvature, other.trajectory().points[i].curvature);
@@ -242,6 +243,7 @@ TEST(AdaptiveAttacker, PassesOverFramesThatAreLateOrTooMany) {
     attacker.observe(frameOf(egoAt(steady), time + 0.03));
     attacker.observe(frameOf(egoAt(steady), time - 0.4 + 0.4 * (i < 5)));
   }
+  ASSERT_EQ(plain.trajectory().points.size(), attacker.trajectory().points.size());
   for (std::size_t i = 0; i < plain.trajectory().points.size(); ++i) {
     EXPECT_EQ(plain.trajectory().points[i].pose.x, attacker.trajectory().points[i].pose.x);
   }

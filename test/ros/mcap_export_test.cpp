@@ -172,7 +172,7 @@ TEST_F(ExportToMcapTest, FramesShowTheEgoWhereItIsBetweenItsTransforms) {
     EXPECT_EQ(decoded.text("entities[0].id"), "ego");
     EXPECT_NEAR(decoded.number("entities[0].cubes[0].pose.position.x"),
                 kEgoSpeed * time + kEgo.center_offset, 1e-6);
-    EXPECT_EQ(decoded.text("entities[1].texts[0].text"), time < 2.0 ? "car attack" : "attacker");
+    EXPECT_EQ(decoded.text("entities[1].texts[0].text"), time < 2.0 ? "car attacker" : "attacker");
   }
 }
 

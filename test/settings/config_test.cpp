@@ -155,7 +155,7 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   expectComplaint("planners.yaml", "bend_length:", "#", {"rule_based.bend_length", "missing"});
   expectComplaint("planners.yaml", "\nrule_based:", "\nstrive:", {"rule_based is missing"});
   expectComplaint("planners.yaml", "margin:", "#", {"idm.standard.margin", "missing"});
-  expectComplaint("planners.yaml", "behind_angle:", "#", {"rollout.fault.behind_angle", "missing"});
+  expectComplaint("planners.yaml", "behind_angle:", "#", {"pdm.scoring.behind_angle", "missing"});
   expectComplaint("planners.yaml", "timeout:", "#", {"external.timeout", "missing"});
   expectComplaint("planners.yaml", "draws:", "#", {"avoidability.draws", "missing"});
   expectComplaint("crash_definition.yaml", "rules:", "#", {"crash_definition.rules", "missing"});
@@ -261,7 +261,12 @@ TEST_F(SpoiltConfig, ListsOfNumbersKeepTheirRange) {
                     {"pdm.lateral_offsets", "not a"});
   }
   expectComplaint("planners.yaml", "ahead_angle: 0.5236", "ahead_angle: 3.0",
-                  {"pdm.scoring.behind_angle", "2.618", "not within 3 to"});
+                  {"pdm.scoring.behind_angle", "2.61799388", "not within 3 to"});
+}
+
+TEST_F(SpoiltConfig, PlannersAreCalledBetweenStepsOfARollout) {
+  expectComplaint("planners.yaml", "rollout:\n  step: 0.1", "rollout:\n  step: 0.3",
+                  {"planning.interval", "no multiple of rollout.step", "0.3"});
 }
 
 TEST_F(SpoiltConfig, NumbersThatAreNotFiniteAreRefused) {

@@ -72,7 +72,9 @@ TEST(ClipEvaluation, EveryPlanHasTheBaselinesAndItsSeeds) {
 
 TEST(ClipEvaluation, RowsSayWhichClipTheyAreOf) {
   const CollideClip clip = rearEnd();
-  for (const ResultRow& row : Evaluation().rows(clip)) {
+  const std::vector<ResultRow> rows = Evaluation().rows(clip);
+  ASSERT_FALSE(rows.empty());
+  for (const ResultRow& row : rows) {
     EXPECT_EQ(row.name, clip.name);
     EXPECT_EQ(row.scene, "scene-0001");
     EXPECT_EQ(row.type, CollisionType::kRearEnd);

@@ -284,6 +284,7 @@ TEST_F(RequestEvaluationTest, RowsTellWhetherTheRoadAllowsTheRequest) {
 TEST_F(RequestEvaluationTest, NobodyToAttackLeavesBaselinesWithoutAnAnswer) {
   config_.attack.prediction.candidate_radius = 0.1;
   const EvaluatedRequest evaluated = evaluate(asked(CollisionType::kRearEnd));
+  ASSERT_FALSE(evaluated.rows.empty());
   for (const ResultRow& row : evaluated.rows) {
     EXPECT_EQ(row.status, "NO_CANDIDATE") << row.method;
     EXPECT_THAT(row.note, HasSubstr("candidate_radius"));

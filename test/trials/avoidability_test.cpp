@@ -64,6 +64,18 @@ TEST(Avoidability, ACarThatStandsInTheWayIsAvoidedByBrakingWhileThereIsRoom) {
   EXPECT_GE(found.last->start, kNow + 2.5 - 1e-6);
 }
 
+TEST(Avoidability, AnEgoThatIsFasterThanTheStrictLimitMayGoOnSoAndBrake) {
+  // 30 m/s, stops within 900 / (2 * 7.9) = 57 m.
+  ASSERT_GT(30.0, shippedConfig().attack.verification.limits.max_speed);
+  const CrashScenario scenario = roadScenario(30.0, straightDrive({150.0, 0.0, 0.0}, 0.0, 7.0));
+  const Avoidability found = avoidabilityOf(scenario);
+  EXPECT_NE(found.find(EvasiveManoeuvre::kBraking), nullptr);
+  for (const Avoidance& avoidance : found.from_now) {
+    EXPECT_GT(clearance(scenario, avoidance), 0.0);
+    for (const TrajectoryPoint& point : avoidance.motion) EXPECT_LE(point.speed, 30.0 + 1e-9);
+  }
+}
+
 TEST(Avoidability, TheEgoIsHeldToTheStrictLimitsWhichKnowNoJerk) {
   const CrashScenario scenario = roadScenario(10.0, straightDrive({40.0, 0.0, 0.0}, 0.0, 7.0));
   const Avoidability found = avoidabilityOf(scenario);
@@ -143,6 +155,7 @@ TEST(Avoidability, ContactsBetweenThePointsOfAMotionAreFound) {
   const Config& config = shippedConfig();
   AvoidabilityOptions coarse = config.planners.avoidability;
   coarse.step = 0.5;
+  std::size_t avoidances = 0;
   for (const double x : {14.0, 16.0, 18.0, 20.0, 22.0}) {
     const CrashScenario scenario =
         roadScenario(8.0, straightDrive({x, -45.0, M_PI_2}, 20.0, 5.0, 0.5));
@@ -151,7 +164,9 @@ TEST(Avoidability, ContactsBetweenThePointsOfAMotionAreFound) {
     for (const Avoidance& avoidance : found.from_now) {
       EXPECT_GT(clearance(scenario, avoidance), 0.0) << x;
     }
+    avoidances += found.from_now.size();
   }
+  EXPECT_GT(avoidances, 0u);
 }
 
 TEST(Avoidability, TheSameAgainIsTheSame) {

@@ -12,20 +12,12 @@ namespace {
 
 const TrialOptions& trials() { return shippedConfig().planners; }
 
-TEST(AvoidabilityOptions, StepAsRolloutsDoSoThatEscapesCanBeDrivenAgain) {
-  EXPECT_EQ(trials().avoidability.step, trials().rollout.step);
-}
-
 TEST(TrialOptions, PlannersAreCalledEveryFewStepsOfTheRollout) {
   for (const std::string& name : plannerNames()) {
     const double steps = makePlanner(name, trials(), "").driving.interval / trials().rollout.step;
     EXPECT_NEAR(steps, std::round(steps), 1e-9) << name;
     EXPECT_GE(std::round(steps), 1.0) << name;
   }
-}
-
-TEST(TrialOptions, HardBrakingIsWhatComfortForbids) {
-  EXPECT_EQ(trials().rollout.hard_braking, trials().pdm.scoring.comfort.max_braking);
 }
 
 TEST(TrialOptions, AvoidanceTriesToKeepToBrakeToAccelerateAndToSteer) {

@@ -77,6 +77,14 @@ TEST(PlannerResultFile, CsvRowsHaveTheColumnsOfTheHeader) {
   ASSERT_EQ(rows.size(), 2u);
   const auto expected = commas(plannerResultCsvHeader());
   for (const std::string& row : rows) EXPECT_EQ(commas(row), expected) << row;
+  result = tested();
+  result.name = "a,b.jsonl:1";
+  result.source = "a,b";
+  result.rows[0].attacker.touched = "c,d\ne";
+  for (const std::string& row : plannerResultCsvRows(result)) {
+    EXPECT_EQ(commas(row), expected) << row;
+    EXPECT_EQ(row.find('\n'), std::string::npos) << row;
+  }
   const auto unfit = plannerResultCsvRows(untested(rearEnd(), "UNFIT", "why"));
   ASSERT_EQ(unfit.size(), 1u);
   EXPECT_EQ(commas(unfit[0]), expected);

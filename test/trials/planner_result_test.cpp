@@ -39,6 +39,9 @@ TEST(PlannerResult, EachPolicyOfTheAttackerHasARowOfItsOwn) {
     EXPECT_EQ(row.attacker.broken_limit, "");
     EXPECT_EQ(row.published_hit.has_value(), row.attacker.policy == PolicyKind::kFixed);
   }
+  one.request.crash.limits = LimitSet::kStrict;
+  const PlannerTestResult strict = testPlanners(one, plan, config(), config().planners);
+  EXPECT_EQ(strict.rows[1].attacker.broken_limit, "") << "it drives by the limits of its class";
   EXPECT_TRUE(result.rows[1].attacker.as_asked) << "IDM, hit by one who sees it";
   ASSERT_TRUE(result.rows[1].escape);
   EXPECT_TRUE(result.rows[1].escape->is_avoidable);

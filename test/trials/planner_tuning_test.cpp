@@ -108,6 +108,15 @@ TEST(Variants, HaveTheirValuesInTheirConfiguration) {
   EXPECT_EQ(found[2].options.pdm.idm.max_acceleration, 1.5);
 }
 
+TEST(Variants, LeaveTheTrafficThatReactsAsItIs) {
+  const auto found = variants({{"idm.standard.min_gap", {1.0, 4.0}}});
+  ASSERT_EQ(found.back().options.idm.law.min_gap, 4.0);
+  for (const PlannerVariant& variant : found) {
+    EXPECT_EQ(variant.options.traffic.law.min_gap, config().planners.idm.law.min_gap)
+        << variant.name;
+  }
+}
+
 TEST(Variants, ThatThePlannerCannotHaveAreRefusedByKeyAndValue) {
   try {
     variants({{"pdm.idm.min_gap", {-4.0}}});

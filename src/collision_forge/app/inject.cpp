@@ -224,7 +224,7 @@ void addInject(CommandLine& line) {
                  "HO, RE, JC, LTAP)")
       ->required()
       ->check(checkType);
-  app.add_option("--tta", request.tta, "seconds from now to impact, 0.5 to 9")->required();
+  app.add_option("--tta", request.tta, "seconds from now to impact")->required();
   app.add_option("--now", arguments->now,
                  "seconds from the bag's first frame; the frame at or before")
       ->required();

@@ -33,7 +33,9 @@ void answerAll(const IndexedScene& indexed, double seconds, const Arguments& arg
                Tallies& tallies) {
   const Scene& scene = indexed.scene;
   const PredictionOptions& prediction = config.attack.prediction;
-  const double now = lastFrameTime(scene, scene.frame_times.front() + seconds).value();
+  const double asked = scene.frame_times.front() + seconds;
+  if (asked > scene.frame_times.back()) return;
+  const double now = lastFrameTime(scene, asked).value();
   const auto moment = std::get<Moment>(momentAt(indexed, now, prediction.history_frames));
   const auto method = maker.makeWithoutScene(scene.name);
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) {

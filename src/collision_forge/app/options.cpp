@@ -124,7 +124,7 @@ void addAlternatives(CLI::App& app, RequestControls& controls) {
 }
 
 void addDataroot(CLI::App& app, std::string& dataroot) {
-  app.add_option("--dataroot", dataroot, "nuScenes root: folder with maps/expansion")
+  app.add_option("--source,--dataroot", dataroot, "nuScenes root: folder with maps/expansion")
       ->required()
       ->check(CLI::ExistingDirectory);
 }

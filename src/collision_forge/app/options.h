@@ -63,7 +63,7 @@ void addControls(CLI::App& app, RequestControls& controls);
 /// --alternatives.
 void addAlternatives(CLI::App& app, RequestControls& controls);
 
-/// --dataroot, required: a nuScenes root for its maps alone.
+/// --source, whose older name is --dataroot, required: a nuScenes root for its maps alone.
 void addDataroot(CLI::App& app, std::string& dataroot);
 /// --source, whose older name is --dataroot, and --version. Gives the first; required by none.
 CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text = "recorded scenes");

@@ -12,6 +12,7 @@
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/scene/request_words.h"
+#include "collision_forge/scene/short_id.h"
 
 namespace forge {
 namespace {
@@ -58,8 +59,7 @@ std::string asked(const CollisionRequest& request) {
 void printPossible(const CollisionRequest& request, const Realization& attack, double now) {
   const CollisionReport& report = attack.report;
   std::cout << asked(request) << "  " << std::left << std::setw(22) << toString(report.manoeuvre)
-            << std::setw(kShortId + 2) << attack.trajectory.attacker_id.substr(0, kShortId)
-            << std::setw(24)
+            << std::setw(kShortId + 4) << shortId(attack.trajectory.attacker_id) << std::setw(24)
             << std::string(toString(attack.trajectory.agent_class)) +
                    (attack.trajectory.isAdded() ? ", added" : "")
             << std::right << std::fixed << std::setprecision(0) << std::setw(8)

@@ -156,7 +156,6 @@ std::string checkFinite(const std::string& text) {
   return is_number && std::isfinite(number) ? "" : text + " is no finite number";
 }
 
-/// Accepts the names of collision types.
 }  // namespace
 
 void addRequests(CommandLine& line) {

@@ -172,6 +172,7 @@ void report(const std::vector<PlannerTestResult>& results, const Arguments& argu
 void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& results,
                const Arguments& arguments, const TestPlan& plan, const Config& config) {
   const fs::path folder = fs::path(arguments.out) / "worst";
+  fs::remove_all(folder);
   fs::create_directories(folder);
   std::map<std::string, int> ranks;
   for (const std::string& planner : plan.planners) {

@@ -64,9 +64,13 @@ PathPose AddedMeeting::seen(const BoxSize& attacker) const {
   return way->path.seen(compose(ego.center, offsetOf(attacker)));
 }
 
-double AddedDrive::at(int step) const {
-  if (step <= 0) return back[std::min(static_cast<std::size_t>(-step), back.size() - 1)];
-  return on[std::min(static_cast<std::size_t>(step), on.size()) - 1];
+double AddedDrive::at(int steps) const {
+  if (steps <= 0) return back[std::min(static_cast<std::size_t>(-steps), back.size() - 1)];
+  const double last = static_cast<double>(on.size() - 1);
+  const double place = std::clamp(steps * kStep / step() - 1.0, 0.0, last);
+  const auto before = static_cast<std::size_t>(place);
+  const auto after = std::min(before + 1, on.size() - 1);
+  return on[before] + (place - static_cast<double>(before)) * (on[after] - on[before]);
 }
 
 Pose2 AddedDrive::poseAt(const ReferencePath& path, int step) const {
@@ -182,11 +186,12 @@ bool AddedDrives::plan(const AddedMeeting& meeting, const AddedManner& manner, c
   drive.aside = manner.aside;
   if (manner.rides) drive.aside = besideEgo(meeting, place, added_.riding_gap);
   drive.back.clear();
+  drive.contact = meeting.contact;
   drive.on.clear();
   switch (manner.kind) {
     case AddedManner::kCruise:
       if (!cruise(meeting, along, manner.value, drive)) return false;
-      vary(variation, meeting.contact, drive);
+      vary(variation, drive);
       return true;
     case AddedManner::kTrain:
       return train(meeting, along, size, manner.value, drive);
@@ -233,15 +238,14 @@ bool AddedDrives::cruise(const AddedMeeting& meeting, double along, double speed
 }
 
 /// The meeting stays; nobody drives backwards.
-void AddedDrives::vary(const SpeedVariation& variation, double contact, AddedDrive& drive) {
-  const double end = variation.way(contact);
+void AddedDrives::vary(const SpeedVariation& variation, AddedDrive& drive) {
+  const double end = variation.way(drive.contact);
   double next = drive.on.back();
   const auto shift = [&](double& along, double time) {
     next = along = std::min(next, along + variation.way(time) - end);
   };
-  const double step = contact / static_cast<double>(drive.on.size());
   for (std::size_t i = drive.on.size(); i-- > 0;) {
-    shift(drive.on[i], step * static_cast<double>(i + 1));
+    shift(drive.on[i], drive.step() * static_cast<double>(i + 1));
   }
   for (std::size_t i = 0; i < drive.back.size(); ++i) {
     shift(drive.back[i], -kStep * static_cast<double>(i));

@@ -53,10 +53,12 @@ struct AddedDrive {
 
   double aside = 0.0;        ///< m to the left of the way's middle
   std::vector<double> back;  ///< now, kStep before, ...; below 0 where the way has not begun
-  std::vector<double> on;    ///< after now in steps of kStep or a little less, to the contact
+  double contact = 0.0;      ///< s after now
+  std::vector<double> on;    ///< in equal steps of kStep or a little less from now to the contact
 
-  /// At a number of steps after now, negative before it; the ends beyond.
-  double at(int step) const;
+  double step() const { return contact / static_cast<double>(on.size()); }  ///< s, of `on`
+  /// At a number of times kStep after now, negative before it; the ends beyond.
+  double at(int steps) const;
   /// The middle of its box then, headed along the way.
   Pose2 poseAt(const ReferencePath& path, int step) const;
 };
@@ -86,7 +88,7 @@ class AddedDrives {
 
   void cruiseBack(const AddedWay& way, double speed, double now, std::vector<double>& back) const;
   bool cruise(const AddedMeeting& meeting, double along, double speed, AddedDrive& drive) const;
-  static void vary(const SpeedVariation& variation, double contact, AddedDrive& drive);
+  static void vary(const SpeedVariation& variation, AddedDrive& drive);
   bool train(const AddedMeeting& meeting, double along, const BoxSize& size, double closing,
              AddedDrive& drive) const;
   bool followFlow(const AddedMeeting& meeting, double along, const AddedFlow& flow,

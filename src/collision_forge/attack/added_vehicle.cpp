@@ -266,7 +266,7 @@ class Casting {
     pattern.ego = meeting.ego;
     const std::size_t last = drive_.on.size() - 1;
     const double before = last > 0 ? drive_.on[last - 1] : drive_.back.front();
-    pattern.attacker_speed = std::max(0.0, (drive_.on[last] - before) / AddedDrive::kStep);
+    pattern.attacker_speed = std::max(0.0, (drive_.on[last] - before) / drive_.step());
     pattern.tolerance = options_.prediction.pattern_tolerance;
     pattern.attacker_offset = meeting.offsetOf(track.size);
     vehicle.patterns.push_back(pattern);

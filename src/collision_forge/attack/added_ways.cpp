@@ -57,7 +57,11 @@ AddedWays::AddedWays(const AddedVehicleInput& input, const AddedVehicleOptions& 
 const std::vector<std::unique_ptr<AddedWay>>& AddedWays::to(const FittingLane& fitting) {
   const auto [entry, is_new] = ways_.try_emplace(fitting.lane);
   if (is_new) {
-    const double fastest = *std::max_element(options_.speeds.begin(), options_.speeds.end());
+    double fastest = *std::max_element(options_.speeds.begin(), options_.speeds.end());
+    fastest = std::max(fastest, past_.ego.states.back().velocity.norm());
+    for (const Track& agent : past_.agents) {
+      fastest = std::max(fastest, agent.states.back().velocity.norm());
+    }
     const double back =
         fastest * (AddedWay::kStep * static_cast<double>(steps_back_) + input_.request.tta);
     for (const Polyline& line :

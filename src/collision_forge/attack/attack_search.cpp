@@ -192,7 +192,7 @@ class Search {
     const BelievabilityOptions& believability = options_.verification.believability;
     const Track& track = *candidate.contender->track;
     const LaneIndex& lanes = drivenLanes(input_.request, input_.lanes);
-    const double contact = candidate.contender->start.now + candidate.aimed.arrival.time;
+    const double contact = candidate.contender->start.now + candidate.aimed.contact;
     const RoadUse road = roadUseOfAttack(points_, track.size, contact, lanes, believability);
     const RoadUse now = roadUse(points_, track.size, points_.front().time, lanes, believability);
     candidate.is_as_asked =
@@ -334,7 +334,7 @@ class Search {
         if (round >= steering.patience && search.shortfall() > steering.hopeless) continue;
         Candidate candidate = candidateFor(*contender, contender->aims.front());
         candidate.aimed.ego = candidate.aim->ego;
-        candidate.aimed.arrival.time = end;
+        candidate.aimed.arrival.time = candidate.aimed.contact = end;
         for (const SteeringKnots& knots : search.next(random_)) {
           candidate.knots = knots;
           consider(candidate);

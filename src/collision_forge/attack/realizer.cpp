@@ -41,7 +41,10 @@ void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot
 class Rejections {
  public:
   void add(const CollisionReport& report, const CollisionRequest& request) {
-    ++counts_[shortcomingOf(report, request)];
+    std::string kind = shortcomingOf(report, request);
+    kind.erase(std::min(kind.find_first_of("0123456789"), kind.size()));  // by how much
+    while (!kind.empty() && kind.back() == ' ') kind.pop_back();
+    ++counts_[kind];
     if (report.verified() && request.crash.believable && !report.believable()) {
       unbelievable_ = report.unbelievable;
     }

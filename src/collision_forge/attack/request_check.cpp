@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "collision_forge/scene/request_words.h"
+#include "collision_forge/scene/short_id.h"
 
 namespace forge {
 namespace {

@@ -12,11 +12,8 @@ bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionO
 /// As many attacks may be asked for at once.
 inline constexpr int kMaxAlternatives = 16;
 
-/// So many letters of an agent's id are enough to name it, where they name nobody else; RViz shows
-/// them.
-inline constexpr std::size_t kShortId = 6;
-
-/// The request with its attacker's id in full, where the beginning of it was given.
+/// The request with its attacker's id in full, where its beginning was given: kShortId letters or
+/// more that name nobody else.
 CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot);
 
 /// What a request says against itself: an attacker's id with the choice of a new one, a class that

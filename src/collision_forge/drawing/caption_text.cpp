@@ -5,13 +5,13 @@
 
 #include "collision_forge/drawing/decimal_text.h"
 #include "collision_forge/drawing/scenario_motion.h"
+#include "collision_forge/scene/short_id.h"
 
 namespace forge {
 
 namespace {
 
 constexpr double kDegreesPerRadian = 57.29577951308232;
-constexpr std::size_t kIdLetters = 6;  // of an id; nuScenes has 32
 
 std::string className(AgentClass agent_class) {
   std::string name = toString(agent_class);
@@ -25,7 +25,7 @@ std::string shortcoming(const CollisionReport& report) {
   if (!report.type_kept) return "another type";
   if (!report.on_time) return "another time";
   if (!report.limits_kept) return "a limit broken";
-  return "touches " + report.first_other_id.substr(0, kIdLetters) + " first";
+  return "touches " + shortId(report.first_other_id) + " first";
 }
 
 std::string speedText(const std::optional<double>& now, const std::optional<double>& then,
@@ -84,7 +84,7 @@ std::vector<CaptionRow> drivingRows(const ScenarioView& view) {
   rows.push_back({"Touches first",
                   nobody ? "nobody else"
                          : signedSeconds(report.first_other_time - now, 1) + ", " +
-                               report.first_other_id.substr(0, kIdLetters),
+                               shortId(report.first_other_id),
                   nobody});
   rows.push_back({"Off road", decimalText(100 * report.off_road_share, 0) + " %", std::nullopt});
   rows.push_back({"Confidence", decimalText(report.confidence, 2), std::nullopt});
@@ -134,9 +134,8 @@ std::string detailsText(const ScenarioView& view) {
   const AttackerTrajectory& attacker = view.trajectory;
   const std::string who = className(attacker.agent_class);
   return "TTA " + decimalText(view.tta, 1) + " s  ·  " + toString(view.mode) + " mode  ·  by " +
-         (attacker.isAdded()
-              ? "an added " + who
-              : "a recorded " + who + ", " + attacker.attacker_id.substr(0, kIdLetters));
+         (attacker.isAdded() ? "an added " + who
+                             : "a recorded " + who + ", " + shortId(attacker.attacker_id));
 }
 
 std::string verdictText(const ScenarioView& view) {

@@ -19,8 +19,8 @@ inline constexpr int kLaneVector = 12;
 inline constexpr int kEgoFeatures = 9;  ///< five past speeds, three accelerations, turn rate
 
 /// What was observed, made safe for networks: every velocity is the difference to the state before
-/// (recorded ones may look ahead), and of agents whose history is hidden only the newest state is
-/// left (its velocity stays).
+/// (recorded ones may look ahead), that of a track's first state the one of its second, and of
+/// agents whose history is hidden only the newest state is left (its velocity stays).
 Snapshot observedSnapshot(const Snapshot& snapshot, const std::set<std::string>& hidden);
 
 /// A scene as network input, in the frame of the ego now, numbers of order one. Made to fixed sizes

@@ -8,6 +8,7 @@
 #include "collision_forge/ros/crash_words.h"
 #include "collision_forge/ros/marker_list.h"
 #include "collision_forge/ros/marker_parts.h"
+#include "collision_forge/scene/short_id.h"
 
 namespace forge {
 namespace {
@@ -125,7 +126,7 @@ BoxLook lookOf(const collision_forge::Agent& agent, bool attacks) {
     look.label = "attacker";
     look.letter_height = kTitleLetterHeight;
   } else if (agent.agent_class < collision_forge::Agent::STATIC_OBJECT) {
-    look.label = className(agent.agent_class) + " " + agent.id.substr(0, kIdLetters);
+    look.label = className(agent.agent_class) + " " + shortId(agent.id);
   }
   return look;
 }

@@ -1,6 +1,7 @@
 #include "collision_forge/ros/crash_words.h"
 
 #include "collision_forge/ros/marker_parts.h"
+#include "collision_forge/scene/short_id.h"
 
 namespace forge {
 namespace {
@@ -11,7 +12,7 @@ std::string shortcoming(const collision_forge::CollisionReport& tested) {
   if (!tested.on_time) return "at another time";
   if (!tested.limits_kept) return "beyond " + tested.broken_limit;
   if (!tested.first_other_id.empty()) {
-    return "after touching " + tested.first_other_id.substr(0, kIdLetters);
+    return "after touching " + shortId(tested.first_other_id);
   }
   return "not verified";
 }

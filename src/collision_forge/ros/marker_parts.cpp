@@ -6,6 +6,7 @@
 
 #include "collision_forge/geometry/touch_point.h"
 #include "collision_forge/ros/label_places.h"
+#include "collision_forge/scene/short_id.h"
 
 namespace forge {
 namespace {
@@ -35,7 +36,7 @@ bool canAttackClass(std::uint8_t agent_class) {
 
 void addId(const std::string& id, const OrientedBox& box, const std::vector<OrientedBox>& boxes,
            MarkerList& markers) {
-  const std::string shown = id.substr(0, kIdLetters);
+  const std::string shown = shortId(id);
   const auto place = placeBeside(box, textSize(shown, kIdLetterHeight), boxes);
   if (!place) return;
   markers.addText("ids", shown, *place, kIdLetterHeight, kTextHeight, colors::kText);

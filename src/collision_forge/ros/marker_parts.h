@@ -24,7 +24,6 @@ inline constexpr double kVehicleHeight = 1.5;  // of a box whose height is unkno
 
 inline constexpr double kPathWidth = 0.3;        // m, of lines
 inline constexpr double kContactDiameter = 1.0;  // m
-inline constexpr std::size_t kIdLetters = 6;     // of an id; nuScenes has 32
 inline constexpr float kContactAlpha = 0.45F;    // of the vehicles at contact
 
 /// printf() of one number.

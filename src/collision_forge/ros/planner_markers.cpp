@@ -3,6 +3,7 @@
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/marker_parts.h"
 #include "collision_forge/ros/topic_names.h"
+#include "collision_forge/scene/short_id.h"
 
 namespace forge {
 namespace {
@@ -43,8 +44,8 @@ std::string words(const PlannerTrial& trial, double now, const std::string& plan
   std::string text = planner;
   if (outcome.contact) {
     const PlannerContact& contact = *outcome.contact;
-    text += contact.is_attacker ? ": touches the attacker"
-                                : ": touches " + contact.other_id.substr(0, kIdLetters);
+    text +=
+        contact.is_attacker ? ": touches the attacker" : ": touches " + shortId(contact.other_id);
     text += formatted("\nafter %.2f s", contact.time - now);
     text += formatted(", impact %.1f m/s", contact.impact_speed);
     text += contact.at_fault ? "\nat fault" : "\nnot at fault";

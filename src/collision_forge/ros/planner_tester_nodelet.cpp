@@ -195,6 +195,7 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
       readConfigFile(
           openConfigText(planners_path_, withPlannerValues(planners_path_, planners_text_, values)),
           options, config_.attack.verification.limits);
+      options.traffic = config_.planners.traffic;
       options.torchscript.workers = config_.planners.torchscript.workers;
       return options;
     } catch (const ConfigError& error) {

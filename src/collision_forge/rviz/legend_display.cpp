@@ -35,8 +35,8 @@ QString legendText() {
   QString text = entry(colors::kEgo, "ego") + entry(colors::kAttacker, "attacker, its plan") +
                  entry(colors::kAdded, "its past, if added") +
                  entry(colors::withAlpha(colors::kEgo, kRecordedAlpha), "pale: as recorded") +
-                 entry(colors::kPatternEgo, "ego at the aimed contact") +
-                 entry(colors::kPatternAttacker, "attacker at the aimed contact") +
+                 entry(colors::kPatternEgo, "pattern: ego") +
+                 entry(colors::kPatternAttacker, "pattern: attacker") +
                  entry(colors::kContact, "contact");
   for (std::size_t i = 0; i < colors::kAgentClasses.size(); ++i) {
     QString name = toString(static_cast<AgentClass>(i));

@@ -2,7 +2,7 @@
 
 #include <QHeaderView>
 
-#include "collision_forge/ros/marker_parts.h"
+#include "collision_forge/scene/short_id.h"
 
 namespace forge {
 
@@ -28,10 +28,9 @@ void PossibleTable::setCollisions(std::vector<collision_forge::PossibleCollision
 }
 
 void PossibleTable::addRow(int row, const collision_forge::PossibleCollision& collision) {
-  const QString attacker = QString::fromStdString(collision.attacker_id);
+  const QString attacker = QString::fromStdString(shortId(collision.attacker_id));
   const QString of_class = QString::fromStdString(collision.attacker_class);
-  const QString by = collision.added ? "added " + of_class
-                                     : of_class + " " + attacker.left(static_cast<int>(kIdLetters));
+  const QString by = collision.added ? "added " + of_class : of_class + " " + attacker;
   const QString texts[] = {
       QString::fromStdString(collision.collision_type), QString::number(collision.tta, 'f', 1), by,
       QString::number(collision.confidence, 'f', 2), QString::fromStdString(collision.manoeuvre)};

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "collision_forge/study/csv_text.h"
 #include "collision_forge/verify/believability.h"
 
 namespace forge {
@@ -197,10 +198,7 @@ std::string attackHeader() {
 std::vector<std::string> attackColumns(const std::optional<AttackFigures>& attack) {
   if (!attack) return std::vector<std::string>(kColumns.size());
   AttackFigures figures = *attack;
-  std::replace_if(
-      figures.attacker_id.begin(), figures.attacker_id.end(),
-      [](char character) { return character == ',' || character == '\n'; }, ';');
-  std::vector<std::string> columns = {figures.attacker_id, toString(figures.agent_class),
+  std::vector<std::string> columns = {csvText(figures.attacker_id), toString(figures.agent_class),
                                       decimals(3, figures.size.length),
                                       decimals(3, figures.size.width)};
   for (const double* number : sharesAndPeaks(figures)) columns.push_back(decimals(4, *number));

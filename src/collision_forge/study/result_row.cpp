@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/study/csv_text.h"
+
 namespace forge {
 namespace {
 
@@ -19,13 +21,6 @@ std::string decimals(const char* format, const std::optional<double>& value) {
   if (!value) return "";
   char text[64];
   std::snprintf(text, sizeof(text), format, *value);
-  return text;
-}
-
-/// Commas and line ends would break the row.
-std::string plain(std::string text) {
-  std::replace(text.begin(), text.end(), ',', ';');
-  std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
 }
 
@@ -107,14 +102,14 @@ std::string csvHeader(Protocol protocol, RowsOf rows_of) {
 
 std::string toCsv(const ResultRow& row) {
   for (const std::string& name : {row.name, row.scene}) {
-    if (plain(name) != name) {
+    if (csvText(name) != name) {
       throw std::runtime_error("\"" + name +
                                "\" cannot stand in a CSV file: it has commas or line ends");
     }
   }
   std::ostringstream text;
   text << row.name << ',' << row.scene << ',' << toString(row.type) << ',' << row.tta << ','
-       << row.method << ',' << row.seed << ',' << plain(row.status);
+       << row.method << ',' << row.seed << ',' << csvText(row.status);
   for (const bool met : row.meets) text << ',' << met;
   std::optional<double> degrees = row.relative_heading;
   if (degrees) *degrees /= kDegree;
@@ -125,7 +120,7 @@ std::string toCsv(const ResultRow& row) {
   if (row.request) {
     for (const std::string& column : requestColumns(*row.request)) text << ',' << column;
   }
-  text << ',' << plain(row.note);
+  text << ',' << csvText(row.note);
   return text.str();
 }
 

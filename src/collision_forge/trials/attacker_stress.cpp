@@ -96,11 +96,13 @@ const char* toString(EgoConduct conduct) {
   return "vanishes";
 }
 
-StressOutcome stressAttacker(const CrashScenario& scenario, const CollisionRequest& request,
+StressOutcome stressAttacker(const CrashScenario& scenario, const CollisionRequest& asked,
                              EgoConduct conduct, std::uint64_t seed, const RolloutSetup& setup) {
   checkScenario(scenario);
+  CollisionRequest request = asked;
+  if (setup.attacker) request.crash.limits = LimitSet::kDrivable;  // as it plans
   const Track ego = egoOf(scenario, request.tta, conduct, seed, setup);
-  Traffic traffic(scenario, attackerOf(scenario, setup), setup.background, setup.planners.idm,
+  Traffic traffic(scenario, attackerOf(scenario, setup), setup.background, setup.planners.traffic,
                   setup.planners.planning.history);
   Future driven = scenario.recorded;
   driven.ego.states.clear();

@@ -44,7 +44,7 @@ class Search {
   /// Everybody as they were at the instants that are asked about, before the contact.
   std::vector<Traffic> momentsOf(const std::vector<TrajectoryPoint>& driven) const {
     Traffic traffic(scenario_, attackerOf(scenario_, setup_), setup_.background,
-                    setup_.planners.idm, setup_.planners.planning.history);
+                    setup_.planners.traffic, setup_.planners.planning.history);
     std::vector<Traffic> moments = {traffic};
     for (std::size_t i = 1; i + 1 < driven.size(); ++i) {
       traffic.advance(driven[i].time, egoAt(driven[i - 1]));

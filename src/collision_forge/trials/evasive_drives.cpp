@@ -212,7 +212,12 @@ EvasiveDrives::EvasiveDrives(const CrashScenario& scenario, const AvoidabilityOp
       options_(options),
       attack_(attack),
       path_(Polyline(routeOf(scenario.recorded.ego, *scenario.lanes, route))),
-      plans_(listPlans(options, attack.verification.limits)) {}
+      plans_(listPlans(options, attack.verification.limits)) {
+  double& max_speed = attack_.verification.limits.max_speed;
+  for (const AgentState& state : scenario.recorded.ego.states) {
+    max_speed = std::max(max_speed, speedOf(state));
+  }
+}
 
 void EvasiveDrives::drive(const AgentState& from, const EvasivePlan& plan,
                           std::vector<TrajectoryPoint>& points) const {

@@ -80,7 +80,7 @@ class Obstacles {
 };
 
 /// What the ego of a crash could drive to avoid it, along its way (routeOf() its recording) or a
-/// way beside it, and whether it touches somebody then. Keeps references to what it is made of.
+/// way beside it, and whether it touches somebody then. Keeps references to scenario and options.
 class EvasiveDrives {
  public:
   /// Throws as routeOf().
@@ -114,7 +114,7 @@ class EvasiveDrives {
 
   const CrashScenario& scenario_;
   const AvoidabilityOptions& options_;
-  const AttackOptions& attack_;
+  AttackOptions attack_;  // an ego that was recorded beyond max_speed may go on so
   ReferencePath path_;
   std::vector<EvasivePlan> plans_;
 };

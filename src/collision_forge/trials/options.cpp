@@ -1,6 +1,8 @@
 #include "collision_forge/trials/options.h"
 
+#include <cmath>
 #include <limits>
+#include <string>
 
 #include "collision_forge/config/section.h"
 
@@ -8,7 +10,6 @@ namespace forge {
 
 static void readOptions(Section& section, FaultOptions& options) {
   options.standstill_speed = section.nonNegative("standstill_speed");
-  options.behind_angle = section.angle("behind_angle");
   options.front_tolerance = section.nonNegative("front_tolerance");
   options.off_road_share = section.share("off_road_share");
   options.lane_radius = section.nonNegative("lane_radius");
@@ -16,7 +17,6 @@ static void readOptions(Section& section, FaultOptions& options) {
 
 static void readOptions(Section& section, RolloutOptions& options) {
   options.step = section.atLeast("step", kMinTimeStep);
-  options.hard_braking = section.positive("hard_braking");
   section.read("fault", options.fault);
 }
 
@@ -24,7 +24,6 @@ static void readOptions(Section& section, AvoidabilityOptions& options,
                         const VehicleLimits& limits) {
   constexpr double kWidest = 20.0;  // m; no road is wider to either side
   options.interval = section.atLeast("interval", kMinTimeStep);
-  options.step = section.atLeast("step", kMinTimeStep);
   options.accelerations =
       section.numbers("accelerations", -limits.max_braking, limits.max_forward_acceleration);
   options.offsets = section.numbers("offsets", -kWidest, kWidest);
@@ -56,12 +55,32 @@ static void readOptions(Section& section, UntilHitOptions& options) {
   options.min_impact_speed = section.nonNegative("min_impact_speed");
 }
 
+/// Planners are called between steps of a rollout.
+static void checkIntervals(const Section& file, const TrialOptions& options) {
+  const double step = options.rollout.step;
+  const auto check = [&](const char* key, double interval) {
+    const double steps = interval / step;
+    if (std::round(steps) >= 1.0 && std::abs(steps - std::round(steps)) < 1e-6) return;
+    file.refuse(key, "is no multiple of rollout.step, which is " + std::to_string(step) + " s");
+  };
+  check("planning.interval", options.planning.interval);
+  check("idm.published.step", options.published_idm.step);
+  check("rule_based.step", options.rule_based.step);
+  check("external.interval", options.external.interval);
+  check("torchscript.interval", options.torchscript.interval);
+}
+
 void readOptions(Section& file, TrialOptions& options, const VehicleLimits& limits) {
   readOptions(file, static_cast<PlannerOptions&>(options), limits);
+  options.traffic = options.idm;
   file.read("rollout", options.rollout);
   file.read("nuplan_score", options.nuplan_score);
   file.read("avoidability", options.avoidability, limits);
   file.read("until_hit", options.until_hit);
+  options.rollout.hard_braking = options.pdm.scoring.comfort.max_braking;
+  options.rollout.fault.behind_angle = options.pdm.scoring.behind_angle;
+  options.avoidability.step = options.rollout.step;
+  checkIntervals(file, options);
 }
 
 }  // namespace forge

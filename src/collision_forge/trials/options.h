@@ -22,6 +22,8 @@ struct UntilHitOptions {
 
 /// config/planners.yaml: the planners, and how they are tried.
 struct TrialOptions : PlannerOptions {
+  /// Of the others with Background::kIdm: `idm` of the file, whatever planner or variant is tested.
+  IdmOptions traffic;
   RolloutOptions rollout;
   NuplanScoreOptions nuplan_score;
   AvoidabilityOptions avoidability;

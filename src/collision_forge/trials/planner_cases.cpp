@@ -58,8 +58,10 @@ class ScenarioCases : public PlannerCases {
         lines_.push_back(std::move(line));
       }
     }
-    if (std::set<std::string>(names_.begin(), names_.end()).size() < names_.size()) {
-      throw std::runtime_error("two scenario files have the same name, " + lines_.back().source);
+    std::set<std::string> known_names;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (known_names.insert(names_[i]).second) continue;
+      throw std::runtime_error("two scenario files have the same name, " + lines_[i].source);
     }
     const auto known = readSceneNames(logs);
     known_.insert(known.begin(), known.end());

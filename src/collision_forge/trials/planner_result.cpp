@@ -62,9 +62,10 @@ AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, Background 
                                   [=](const TrajectoryPoint& point) { return point.time >= end; });
   if (after != attacker.points.end())
     attacker.points.erase(std::next(after), attacker.points.end());
-  const CollisionReport report =
-      verifyDrive(attacker, {scenario.snapshot, driven, one.request, *scenario.lanes},
-                  study.attack.verification);
+  CollisionRequest request = one.request;
+  if (policy == PolicyKind::kAdaptive) request.crash.limits = LimitSet::kDrivable;  // as it plans
+  const CollisionReport report = verifyDrive(
+      attacker, {scenario.snapshot, driven, request, *scenario.lanes}, study.attack.verification);
   summary.broken_limit = report.broken_limit;
   summary.touched = report.first_other_id;
   if (outcome.contact && outcome.contact->is_attacker) {

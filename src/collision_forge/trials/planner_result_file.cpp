@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "collision_forge/data/scenario_file.h"
+#include "collision_forge/study/csv_text.h"
 
 namespace forge {
 namespace {
@@ -181,11 +182,11 @@ PlannerRow readRow(JsonObject& object, double now) {
 
 /// What describes the case in a row of the CSV file.
 std::string csvStart(const PlannerTestResult& result) {
-  if (!result.isRead()) return result.name + ",,,,," + result.status;
+  if (!result.isRead()) return csvText(result.name) + ",,,,," + result.status;
   char numbers[64];
   std::snprintf(numbers, sizeof(numbers), "%.3f", result.tta);
-  return result.name + ',' + result.source + ',' + result.scene + ',' + toString(result.type) +
-         ',' + numbers + ',' + result.status;
+  return csvText(result.name) + ',' + csvText(result.source) + ',' + csvText(result.scene) + ',' +
+         toString(result.type) + ',' + numbers + ',' + result.status;
 }
 
 std::string csvContact(const std::optional<PlannerContact>& contact, double now) {
@@ -196,7 +197,7 @@ std::string csvContact(const std::optional<PlannerContact>& contact, double now)
                 contact->type ? toString(*contact->type) : "", contact->relative_heading * kDegrees,
                 toString(contact->ego_side), toString(contact->other_side), contact->impact_speed,
                 contact->ego_speed);
-  return contact->other_id + ',' + (contact->is_attacker ? "1," : "0,") + numbers + ',' +
+  return csvText(contact->other_id) + ',' + (contact->is_attacker ? "1," : "0,") + numbers + ',' +
          toString(contact->cause) + ',' + (contact->at_fault ? "1," : "0,") +
          toString(contact->place);
 }
@@ -220,8 +221,8 @@ std::string csvNuplan(const NuplanScore& score) {
 
 std::string csvAttacker(const AttackerSummary& attacker) {
   return std::string(toString(attacker.policy)) + ',' + toString(attacker.phase) + ',' +
-         std::to_string(attacker.plans) + ',' + attacker.broken_limit + ',' + attacker.touched +
-         ',' + (attacker.as_asked ? "1" : "0");
+         std::to_string(attacker.plans) + ',' + csvText(attacker.broken_limit) + ',' +
+         csvText(attacker.touched) + ',' + (attacker.as_asked ? "1" : "0");
 }
 
 /// Manoeuvre and s from now of the last witness; without them where there is none.

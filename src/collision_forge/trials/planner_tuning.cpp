@@ -90,6 +90,7 @@ std::vector<PlannerVariant> variantsOf(const PlannerGrid& grid, const std::strin
     variant.values = std::move(values);
     readConfigFile(openConfigText(path, withPlannerValues(path, text, variant.values)),
                    variant.options, limits);
+    if (!variants.empty()) variant.options.traffic = variants.front().options.traffic;
     variants.push_back(std::move(variant));
   }
   return variants;

@@ -167,7 +167,7 @@ class Run {
         road_(roadAlong(*scenario.lanes, task_.route, setup.planners.route_centerline,
                         setup.planners.pdm.map)),
         judge_(road_.map, scenario.ego, setup.planners.pdm.scoring, setup.planners.nuplan_score),
-        traffic_(scenario, attackerOf(scenario, setup), setup.background, setup.planners.idm,
+        traffic_(scenario, attackerOf(scenario, setup), setup.background, setup.planners.traffic,
                  setup.planners.planning.history),
         ego_(startOf(scenario, setup.attack), driving, scenario.ego, setup.planners) {
     const OrientedBox box{ego_.point().pose, scenario.ego.size};

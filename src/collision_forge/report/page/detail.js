@@ -111,8 +111,8 @@ function reportList(name, report) {
     ['Impact speed', amount(report.impact_speed, 1, 'm/s')],
     ['Manoeuvre', title(report.manoeuvre) + ' from ' + amount(report.manoeuvre_begin_t, 1, 's')],
     ['Limits', report.limits_kept ? 'all kept' : report.broken_limit, held(report.limits_kept)],
-    ['Touches before', report.first_other || 'nobody', held(!report.first_other)],
-    ['A driver could', report.unbelievable || 'yes', held(!report.unbelievable)],
+    ['Touches first', report.first_other || 'nobody', held(!report.first_other)],
+    ['Believable', report.unbelievable || 'yes', held(!report.unbelievable)],
     ['Use of the road', `on a lane ${percent(report.on_lane)}, wrong way ${percent(report.wrong_way)}, `
       + `walkway ${percent(report.on_walkway)}, off the road ${percent(report.off_road_share)}`],
   ]);
@@ -230,7 +230,7 @@ export class Detail {
   legendEntries() {
     const entry = (name, kind) => element('span', {}, element('i', {className: 'swatch ' + kind}), name);
     const entries = this.world.roles.map((role) => entry(role.name, 'of-' + role.color + (role.isPale ? ' pale' : '')));
-    if (this.world.aim) entries.push(entry('Aimed at: ego', 'of-aim-ego'), entry('attacker', 'of-aim-attacker'));
+    if (this.world.aim) entries.push(entry('Pattern: ego', 'of-aim-ego'), entry('attacker', 'of-aim-attacker'));
     if (this.world.contact) entries.push(entry('Contact', 'of-contact'));
     return entries;
   }

@@ -15,7 +15,7 @@ export const COLUMNS = [
   {key: 'contact_t', title: 'Contact', unit: 's', digits: 2, wide: true},
   {key: 'impact_speed', title: 'Impact', unit: 'm/s', digits: 1},
   {key: 'heading', title: 'Heading', unit: '°', digits: 0, wide: true, of: degrees},
-  {key: 'confidence', title: 'Promised', unit: '%', digits: 0, wide: true, of: (share) => share && 100 * share},
+  {key: 'confidence', title: 'Confidence', unit: '%', digits: 0, wide: true, of: (share) => share && 100 * share},
   {key: 'message', title: 'Reason', wide: true},
 ];
 
