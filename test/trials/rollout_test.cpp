@@ -303,7 +303,13 @@ TEST(Rollout, BackgroundTrafficBrakesForAnEgoThatStops) {
   const RolloutOutcome replayed = drive(planner, scenario);
   ASSERT_TRUE(replayed.contact);
   EXPECT_EQ(replayed.contact->other_id, "behind");
-  EXPECT_FALSE(drive(planner, scenario, Background::kIdm).contact);
+  EXPECT_TRUE(replayed.others.empty()) << "they are where they were recorded";
+  const RolloutOutcome outcome = drive(planner, scenario, Background::kIdm);
+  EXPECT_FALSE(outcome.contact);
+  ASSERT_EQ(outcome.others.size(), 1u);
+  EXPECT_EQ(outcome.others[0].id, "behind");
+  ASSERT_EQ(outcome.others[0].states.size(), outcome.driven.size());
+  EXPECT_LT(outcome.others[0].states.back().pose.x, outcome.driven.back().pose.x);
 }
 
 TEST(Rollout, TheSameAgainIsTheSame) {

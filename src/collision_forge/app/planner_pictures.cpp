@@ -1,10 +1,23 @@
 #include "collision_forge/app/planner_pictures.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "collision_forge/drawing/draw_scenario.h"
 
 namespace forge {
+namespace {
+
+/// In place of how they were recorded.
+void show(const std::vector<Track>& driven, std::vector<Track>& agents) {
+  for (const Track& track : driven) {
+    const auto recorded = std::find_if(agents.begin(), agents.end(),
+                                       [&](const Track& agent) { return agent.id == track.id; });
+    if (recorded != agents.end()) *recorded = track;
+  }
+}
+
+}  // namespace
 
 ScenarioView viewOf(const PlannerCase& one, PolicyKind policy,
                     const std::vector<TrajectoryPoint>& ego, const AttackerTrajectory& attacker) {
@@ -21,6 +34,7 @@ ScenarioView viewOf(const PlannerCase& one, PolicyKind policy, const RolloutOutc
   const CrashScenario& scenario = one.scenario;
   const PlannerContact& contact = *outcome.contact;
   ScenarioView view = viewOf(one, policy, outcome.driven, outcome.attacker);
+  show(outcome.others, view.future.agents);
   CollisionReport& report = view.report;
   report.contact = true;
   report.contact_time = contact.time;

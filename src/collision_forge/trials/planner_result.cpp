@@ -176,6 +176,7 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
         row.escape->is_avoidable && row.escape->last_after >= study.adaptive.fairness.avoidable_for;
   }
   row.outcome.driven.clear();
+  row.outcome.others.clear();
   row.outcome.attacker = {};
   row.outcome.attacker_plans.clear();
   if (one.clip && policy == PolicyKind::kFixed && row.outcome.failure == PlannerFailure::kNone) {

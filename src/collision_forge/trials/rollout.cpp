@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -175,6 +176,7 @@ class Run {
       if (overlaps(box, boxAt(agent, agent.states.back().pose))) ignored_.insert(agent.id);
     }
     outcome_.driven.push_back(ego_.point());
+    keepOthers();
     judge_.see(ego_.point(), traffic_.agents(), ignored_);
     was_on_road_ = offRoadShare() < 1.0;
   }
@@ -244,6 +246,7 @@ class Run {
     const std::vector<Track> before = traffic_.agents();
     traffic_.advance(next, trackAt(from, scenario_.ego.size));
     ego_.advance(next);
+    keepOthers();
     if (!outcome_.contact) findContact(from, before);
     if (outcome_.contact && setup_.ends_at_contact) {
       outcome_.driven.push_back(pointAt({from, ego_.point()}, outcome_.contact->time));
@@ -251,6 +254,16 @@ class Run {
       outcome_.driven.push_back(ego_.point());
       judge_.see(ego_.point(), traffic_.agents(), ignored_);
       checkRoad();
+    }
+  }
+
+  /// Where they are now. Those who do not react are where they were recorded.
+  void keepOthers() {
+    if (setup_.background != Background::kIdm) return;
+    for (const Track& agent : traffic_.agents()) {
+      if (agent.id == scenario_.attacker.attacker_id) continue;
+      const Track track{agent.id, agent.agent_class, agent.size, {}};
+      others_.try_emplace(agent.id, track).first->second.states.push_back(agent.states.back());
     }
   }
 
@@ -326,6 +339,7 @@ class Run {
   }
 
   void summarize() {
+    for (auto& [id, track] : others_) outcome_.others.push_back(std::move(track));
     const auto& driven = outcome_.driven;
     outcome_.duration = driven.back().time - driven.front().time;
     for (std::size_t i = 1; i < driven.size(); ++i) {
@@ -361,6 +375,7 @@ class Run {
   std::optional<NuplanContact> nuplan_contact_;
   Traffic traffic_;
   EgoDriver ego_;
+  std::map<std::string, Track> others_;
   std::set<std::string> ignored_;  // who overlaps the ego from the start
   RolloutOutcome outcome_;
   int steps_ = 0;

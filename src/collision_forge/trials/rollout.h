@@ -72,7 +72,8 @@ struct RolloutOutcome {
   double recorded_progress = 0.0;  ///< m along the route, of the recorded ego over the same time
   NuplanScore nuplan;
   std::vector<TrajectoryPoint> driven;  ///< the ego every step, the last at the end
-  AttackerTrajectory attacker;          ///< as it drove up to the end, and meant to after it
+  std::vector<Track> others;    ///< those who react (Background::kIdm), as they drove, every step
+  AttackerTrajectory attacker;  ///< as it drove up to the end, and meant to after it
   AttackerPhase phase = AttackerPhase::kCommitted;  ///< of the attacker at the end
   std::vector<AttackerPlan> attacker_plans;         ///< AttackerPolicy::plans()
   int plans = 0;                                    ///< calls of the planner
