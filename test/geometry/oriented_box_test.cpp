@@ -30,6 +30,14 @@ TEST(OrientedBox, CornersGoCounterClockwiseFromFrontLeft) {
   }
 }
 
+TEST(OrientedBox, TheFrontEdgeHasTheFrontCornersAndNoLength) {
+  const OrientedBox box{{10.0, 20.0, 0.7}, {4.0, 2.0}};
+  const auto all = corners(box), front = corners(frontEdge(box));
+  EXPECT_NEAR((front[0] - all[0]).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((front[3] - all[3]).norm(), 0.0, 1e-12);
+  EXPECT_EQ(frontEdge(box).size.length, 0.0);
+}
+
 TEST(OrientedBox, ShrinksEverySide) {
   const OrientedBox box{{1.0, 2.0, 0.3}, {4.0, 2.0}};
   EXPECT_DOUBLE_EQ(shrunk(box, 0.25).size.length, 3.5);

@@ -107,7 +107,7 @@ class AdaptiveTest(live.LiveTest):
             self.assertLess(min(distances), 1e-3)
             away.append(distances[0])
         self.assertLess(distances[-1], 1e-3)
-        self.assertGreater(max(away), 0.1, 'it has left its first plan')
+        self.assertGreater(max(away), 0.01, 'it has left its first plan')
 
     def check_tested(self, expected):
         """Told once."""

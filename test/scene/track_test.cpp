@@ -41,6 +41,15 @@ TEST(CanAttack, AllButMotorcyclesAreCarLike) {
   EXPECT_TRUE(isCarLike(AgentClass::kBus));
 }
 
+TEST(IsVehicle, HoldsForAllButPeopleAnimalsAndThings) {
+  std::vector<std::string> others;
+  for (int i = 0; i <= static_cast<int>(AgentClass::kStaticObject); ++i) {
+    const auto agent_class = static_cast<AgentClass>(i);
+    if (!isVehicle(agent_class)) others.push_back(toString(agent_class));
+  }
+  EXPECT_THAT(others, testing::UnorderedElementsAre("pedestrian", "animal", "static_object"));
+}
+
 TEST(StateAt, InterpolatesPoseAndVelocity) {
   Track track = trackOf({{1.0, {0.0, 0.0, 0.0}}, {1.5, {4.0, 2.0, 0.4}}});
   track.states[0].velocity = {8.0, 4.0};

@@ -1,5 +1,6 @@
 #include "collision_forge/data/collide_export.h"
 #include "collision_forge/files/plain_name.h"
+#include "collision_forge/scene/clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 constexpr const char* kBatch = "collision-forge";
 
 CollideState recorded(const AgentState& state) { return {state.pose, state.velocity.norm()}; }

@@ -7,13 +7,13 @@
 #include <unordered_set>
 
 #include "collision_forge/data/nuscenes_map.h"
+#include "collision_forge/scene/clock.h"
 #include "collision_forge/verify/braking_slide.h"
 #include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {
 
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 constexpr double kTouchDepth = 5e-3;   // m that boxes overlap at least after the contact
 constexpr double kCropSpacing = 10.0;  // m between the points that lanes are sought around
 

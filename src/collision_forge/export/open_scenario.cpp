@@ -26,11 +26,6 @@ struct Entity {
   double axle_to_middle = 0.0;  ///< m, from the entity's origin ahead to the middle of its box
 };
 
-bool isVehicle(AgentClass agent_class) {
-  return agent_class != AgentClass::kPedestrian && agent_class != AgentClass::kAnimal &&
-         agent_class != AgentClass::kStaticObject;
-}
-
 const char* categoryOf(AgentClass agent_class) {
   switch (agent_class) {
     case AgentClass::kTruck:

@@ -300,11 +300,6 @@ struct Lead {
   double speed = 0.0;      ///< m/s along the path
 };
 
-bool isVehicle(AgentClass agent_class) {
-  return agent_class != AgentClass::kPedestrian && agent_class != AgentClass::kAnimal &&
-         agent_class != AgentClass::kStaticObject;
-}
-
 /// Where the agent is ahead on the path; empty when it is beside, behind or crosses.
 std::optional<Lead> leadOn(const std::vector<Pose2>& poses, const Track& agent, const EgoNow& ego,
                            const BoxSize& ego_size) {

@@ -8,17 +8,6 @@
 namespace forge {
 namespace {
 
-bool followsLanes(AgentClass agent_class) {
-  switch (agent_class) {
-    case AgentClass::kPedestrian:
-    case AgentClass::kAnimal:
-    case AgentClass::kStaticObject:
-      return false;
-    default:
-      return true;
-  }
-}
-
 Track trackFrom(const Track& past, double now, double horizon, double step,
                 const std::function<Pose2(double)>& pose_after) {
   Track future{past.id, past.agent_class, past.size, {}};
@@ -48,11 +37,11 @@ Track predictTrack(const Track& past, const Snapshot& snapshot, const LaneIndex&
   const Motion motion = estimateMotion(past, options.motion_frames);
   const double now = snapshot.now;
   const Vector2 velocity = past.states.back().velocity;
-  const double speed = followsLanes(past.agent_class) ? std::abs(motion.speed) : velocity.norm();
+  const double speed = isVehicle(past.agent_class) ? std::abs(motion.speed) : velocity.norm();
   if (speed < options.standstill_speed) {
     return trackFrom(past, now, horizon, options.step, [&](double) { return motion.pose; });
   }
-  if (followsLanes(past.agent_class) && motion.speed > 0.0) {
+  if (isVehicle(past.agent_class) && motion.speed > 0.0) {
     const auto matches =
         lanes.lanesNear(motion.pose, options.on_lane_distance, options.on_lane_heading);
     if (!matches.empty()) {

@@ -217,6 +217,10 @@ double sideOverlap(const OrientedBox& box, Side side, const OrientedBox& other) 
   return std::clamp(covered / side_length, 0.0, 1.0);
 }
 
+OrientedBox frontEdge(const OrientedBox& box) {
+  return {compose(box.center, {0.5 * box.size.length, 0.0, 0.0}), {0.0, box.size.width}};
+}
+
 double circumradius(const BoxSize& size) { return 0.5 * std::hypot(size.length, size.width); }
 
 }  // namespace forge

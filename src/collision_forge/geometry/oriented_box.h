@@ -71,6 +71,9 @@ Side touchedSide(const OrientedBox& box, const OrientedBox& other);
 /// it covers the side from corner to corner, 0 where it stands beside it. `box` must have a size.
 double sideOverlap(const OrientedBox& box, Side side, const OrientedBox& other);
 
+/// Its front side, a box without length.
+OrientedBox frontEdge(const OrientedBox& box);
+
 /// Radius of the circle around the centre that holds the box, metres.
 double circumradius(const BoxSize& size);
 

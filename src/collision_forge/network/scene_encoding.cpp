@@ -4,12 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "collision_forge/scene/clock.h"
+
 namespace forge {
 namespace {
 
 constexpr std::size_t kAgentFeatures = 8;
 constexpr std::size_t kLaneFeatures = 6;
-constexpr double kTimeEpsilon = 1e-6;  // s
 
 DenseTensor zeros(std::vector<std::size_t> shape) {
   DenseTensor tensor;

@@ -4,14 +4,6 @@
 #include <cmath>
 
 namespace forge {
-namespace {
-
-OrientedBox frontEdge(const OrientedBox& box) {
-  return {compose(box.center, {0.5 * box.size.length, 0.0, 0.0}), {0.0, box.size.width}};
-}
-
-}  // namespace
-
 PdmScorer::PdmScorer(const PdmSurroundings& surroundings, const PdmScoringOptions& options)
     : surroundings_(surroundings),
       options_(options),

@@ -9,6 +9,7 @@
 #include "collision_forge/attack/manoeuvre_search.h"
 #include "collision_forge/attack/pattern_predictor.h"
 #include "collision_forge/policy/normal_driver.h"
+#include "collision_forge/scene/clock.h"
 #include "collision_forge/verify/believability.h"
 #include "collision_forge/verify/drive_check.h"
 #include "collision_forge/verify/verification.h"
@@ -16,9 +17,8 @@
 namespace forge {
 namespace {
 
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
-constexpr double kOwnSpacing = 1.0;    // m between the points of its own way
-constexpr double kOwnBeyond = 40.0;    // m that its own way goes straight on
+constexpr double kOwnSpacing = 1.0;  // m between the points of its own way
+constexpr double kOwnBeyond = 40.0;  // m that its own way goes straight on
 
 AttackOptions optionsOfPlans(AttackOptions options, const AdaptiveOptions& adaptive) {
   options.route.ways = adaptive.ways;

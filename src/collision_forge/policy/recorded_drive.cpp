@@ -3,10 +3,11 @@
 #include <chrono>
 #include <limits>
 
+#include "collision_forge/scene/clock.h"
+
 namespace forge {
 namespace {
 
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "collision_forge/scene/clock.h"
+
 namespace forge {
 namespace {
-
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 
 double nearestFrame(const Scene& scene, double time) {
   return *std::min_element(

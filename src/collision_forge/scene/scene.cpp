@@ -4,11 +4,12 @@
 #include <cmath>
 #include <iterator>
 
+#include "collision_forge/scene/clock.h"
+
 namespace forge {
 namespace {
 
 // Annotation frames and states come from the same clock; this only absorbs rounding.
-constexpr double kTimeEpsilon = 1e-6;
 
 Track between(const Track& track, double first, double last) {
   Track part{track.id, track.agent_class, track.size, {}};

@@ -6,6 +6,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "collision_forge/scene/clock.h"
+
 namespace forge {
 
 bool isUsable(const Track& agent) {
@@ -15,7 +17,6 @@ bool isUsable(const Track& agent) {
 }
 
 std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time) {
-  constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
   std::vector<Track> agents;
   for (const Track& track : tracks) {
     const auto state = std::find_if(

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "collision_forge/scene/clock.h"
+
 namespace forge {
 namespace {
 
@@ -36,6 +38,11 @@ bool canAttack(AgentClass agent_class) {
          std::end(kAttackerClasses);
 }
 
+bool isVehicle(AgentClass agent_class) {
+  return agent_class != AgentClass::kPedestrian && agent_class != AgentClass::kAnimal &&
+         agent_class != AgentClass::kStaticObject;
+}
+
 bool isCarLike(AgentClass agent_class) {
   return canAttack(agent_class) && agent_class != AgentClass::kMotorcycle;
 }
@@ -60,7 +67,6 @@ std::optional<AgentState> stateAt(const Track& track, double time, double max_ga
 }
 
 bool newestAt(const Track& track, double time) {
-  constexpr double kTimeEpsilon = 1e-6;
   return !track.states.empty() && std::abs(track.states.back().time - time) <= kTimeEpsilon;
 }
 

@@ -32,6 +32,8 @@ inline constexpr AgentClass kAttackerClasses[] = {AgentClass::kCar,
                                                   AgentClass::kEmergencyVehicle,
                                                   AgentClass::kMotorcycle};
 bool canAttack(AgentClass agent_class);
+/// All but people, animals and things.
+bool isVehicle(AgentClass agent_class);
 /// Attackers with a car's body: all but motorcycles.
 bool isCarLike(AgentClass agent_class);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "collision_forge/scene/clock.h"
 #include "collision_forge/study/scene_halves.h"
 
 namespace forge {
@@ -13,7 +14,6 @@ namespace {
 constexpr std::size_t kMiddle = kWindowSamples / 2;
 constexpr double kShortestStep = 0.25;  // s between neighbours of a recorded window
 constexpr double kLongestStep = 0.75;   // s
-constexpr double kTimeEpsilon = 1e-6;   // s
 
 /// Position (x, y, yaw) and its derivatives by time at one instant.
 struct Derivatives {

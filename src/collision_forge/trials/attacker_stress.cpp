@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "collision_forge/forecast/random.h"
+#include "collision_forge/scene/clock.h"
 #include "collision_forge/trials/evasive_drives.h"
 #include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {
 
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 constexpr double kJump = 30.0;         // m ahead
 constexpr double kReverseSpeed = 3.0;  // m/s
 constexpr double kLatestStart = 0.9;   // of the time asked for

@@ -5,10 +5,10 @@
 #include <set>
 #include <utility>
 
+#include "collision_forge/scene/clock.h"
+
 namespace forge {
 namespace {
-
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 
 /// The search in one scenario.
 class Search {

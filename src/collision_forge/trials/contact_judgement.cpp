@@ -22,10 +22,6 @@ constexpr std::array<std::pair<ContactPlace, const char*>, 3> kPlaceNames = {{
     {ContactPlace::kElsewhere, "elsewhere"},
 }};
 
-OrientedBox frontEdge(const OrientedBox& box) {
-  return {compose(box.center, {0.5 * box.size.length, 0.0, 0.0}), {0.0, box.size.width}};
-}
-
 bool isOfType(const ContactPoses& poses, CollisionType type, const TypeDefinition& definition,
               DrivingSide driving_side) {
   const Pose2 offset = relativeTo(poses.ego.center, poses.other.center);

@@ -45,7 +45,7 @@ void showPast(CrashScenario& scenario) {
 }
 
 void checkScenario(const CrashScenario& scenario) {
-  constexpr double kTimeEpsilon = 1e-5;  // s; files have times to the microsecond
+  constexpr double kSameTime = 1e-5;  // s; of numbers that files have to the microsecond
   const auto& points = scenario.attacker.points;
   const double now = scenario.snapshot.now;
   const auto refuse = [&](const std::string& problem) {
@@ -53,7 +53,7 @@ void checkScenario(const CrashScenario& scenario) {
   };
   if (!scenario.lanes) throw std::invalid_argument("the scenario has no map");
   if (points.size() < 2) refuse("the trajectory has fewer than two points");
-  if (std::abs(points.front().time - now) > kTimeEpsilon) refuse("does not start now");
+  if (std::abs(points.front().time - now) > kSameTime) refuse("does not start now");
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (!(points[i].time > points[i - 1].time)) refuse("its times do not increase");
   }

@@ -7,10 +7,10 @@
 #include <set>
 #include <utility>
 
+#include "collision_forge/scene/clock.h"
+
 namespace forge {
 namespace {
-
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 
 /// A motion that may be a witness, before the attacker reacted to it.
 struct Trial {

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "collision_forge/forecast/random.h"
+#include "collision_forge/scene/clock.h"
 #include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {
 
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
-
+constexpr double kStanding = 1e-3;  // m/s; no slower car is held by its grip
 constexpr std::array<std::pair<EvasiveManoeuvre, const char*>, 5> kManoeuvreNames = {{
     {EvasiveManoeuvre::kKeeping, "keeping"},
     {EvasiveManoeuvre::kBraking, "braking"},
@@ -119,7 +119,7 @@ class PlanDriver {
     const double across = std::sqrt(std::max(total_ * total_ - acceleration * acceleration, 0.0));
     const double speed = std::max(car.speed, car.speed + acceleration * step);
     const double bound =
-        std::min(limits_.max_curvature, across / std::max(speed * speed, kTimeEpsilon));
+        std::min(limits_.max_curvature, across / std::max(speed * speed, kStanding * kStanding));
     return std::clamp(wanted, -bound, bound);
   }
 

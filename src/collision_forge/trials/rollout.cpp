@@ -11,11 +11,11 @@
 #include "collision_forge/forecast/motion_estimate.h"
 #include "collision_forge/geometry/swept_contact.h"
 #include "collision_forge/planners/route_road.h"
+#include "collision_forge/scene/clock.h"
 
 namespace forge {
 namespace {
 
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 constexpr double kTimeSlack = 1e-3;    // s; no step is shorter
 constexpr double kLongestPlan = 60.0;  // s; no scenario lasts longer, later points are not driven
 

@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "collision_forge/scene/clock.h"
+
 namespace forge {
 namespace {
-
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 
 /// Linear between the states; constant beyond them.
 double arcLengthAt(const std::vector<AgentState>& states, const std::vector<double>& arc_lengths,

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "collision_forge/scene/clock.h"
 #include "collision_forge/scene/scene_history.h"
 
 namespace forge {
 namespace {
-
-constexpr double kTimeEpsilon = 1e-6;  // s, the resolution of the clock
 
 void append(Track& track, const AgentState& state) {
   if (track.states.empty() || state.time > track.states.back().time) track.states.push_back(state);
