@@ -297,6 +297,14 @@ TEST(Verify, NamesTheFirstOfOthersTouchedBeforeTheEgo) {
   EXPECT_FALSE(report.verified());
 }
 
+TEST(Verify, OfOthersTouchedAtOnceNamesTheLeastIdInWhateverOrderTheyCome) {
+  Case attack = rearEnd();
+  for (const char* id : {"b", "a", "c"}) attack.addStanding(id, {1.0, 0.0, 0.0});
+  const CollisionReport report = attack.report();
+  EXPECT_EQ(report.first_other_id, "a");
+  EXPECT_NEAR(report.first_other_time, kNow, kFine);
+}
+
 TEST(Verify, IgnoresOthersTouchedAfterTheEgo) {
   Case attack = rearEnd();
   attack.addStanding("late", {60.0 + kCarSize.length + 0.2, 1.0, 0.0});

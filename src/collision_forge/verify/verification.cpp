@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 
 #include <Eigen/Geometry>
 
@@ -114,7 +115,9 @@ void findFirstOther(const AttackerTrajectory& trajectory, const Future& future, 
     if (other.id == trajectory.attacker_id) continue;
     const auto time = firstContactTime(trajectory, other, end, tolerance);
     if (!time || (report.contact && *time >= report.contact_time)) continue;
-    if (report.first_other_id.empty() || *time < report.first_other_time) {
+    const auto touched = std::tie(*time, other.id);  // of several at once the least id
+    if (report.first_other_id.empty() ||
+        touched < std::tie(report.first_other_time, report.first_other_id)) {
       report.first_other_id = other.id;
       report.first_other_time = *time;
     }
