@@ -39,11 +39,12 @@ class PlayerNode:
 
     def run(self) -> None:
         """Plays until the node is shut down; the first frame of agents is shown even if it begins with a pause."""
-        self._go_to(self._source.start)
-        self._set_paused(self._is_paused)
-        rospy.Service('~pause', SetBool, self._pause)
-        rospy.Service('~step', Trigger, lambda _: self._answer(self._step))
-        rospy.Service('~back_to_now', Trigger, lambda _: self._answer(self._go_back_to_now))
+        with self._lock:
+            rospy.Service('~pause', SetBool, self._pause)
+            rospy.Service('~step', Trigger, lambda _: self._answer(self._step))
+            rospy.Service('~back_to_now', Trigger, lambda _: self._answer(self._go_back_to_now))
+            self._go_to(self._source.start)
+            self._set_paused(self._is_paused)  # whoever hears it can call the services
         while not rospy.is_shutdown():
             with self._lock:
                 self._tick()

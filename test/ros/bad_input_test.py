@@ -36,6 +36,15 @@ class BadInputTest(MadeUpTest):
         until(lambda: r'lane_map of made-up-right\x1b[2J is not usable' in self.suite.output(),
               'the message about the map')
         self.assertEqual(road.CODES[ask('rear_end', 4.0).code], 'NO_SCENE')
+
+    def test_3_map_that_comes_after_the_frames(self):
+        frames = drive(6)
+        end = rospy.Time(self.start) + rospy.Duration(frames[-1][0])
+        self.publish(frames)
+        self.heard['/injected_agents'].wait(lambda agents: agents.header.stamp == end)
+        self.publishers['/lane_map'].publish(lane_map())
+        scene = self.heard['/encoded_scene'].wait(lambda scene: scene.header.stamp == end)
+        self.assertEqual(len(scene.snapshot.ego.states), len(frames))
         self.assert_works()
 
     def test_good_scene(self):

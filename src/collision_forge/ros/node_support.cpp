@@ -18,8 +18,10 @@ Config loadNodeConfig(const ros::NodeHandle& private_node) {
   return loadLogged("configuration", [&] { return loadConfig(nodeConfigFolder(private_node)); });
 }
 
-LaneMapSubscriber::LaneMapSubscriber(ros::NodeHandle& node, const InputLimits& limits)
+LaneMapSubscriber::LaneMapSubscriber(ros::NodeHandle& node, const InputLimits& limits,
+                                     std::function<void()> on_map)
     : limits_(limits),
+      on_map_(std::move(on_map)),
       subscriber_(node.subscribe(names::kLaneMap, 1, &LaneMapSubscriber::receive, this)) {}
 
 std::shared_ptr<const LaneIndex> LaneMapSubscriber::lanes() const {
@@ -38,7 +40,9 @@ void LaneMapSubscriber::receive(const collision_forge::LaneMap& message) {
   } catch (const std::exception& error) {
     ROS_ERROR_STREAM("lane_map of " << printable(message.location)
                                     << " is not usable: " << printable(error.what()));
+    return;
   }
+  on_map_();
 }
 
 std::variant<CheckedRequest, Status> checkedRequest(

@@ -7,6 +7,7 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -48,7 +49,9 @@ inline bool isNone(const collision_forge::Attack& attack) {
 /// Keeps the newest lane map, ready for queries. Thread-safe.
 class LaneMapSubscriber {
  public:
-  LaneMapSubscriber(ros::NodeHandle& node, const InputLimits& limits);
+  /// Calls `on_map` when a usable map has come, in the thread that received it.
+  LaneMapSubscriber(
+      ros::NodeHandle& node, const InputLimits& limits, std::function<void()> on_map = [] {});
 
   /// Null until a usable map has come.
   std::shared_ptr<const LaneIndex> lanes() const;
@@ -57,6 +60,7 @@ class LaneMapSubscriber {
   void receive(const collision_forge::LaneMap& message);
 
   InputLimits limits_;
+  std::function<void()> on_map_;
   mutable std::mutex mutex_;
   std::shared_ptr<const LaneIndex> lanes_;
   ros::Subscriber subscriber_;

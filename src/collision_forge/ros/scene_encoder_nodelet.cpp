@@ -29,7 +29,7 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
     config_ = loadNodeConfig(getPrivateNodeHandle());
     history_.emplace(config_.attack.prediction.history_frames, config_.ego_vehicle);
     ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
-    map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
+    map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits, [this] { encode(); });
     publisher_ = node.advertise<collision_forge::EncodedScene>(names::kEncodedScene, kPublished);
     subscribers_ = {
         node.subscribe(names::kTf, kTopicQueue, &SceneEncoderNodelet::receiveTransforms, this),
@@ -51,10 +51,16 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
 
   void receiveAgents(const collision_forge::AgentArray::ConstPtr& message) {
     frames_.addFrame(message);
+    if (!map_->lanes()) {
+      NODELET_WARN_STREAM_THROTTLE(5.0, "no usable lane_map yet: frames wait for it");
+    }
     encode();
   }
 
+  /// Frames wait for their transforms and for the map: each comes over a connection of its own.
   void encode() {
+    const auto lanes = map_->lanes();
+    if (!lanes) return;
     while (const auto frame = frames_.next()) {
       if (frame->dropped > 0) {
         NODELET_WARN_STREAM_THROTTLE(1.0, frame->dropped << " frames before "
@@ -63,7 +69,7 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
       }
       try {
         add(*frame);
-        publish();
+        publish(*lanes);
       } catch (const std::exception& error) {
         NODELET_ERROR_STREAM_THROTTLE(1.0, "frame at " << frame->message->header.stamp
                                                        << " left out: " << printable(error.what()));
@@ -95,15 +101,10 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
     }
   }
 
-  void publish() {
-    const auto lanes = map_->lanes();
-    if (!lanes) {
-      NODELET_WARN_STREAM_THROTTLE(5.0, "no usable lane_map yet");
-      return;
-    }
+  void publish(const LaneIndex& lanes) {
     const Snapshot snapshot = history_->snapshot();
     const SceneEncoding encoding =
-        encodeScene(snapshot, *lanes, config_.attack.prediction.history_frames, config_.encoding);
+        encodeScene(snapshot, lanes, config_.attack.prediction.history_frames, config_.encoding);
     // As a pointer: nodelets of one process share what it points to.
     publisher_.publish(
         boost::make_shared<const collision_forge::EncodedScene>(toMessage(snapshot, encoding)));
