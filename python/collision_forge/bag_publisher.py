@@ -139,7 +139,8 @@ class BagPublisher:
         missing = []
         for topic, publisher in self._publishers.items():
             publisher.impl.check()
-            late = graph.subscribers_of(published(topic)) - {connection.endpoint_id for connection in publisher.impl.connections}
+            connected = {connection.endpoint_id for connection in publisher.impl.connections}
+            late = graph.subscribers_of(published(topic)) - connected
             if late:
                 missing.append('a connection to {}, which hear(s) {}'.format(names(late), topic))
         if not graph.subscribers_of(published(AGENTS)):

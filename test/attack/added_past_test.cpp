@@ -28,10 +28,10 @@ class AddedPastTest : public testing::Test {
       drive.back.push_back(begin + now - speed * AddedDrive::kStep * static_cast<double>(i));
       if (drive.back.back() < 0.0) break;
     }
-    drive.contact = 40.0 * AddedDrive::kStep;
+    drive.contact = kContact;
     for (int i = 1; i <= 40; ++i) drive.on.push_back(begin + now + speed * AddedDrive::kStep * i);
     track_ = {"added", AgentClass::kCar, kCarSize, {}};
-    return AddedPast(input, options_).drive(drive, way.path, kContact, track_);
+    return AddedPast(input, options_).drive(drive, way.path, track_);
   }
 
   AddedScene scene_;

@@ -64,9 +64,9 @@ class SeparateNodesTest(live.WholeRoadTest):
         self.assertEqual(len({live.pid_of(name) for name in NODES}), len(NODES))
 
     def test_no_node_does_more_than_NODES_tells(self):
-        of_roscpp = ('/rosout', '/clock')
+        of_roscpp = ['/rosout', '/clock']
         more = [(node, name) for i, registered in enumerate(live.graph()) for name, node in sorted(registered)
-                if node in NODES and name not in NODES[node][i] + list(of_roscpp) and not name.startswith('/' + node + '/')]
+                if node in NODES and name not in NODES[node][i] + of_roscpp and not name.startswith('/' + node + '/')]
         self.assertEqual(more, [])
 
     def test_rear_end_as_offline(self):

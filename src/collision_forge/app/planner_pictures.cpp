@@ -1,19 +1,17 @@
 #include "collision_forge/app/planner_pictures.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "collision_forge/drawing/draw_scenario.h"
+#include "collision_forge/scene/find_track.h"
 
 namespace forge {
 namespace {
 
 /// In place of how they were recorded.
 void show(const std::vector<Track>& driven, std::vector<Track>& agents) {
-  for (const Track& track : driven) {
-    const auto recorded = std::find_if(agents.begin(), agents.end(),
-                                       [&](const Track& agent) { return agent.id == track.id; });
-    if (recorded != agents.end()) *recorded = track;
+  for (Track& agent : agents) {
+    if (const Track* as_driven = findTrack(driven, agent.id)) agent = *as_driven;
   }
 }
 

@@ -34,11 +34,9 @@ std::vector<AddedManner> joined(std::initializer_list<std::vector<AddedManner>> 
 bool goOn(const AddedMeeting& meeting, double along, double speed, double acceleration,
           AddedDrive& drive) {
   if (speed + acceleration * meeting.contact < 0.0) return false;
-  const auto count = static_cast<std::size_t>(std::ceil(meeting.contact / kStep));
-  const double step = meeting.contact / static_cast<double>(count);
-  for (std::size_t i = 1; i <= count; ++i) {
-    const double time = step * static_cast<double>(i);
-    drive.on.push_back(along + speed * time + 0.5 * acceleration * time * time);
+  for (std::size_t i = 0; i < drive.on.size(); ++i) {
+    const double time = drive.step() * static_cast<double>(i + 1);
+    drive.on[i] = along + speed * time + 0.5 * acceleration * time * time;
   }
   return true;
 }
@@ -73,8 +71,8 @@ double AddedDrive::at(int steps) const {
   return on[before] + (place - static_cast<double>(before)) * (on[after] - on[before]);
 }
 
-Pose2 AddedDrive::poseAt(const ReferencePath& path, int step) const {
-  return compose(path.at(at(step)).pose, {0.0, aside, 0.0});
+Pose2 AddedDrive::poseAt(const ReferencePath& path, int steps) const {
+  return compose(path.at(at(steps)).pose, {0.0, aside, 0.0});
 }
 
 AddedDrives::AddedDrives(const AddedVehicleInput& input, const AttackOptions& options)
@@ -187,7 +185,7 @@ bool AddedDrives::plan(const AddedMeeting& meeting, const AddedManner& manner, c
   if (manner.rides) drive.aside = besideEgo(meeting, place, added_.riding_gap);
   drive.back.clear();
   drive.contact = meeting.contact;
-  drive.on.clear();
+  drive.on.assign(static_cast<std::size_t>(std::ceil(meeting.contact / kStep)), 0.0);
   switch (manner.kind) {
     case AddedManner::kCruise:
       if (!cruise(meeting, along, manner.value, drive)) return false;
@@ -223,14 +221,11 @@ void AddedDrives::cruiseBack(const AddedWay& way, double speed, double now,
 
 bool AddedDrives::cruise(const AddedMeeting& meeting, double along, double speed,
                          AddedDrive& drive) const {
-  const auto count = static_cast<std::size_t>(std::ceil(meeting.contact / kStep));
-  const double step = meeting.contact / static_cast<double>(count);
-  drive.on.resize(count);
   double now = 0.0;
-  for (std::size_t i = count; i-- > 0;) {
+  for (std::size_t i = drive.on.size(); i-- > 0;) {
     drive.on[i] = along;
     now = std::min(speed, meeting.way->cap(along));
-    along -= now * step;
+    along -= now * drive.step();
   }
   drive.back = {along};
   cruiseBack(*meeting.way, speed, now, drive.back);
@@ -284,10 +279,8 @@ bool AddedDrives::followFlow(const AddedMeeting& meeting, double along, const Ad
   if (!passing) return false;
   const double later = meeting.contact - *passing;
   if (std::abs(later) < kHeadway || !flow.covers(-later)) return false;
-  const auto count = static_cast<std::size_t>(std::ceil(meeting.contact / kStep));
-  const double step = meeting.contact / static_cast<double>(count);
-  for (std::size_t i = 1; i <= count; ++i) {
-    drive.on.push_back(flow.at(step * static_cast<double>(i) - later));
+  for (std::size_t i = 0; i < drive.on.size(); ++i) {
+    drive.on[i] = flow.at(drive.step() * static_cast<double>(i + 1) - later);
   }
   double ago = 0.0;
   for (; drive.back.size() <= steps_back_ && flow.covers(-ago - later); ago += kStep) {

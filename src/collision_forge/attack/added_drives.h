@@ -60,7 +60,7 @@ struct AddedDrive {
   /// At a number of times kStep after now, negative before it; the ends beyond.
   double at(int steps) const;
   /// The middle of its box then, headed along the way.
-  Pose2 poseAt(const ReferencePath& path, int step) const;
+  Pose2 poseAt(const ReferencePath& path, int steps) const;
 };
 
 /// Tells how a vehicle could come to meet the ego.

@@ -24,10 +24,9 @@ AddedPast::AddedPast(const AddedVehicleInput& input, const AttackOptions& option
       steps_back_(stepsBack(past_)),
       traffic_(past_, input.future, input.request.tta, kStep * kSteps) {}
 
-const char* AddedPast::drive(const AddedDrive& drive, const ReferencePath& path, double contact,
-                             Track& track) {
+const char* AddedPast::drive(const AddedDrive& drive, const ReferencePath& path, Track& track) {
   if (drive.back.front() < 0.0) return "come from beyond the map";
-  if (touchesAhead(drive, path, track.size, contact)) return "touch somebody else first";
+  if (touchesAhead(drive, path, track.size)) return "touch somebody else first";
   const std::size_t clear = clearSteps(drive, path, track.size);
   const auto first = firstFrame(drive, path, clear);
   if (!first) {
@@ -40,8 +39,8 @@ const char* AddedPast::drive(const AddedDrive& drive, const ReferencePath& path,
 }
 
 bool AddedPast::touchesAhead(const AddedDrive& drive, const ReferencePath& path,
-                             const BoxSize& size, double contact) const {
-  const int last = static_cast<int>((contact - kUntouched) / traffic_.interval());
+                             const BoxSize& size) const {
+  const int last = static_cast<int>((drive.contact - kUntouched) / traffic_.interval());
   for (int instant = 1; instant <= last; ++instant) {
     const Pose2 pose = drive.poseAt(path, instant * kSteps);
     if (traffic_.touches(pose, size, instant, 0.0)) return true;

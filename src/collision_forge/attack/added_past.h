@@ -23,14 +23,12 @@ class AddedPast {
   /// Drives until now as planned, within the limits of the track's class and size. The track gets
   /// its states at the frames from its first to now, global map frame. It was there at the first
   /// frame or came out of sight of the ego, touched nobody, and touches nobody until shortly before
-  /// the contact (s from now). Null, or why nobody can have come so, in words that go on from "no
+  /// the contact. Null, or why nobody can have come so, in words that go on from "no
   /// vehicle can be added: 3 "; then the track is of no use.
-  const char* drive(const AddedDrive& drive, const ReferencePath& path, double contact,
-                    Track& track);
+  const char* drive(const AddedDrive& drive, const ReferencePath& path, Track& track);
 
  private:
-  bool touchesAhead(const AddedDrive& drive, const ReferencePath& path, const BoxSize& size,
-                    double contact) const;
+  bool touchesAhead(const AddedDrive& drive, const ReferencePath& path, const BoxSize& size) const;
   std::size_t clearSteps(const AddedDrive& drive, const ReferencePath& path,
                          const BoxSize& size) const;
   std::optional<std::size_t> firstFrame(const AddedDrive& drive, const ReferencePath& path,

@@ -234,7 +234,7 @@ class Casting {
     }
     has_way_ = true;
     Track track{name, kind.agent_class, size, {}};
-    if (const char* reason = added_past_.drive(drive_, path, meeting.contact, track)) return reason;
+    if (const char* reason = added_past_.drive(drive_, path, track)) return reason;
     const bool keeps_aside = drive_.aside != 0.0 && manner.kind != AddedManner::kPark;
     AddedVehicle vehicle{std::move(track), keeps_aside ? path.beside(drive_.aside) : path, {}};
     addPatterns(meeting, vehicle);

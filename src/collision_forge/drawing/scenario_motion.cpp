@@ -4,17 +4,12 @@
 #include <cmath>
 
 #include "collision_forge/geometry/touch_point.h"
+#include "collision_forge/scene/find_track.h"
 
 namespace forge {
 namespace {
 
 constexpr double kSampleStep = 0.1;  // s
-
-const Track* findTrack(const std::vector<Track>& tracks, const std::string& id) {
-  const auto found = std::find_if(tracks.begin(), tracks.end(),
-                                  [&id](const Track& track) { return track.id == id; });
-  return found == tracks.end() ? nullptr : &*found;
-}
 
 std::optional<OrientedBox> boxOf(const Track& track, double time) {
   const std::optional<AgentState> state = stateAt(track, time);

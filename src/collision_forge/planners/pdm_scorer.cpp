@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace forge {
+
 PdmScorer::PdmScorer(const PdmSurroundings& surroundings, const PdmScoringOptions& options)
     : surroundings_(surroundings),
       options_(options),

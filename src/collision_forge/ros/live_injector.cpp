@@ -72,7 +72,7 @@ void LiveInjector::addEgo(const AgentState& ego) {
     if (contact_ && ego.time < contact_->slide.begin) forgetContact();
   }
   states.push_back(ego);
-  while (states.front().time < ego.time - kept_for_) states.erase(states.begin());
+  keepNewest(states, kept_for_);
   if (states.size() > 1) {
     findContact({ego_.id, ego_.agent_class, ego_.size, {*std::prev(states.end(), 2), ego}});
   }

@@ -191,11 +191,8 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
       }
     }
     try {
-      TrialOptions options;
-      readConfigFile(
-          openConfigText(planners_path_, withPlannerValues(planners_path_, planners_text_, values)),
-          options, config_.attack.verification.limits);
-      options.traffic = config_.planners.traffic;
+      TrialOptions options = readTrialOptions(planners_path_, planners_text_, values,
+                                              config_.attack.verification.limits);
       options.torchscript.workers = config_.planners.torchscript.workers;
       return options;
     } catch (const ConfigError& error) {

@@ -40,8 +40,8 @@ class ServiceCaller {
   template <typename Service>
   bool isAnswered(ros::ServiceClient client, Service& service) {
     auto answer = std::async(std::launch::async, [&] { return client.call(service); });
-    if (answer.wait_for(answer_within_) == std::future_status::timeout)
-      client.shutdown();  // ends it
+    const bool is_late = answer.wait_for(answer_within_) == std::future_status::timeout;
+    if (is_late) client.shutdown();  // ends it
     if (!answer.get()) return false;
     const std::lock_guard<std::mutex> lock(mutex_);
     idle_.push_back(std::move(client));

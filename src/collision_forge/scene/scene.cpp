@@ -9,8 +9,6 @@
 namespace forge {
 namespace {
 
-// Annotation frames and states come from the same clock; this only absorbs rounding.
-
 Track between(const Track& track, double first, double last) {
   Track part{track.id, track.agent_class, track.size, {}};
   std::copy_if(track.states.begin(), track.states.end(), std::back_inserter(part.states),

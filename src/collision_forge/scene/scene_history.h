@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 
@@ -28,11 +29,14 @@ Frame newestFrame(const Snapshot& snapshot);
 /// overtaken. One that is older by more is of a replay that starts again.
 inline constexpr double kRestart = 1.0;
 
-/// Takes away, from the front, what is older than the newest by more than `age` s. For states and
-/// frames, oldest first.
-template <typename Timed>
-void keepNewest(std::deque<Timed>& values, double age) {
-  while (values.front().time < values.back().time - age) values.pop_front();
+/// Takes away what is older than the newest by more than `age` s. `values`: states or frames,
+/// oldest first.
+template <typename Values>
+void keepNewest(Values& values, double age) {
+  const double oldest = values.back().time - age;
+  values.erase(values.begin(), std::find_if(values.begin(), values.end(), [=](const auto& value) {
+                 return value.time >= oldest;
+               }));
 }
 
 /// Keeps the newest frames of a running scene, and shows those that a snapshot holds

@@ -108,6 +108,15 @@ std::string withPlannerValues(const std::string& path, const std::string& text,
   return changed;
 }
 
+TrialOptions readTrialOptions(const std::string& path, const std::string& text,
+                              const PlannerValues& values, const VehicleLimits& limits) {
+  TrialOptions options, unchanged;
+  readConfigFile(openConfigText(path, withPlannerValues(path, text, values)), options, limits);
+  readConfigFile(openConfigText(path, text), unchanged, limits);
+  options.traffic = unchanged.traffic;
+  return options;
+}
+
 std::string shortestText(double value) {
   char text[32];
   constexpr double kLargest = 1e15;  // whole numbers up to there are written without an exponent

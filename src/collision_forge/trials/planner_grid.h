@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/trials/options.h"
+
 namespace forge {
 
 /// Numbers of planners.yaml by their keys' paths in the file, as "pdm.idm.min_gap".
@@ -25,6 +27,12 @@ PlannerValues readPlannerValues(const std::string& path, const std::string& text
 /// Throws as readPlannerValues().
 std::string withPlannerValues(const std::string& path, const std::string& text,
                               const PlannerValues& values);
+
+/// The options of planners.yaml with these numbers for the planner under test: the traffic that
+/// reacts keeps those of `text`. `limits` are those of the ego. Throws ConfigError, naming `path`,
+/// for a key or value that the file cannot have.
+TrialOptions readTrialOptions(const std::string& path, const std::string& text,
+                              const PlannerValues& values, const VehicleLimits& limits);
 
 /// The shortest text that reads back as the same number, in planners.yaml and in reports.
 std::string shortestText(double value);

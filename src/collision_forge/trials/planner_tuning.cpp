@@ -88,9 +88,7 @@ std::vector<PlannerVariant> variantsOf(const PlannerGrid& grid, const std::strin
     PlannerVariant variant;
     variant.name = variants.empty() ? kDefault : std::to_string(variants.size());
     variant.values = std::move(values);
-    readConfigFile(openConfigText(path, withPlannerValues(path, text, variant.values)),
-                   variant.options, limits);
-    if (!variants.empty()) variant.options.traffic = variants.front().options.traffic;
+    variant.options = readTrialOptions(path, text, variant.values, limits);
     variants.push_back(std::move(variant));
   }
   return variants;

@@ -12,6 +12,7 @@
 #include "collision_forge/geometry/swept_contact.h"
 #include "collision_forge/planners/route_road.h"
 #include "collision_forge/scene/clock.h"
+#include "collision_forge/scene/find_track.h"
 
 namespace forge {
 namespace {
@@ -138,12 +139,6 @@ TrajectoryPoint startOf(const CrashScenario& scenario, const AttackOptions& opti
                    options.verification.limits.max_curvature);
   }
   return start;
-}
-
-const Track* findTrack(const std::vector<Track>& tracks, const std::string& id) {
-  const auto found = std::find_if(tracks.begin(), tracks.end(),
-                                  [&](const Track& track) { return track.id == id; });
-  return found == tracks.end() ? nullptr : &*found;
 }
 
 Vector2 velocityOf(const TrajectoryPoint& point) { return point.speed * point.pose.heading(); }
