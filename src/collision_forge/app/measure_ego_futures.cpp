@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <limits>
@@ -19,6 +20,7 @@
 #include "collision_forge/forecast/kinematic_prediction.h"
 #include "collision_forge/network/network_ego_futures.h"
 #include "collision_forge/settings/config.h"
+#include "collision_forge/study/statistics.h"
 
 namespace forge {
 namespace {
@@ -203,11 +205,8 @@ void printCalibration(const Results& results) {
 void printTimes(std::vector<double> milliseconds) {
   if (milliseconds.empty()) return;
   std::sort(milliseconds.begin(), milliseconds.end());
-  const auto quantile = [&](double share) {
-    return milliseconds[static_cast<std::size_t>(share * (milliseconds.size() - 1))];
-  };
-  std::printf("\nsampling: p50 %.2f ms, p95 %.2f ms, longest %.2f ms\n", quantile(0.5),
-              quantile(0.95), milliseconds.back());
+  std::printf("\nsampling: p50 %.2f ms, p95 %.2f ms, longest %.2f ms\n",
+              quantile(milliseconds, 0.5), quantile(milliseconds, 0.95), milliseconds.back());
 }
 
 std::shared_ptr<const SpeedForecaster> readSpeeds(const Arguments& arguments,

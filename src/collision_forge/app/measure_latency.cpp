@@ -10,6 +10,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/ros/topic_names.h"
+#include "collision_forge/study/statistics.h"
 
 namespace forge {
 namespace {
@@ -50,11 +51,9 @@ int measure(const Arguments& arguments) {
   if (milliseconds.empty()) throw std::runtime_error(service + " never answered");
   std::cout << "first " << milliseconds.front() << " ms";
   std::sort(milliseconds.begin(), milliseconds.end());
-  const auto percentile = [&](double share) {
-    return milliseconds[static_cast<std::size_t>(share * (milliseconds.size() - 1))];
-  };
-  std::cout << ", p50 " << percentile(0.5) << " ms, p99 " << percentile(0.99) << " ms of "
-            << arguments.calls << " calls; lost " << failures << "; codes:";
+  std::cout << ", p50 " << quantile(milliseconds, 0.5) << " ms, p99 "
+            << quantile(milliseconds, 0.99) << " ms of " << arguments.calls << " calls; lost "
+            << failures << "; codes:";
   for (const auto& [code, count] : codes) std::cout << " " << code << " x" << count;
   std::cout << "\n";
   return kExitOk;

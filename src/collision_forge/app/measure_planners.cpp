@@ -9,6 +9,7 @@
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/settings/config.h"
+#include "collision_forge/study/statistics.h"
 
 namespace forge {
 namespace {
@@ -61,18 +62,13 @@ void measureScene(const IndexedScene& indexed, const Config& config, Measurement
   }
 }
 
-/// Sorts the values.
-double percentile(std::vector<double>& values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
 void print(Measurement& measurement) {
-  std::cout << "| " << measurement.name << " | " << measurement.milliseconds.size() << " | "
-            << percentile(measurement.agents, 0.5) << " | " << percentile(measurement.agents, 1.0)
-            << " | " << percentile(measurement.milliseconds, 0.5) << " | "
-            << percentile(measurement.milliseconds, 0.99) << " | "
-            << percentile(measurement.milliseconds, 1.0) << " |\n";
+  auto& [name, milliseconds, agents] = measurement;
+  std::sort(milliseconds.begin(), milliseconds.end());
+  std::sort(agents.begin(), agents.end());
+  std::cout << "| " << name << " | " << milliseconds.size() << " | " << quantile(agents, 0.5)
+            << " | " << agents.back() << " | " << quantile(milliseconds, 0.5) << " | "
+            << quantile(milliseconds, 0.99) << " | " << milliseconds.back() << " |\n";
 }
 
 int measure(const Arguments& arguments) {

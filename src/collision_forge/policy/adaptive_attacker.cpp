@@ -80,7 +80,7 @@ AdaptiveAttacker::AdaptiveAttacker(AttackerTask task, AttackerSetup setup)
       seen_ego_{task_.snapshot.ego.states.back()} {
   task_.request.attacker = vehicle_.id;
   task_.request.crash.min_confidence = 0.0;
-  task_.request.crash.limits = LimitSet::kDrivable;
+  task_.request.crash.limits = kAdaptiveLimits;
   const double end = std::max(impact_ + setup_.attack.search.tail, task_.plan.points.back().time);
   task_.plan.points = spread(task_.plan.points, setup_.attack.search.step, end);
   plans_.push_back(firstPlan(task_.plan, phase_));

@@ -9,6 +9,7 @@
 #include "collision_forge/policy/attacker_policy.h"
 #include "collision_forge/policy/options.h"
 #include "collision_forge/scene/collision_request.h"
+#include "collision_forge/scene/crash_definition.h"
 
 namespace forge {
 
@@ -29,15 +30,17 @@ struct AttackerSetup {
   AdaptiveOptions adaptive;
 };
 
+/// What attackers that see and react drive by, whatever limits a request names.
+inline constexpr LimitSet kAdaptiveLimits = LimitSet::kDrivable;
+
 /// An attacker that sees and reacts: at every frame it asks how the ego may drive on from there,
 /// and where its plan does not meet most of these futures as asked, it plans the rest anew
 /// (searchManoeuvres()), to the same type at the same instant. What it sees changes what it drives
 /// FairnessOptions::reaction_time later; until then it drives what it had planned, and goes on from
-/// the state that this leads to. So the whole drive keeps the limits of its class, whatever limits
-/// the request names, if its first plan does. It commits shortly before the contact. Where no plan
-/// comes near the crash any more, or the ego is out of sight or jumps, it gives up and drives on
-/// (driveOn()). A frame without ego and agents says that nobody was seen: forecasts go on from the
-/// frame before.
+/// the state that this leads to. So the whole drive keeps kAdaptiveLimits, if its first plan does.
+/// It commits shortly before the contact. Where no plan comes near the crash any more, or the ego
+/// is out of sight or jumps, it gives up and drives on (driveOn()). A frame without ego and agents
+/// says that nobody was seen: forecasts go on from the frame before.
 class AdaptiveAttacker : public AttackerPolicy {
  public:
   AdaptiveAttacker(AttackerTask task, AttackerSetup setup);

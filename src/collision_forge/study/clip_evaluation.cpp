@@ -37,7 +37,7 @@ class ClipCase {
     }
     CollisionRequest request = question_.request();
     request.seed = seed;
-    request.crash.limits = LimitSet::kDrivable;  // as adaptive attackers drive
+    request.crash.limits = kAdaptiveLimits;
     Realization first = firstPlan(maker, request);
     if (row == kFirstPlan || first.status.code != StatusCode::kOk) return first;
     return driveAdaptively(std::move(first), question_.moment(), question_.recording(),

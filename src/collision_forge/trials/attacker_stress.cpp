@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "collision_forge/forecast/random.h"
+#include "collision_forge/policy/adaptive_attacker.h"
 #include "collision_forge/scene/clock.h"
 #include "collision_forge/trials/evasive_drives.h"
 #include "collision_forge/verify/verification.h"
@@ -100,7 +101,7 @@ StressOutcome stressAttacker(const CrashScenario& scenario, const CollisionReque
                              EgoConduct conduct, std::uint64_t seed, const RolloutSetup& setup) {
   checkScenario(scenario);
   CollisionRequest request = asked;
-  if (setup.attacker) request.crash.limits = LimitSet::kDrivable;  // as it plans
+  if (setup.attacker) request.crash.limits = kAdaptiveLimits;
   const Track ego = egoOf(scenario, request.tta, conduct, seed, setup);
   Traffic traffic(scenario, attackerOf(scenario, setup), setup.background, setup.planners.traffic,
                   setup.planners.planning.history);

@@ -63,7 +63,7 @@ AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, Background 
   if (after != attacker.points.end())
     attacker.points.erase(std::next(after), attacker.points.end());
   CollisionRequest request = one.request;
-  if (policy == PolicyKind::kAdaptive) request.crash.limits = LimitSet::kDrivable;  // as it plans
+  if (policy == PolicyKind::kAdaptive) request.crash.limits = kAdaptiveLimits;
   const CollisionReport report = verifyDrive(
       attacker, {scenario.snapshot, driven, request, *scenario.lanes}, study.attack.verification);
   summary.broken_limit = report.broken_limit;
