@@ -45,6 +45,7 @@ class BadInputTest(MadeUpTest):
         self.publishers['/lane_map'].publish(lane_map())
         scene = self.heard['/encoded_scene'].wait(lambda scene: scene.header.stamp == end)
         self.assertEqual(len(scene.snapshot.ego.states), len(frames))
+        self.assertEqual(road.CODES[ask('rear_end', 4.0, stamp=end).code], 'OK', 'whoever needs the map waits for it')
         self.assert_works()
 
     def test_good_scene(self):

@@ -81,7 +81,7 @@ Status AttackFinder::find(const std::string& method, const collision_forge::Scen
     return {StatusCode::kInvalidInput,
             "method = \"" + method + "\" is none of the topic attack_methods"};
   }
-  Moment moment{fromMessage(scene), std::nullopt, map_.lanes()};
+  Moment moment{fromMessage(scene), std::nullopt, map_.lanesOfScene()};
   checkSnapshot(moment.snapshot, config_.input_limits, "scene");
   const CollisionRequest request = withFullId(std::get<CollisionRequest>(parsed), moment.snapshot);
   if (request.attacker) asked.attacker_id = *request.attacker;

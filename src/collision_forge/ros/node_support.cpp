@@ -29,6 +29,12 @@ std::shared_ptr<const LaneIndex> LaneMapSubscriber::lanes() const {
   return lanes_;
 }
 
+std::shared_ptr<const LaneIndex> LaneMapSubscriber::lanesOfScene() const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  came_.wait_for(lock, kMapDelay, [this] { return lanes_ != nullptr; });
+  return lanes_;
+}
+
 void LaneMapSubscriber::receive(const collision_forge::LaneMap& message) {
   try {
     requireMapFrame(message.header, names::kLaneMap);
@@ -42,6 +48,7 @@ void LaneMapSubscriber::receive(const collision_forge::LaneMap& message) {
                                     << " is not usable: " << printable(error.what()));
     return;
   }
+  came_.notify_all();
   on_map_();
 }
 
@@ -50,7 +57,8 @@ std::variant<CheckedRequest, Status> checkedRequest(
     const collision_forge::CollisionRequest& request, const Config& config) {
   const auto parsed = fromMessage(request, config.crash);
   if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
-  CheckedRequest checked{map.lanes(), fromMessage(scene), std::get<CollisionRequest>(parsed)};
+  CheckedRequest checked{map.lanesOfScene(), fromMessage(scene),
+                         std::get<CollisionRequest>(parsed)};
   checkSnapshot(checked.snapshot, config.input_limits, "scene");
   checked.request = withFullId(checked.request, checked.snapshot);
   if (!checked.lanes) return Status{StatusCode::kNoScene, "no usable lane_map has come yet"};

@@ -7,6 +7,8 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -55,13 +57,19 @@ class LaneMapSubscriber {
 
   /// Null until a usable map has come.
   std::shared_ptr<const LaneIndex> lanes() const;
+  /// As lanes(), where a scene has come already: its map may come a moment later, and is waited for
+  /// up to kMapDelay. Not for the thread that receives the map.
+  std::shared_ptr<const LaneIndex> lanesOfScene() const;
 
  private:
+  static constexpr std::chrono::seconds kMapDelay{1};
+
   void receive(const collision_forge::LaneMap& message);
 
   InputLimits limits_;
   std::function<void()> on_map_;
   mutable std::mutex mutex_;
+  mutable std::condition_variable came_;
   std::shared_ptr<const LaneIndex> lanes_;
   ros::Subscriber subscriber_;
 };
