@@ -21,6 +21,7 @@ from visualization_msgs.msg import MarkerArray
 TIMEOUT = 30.0  # s; for what takes a fraction of a second on an idle machine
 RATE = 10.0  # Hz of injected_agents while there is an attack
 SAME_CONTACT = 0.02  # s; bag and node see other poses of the ego
+SAME_SPEED = 0.1     # m/s
 SAME_SLIDE = 0.3  # m, m/s; what that makes of a slide
 CLOCK_LEAD = 0.5  # s from the first /clock to the first message: tf2 drops what is before its past until time jumps back
 
@@ -398,6 +399,9 @@ class WholeRoadTest(LiveTest):
         if offline.contact:
             self.assertLess(abs((tested.contact_time - offline.contact_time).to_sec()), SAME_CONTACT)
             self.assertLess(abs(road.angle_between(tested.relative_heading, offline.relative_heading)), 0.01)
+            self.assertEqual((tested.ego_side, tested.attacker_side), (offline.ego_side, offline.attacker_side))
+            self.assertAlmostEqual(tested.impact_speed, offline.impact_speed, delta=SAME_SPEED)
+            self.assertAlmostEqual(tested.overlap, offline.overlap, delta=0.02)
         return tested
 
     def assert_injected(self, actual, expected, report):

@@ -67,6 +67,16 @@ TEST(EgoTest, ReportsTheContactOnceTheOthersAreKnownUpToIt) {
   EXPECT_NEAR(report->contact_time, kNow + contact, 1e-3);
 }
 
+TEST(EgoTest, PosesTellHowFastTheEgoIsAtTheImpact) {
+  constexpr double kEgoSpeed = 4.0;  // m/s
+  EgoTest test = testOf(1.0);
+  for (double t = 0.0; t < 1.55; t += 0.1) test.addEgo(standing(kNow + t, 12.0 + kEgoSpeed * t));
+  test.addAgents(frame(kNow + 1.5));
+  const auto report = test.outcome(emptyMap(), shippedOptions().verification);
+  ASSERT_TRUE(report && report->contact);
+  EXPECT_NEAR(report->impact_speed, kSpeed - kEgoSpeed, 1e-6);
+}
+
 TEST(EgoTest, ReportsAMissWhenTheTrajectoryHasEnded) {
   EgoTest test = testOf(1.0);
   for (double t = 0.0; t < 3.05; t += 0.1) test.addEgo(standing(kNow + t, 100.0));

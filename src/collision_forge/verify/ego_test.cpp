@@ -59,6 +59,7 @@ std::optional<CollisionReport> EgoTest::outcome(const LaneIndex& lanes,
   if (ego_.states.empty() || ego_.states.front().time > begin + kTimeEpsilon) return std::nullopt;
   Future driven;
   driven.ego = ego_;
+  deriveVelocities(driven.ego);
   for (const auto& [id, track] : agents_) driven.agents.push_back(track);
   Snapshot start;
   start.now = begin;
