@@ -77,6 +77,18 @@ TEST_F(ManoeuvreSearchTest, ANeighbourCutsInLate) {
   }
 }
 
+TEST_F(ManoeuvreSearchTest, ANeighbourCutsInBehindAnIslandNotOverIt) {
+  constexpr double kIslandEnd = 38.0;  // m; the ego is there 0.2 s after the time asked for
+  auto map = twoLaneRoad();
+  map->lanes.push_back(straightLane("next", {-200.0, -5.5}, {200.0, -5.5}));
+  map->drivable_area.push_back(rectangle(-200.0, -7.25, 200.0, -3.75));
+  map->drivable_area.push_back(rectangle(-200.0, -3.75, 20.0, -1.75));
+  map->drivable_area.push_back(rectangle(kIslandEnd, -3.75, 200.0, -1.75));
+  scene(map, {0.0, 0.0, 0.0}, 9.0, {pastTrack("next", kCarSize, {-4.0, -5.4, 0.0}, 9.5)});
+  const Realization answer = expectAttack(CollisionType::kLaneChange);
+  EXPECT_EQ(answer.report.road.on_island, 0.0);
+}
+
 TEST_F(ManoeuvreSearchTest, AParkedCarPullsOut) {
   auto map = twoLaneRoad();
   map->drivable_area.push_back(rectangle(-200.0, -5.25, 200.0, -1.0));

@@ -32,6 +32,7 @@ struct Candidate {
   FutureScore score;
   PatternMiss miss;
   RoadUse road;
+  bool is_believable = true;  // as far as the use of the road tells
   std::size_t style = 0;
   double objective = 0.0;
   bool is_underway = false;  // not a draft, but what the attacker means to do
@@ -273,16 +274,28 @@ class ManoeuvreSearch {
     const bool may_be_any = candidate.is_underway;
     const auto broken = findBrokenDrive(points_, contender.drive_start, until, contender.limits);
     if (broken && !may_be_any) return;
-    candidate.road =
-        roadUseUntilManoeuvre(whole(), contender.track->size, now + candidate.draft.contact,
-                              driven_, options_.verification.believability);
+    judgeRoad(candidate);
     candidate.objective -= route_.off_lane_weight * (1.0 - candidate.road.on_lane) +
                            route_.off_road_weight * candidate.road.off_road +
                            route_.wrong_way_weight * candidate.road.wrong_way;
     if (candidate.road.on_walkway > 0.0 && !may_be_any) return;
-    if (!isAsAsked(candidate)) candidate.objective -= kNotAsAsked;
+    if ((!candidate.is_believable && !may_be_any) || !isAsAsked(candidate)) {
+      candidate.objective -= kNotAsAsked;
+    }
     kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, better), candidate);
     if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();
+  }
+
+  void judgeRoad(Candidate& candidate) {
+    const BelievabilityOptions& believability = options_.verification.believability;
+    const std::vector<TrajectoryPoint>& points = whole();
+    const BoxSize& size = candidate.contender->track->size;
+    const double contact = input_.snapshot.now + candidate.draft.contact;
+    candidate.road = roadUseOfAttack(points, size, contact, driven_, believability);
+    const RoadUse start = roadUse(points, size, points.front().time, driven_, believability);
+    candidate.is_believable =
+        !input_.request.crash.believable ||
+        whyUnbelievable(candidate.road, start.off_road, driven_, believability).empty();
   }
 
   /// Who is underway is not to change to a plan that meets nobody where something is named.
@@ -333,7 +346,7 @@ class ManoeuvreSearch {
     return !kept_.empty() && kept_.front().score.share >= search_.good_share &&
            (kept_.front().style == 0 || kept_.front().is_underway) &&
            (!how_asked_.isNamed() || kept_.front().objective > 0.0) &&
-           kept_.front().road.on_lane >= 1.0 &&
+           kept_.front().is_believable && kept_.front().road.on_lane >= 1.0 &&
            kept_.front().road.off_road <= search_.good_off_road &&
            (!input_.exact || isExact(kept_.front().miss, search_));
   }

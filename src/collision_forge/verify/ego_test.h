@@ -18,8 +18,8 @@ class EgoTest {
   /// constructor.
   void changeTrajectory(AttackerTrajectory trajectory);
 
-  /// Middle of the ego's box; its poses tell its velocity. States from before the trajectory's start
-  /// may be given.
+  /// Middle of the ego's box; its poses tell its velocity. States from before the trajectory's
+  /// start may be given.
   void addEgo(const AgentState& state);
   /// Everybody else at one time, one state each; who is not usable (isUsable()) is left out.
   void addAgents(const std::vector<Track>& agents);
