@@ -30,8 +30,9 @@ std::shared_ptr<const LaneIndex> LaneMapSubscriber::lanes() const {
 }
 
 std::shared_ptr<const LaneIndex> LaneMapSubscriber::lanesOfScene() const {
+  const bool may_come = subscriber_.getNumPublishers() > 0;
   std::unique_lock<std::mutex> lock(mutex_);
-  came_.wait_for(lock, kMapDelay, [this] { return lanes_ != nullptr; });
+  if (may_come) came_.wait_for(lock, kMapDelay, [this] { return lanes_ != nullptr; });
   return lanes_;
 }
 

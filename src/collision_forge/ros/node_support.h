@@ -58,7 +58,7 @@ class LaneMapSubscriber {
   /// Null until a usable map has come.
   std::shared_ptr<const LaneIndex> lanes() const;
   /// As lanes(), where a scene has come already: its map may come a moment later, and is waited for
-  /// up to kMapDelay. Not for the thread that receives the map.
+  /// up to kMapDelay if somebody publishes one. Not for the thread that receives the map.
   std::shared_ptr<const LaneIndex> lanesOfScene() const;
 
  private:
