@@ -194,9 +194,8 @@ class Search {
     const LaneIndex& lanes = drivenLanes(input_.request, input_.lanes);
     const double contact = candidate.contender->start.now + candidate.aimed.contact;
     const RoadUse road = roadUseOfAttack(points_, track.size, contact, lanes, believability);
-    const RoadUse now = roadUse(points_, track.size, points_.front().time, lanes, believability);
     candidate.is_as_asked =
-        whyUnbelievable(road, now.off_road, lanes, believability).empty() &&
+        whyUnbelievable(road, points_, track.size, lanes, believability).empty() &&
         (candidate.score.share == 0.0 || how_asked_.holds(track, points_, candidate.score.met));
     return options_.route.off_lane_weight * (1.0 - road.on_lane) +
            options_.route.wrong_way_weight * road.wrong_way +

@@ -292,10 +292,9 @@ class ManoeuvreSearch {
     const BoxSize& size = candidate.contender->track->size;
     const double contact = input_.snapshot.now + candidate.draft.contact;
     candidate.road = roadUseOfAttack(points, size, contact, driven_, believability);
-    const RoadUse start = roadUse(points, size, points.front().time, driven_, believability);
     candidate.is_believable =
         !input_.request.crash.believable ||
-        whyUnbelievable(candidate.road, start.off_road, driven_, believability).empty();
+        whyUnbelievable(candidate.road, points, size, driven_, believability).empty();
   }
 
   /// Who is underway is not to change to a plan that meets nobody where something is named.

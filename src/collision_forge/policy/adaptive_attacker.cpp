@@ -244,9 +244,8 @@ bool AdaptiveAttacker::isBelievable(std::size_t from, const std::vector<Trajecto
   std::vector<TrajectoryPoint> whole(task_.plan.points.begin(),
                                      task_.plan.points.begin() + static_cast<std::ptrdiff_t>(from));
   whole.insert(whole.end(), points.begin(), points.end());
-  const RoadUse now = roadUse(whole, vehicle_.size, whole.front().time, lanes, options);
   const RoadUse road = roadUseOfAttack(whole, vehicle_.size, contact, lanes, options);
-  return whyUnbelievable(road, now.off_road, lanes, options).empty();
+  return whyUnbelievable(road, whole, vehicle_.size, lanes, options).empty();
 }
 
 /// What it means to drive within the time that it takes to avoid that.

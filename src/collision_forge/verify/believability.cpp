@@ -144,7 +144,8 @@ RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSiz
   return whole;
 }
 
-std::string whyUnbelievable(const RoadUse& road, double off_road_now, const LaneIndex& lanes,
+std::string whyUnbelievable(const RoadUse& road, const std::vector<TrajectoryPoint>& points,
+                            const BoxSize& size, const LaneIndex& lanes,
                             const BelievabilityOptions& options) {
   const auto share = [](double value) {
     return std::to_string(static_cast<int>(std::lround(100.0 * value))) + " %";
@@ -152,7 +153,8 @@ std::string whyUnbelievable(const RoadUse& road, double off_road_now, const Lane
   if (lanes.map().lanes.empty()) return "";
   if (road.on_walkway > 0.0) return "is on a walkway for " + share(road.on_walkway);
   if (road.on_island > 0.0) return "is on an island for " + share(road.on_island);
-  if (road.off_road > off_road_now + options.max_off_road) {
+  const RoadUse now = roadUse(points, size, points.front().time, lanes, options);
+  if (road.off_road > now.off_road + options.max_off_road) {
     return "is off the road with " + share(road.off_road) + " of its box";
   }
   if (road.wrong_way > options.max_wrong_way) {

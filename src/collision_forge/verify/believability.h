@@ -36,9 +36,11 @@ RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSiz
                         double contact, const LaneIndex& lanes,
                         const BelievabilityOptions& options);
 
-/// Why no driver would use the road so, for people; empty where one could. A map without lanes
-/// tells nothing. `off_road_now`: the share of the attacker's box off the drivable area now.
-std::string whyUnbelievable(const RoadUse& road, double off_road_now, const LaneIndex& lanes,
+/// Why no driver would use the road as roadUseOfAttack() says of the points, for people; empty
+/// where one could. A map without lanes tells nothing. Nobody is blamed for what of the box is off
+/// the drivable area at the first point.
+std::string whyUnbelievable(const RoadUse& road, const std::vector<TrajectoryPoint>& points,
+                            const BoxSize& size, const LaneIndex& lanes,
                             const BelievabilityOptions& options);
 
 /// The place is on ground that road encloses (a traffic island, a median): neither drivable nor a

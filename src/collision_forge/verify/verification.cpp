@@ -227,8 +227,7 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   report.road = roadUseOn(input.lanes);
   const LaneIndex& driven = drivenLanes(input.request, input.lanes);
   const RoadUse judged = &driven == &input.lanes ? report.road : roadUseOn(driven);
-  const RoadUse now = roadUse(points, trajectory.size, points.front().time, driven, believability);
-  report.unbelievable = whyUnbelievable(judged, now.off_road, driven, believability);
+  report.unbelievable = whyUnbelievable(judged, points, trajectory.size, driven, believability);
   return report;
 }
 
