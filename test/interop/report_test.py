@@ -192,7 +192,7 @@ class ReportTest(unittest.TestCase):
         self.chip('Generated').click()
         self.find('.rows .row').click()
         until(self.browser, 'return document.getElementById("detail").open')
-        self.assertIn('--dataroot', self.find('#notice').text)
+        self.assertIn('--source', self.find('#notice').text)
         self.assertGreater(self.browser.execute_script(INK)['red'], 300)
 
     def test_texts_of_files_are_no_markup(self):
