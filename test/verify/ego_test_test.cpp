@@ -77,6 +77,27 @@ TEST(EgoTest, PosesTellHowFastTheEgoIsAtTheImpact) {
   EXPECT_NEAR(report->impact_speed, kSpeed - kEgoSpeed, 1e-6);
 }
 
+TEST(EgoTest, TheImpactSpeedIsTheSameHoweverManyStatesCameBeforeItWasAskedFor) {
+  constexpr double kBraking = 4.0;  // m/s2, from 8 m/s
+  EgoTest test = testOf(1.0);
+  test.addAgents(frame(kNow + 1.5));
+  std::optional<CollisionReport> first;
+  int later = 0;
+  for (double t = 0.0; t < 1.95; t += 0.1) {
+    test.addEgo(standing(kNow + t, 6.0 + 8.0 * t - 0.5 * kBraking * t * t));
+    const auto report = test.outcome(emptyMap(), shippedOptions().verification);
+    if (!first) {
+      first = report;
+    } else {
+      ASSERT_TRUE(report);
+      EXPECT_EQ(report->impact_speed, first->impact_speed) << t;
+      ++later;
+    }
+  }
+  ASSERT_TRUE(first && first->contact);
+  EXPECT_GT(later, 3);
+}
+
 TEST(EgoTest, ReportsAMissWhenTheTrajectoryHasEnded) {
   EgoTest test = testOf(1.0);
   for (double t = 0.0; t < 3.05; t += 0.1) test.addEgo(standing(kNow + t, 100.0));

@@ -24,6 +24,13 @@ Track upTo(double now, Track track) {
   return track;
 }
 
+/// Whether states that are still to come leave the velocity at that time as it is: the one after it
+/// has its velocity from the next.
+bool isVelocityKnown(const Track& track, double time) {
+  const auto& states = track.states;
+  return states.size() >= 2 && states[states.size() - 2].time >= time;
+}
+
 }  // namespace
 
 EgoTest::EgoTest(AttackerTrajectory trajectory, const CollisionRequest& request,
@@ -70,7 +77,9 @@ std::optional<CollisionReport> EgoTest::outcome(const LaneIndex& lanes,
   }
   const CollisionReport report = verify(trajectory_, {start, driven, request_, lanes}, options);
   const bool ended = ego_.states.back().time >= trajectory_.points.back().time;
-  if (ended || (report.contact && agents_until_ >= report.contact_time)) return report;
+  const bool touched = report.contact && agents_until_ >= report.contact_time &&
+                       isVelocityKnown(ego_, report.contact_time);
+  if (ended || touched) return report;
   return std::nullopt;
 }
 

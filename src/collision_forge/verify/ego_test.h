@@ -24,9 +24,10 @@ class EgoTest {
   /// Everybody else at one time, one state each; who is not usable (isUsable()) is left out.
   void addAgents(const std::vector<Track>& agents);
 
-  /// The verification against what was driven: as soon as the attacker has touched the ego and the
-  /// others are known up to then, or when the trajectory has ended; empty before, and for an ego
-  /// whose first state is later than the trajectory's start.
+  /// The verification against what was driven: as soon as the attacker has touched the ego, the
+  /// others are known up to then and two states of the ego tell its speed then, or when the
+  /// trajectory has ended; empty before, and for an ego whose first state is later than the
+  /// trajectory's start. What comes after that would not change it.
   std::optional<CollisionReport> outcome(const LaneIndex& lanes,
                                          const VerificationOptions& options) const;
 
