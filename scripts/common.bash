@@ -129,7 +129,7 @@ prepare_forge() {
 # prepare_all [OPTION_OF_CMAKE...] -- TARGET...: from a bare machine to these targets, with everything configured.
 prepare_all() {
   local options=()
-  while [[ $1 != -- ]]; do options+=("$1") && shift; done
+  while [[ ${1?prepare_all: no -- before the targets} != -- ]]; do options+=("$1") && shift; done
   shift
   install_packages all
   use_system_python
