@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/network/predicted_scene.h"
 #include "network/sample_network.h"
 
@@ -121,6 +122,29 @@ TEST(NetworkEgoFutures, NeverDriveBackwards) {
     for (const AgentState& state : track.states) {
       EXPECT_GE(state.velocity.dot(state.pose.heading()), -0.1);
     }
+  }
+}
+
+double chanceOf(const PredictedScene& scene, Eigen::Index way, double instant) {
+  double chance = 0.0;
+  for (const EgoComponent& component : scene.egoAfter(instant, std::nullopt)) {
+    if (component.group == way) chance += component.probability;
+  }
+  return chance;
+}
+
+TEST(NetworkEgoFutures, FollowAWayThatHasNoChanceAtTimes) {
+  const Snapshot snapshot = junctionSnapshot();
+  const LaneIndex lanes = lanesOf(snapshot);
+  const auto network = loadPatternNetwork(COLLISION_FORGE_SOURCE_DIR
+                                          "/test/fuzz/cases/weights/way_without_chance.bin");
+  const PredictedScene scene(*network, snapshot, lanes, kHorizon, shippedEgoFutureOptions());
+  ASSERT_GT(chanceOf(scene, 1, 4.0), 0.99);
+  ASSERT_EQ(chanceOf(scene, 1, 5.0), 0.0);
+  const auto tracks = sampled(network, snapshot);
+  ASSERT_EQ(tracks.size(), static_cast<std::size_t>(kCount));
+  for (const Track& track : tracks) {
+    for (const AgentState& state : track.states) EXPECT_TRUE(state.pose.isFinite());
   }
 }
 
