@@ -123,7 +123,7 @@ class StretchedForecast {
     }
     for (std::size_t i = 0; i < driven.size(); ++i) {
       const DistanceTable& table = distributions.tables[i][way];
-      if (table.weight() <= 0.0) continue;  // what the network thinks impossible stays as it is
+      if (table.weight() <= 0.0) continue;  // no chance then: the forecast stays as it is
       const std::vector<double> shares = sharesBelow(driven[i], forecast_.weights);
       for (std::size_t row = 0; row < rows; ++row) {
         gains_[row][i] = table.quantile(shares[row]) - driven[i][row];
