@@ -43,6 +43,7 @@ class PatternNetworkFile : public testing::Test {
   }
 
   std::string complaintAfter(const std::string& from, const std::string& to) const {
+    writePatternWeights(written_, path_);
     std::string text = content();
     const auto at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
@@ -98,6 +99,16 @@ TEST_F(PatternNetworkFile, LayersOfAnotherShapeAreRefused) {
 
 TEST_F(PatternNetworkFile, UnknownHeadsAreRefused) {
   EXPECT_NE(complaintAfter("region_proposal", "region_proposed").find("features.head"),
+            std::string::npos);
+}
+
+TEST_F(PatternNetworkFile, FeaturesOutOfRangeAreRefused) {
+  EXPECT_NE(complaintAfter("\"spacing_exponent\":1.5", "\"spacing_exponent\":1e20")
+                .find("features.spacing_exponent"),
+            std::string::npos);
+  EXPECT_NE(complaintAfter("\"lane_radius\":60", "\"lane_radius\":1e9").find("lane_radius"),
+            std::string::npos);
+  EXPECT_NE(complaintAfter("\"max_ways\":4", "\"max_ways\":257").find("max_ways"),
             std::string::npos);
 }
 

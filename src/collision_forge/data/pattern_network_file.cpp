@@ -15,7 +15,6 @@ namespace forge {
 namespace {
 
 const char* const kFormat = "collision_forge pattern network 1";
-constexpr std::uint64_t kMaxWidth = 4096;  // of a layer; larger is damage
 
 static_assert(sizeof(float) == 4 && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
 
@@ -67,16 +66,33 @@ std::string headerOf(const PatternWeights& weights) {
   return writer.line();
 }
 
-int widthOf(JsonObject& object, const char* key) {
+int boundedCountOf(JsonObject& object, const char* key, int max) {
   const std::uint64_t value = object.count(key);
-  if (value < 1 || value > kMaxWidth) object.fail(key, "is not within 1 to 4096");
+  if (value < 1 || value > static_cast<std::uint64_t>(max)) {
+    object.fail(key, "is not within 1 to " + std::to_string(max));
+  }
   return static_cast<int>(value);
 }
 
-double positiveOf(JsonObject& object, const char* key) {
+int countOf(JsonObject& object, const char* key) {
+  return boundedCountOf(object, key, kMaxFeatureCount);
+}
+
+int widthOf(JsonObject& object, const char* key) {
+  return boundedCountOf(object, key, kMaxLayerWidth);
+}
+
+double numberOf(JsonObject& object, const char* key, double max) {
   const double value = object.number(key);
-  if (!(value > 0.0)) object.fail(key, "is not positive");
+  if (!(value >= kMinFeatureNumber && value <= max)) {
+    object.fail(
+        key, "is not within " + std::to_string(kMinFeatureNumber) + " to " + std::to_string(max));
+  }
   return value;
+}
+
+double lengthOf(JsonObject& object, const char* key) {
+  return numberOf(object, key, kMaxFeatureLength);
 }
 
 PatternFeatureOptions readFeatures(JsonObject object) {
@@ -86,21 +102,21 @@ PatternFeatureOptions readFeatures(JsonObject object) {
   } catch (const std::invalid_argument& error) {
     object.fail("head", error.what());
   }
-  features.history_frames = widthOf(object, "history_frames");
-  features.agent_frames = widthOf(object, "agent_frames");
-  features.max_agents = widthOf(object, "max_agents");
-  features.encoding.lane_radius = positiveOf(object, "lane_radius");
-  features.encoding.max_lanes = widthOf(object, "max_lanes");
-  features.encoding.lane_points = widthOf(object, "lane_points");
-  features.encoding.lane_point_spacing = positiveOf(object, "lane_point_spacing");
-  features.max_ways = widthOf(object, "max_ways");
-  features.way_anchors = widthOf(object, "way_anchors");
-  features.spacing_floor = positiveOf(object, "spacing_floor");
-  features.spacing_rate = positiveOf(object, "spacing_rate");
-  features.spacing_exponent = positiveOf(object, "spacing_exponent");
-  features.target_lanes = widthOf(object, "target_lanes");
-  features.target_points = widthOf(object, "target_points");
-  features.target_spacing = positiveOf(object, "target_spacing");
+  features.history_frames = countOf(object, "history_frames");
+  features.agent_frames = countOf(object, "agent_frames");
+  features.max_agents = countOf(object, "max_agents");
+  features.encoding.lane_radius = lengthOf(object, "lane_radius");
+  features.encoding.max_lanes = countOf(object, "max_lanes");
+  features.encoding.lane_points = countOf(object, "lane_points");
+  features.encoding.lane_point_spacing = lengthOf(object, "lane_point_spacing");
+  features.max_ways = countOf(object, "max_ways");
+  features.way_anchors = countOf(object, "way_anchors");
+  features.spacing_floor = lengthOf(object, "spacing_floor");
+  features.spacing_rate = lengthOf(object, "spacing_rate");
+  features.spacing_exponent = numberOf(object, "spacing_exponent", kMaxSpacingExponent);
+  features.target_lanes = countOf(object, "target_lanes");
+  features.target_points = countOf(object, "target_points");
+  features.target_spacing = lengthOf(object, "target_spacing");
   object.finish();
   return features;
 }

@@ -5,6 +5,17 @@
 #include "collision_forge/config/section.h"
 
 namespace forge {
+namespace {
+
+int countOf(Section& section, const char* key, int min = 1) {
+  return section.count(key, min, kMaxFeatureCount);
+}
+
+double lengthOf(Section& section, const char* key) {
+  return section.within(key, kMinFeatureNumber, kMaxFeatureLength);
+}
+
+}  // namespace
 
 const char* toString(EgoHead head) {
   switch (head) {
@@ -28,10 +39,10 @@ EgoHead egoHeadFromString(const std::string& name) {
 }
 
 void readOptions(Section& section, EncodingOptions& options) {
-  options.lane_radius = section.positive("lane_radius");
-  options.max_lanes = section.count("max_lanes", 1);
-  options.lane_points = section.count("lane_points", 2);
-  options.lane_point_spacing = section.positive("lane_point_spacing");
+  options.lane_radius = lengthOf(section, "lane_radius");
+  options.max_lanes = countOf(section, "max_lanes");
+  options.lane_points = countOf(section, "lane_points", 2);
+  options.lane_point_spacing = lengthOf(section, "lane_point_spacing");
 }
 
 void readOptions(Section& section, PatternFeatureOptions& options, int history_frames) {
@@ -40,22 +51,23 @@ void readOptions(Section& section, PatternFeatureOptions& options, int history_f
                                                   {"regression", EgoHead::kRegression}});
   options.history_frames = history_frames;
   options.agent_frames = section.count("agent_frames", 1, options.history_frames);
-  options.max_agents = section.count("max_agents", 1);
+  options.max_agents = countOf(section, "max_agents");
   readOptions(section, options.encoding);
-  options.max_ways = section.count("max_ways", 1);
-  options.way_anchors = section.count("way_anchors", 3);
-  options.spacing_floor = section.positive("spacing_floor");
-  options.spacing_rate = section.positive("spacing_rate");
-  options.spacing_exponent = section.positive("spacing_exponent");
-  options.target_lanes = section.count("target_lanes", 1);
-  options.target_points = section.count("target_points", 2);
-  options.target_spacing = section.positive("target_spacing");
+  options.max_ways = countOf(section, "max_ways");
+  options.way_anchors = countOf(section, "way_anchors", 3);
+  options.spacing_floor = lengthOf(section, "spacing_floor");
+  options.spacing_rate = lengthOf(section, "spacing_rate");
+  options.spacing_exponent =
+      section.within("spacing_exponent", kMinFeatureNumber, kMaxSpacingExponent);
+  options.target_lanes = countOf(section, "target_lanes");
+  options.target_points = countOf(section, "target_points", 2);
+  options.target_spacing = lengthOf(section, "target_spacing");
 }
 
 void readOptions(Section& section, PatternNetworkOptions& options) {
-  options.hidden = section.count("hidden", 1);
-  options.scene = section.count("scene", 1);
-  options.anchor = section.count("anchor", 1);
+  options.hidden = section.count("hidden", 1, kMaxLayerWidth);
+  options.scene = section.count("scene", 1, kMaxLayerWidth);
+  options.anchor = section.count("anchor", 1, kMaxLayerWidth);
 }
 
 }  // namespace forge

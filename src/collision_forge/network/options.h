@@ -6,6 +6,14 @@ namespace forge {
 
 class Section;
 
+// What a network may be made with, in config/ and in a file of weights alike. Within these its
+// features take little memory, and its anchors are where numbers of 4 bytes reach.
+inline constexpr int kMaxFeatureCount = 256;  ///< of lanes, points, frames, ways, anchors
+inline constexpr int kMaxLayerWidth = 4096;
+inline constexpr double kMinFeatureNumber = 1e-3;
+inline constexpr double kMaxFeatureLength = 1000.0;  ///< m
+inline constexpr double kMaxSpacingExponent = 4.0;
+
 /// Lanes as input of a network: config/encoding.yaml, where each number's unit stands.
 struct EncodingOptions {
   double lane_radius = 0.0;
