@@ -110,6 +110,13 @@ TEST_F(PatternNetworkFile, FeaturesOutOfRangeAreRefused) {
             std::string::npos);
   EXPECT_NE(complaintAfter("\"max_ways\":4", "\"max_ways\":257").find("max_ways"),
             std::string::npos);
+  EXPECT_NE(complaintAfter("\"way_anchors\":9", "\"way_anchors\":2").find("way_anchors"),
+            std::string::npos);
+}
+
+TEST_F(PatternNetworkFile, MoreFramesOfAgentsThanOfHistoryAreRefused) {
+  EXPECT_NE(complaintAfter("\"agent_frames\":8", "\"agent_frames\":9").find("agent_frames"),
+            std::string::npos);
 }
 
 TEST_F(PatternNetworkFile, AbsentIsRefused) {

@@ -306,6 +306,8 @@ TEST_F(SpoiltConfig, NegativeValuesAreRefusedWhereverTheyMakeNoSense) {
 TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
   expectComplaint("prediction.yaml", "history_frames: 8", "history_frames: 0",
                   {"prediction.history_frames", "= 0", "within 1"});
+  expectComplaint("prediction.yaml", "history_frames: 8", "history_frames: 257",
+                  {"prediction.history_frames", "257"});
   expectComplaint("prediction.yaml", "  step: 0.1", "  step: 0.0", {"prediction.step", "0.0"});
   expectComplaint("prediction.yaml", "motion_frames: 4", "motion_frames: 1",
                   {"prediction.motion_frames", "= 1"});

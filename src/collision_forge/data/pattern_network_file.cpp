@@ -66,33 +66,24 @@ std::string headerOf(const PatternWeights& weights) {
   return writer.line();
 }
 
-int boundedCountOf(JsonObject& object, const char* key, int max) {
+int boundedCountOf(JsonObject& object, const char* key, int min, int max) {
   const std::uint64_t value = object.count(key);
-  if (value < 1 || value > static_cast<std::uint64_t>(max)) {
-    object.fail(key, "is not within 1 to " + std::to_string(max));
+  if (value < static_cast<std::uint64_t>(min) || value > static_cast<std::uint64_t>(max)) {
+    object.fail(key, "is not within " + std::to_string(min) + " to " + std::to_string(max));
   }
   return static_cast<int>(value);
 }
 
-int countOf(JsonObject& object, const char* key) {
-  return boundedCountOf(object, key, kMaxFeatureCount);
+int countOf(JsonObject& object, const char* key, int min = 1) {
+  return boundedCountOf(object, key, min, kMaxFeatureCount);
 }
 
 int widthOf(JsonObject& object, const char* key) {
-  return boundedCountOf(object, key, kMaxLayerWidth);
-}
-
-double numberOf(JsonObject& object, const char* key, double max) {
-  const double value = object.number(key);
-  if (!(value >= kMinFeatureNumber && value <= max)) {
-    object.fail(
-        key, "is not within " + std::to_string(kMinFeatureNumber) + " to " + std::to_string(max));
-  }
-  return value;
+  return boundedCountOf(object, key, 1, kMaxLayerWidth);
 }
 
 double lengthOf(JsonObject& object, const char* key) {
-  return numberOf(object, key, kMaxFeatureLength);
+  return object.within(key, kMinFeatureNumber, kMaxFeatureLength);
 }
 
 PatternFeatureOptions readFeatures(JsonObject object) {
@@ -102,20 +93,21 @@ PatternFeatureOptions readFeatures(JsonObject object) {
   } catch (const std::invalid_argument& error) {
     object.fail("head", error.what());
   }
-  features.history_frames = countOf(object, "history_frames");
-  features.agent_frames = countOf(object, "agent_frames");
+  features.history_frames = boundedCountOf(object, "history_frames", 1, kMaxHistoryFrames);
+  features.agent_frames = boundedCountOf(object, "agent_frames", 1, features.history_frames);
   features.max_agents = countOf(object, "max_agents");
   features.encoding.lane_radius = lengthOf(object, "lane_radius");
   features.encoding.max_lanes = countOf(object, "max_lanes");
-  features.encoding.lane_points = countOf(object, "lane_points");
+  features.encoding.lane_points = countOf(object, "lane_points", 2);
   features.encoding.lane_point_spacing = lengthOf(object, "lane_point_spacing");
   features.max_ways = countOf(object, "max_ways");
-  features.way_anchors = countOf(object, "way_anchors");
+  features.way_anchors = countOf(object, "way_anchors", 3);
   features.spacing_floor = lengthOf(object, "spacing_floor");
   features.spacing_rate = lengthOf(object, "spacing_rate");
-  features.spacing_exponent = numberOf(object, "spacing_exponent", kMaxSpacingExponent);
+  features.spacing_exponent =
+      object.within("spacing_exponent", kMinFeatureNumber, kMaxSpacingExponent);
   features.target_lanes = countOf(object, "target_lanes");
-  features.target_points = countOf(object, "target_points");
+  features.target_points = countOf(object, "target_points", 2);
   features.target_spacing = lengthOf(object, "target_spacing");
   object.finish();
   return features;

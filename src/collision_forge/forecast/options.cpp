@@ -5,7 +5,7 @@
 namespace forge {
 
 void readOptions(Section& section, PredictionOptions& options) {
-  options.history_frames = section.count("history_frames", 1);
+  options.history_frames = section.count("history_frames", 1, kMaxHistoryFrames);
   options.min_history_frames = section.count("min_history_frames", 1, options.history_frames);
   options.motion_frames = section.count("motion_frames", 2);
   options.min_tta = section.positive("min_tta");

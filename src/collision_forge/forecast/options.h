@@ -6,6 +6,8 @@ namespace forge {
 
 class Section;
 
+inline constexpr int kMaxHistoryFrames = 256;  ///< 128 s; in config/ and a file of networks alike
+
 /// config/prediction.yaml
 struct PredictionOptions {
   int history_frames = 0;
