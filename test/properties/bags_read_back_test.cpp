@@ -91,8 +91,7 @@ TEST(BagsReadBack, AnAttackedBagHasTheAttackItsRequestAndTheSameVerdict) {
     EXPECT_EQ(requestLine(request), requestLine(scenario.asked));
     EXPECT_EQ(there.request.mode, asked.request.mode);
     expectSameVerdict(read.answer.trajectory, scenario.answer.trajectory, asked);
-    expectSameVerdict(testedReport(read.answer.trajectory, there),
-                      testedReport(scenario.answer.trajectory, asked));
+    expectSameVerdict(read.answer.trajectory, there, scenario.answer.trajectory, asked);
   });
 }
 
@@ -108,7 +107,7 @@ Message messageIn(const McapMessage& read) {
 
 /// Ego and attacker as the messages show them up to the record's end; times from its begin on.
 ReadCrash crashIn(const McapContents& contents, const CrashRecord& written) {
-  ReadCrash read{written.ego, written.attacker};
+  ReadCrash read{written.ego, written.attacker, true};
   read.ego.states.clear();
   read.attacker.states.clear();
   const double begin = written.scenario.asked.now - written.now;
