@@ -2,6 +2,7 @@
 """The whole road, live: a bag is played into the suite (nodelets in one process), and every type of collision is asked
 for in both modes. Answers, topics and injected agents are what forge inject makes of the same bag offline."""
 import math
+import subprocess
 import threading
 import zlib
 
@@ -206,6 +207,29 @@ class JunctionTest(live.WholeRoadTest):
         pid = live.pid_of(live.MANAGER)
         live.kill_node(live.MANAGER)
         self.suite.wait_until_back(live.MANAGER, pid)
+        self.player.connect(self.suite, self.heard)
+        self.check('rear_end', 'history', 4)
+
+    def test_nodelets_that_go_while_the_replay_runs(self):
+        """None takes the manager with it. They are loaded again, and the next replay is answered as before."""
+        pid = live.pid_of(live.MANAGER)
+        gone = threading.Event()
+
+        def play():
+            while not gone.is_set():
+                self.player.restart()
+                self.player.play_to(15.0)
+        player = threading.Thread(target=play)
+        self.addCleanup(player.join)
+        self.addCleanup(gone.set)
+        player.start()
+        for name in live.NODES:
+            subprocess.run(['/usr/bin/rosrun', 'nodelet', 'nodelet', 'unload', '/' + name, '/' + live.MANAGER],
+                           stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, check=True, timeout=live.TIMEOUT)
+            self.suite.wait_until_ready()
+        gone.set()
+        player.join()
+        self.assertEqual(live.pid_of(live.MANAGER), pid)
         self.player.connect(self.suite, self.heard)
         self.check('rear_end', 'history', 4)
 

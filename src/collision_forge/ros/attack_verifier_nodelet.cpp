@@ -1,7 +1,6 @@
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/Attack.h>
 #include <collision_forge/CollisionReport.h>
-#include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -13,6 +12,7 @@
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/ego_poses.h"
 #include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/scene/scene_history.h"
 #include "collision_forge/verify/ego_test.h"
@@ -22,7 +22,7 @@ namespace forge {
 /// Verifies the newest attack against the ego as it comes (/tf) and publishes tested_report: at the
 /// contact, or at the end of the attacker's trajectory when there was none. One whose attacker
 /// reacts goes on being tested when it comes again.
-class AttackVerifierNodelet : public nodelet::Nodelet {
+class AttackVerifierNodelet : public QueuedNodelet {
  private:
   static constexpr double kAhead = 1.0;  // s; agents of a new replay may come before its poses
 
@@ -31,9 +31,8 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     std::vector<Track> agents;
   };
 
-  void onInit() override {
+  void start(ros::NodeHandle node) override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
-    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
     map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     publisher_ = node.advertise<collision_forge::CollisionReport>(names::kTestedReport, 1, true);
     subscribers_ = {
@@ -41,7 +40,6 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
         node.subscribe(names::kAgents, kTopicQueue, &AttackVerifierNodelet::receiveAgents, this)};
     ego_poses_ = std::make_unique<EgoPoses>(node, config_.ego_vehicle.center_offset,
                                             [this](const AgentState& ego) { addEgo(ego); });
-    spinner_.start();
   }
 
   void receiveAttack(const collision_forge::Attack& message) {
@@ -160,7 +158,6 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
     test_.reset();
   }
 
-  ros::CallbackQueue callbacks_;
   Config config_;
   std::unique_ptr<LaneMapSubscriber> map_;
   std::optional<collision_forge::Attack> attack_;
@@ -170,9 +167,10 @@ class AttackVerifierNodelet : public nodelet::Nodelet {
   ros::Publisher publisher_;
   std::vector<ros::Subscriber> subscribers_;
   std::unique_ptr<EgoPoses> ego_poses_;
-  ros::AsyncSpinner spinner_{1, &callbacks_};
 };
+
+using ServedAttackVerifier = Served<AttackVerifierNodelet>;
 
 }  // namespace forge
 
-PLUGINLIB_EXPORT_CLASS(forge::AttackVerifierNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(forge::ServedAttackVerifier, nodelet::Nodelet)

@@ -1,4 +1,3 @@
-#include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -13,16 +12,16 @@
 #include "collision_forge/ros/live_injector.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/object_array.h"
+#include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 
 /// agents -> injected_agents and injected_objects, with the newest attack in them (LiveInjector),
 /// against the ego of /tf.
-class AttackerInjectorNodelet : public nodelet::Nodelet {
+class AttackerInjectorNodelet : public QueuedNodelet {
  private:
-  void onInit() override {
-    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
+  void start(ros::NodeHandle node) override {
     const Config config = loadNodeConfig(getPrivateNodeHandle());
     const auto choose = [this] { return afterContact(); };
     agents_ = node.advertise<collision_forge::AgentArray>(names::kInjectedAgents, kTopicQueue);
@@ -36,7 +35,6 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
     ego_poses_ =
         std::make_unique<EgoPoses>(node, config.ego_vehicle.center_offset,
                                    [this](const AgentState& ego) { injector_->addEgo(ego); });
-    spinner_.start();
   }
 
   void publish(const collision_forge::AgentArray& agents) {
@@ -69,16 +67,16 @@ class AttackerInjectorNodelet : public nodelet::Nodelet {
     }
   }
 
-  ros::CallbackQueue callbacks_;
   std::optional<LiveInjector> injector_;
   ros::Publisher agents_;
   ros::Publisher objects_;
   ros::Subscriber attack_subscriber_;
   ros::Subscriber agents_subscriber_;
   std::unique_ptr<EgoPoses> ego_poses_;
-  ros::AsyncSpinner spinner_{1, &callbacks_};
 };
+
+using ServedAttackerInjector = Served<AttackerInjectorNodelet>;
 
 }  // namespace forge
 
-PLUGINLIB_EXPORT_CLASS(forge::AttackerInjectorNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(forge::ServedAttackerInjector, nodelet::Nodelet)

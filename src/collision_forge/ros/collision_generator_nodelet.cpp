@@ -4,7 +4,6 @@
 #include <collision_forge/GenerateCollisions.h>
 #include <collision_forge/ListCollisions.h>
 #include <nav_msgs/Path.h>
-#include <nodelet/nodelet.h>
 #include <std_srvs/Trigger.h>
 #include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
@@ -23,6 +22,7 @@
 #include "collision_forge/ros/possible_collisions.h"
 #include "collision_forge/ros/report_text.h"
 #include "collision_forge/ros/scene_memory.h"
+#include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/settings/config_fingerprint.h"
 
@@ -32,7 +32,7 @@ namespace forge {
 /// and answers for many types and times at once. An attacker that sees and reacts is driven here,
 /// too. With the private parameter `keep_attack` an attack is tested again when its replay starts
 /// again; without, a new replay begins without it.
-class CollisionGeneratorNodelet : public nodelet::Nodelet {
+class CollisionGeneratorNodelet : public QueuedNodelet {
  private:
   using Request = collision_forge::GenerateCollision::Request;
   using Response = collision_forge::GenerateCollision::Response;
@@ -40,8 +40,7 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   static constexpr double kWatchInterval = 0.5;      // s of the wall clock
   static constexpr std::uint32_t kSceneQueue = 100;  // scenes that may wait for an attacker's look
 
-  void onInit() override {
-    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
+  void start(ros::NodeHandle node) override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
     loadLogged("methods", [&] {
       finder_ = std::make_unique<AttackFinder>(node, getPrivateNodeHandle(), config_);
@@ -68,7 +67,6 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
                            &CollisionGeneratorNodelet::generateEach, this);
     services_.emplace_back(node, names::kListCollisions, &CollisionGeneratorNodelet::list, this);
     services_.emplace_back(node, names::kReset, &CollisionGeneratorNodelet::reset, this);
-    spinner_.start();
   }
 
   /// With its path; where there is none any more, the ego's path goes, too.
@@ -224,7 +222,6 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
     return live_->forget();
   }
 
-  ros::CallbackQueue callbacks_;
   Config config_;
   std::string configuration_;  // its fingerprint
   std::unique_ptr<AttackFinder> finder_;
@@ -237,10 +234,11 @@ class CollisionGeneratorNodelet : public nodelet::Nodelet {
   std::unique_ptr<LiveAttacker> live_;
   ros::Subscriber scene_subscriber_;  // from here on: they call what is above
   ros::WallTimer watch_;
-  ros::AsyncSpinner spinner_{1, &callbacks_};
   std::deque<OwnThreadService> services_;
 };
 
+using ServedCollisionGenerator = Served<CollisionGeneratorNodelet>;
+
 }  // namespace forge
 
-PLUGINLIB_EXPORT_CLASS(forge::CollisionGeneratorNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(forge::ServedCollisionGenerator, nodelet::Nodelet)

@@ -101,15 +101,6 @@ bool answerWith(Response& response, Work work) {
   return true;
 }
 
-/// A nodelet's handle whose callbacks wait in `queue`. The queue is the nodelet's first member.
-/// Behind all that the callbacks use it has a spinner of that queue, which is started at the end of
-/// onInit(). So no callback comes before all is there, and the nodelet goes only after the one that
-/// is at work: when ROS shuts down, roscpp itself does not wait for it.
-inline ros::NodeHandle withQueue(ros::NodeHandle node, ros::CallbackQueue& queue) {
-  node.setCallbackQueue(&queue);
-  return node;
-}
-
 /// A service with a thread of its own: callers are answered one after the other, and a callback may
 /// call other services without holding up what comes by topics.
 class OwnThreadService {

@@ -1,5 +1,4 @@
 #include <collision_forge/PredictPattern.h>
-#include <nodelet/nodelet.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include <optional>
@@ -8,22 +7,21 @@
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 
 /// Answers predict_pattern.
-class PatternPredictorNodelet : public nodelet::Nodelet {
+class PatternPredictorNodelet : public QueuedNodelet {
  private:
-  void onInit() override {
+  void start(ros::NodeHandle node) override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
     predictor_ =
         loadLogged("foresight", [&] { return loadForesight(config_).patterns(config_.attack); });
-    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
     map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     service_ = std::make_unique<OwnThreadService>(node, names::kPredictPattern,
                                                   &PatternPredictorNodelet::answer, this);
-    spinner_.start();
   }
 
   bool answer(collision_forge::PredictPattern::Request& message,
@@ -50,14 +48,14 @@ class PatternPredictorNodelet : public nodelet::Nodelet {
     return prediction.status;
   }
 
-  ros::CallbackQueue callbacks_;
   Config config_;
   std::unique_ptr<const PatternPredictor> predictor_;
   std::unique_ptr<LaneMapSubscriber> map_;
-  ros::AsyncSpinner spinner_{1, &callbacks_};
   std::unique_ptr<OwnThreadService> service_;
 };
 
+using ServedPatternPredictor = Served<PatternPredictorNodelet>;
+
 }  // namespace forge
 
-PLUGINLIB_EXPORT_CLASS(forge::PatternPredictorNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(forge::ServedPatternPredictor, nodelet::Nodelet)

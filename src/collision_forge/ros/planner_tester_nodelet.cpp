@@ -2,7 +2,6 @@
 #include <collision_forge/PlannerOutcome.h>
 #include <collision_forge/TestPlanner.h>
 #include <nav_msgs/Path.h>
-#include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -26,6 +25,7 @@
 #include "collision_forge/ros/paths.h"
 #include "collision_forge/ros/planner_markers.h"
 #include "collision_forge/ros/planner_messages.h"
+#include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/ros/trial_scenarios.h"
 #include "collision_forge/trials/planner_grid.h"
@@ -80,10 +80,9 @@ PolicyKind policyOf(const std::string& name) {
 /// Answers test_planner: drives a planner in closed loop through a generated crash, and shows how
 /// it went. Private parameters: `source`, `version` and `scenarios` for lines of scenario files,
 /// `recording` (a bag) for trajectories, `config_dir`.
-class PlannerTesterNodelet : public nodelet::Nodelet {
+class PlannerTesterNodelet : public QueuedNodelet {
  private:
-  void onInit() override {
-    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
+  void start(ros::NodeHandle node) override {
     const ros::NodeHandle& own = getPrivateNodeHandle();
     config_ = loadNodeConfig(own);
     planners_path_ = nodeConfigFolder(own) + "/planners.yaml";
@@ -98,7 +97,6 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     subscribers_ = {node.subscribe(names::kAttack, 1, &PlannerTesterNodelet::receiveAttack, this)};
     service_ = std::make_unique<OwnThreadService>(node, names::kTestPlanner,
                                                   &PlannerTesterNodelet::answer, this);
-    spinner_.start();
   }
 
   void openSources(const ros::NodeHandle& own) {
@@ -275,7 +273,6 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
     frames_.sendTransform(frame);
   }
 
-  ros::CallbackQueue callbacks_;
   Config config_;
   std::string planners_path_;
   std::string planners_text_;
@@ -290,10 +287,11 @@ class PlannerTesterNodelet : public nodelet::Nodelet {
   ros::Publisher paths_;
   ros::Publisher maps_;
   std::vector<ros::Subscriber> subscribers_;
-  ros::AsyncSpinner spinner_{1, &callbacks_};
   std::unique_ptr<OwnThreadService> service_;
 };
 
+using ServedPlannerTester = Served<PlannerTesterNodelet>;
+
 }  // namespace forge
 
-PLUGINLIB_EXPORT_CLASS(forge::PlannerTesterNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(forge::ServedPlannerTester, nodelet::Nodelet)

@@ -1,6 +1,5 @@
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/EncodedScene.h>
-#include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
 #include <boost/make_shared.hpp>
@@ -14,21 +13,21 @@
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/posed_frames.h"
+#include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/scene/scene_history.h"
 
 namespace forge {
 
 /// agents + lane_map + tf -> encoded_scene, once a frame of agents.
-class SceneEncoderNodelet : public nodelet::Nodelet {
+class SceneEncoderNodelet : public QueuedNodelet {
  private:
   static constexpr int kPublished =
       100;  // scenes that a slow subscriber may lag behind; each is large
 
-  void onInit() override {
+  void start(ros::NodeHandle node) override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
     history_.emplace(config_.attack.prediction.history_frames, config_.ego_vehicle);
-    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
     map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits, [this] { encode(); });
     publisher_ = node.advertise<collision_forge::EncodedScene>(names::kEncodedScene, kPublished);
     subscribers_ = {
@@ -36,7 +35,6 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
         node.subscribe(names::kStaticTf, kTopicQueue, &SceneEncoderNodelet::receiveStaticTransforms,
                        this),
         node.subscribe(names::kAgents, kTopicQueue, &SceneEncoderNodelet::receiveAgents, this)};
-    spinner_.start();
   }
 
   void receiveTransforms(const tf2_msgs::TFMessage& message) {
@@ -110,16 +108,16 @@ class SceneEncoderNodelet : public nodelet::Nodelet {
         boost::make_shared<const collision_forge::EncodedScene>(toMessage(snapshot, encoding)));
   }
 
-  ros::CallbackQueue callbacks_;
   Config config_;
   std::optional<SceneHistory> history_;
   std::unique_ptr<LaneMapSubscriber> map_;
   ros::Publisher publisher_;
   PosedFrames<collision_forge::AgentArray> frames_;
   std::vector<ros::Subscriber> subscribers_;
-  ros::AsyncSpinner spinner_{1, &callbacks_};
 };
+
+using ServedSceneEncoder = Served<SceneEncoderNodelet>;
 
 }  // namespace forge
 
-PLUGINLIB_EXPORT_CLASS(forge::SceneEncoderNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(forge::ServedSceneEncoder, nodelet::Nodelet)

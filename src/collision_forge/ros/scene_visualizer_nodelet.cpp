@@ -1,5 +1,4 @@
 #include <collision_forge/EncodedScene.h>
-#include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -11,18 +10,18 @@
 #include "collision_forge/ros/live_scene.h"
 #include "collision_forge/ros/markers.h"
 #include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 
 /// Shows map, scene and attack in RViz. All but the map is a function of the time, the newest scene
 /// and the attack: it is right again after any jump of the clock.
-class SceneVisualizerNodelet : public nodelet::Nodelet {
+class SceneVisualizerNodelet : public QueuedNodelet {
  private:
   static constexpr double kPictureRate = 20.0;  // Hz, of the wall clock
 
-  void onInit() override {
-    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
+  void start(ros::NodeHandle node) override {
     map_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kMapMarkers, 1, true);
     scene_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kSceneMarkers, 1);
     pattern_markers_ =
@@ -39,7 +38,6 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
     // Of the wall clock: whoever comes while the replay is paused sees the picture, too.
     timer_ = node.createWallTimer(ros::WallDuration(1.0 / kPictureRate),
                                   &SceneVisualizerNodelet::show, this);
-    spinner_.start();
   }
 
   void onMap(const collision_forge::LaneMapConstPtr& map) {
@@ -133,7 +131,6 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
 
   enum class Shown { kNothing, kPlan, kPast, kOutdated };
 
-  ros::CallbackQueue callbacks_;
   ros::Publisher map_markers_;
   ros::Publisher scene_markers_;
   ros::Publisher pattern_markers_;
@@ -146,9 +143,10 @@ class SceneVisualizerNodelet : public nodelet::Nodelet {
   ros::Time patterns_start_;  ///< "now" of the patterns that are shown; zero: none
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer timer_;
-  ros::AsyncSpinner spinner_{1, &callbacks_};
 };
+
+using ServedSceneVisualizer = Served<SceneVisualizerNodelet>;
 
 }  // namespace forge
 
-PLUGINLIB_EXPORT_CLASS(forge::SceneVisualizerNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(forge::ServedSceneVisualizer, nodelet::Nodelet)

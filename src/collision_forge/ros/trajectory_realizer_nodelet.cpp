@@ -1,24 +1,22 @@
 #include <collision_forge/RealizeTrajectory.h>
-#include <nodelet/nodelet.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "collision_forge/attack/realizer.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 
 /// Answers realize_trajectory.
-class TrajectoryRealizerNodelet : public nodelet::Nodelet {
+class TrajectoryRealizerNodelet : public QueuedNodelet {
  private:
-  void onInit() override {
+  void start(ros::NodeHandle node) override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
-    ros::NodeHandle node = withQueue(getNodeHandle(), callbacks_);
     map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     service_ = std::make_unique<OwnThreadService>(node, names::kRealizeTrajectory,
                                                   &TrajectoryRealizerNodelet::answer, this);
-    spinner_.start();
   }
 
   bool answer(collision_forge::RealizeTrajectory::Request& message,
@@ -45,13 +43,13 @@ class TrajectoryRealizerNodelet : public nodelet::Nodelet {
     return realization.status;
   }
 
-  ros::CallbackQueue callbacks_;
   Config config_;
   std::unique_ptr<LaneMapSubscriber> map_;
-  ros::AsyncSpinner spinner_{1, &callbacks_};
   std::unique_ptr<OwnThreadService> service_;
 };
 
+using ServedTrajectoryRealizer = Served<TrajectoryRealizerNodelet>;
+
 }  // namespace forge
 
-PLUGINLIB_EXPORT_CLASS(forge::TrajectoryRealizerNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(forge::ServedTrajectoryRealizer, nodelet::Nodelet)
