@@ -10,7 +10,8 @@ namespace {
 constexpr double kNoWay = 1e-3;  // m; on shorter ways a turn tells no curvature
 
 // How near contacts are that are found on the same poses ...
-constexpr double kExactTime = 1e-3;   // s; they are found to a millimetre
+constexpr double kContact = 1e-3;     // m; a contact is found when boxes are so near
+constexpr double kExactTime = 1e-3;   // s
 constexpr double kExactPlace = 1e-4;  // m, at the same instant
 // ... and on poses that are told from samples.
 constexpr double kSampledTime = 0.1;    // s
@@ -117,7 +118,8 @@ void expectSameCrash(const ReadCrash& read, const CrashRecord& written, const As
     if (state.time < written.now - kClock) continue;
     shown.points.push_back({state.time, state.pose, 0.0, 0.0, 0.0});
   }
-  const auto contact = firstContactTime(shown, read.ego, shown.points.back().time, 1e-3);
+  const auto contact =
+      firstContactTime(shown, read.ego, shown.points.back().time, kContact + kExactPlace);
   ASSERT_EQ(contact.has_value(), written.contact.has_value());
   if (!contact) return;
   EXPECT_NEAR(*contact, *written.contact, written.step + kClock);
