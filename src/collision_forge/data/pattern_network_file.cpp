@@ -98,16 +98,16 @@ PatternFeatureOptions readFeatures(JsonObject object) {
   features.max_agents = countOf(object, "max_agents");
   features.encoding.lane_radius = lengthOf(object, "lane_radius");
   features.encoding.max_lanes = countOf(object, "max_lanes");
-  features.encoding.lane_points = countOf(object, "lane_points", 2);
+  features.encoding.lane_points = countOf(object, "lane_points", kMinPolylinePoints);
   features.encoding.lane_point_spacing = lengthOf(object, "lane_point_spacing");
   features.max_ways = countOf(object, "max_ways");
-  features.way_anchors = countOf(object, "way_anchors", 3);
+  features.way_anchors = countOf(object, "way_anchors", kMinWayAnchors);
   features.spacing_floor = lengthOf(object, "spacing_floor");
   features.spacing_rate = lengthOf(object, "spacing_rate");
   features.spacing_exponent =
       object.within("spacing_exponent", kMinFeatureNumber, kMaxSpacingExponent);
   features.target_lanes = countOf(object, "target_lanes");
-  features.target_points = countOf(object, "target_points", 2);
+  features.target_points = countOf(object, "target_points", kMinPolylinePoints);
   features.target_spacing = lengthOf(object, "target_spacing");
   object.finish();
   return features;

@@ -41,7 +41,7 @@ EgoHead egoHeadFromString(const std::string& name) {
 void readOptions(Section& section, EncodingOptions& options) {
   options.lane_radius = lengthOf(section, "lane_radius");
   options.max_lanes = countOf(section, "max_lanes");
-  options.lane_points = countOf(section, "lane_points", 2);
+  options.lane_points = countOf(section, "lane_points", kMinPolylinePoints);
   options.lane_point_spacing = lengthOf(section, "lane_point_spacing");
 }
 
@@ -54,13 +54,13 @@ void readOptions(Section& section, PatternFeatureOptions& options, int history_f
   options.max_agents = countOf(section, "max_agents");
   readOptions(section, options.encoding);
   options.max_ways = countOf(section, "max_ways");
-  options.way_anchors = countOf(section, "way_anchors", 3);
+  options.way_anchors = countOf(section, "way_anchors", kMinWayAnchors);
   options.spacing_floor = lengthOf(section, "spacing_floor");
   options.spacing_rate = lengthOf(section, "spacing_rate");
   options.spacing_exponent =
       section.within("spacing_exponent", kMinFeatureNumber, kMaxSpacingExponent);
   options.target_lanes = countOf(section, "target_lanes");
-  options.target_points = countOf(section, "target_points", 2);
+  options.target_points = countOf(section, "target_points", kMinPolylinePoints);
   options.target_spacing = lengthOf(section, "target_spacing");
 }
 

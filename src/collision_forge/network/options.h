@@ -9,6 +9,8 @@ class Section;
 // What a network may be made with, in config/ and in a file of weights alike. Within these its
 // features take little memory, and its anchors are where numbers of 4 bytes reach.
 inline constexpr int kMaxFeatureCount = 256;  ///< of agents, lanes, points, ways, anchors
+inline constexpr int kMinPolylinePoints = 2;
+inline constexpr int kMinWayAnchors = 3;
 inline constexpr int kMaxLayerWidth = 4096;
 inline constexpr double kMinFeatureNumber = 1e-3;
 inline constexpr double kMaxFeatureLength = 1000.0;  ///< m
