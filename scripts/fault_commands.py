@@ -5,6 +5,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 DATA = ROOT / 'data' / 'embedded'
+PROFILES = ROOT / 'data' / 'speed_profiles' / 'embedded.csv'
 SCENES = ['scene-0001', 'scene-0007']
 LOGS = ['--dataroot', DATA, '--version', 'v1.0-embedded']
 OVER_RANKS = ('convert', 'dataset', 'evaluate', 'export', 'generate', 'test', 'train', 'tune')
@@ -19,7 +20,8 @@ def inputs(folder):
     """The words that make what commands read, by its path."""
     made = {folder / 'clips': ['dataset', *LOGS, '--scene', *SCENES],
             folder / 'bags': ['convert', *LOGS, '--scene', SCENES[0]]}
-    for name, scenes, stride in (('both', SCENES, '4'), *((scene, [scene], '8') for scene in SCENES)):
+    asked = [('both', SCENES, '4'), ('few', SCENES[:1], '16'), *((scene, [scene], '8') for scene in SCENES)]
+    for name, scenes, stride in asked:
         requests = folder / (name + '_requests.jsonl')
         made[requests] = ['requests', *LOGS, '--scene', *scenes, '--stride', stride, '--tta', '2', '4']
         made[folder / (name + '.jsonl')] = ['generate', *LOGS, '--requests', requests, '--mode', 'replay']
@@ -29,18 +31,32 @@ def inputs(folder):
 def commands(folder):
     """The words of every command but --out and --config, by its name; what they read is in `folder`."""
     asked, answered = ['--requests', folder / 'both_requests.jsonl'], folder / 'both.jsonl'
+    clips = ['--dataroot', DATA, '--collide', folder / 'clips', '--split', 'train']
     return {
         'convert': ['convert', *LOGS],
+        'convert-scenarionet': ['convert', *LOGS, '--to', 'scenarionet'],
+        'compare': ['compare', *clips, '--count', '1', '--methods', 'constant_velocity'],
+        'controls': ['measure', 'controls', *LOGS, '--requests', folder / 'few_requests.jsonl'],
+        'coverage': ['measure', 'coverage', *LOGS, '--now', '8', '--tta', '4'],
         'dataset': inputs(folder)[folder / 'clips'],
         'evaluate': ['evaluate', *LOGS, *asked],
+        'evaluate-clips': ['evaluate', *clips, '--limit', '4'],
         'export': ['export', '--to', 'openscenario', *LOGS, '--scenarios', answered],
+        'export-commonroad': ['export', '--to', 'commonroad', *LOGS, '--scenarios', answered],
+        'export-mcap': ['export', '--to', 'mcap', '--bag', folder / 'bags' / (SCENES[0] + '.bag')],
+        'export-scenarionet': ['export', '--to', 'scenarionet', *LOGS, '--scenarios', answered],
+        'futures': ['measure', 'ego-futures', *LOGS, '--profiles', PROFILES],
         'generate': ['generate', *LOGS, *asked],
+        'generate-clips': ['generate', *LOGS, *asked, '--format', 'csv-collide'],
         'inject': ['inject', '--bag', folder / 'bags' / (SCENES[0] + '.bag'), '--type', 'lane_change', '--tta', '3',
                    '--now', '5'],
         'report': ['report', answered, *LOGS],
         'requests': inputs(folder)[folder / 'both_requests.jsonl'],
-        'speeds': ['speeds', 'fit', '--profiles', ROOT / 'data' / 'speed_profiles' / 'embedded.csv'],
+        'speeds': ['speeds', 'fit', '--profiles', PROFILES],
+        'speeds-collect': ['speeds', 'collect', *LOGS],
         'test': ['test', *LOGS, '--scenarios', answered, '--planners', 'idm'],
+        'test-clips': ['test', *clips, '--planners', 'idm'],
+        'test-until-hit': ['test', *LOGS, '--until-hit', '--tries', '2', '--scene', *SCENES, '--planners', 'idm'],
         'train': ['train', *LOGS],
         'train-generator': ['train', '--generator', 'c_sgan', '--dataroot', DATA, '--collide', folder / 'clips'],
         'train-planner': ['train', '--planner', *LOGS],
