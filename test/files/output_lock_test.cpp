@@ -80,6 +80,17 @@ TEST_F(OutputLockTest, OfAKilledProcessIsTakenOver) {
   EXPECT_EQ(complaintOfFolder(), "");
 }
 
+TEST_F(OutputLockTest, AFileOfThatNameIsLeftAsItIs) {
+  const std::string mine = folder_.write("out.bag.lock", "yarn.lock 1");
+  EXPECT_EQ(
+      complaintOf([&] { return OutputLock::ofFile(file_); }),
+      file_ + ": cannot be written: " + mine + ": is in the way: it is no lock of this program");
+  std::ifstream file(mine);
+  std::string text;
+  std::getline(file, text);
+  EXPECT_EQ(text, "yarn.lock 1");
+}
+
 TEST_F(OutputLockTest, OneProcessOfManyHasIt) {
   constexpr int kProcesses = 8;
   constexpr int kTimes = 500;

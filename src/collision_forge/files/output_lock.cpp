@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -15,12 +17,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// How a lock begins: all of it, unless it is somebody's file of the same name.
+std::string beginOf(const Descriptor& lock) {
+  char bytes[24];
+  const ssize_t count = ::pread(lock.get(), bytes, sizeof(bytes), 0);
+  return {bytes, static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+}
+
 /// As "process 1234".
 std::string holderOf(const Descriptor& lock) {
-  char digits[24];
-  const ssize_t count = ::pread(lock.get(), digits, sizeof(digits), 0);
-  return count > 0 ? "process " + std::string(digits, static_cast<std::size_t>(count))
-                   : "another process";
+  const std::string number = beginOf(lock);
+  return number.empty() ? "another process" : "process " + number;
+}
+
+/// True for what a process left here, too.
+bool isLock(const std::string& begin) {
+  return std::all_of(begin.begin(), begin.end(),
+                     [](unsigned char letter) { return std::isdigit(letter) != 0; });
 }
 
 }  // namespace
@@ -55,8 +68,12 @@ OutputLock::OutputLock(const std::string& output, std::string lock_path)
       if (errno != EWOULDBLOCK) fail();
       throw std::runtime_error(output + ": is being written by " + holderOf(file));
     }
-    // Else who had it before has ended meanwhile, and removed it.
-    if (file.isNamed(lock_path_)) lock_ = std::move(file);
+    if (!file.isNamed(lock_path_)) continue;  // who had it before has ended, and removed it
+    if (!isLock(beginOf(file))) {
+      throw std::runtime_error(output + ": cannot be written: " + lock_path_ +
+                               ": is in the way: it is no lock of this program");
+    }
+    lock_ = std::move(file);
   }
   const std::string number = std::to_string(::getpid());
   // A full disk is told by who writes the output; without the number the lock is as good.

@@ -8,7 +8,8 @@ namespace forge {
 
 /// Keeps other processes from writing the same output, from before the work begins to its end. It
 /// is the lock of a file that holds the number of the process: FOLDER/.lock, or FILE.lock beside a
-/// file. What a killed process leaves is not locked, and is taken over.
+/// file. What a killed process leaves is not locked, and is taken over; another file of that name
+/// is left as it is, and is an error.
 class OutputLock {
  public:
   /// Makes the folder, and removes it again where nothing was written to it. Throws
