@@ -39,6 +39,13 @@ TEST(FingerprintsOf, NameTheBytesOfModels) {
                           {"pattern_network", "fingerprint 85944171f73967e8"}}));
 }
 
+/// What is beyond the limits is left out, and so is not seen.
+TEST(FingerprintsOf, HaveTheLimitsOfInput) {
+  const TemporaryFolder folder;
+  folder.write("input_limits.yaml", "a");
+  EXPECT_EQ(fingerprintsOf({}, folder.path()).count("config/input_limits.yaml"), 1U);
+}
+
 TEST(FingerprintsOf, ChangeWithTheFile) {
   const TemporaryFolder folder;
   folder.write("a.yaml", "x: 1\n");

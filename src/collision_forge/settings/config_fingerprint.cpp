@@ -15,10 +15,10 @@ namespace {
 /// line.
 bool isIndifferent(const std::string& name) {
   static const std::set<std::string> names = {
-      "attacked_bag.yaml",     "drawing.yaml",      "encoding.yaml", "export.yaml",
-      "generators.yaml",       "input_limits.yaml", "live.yaml",     "network_published.yaml",
-      "planner_training.yaml", "ranks.yaml",        "report.yaml",   "requests.yaml",
-      "speed_model_fit.yaml",  "training.yaml",     "tuning.yaml"};
+      "attacked_bag.yaml", "drawing.yaml", "encoding.yaml",          "export.yaml",
+      "generators.yaml",   "live.yaml",    "network_published.yaml", "planner_training.yaml",
+      "ranks.yaml",        "report.yaml",  "requests.yaml",          "speed_model_fit.yaml",
+      "training.yaml",     "tuning.yaml"};
   return names.count(name) > 0 || name.rfind("topics_", 0) == 0;
 }
 
