@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "collision_forge/settings/config.h"
 #include "data/nuscenes_fixture.h"
 
 namespace forge {
@@ -42,6 +44,46 @@ TEST(LogSource, WantedScenesAreInItsOrder) {
               ElementsAre("scene-0001", "scene-0003"));
   EXPECT_EQ(wantedScenes(kEmbedded, {}), readSceneNames(kEmbedded));
   EXPECT_THROW(wantedScenes(kEmbedded, {"scene-9999"}), std::runtime_error);
+}
+
+Config config() { return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config"); }
+
+/// A scene of data/embedded, which has agents.
+NuScenesRecording recorded() {
+  return kEmbedded.format->open(kEmbedded, {{"scene-0001"}, config(), {}, {}})
+      ->recording("scene-0001")
+      .recording;
+}
+
+TEST(LogSource, ARecordingWhoseEgoIsFarAwayIsRefused) {
+  NuScenesRecording recording = recorded();
+  recording.ego_poses[2].translation.y() = -6e4;
+  EXPECT_THAT(errorOf([&] { keepWithin(recording, config(), nullptr); }),
+              testing::AllOf(HasSubstr("scene-0001: ego: states[2].y"), HasSubstr("-50000")));
+}
+
+TEST(LogSource, WhatIsBeyondTheLimitsIsNotInARecording) {
+  NuScenesRecording recording = recorded();
+  const std::string id = recording.frames[0].annotations.at(0).instance;
+  const auto countOf = [&](bool is_it) {
+    std::ptrdiff_t count = 0;
+    for (const NuScenesFrame& frame : recording.frames) {
+      count += std::count_if(
+          frame.annotations.begin(), frame.annotations.end(),
+          [&](const auto& annotation) { return (annotation.instance == id) == is_it; });
+    }
+    return count;
+  };
+  const std::ptrdiff_t others = countOf(false);
+  std::vector<std::string> warnings;
+  keepWithin(recording, config(), &warnings);
+  EXPECT_THAT(warnings, testing::IsEmpty());
+  ASSERT_GT(countOf(true), 1);
+  recording.frames[0].annotations[0].translation.x() = 1e12;
+  keepWithin(recording, config(), &warnings);
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("first: " + id)));
+  EXPECT_EQ(countOf(true), 0);
+  EXPECT_EQ(countOf(false), others);
 }
 
 }  // namespace

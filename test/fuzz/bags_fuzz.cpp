@@ -2,6 +2,7 @@
 
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/foreign_bag.h"
+#include "collision_forge/ros/log_sources.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 
@@ -15,17 +16,17 @@ bool fuzzBags(const std::string& input) {
   const std::string path = folder.write("input.bag", input);
   const Config& config = configuration();
   std::vector<std::string> warnings;
-  const bool is_ours = isTaken("input", [&] {
-    Scene scene = readBag(path, config.ego_vehicle, &warnings);
-    checkScene(scene, config.input_limits, path, &warnings);
+  const bool is_ours = isTaken("input", [&] { readBag(path, config, &warnings); });
+  const bool is_source = isTaken("input", [&] {
+    const LogSource source{path, "", &bagFormat()};
+    source.format->open(source, {{}, config, {}, {}})->read("input");
   });
-  const bool is_attacked = isTaken(path, [&] {
-    const Scenario scenario = readAttack(path, config.ego_vehicle, config.crash);
-    checkTrajectory(scenario.answer.trajectory, config.input_limits, path);
+  const bool is_attacked = isTaken(path, [&] { readAttack(path, config, config.crash); });
+  const bool is_foreign = isTaken(path, [&] {
+    NuScenesRecording recording = readForeignBag(path, mapping, config.ego_vehicle, &warnings);
+    keepWithin(recording, config, &warnings);
   });
-  const bool is_foreign =
-      isTaken(path, [&] { readForeignBag(path, mapping, config.ego_vehicle, &warnings); });
-  return is_ours || is_attacked || is_foreign;
+  return is_ours || is_source || is_attacked || is_foreign;
 }
 
 }  // namespace forge

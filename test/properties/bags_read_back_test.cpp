@@ -59,7 +59,7 @@ class Bags {
 
 /// The recording in a bag, and what was asked for there.
 AskedMoment askedIn(const std::string& bag, const Scenario& read) {
-  IndexedScene indexed{readBag(bag, embeddedConfig().ego_vehicle), nullptr};
+  IndexedScene indexed{readBag(bag, embeddedConfig()), nullptr};
   indexed.lanes = std::make_shared<const LaneIndex>(indexed.scene.map);
   return {std::make_shared<const IndexedScene>(std::move(indexed)), read.asked.now,
           read.asked.request};
@@ -85,7 +85,7 @@ TEST(BagsReadBack, AnAttackedBagHasTheAttackItsRequestAndTheSameVerdict) {
                                                        : AfterContact::kDriveOn;
     SCOPED_TRACE(toString(after));
     const std::string bag = bags.inject(scenario, asked, after);
-    const Scenario read = readAttack(bag, embeddedConfig().ego_vehicle, embeddedConfig().crash);
+    const Scenario read = readAttack(bag, embeddedConfig(), embeddedConfig().crash);
     const AskedMoment there = askedIn(bag, read);
     const SceneRequest request{scenario.asked.scene, there.now, there.request};
     EXPECT_EQ(requestLine(request), requestLine(scenario.asked));

@@ -10,6 +10,7 @@
 #include "collision_forge/ros/bag_writer.h"
 #include "collision_forge/ros/object_array.h"
 #include "collision_forge/ros/ros_bytes.h"
+#include "collision_forge/settings/config.h"
 #include "data/nuscenes_fixture.h"
 
 namespace forge {
@@ -307,9 +308,10 @@ TEST_F(ForeignBagTest, OurOwnBagsComeBack) {
     EXPECT_EQ(other.size, one.size);
     EXPECT_EQ(other.velocity, one.velocity);
   }
-  ASSERT_NE(readLaneMap(own), nullptr);
-  EXPECT_EQ(readLaneMap(own)->lanes.at(0).id, "lane");
-  EXPECT_EQ(readLaneMap(path_), nullptr);
+  const InputLimits limits = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").input_limits;
+  ASSERT_NE(readLaneMap(own, limits), nullptr);
+  EXPECT_EQ(readLaneMap(own, limits)->lanes.at(0).id, "lane");
+  EXPECT_EQ(readLaneMap(path_, limits), nullptr);
 }
 
 /// A car that turned to +y and drives 5 m/s, and something that is rather a truck than a car.

@@ -188,8 +188,8 @@ TEST_F(InjectIntoBagTest, EverybodyMovesLinearlyAndTheAttackerAlongItsTrajectory
 
 TEST_F(InjectIntoBagTest, WhoSeesOnlyRecordedFramesIsShownThem) {
   inject();
-  const Scene before = readBag(in_, config_.ego_vehicle);
-  const Scene after = readBag(out_, config_.ego_vehicle);
+  const Scene before = readBag(in_, config_);
+  const Scene after = readBag(out_, config_);
   EXPECT_EQ(after.frame_times, before.frame_times);
 }
 

@@ -15,16 +15,37 @@
 namespace forge {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 const std::string kEmbedded = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
 
 class LogSourcesTest : public testing::Test {
  protected:
-  void writeBagOf(const std::string& scene) {
+  LoggedScene logged(const std::string& scene) const {
     const LogSource source{kEmbedded, ""};
-    const auto logged = source.format->open(source, {{scene}, config_, {}, {}})->recording(scene);
-    writeBag(folder_.path() + "/" + scene + ".bag", logged.recording, logged.lanes->map());
+    return source.format->open(source, {{scene}, config_, {}, {}})->recording(scene);
+  }
+
+  std::string write(const LoggedScene& logged) const {
+    const std::string path = folder_.path() + "/" + logged.recording.name + ".bag";
+    writeBag(path, logged.recording, logged.lanes->map());
+    return path;
+  }
+
+  void writeBagOf(const std::string& scene) const { write(logged(scene)); }
+
+  /// The warnings go to `warnings`, if it is given.
+  Scene readSource(const std::string& path, std::vector<std::string>* warnings = nullptr) const {
+    const LogSource source = logSourceAt(path, "");
+    const OnWarnings keep = [&](const std::string& /*name*/,
+                                const std::vector<std::string>& found) {
+      if (warnings != nullptr) warnings->insert(warnings->end(), found.begin(), found.end());
+    };
+    return source.format->open(source, {{}, config_, keep, {}})
+        ->read(readSceneNames(source).front())
+        .scene;
   }
 
   const TemporaryFolder folder_;
@@ -69,6 +90,44 @@ TEST_F(LogSourcesTest, ABagAloneIsASource) {
   EXPECT_EQ(reader->read("scene-0001").scene.name, "scene-0001");
   EXPECT_THROW(reader->recording("scene-0001"), std::runtime_error);
   EXPECT_THROW(readSceneNames({"/nowhere", "", &bagFormat()}), BagError);
+}
+
+TEST_F(LogSourcesTest, ABagIsHeldToTheLimitsOfInput) {
+  LoggedScene far = logged("scene-0001");
+  far.recording.ego_poses[3].translation.x() = 1e9;
+  const std::string path = write(far);
+  EXPECT_THAT(errorOf([&] { readSource(path); }),
+              AllOf(HasSubstr(path), HasSubstr("ego: states[3].x = 1000000"),
+                    HasSubstr("outside -50000 to 50000")));
+}
+
+TEST_F(LogSourcesTest, TheMapOfABagIsHeldToThem) {
+  const LoggedScene whole = logged("scene-0001");
+  LaneMap map = whole.lanes->map();
+  map.lanes[0].centerline.back().x = 1e9;
+  const std::string path = folder_.path() + "/map.bag";
+  writeBag(path, whole.recording, map);
+  EXPECT_THAT(
+      errorOf([&] { readSource(path); }),
+      AllOf(HasSubstr(path + ": lane \"" + map.lanes[0].id + "\""), HasSubstr("= 1000000000")));
+}
+
+TEST_F(LogSourcesTest, AgentsOfABagBeyondThemAreLeftOut) {
+  LoggedScene large = logged("scene-0001");
+  ASSERT_FALSE(large.recording.frames[0].annotations.empty());
+  const std::string id = large.recording.frames[0].annotations[0].instance;
+  for (NuScenesFrame& frame : large.recording.frames) {
+    for (NuScenesAnnotation& annotation : frame.annotations) {
+      if (annotation.instance == id) annotation.size.x() = 1e9;
+    }
+  }
+  std::vector<std::string> warnings;
+  const Scene scene = readSource(write(large), &warnings);
+  EXPECT_THAT(warnings, ElementsAre("1 agents whose box is beyond the limits of input left out "
+                                    "(first: " +
+                                    id + ")"));
+  EXPECT_FALSE(scene.agents.empty());
+  for (const Track& agent : scene.agents) EXPECT_NE(agent.id, id);
 }
 
 }  // namespace

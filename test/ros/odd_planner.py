@@ -2,8 +2,8 @@
 """usage: odd_planner.py MODE: an external planner that keeps its speed straight on, well for five ticks, and then as MODE says.
 
 straight: goes on like that. never: is silent. dies: ends without a word. nan, empty, unfilled: answers with a number that is
-none, without points, without orientations. late: names the tick before. stranger: answers another test first, then well.
-From the first tick on, twice: answers that one twice, and deaf: leaves it out when it comes first.
+none, without points, without orientations. far, many: to a place far away, with too many points.
+late: names the tick before. stranger: answers another test first, then well. From the first tick on, twice: answers that one twice, and deaf: leaves it out when it comes first.
 """
 import math
 import os
@@ -50,6 +50,10 @@ def answers(state):
         answer.points[3].pose.position.y = math.nan
     if mode == 'empty':
         answer.points = []
+    if mode == 'far':
+        answer.points[3].pose.position.x = 1e9
+    if mode == 'many':
+        answer.points += 5000 * [answer.points[-1]]
     if mode == 'unfilled':
         answer.points[3].pose.orientation = Quaternion()
     if mode == 'late':

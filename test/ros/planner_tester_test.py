@@ -350,6 +350,12 @@ class PlannerTesterTest(road.RoadTest):
     def test_external_planner_that_forgets_orientations(self):
         self.assert_failed(self.odd('unfilled'), 'error', 'points[3].pose.orientation')
 
+    def test_external_planner_that_plans_to_be_far_away(self):
+        self.assert_failed(self.odd('far'), 'error', 'points[3].x = 1000000000 is outside -50000 to 50000')
+
+    def test_external_planner_without_measure(self):
+        self.assert_failed(self.odd('many'), 'error', 'points: 5041, more than 5000')
+
     def test_external_planner_that_answers_an_older_tick(self):
         self.assert_failed(self.odd('late'), 'late', 'to the tick -0.1')
 

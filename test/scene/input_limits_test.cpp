@@ -196,5 +196,17 @@ TEST(InputLimits, PatternsAreWithinThem) {
               StartsWith("answer: pattern ego.width = 0 is outside"));
 }
 
+TEST(InputLimits, PlansAreFewPointsNearby) {
+  std::vector<TrajectoryPoint> plan(5000);
+  plan[7].pose.x = kNan;
+  EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }), "");
+  plan[3].pose.y = -6e4;
+  EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }),
+            "plan: points[3].y = -60000 is outside -50000 to 50000");
+  plan.emplace_back();
+  EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }),
+            "plan: points: 5001, more than 5000");
+}
+
 }  // namespace
 }  // namespace forge

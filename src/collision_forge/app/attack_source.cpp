@@ -137,11 +137,8 @@ class BagAttacks : public AttackSource {
 
   CrashRecord record(std::size_t index, double history) override {
     const std::string& path = paths_[index];
-    const Scenario scenario = readAttack(path, config_.ego_vehicle, config_.crash);
-    checkTrajectory(scenario.answer.trajectory, config_.input_limits, path);
-    checkPattern(scenario.answer.aim, config_.input_limits, path);
-    IndexedScene indexed{readBag(path, config_.ego_vehicle), nullptr};
-    checkScene(indexed.scene, config_.input_limits, path);
+    const Scenario scenario = readAttack(path, config_, config_.crash);
+    IndexedScene indexed{readBag(path, config_), nullptr};
     indexed.lanes = std::make_shared<LaneIndex>(indexed.scene.map);
     return crashRecord(scenario, numberOf(index), history,
                        {indexed, {}, config_.exports, config_.attack.verification});

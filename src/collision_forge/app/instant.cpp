@@ -20,8 +20,7 @@ double frameTimeOf(const Scene& scene, double now) {
 
 IndexedScene readRecording(const std::string& bag, const Config& config) {
   std::vector<std::string> warnings;
-  IndexedScene recording{readBag(bag, config.ego_vehicle, &warnings), nullptr};
-  checkScene(recording.scene, config.input_limits, bag, &warnings);
+  IndexedScene recording{readBag(bag, config, &warnings), nullptr};
   printWarnings(bag, warnings);
   recording.lanes = std::make_shared<const LaneIndex>(recording.scene.map);
   return recording;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <unordered_set>
 #include <utility>
 
 #include "collision_forge/data/log_fingerprints.h"
@@ -49,6 +50,9 @@ class NuScenesReader : public SceneReader {
 
   LoggedScene recording(const std::string& name) override {
     NuScenesRecording found = root_.readScene(name);
+    std::vector<std::string> warnings;
+    keepWithin(found, reading_.options, &warnings);
+    if (reading_.on_warnings && !warnings.empty()) reading_.on_warnings(name, warnings);
     auto lanes = maps_.at(found.location);
     return {std::move(found), std::move(lanes)};
   }
@@ -105,11 +109,28 @@ std::string LogSource::title() const {
   return (normal.has_filename() ? normal : normal.parent_path()).filename().string();
 }
 
+void keepWithin(NuScenesRecording& recording, const DataOptions& options,
+                std::vector<std::string>* warnings) {
+  Scene scene = toScene(recording, options.ego_vehicle, nullptr);
+  const std::size_t before = scene.agents.size();
+  checkScene(scene, options.input_limits, recording.name, warnings);
+  if (scene.agents.size() == before) return;
+  std::unordered_set<std::string> kept;
+  for (const Track& agent : scene.agents) kept.insert(agent.id);
+  for (NuScenesFrame& frame : recording.frames) {
+    auto& annotations = frame.annotations;
+    annotations.erase(std::remove_if(annotations.begin(), annotations.end(),
+                                     [&](const auto& annotation) {
+                                       return kept.count(annotation.instance) == 0;
+                                     }),
+                      annotations.end());
+  }
+}
+
 IndexedScene flattened(const LoggedScene& logged, const SceneReading& reading) {
   std::vector<std::string> warnings;
   Scene scene =
       toScene(logged.recording, reading.options.ego_vehicle, logged.lanes->sharedMap(), &warnings);
-  checkScene(scene, reading.options.input_limits, scene.name, &warnings);
   if (reading.on_warnings && !warnings.empty()) reading.on_warnings(scene.name, warnings);
   return {std::move(scene), logged.lanes};
 }

@@ -26,7 +26,7 @@ class SceneReader {
 
   /// Of the wanted scenes, in the source's order.
   virtual std::vector<std::string> names() const = 0;
-  /// Throws what is wrong with the scene.
+  /// Within the limits of input. Throws what is wrong with the scene.
   virtual IndexedScene read(const std::string& name) = 0;
   /// The same before it is flattened to the ground; throws also where the source has it flat alone.
   virtual LoggedScene recording(const std::string& name) = 0;
@@ -78,7 +78,12 @@ std::vector<std::string> readSceneNames(const LogSource& source);
 std::vector<std::string> wantedScenes(const LogSource& source,
                                       const std::vector<std::string>& wanted);
 
-/// What read() gives of what recording() gave: on the ground, within the limits of input.
+/// Leaves out instances that are beyond the limits of input as an agent; `warnings`, if given, gets
+/// one line a kind. Throws InputError as checkScene(), naming the recording.
+void keepWithin(NuScenesRecording& recording, const DataOptions& options,
+                std::vector<std::string>* warnings);
+
+/// What read() gives of what recording() gave: on the ground.
 IndexedScene flattened(const LoggedScene& logged, const SceneReading& reading);
 
 /// The folder of the tables: `source.version`, or the only one that there is. Throws NuScenesError

@@ -518,7 +518,9 @@ const LogFormat& scenarioNetFormat() {
 
 LoggedScene readScenarioNet(const std::string& path, const DataOptions& options,
                             std::vector<std::string>* warnings) {
-  return DescriptionReader(path, options, warnings).read();
+  LoggedScene logged = DescriptionReader(path, options, warnings).read();
+  keepWithin(logged.recording, options, warnings);
+  return logged;
 }
 
 }  // namespace forge

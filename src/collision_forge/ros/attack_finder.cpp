@@ -46,9 +46,7 @@ void AttackFinder::loadRecording(const std::string& path) {
   if (path.empty()) return;
   std::vector<std::string> warnings;
   try {
-    Scene recording = readBag(path, config_.ego_vehicle, &warnings);
-    checkScene(recording, config_.input_limits, path, &warnings);
-    recording_ = std::move(recording);
+    recording_ = readBag(path, config_, &warnings);
   } catch (const std::exception& error) {
     ROS_ERROR_STREAM("no replay mode: " << printable(error.what()));
   }

@@ -8,6 +8,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <unordered_map>
@@ -141,10 +142,22 @@ Realization realizationIn(const collision_forge::Attack& message, const std::str
   return answer;
 }
 
-}  // namespace
+/// Stamps are of nanoseconds, times of nuScenes of microseconds. Makes the scene's times the very
+/// numbers that its tables give.
+void roundToMicroseconds(Scene& scene) {
+  const auto round = [](double& time) {
+    time = static_cast<double>(std::llround(time * 1e6)) * 1e-6;
+  };
+  for (double& time : scene.frame_times) round(time);
+  for (AgentState& state : scene.ego.states) round(state.time);
+  deriveVelocities(scene.ego);
+  for (Track& agent : scene.agents) {
+    for (AgentState& state : agent.states) round(state.time);
+  }
+}
 
-Scene readBagAsWritten(const std::string& path, const EgoVehicle& ego,
-                       std::vector<std::string>* warnings) {
+/// As it is written, and not yet held to the limits of input.
+Scene sceneIn(const std::string& path, const EgoVehicle& ego, std::vector<std::string>* warnings) {
   Scene scene = readOpened(path, [&](const rosbag::Bag& bag) {
     SceneBuilder builder(ego);
     const std::vector<std::string> topics = {names::kTf, bagTopic(names::kAgents),
@@ -165,22 +178,37 @@ Scene readBagAsWritten(const std::string& path, const EgoVehicle& ego,
   return scene;
 }
 
-std::shared_ptr<const LaneMap> readLaneMap(const std::string& path) {
-  return readOpened(path, [](const rosbag::Bag& bag) {
-    const auto map = lastOn<collision_forge::LaneMap>(bag, names::kLaneMap);
-    return map ? std::make_shared<const LaneMap>(fromMessage(*map)) : nullptr;
-  });
-}
+}  // namespace
 
-Scene readBag(const std::string& path, const EgoVehicle& ego, std::vector<std::string>* warnings) {
-  Scene scene = readBagAsWritten(path, ego, warnings);
-  std::sort(scene.agents.begin(), scene.agents.end(),
-            [](const Track& one, const Track& other) { return one.id < other.id; });
-  for (Track& agent : scene.agents) deriveVelocities(agent);
+Scene readBagAsWritten(const std::string& path, const DataOptions& options,
+                       std::vector<std::string>* warnings) {
+  Scene scene = sceneIn(path, options.ego_vehicle, warnings);
+  roundToMicroseconds(scene);
+  checkScene(scene, options.input_limits, path, warnings);
   return scene;
 }
 
-Scenario readAttack(const std::string& path, const EgoVehicle& ego, const CrashDefinition& crash) {
+std::shared_ptr<const LaneMap> readLaneMap(const std::string& path, const InputLimits& limits) {
+  const auto map = readOpened(path, [](const rosbag::Bag& bag) {
+    const auto found = lastOn<collision_forge::LaneMap>(bag, names::kLaneMap);
+    return found ? std::make_shared<const LaneMap>(fromMessage(*found)) : nullptr;
+  });
+  if (map) checkMap(*map, limits, path);
+  return map;
+}
+
+Scene readBag(const std::string& path, const DataOptions& options,
+              std::vector<std::string>* warnings) {
+  Scene scene = sceneIn(path, options.ego_vehicle, warnings);
+  std::sort(scene.agents.begin(), scene.agents.end(),
+            [](const Track& one, const Track& other) { return one.id < other.id; });
+  for (Track& agent : scene.agents) deriveVelocities(agent);
+  checkScene(scene, options.input_limits, path, warnings);
+  return scene;
+}
+
+Scenario readAttack(const std::string& path, const DataOptions& options,
+                    const CrashDefinition& crash) {
   Scenario scenario;
   readOpened(path, [&](const rosbag::Bag& bag) {
     const auto attack = requiredOn<collision_forge::Attack>(bag, names::kAttack, path);
@@ -194,8 +222,10 @@ Scenario readAttack(const std::string& path, const EgoVehicle& ego, const CrashD
     scenario.answer = realizationIn(attack, path);
     return 0;
   });
+  checkTrajectory(scenario.answer.trajectory, options.input_limits, path);
+  checkPattern(scenario.answer.aim, options.input_limits, path);
   scenario.asked.scene = std::filesystem::path(path).stem().string();
-  scenario.ego = ego;
+  scenario.ego = options.ego_vehicle;
   return scenario;
 }
 

@@ -26,8 +26,9 @@ class Deadline {
 
 }  // namespace
 
-ExternalPlanner::ExternalPlanner(ros::NodeHandle node, const ExternalOptions& options)
-    : options_(options) {
+ExternalPlanner::ExternalPlanner(ros::NodeHandle node, const ExternalOptions& options,
+                                 const InputLimits& limits)
+    : options_(options), limits_(limits) {
   node.setCallbackQueue(&queue_);
   publisher_ = node.advertise<collision_forge::PlanningState>(names::kPlanningState, 1);
   subscriber_ = node.subscribe(names::kPlannedTrajectory, kQueue, &ExternalPlanner::receive, this,
@@ -93,7 +94,9 @@ std::vector<TrajectoryPoint> ExternalPlanner::plan(const Observation& observatio
                    seconds((answer->header.stamp - state.header.stamp).toSec()) +
                    " from the one asked for");
   }
-  return fromMessage(*answer);
+  std::vector<TrajectoryPoint> plan = fromMessage(*answer);
+  checkPlan(plan, limits_, names::kPlannedTrajectory);
+  return plan;
 }
 
 }  // namespace forge

@@ -10,6 +10,7 @@
 
 #include "collision_forge/planners/options.h"
 #include "collision_forge/planners/planner.h"
+#include "collision_forge/scene/input_limits.h"
 
 namespace forge {
 
@@ -20,7 +21,7 @@ namespace forge {
 /// initialize() begins a new test.
 class ExternalPlanner : public Planner {
  public:
-  ExternalPlanner(ros::NodeHandle node, const ExternalOptions& options);
+  ExternalPlanner(ros::NodeHandle node, const ExternalOptions& options, const InputLimits& limits);
 
   /// Of the tests that follow.
   void setOptions(const ExternalOptions& options) { options_ = options; }
@@ -29,7 +30,8 @@ class ExternalPlanner : public Planner {
   /// planned_trajectory within the time-out.
   void initialize(const DrivingTask& task) override;
   /// Throws PlannerTimeout when no answer comes within the time-out, at once when whoever would
-  /// give it is gone; LatePlan for an answer to another tick; MessageError as fromMessage().
+  /// give it is gone; LatePlan for an answer to another tick; MessageError as fromMessage();
+  /// InputError as checkPlan().
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
 
  private:
@@ -38,6 +40,7 @@ class ExternalPlanner : public Planner {
   void receive(const collision_forge::PlannedTrajectoryConstPtr& answer);
 
   ExternalOptions options_;
+  InputLimits limits_;
   DrivingTask task_;
   std::uint32_t test_ = 0;
   ros::Time first_;                                                 // tick of the test

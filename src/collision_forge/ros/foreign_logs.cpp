@@ -31,6 +31,7 @@ class ForeignLogs : public SceneReader {
     std::vector<std::string> warnings;
     LoggedScene logged;
     logged.recording = readForeignBag(path, how_.mapping, reading_.options.ego_vehicle, &warnings);
+    keepWithin(logged.recording, reading_.options, &warnings);
     if (reading_.on_warnings && !warnings.empty()) reading_.on_warnings(name, warnings);
     logged.lanes = how_.map.empty() ? lanesIn(path) : lanesOfMap();
     logged.recording.location = logged.lanes->map().location;
@@ -42,8 +43,8 @@ class ForeignLogs : public SceneReader {
   }
 
  private:
-  static std::shared_ptr<const LaneIndex> lanesIn(const std::string& path) {
-    const auto map = readLaneMap(path);
+  std::shared_ptr<const LaneIndex> lanesIn(const std::string& path) const {
+    const auto map = readLaneMap(path, reading_.options.input_limits);
     if (map) return std::make_shared<const LaneIndex>(map);
     throw BagError(path + ": no message on " + bagTopic(names::kLaneMap) + "; --map gives the map");
   }

@@ -1,7 +1,6 @@
 #include "collision_forge/ros/log_sources.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
@@ -40,20 +39,6 @@ std::vector<std::string> namesIn(const LogSource& source) {
   return names;
 }
 
-/// Stamps are of nanoseconds, times of nuScenes of microseconds. Makes the scene's times the very
-/// numbers that its tables give.
-void roundToMicroseconds(Scene& scene) {
-  const auto round = [](double& time) {
-    time = static_cast<double>(std::llround(time * 1e6)) * 1e-6;
-  };
-  for (double& time : scene.frame_times) round(time);
-  for (AgentState& state : scene.ego.states) round(state.time);
-  deriveVelocities(scene.ego);
-  for (Track& agent : scene.agents) {
-    for (AgentState& state : agent.states) round(state.time);
-  }
-}
-
 class BagLogs : public SceneReader {
  public:
   BagLogs(const LogSource& source, SceneReading reading)
@@ -65,9 +50,8 @@ class BagLogs : public SceneReader {
 
   IndexedScene read(const std::string& name) override {
     std::vector<std::string> warnings;
-    Scene scene = readBagAsWritten((folder_ / (name + ".bag")).string(),
-                                   reading_.options.ego_vehicle, &warnings);
-    roundToMicroseconds(scene);
+    Scene scene =
+        readBagAsWritten((folder_ / (name + ".bag")).string(), reading_.options, &warnings);
     if (reading_.on_warnings && !warnings.empty()) reading_.on_warnings(name, warnings);
     auto lanes = std::make_shared<const LaneIndex>(scene.map);
     return {std::move(scene), std::move(lanes)};

@@ -89,7 +89,8 @@ class PlannerTesterNodelet : public QueuedNodelet {
     planners_text_ = readText(planners_path_);
     loadLogged("scenarios", [&] { openSources(own); });
     loadLogged("network", [&] { foresight_ = loadForesight(config_); });
-    external_ = std::make_unique<ExternalPlanner>(node, config_.planners.external);
+    external_ =
+        std::make_unique<ExternalPlanner>(node, config_.planners.external, config_.input_limits);
     outcomes_ = node.advertise<collision_forge::PlannerOutcome>(names::kPlannerOutcome, 1, true);
     markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kPlannerMarkers, 1, true);
     paths_ = node.advertise<nav_msgs::Path>(names::kPlannerPath, 1, true);

@@ -49,8 +49,7 @@ TrialScenarios::TrialScenarios(TrialSources sources, const Config& config,
     : sources_(std::move(sources)), config_(config) {
   if (sources_.recording.empty()) return;
   recording_.emplace();
-  recording_->scene = readBag(sources_.recording, config.ego_vehicle, warnings);
-  checkScene(recording_->scene, config.input_limits, sources_.recording, warnings);
+  recording_->scene = readBag(sources_.recording, config, warnings);
   recording_->lanes = std::make_shared<const LaneIndex>(recording_->scene.map);
 }
 

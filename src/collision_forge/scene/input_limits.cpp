@@ -205,6 +205,14 @@ void checkTrajectory(const AttackerTrajectory& trajectory, const InputLimits& li
   }
 }
 
+void checkPlan(const std::vector<TrajectoryPoint>& plan, const InputLimits& limits,
+               const std::string& where) {
+  checkCount(plan.size(), limits.max_points, where + ": points");
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    if (plan[i].pose.isFinite()) check(plan[i].pose, limits, element(where + ": points", i));
+  }
+}
+
 void checkPattern(const CollisionPattern& pattern, const InputLimits& limits,
                   const std::string& where) {
   const std::string name = where + ": pattern ";

@@ -60,6 +60,11 @@ void checkFuture(Future& future, const InputLimits& limits, const std::string& w
 void checkTrajectory(const AttackerTrajectory& trajectory, const InputLimits& limits,
                      const std::string& where);
 
+/// A planner's plan: number and places of its points. Whether they are finite is left to whoever
+/// judges the plan.
+void checkPlan(const std::vector<TrajectoryPoint>& plan, const InputLimits& limits,
+               const std::string& where);
+
 void checkPattern(const CollisionPattern& pattern, const InputLimits& limits,
                   const std::string& where);
 
