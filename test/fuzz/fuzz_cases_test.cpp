@@ -7,10 +7,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <random>
 #include <stdexcept>
 
+#include "collision_forge/data/pattern_network_file.h"
+#include "collision_forge/data/request_file.h"
+#include "collision_forge/data/scenario_file.h"
 #include "fuzz/mutation.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
@@ -41,6 +45,39 @@ std::string findingIn(const FuzzTarget& target, const std::string& input) {
   return "";
 }
 
+std::string pathOfCase(const std::string& name) {
+  return COLLISION_FORGE_SOURCE_DIR "/test/fuzz/cases/" + name;
+}
+
+std::vector<SceneRequest> readRequestCase(const std::string& name) {
+  return readRequests(pathOfCase(name), {"scene-0001"});
+}
+
+Scenario readScenarioCase(const std::string& name) {
+  return readScenarioLine(name, bytesOf(pathOfCase(name)), configuration().input_limits);
+}
+
+void readWeightsCase(const std::string& name) { loadPatternNetwork(pathOfCase(name)); }
+
+/// A case that is refused, and the field and the value that must be why.
+struct RefusedCase {
+  const char* name;
+  std::function<void(const std::string& name)> read;
+  const char* words;
+};
+
+const RefusedCase kRefusedCases[] = {
+    {"requests/zero_in_a_name", readRequestCase,
+     R"(field mano\u0000uvre = "cut_in" is an unknown field)"},
+    {"scenarios/length_1e7.jsonl", readScenarioCase,
+     "field attacker.length = 10000000.0 is outside"},
+    {"scenarios/length_1e9.jsonl", readScenarioCase,
+     "field attacker.length = 1000000000.0 is outside"},
+    {"scenarios/t_1e9.jsonl", readScenarioCase,
+     "field attacker.trajectory[1].t = 1000000000.0 is outside"},
+    {"weights/steep_spacing.bin", readWeightsCase,
+     "field features.spacing_exponent = 118446744073709550000.0 is outside"}};
+
 class FuzzTargets : public testing::TestWithParam<FuzzTarget> {};
 
 INSTANTIATE_TEST_SUITE_P(All, FuzzTargets, testing::ValuesIn(kFuzzTargets),
@@ -67,6 +104,23 @@ TEST(FuzzCases, AreTakenOrRefused) {
     }
   }
   EXPECT_GT(count, 0u);
+}
+
+TEST(FuzzCases, AreRefusedForTheirDefectAndNothingBeforeIt) {
+  for (const auto& [name, read, words] : kRefusedCases) {
+    try {
+      read(name);
+      ADD_FAILURE() << name << " is taken";
+    } catch (const std::runtime_error& error) {
+      EXPECT_THAT(error.what(), HasSubstr(words)) << name;
+    }
+  }
+}
+
+/// 1e-349 is nearer to 0 than to the least number above it, 4.9e-324.
+TEST(FuzzCases, NumbersOfHundredsOfZerosAreRead) {
+  EXPECT_EQ(readRequestCase("requests/short_number.jsonl").at(0).request.tta, 0.0);
+  EXPECT_EQ(readScenarioCase("scenarios/short_number_1.jsonl").asked.request.tta, 0.0);
 }
 
 TEST_P(FuzzTargets, FindNothingInMutants) {
