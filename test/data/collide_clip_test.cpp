@@ -213,6 +213,20 @@ TEST(CollideClip, RowErrorsNameLineColumnAndValue) {
   EXPECT_THAT(complaintAfter("aaaa,", ","), HasSubstr("line 2: TRACK_ID = \"\" is empty"));
 }
 
+TEST(CollideClip, LinesAreNoLongerThanTheLimit) {
+  const TemporaryFolder folder;
+  InputLimits limits = shippedLimits();
+  limits.max_line = 100;
+  EXPECT_NO_THROW(readCollideClip(folder.write(kName, smallFile()), limits));
+  const std::string path = folder.write(kName, smallFile() + std::string(101, ',') + "\n");
+  try {
+    readCollideClip(path, limits);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), path + ": line 32: length = 101 bytes is more than max_line = 100");
+  }
+}
+
 TEST(CollideClip, TimestampsMustIncreaseAndAgree) {
   EXPECT_THAT(complaintAfter("aaaa,1542800668698393", "aaaa,1542800668198393"),
               HasSubstr("line 3: TIMESTAMP = \"1542800668198393\" is not after"));

@@ -35,12 +35,22 @@ TEST(JsonLine, TellsWhichKeysAreThere) {
   EXPECT_FALSE(object.has("b"));
   EXPECT_FALSE(object.textOrNull("a"));
   EXPECT_FALSE(object.has("a")) << "it has been read";
-  EXPECT_FALSE(object.objectsOrNull("n"));
-  auto list = object.objectsOrNull("l");
+  EXPECT_FALSE(object.objectsOrNull("n", 1));
+  auto list = object.objectsOrNull("l", 1);
   ASSERT_TRUE(list);
   EXPECT_EQ(list->at(0).number("y"), 2.0);
-  EXPECT_THAT(complaintOf(R"({"l":1})", [](JsonObject& other) { other.objectsOrNull("l"); }),
+  EXPECT_THAT(complaintOf(R"({"l":1})", [](JsonObject& other) { other.objectsOrNull("l", 1); }),
               HasSubstr("l = 1 is not an array"));
+}
+
+TEST(JsonLine, ListsAreCountedBeforeTheyAreLookedAt) {
+  EXPECT_EQ(complaintOf(R"({"l":[{},{}]})", [](JsonObject& object) { object.objects("l", 2); }),
+            "");
+  const std::string three = R"({"l":[1,{},{}]})";
+  const auto problem = HasSubstr("field l = [...] has 3 elements, more than 2");
+  EXPECT_THAT(complaintOf(three, [](JsonObject& object) { object.objects("l", 2); }), problem);
+  EXPECT_THAT(complaintOf(three, [](JsonObject& object) { object.objectsOrNull("l", 2); }),
+              problem);
 }
 
 TEST(JsonLine, ReadsEveryKind) {
@@ -56,7 +66,7 @@ TEST(JsonLine, ReadsEveryKind) {
   JsonObject inner = object.object("o");
   EXPECT_EQ(inner.number("x"), 1.0);
   inner.finish();
-  std::vector<JsonObject> list = object.objects("l");
+  std::vector<JsonObject> list = object.objects("l", 2);
   ASSERT_EQ(list.size(), 2u);
   EXPECT_EQ(list[1].number("y"), 3.0);
   EXPECT_FALSE(object.textOrNull("z"));
@@ -76,7 +86,7 @@ TEST(JsonLine, WrongKindsNameWhereFieldAndValue) {
   EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.flag("a"); }), at);
   EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.object("a"); }), at);
   EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.objectOrNull("a"); }), at);
-  EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.objects("a"); }), at);
+  EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.objects("a", 9); }), at);
   EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.numbers("a"); }), at);
   EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.texts("a"); }), at);
   const std::string mixed = R"({"a":[1,"x"]})";
@@ -113,7 +123,7 @@ TEST(JsonLine, MissingUnknownAndDoubleFieldsAreNamed) {
   EXPECT_THAT(complaintOf(R"({"o":{"x":1,"x":2}})", [](JsonObject& object) { object.object("o"); }),
               HasSubstr("field o.x"));
   EXPECT_THAT(complaintOf(R"({"l":[{},{"y":"?"}]})",
-                          [](JsonObject& object) { object.objects("l")[1].number("y"); }),
+                          [](JsonObject& object) { object.objects("l", 2)[1].number("y"); }),
               HasSubstr("field l[1].y = \"?\""));
 }
 

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "data/nuscenes_fixture.h"
+#include "scene/shipped_limits.h"
 
 namespace forge {
 namespace {
@@ -37,7 +40,7 @@ std::string complaintAbout(std::string line, const std::string& from, const std:
 
 std::string complaintAboutFile(const std::string& path) {
   try {
-    readRequests(path, {"scene-0001"});
+    readRequests(path, {"scene-0001"}, shippedLimits());
   } catch (const JsonLineError& error) {
     return error.what();
   }
@@ -125,13 +128,24 @@ TEST(RequestFile, MalformedFieldsAreNamed) {
   EXPECT_THAT(complaintAbout(kLine, "\"seed\"", "\"choice\":\"none\",\"seed\""), field("choice"));
 }
 
+TEST(RequestFile, LinesAreNoLongerThanTheLimit) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() + "/requests.jsonl";
+  writeRequests(path, {request(), request()});
+  InputLimits limits;
+  limits.max_line = static_cast<int>(requestLine(request()).size());
+  EXPECT_EQ(readRequests(path, {"scene-0001"}, limits).size(), 2u);
+  std::ofstream(path, std::ios::app) << requestLine(request()) << " ";
+  EXPECT_THROW(readRequests(path, {"scene-0001"}, limits), InputError);
+}
+
 TEST(RequestFile, AFileIsReadAsItWasWritten) {
   const TemporaryFolder folder;
   const std::string path = folder.path() + "/requests.jsonl";
   SceneRequest second = request();
   second.request.attacker.reset();
   writeRequests(path, {request(), second});
-  const auto read = readRequests(path, {"scene-0001"});
+  const auto read = readRequests(path, {"scene-0001"}, shippedLimits());
   ASSERT_EQ(read.size(), 2u);
   EXPECT_EQ(requestLine(read[0]), kLine);
   EXPECT_EQ(requestLine(read[1]), requestLine(second));

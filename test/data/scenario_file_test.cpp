@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_forge/attack/request_check.h"
 #include "data/nuscenes_fixture.h"
 #include "scene/shipped_limits.h"
 
@@ -340,6 +341,38 @@ TEST(ScenarioFile, TrajectoriesHaveOneToAsManyPointsAsTheLimitsHave) {
               HasSubstr("attacker.trajectory = [...] has 5001 elements, more than 5000"));
   points.pop_back();
   EXPECT_EQ(complaintAbout(scenarioLine(scenario), "", ""), "");
+}
+
+TEST(ScenarioFile, LinesAreNoLongerThanTheLimit) {
+  const std::string line = scenarioLine(attack());
+  InputLimits limits = shippedLimits();
+  limits.max_line = static_cast<int>(line.size());
+  EXPECT_NO_THROW(readScenarioLine("here", line, limits));
+  --limits.max_line;
+  try {
+    readScenarioLine("here", line, limits);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(),
+              "here: length = " + std::to_string(line.size()) +
+                  " bytes is more than max_line = " + std::to_string(limits.max_line));
+  }
+}
+
+/// As many as may be asked for, by vehicles with as long a past as may be.
+TEST(ScenarioFile, TheLimitOfLinesLeavesRoomForAllAttacksWithTheirPasts) {
+  Scenario scenario = addedAttack();
+  AttackerTrajectory& trajectory = scenario.answer.trajectory;
+  const int max_points = shippedLimits().max_points;
+  trajectory.past.clear();
+  for (int i = max_points; i > 0; --i) {
+    const Pose2 pose{30000.0 / 7.0 + i, 40000.0 / 7.0, 1.0 / 3.0};
+    trajectory.past.push_back({kNow - 0.1 * i, pose, 9.123456 * pose.heading()});
+  }
+  scenario.asked.request.alternatives = kMaxAlternatives;
+  scenario.answer.alternatives.assign(kMaxAlternatives - 1, scenario.answer);
+  const std::string line = scenarioLine(scenario);
+  EXPECT_NO_THROW(readScenarioLine("here", line, shippedLimits()));
 }
 
 TEST(ScenarioFile, NumbersThatAreNoneAreNotWritten) {

@@ -50,7 +50,7 @@ std::string pathOfCase(const std::string& name) {
 }
 
 std::vector<SceneRequest> readRequestCase(const std::string& name) {
-  return readRequests(pathOfCase(name), {"scene-0001"});
+  return readRequests(pathOfCase(name), {"scene-0001"}, configuration().input_limits);
 }
 
 Scenario readScenarioCase(const std::string& name) {

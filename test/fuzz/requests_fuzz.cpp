@@ -10,7 +10,8 @@ bool fuzzRequests(const std::string& input) {
   const std::string path = folder.write("requests.jsonl", input);
   return isTaken(path, [&] {
     const CrashDefinition& crash = configuration().crash;
-    for (const SceneRequest& request : readRequests(path, {"scene-0001"}, crash)) {
+    for (const SceneRequest& request :
+         readRequests(path, {"scene-0001"}, configuration().input_limits, crash)) {
       const std::string line = requestLine(request, crash);
       requireSame(line, requestLine(readRequestLine(path, line, crash), crash));
     }

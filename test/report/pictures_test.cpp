@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "data/nuscenes_fixture.h"
+#include "scene/shipped_limits.h"
 
 namespace forge {
 namespace {
@@ -32,7 +33,8 @@ TEST(PicturesBeside, AreFoundByTheirRankAmongTheHits) {
   folder.write("worst/idm_fixed_1.gif", "");
   folder.write("worst/idm_fixed_1.png", "");
   folder.write("worst/idm_fixed_2.png", "");
-  const auto pictures = picturesBeside(folder.path() + "/results.jsonl", {hit(1), hit(2), hit(3)});
+  const auto pictures =
+      picturesBeside(folder.path() + "/results.jsonl", {hit(1), hit(2), hit(3)}, shippedLimits());
   ASSERT_EQ(pictures.at({"case:3", "idm"}).size(), 1u);
   EXPECT_THAT(pictures.at({"case:3", "idm"})[0].path, EndsWith("worst/idm_fixed_1.gif"));
   EXPECT_THAT(pictures.at({"case:2", "idm"})[0].path, EndsWith("worst/idm_fixed_2.png"));
@@ -45,7 +47,8 @@ TEST(PicturesBeside, AreBesideTheResultsAlone) {
   folder.write("secret_fixed_1.png", "");
   PlannerTestResult stranger = hit(1);
   stranger.rows.front().planner = "../../secret";
-  EXPECT_TRUE(picturesBeside(folder.path() + "/out/results.jsonl", {stranger}).empty());
+  EXPECT_TRUE(
+      picturesBeside(folder.path() + "/out/results.jsonl", {stranger}, shippedLimits()).empty());
 }
 
 TEST(PicturesBeside, OfAWeaknessShowHitAndEscape) {
@@ -54,14 +57,14 @@ TEST(PicturesBeside, OfAWeaknessShowHitAndEscape) {
   folder.write("witnesses.jsonl", R"({"name":"case:1","planner":"idm","policy":"fixed"})");
   folder.write("weaknesses/1.gif", "");
   folder.write("weaknesses/1_escape.gif", "");
-  const auto pictures = picturesBeside(folder.path() + "/results.jsonl", {hit(1)});
+  const auto pictures = picturesBeside(folder.path() + "/results.jsonl", {hit(1)}, shippedLimits());
   ASSERT_EQ(pictures.at({"case:1", "idm"}).size(), 2u);
   EXPECT_THAT(pictures.at({"case:1", "idm"})[1].path, EndsWith("weaknesses/1_escape.gif"));
 }
 
 TEST(PicturesBeside, WithoutAnyThereAreNone) {
   const TemporaryFolder folder;
-  EXPECT_TRUE(picturesBeside(folder.path() + "/results.jsonl", {hit(1)}).empty());
+  EXPECT_TRUE(picturesBeside(folder.path() + "/results.jsonl", {hit(1)}, shippedLimits()).empty());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "collision_forge/data/json_line.h"
 #include "data/nuscenes_fixture.h"
+#include "scene/shipped_limits.h"
 
 namespace forge {
 namespace {
@@ -21,8 +22,8 @@ TEST(WeaknessFiles, ACaseThatHitsTwoPlannersIsOneScenario) {
   const TemporaryFolder folder;
   folder.write("witnesses.jsonl", line("b", "idm", "fixed") + line("a", "idm", "fixed") +
                                       line("b", "pdm", "adaptive"));
-  EXPECT_THAT(weaknessCases(folder.path()), ElementsAre("b", "a"));
-  const auto hits = readWitnessedHits(folder.path());
+  EXPECT_THAT(weaknessCases(folder.path(), shippedLimits()), ElementsAre("b", "a"));
+  const auto hits = readWitnessedHits(folder.path(), shippedLimits());
   ASSERT_EQ(hits.size(), 3u);
   EXPECT_EQ(hits[2].name, "b");
   EXPECT_EQ(hits[2].row, "pdm against adaptive");
@@ -30,14 +31,27 @@ TEST(WeaknessFiles, ACaseThatHitsTwoPlannersIsOneScenario) {
 
 TEST(WeaknessFiles, AFolderWithoutAnyHasNone) {
   const TemporaryFolder folder;
-  EXPECT_THAT(weaknessCases(folder.path()), IsEmpty());
+  EXPECT_THAT(weaknessCases(folder.path(), shippedLimits()), IsEmpty());
+}
+
+TEST(WeaknessFiles, LinesAreNoLongerThanTheLimit) {
+  const TemporaryFolder folder;
+  folder.write("witnesses.jsonl", line("a", "idm", "fixed") + line("ab", "idm", "fixed"));
+  InputLimits limits;
+  limits.max_line = static_cast<int>(line("a", "idm", "fixed").size()) - 1;
+  try {
+    readWitnessedHits(folder.path(), limits);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("witnesses.jsonl: line 2: length = "));
+  }
 }
 
 TEST(WeaknessFiles, NamesTheLineThatIsWrong) {
   const TemporaryFolder folder;
   folder.write("witnesses.jsonl", line("a", "idm", "fixed") + line("a", "idm", "kind"));
   try {
-    readWitnessedHits(folder.path());
+    readWitnessedHits(folder.path(), shippedLimits());
     FAIL();
   } catch (const JsonLineError& error) {
     EXPECT_THAT(error.what(), HasSubstr("witnesses.jsonl: line 2"));

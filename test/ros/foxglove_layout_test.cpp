@@ -22,7 +22,7 @@ TEST(FoxgloveLayout, ArrangesAPanelOfTheSceneAndOneOfTheSpeeds) {
   EXPECT_EQ(scene.text("followTf"), names::kBaseFrame);
   JsonObject plot = panels.object(layout.text("second").c_str());
   std::vector<std::string> paths;
-  for (JsonObject& path : plot.objects("paths")) paths.push_back(path.text("value"));
+  for (JsonObject& path : plot.objects("paths", 100)) paths.push_back(path.text("value"));
   EXPECT_EQ(paths, (std::vector<std::string>{bagTopic(names::kEgoSpeed) + ".data",
                                              bagTopic(names::kAttackerSpeed) + ".data"}));
 }

@@ -231,6 +231,7 @@ class PlannerTesterTest(road.RoadTest):
         for code, scenario, word in (('UNREADABLE', line.replace('"version":5', '"version":7'), 'version'),
                                      ('UNREADABLE', line.replace(scene, 'scene-9999'), 'scene-9999'),
                                      ('UNREADABLE', line[:100], 'scenario'),
+                                     ('UNREADABLE', line + 16000000 * ' ', 'scenario: length = 160'),
                                      ('NO_SCENE', line.replace('"now":16', '"now":17'), 'frame'),
                                      ('NO_SCENARIO', '0', '1 to {}'.format(len(self.lines))),
                                      ('NO_SCENARIO', str(len(self.lines) + 1), '1 to {}'.format(len(self.lines))),

@@ -332,6 +332,8 @@ TEST_F(SpoiltConfig, ZeroIsRefusedWhereADivisionOrACountNeedsMore) {
   expectComplaint("input_limits.yaml", "max_box: 50.0", "max_box: 0.05", {"input_limits.max_box"});
   expectComplaint("input_limits.yaml", "max_points: 5000", "max_points: 1",
                   {"input_limits.max_points"});
+  expectComplaint("input_limits.yaml", "max_line: 16000000", "max_line: 0",
+                  {"input_limits.max_line"});
   expectComplaint("requests.yaml", "[2.0,", "[-2.0,", {"requests.ttas", "-2.0"});
   expectComplaint("requests.yaml", "speed: 2.0", "speed: -1", {"requests.min_ego_speed", "-1"});
   expectComplaint("evaluation.yaml", "resamples: 1000", "resamples: 0",

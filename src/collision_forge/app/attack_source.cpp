@@ -8,6 +8,7 @@
 
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
+#include "collision_forge/data/input_line.h"
 #include "collision_forge/data/nuscenes_map_layers.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/files/fingerprint.h"
@@ -63,7 +64,7 @@ AttackLines readAttacks(const std::string& path, const InputLimits& limits) {
   AttackLines found;
   found.path = path;
   std::set<std::string> seen;
-  for (std::string text; std::getline(file, text);) {
+  for (std::string text; readInputLine(file, text, found.where(found.scenarios + 1), limits);) {
     found.fingerprint = fingerprint(text, found.fingerprint);
     const Scenario scenario = readScenarioLine(found.where(++found.scenarios), text, limits);
     if (scenario.answer.status.code != StatusCode::kOk) continue;

@@ -34,7 +34,7 @@ struct WantedRequests {
   std::vector<std::string> scenes;
 };
 
-WantedRequests readWanted(const EvaluationArguments& arguments, const CrashDefinition& crash) {
+WantedRequests readWanted(const EvaluationArguments& arguments, const Config& config) {
   const auto names = readSceneNames(arguments.logs);
   const std::set<std::string> known(names.begin(), names.end());
   const auto chosen = wantedScenes(arguments.logs, arguments.scenes);
@@ -42,7 +42,8 @@ WantedRequests readWanted(const EvaluationArguments& arguments, const CrashDefin
   WantedRequests wanted;
   std::set<std::string> seen;
   std::size_t line = 0;
-  for (SceneRequest& request : readRequests(arguments.requests, known, crash)) {
+  for (SceneRequest& request :
+       readRequests(arguments.requests, known, config.input_limits, config.crash)) {
     ++line;
     if (scenes.count(request.scene) == 0) continue;
     if (seen.insert(request.scene).second) wanted.scenes.push_back(request.scene);
@@ -199,7 +200,7 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   const Config config = loadRunConfig(arguments.config);
   const bool is_master = isMaster();
   const EvaluationPlan plan = planOf(arguments, config);
-  const WantedRequests wanted = readWanted(arguments, config.crash);
+  const WantedRequests wanted = readWanted(arguments, config);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   SceneSource scenes(arguments.logs, wanted.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,

@@ -14,6 +14,7 @@
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/batch/run.h"
 #include "collision_forge/data/collide_export.h"
+#include "collision_forge/data/input_line.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/study/request_answerer.h"
@@ -60,10 +61,11 @@ struct RequestList {
   std::vector<std::string> scenes;
 };
 
-RequestList readList(const Arguments& arguments, const CrashDefinition& crash) {
+RequestList readList(const Arguments& arguments, const Config& config) {
   const auto names = readSceneNames(arguments.logs);
   RequestList list;
-  list.requests = readRequests(arguments.requests, {names.begin(), names.end()}, crash);
+  list.requests = readRequests(arguments.requests, {names.begin(), names.end()},
+                               config.input_limits, config.crash);
   std::set<std::string> seen;
   for (SceneRequest& request : list.requests) {
     request.request.mode = arguments.mode;
@@ -113,9 +115,9 @@ void exportClips(const Arguments& arguments, std::size_t count, SceneSource& sce
   ProgressLine progress("clips");
   std::ifstream file(path);
   int index = 0;
-  for (std::string line; std::getline(file, line); ++index) {
-    const Scenario scenario =
-        readScenarioLine(path + ": line " + std::to_string(index + 1), line, limits);
+  const auto where = [&] { return path + ": line " + std::to_string(index + 1); };
+  for (std::string line; readInputLine(file, line, where(), limits); ++index) {
+    const Scenario scenario = readScenarioLine(where(), line, limits);
     if (scenario.answer.status.code == StatusCode::kOk) {
       exporter.add(scenario, scenes.at(scenario.asked.scene)->scene, index);
     }
@@ -128,7 +130,7 @@ void exportClips(const Arguments& arguments, std::size_t count, SceneSource& sce
 int generate(const Arguments& arguments) {
   const Config config = loadRunConfig(arguments.config);
   const bool is_master = isMaster();
-  const RequestList list = readList(arguments, config.crash);
+  const RequestList list = readList(arguments, config);
   const OutputLocks locks = lockOutputs(arguments);
   if (is_master && arguments.format == Format::kCsvCollide) checkFolder(arguments);
   SceneSource scenes(arguments.logs, list.scenes, config,

@@ -35,8 +35,8 @@ struct QuestionsOfList {
 
 QuestionsOfList readQuestions(const Arguments& arguments, const Config& config) {
   const auto names = readSceneNames(arguments.logs);
-  const std::vector<SceneRequest> requests =
-      readRequests(arguments.requests, {names.begin(), names.end()}, config.crash);
+  const std::vector<SceneRequest> requests = readRequests(
+      arguments.requests, {names.begin(), names.end()}, config.input_limits, config.crash);
   QuestionsOfList list;
   list.fingerprint = fingerprintOf(requests);
   std::set<std::string> seen;

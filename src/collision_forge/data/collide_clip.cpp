@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "collision_forge/data/input_line.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/scene/scene.h"
 
@@ -154,6 +155,9 @@ class RowReader {
   RowReader(const std::string& path, const InputLimits& limits, CollideClip& clip)
       : path_(path), limits_(limits), clip_(clip) {}
 
+  /// Where the line stands that is to be read next.
+  std::string nextWhere() const { return whereOf(line_ + 1); }
+
   void readHeader(std::string_view line) {
     ++line_;
     const auto names = split(line, ',');
@@ -213,7 +217,9 @@ class RowReader {
   }
 
  private:
-  std::string where() const { return path_ + ": line " + std::to_string(line_) + ": "; }
+  std::string where() const { return whereOf(line_) + ": "; }
+
+  std::string whereOf(std::size_t line) const { return path_ + ": line " + std::to_string(line); }
 
   std::string_view value(Column column) const { return values_[places_[column]]; }
 
@@ -343,7 +349,7 @@ CollideClip readCollideClip(const std::string& path, const InputLimits& limits) 
   RowReader reader(path, limits, clip);
   std::string line;
   const auto next = [&] {
-    if (!std::getline(file, line)) return false;
+    if (!readInputLine(file, line, reader.nextWhere(), limits)) return false;
     if (!line.empty() && line.back() == '\r') line.pop_back();
     return true;
   };

@@ -75,7 +75,7 @@ std::string composeCollideName(const CollideName& name);
 /// the track is missing. Throws CollideError for a name as above, a missing column, a value that is
 /// no finite number or beyond the limits, a track without exactly collision_frame + 1 rows,
 /// timestamps that do not increase or differ between tracks, and an ego or attacker that is absent
-/// or missing in a frame.
+/// or missing in a frame; InputError as readInputLine().
 CollideClip readCollideClip(const std::string& path, const InputLimits& limits);
 
 /// Writes the rows of a clip as published: TRACK_ID,TIMESTAMP,V,X,Y,YAW with microseconds and

@@ -136,16 +136,22 @@ std::optional<JsonObject> JsonObject::objectOrNull(const char* key) {
   return JsonObject(where_, pathOf(key), value);
 }
 
-std::vector<JsonObject> JsonObject::objects(const char* key) { return objectsIn(key, take(key)); }
-
-std::optional<std::vector<JsonObject>> JsonObject::objectsOrNull(const char* key) {
-  const Value& value = take(key);
-  if (value.IsNull()) return std::nullopt;
-  return objectsIn(key, value);
+std::vector<JsonObject> JsonObject::objects(const char* key, int max) {
+  return objectsIn(key, max, take(key));
 }
 
-std::vector<JsonObject> JsonObject::objectsIn(const char* key, const Value& value) const {
+std::optional<std::vector<JsonObject>> JsonObject::objectsOrNull(const char* key, int max) {
+  const Value& value = take(key);
+  if (value.IsNull()) return std::nullopt;
+  return objectsIn(key, max, value);
+}
+
+std::vector<JsonObject> JsonObject::objectsIn(const char* key, int max, const Value& value) const {
   if (!value.IsArray()) fail(key, "is not an array");
+  if (value.Size() > static_cast<rapidjson::SizeType>(max)) {
+    fail(key,
+         "has " + std::to_string(value.Size()) + " elements, more than " + std::to_string(max));
+  }
   std::vector<JsonObject> objects;
   objects.reserve(value.Size());
   for (const Value& element : value.GetArray()) {

@@ -39,8 +39,9 @@ class JsonObject {
   std::vector<std::string> texts(const char* key);
   JsonObject object(const char* key);
   std::optional<JsonObject> objectOrNull(const char* key);
-  std::vector<JsonObject> objects(const char* key);
-  std::optional<std::vector<JsonObject>> objectsOrNull(const char* key);
+  /// At most `max`, which are counted before they are looked at.
+  std::vector<JsonObject> objects(const char* key, int max);
+  std::optional<std::vector<JsonObject>> objectsOrNull(const char* key, int max);
 
   void finish() const;
 
@@ -49,7 +50,7 @@ class JsonObject {
 
  private:
   const rapidjson::Value& take(const char* key);
-  std::vector<JsonObject> objectsIn(const char* key, const rapidjson::Value& value) const;
+  std::vector<JsonObject> objectsIn(const char* key, int max, const rapidjson::Value& value) const;
   std::string pathOf(const std::string& key) const;
 
   std::string where_;

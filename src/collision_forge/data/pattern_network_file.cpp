@@ -130,7 +130,8 @@ PatternWeights readHeader(const std::string& where, const std::string& line) {
   weights.left_out_scenes = object.texts("left_out_scenes");
   weights.features = readFeatures(object.object("features"));
   weights.network = readNetwork(object.object("network"));
-  for (JsonObject& layer : object.objects("layers")) {
+  constexpr int kMaxLayers = 1000;
+  for (JsonObject& layer : object.objects("layers", kMaxLayers)) {
     const std::string name = layer.text("name");
     const int outputs = widthOf(layer, "outputs");
     const int inputs = widthOf(layer, "inputs");

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "collision_forge/data/input_line.h"
 #include "collision_forge/data/request_fields.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/fingerprint.h"
@@ -48,17 +49,18 @@ SceneRequest readRequestLine(const std::string& where, const std::string& line,
 }
 
 std::vector<SceneRequest> readRequests(const std::string& path, const std::set<std::string>& scenes,
-                                       const CrashDefinition& crash) {
+                                       const InputLimits& limits, const CrashDefinition& crash) {
   std::ifstream file(path);
   if (!file) throw JsonLineError(path + ": cannot be opened: " + std::strerror(errno));
   std::vector<SceneRequest> requests;
-  for (std::string line; std::getline(file, line);) {
-    const std::string where = path + ": line " + std::to_string(requests.size() + 1);
-    requests.push_back(readRequestLine(where, line, crash));
-    const std::string& scene = requests.back().scene;
-    if (scenes.count(scene) == 0) {
-      throw JsonLineError(where + ": field scene = \"" + scene + "\" is no scene of the data");
+  const auto where = [&] { return path + ": line " + std::to_string(requests.size() + 1); };
+  for (std::string line; readInputLine(file, line, where(), limits);) {
+    const SceneRequest request = readRequestLine(where(), line, crash);
+    if (scenes.count(request.scene) == 0) {
+      throw JsonLineError(where() + ": field scene = \"" + request.scene +
+                          "\" is no scene of the data");
     }
+    requests.push_back(request);
   }
   if (file.bad()) throw JsonLineError(path + ": cannot be read: " + std::strerror(errno));
   if (requests.empty()) throw JsonLineError(path + ": holds no request");

@@ -6,6 +6,7 @@
 
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/scene/collision_request.h"
+#include "collision_forge/scene/input_limits.h"
 
 namespace forge {
 
@@ -24,8 +25,9 @@ SceneRequest readRequestLine(const std::string& where, const std::string& line,
 
 /// Reads a whole list. `scenes`: the names there are; `crash`: as readRequestLine(). Throws
 /// JsonLineError naming file, line, field and value for a file that cannot be read or holds no
-/// request, a malformed line, and a scene that is not in `scenes`.
+/// request, a malformed line, and a scene that is not in `scenes`; InputError as readInputLine().
 std::vector<SceneRequest> readRequests(const std::string& path, const std::set<std::string>& scenes,
+                                       const InputLimits& limits,
                                        const CrashDefinition& crash = {});
 
 /// The number of the requests and a fingerprint of their lines, to tell lists apart.

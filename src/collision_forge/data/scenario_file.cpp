@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "collision_forge/attack/request_check.h"
+#include "collision_forge/data/input_line.h"
 #include "collision_forge/data/request_fields.h"
 #include "collision_forge/scene/request_words.h"
 
@@ -164,13 +165,6 @@ Pose2 readPose(JsonObject object, const LineContext& line) {
   return pose;
 }
 
-void checkCount(const JsonObject& object, const char* key, std::size_t count, int max) {
-  if (count > static_cast<std::size_t>(max)) {
-    object.fail(key,
-                "has " + std::to_string(count) + " elements, more than " + std::to_string(max));
-  }
-}
-
 /// Fails unless the time is after that of the state before.
 template <typename State>
 void checkTime(const JsonObject& entry, double time, const std::vector<State>& before) {
@@ -206,12 +200,11 @@ Status readStatus(JsonObject object) {
 /// `is_added`: it must be there, else it must not.
 std::vector<AgentState> readPast(JsonObject& object, bool is_added, const LineContext& line) {
   std::vector<AgentState> past;
-  auto entries = object.objectsOrNull("past");
+  auto entries = object.objectsOrNull("past", line.limits.max_points);
   if (is_added != (entries && !entries->empty())) {
     object.fail("past", is_added ? "is of no added vehicle" : "is of no recorded vehicle");
   }
   if (!entries) return past;
-  checkCount(object, "past", entries->size(), line.limits.max_points);
   for (JsonObject& entry : *entries) {
     AgentState state;
     state.time = readTime(entry, "t", line);
@@ -234,9 +227,7 @@ bool readIsAdded(JsonObject& object) {
 
 std::vector<TrajectoryPoint> readPoints(JsonObject& object, const LineContext& line) {
   std::vector<TrajectoryPoint> points;
-  std::vector<JsonObject> entries = object.objects("trajectory");
-  checkCount(object, "trajectory", entries.size(), line.limits.max_points);
-  for (JsonObject& entry : entries) {
+  for (JsonObject& entry : object.objects("trajectory", line.limits.max_points)) {
     TrajectoryPoint point;
     point.time = readTime(entry, "t", line);
     checkTime(entry, point.time, points);
@@ -267,7 +258,7 @@ AttackerTrajectory readAttacker(JsonObject object, const LineContext& line) {
 std::vector<AttackerPlan> readPlans(JsonObject& object, const Scenario& scenario,
                                     const LineContext& line) {
   std::vector<AttackerPlan> plans;
-  for (JsonObject& entry : object.objects("plans")) {
+  for (JsonObject& entry : object.objects("plans", line.limits.max_points)) {
     AttackerPlan& plan = plans.emplace_back();
     plan.seen = readTime(entry, "seen_t", line);
     plan.from = readTime(entry, "from_t", line);
@@ -379,9 +370,7 @@ void readAnswer(JsonObject& object, const Scenario& scenario, const LineContext&
     }
     if (object.numberOrNull("confidence")) object.fail("confidence", "is there without an attack");
   }
-  std::vector<JsonObject> alternatives = object.objects("alternatives");
-  checkCount(object, "alternatives", alternatives.size(), kMaxAlternatives);
-  for (JsonObject& entry : alternatives) {
+  for (JsonObject& entry : object.objects("alternatives", kMaxAlternatives)) {
     if (!is_attack) object.fail("alternatives", "are there without an attack");
     Realization& alternative = answer.alternatives.emplace_back();
     readAttack(entry, scenario, line, alternative);
@@ -469,6 +458,7 @@ std::string scenarioLine(const Scenario& scenario) {
 
 Scenario readScenarioLine(const std::string& where, const std::string& text,
                           const InputLimits& limits) {
+  checkLineLength(where, text.size(), limits);
   const JsonLine parsed(where, text);
   JsonObject object = parsed.root();
   checkFormat(object);

@@ -30,7 +30,7 @@ std::string scenarioLine(const Scenario& scenario);
 /// The opposite of scenarioLine(): the same line again gives the same bytes. Not in
 /// the file: the report's time of another's touch and its road.off_road. Throws JsonLineError,
 /// naming `where`, for a line that is not of this format and version, and for a number beyond the
-/// limits.
+/// limits; InputError as checkLineLength().
 Scenario readScenarioLine(const std::string& where, const std::string& line,
                           const InputLimits& limits);
 

@@ -43,12 +43,13 @@ void addWorst(TestPictures& pictures, const std::string& folder,
 }  // namespace
 
 TestPictures picturesBeside(const std::string& results_path,
-                            const std::vector<PlannerTestResult>& results) {
+                            const std::vector<PlannerTestResult>& results,
+                            const InputLimits& limits) {
   const std::string folder = fs::absolute(results_path).parent_path().string();
   TestPictures pictures;
   addWorst(pictures, folder + "/worst", results);
   int rank = 0;
-  for (const WitnessedHit& hit : readWitnessedHits(folder)) {
+  for (const WitnessedHit& hit : readWitnessedHits(folder, limits)) {
     const std::string path = folder + "/weaknesses/" + std::to_string(++rank);
     std::vector<Picture>& of = pictures[{hit.name, hit.row}];
     add(of, "Weakness " + std::to_string(rank), path);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "collision_forge/scene/input_limits.h"
 #include "collision_forge/trials/planner_result.h"
 
 namespace forge {
@@ -20,6 +21,7 @@ using TestPictures = std::map<std::pair<std::string, std::string>, std::vector<P
 /// What forge test has drawn beside results.jsonl, of its results: those of worst/ and of
 /// weaknesses/ that are there. Throws as readWitnessedHits().
 TestPictures picturesBeside(const std::string& results_path,
-                            const std::vector<PlannerTestResult>& results);
+                            const std::vector<PlannerTestResult>& results,
+                            const InputLimits& limits);
 
 }  // namespace forge

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "collision_forge/data/input_line.h"
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/study/result_row.h"
 
@@ -37,25 +38,27 @@ ReportFileKind kindOf(const std::string& where, const std::string& line) {
 
 }  // namespace
 
-ReportFile openReportFile(const std::string& path) {
+ReportFile openReportFile(const std::string& path, const InputLimits& limits) {
   std::ifstream file = openToRead(path);
+  const std::string where = path + ": line 1";
   std::string line;
-  std::getline(file, line);
-  return {path, kindOf(path + ": line 1", line)};
+  readInputLine(file, line, where, limits);
+  return {path, kindOf(where, line)};
 }
 
-void readReportLines(const ReportFile& file, const OnReportLine& on_line) {
+void readReportLines(const ReportFile& file, const InputLimits& limits,
+                     const OnReportLine& on_line) {
   std::ifstream stream = openToRead(file.path);
   const auto size = static_cast<double>(fs::file_size(file.path));
   const bool has_header =
       file.kind == ReportFileKind::kRequests || file.kind == ReportFileKind::kClips;
   double read = 0.0;
-  std::size_t number = 0;
-  for (std::string text; std::getline(stream, text);) {
-    ++number;
+  std::size_t number = 1;
+  const auto where = [&] { return file.path + ": line " + std::to_string(number); };
+  for (std::string text; readInputLine(stream, text, where(), limits); ++number) {
     read += static_cast<double>(text.size()) + 1.0;
     if (has_header && number == 1) continue;
-    on_line(file.path + ": line " + std::to_string(number), number, text, read / size);
+    on_line(where(), number, text, read / size);
   }
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/scene/input_limits.h"
+
 namespace forge {
 
 /// The files that forge report reads.
@@ -20,14 +22,16 @@ struct ReportFile {
 };
 
 /// Tells by its first line what a file holds. Throws std::runtime_error, naming file and line, for
-/// one that cannot be read or is none of these.
-ReportFile openReportFile(const std::string& path);
+/// one that cannot be read or is none of these, InputError as readInputLine().
+ReportFile openReportFile(const std::string& path, const InputLimits& limits);
 
 /// Hands over the lines of a file, the header of results.csv left out: where it stands ("FILE: line
-/// 2"), the number from 1 on, the text, and the share of the file that has been read.
+/// 2"), the number from 1 on, the text, and the share of the file that has been read. Throws as
+/// readInputLine().
 using OnReportLine = std::function<void(const std::string& where, std::size_t line,
                                         const std::string& text, double share)>;
-void readReportLines(const ReportFile& file, const OnReportLine& on_line);
+void readReportLines(const ReportFile& file, const InputLimits& limits,
+                     const OnReportLine& on_line);
 
 /// Where a page in `folder` finds a file: a path relative to it, written as a link.
 std::string linkTo(const std::string& path, const std::string& folder);

@@ -4,17 +4,19 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "collision_forge/data/input_line.h"
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/trials/planner_result.h"
 
 namespace forge {
 
-std::vector<WitnessedHit> readWitnessedHits(const std::string& folder) {
+std::vector<WitnessedHit> readWitnessedHits(const std::string& folder, const InputLimits& limits) {
   const std::string path = folder + "/witnesses.jsonl";
   std::ifstream file(path, std::ios::binary);
   std::vector<WitnessedHit> hits;
-  for (std::string text; std::getline(file, text);) {
-    const JsonLine line(path + ": line " + std::to_string(hits.size() + 1), text);
+  const auto where = [&] { return path + ": line " + std::to_string(hits.size() + 1); };
+  for (std::string text; readInputLine(file, text, where(), limits);) {
+    const JsonLine line(where(), text);
     JsonObject object = line.root();
     const auto policy = policyKindFromString(object.text("policy"));
     if (!policy) object.fail("policy", "is no policy of an attacker");
@@ -23,9 +25,9 @@ std::vector<WitnessedHit> readWitnessedHits(const std::string& folder) {
   return hits;
 }
 
-std::vector<std::string> weaknessCases(const std::string& folder) {
+std::vector<std::string> weaknessCases(const std::string& folder, const InputLimits& limits) {
   std::vector<std::string> names;
-  for (const WitnessedHit& hit : readWitnessedHits(folder)) {
+  for (const WitnessedHit& hit : readWitnessedHits(folder, limits)) {
     if (std::find(names.begin(), names.end(), hit.name) == names.end()) names.push_back(hit.name);
   }
   return names;

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/scene/input_limits.h"
+
 namespace forge {
 
 /// A line of witnesses.jsonl of forge test --until-hit: a weakness, by its hardest hit.
@@ -12,10 +14,10 @@ struct WitnessedHit {
 };
 
 /// Those of the file in a folder, in its order; none where there is no such file. Throws
-/// JsonLineError naming file and line.
-std::vector<WitnessedHit> readWitnessedHits(const std::string& folder);
+/// JsonLineError naming file and line, InputError as readInputLine().
+std::vector<WitnessedHit> readWitnessedHits(const std::string& folder, const InputLimits& limits);
 
 /// The cases that the lines of weaknesses.jsonl in that folder are, first to last.
-std::vector<std::string> weaknessCases(const std::string& folder);
+std::vector<std::string> weaknessCases(const std::string& folder, const InputLimits& limits);
 
 }  // namespace forge

@@ -89,7 +89,9 @@ class ReportBuilder {
         folder_(folder),
         settings_(settings),
         page_((fs::path(folder) / "index.html").string()) {
-    for (const std::string& path : inputs.files) files_.push_back(openReportFile(path));
+    for (const std::string& path : inputs.files) {
+      files_.push_back(openReportFile(path, settings.study.input_limits));
+    }
     for (const std::string& path : scenarioPaths()) nameWeaknesses(path);
     if (!inputs.logs.path.empty()) openScenes();
   }
@@ -122,7 +124,7 @@ class ReportBuilder {
     if (path.filename() != "weaknesses.jsonl") return;
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
     std::size_t line = 0;
-    for (const std::string& name : weaknessCases(folder)) {
+    for (const std::string& name : weaknessCases(folder, settings_.study.input_limits)) {
       lines_[name] = "weaknesses:" + std::to_string(++line);
     }
   }
@@ -147,8 +149,8 @@ class ReportBuilder {
   void read(std::size_t place) {
     const ReportFile& file = files_[place];
     ProgressLine progress(file.path);
-    readReportLines(file, [&](const std::string& where, std::size_t line, const std::string& text,
-                              double share) {
+    const auto take = [&](const std::string& where, std::size_t line, const std::string& text,
+                          double share) {
       const std::size_t first = rows_.size();
       switch (file.kind) {
         case ReportFileKind::kScenarios:
@@ -165,7 +167,8 @@ class ReportBuilder {
         rows_[i].line = line;
       }
       progress.show(share);
-    });
+    };
+    readReportLines(file, settings_.study.input_limits, take);
   }
 
   void addScenario(const std::string& where, const std::string& text, const std::string& source,
@@ -254,7 +257,7 @@ class ReportBuilder {
       if (test.planner == 0) of.push_back(test.result);
     }
     for (const auto& [file, of] : results) {
-      pictures_[file] = picturesBeside(files_[file].path, of);
+      pictures_[file] = picturesBeside(files_[file].path, of, settings_.study.input_limits);
     }
   }
 

@@ -4,9 +4,12 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include "collision_forge/data/input_line.h"
 #include "collision_forge/data/nuscenes_json.h"
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/ros/bag_reader.h"
@@ -16,17 +19,37 @@ namespace {
 
 using Codes = collision_forge::TestPlanner::Response;
 
-/// The scenes of the lines that can be read.
-std::set<std::string> scenesIn(const std::string& path, const InputLimits& limits) {
-  std::set<std::string> scenes;
+bool hasMore(std::istream& file) { return file.peek() != std::istream::traits_type::eof(); }
+
+std::string whereOf(const std::string& path, std::size_t line) {
+  return path + ": line " + std::to_string(line);
+}
+
+/// Hands over the scenarios that can be read, and the numbers of their lines, until `take` returns
+/// false.
+void readScenarios(const std::string& path, const InputLimits& limits,
+                   const std::function<bool(const Scenario& scenario, std::size_t line)>& take) {
   std::ifstream file(path, std::ios::binary);
-  for (std::string line; std::getline(file, line);) {
+  std::string line;
+  for (std::size_t number = 1; hasMore(file); ++number) {
+    const std::string where = whereOf(path, number);
     try {
-      scenes.insert(readScenarioLine(path, line, limits).asked.scene);
+      readInputLine(file, line, where, limits);
+      if (!take(readScenarioLine(where, line, limits), number)) return;
     } catch (const JsonLineError&) {
       continue;  // told when it is asked for
+    } catch (const InputError&) {
+      continue;
     }
   }
+}
+
+std::set<std::string> scenesIn(const std::string& path, const InputLimits& limits) {
+  std::set<std::string> scenes;
+  readScenarios(path, limits, [&](const Scenario& scenario, std::size_t) {
+    scenes.insert(scenario.asked.scene);
+    return true;
+  });
   return scenes;
 }
 
@@ -57,8 +80,8 @@ PlannerCase TrialScenarios::ofLine(const std::string& line) {
   const bool is_number = !line.empty() && line.front() != '{';
   const std::string where =
       is_number ? sources_.scenarios + ": line " + line : std::string("scenario");
-  const std::string text = is_number ? numberedLine(line) : line;
   try {
+    const std::string text = is_number ? numberedLine(line) : line;
     const Scenario scenario = readScenarioLine(where, text, config_.input_limits);
     const auto scene = sceneOf(scenario.asked.scene);
     PlannerCase one = caseOfScenario(scenario, *scene, config_);
@@ -77,19 +100,14 @@ PlannerCase TrialScenarios::ofLine(const std::string& line) {
 }
 
 std::string TrialScenarios::firstAnswered() const {
-  std::ifstream file(sources_.scenarios, std::ios::binary);
-  std::size_t number = 0;
-  for (std::string line; std::getline(file, line);) {
-    const std::string where = sources_.scenarios + ": line " + std::to_string(++number);
-    try {
-      const Scenario scenario = readScenarioLine(where, line, config_.input_limits);
-      if (scenario.answer.status.code != StatusCode::kOk) continue;
-    } catch (const JsonLineError&) {
-      continue;
-    }
-    return "; the first line with an attack is " + std::to_string(number);
-  }
-  return "; no line has an attack";
+  std::string found = "; no line has an attack";
+  readScenarios(sources_.scenarios, config_.input_limits,
+                [&](const Scenario& scenario, std::size_t line) {
+                  if (scenario.answer.status.code != StatusCode::kOk) return true;
+                  found = "; the first line with an attack is " + std::to_string(line);
+                  return false;
+                });
+  return found;
 }
 
 std::string TrialScenarios::numberedLine(const std::string& number) const {
@@ -106,8 +124,12 @@ std::string TrialScenarios::numberedLine(const std::string& number) const {
                                               "\" is no file that can be read");
   }
   std::size_t count = 0;
-  for (std::string line; std::getline(file, line);) {
-    if (++count == wanted) return line;
+  for (std::string line; hasMore(file);) {
+    if (++count == wanted) {
+      readInputLine(file, line, whereOf(sources_.scenarios, count), config_.input_limits);
+      return line;
+    }
+    file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
   throw TestRefusal(Codes::NO_SCENARIO, "scenario = \"" + number + "\": " + sources_.scenarios +
                                             " has the lines 1 to " + std::to_string(count));

@@ -24,6 +24,7 @@ struct InputLimits {
   int max_agents = 0;
   int max_lanes = 0;
   int max_map_points = 0;
+  int max_line = 0;
 };
 
 /// Input beyond the limits. The message names where it is, the field, its value and the limit.

@@ -30,6 +30,7 @@ void readOptions(Section& section, InputLimits& limits) {
   limits.max_agents = section.count("max_agents", 1);
   limits.max_lanes = section.count("max_lanes", 1);
   limits.max_map_points = section.count("max_map_points", 1);
+  limits.max_line = section.count("max_line", 1);
 }
 
 static void readOptions(Section& section, TypeDefinition& definition) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "collision_forge/data/collide_clip.h"
+#include "collision_forge/data/input_line.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/files/file_fingerprint.h"
 #include "collision_forge/files/fingerprint.h"
@@ -24,13 +25,14 @@ struct ScenarioText {
   std::string text;
 };
 
-std::vector<ScenarioText> readLines(const std::string& path) {
+std::vector<ScenarioText> readLines(const std::string& path, const InputLimits& limits) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error(path + ": cannot be read");
   const std::string source = fs::path(path).stem().string();
   std::vector<ScenarioText> lines;
-  for (std::string text; std::getline(file, text);) {
-    lines.push_back({source, path + ": line " + std::to_string(lines.size() + 1), text});
+  const auto where = [&] { return path + ": line " + std::to_string(lines.size() + 1); };
+  for (std::string text; readInputLine(file, text, where(), limits);) {
+    lines.push_back({source, where(), text});
   }
   if (lines.empty()) throw std::runtime_error(path + ": has no scenarios");
   return lines;
@@ -53,7 +55,7 @@ class ScenarioCases : public PlannerCases {
       : study_(study) {
     for (const std::string& path : paths) {
       int number = 0;
-      for (ScenarioText& line : readLines(path)) {
+      for (ScenarioText& line : readLines(path, study.input_limits)) {
         names_.push_back(line.source + ":" + std::to_string(++number));
         lines_.push_back(std::move(line));
       }
@@ -167,7 +169,7 @@ class ClipCases : public PlannerCases {
 std::set<std::string> readScenes(const std::vector<std::string>& paths, const InputLimits& limits) {
   std::set<std::string> scenes;
   for (const std::string& path : paths) {
-    for (const ScenarioText& line : readLines(path)) {
+    for (const ScenarioText& line : readLines(path, limits)) {
       if (const auto scene = sceneOf(line, limits)) scenes.insert(*scene);
     }
   }

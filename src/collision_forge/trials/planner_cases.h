@@ -24,13 +24,13 @@ class PlannerCases {
   virtual PlannerCase at(std::size_t index) const = 0;
 };
 
-/// The scenes that the readable lines of scenario files are of. Throws std::runtime_error as
-/// openScenarioCases().
+/// The scenes that the readable lines of scenario files are of. Throws as openScenarioCases().
 std::set<std::string> readScenes(const std::vector<std::string>& paths, const InputLimits& limits);
 
 /// The lines of scenario files, named FILE:LINE without the file's ending; the source is that name.
-/// Throws std::runtime_error for a file that cannot be read or has no lines; a line that is none of
-/// the format, or of a scene that the source does not have, is a case that cannot be read.
+/// Throws std::runtime_error for a file that cannot be read or has no lines, InputError as
+/// readInputLine(); a line that is none of the format, or of a scene that the source does not have,
+/// is a case that cannot be read.
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
                                                 const LogSource& logs, std::size_t scenes_kept,
                                                 const StudyOptions& study,

@@ -13,6 +13,7 @@ namespace {
 
 constexpr const char* kFormat = "collision_forge/planner_test";
 constexpr int kVersion = 4;
+constexpr int kMaxRows = 10000;  // of a case
 
 void writeNuplan(JsonLineWriter& writer, const NuplanScore& score) {
   writer.beginObject("nuplan");
@@ -338,7 +339,7 @@ PlannerTestResult readPlannerResultLine(const std::string& where, const std::str
   result.message = object.text("message");
   result.is_strict = object.flag("strict");
   result.avoidability = readAvoidability(object.object("avoidability"));
-  for (JsonObject& row : object.objects("planners")) {
+  for (JsonObject& row : object.objects("planners", kMaxRows)) {
     result.rows.push_back(readRow(row, result.now));
   }
   object.finish();
