@@ -50,7 +50,7 @@ class GeneratorFile : public testing::Test {
 };
 
 TEST_F(GeneratorFile, GivesTheSameGeneratorBack) {
-  writeGenerator(path_, header_, *generator_, false);
+  writeText(path_, generatorBytes(header_, *generator_, false));
   const GeneratorHeader header = readGeneratorHeader(path_, "c_sgan");
   EXPECT_EQ(header.config, header_.config);
   EXPECT_EQ(header.epochs, 3);
@@ -69,7 +69,7 @@ TEST_F(GeneratorFile, TrainingGoesOnAsIfItHadNotStopped) {
   const std::vector<TrafficClip> clips = sampleClips(options_.traffic, 2);
   const TrafficBatch batch = sampleBatch(clips, options_.traffic);
   for (int step = 0; step < 4; ++step) generator_->trainStep(batch);
-  writeGenerator(path_, header_, *generator_, true);
+  writeText(path_, generatorBytes(header_, *generator_, true));
   const auto other = made(options_, 77);
   readGenerator(path_, *other, true);
   const auto goOn = [&](TrafficGenerator& generator) {
@@ -83,7 +83,7 @@ TEST_F(GeneratorFile, TrainingGoesOnAsIfItHadNotStopped) {
 TEST_F(GeneratorFile, AnotherGeneratorIsRefused) {
   GeneratorHeader header = header_;
   header.name = "c_other";
-  writeGenerator(path_, header, *generator_, false);
+  writeText(path_, generatorBytes(header, *generator_, false));
   EXPECT_THAT(refusal(), testing::AllOf(HasSubstr(path_), HasSubstr("c_other, not c_sgan")));
 }
 
@@ -91,13 +91,13 @@ TEST_F(GeneratorFile, AnotherArchitectureIsRefused) {
   GeneratorOptions wide = options_;
   wide.c_sgan.encoder = 40;
   const auto other = made(wide, 0);
-  writeGenerator(path_, header_, *other, false);
+  writeText(path_, generatorBytes(header_, *other, false));
   EXPECT_THAT(refusal(), testing::AllOf(HasSubstr(path_), HasSubstr("shape")));
 }
 
 TEST_F(GeneratorFile, NumbersThatAreNotFiniteAreRefused) {
   generator_->network()->parameters()[0].data()[0][0] = NAN;
-  writeGenerator(path_, header_, *generator_, false);
+  writeText(path_, generatorBytes(header_, *generator_, false));
   EXPECT_THAT(refusal(), HasSubstr("not finite"));
 }
 

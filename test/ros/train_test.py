@@ -68,6 +68,16 @@ class TrainTest(road.RoadTest):
         self.assertEqual(result.returncode, 1)
         self.assertIn('"ranks = 2", not "ranks = 1"', result.stderr)
 
+    def test_another_configuration_does_not_go_on(self):
+        out = self.trained('configured', '--stop-after', 1)
+        path = self.config / 'prediction.yaml'
+        shipped = path.read_text()
+        path.write_text(shipped + '# changed\n')
+        result = self.train(out)
+        path.write_text(shipped)
+        self.assert_refused(result, 'the run was started with "config/prediction.yaml = fingerprint ')
+        self.trained('configured')
+
     def test_a_stopped_run_ends_the_same(self):
         whole = self.trained('whole')
         stopped = self.trained('stopped', '--stop-after', 1)
@@ -140,7 +150,7 @@ class TrainTest(road.RoadTest):
         room = state.stat().st_size // 2  # less than the state, more than the weights
         self.assert_refused(self.train(out, room=room), '{}: cannot be written'.format(state))
         state.write_bytes(state.read_bytes()[:1000])
-        self.assert_refused(self.train(out), '{}: cannot be read as the state'.format(state))
+        self.assert_refused(self.train(out), '{}: is not as it was written'.format(state))
 
 
 if __name__ == '__main__':

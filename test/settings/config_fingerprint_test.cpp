@@ -46,6 +46,17 @@ TEST(FingerprintsOf, HaveTheLimitsOfInput) {
   EXPECT_EQ(fingerprintsOf({}, folder.path()).count("config/input_limits.yaml"), 1U);
 }
 
+TEST(ConfigFingerprints, AreThoseOfFilesAlone) {
+  const TemporaryFolder folder;
+  folder.write("a.yaml", "foobar");
+  folder.write("network.bin", "foobar");
+  Config config;
+  config.pattern_network = folder.path() + "/network.bin";
+  Fingerprints all = fingerprintsOf(config, folder.path());
+  EXPECT_EQ(all.erase("pattern_network"), 1u);
+  EXPECT_EQ(configFingerprints(folder.path()), all);
+}
+
 TEST(FingerprintsOf, ChangeWithTheFile) {
   const TemporaryFolder folder;
   folder.write("a.yaml", "x: 1\n");

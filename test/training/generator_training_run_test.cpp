@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "collision_forge/files/aside_file.h"
 #include "collision_forge/settings/config.h"
 #include "collision_forge/training/run_folder.h"
 #include "data/collide_fixture.h"
@@ -62,6 +63,54 @@ TEST_F(GeneratorTrainingRun, OneThatIsStoppedGivesTheSame) {
     EXPECT_FALSE(whole.empty()) << file;
     EXPECT_EQ(whole, readText(folder_.path() + "/parts" + file)) << file;
   }
+}
+
+TEST_F(GeneratorTrainingRun, OneThatIsKilledBetweenTwoFilesGivesTheSame) {
+  trainGenerator(runTo("whole", 0));
+  trainGenerator(runTo("before", 1));
+  fs::copy(folder_.path() + "/before", folder_.path() + "/after");
+  trainGenerator(runTo("after", 0));
+  const std::vector<std::string> in_order = {"/metrics.csv", "/weights.pt", "/curves.png",
+                                             "/state.pt.sums", "/state.pt"};
+  for (std::size_t written = 1; written < in_order.size(); ++written) {
+    const std::string killed = folder_.path() + "/killed";
+    fs::remove_all(killed);
+    fs::copy(folder_.path() + "/before", killed);
+    for (std::size_t i = 0; i < written; ++i) {
+      fs::copy_file(folder_.path() + "/after" + in_order[i], killed + in_order[i],
+                    fs::copy_options::overwrite_existing);
+    }
+    trainGenerator(runTo("killed", 0));
+    for (const char* file : {"/metrics.csv", "/weights.pt", "/curves.png"}) {
+      EXPECT_EQ(readText(folder_.path() + "/whole" + file), readText(killed + file))
+          << file << " after " << in_order[written - 1];
+    }
+  }
+}
+
+TEST_F(GeneratorTrainingRun, GoesOnWithWhatItWroteAlone) {
+  const auto complaintWith = [&](const std::string& file, std::size_t place) {
+    fs::remove_all(folder_.path() + "/run");
+    trainGenerator(runTo("run", 1));
+    const std::string path = folder_.path() + "/run/" + file;
+    std::string bytes = readText(path);
+    bytes.at(place == 0 ? bytes.size() / 2 : place) ^= 1;
+    writeText(path, bytes);
+    try {
+      trainGenerator(runTo("run", 0));
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what()).substr(path.size());
+    }
+    return std::string("no error");
+  };
+  EXPECT_THAT(complaintWith("state.pt", 0), testing::StartsWith(": is not as it was written"));
+  EXPECT_THAT(complaintWith("metrics.csv", 1), testing::StartsWith(": line 1: "));
+  const std::string metrics = readText(folder_.path() + "/run/metrics.csv");
+  EXPECT_THAT(complaintWith("metrics.csv", metrics.size() - 2), testing::StartsWith(": line 2: "));
+  const std::string program = "program = collision_forge ";
+  const std::size_t version = readText(folder_.path() + "/run/run.txt").find(program);
+  EXPECT_THAT(complaintWith("run.txt", version + program.size()),
+              testing::StartsWith(": line 2: the run was started with \"" + program));
 }
 
 TEST_F(GeneratorTrainingRun, WithoutClipsOrOnAnAbsentDeviceIsRefused) {

@@ -9,6 +9,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/settings/config.h"
+#include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/training/training_run.h"
 
 namespace forge {
@@ -16,6 +17,7 @@ namespace {
 
 int train(TrainingRun& run) {
   const Config config = loadConfig(run.config);
+  run.config_files = configFingerprints(run.config);
   run.options = config;
   run.drawing = config.drawing;
   run.planners = config.planners;

@@ -5,7 +5,6 @@
 
 #include "collision_forge/attack/method_registry.h"
 #include "collision_forge/config/section.h"
-#include "collision_forge/files/aside_file.h"
 
 namespace forge {
 namespace {
@@ -123,8 +122,8 @@ GeneratorOptions optionsOf(const GeneratorHeader& header, const std::string& pat
   return options;
 }
 
-void writeGenerator(const std::string& path, const GeneratorHeader& header,
-                    const TrafficModel& model, bool training) {
+std::string generatorBytes(const GeneratorHeader& header, const TrafficModel& model,
+                           bool training) {
   torch::serialize::OutputArchive archive;
   archive.write("format", c10::IValue(std::string(kFormat)));
   archive.write("name", c10::IValue(header.name));
@@ -146,7 +145,7 @@ void writeGenerator(const std::string& path, const GeneratorHeader& header,
   }
   std::ostringstream bytes;  // an archive that cannot write to a file ends the process
   archive.save_to(bytes);
-  writeText(path, bytes.str());
+  return bytes.str();
 }
 
 GeneratorHeader readGeneratorHeader(const std::string& path, const std::string& name) {

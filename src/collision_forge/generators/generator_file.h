@@ -21,10 +21,8 @@ struct GeneratorHeader {
 /// Options of a header; throws ConfigError naming `path`.
 GeneratorOptions optionsOf(const GeneratorHeader& header, const std::string& path);
 
-/// The weights of a model, and with `training` all that going on takes. Throws as AsideFile
-/// does.
-void writeGenerator(const std::string& path, const GeneratorHeader& header,
-                    const TrafficModel& model, bool training);
+/// The bytes of a file with the weights of a model, and with `training` all that going on takes.
+std::string generatorBytes(const GeneratorHeader& header, const TrafficModel& model, bool training);
 
 /// Throws TrafficGeneratorError, naming the file, for one that is absent, damaged, of another
 /// format or generator than `name`, and for weights of another shape or that are not finite.

@@ -32,14 +32,19 @@ std::string fingerprintOfFile(const std::string& path) {
   return "fingerprint " + fingerprint(content.str());
 }
 
-std::map<std::string, std::string> fingerprintsOf(const Config& config,
-                                                  const std::string& directory) {
+std::map<std::string, std::string> configFingerprints(const std::string& directory) {
   std::map<std::string, std::string> found;
   for (const auto& entry : std::filesystem::directory_iterator(directory)) {
     const std::string name = entry.path().filename().string();
     if (entry.path().extension() != ".yaml" || isIndifferent(name)) continue;
     found["config/" + name] = fingerprintOfFile(entry.path().string());
   }
+  return found;
+}
+
+std::map<std::string, std::string> fingerprintsOf(const Config& config,
+                                                  const std::string& directory) {
+  std::map<std::string, std::string> found = configFingerprints(directory);
   std::map<std::string, std::string> models = {{"speed_profiles", config.speed_profiles},
                                                {"speed_model", config.speed_model},
                                                {"pattern_network", config.pattern_network}};

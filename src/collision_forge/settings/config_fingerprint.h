@@ -15,6 +15,9 @@ namespace forge {
 std::map<std::string, std::string> fingerprintsOf(const Config& config,
                                                   const std::string& directory);
 
+/// The part of these that is of the .yaml files, for training, which needs none of the models.
+std::map<std::string, std::string> configFingerprints(const std::string& directory);
+
 /// The fingerprint() of fingerprintsOf(), one for all.
 std::string fingerprintOfAll(const Config& config, const std::string& directory);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <random>
 
@@ -11,6 +10,7 @@
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/data/collide_set.h"
+#include "collision_forge/files/aside_file.h"
 #include "collision_forge/generators/generator_file.h"
 #include "collision_forge/training/run_folder.h"
 #include "collision_forge/training/training_device.h"
@@ -64,9 +64,9 @@ class GeneratorTrainer {
   }
 
   void run() {
-    if (std::filesystem::exists(statePath(run_))) load();
+    if (hasState(run_)) load();
     int& epoch = header_.epochs;
-    EpochTable table(run_.out + "/metrics.csv", columns(), epoch);
+    EpochTable table(run_, columns(), epoch);
     ProgressLine progress("training");
     const int first = epoch;
     int stop = model_->epochs();
@@ -82,10 +82,12 @@ class GeneratorTrainer {
       std::vector<double> row = trainEpoch(epoch, show);
       ++epoch;
       for (const double error : errorsOn(validation_)) row.push_back(error);
-      if (table.add(row)) writeGenerator(run_.out + "/weights.pt", header_, *model_, false);
+      if (table.add(row)) {
+        writeText(run_.out + "/weights.pt", generatorBytes(header_, *model_, false));
+      }
       table.drawCurves(run_.out + "/curves.png", "Training of " + run_.generator + ": validation",
                        curves(), run_.drawing);
-      writeGenerator(statePath(run_), header_, *model_, true);
+      table.keep(generatorBytes(header_, *model_, true));
       clearLine();
       std::cout << table.lastRow() << '\n' << std::flush;
     }

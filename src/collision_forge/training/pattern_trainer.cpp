@@ -10,7 +10,6 @@
 #include <sstream>
 #include <utility>
 
-#include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/fingerprint.h"
 #include "collision_forge/training/pattern_module.h"
 #include "collision_forge/training/training_device.h"
@@ -269,7 +268,7 @@ PatternWeights PatternTrainer::weights() const { return state_->exported(state_-
 
 PatternWeights PatternTrainer::presentWeights() const { return state_->exported(state_->module); }
 
-void PatternTrainer::save(const std::string& path) const {
+std::string PatternTrainer::state() const {
   torch::serialize::OutputArchive archive;
   torch::serialize::OutputArchive module;
   torch::serialize::OutputArchive average;
@@ -285,7 +284,7 @@ void PatternTrainer::save(const std::string& path) const {
                                           torch::kInt64));
   std::ostringstream bytes;  // an archive that cannot write to a file ends the process
   archive.save_to(bytes);
-  writeText(path, bytes.str());
+  return bytes.str();
 }
 
 void PatternTrainer::load(const std::string& path) {

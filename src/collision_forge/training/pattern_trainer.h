@@ -63,8 +63,10 @@ class PatternTrainer {
   /// The average of the weights over the last few hundred steps.
   PatternWeights weights() const;
 
-  /// Everything that going on takes. Throws as AsideFile does.
-  void save(const std::string& path) const;
+  /// Everything that going on takes, as bytes of a file.
+  std::string state() const;
+  /// Takes it from a file. Throws TrainingError naming one that is absent, damaged or of another
+  /// training.
   void load(const std::string& path);
 
   /// The loss of the weights as they are (not averaged) and its derivatives, for checks: a row of

@@ -1,17 +1,21 @@
 #include "collision_forge/training/run_folder.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <set>
 #include <sstream>
+#include <system_error>
 
 #include "collision_forge/data/log_fingerprints.h"
 #include "collision_forge/drawing/line_chart.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/file_fingerprint.h"
+#include "collision_forge/files/fingerprint.h"
 
 namespace forge {
 namespace {
@@ -25,7 +29,44 @@ std::vector<std::string> cellsOf(const std::string& row) {
   return cells;
 }
 
-double lastNumber(const std::string& row) { return std::stod(row.substr(row.rfind(',') + 1)); }
+/// Nothing for a text that is not all a number.
+std::optional<double> numberOf(const std::string& text) {
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [read_to, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || read_to != end) return std::nullopt;
+  return number;
+}
+
+std::string inQuotes(const std::string& text) { return '"' + text + '"'; }
+
+std::string sumsPath(const std::string& state_path) { return state_path + ".sums"; }
+
+/// A line an epoch, up to one that is damaged.
+std::vector<EpochSums> readSums(const std::string& path) {
+  std::ifstream file(path);
+  std::vector<EpochSums> sums;
+  for (EpochSums of_epoch; file >> of_epoch.state >> of_epoch.rows;) sums.push_back(of_epoch);
+  return sums;
+}
+
+/// Refuses another description than the one at `path`.
+void checkDescription(const std::string& path, const std::string& description) {
+  const std::string end = "the end of the file";
+  std::istringstream known(readText(path));
+  std::istringstream wanted(description);
+  for (int line = 1;; ++line) {
+    std::string was;
+    std::string is;
+    const bool has_been = static_cast<bool>(std::getline(known, was));
+    const bool has_now = static_cast<bool>(std::getline(wanted, is));
+    if (!has_been && !has_now) return;
+    if (has_been && has_now && was == is) continue;
+    throw std::runtime_error(path + ": line " + std::to_string(line) +
+                             ": the run was started with " + (has_been ? inQuotes(was) : end) +
+                             ", not " + (has_now ? inQuotes(is) : end));
+  }
+}
 
 }  // namespace
 
@@ -38,8 +79,20 @@ std::string readText(const std::string& path) {
 
 std::string statePath(const TrainingRun& run) { return run.out + "/state.pt"; }
 
+bool hasState(const TrainingRun& run) {
+  const std::string path = statePath(run);
+  if (!fs::exists(path)) return false;
+  const std::string sum = fingerprint(readText(path));
+  for (const EpochSums& of_epoch : readSums(sumsPath(path))) {
+    if (of_epoch.state == sum) return true;
+  }
+  throw std::runtime_error(path + ": is not as it was written: its checksum is not in " +
+                           sumsPath(path) + "; remove " + path + " to begin anew");
+}
+
 std::string describeRun(const TrainingRun& run, int ranks, const std::string& config) {
   std::ostringstream text;
+  text << "program = collision_forge " COLLISION_FORGE_VERSION << '\n';
   text << "collide = " << run.sources.collide << "\nsplits =";
   for (const std::string& split : run.sources.splits) text << ' ' << split;
   const auto logs = run.sources.hasLogs() ? fingerprintsOf(run.sources.logs)
@@ -49,7 +102,9 @@ std::string describeRun(const TrainingRun& run, int ranks, const std::string& co
     text << "\nclips = " << fingerprintOfTree(run.sources.collide + "/trajectory", ".csv");
   }
   text << "\nfold = " << run.fold << "\nfolds = " << run.folds << "\nseed = " << run.seed
-       << "\ndevice = " << run.device << "\nranks = " << ranks << "\n\n";
+       << "\ndevice = " << run.device << "\nranks = " << ranks << '\n';
+  for (const auto& [name, found] : run.config_files) text << name << " = " << found << '\n';
+  text << '\n';
   text << readText(run.config + "/" + config);
   return text.str();
 }
@@ -65,16 +120,7 @@ OutputLock openRunFolder(const TrainingRun& run, const std::string& description)
     writeText(path, description);
     return lock;
   }
-  std::istringstream known(readText(path));
-  std::istringstream wanted(description);
-  std::string was;
-  std::string is;
-  while (std::getline(wanted, is)) {
-    if (!std::getline(known, was) || was != is) {
-      throw std::runtime_error(path + ": the run was started with \"" + was + "\", not \"" + is +
-                               "\"");
-    }
-  }
+  checkDescription(path, description);
   return lock;
 }
 
@@ -93,16 +139,60 @@ SampleSplit splitByScene(const std::vector<std::string>& scenes, double validati
   return split;
 }
 
-EpochTable::EpochTable(std::string path, const std::vector<std::string>& columns, int epochs)
-    : path_(std::move(path)), columns_(columns), best_(std::numeric_limits<double>::infinity()) {
+EpochTable::EpochTable(const TrainingRun& run, const std::vector<std::string>& columns, int epochs)
+    : path_(run.out + "/metrics.csv"),
+      state_path_(statePath(run)),
+      columns_(columns),
+      best_(std::numeric_limits<double>::infinity()) {
   if (epochs == 0) return;
+  sums_ = readSums(sumsPath(state_path_));
+  sums_.resize(static_cast<std::size_t>(epochs));  // later ones are of an epoch that was not kept
   std::ifstream file(path_);
-  std::string row;
-  std::getline(file, row);
-  while (static_cast<int>(rows_.size()) < epochs && std::getline(file, row)) {
-    best_ = std::min(best_, lastNumber(row));
-    rows_.push_back(row);
+  std::string line;
+  if (std::getline(file, line) && line != header()) {
+    throw std::runtime_error(path_ + ": line 1: " + inQuotes(line) + " is another header than " +
+                             inQuotes(header()));
   }
+  for (const EpochSums& of_epoch : sums_) {
+    if (!std::getline(file, line)) {
+      throw std::runtime_error(path_ + ": has " + std::to_string(rows_.size()) + " rows, not " +
+                               std::to_string(epochs) + ", the epochs of " + state_path_);
+    }
+    append(line);
+    if (rows_sum_ == of_epoch.rows) continue;
+    throw std::runtime_error(path_ + ": line " + std::to_string(rows_.size() + 1) + ": " +
+                             inQuotes(line) + " is not as it was written: its checksum in " +
+                             sumsPath(state_path_) + " is another; remove " + state_path_ +
+                             " to begin anew");
+  }
+}
+
+std::string EpochTable::header() const {
+  std::string text = "epoch";
+  for (const std::string& column : columns_) text += "," + column;
+  return text;
+}
+
+void EpochTable::append(const std::string& row) {
+  const std::string where = path_ + ": line " + std::to_string(rows_.size() + 2) + ": ";
+  const std::vector<std::string> cells = cellsOf(row);
+  if (cells.size() != columns_.size() + 1) {
+    throw std::runtime_error(where + inQuotes(row) + " has " + std::to_string(cells.size()) +
+                             " columns, not " + std::to_string(columns_.size() + 1));
+  }
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const std::optional<double> number = numberOf(cells[i + 1]);
+    if (!number) {
+      throw std::runtime_error(where + columns_[i] + " is " + inQuotes(cells[i + 1]) +
+                               ", not a number");
+    }
+    numbers.push_back(*number);
+  }
+  best_ = std::min(best_, numbers.back());
+  numbers_.push_back(std::move(numbers));
+  rows_.push_back(row);
+  rows_sum_ = fingerprint(row + "\n", rows_sum_);
 }
 
 bool EpochTable::add(const std::vector<double>& numbers) {
@@ -112,21 +202,27 @@ bool EpochTable::add(const std::vector<double>& numbers) {
     std::snprintf(cell, sizeof(cell), ",%.6f", number);
     row += cell;
   }
-  rows_.push_back(row);
-  std::string text = "epoch";
-  for (const std::string& column : columns_) text += "," + column;
+  const double best_before = best_;
+  append(row);
+  std::string text = header();
   for (const std::string& known : rows_) text += "\n" + known;
   writeText(path_, text + "\n");
-  const bool is_best = lastNumber(row) < best_;
-  best_ = std::min(best_, lastNumber(row));
-  return is_best;
+  return best_ < best_before;
+}
+
+void EpochTable::keep(const std::string& state) {
+  sums_.push_back({fingerprint(state), rows_sum_});
+  std::string text;
+  for (const EpochSums& of_epoch : sums_) text += of_epoch.state + " " + of_epoch.rows + "\n";
+  writeText(sumsPath(state_path_), text);
+  writeText(state_path_, state);
 }
 
 std::vector<double> EpochTable::column(const std::string& name) const {
   const auto found = std::find(columns_.begin(), columns_.end(), name);
-  const auto index = static_cast<std::size_t>(found - columns_.begin()) + 1;
+  const auto index = static_cast<std::size_t>(found - columns_.begin());
   std::vector<double> values;
-  for (const std::string& row : rows_) values.push_back(std::stod(cellsOf(row).at(index)));
+  for (const std::vector<double>& numbers : numbers_) values.push_back(numbers.at(index));
   return values;
 }
 

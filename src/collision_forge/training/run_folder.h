@@ -13,7 +13,8 @@
 /// the best epoch; a table of what every epoch gave, and its curves.
 namespace forge {
 
-/// What a run was asked for, `config` being the file of config/ that it is trained by.
+/// What a run was asked for and by which version of the program, `config` being the file of config/
+/// that it is trained by.
 std::string describeRun(const TrainingRun& run, int ranks, const std::string& config);
 
 /// Makes the run folder, or checks that the one there is of the same run; it is the caller's alone
@@ -27,6 +28,10 @@ std::string readText(const std::string& path);
 /// File of what going on takes.
 std::string statePath(const TrainingRun& run);
 
+/// Whether there is one. Throws std::runtime_error naming a file that is not as EpochTable::keep()
+/// wrote it.
+bool hasState(const TrainingRun& run);
+
 /// Indices of samples.
 struct SampleSplit {
   std::vector<std::size_t> training;
@@ -38,15 +43,28 @@ struct SampleSplit {
 SampleSplit splitByScene(const std::vector<std::string>& scenes, double validation_share,
                          std::uint64_t seed);
 
-/// A text file of rows, one an epoch; the last column chooses the best epoch.
+/// Checksums of what going on after an epoch takes.
+struct EpochSums {
+  std::string state;
+  std::string rows;  ///< of the table up to the epoch's
+};
+
+/// metrics.csv of a run folder: rows of numbers, one an epoch; the last column chooses the best
+/// epoch.
 class EpochTable {
  public:
-  /// Of the file at `path` the first `epochs` rows are kept.
-  EpochTable(std::string path, const std::vector<std::string>& columns, int epochs);
+  /// Of the file the first `epochs` rows are kept. Throws std::runtime_error naming file, line and
+  /// what is wrong there, where one is damaged or missing.
+  EpochTable(const TrainingRun& run, const std::vector<std::string>& columns, int epochs);
 
   /// Adds a row and writes the file anew. True where the last number is less than in every row
   /// before.
   bool add(const std::vector<double>& numbers);
+
+  /// Writes what going on after the row that was added last takes; once a row. The checksums come
+  /// first, to those of the epochs before, so that the state that is there always has its own,
+  /// whenever the process is killed.
+  void keep(const std::string& state);
 
   const std::string& lastRow() const { return rows_.back(); }
 
@@ -56,11 +74,17 @@ class EpochTable {
                   const DrawingOptions& options) const;
 
  private:
+  std::string header() const;
+  void append(const std::string& row);
   std::vector<double> column(const std::string& name) const;
 
   std::string path_;
+  std::string state_path_;
   std::vector<std::string> columns_;
   std::vector<std::string> rows_;
+  std::vector<std::vector<double>> numbers_;  // of the rows
+  std::string rows_sum_;
+  std::vector<EpochSums> sums_;
   double best_;
 };
 

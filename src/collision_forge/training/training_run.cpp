@@ -2,7 +2,6 @@
 
 #include <malloc.h>
 
-#include <filesystem>
 #include <iostream>
 #include <optional>
 
@@ -18,8 +17,6 @@
 
 namespace forge {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// The processes that mpirun started, which end together where one is silent.
 TrainingRanks launchedRanks([[maybe_unused]] const std::string& config) {
@@ -58,7 +55,7 @@ void record(const PatternTrainer& trainer, const std::set<std::string>& left_out
   }
   table.drawCurves(run.out + "/curves.png", "Training: negative log density of the ego's place",
                    {{"ego", "training"}, {"validation_ego", "validation"}}, run.drawing);
-  trainer.save(statePath(run));
+  table.keep(trainer.state());
   clearLine();
   std::cout << table.lastRow() << '\n' << std::flush;
 }
@@ -75,7 +72,7 @@ void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::str
               << " of them to tell the best epoch; " << left_out.size() << " scenes left out\n";
   }
   const int first = trainer.epochsDone();
-  EpochTable table(run.out + "/metrics.csv", columns(), first);
+  EpochTable table(run, columns(), first);
   ProgressLine progress("training");
   int stop = run.options.training.epochs;
   if (run.stop_after > 0) stop = std::min(stop, run.stop_after);
@@ -119,7 +116,7 @@ void trainPatternNetwork(const TrainingRun& run) {
   PatternTrainer trainer(options.pattern_features, options.pattern_layers, options.training,
                          run.device, run.threads, run.seed);
   trainer.trainTogether(ranks);
-  if (fs::exists(statePath(run))) trainer.load(statePath(run));
+  if (hasState(run)) trainer.load(statePath(run));
   ProgressLine reading("reading");
   const std::vector<TrainingSample> samples = collectTrainingSamples(
       run.sources, options, left_out, run.seed, [&](std::size_t done, std::size_t all) {

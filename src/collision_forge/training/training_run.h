@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 
@@ -16,6 +17,8 @@ struct TrainingRun {
   TrainingSources sources;
   std::string out;     ///< folder of the run
   std::string config;  ///< folder with the configuration files, for these two
+  /// Fingerprints of those that results depend on beside the one that is trained by, by name.
+  std::map<std::string, std::string> config_files;
   LearningOptions options;
   PlannerOptions planners;      ///< of a planner
   bool is_planner = false;      ///< train a planner, not the network
