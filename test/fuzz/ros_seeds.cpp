@@ -17,6 +17,7 @@
 #include "collision_forge/ros/object_array.h"
 #include "collision_forge/ros/ros_bytes.h"
 #include "collision_forge/ros/topic_names.h"
+#include "fuzz/embedded_seeds.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 
@@ -189,7 +190,7 @@ std::vector<std::string> bagSeeds() {
     bag.setCompression(rosbag::compression::LZ4);
     writeScene(bag);
   };
-  return {bagBy(writeScene), bagBy(writeAttack), bagBy(writeForeign), bagBy(packed)};
+  return {bagBy(writeScene), bagBy(writeAttack), bagBy(writeForeign), bagBy(packed), embeddedBag()};
 }
 
 std::vector<std::string> messageSeeds() {

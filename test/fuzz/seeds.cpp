@@ -15,6 +15,7 @@
 #include "data/collide_fixture.h"
 #include "data/map_fixture.h"
 #include "data/nuscenes_fixture.h"
+#include "fuzz/embedded_seeds.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 #include "network/sample_network.h"
@@ -57,7 +58,7 @@ Seeds configSeeds() {
   return seeds;
 }
 
-Seeds mapSeeds() { return {tinyMap()}; }
+Seeds mapSeeds() { return {tinyMap(), embeddedMap()}; }
 
 Seeds numberSeeds() {
   return {"0",
@@ -198,13 +199,11 @@ Scene smallScene() {
 
 Seeds pickleSeeds() {
   return {foreignDescription(),
-          scenarioNetOf(smallScene(), RowTimes::kAsRecorded, configuration().exports)};
+          scenarioNetOf(smallScene(), RowTimes::kAsRecorded, configuration().exports),
+          embeddedDescription()};
 }
 
-Seeds tableSeeds() {
-  const auto tables = tinyTables();
-  return {joined(Parts(tables.begin(), tables.end()))};
-}
+Seeds tableSeeds() { return {joined(tinyTables()), joined(embeddedTables())}; }
 
 Seeds weightSeeds() {
   PatternWeights fold = randomWeights(1);

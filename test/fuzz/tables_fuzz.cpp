@@ -1,4 +1,5 @@
 #include <memory>
+#include <utility>
 
 #include "collision_forge/data/log_source.h"
 #include "collision_forge/data/nuscenes_tables.h"
@@ -17,7 +18,9 @@ bool fuzzTables(const std::string& input) {
   return isTaken("", [&] {
     const NuScenesRoot root(folder.path(), ".");
     for (const std::string& name : root.sceneNames()) {
-      flattened({root.readScene(name), lanes}, reading);
+      NuScenesRecording recording = root.readScene(name);
+      keepWithin(recording, reading.options, nullptr);
+      flattened({std::move(recording), lanes}, reading);
     }
   });
 }
