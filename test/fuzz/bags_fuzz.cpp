@@ -3,6 +3,7 @@
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/foreign_bag.h"
 #include "collision_forge/ros/log_sources.h"
+#include "collision_forge/ros/mcap_export.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 
@@ -26,7 +27,10 @@ bool fuzzBags(const std::string& input) {
     NuScenesRecording recording = readForeignBag(path, mapping, config.ego_vehicle, &warnings);
     keepWithin(recording, config, &warnings);
   });
-  return is_ours || is_source || is_attacked || is_foreign;
+  const bool is_copied = isTaken(path, [&] {
+    exportToMcap(path, folder.path() + "/output.mcap", config.ego_vehicle, [](double) {});
+  });
+  return is_ours || is_source || is_attacked || is_foreign || is_copied;
 }
 
 }  // namespace forge

@@ -43,7 +43,9 @@ std::string stoppedRun() {
 std::vector<std::string> runSeeds() {
   ResultRow published = row();
   published.meets.resize(measuresOf(Protocol::kPublished).size());
-  return {plannerResultLine(tested()), toCsv(row()), toCsv(published), stoppedRun()};
+  const std::string witness = R"({"name":"requests:1","planner":"idm","policy":"adaptive"})";
+  return {plannerResultLine(tested()), witness + "\n" + witness, toCsv(row()), toCsv(published),
+          stoppedRun()};
 }
 
 }  // namespace forge

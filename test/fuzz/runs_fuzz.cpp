@@ -1,4 +1,5 @@
 #include "collision_forge/files/resumable_file.h"
+#include "collision_forge/report/weakness_files.h"
 #include "collision_forge/study/result_row.h"
 #include "collision_forge/trials/planner_result_file.h"
 #include "fuzz/reading.h"
@@ -38,13 +39,18 @@ void resumeRun(const std::string& path) {
 
 }  // namespace
 
-/// What runs leave and read again: a line of planner results, a row of results.csv, or the files of
-/// a run that was stopped.
+/// What runs leave and read again: a line of planner results, lines of witnesses, a row of
+/// results.csv, or the files of a run that was stopped.
 bool fuzzRuns(const std::string& input) {
   const InputFolder folder;
   const std::string path = folder.path() + "/results";
   if (!input.empty() && input.front() == '{') {
-    return isTaken("line 1", [&] { readPlannerResult("results.jsonl: line 1", input); });
+    const bool is_result =
+        isTaken("line 1", [&] { readPlannerResult("results.jsonl: line 1", input); });
+    const std::string witnesses = folder.write("witnesses.jsonl", input);
+    const bool is_witness =
+        isTaken(witnesses, [&] { readWitnessedHits(folder.path(), configuration().input_limits); });
+    return is_result || is_witness;
   }
   Parts parts = partsOf(input);
   if (parts.empty()) return isTaken("", [&] { readRow(input); });
