@@ -1,10 +1,11 @@
-// Runs that are stopped and gone on with, with any number of threads.
+// Runs that are stopped and gone on with, with any number of threads; and over ranks of mpirun.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
+#include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/run.h"
 #include "data/nuscenes_fixture.h"
 #include "properties/random_scenes.h"
@@ -45,16 +46,22 @@ void stopBefore(std::size_t item, Run run, Random& random) {
   }
 }
 
-/// The bytes of a run that is stopped up to twice, each time with other threads.
-std::string carriedOut(std::size_t count, const std::function<std::string(std::size_t)>& work,
-                       Random& random) {
-  const TemporaryFolder folder;
+Run runIn(const TemporaryFolder& folder, std::size_t count,
+          const std::function<std::string(std::size_t)>& work) {
   Run run;
   run.path = folder.path() + "/lines";
   run.items = "items";
   run.count = count;
   run.work = work;
   run.take = [](std::size_t, const std::string&, const std::string&) {};
+  return run;
+}
+
+/// The bytes of a run that is stopped up to twice, each time with other threads.
+std::string carriedOut(std::size_t count, const std::function<std::string(std::size_t)>& work,
+                       Random& random) {
+  const TemporaryFolder folder;
+  Run run = runIn(folder, count, work);
   testing::internal::CaptureStderr();
   std::size_t next = random.index(count);
   for (std::size_t stops = random.index(3); stops > 0 && next < count; --stops) {
@@ -76,11 +83,17 @@ std::string inOrder(std::size_t count, const std::function<std::string(std::size
   return lines;
 }
 
+std::vector<std::string> anyLines(Random& random) {
+  std::vector<std::string> lines(1 + random.index(40));
+  for (std::string& line : lines) {
+    line.assign(random.index(60), static_cast<char>('a' + random.index(26)));
+  }
+  return lines;
+}
+
 TEST(RunsProperties, AnyLinesAreThoseOfOneThreadWithoutAStop) {
   forAllCases([](Random& random) {
-    std::vector<std::string> lines(1 + random.index(40));
-    for (std::string& line : lines)
-      line.assign(random.index(60), static_cast<char>('a' + random.index(26)));
+    const std::vector<std::string> lines = anyLines(random);
     const auto work = [&](std::size_t index) { return lines[index]; };
     EXPECT_EQ(carriedOut(lines.size(), work, random), inOrder(lines.size(), work));
   });
@@ -98,6 +111,23 @@ TEST(RunsProperties, AnswersAreThoseOfOneThreadWithoutAStop) {
         EXPECT_EQ(carriedOut(list.size(), work, random), inOrder(list.size(), work));
       },
       0.1);
+}
+
+/// Every rank has the same cases, and the first writes.
+TEST(RunsOverRanks, AnyLinesAreThoseOfOneProcess) {
+  const auto check = [](Random& random) {
+    const std::vector<std::string> lines = anyLines(random);
+    const auto work = [&](std::size_t index) { return lines[index]; };
+    const TemporaryFolder folder;
+    forge::Run run = runIn(folder, lines.size(), work);
+    run.jobs = oneOf(kJobs, random);
+    testing::internal::CaptureStderr();
+    carryOut(run);
+    testing::internal::GetCapturedStderr();
+    if (!isMaster()) return;
+    EXPECT_EQ(contentOf(run.path), inOrder(lines.size(), work));
+  };
+  forAllCases(check, 0.2);
 }
 
 }  // namespace
