@@ -35,7 +35,7 @@ std::pair<std::string, std::string> complaintAndNextOf(const std::string& text) 
 }
 
 TEST(ReadInputLine, ReadsAsGetlineDoes) {
-  for (const std::string text :
+  for (const std::string& text :
        {std::string(), std::string("\n"), std::string("a"), std::string("abcd\nefgh"),
         std::string("\n\nab\n"), std::string("a\0\r\nb\n", 6)}) {
     std::istringstream stream(text);

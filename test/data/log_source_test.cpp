@@ -57,9 +57,9 @@ NuScenesRecording recorded() {
 
 TEST(LogSource, ARecordingWhoseEgoIsFarAwayIsRefused) {
   NuScenesRecording recording = recorded();
-  recording.ego_poses[2].translation.y() = -6e4;
-  EXPECT_THAT(errorOf([&] { keepWithin(recording, config(), nullptr); }),
-              testing::AllOf(HasSubstr("scene-0001: ego: states[2].y"), HasSubstr("-50000")));
+  recording.ego_poses[0].translation.y() = -6e4;
+  EXPECT_THAT(errorOf<InputError>([&] { keepWithin(recording, config(), nullptr); }),
+              testing::AllOf(HasSubstr("scene-0001: ego: states[0].y"), HasSubstr("-50000")));
 }
 
 TEST(LogSource, WhatIsBeyondTheLimitsIsNotInARecording) {

@@ -45,12 +45,12 @@ inline void replaceIn(std::string& text, const std::string& from, const std::str
   text.replace(at, from.size(), to);
 }
 
-/// The message of the NuScenesError that `call` throws; empty when it throws none.
-template <typename Call>
+/// The message of the Error that `call` throws; empty when it throws none.
+template <typename Error = NuScenesError, typename Call>
 std::string errorOf(const Call& call) {
   try {
     call();
-  } catch (const NuScenesError& error) {
+  } catch (const Error& error) {
     return error.what();
   }
   return "";

@@ -8,6 +8,7 @@
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/bag_writer.h"
 #include "data/nuscenes_fixture.h"
+#include "scene/shipped_limits.h"
 
 namespace forge {
 namespace {
@@ -26,9 +27,7 @@ class ForeignLogsTest : public testing::Test {
     reading_.options.ego_vehicle = {{4.0, 2.0}, 1.5};
     reading_.options.conversion.centerline_resolution = 1.0;
     reading_.options.locations["embedded"] = DrivingSide::kRight;
-    reading_.options.input_limits.max_lanes = 100000;
-    reading_.options.input_limits.max_map_points = 1000000;
-    reading_.options.input_limits.max_coordinate = 1e5;
+    reading_.options.input_limits = shippedLimits();
     writeScene("one");
     writeScene("two");
   }

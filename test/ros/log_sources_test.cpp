@@ -94,10 +94,10 @@ TEST_F(LogSourcesTest, ABagAloneIsASource) {
 
 TEST_F(LogSourcesTest, ABagIsHeldToTheLimitsOfInput) {
   LoggedScene far = logged("scene-0001");
-  far.recording.ego_poses[3].translation.x() = 1e9;
+  far.recording.ego_poses[0].translation.x() = 1e9;
   const std::string path = write(far);
-  EXPECT_THAT(errorOf([&] { readSource(path); }),
-              AllOf(HasSubstr(path), HasSubstr("ego: states[3].x = 1000000"),
+  EXPECT_THAT(errorOf<InputError>([&] { readSource(path); }),
+              AllOf(HasSubstr(path), HasSubstr("ego: states[0].x = 1000000"),
                     HasSubstr("outside -50000 to 50000")));
 }
 
@@ -108,7 +108,7 @@ TEST_F(LogSourcesTest, TheMapOfABagIsHeldToThem) {
   const std::string path = folder_.path() + "/map.bag";
   writeBag(path, whole.recording, map);
   EXPECT_THAT(
-      errorOf([&] { readSource(path); }),
+      errorOf<InputError>([&] { readSource(path); }),
       AllOf(HasSubstr(path + ": lane \"" + map.lanes[0].id + "\""), HasSubstr("= 1000000000")));
 }
 

@@ -24,7 +24,7 @@ def content(path):
     """Every file of an output with its bytes; that of a training's state is never the same twice."""
     if path.is_file():
         return {'': path.read_bytes()}
-    return {str(file.relative_to(path)): file.read_bytes() if file.suffix != '.pt' else b''
+    return {str(file.relative_to(path)): file.read_bytes() if '.pt' not in file.suffixes else b''
             for file in path.rglob('*') if file.is_file()}
 
 
