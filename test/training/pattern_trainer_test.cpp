@@ -5,12 +5,12 @@
 #include <cmath>
 #include <condition_variable>
 #include <filesystem>
-#include <functional>
 #include <mutex>
 #include <thread>
 
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/network/pattern_network.h"
+#include "data/nuscenes_fixture.h"
 #include "network/sample_network.h"
 
 namespace forge {
@@ -307,16 +307,6 @@ TEST(PatternTrainer, RanksThatPartAreFoundOut) {
   EXPECT_THROW(trainer.trainEpoch(samples, all(samples)), TrainingError);
 }
 
-std::string complaintOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "there is no error";
-  return "";
-}
-
 TEST(PatternTrainer, RefusesDamagedAndForeignStates) {
   const std::string path = (fs::path(testing::TempDir()) / "trainer_damaged.pt").string();
   writeText(path, trainerOf(quickTraining(), 1).state());
@@ -324,7 +314,9 @@ TEST(PatternTrainer, RefusesDamagedAndForeignStates) {
   EXPECT_THROW(other.load(path), TrainingError);
   fs::resize_file(path, fs::file_size(path) / 2);
   PatternTrainer same = trainerOf(quickTraining(), 1);
-  EXPECT_EQ(complaintOf([&] { same.load(path); }).find('\n'), std::string::npos);
+  const std::string complaint = errorOf<std::runtime_error>([&] { same.load(path); });
+  EXPECT_NE(complaint, "");
+  EXPECT_EQ(complaint.find('\n'), std::string::npos);
   EXPECT_THROW(same.load(path + ".not"), TrainingError);
   fs::remove(path);
 }

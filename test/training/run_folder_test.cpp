@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <functional>
 
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/settings/config.h"
@@ -15,23 +14,14 @@
 namespace forge {
 namespace {
 
-std::string complaintOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "there is no error";
-  return "";
-}
-
 /// The complaint about a run that was begun with one text and goes on with another.
 std::string differenceOf(const std::string& begun, const std::string& now) {
   const TemporaryFolder folder;
   TrainingRun run;
   run.out = folder.path() + "/run";
   { const OutputLock lock = openRunFolder(run, begun); }
-  const std::string complaint = complaintOf([&] { static_cast<void>(openRunFolder(run, now)); });
+  const std::string complaint =
+      errorOf<std::runtime_error>([&] { static_cast<void>(openRunFolder(run, now)); });
   const std::string where = run.out + "/run.txt: ";
   EXPECT_EQ(complaint.substr(0, where.size()), where);
   return complaint.substr(where.size());
@@ -129,7 +119,7 @@ class EpochTableTest : public testing::Test {
   }
 
   std::string complaintAfter(int epochs) const {
-    return complaintOf([&] { EpochTable(run_, kColumns, epochs); });
+    return errorOf<std::runtime_error>([&] { EpochTable(run_, kColumns, epochs); });
   }
 
   const std::vector<std::string> kColumns = {"loss", "validation"};
@@ -220,7 +210,7 @@ TEST_F(EpochTableTest, SaysWhatCannotBeWritten) {
   EpochTable table(run_, kColumns, 3);
   {
     const FileSizeLimit limit(8);  // bytes
-    EXPECT_THAT(complaintOf([&] { table.keep("state of 4"); }),
+    EXPECT_THAT(errorOf<std::runtime_error>([&] { table.keep("state of 4"); }),
                 testing::StartsWith(sums_ + ": cannot be written"));
   }
   EXPECT_TRUE(hasState(run_));
@@ -233,11 +223,12 @@ TEST_F(EpochTableTest, AStateThatWasAlteredIsRefused) {
   flipped[4] ^= 1;
   for (const std::string& altered : {flipped, std::string("state of"), std::string()}) {
     writeText(statePath(run_), altered);
-    EXPECT_THAT(complaintOf([&] { hasState(run_); }), testing::StartsWith(refusal)) << altered;
+    EXPECT_THAT(errorOf<std::runtime_error>([&] { hasState(run_); }), testing::StartsWith(refusal))
+        << altered;
   }
   writeText(statePath(run_), "state of 3");
   std::filesystem::remove(sums_);
-  EXPECT_THAT(complaintOf([&] { hasState(run_); }), testing::StartsWith(refusal));
+  EXPECT_THAT(errorOf<std::runtime_error>([&] { hasState(run_); }), testing::StartsWith(refusal));
   std::filesystem::remove(statePath(run_));
   EXPECT_FALSE(hasState(run_));
 }
