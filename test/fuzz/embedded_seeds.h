@@ -3,8 +3,8 @@
 #include <map>
 #include <string>
 
-/// What is small enough to begin with of data/embedded: two frames of a scene, with few agents, and
-/// a few lanes. Beside these, seeds are made that have what data/embedded has not.
+/// Small parts of data/embedded: two frames of a scene with few agents, and a few lanes. Other
+/// seeds have what is not in data/embedded.
 namespace forge {
 
 /// By their names.

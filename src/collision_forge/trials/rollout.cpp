@@ -42,7 +42,7 @@ bool isFinite(const TrajectoryPoint& point) {
 }
 
 /// What is wrong with a plan made at `now` that has to last until the next call.
-Failure checkPlan(const std::vector<TrajectoryPoint>& plan, double now, double next_call) {
+Failure failureOf(const std::vector<TrajectoryPoint>& plan, double now, double next_call) {
   if (plan.empty()) return {PlannerFailure::kEmpty, "the trajectory has no points"};
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const std::string where = "point " + std::to_string(i);
@@ -231,7 +231,7 @@ class Run {
     ++outcome_.plans;
     if (outcome_.failure != PlannerFailure::kNone) return;
     const double next_call = std::min(now() + driving_.interval, scenario_.end() - kTimeSlack);
-    fail(checkPlan(plan, now(), next_call));
+    fail(failureOf(plan, now(), next_call));
     if (outcome_.failure == PlannerFailure::kNone) ego_.follow(std::move(plan));
   }
 
