@@ -27,9 +27,8 @@ bool fuzzBags(const std::string& input) {
     NuScenesRecording recording = readForeignBag(path, mapping, config.ego_vehicle, &warnings);
     keepWithin(recording, config, &warnings);
   });
-  const bool is_copied = isTaken(path, [&] {
-    exportToMcap(path, folder.path() + "/output.mcap", config.ego_vehicle, [](double) {});
-  });
+  const bool is_copied =
+      isTaken(path, [&] { exportToMcap(path, folder.path() + "/output.mcap", config); });
   return is_ours || is_source || is_attacked || is_foreign || is_copied;
 }
 

@@ -139,7 +139,7 @@ TEST(BagsReadBack, AnMcapFileHasTheAttackAndShowsTheSameCrash) {
         crashRecord(scenario, 1, config.exports.history,
                     {*asked.recording, no_arcs, config.exports, config.attack.verification});
     const std::string path = bags.path("attacked.mcap");
-    exportToMcap(bags.inject(scenario, asked, AfterContact::kStop), path, config.ego_vehicle);
+    exportToMcap(bags.inject(scenario, asked, AfterContact::kStop), path, config);
     const McapContents contents(contentOf(path));
     const auto attack =
         messageIn<collision_forge::Attack>(contents.of(bagTopic(names::kAttack)).at(0));

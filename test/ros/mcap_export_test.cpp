@@ -14,20 +14,30 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/scene_update.h"
 #include "collision_forge/ros/topic_names.h"
 #include "ros/mcap_contents.h"
 #include "ros/ros_decoder.h"
+#include "scene/shipped_limits.h"
 
 namespace forge {
 namespace {
 
 using testing::StartsWith;
+using testing::UnorderedElementsAre;
 
 constexpr double kEgoSpeed = 4.0;  // m/s along x, from x = 0 at 0 s
 const EgoVehicle kEgo{{4.0, 2.0}, 1.5};
+
+DataOptions optionsOfTest() {
+  DataOptions options;
+  options.ego_vehicle = kEgo;
+  options.input_limits = shippedLimits();
+  return options;
+}
 
 tf2_msgs::TFMessage transformAt(double time) {
   tf2_msgs::TFMessage message;
@@ -85,13 +95,13 @@ class ExportToMcapTest : public testing::Test {
   }
 
   McapContents exported() const {
-    exportToMcap(in_, out_, kEgo);
+    exportToMcap(in_, out_, optionsOfTest());
     return McapContents(bytesOf(out_));
   }
 
   std::string complaint() const {
     try {
-      exportToMcap(in_, out_, kEgo);
+      exportToMcap(in_, out_, optionsOfTest());
     } catch (const BagError& error) {
       return error.what();
     }
@@ -206,6 +216,40 @@ TEST_F(ExportToMcapTest, BagsWithoutAScenePassAsTheyAre) {
   EXPECT_EQ(exported().messages().size(), 1U);
 }
 
+TEST_F(ExportToMcapTest, WhatIsBeyondTheLimitsIsCopiedNotShownAndTold) {
+  constexpr double kFar = 1e6;  // m
+  collision_forge::AgentArray frame = frameAt(1.0);
+  frame.agents.resize(4, frame.agents.front());
+  frame.agents[1].pose.position.x = kFar;
+  frame.agents[2].size.x = std::numeric_limits<double>::quiet_NaN();
+  frame.agents[3].velocity.y = kFar;
+  tf2_msgs::TFMessage far_ego = transformAt(1.5);
+  far_ego.transforms.front().transform.translation.x = kFar;
+  collision_forge::LaneMap map;
+  map.lanes.resize(1);
+  map.lanes.front().centerline.resize(2);
+  map.lanes.front().centerline.back().x = kFar;
+  {
+    NewBag bag(in_);
+    bag.writeLatched(bagTopic(names::kLaneMap), ros::Time(0.5), map);
+    bag.write(names::kTf, ros::Time(1.0), transformAt(1.0));
+    bag.write(bagTopic(names::kAgents), ros::Time(1.0), frame);
+    bag.write(names::kTf, ros::Time(1.5), far_ego);
+    bag.write(bagTopic(names::kAgents), ros::Time(1.5), frameAt(1.5));
+    bag.commit();
+  }
+  const std::string entries = " beyond the limits of input are not shown";
+  EXPECT_THAT(
+      exportToMcap(in_, out_, optionsOfTest()),
+      UnorderedElementsAre("3 entries of /agents" + entries, "1 entries of /lane_map" + entries,
+                           "2 entries of /tf" + entries));
+  const McapContents contents(bytesOf(out_));
+  EXPECT_EQ(contents.of("/agents").size(), 2U);
+  EXPECT_EQ(contents.of("/collision_forge/map").size(), 0U);
+  EXPECT_EQ(contents.of("/collision_forge/ego_speed").size(), 0U);
+  ASSERT_EQ(contents.of("/collision_forge/scene").size(), 1U);
+}
+
 TEST_F(ExportToMcapTest, AMessageOfNoTimeIsRefused) {
   const ros::Time marked(0x12345678U, 0x2345678U);
   {
@@ -256,7 +300,7 @@ TEST_F(ExportToMcapTest, ADamagedMessageLeavesNothingBehind) {
 TEST_F(ExportToMcapTest, ProgressGrowsToAll) {
   writeRecording();
   double last = -1.0;
-  exportToMcap(in_, out_, kEgo, [&](double share) {
+  exportToMcap(in_, out_, optionsOfTest(), [&](double share) {
     EXPECT_GE(share, last);
     last = share;
   });

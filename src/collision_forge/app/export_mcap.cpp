@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/output_lock.h"
@@ -36,7 +37,9 @@ std::vector<fs::path> filesOf(const std::vector<std::string>& bags, const fs::pa
 std::string exportOne(const std::string& bag, const std::string& file, const Config& config) {
   ProgressLine progress(fs::path(bag).filename().string());
   try {
-    exportToMcap(bag, file, config.ego_vehicle, [&](double share) { progress.show(share); });
+    const std::vector<std::string> warnings =
+        exportToMcap(bag, file, config, [&](double share) { progress.show(share); });
+    printWarnings(file, warnings);
     return "";
   } catch (const std::exception& error) {
     return error.what();

@@ -1,6 +1,5 @@
 #include "collision_forge/ros/crash_topics.h"
 
-#include <collision_forge/LaneMap.h>
 #include <std_msgs/Float64.h>
 
 #include <algorithm>
@@ -68,8 +67,10 @@ void MadeTopic::write(const ros::Time& time, const std::string& message) {
   writer_.write(*number_, time.toNSec(), message);
 }
 
-CrashTopics::CrashTopics(McapWriter& writer, const EgoVehicle& ego, std::string agents)
+CrashTopics::CrashTopics(McapWriter& writer, const EgoVehicle& ego, const InputLimits& limits,
+                         std::string agents)
     : ego_(ego),
+      limits_(limits),
       agents_(std::move(agents)),
       scene_(writer, names::kCrashScene, sceneSchema(), kSceneUpdateMd5),
       map_(writer, names::kCrashMap, sceneSchema(), kSceneUpdateMd5, true),
@@ -88,7 +89,7 @@ void CrashTopics::take(const rosbag::MessageInstance& instance) {
     if (agents) takeAgents(*agents, instance.getTime());
   } else if (topic == bagTopic(names::kLaneMap)) {
     const auto map = instance.instantiate<collision_forge::LaneMap>();
-    if (map) map_.write(instance.getTime(), toRosBytes(mapScene(*map)));
+    if (map) takeMap(*map, instance.getTime());
   } else if (topic == bagTopic(names::kAttack)) {
     const auto attack = instance.instantiate<collision_forge::Attack>();
     if (attack) takeAttack(*attack);
@@ -104,8 +105,35 @@ void CrashTopics::takeAttack(const collision_forge::Attack& attack) {
   if (!attack.trajectory.attacker_id.empty()) attack_ = attack;
 }
 
-void CrashTopics::takeAgents(const collision_forge::AgentArray& agents, const ros::Time& time) {
-  frames_.addFrame(boost::make_shared<Frame>(Frame{agents.header, time, agents}));
+bool CrashTopics::isShown(const collision_forge::Agent& agent) const {
+  const double speed = std::hypot(agent.velocity.x, agent.velocity.y);
+  return isWithin(fromMessage(agent.pose), limits_) &&
+         isWithin(BoxSize{agent.size.x, agent.size.y}, limits_) && speed <= limits_.max_speed;
+}
+
+bool CrashTopics::isEgoShown(const Pose2& base) {
+  if (isWithin(base, limits_)) return true;
+  ++not_shown_[names::kTf];
+  return false;
+}
+
+void CrashTopics::takeMap(const collision_forge::LaneMap& map, const ros::Time& time) {
+  try {
+    checkMap(fromMessage(map), limits_, names::kLaneMap);
+  } catch (const InputError&) {
+    ++not_shown_[bagTopic(names::kLaneMap)];
+    return;
+  }
+  map_.write(time, toRosBytes(mapScene(map)));
+}
+
+void CrashTopics::takeAgents(collision_forge::AgentArray agents, const ros::Time& time) {
+  auto& all = agents.agents;
+  const auto shown_end =
+      std::remove_if(all.begin(), all.end(), [this](const auto& agent) { return !isShown(agent); });
+  if (shown_end != all.end()) not_shown_[agents_] += static_cast<int>(all.end() - shown_end);
+  all.erase(shown_end, all.end());
+  frames_.addFrame(boost::make_shared<Frame>(Frame{agents.header, time, std::move(agents)}));
   tell();
 }
 
@@ -129,7 +157,7 @@ void CrashTopics::tell() {
 
 /// From the pose before, if that is not too long ago.
 void CrashTopics::showSpeed(const Place& place, const Pose2& base) {
-  if (!base.isFinite()) return;
+  if (!isEgoShown(base)) return;
   const AgentState state{place.header.stamp.toSec(), base, Vector2::Zero()};
   const double duration = base_ ? state.time - base_->time : 0.0;
   if (duration > 0.0 && duration <= kMaxGap) {
@@ -140,6 +168,7 @@ void CrashTopics::showSpeed(const Place& place, const Pose2& base) {
 }
 
 void CrashTopics::show(const Frame& frame, const Pose2& base) {
+  if (!isEgoShown(base)) return;
   CrashView view;
   view.header = frame.header;
   view.ego = OrientedBox{compose(base, {ego_.center_offset, 0.0, 0.0}), ego_.size};
@@ -153,6 +182,15 @@ void CrashTopics::show(const Frame& frame, const Pose2& base) {
   if (!view.attacker) return;
   const auto& velocity = view.attacker->velocity;
   attacker_speed_.write(frame.time, numberBytes(std::hypot(velocity.x, velocity.y)));
+}
+
+std::vector<std::string> CrashTopics::warnings() const {
+  std::vector<std::string> lines;
+  for (const auto& [topic, count] : not_shown_) {
+    lines.push_back(std::to_string(count) + " entries of " + topic +
+                    " beyond the limits of input are not shown");
+  }
+  return lines;
 }
 
 }  // namespace forge

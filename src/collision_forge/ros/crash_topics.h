@@ -3,16 +3,20 @@
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/Attack.h>
 #include <collision_forge/CollisionReport.h>
+#include <collision_forge/LaneMap.h>
 #include <rosbag/message_instance.h>
 #include <std_msgs/Header.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "collision_forge/ros/mcap_writer.h"
 #include "collision_forge/ros/posed_frames.h"
+#include "collision_forge/scene/input_limits.h"
 #include "collision_forge/scene/scene.h"
 
 namespace forge {
@@ -35,14 +39,19 @@ class MadeTopic {
 
 /// What an MCAP file has beside the messages of its bag, made of these as they come: the map and
 /// every frame of agents as scenes, with what is known of the attack by then, and how fast ego and
-/// attacker are. A frame is shown when the ego's place at its stamp is known, and not before.
+/// attacker are. A frame is shown when the ego's place at its stamp is known, and not before. What
+/// is beyond the limits of input is not shown.
 class CrashTopics {
  public:
   /// `agents`: the topic of the frames, as the bag names it.
-  CrashTopics(McapWriter& writer, const EgoVehicle& ego, std::string agents);
+  CrashTopics(McapWriter& writer, const EgoVehicle& ego, const InputLimits& limits,
+              std::string agents);
 
   /// A message of the bag, in the order of time.
   void take(const rosbag::MessageInstance& instance);
+
+  /// What was not shown, a line a topic.
+  std::vector<std::string> warnings() const;
 
  private:
   // With a header, as PosedFrames wants it, and the time in the bag.
@@ -56,14 +65,19 @@ class CrashTopics {
     ros::Time time;
   };
 
+  bool isShown(const collision_forge::Agent& agent) const;
+  /// Counts it where it is not.
+  bool isEgoShown(const Pose2& base);
+  void takeMap(const collision_forge::LaneMap& map, const ros::Time& time);
   void takeTransforms(const tf2_msgs::TFMessage& message, const ros::Time& time, bool is_static);
   void takeAttack(const collision_forge::Attack& attack);
-  void takeAgents(const collision_forge::AgentArray& agents, const ros::Time& time);
+  void takeAgents(collision_forge::AgentArray agents, const ros::Time& time);
   void tell();
   void showSpeed(const Place& place, const Pose2& base);
   void show(const Frame& frame, const Pose2& base);
 
   EgoVehicle ego_;
+  InputLimits limits_;
   std::string agents_;
   PosedFrames<Frame> frames_;
   PosedFrames<Place> places_;       ///< of base_link
@@ -74,6 +88,7 @@ class CrashTopics {
   MadeTopic map_;
   MadeTopic ego_speed_;
   MadeTopic attacker_speed_;
+  std::map<std::string, int> not_shown_;  ///< by topic
 };
 
 }  // namespace forge

@@ -46,12 +46,16 @@ std::map<std::string, std::string> metadataOf(const rosbag::ConnectionInfo& conn
 /// One bag on its way into an MCAP file.
 class BagConversion {
  public:
-  BagConversion(rosbag::View& bag, McapWriter& writer, const EgoVehicle& ego)
-      : bag_(bag), writer_(writer), crash_(writer, ego, agentsTopic(bag.getConnections())) {
+  BagConversion(rosbag::View& bag, McapWriter& writer, const DataOptions& options)
+      : bag_(bag),
+        writer_(writer),
+        crash_(writer, options.ego_vehicle, options.input_limits,
+               agentsTopic(bag.getConnections())) {
     for (const rosbag::ConnectionInfo* connection : bag.getConnections()) addChannel(*connection);
   }
 
-  void write(const std::function<void(double)>& on_progress) {
+  /// What is not shown.
+  std::vector<std::string> write(const std::function<void(double)>& on_progress) {
     const double count = bag_.size();
     double done = 0.0;
     for (const rosbag::MessageInstance& instance : bag_) {
@@ -60,6 +64,7 @@ class BagConversion {
       crash_.take(instance);
     }
     on_progress(1.0);
+    return crash_.warnings();
   }
 
  private:
@@ -89,8 +94,9 @@ class BagConversion {
   std::string message_;  ///< the one that is being copied
 };
 
-void convert(const std::string& in, const std::string& out, const EgoVehicle& ego,
-             const std::function<void(double)>& on_progress) {
+std::vector<std::string> convert(const std::string& in, const std::string& out,
+                                 const DataOptions& options,
+                                 const std::function<void(double)>& on_progress) {
   const rosbag::Bag bag(in, rosbag::bagmode::Read);
   if (hasMessageAtZero(in))
     throw BagError("has messages at time 0, which means that they have none");
@@ -98,18 +104,20 @@ void convert(const std::string& in, const std::string& out, const EgoVehicle& eg
   if (view.size() == 0) throw BagError("has no messages");
   AsideFile file(out);
   McapWriter writer(file.stream(), kProfile, kLibrary);
-  BagConversion(view, writer, ego).write(on_progress);
+  std::vector<std::string> warnings = BagConversion(view, writer, options).write(on_progress);
   writer.finish();
   file.commit();
+  return warnings;
 }
 
 }  // namespace
 
-void exportToMcap(const std::string& in, const std::string& out, const EgoVehicle& ego,
-                  const std::function<void(double)>& on_progress) {
+std::vector<std::string> exportToMcap(const std::string& in, const std::string& out,
+                                      const DataOptions& options,
+                                      const std::function<void(double)>& on_progress) {
   checkBag(in);
   try {
-    convert(in, out, ego, on_progress);
+    return convert(in, out, options, on_progress);
   } catch (const rosbag::BagUnindexedException&) {
     throw BagError(in + ": truncated (no index); `rosbag reindex` may save what is there");
   } catch (const rosbag::BagIOException& error) {
