@@ -12,6 +12,7 @@ from collision_forge.msg import Attack
 
 
 class BadInputTest(MadeUpTest):
+    HEARD = MadeUpTest.HEARD + ['/map_markers']
 
     # In this order: the first tests need a suite that has heard nothing yet.
 
@@ -35,6 +36,8 @@ class BadInputTest(MadeUpTest):
         self.publishers['/lane_map'].publish(broken)
         until(lambda: r'lane_map of made-up-right\x1b[2J is not usable' in self.suite.output(),
               'the message about the map')
+        until(lambda: 'lane_map not shown: ' in self.suite.output(), 'the message that it is not shown')
+        self.assertEqual(self.heard['/map_markers'].all(), [])
         self.assertEqual(road.CODES[ask('rear_end', 4.0).code], 'NO_SCENE')
 
     def test_3_map_that_comes_after_the_frames(self):

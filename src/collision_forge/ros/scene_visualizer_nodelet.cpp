@@ -12,6 +12,7 @@
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/topic_names.h"
+#include "collision_forge/scene/input_limits.h"
 
 namespace forge {
 
@@ -22,6 +23,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   static constexpr double kPictureRate = 20.0;  // Hz, of the wall clock
 
   void start(ros::NodeHandle node) override {
+    limits_ = loadNodeConfig(getPrivateNodeHandle()).input_limits;
     map_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kMapMarkers, 1, true);
     scene_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kSceneMarkers, 1);
     pattern_markers_ =
@@ -40,11 +42,29 @@ class SceneVisualizerNodelet : public QueuedNodelet {
                                   &SceneVisualizerNodelet::show, this);
   }
 
+  /// False, and logged, where `check` throws.
+  template <typename Check>
+  bool isUsable(const char* topic, const Check& check) {
+    try {
+      check();
+      return true;
+    } catch (const std::exception& error) {
+      NODELET_ERROR_STREAM_THROTTLE(1.0, topic << " not shown: " << printable(error.what()));
+      return false;
+    }
+  }
+
   void onMap(const collision_forge::LaneMapConstPtr& map) {
-    map_markers_.publish(mapMarkers(*map));
+    const auto check = [&] { checkMap(fromMessage(*map), limits_, names::kLaneMap); };
+    if (isUsable(names::kLaneMap, check)) map_markers_.publish(mapMarkers(*map));
   }
 
   void onScene(const collision_forge::EncodedSceneConstPtr& scene) {
+    const auto check = [&] {
+      Snapshot snapshot = fromMessage(scene->snapshot);
+      checkSnapshot(snapshot, limits_, names::kEncodedScene);
+    };
+    if (!isUsable(names::kEncodedScene, check)) return;
     scene_ = scene;
     clearFuturePatterns(*scene);
     if (attack_ && attack_->adaptive) shown_ = Shown::kOutdated;
@@ -65,8 +85,13 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   void onAttack(const collision_forge::AttackConstPtr& attack) {
     const bool goes_on = attack->adaptive && attack->plans > 1;
     if (!goes_on) tested_.reset();  // it may be of another attack by the same vehicle, now
-    attack_ = isNone(*attack) ? nullptr : attack;
+    attack_.reset();
     shown_ = Shown::kOutdated;
+    if (isNone(*attack)) return;
+    const auto check = [&] {
+      checkTrajectory(fromMessage(attack->trajectory), limits_, names::kAttack);
+    };
+    if (isUsable(names::kAttack, check)) attack_ = attack;
   }
 
   void onTested(const collision_forge::CollisionReportConstPtr& report) {
@@ -131,6 +156,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
 
   enum class Shown { kNothing, kPlan, kPast, kOutdated };
 
+  InputLimits limits_;
   ros::Publisher map_markers_;
   ros::Publisher scene_markers_;
   ros::Publisher pattern_markers_;
