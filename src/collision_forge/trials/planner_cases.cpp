@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -20,32 +19,33 @@ namespace fs = std::filesystem;
 
 /// A line of a file of scenarios.
 struct ScenarioText {
-  std::string source;
   std::string where;
-  std::string text;
+  std::string text;   ///< empty for a line that cannot be read
+  std::string scene;  ///< likewise
+  std::string error;  ///< why it cannot be read
 };
 
-std::vector<ScenarioText> readLines(const std::string& path, const InputLimits& limits) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(path + ": cannot be read");
-  const std::string source = fs::path(path).stem().string();
+struct ScenarioTexts {
   std::vector<ScenarioText> lines;
-  const auto where = [&] { return path + ": line " + std::to_string(lines.size() + 1); };
-  for (std::string text; readInputLine(file, text, where(), limits);) {
-    lines.push_back({source, where(), text});
-  }
-  if (lines.empty()) throw std::runtime_error(path + ": has no scenarios");
-  return lines;
-}
+  std::string fingerprint;
 
-/// Empty for a line that cannot be read.
-std::optional<std::string> sceneOf(const ScenarioText& line, const InputLimits& limits) {
-  try {
-    return readScenarioLine(line.where, line.text, limits).asked.scene;
-  } catch (const JsonLineError&) {
-    return std::nullopt;
+  void add(const std::string& path, const InputLimits& limits) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw std::runtime_error(path + ": cannot be read");
+    int number = 1;
+    const auto where = [&] { return path + ": line " + std::to_string(number); };
+    for (std::string text; readInputLine(file, text, where(), limits); ++number) {
+      fingerprint = forge::fingerprint(text, fingerprint);
+      try {
+        const std::string scene = readScenarioLine(where(), text, limits).asked.scene;
+        lines.push_back({where(), text, scene, ""});
+      } catch (const JsonLineError& error) {
+        lines.push_back({where(), "", "", error.what()});
+      }
+    }
+    if (number == 1) throw std::runtime_error(path + ": has no scenarios");
   }
-}
+};
 
 class ScenarioCases : public PlannerCases {
  public:
@@ -53,17 +53,18 @@ class ScenarioCases : public PlannerCases {
                 std::size_t scenes_kept, const StudyOptions& study,
                 const NuScenesProgress& on_progress)
       : study_(study) {
+    std::set<std::string> sources;
     for (const std::string& path : paths) {
-      int number = 0;
-      for (ScenarioText& line : readLines(path, study.input_limits)) {
-        names_.push_back(line.source + ":" + std::to_string(++number));
-        lines_.push_back(std::move(line));
+      const std::string source = fs::path(path).stem().string();
+      if (!sources.insert(source).second) {
+        throw std::runtime_error("two scenario files have the same name, " + source);
       }
-    }
-    std::set<std::string> known_names;
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (known_names.insert(names_[i]).second) continue;
-      throw std::runtime_error("two scenario files have the same name, " + lines_[i].source);
+      const std::size_t before = texts_.lines.size();
+      texts_.add(path, study.input_limits);
+      for (std::size_t i = before; i < texts_.lines.size(); ++i) {
+        names_.push_back(source + ":" + std::to_string(i - before + 1));
+        sources_.push_back(source);
+      }
     }
     const auto known = readSceneNames(logs);
     known_.insert(known.begin(), known.end());
@@ -77,13 +78,12 @@ class ScenarioCases : public PlannerCases {
   const std::vector<std::string>& names() const override { return names_; }
 
   std::string fingerprint() const override {
-    std::string found;
-    for (const ScenarioText& line : lines_) found = forge::fingerprint(line.text, found);
-    return std::to_string(lines_.size()) + " scenarios, fingerprint " + found;
+    return std::to_string(names_.size()) + " scenarios, fingerprint " + texts_.fingerprint;
   }
 
   PlannerCase at(std::size_t index) const override {
-    const ScenarioText& line = lines_[index];
+    const ScenarioText& line = texts_.lines[index];
+    if (line.text.empty()) throw std::runtime_error(line.error);
     const Scenario scenario = readScenarioLine(line.where, line.text, study_.input_limits);
     if (known_.count(scenario.asked.scene) == 0) {
       throw std::runtime_error(line.where + ": scene = \"" + scenario.asked.scene +
@@ -91,7 +91,7 @@ class ScenarioCases : public PlannerCases {
     }
     PlannerCase one = caseOfScenario(scenario, *scenes_->at(scenario.asked.scene), study_);
     one.name = names_[index];
-    one.source = line.source;
+    one.source = sources_[index];
     return one;
   }
 
@@ -100,16 +100,17 @@ class ScenarioCases : public PlannerCases {
   std::vector<std::string> wantedScenes() const {
     std::vector<std::string> wanted;
     std::set<std::string> seen;
-    for (const ScenarioText& line : lines_) {
-      const auto scene = sceneOf(line, study_.input_limits);
-      if (scene && known_.count(*scene) > 0 && seen.insert(*scene).second) wanted.push_back(*scene);
+    for (const ScenarioText& line : texts_.lines) {
+      const bool is_known = known_.count(line.scene) > 0;
+      if (is_known && seen.insert(line.scene).second) wanted.push_back(line.scene);
     }
     return wanted;
   }
 
   const StudyOptions& study_;
-  std::vector<ScenarioText> lines_;
+  ScenarioTexts texts_;
   std::vector<std::string> names_;
+  std::vector<std::string> sources_;
   std::set<std::string> known_;
   std::unique_ptr<SceneSource> scenes_;
 };
@@ -167,11 +168,11 @@ class ClipCases : public PlannerCases {
 }  // namespace
 
 std::set<std::string> readScenes(const std::vector<std::string>& paths, const InputLimits& limits) {
+  ScenarioTexts texts;
+  for (const std::string& path : paths) texts.add(path, limits);
   std::set<std::string> scenes;
-  for (const std::string& path : paths) {
-    for (const ScenarioText& line : readLines(path, limits)) {
-      if (const auto scene = sceneOf(line, limits)) scenes.insert(*scene);
-    }
+  for (const ScenarioText& line : texts.lines) {
+    if (!line.text.empty()) scenes.insert(line.scene);
   }
   return scenes;
 }
