@@ -71,6 +71,11 @@ collision_forge::Attack attackAt(double now) {
   collision_forge::Attack attack;
   attack.header.stamp = ros::Time(now);
   attack.trajectory.attacker_id = "attacker";
+  attack.trajectory.size.x = 4.6;
+  attack.trajectory.size.y = 1.9;
+  attack.trajectory.points.resize(2);
+  attack.trajectory.points[0].stamp = ros::Time(now);
+  attack.trajectory.points[1].stamp = ros::Time(now + 1.0);
   return attack;
 }
 
@@ -225,6 +230,8 @@ TEST_F(ExportToMcapTest, WhatIsBeyondTheLimitsIsCopiedNotShownAndTold) {
   frame.agents[3].velocity.y = kFar;
   tf2_msgs::TFMessage far_ego = transformAt(1.5);
   far_ego.transforms.front().transform.translation.x = kFar;
+  collision_forge::Attack far_attack = attackAt(1.0);
+  far_attack.trajectory.points.back().pose.position.x = kFar;
   collision_forge::LaneMap map;
   map.lanes.resize(1);
   map.lanes.front().centerline.resize(2);
@@ -234,6 +241,7 @@ TEST_F(ExportToMcapTest, WhatIsBeyondTheLimitsIsCopiedNotShownAndTold) {
     bag.writeLatched(bagTopic(names::kLaneMap), ros::Time(0.5), map);
     bag.write(names::kTf, ros::Time(1.0), transformAt(1.0));
     bag.write(bagTopic(names::kAgents), ros::Time(1.0), frame);
+    bag.writeLatched(bagTopic(names::kAttack), ros::Time(1.0), far_attack);
     bag.write(names::kTf, ros::Time(1.5), far_ego);
     bag.write(bagTopic(names::kAgents), ros::Time(1.5), frameAt(1.5));
     bag.commit();
@@ -242,12 +250,13 @@ TEST_F(ExportToMcapTest, WhatIsBeyondTheLimitsIsCopiedNotShownAndTold) {
   EXPECT_THAT(
       exportToMcap(in_, out_, optionsOfTest()),
       UnorderedElementsAre("3 entries of /agents" + entries, "1 entries of /lane_map" + entries,
-                           "2 entries of /tf" + entries));
+                           "1 entries of /attack" + entries, "2 entries of /tf" + entries));
   const McapContents contents(bytesOf(out_));
   EXPECT_EQ(contents.of("/agents").size(), 2U);
   EXPECT_EQ(contents.of("/collision_forge/map").size(), 0U);
   EXPECT_EQ(contents.of("/collision_forge/ego_speed").size(), 0U);
-  ASSERT_EQ(contents.of("/collision_forge/scene").size(), 1U);
+  EXPECT_EQ(contents.of("/collision_forge/attacker_speed").size(), 0U);
+  EXPECT_EQ(contents.of("/collision_forge/scene").size(), 1U);
 }
 
 TEST_F(ExportToMcapTest, AMessageOfNoTimeIsRefused) {

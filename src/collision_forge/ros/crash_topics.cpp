@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/make_shared.hpp>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "collision_forge/ros/bag_file.h"
@@ -102,7 +103,22 @@ void CrashTopics::take(const rosbag::MessageInstance& instance) {
 /// One without an attacker says that there is no attack any more.
 void CrashTopics::takeAttack(const collision_forge::Attack& attack) {
   attack_.reset();
-  if (!attack.trajectory.attacker_id.empty()) attack_ = attack;
+  if (attack.trajectory.attacker_id.empty()) return;
+  const auto check = [&] {
+    checkTrajectory(fromMessage(attack.trajectory), limits_, names::kAttack);
+  };
+  if (isWithinLimits(names::kAttack, check)) attack_ = attack;
+}
+
+template <typename Check>
+bool CrashTopics::isWithinLimits(const char* topic, const Check& check) {
+  try {
+    check();
+    return true;
+  } catch (const std::runtime_error&) {  // InputError, MessageError
+    ++not_shown_[bagTopic(topic)];
+    return false;
+  }
 }
 
 bool CrashTopics::isShown(const collision_forge::Agent& agent) const {
@@ -118,13 +134,8 @@ bool CrashTopics::isEgoShown(const Pose2& base) {
 }
 
 void CrashTopics::takeMap(const collision_forge::LaneMap& map, const ros::Time& time) {
-  try {
-    checkMap(fromMessage(map), limits_, names::kLaneMap);
-  } catch (const InputError&) {
-    ++not_shown_[bagTopic(names::kLaneMap)];
-    return;
-  }
-  map_.write(time, toRosBytes(mapScene(map)));
+  const auto check = [&] { checkMap(fromMessage(map), limits_, names::kLaneMap); };
+  if (isWithinLimits(names::kLaneMap, check)) map_.write(time, toRosBytes(mapScene(map)));
 }
 
 void CrashTopics::takeAgents(collision_forge::AgentArray agents, const ros::Time& time) {
