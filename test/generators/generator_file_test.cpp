@@ -12,7 +12,9 @@
 namespace forge {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 std::string configText() {
   return textOfSections(COLLISION_FORGE_SOURCE_DIR "/config/generators.yaml", sectionsOf("c_sgan"));
@@ -38,6 +40,8 @@ class GeneratorFile : public testing::Test {
       loaded(name);
       return "";
     } catch (const TrafficGeneratorError& error) {
+      return error.what();
+    } catch (const ConfigError& error) {  // of the text in its header
       return error.what();
     }
   }
@@ -84,7 +88,7 @@ TEST_F(GeneratorFile, AnotherGeneratorIsRefused) {
   GeneratorHeader header = header_;
   header.name = "c_other";
   writeText(path_, generatorBytes(header, *generator_, false));
-  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr(path_), HasSubstr("c_other, not c_sgan")));
+  EXPECT_THAT(refusal(), AllOf(HasSubstr(path_), HasSubstr("c_other, not c_sgan")));
 }
 
 TEST_F(GeneratorFile, AnotherArchitectureIsRefused) {
@@ -92,7 +96,25 @@ TEST_F(GeneratorFile, AnotherArchitectureIsRefused) {
   wide.c_sgan.encoder = 40;
   const auto other = made(wide, 0);
   writeText(path_, generatorBytes(header_, *other, false));
-  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr(path_), HasSubstr("shape")));
+  EXPECT_THAT(refusal(), AllOf(HasSubstr(path_), HasSubstr("shape")));
+}
+
+TEST_F(GeneratorFile, SizesBeyondTheirBoundsAreRefused) {
+  const auto refusalOf = [&](const std::string& field, const std::string& value) {
+    GeneratorHeader header = header_;
+    const std::size_t begin = header.config.find(field + ": ") + field.size() + 2;
+    header.config.replace(begin, header.config.find('\n', begin) - begin, value);
+    writeText(path_, generatorBytes(header, *generator_, false));
+    return refusal();
+  };
+  EXPECT_THAT(refusalOf("encoder", "2000000"), StartsWith(path_ + ": c_sgan.encoder = 2000000 is"));
+  EXPECT_THAT(refusalOf("max_agents", "2000000"), StartsWith(path_ + ": traffic.max_agents = 20"));
+  EXPECT_THAT(refusalOf("noise", "33"), StartsWith(path_ + ": c_sgan.noise"));
+  for (const int frames : {0, -1, 2000000000}) {
+    header_.history_frames = frames;
+    writeText(path_, generatorBytes(header_, *generator_, false));
+    EXPECT_THAT(refusal(), AllOf(StartsWith(path_), HasSubstr("history_frames = ")));
+  }
 }
 
 TEST_F(GeneratorFile, NumbersThatAreNotFiniteAreRefused) {
@@ -102,9 +124,9 @@ TEST_F(GeneratorFile, NumbersThatAreNotFiniteAreRefused) {
 }
 
 TEST_F(GeneratorFile, OtherFilesAreRefusedInOneLine) {
-  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr(path_), testing::Not(HasSubstr("\n"))));
+  EXPECT_THAT(refusal(), AllOf(HasSubstr(path_), testing::Not(HasSubstr("\n"))));
   writeText(path_, "no archive");
-  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr(path_), testing::Not(HasSubstr("\n"))));
+  EXPECT_THAT(refusal(), AllOf(HasSubstr(path_), testing::Not(HasSubstr("\n"))));
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
 #include "collision_forge/generators/generator_file.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <sstream>
+#include <stdexcept>
 
 #include "collision_forge/attack/method_registry.h"
 #include "collision_forge/config/section.h"
+#include "collision_forge/forecast/options.h"
 
 namespace forge {
 namespace {
@@ -17,18 +21,26 @@ std::string firstLine(const std::exception& error) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Does `read` with the file's archive; whatever goes wrong names the file.
+/// What `read` returns; whatever goes wrong names the file.
 template <typename Read>
-void withArchive(const std::string& path, Read read) {
+auto readNamed(const std::string& path, Read read) {
   try {
-    torch::serialize::InputArchive archive;
-    archive.load_from(path, torch::Device(torch::kCPU));
-    read(archive);
+    return read();
   } catch (const TrafficGeneratorError&) {
     throw;
   } catch (const std::exception& error) {
     throw TrafficGeneratorError(path + ": cannot be read as a generator: " + firstLine(error));
   }
+}
+
+/// Does `read` with the file's archive.
+template <typename Read>
+void withArchive(const std::string& path, Read read) {
+  readNamed(path, [&] {
+    torch::serialize::InputArchive archive;
+    archive.load_from(path, torch::Device(torch::kCPU));
+    read(archive);
+  });
 }
 
 std::string textIn(torch::serialize::InputArchive& archive, const std::string& key) {
@@ -37,10 +49,15 @@ std::string textIn(torch::serialize::InputArchive& archive, const std::string& k
   return value.toStringRef();
 }
 
-int countIn(torch::serialize::InputArchive& archive, const std::string& key) {
+int countIn(torch::serialize::InputArchive& archive, const std::string& key, int min, int max) {
   c10::IValue value;
   archive.read(key, value);
-  return static_cast<int>(value.toInt());
+  const std::int64_t count = value.toInt();
+  if (count < min || count > max) {
+    throw std::runtime_error(key + " = " + std::to_string(count) + " is not within " +
+                             std::to_string(min) + " to " + std::to_string(max));
+  }
+  return static_cast<int>(count);
 }
 
 std::vector<std::string> textsIn(torch::serialize::InputArchive& archive, const std::string& key) {
@@ -81,7 +98,9 @@ struct LoadedModel {
 
 LoadedModel loadModel(const std::string& name, const std::string& path) {
   const GeneratorHeader header = readGeneratorHeader(path, name);
-  const auto model = makeTrafficModel(name, optionsOf(header, path), torch::Device(torch::kCPU), 0);
+  const GeneratorOptions options = optionsOf(header, path);
+  const auto model = readNamed(
+      path, [&] { return makeTrafficModel(name, options, torch::Device(torch::kCPU), 0); });
   readGenerator(path, *model, false);
   model->network()->eval();
   for (torch::Tensor& parameter : model->network()->parameters()) {
@@ -160,8 +179,8 @@ GeneratorHeader readGeneratorHeader(const std::string& path, const std::string& 
       throw TrafficGeneratorError(path + ": holds the generator " + header.name + ", not " + name);
     }
     header.config = textIn(archive, "config");
-    header.history_frames = countIn(archive, "history_frames");
-    header.epochs = countIn(archive, "epochs");
+    header.history_frames = countIn(archive, "history_frames", 1, kMaxHistoryFrames);
+    header.epochs = countIn(archive, "epochs", 0, std::numeric_limits<int>::max());
     header.left_out_scenes = textsIn(archive, "left_out_scenes");
   });
   return header;

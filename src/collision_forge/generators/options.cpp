@@ -8,15 +8,15 @@ namespace forge {
 
 static void readOptions(Section& section, TrafficLaneOptions& options) {
   options.reach = section.positive("reach");
-  options.max_lanes = section.count("max_lanes", 1);
-  options.points = section.count("points", 2);
+  options.max_lanes = section.count("max_lanes", 1, kMaxModelCount);
+  options.points = section.count("points", 2, kMaxModelCount);
   options.spacing = section.positive("spacing");
 }
 
 static void readOptions(Section& section, TrafficOptions& options, int history_frames) {
   options.history_frames = history_frames;
-  options.future_frames = section.count("future_frames", 1);
-  options.max_agents = section.count("max_agents", 2);
+  options.future_frames = section.count("future_frames", 1, kMaxModelCount);
+  options.max_agents = section.count("max_agents", 2, kMaxModelCount);
   options.min_motion = section.nonNegative("min_motion");
   options.min_step = section.nonNegative("min_step");
 }
@@ -26,16 +26,17 @@ static void readOptions(Section& section, SocialGanOptions& options) {
   options.batch = section.count("batch", 1);
   options.learning_rate = section.positive("learning_rate");
   options.max_gradient = section.positive("max_gradient");
-  options.embedding = section.count("embedding", 1);
-  options.encoder = section.count("encoder", 1);
-  options.decoder = section.count("decoder", 1);
-  options.pooled = section.count("pooled", 1);
-  options.pooling_layer = section.count("pooling_layer", 1);
-  options.context_layer = section.count("context_layer", 1);
-  options.noise = section.count("noise", 1);
-  options.discriminator = section.count("discriminator", 1);
-  options.discriminator_steps = section.count("discriminator_steps", 1);
-  options.variety = section.count("variety", 1);
+  options.embedding = section.count("embedding", 1, kMaxModelWidth);
+  options.encoder = section.count("encoder", 1, kMaxModelWidth);
+  options.decoder = section.count("decoder", 1, kMaxModelWidth);
+  options.pooled = section.count("pooled", 1, kMaxModelWidth);
+  options.pooling_layer = section.count("pooling_layer", 1, kMaxModelWidth);
+  options.context_layer = section.count("context_layer", 1, kMaxModelWidth);
+  options.noise = section.count("noise", 1, kMaxModelWidth);
+  if (options.noise >= options.decoder) section.refuse("noise", "is not less than decoder");
+  options.discriminator = section.count("discriminator", 1, kMaxModelWidth);
+  options.discriminator_steps = section.count("discriminator_steps", 1, kMaxModelSteps);
+  options.variety = section.count("variety", 1, kMaxModelCount);
   options.step_scale = section.positive("step_scale");
   options.position_scale = section.positive("position_scale");
 }
@@ -45,22 +46,22 @@ static void readOptions(Section& section, MidOptions& options) {
   options.batch = section.count("batch", 1);
   options.learning_rate = section.positive("learning_rate");
   options.attacker_weight = section.positive("attacker_weight");
-  options.encoder = section.count("encoder", 1);
+  options.encoder = section.count("encoder", 1, kMaxModelWidth);
   options.encoder_dropout = section.share("encoder_dropout");
-  options.width = section.count("width", 4);
-  options.layers = section.count("layers", 1);
-  options.heads = section.count("heads", 1);
+  options.width = section.count("width", 4, kMaxModelWidth);
+  options.layers = section.count("layers", 1, kMaxModelCount);
+  options.heads = section.count("heads", 1, kMaxModelCount);
   if (options.width % 4 != 0 || options.width % options.heads != 0) {
     section.refuse("width", "is no multiple of 4 and of heads");
   }
-  options.feed_forward = section.count("feed_forward", 1);
+  options.feed_forward = section.count("feed_forward", 1, kMaxModelWidth);
   options.dropout = section.share("dropout");
-  options.diffusion_steps = section.count("diffusion_steps", 1);
+  options.diffusion_steps = section.count("diffusion_steps", 1, kMaxModelSteps);
   constexpr double kLeastBeta = 1e-6;  // with none at all a step divides by 0
   constexpr double kMostBeta = 0.999;
   options.beta_first = section.within("beta_first", kLeastBeta, kMostBeta);
   options.beta_last = section.within("beta_last", options.beta_first, kMostBeta);
-  options.sampling_steps = section.count("sampling_steps", 1);
+  options.sampling_steps = section.count("sampling_steps", 1, kMaxModelSteps);
   if (options.diffusion_steps % options.sampling_steps != 0) {
     section.refuse("sampling_steps", "does not divide diffusion_steps");
   }
@@ -76,11 +77,11 @@ static void readOptions(Section& section, StriveOptions& options) {
   options.batch = section.count("batch", 1);
   options.learning_rate = section.positive("learning_rate");
   options.max_gradient = section.positive("max_gradient");
-  options.hidden = section.count("hidden", 1);
-  options.feature = section.count("feature", 1);
-  options.latent = section.count("latent", 1);
-  options.lane_hidden = section.count("lane_hidden", 1);
-  options.lanes_of_agent = section.count("lanes_of_agent", 1);
+  options.hidden = section.count("hidden", 1, kMaxModelWidth);
+  options.feature = section.count("feature", 1, kMaxModelWidth);
+  options.latent = section.count("latent", 1, kMaxModelWidth);
+  options.lane_hidden = section.count("lane_hidden", 1, kMaxModelWidth);
+  options.lanes_of_agent = section.count("lanes_of_agent", 1, kMaxModelCount);
   options.map_ahead = section.nonNegative("map_ahead");
   options.lane_reach = section.positive("lane_reach");
   options.length = section.positive("length");
@@ -100,9 +101,9 @@ static void readOptions(Section& section, StriveOptions& options) {
 }
 
 static void readOptions(Section& section, StriveAttackOptions& options) {
-  options.iterations = section.count("iterations", 1);
-  options.hold = section.count("hold", 1);
-  options.window = section.count("window", 0);
+  options.iterations = section.count("iterations", 1, kMaxModelSteps);
+  options.hold = section.count("hold", 1, kMaxModelSteps);
+  options.window = section.count("window", 0, kMaxModelSteps);
   options.learning_rate = section.positive("learning_rate");
   options.temperature = section.positive("temperature");
   options.crash_weight = section.nonNegative("crash_weight");
@@ -123,12 +124,12 @@ static void readOptions(Section& section, PublishedNetworkOptions& options) {
   options.decay_every = section.count("decay_every", 1);
   options.decay = section.share("decay");
   options.dropout = section.share("dropout");
-  options.width = section.count("width", 1);
-  options.condition = section.count("condition", 1);
-  options.selector = section.count("selector", 1);
-  options.anchor_1 = section.count("anchor_1", 1);
-  options.anchor_2 = section.count("anchor_2", 1);
-  options.anchor_3 = section.count("anchor_3", 1);
+  options.width = section.count("width", 1, kMaxModelWidth);
+  options.condition = section.count("condition", 1, kMaxModelWidth);
+  options.selector = section.count("selector", 1, kMaxModelWidth);
+  options.anchor_1 = section.count("anchor_1", 1, kMaxModelWidth);
+  options.anchor_2 = section.count("anchor_2", 1, kMaxModelWidth);
+  options.anchor_3 = section.count("anchor_3", 1, kMaxModelWidth);
   options.anchor_scale = section.positive("anchor_scale");
   options.place_scale = section.positive("place_scale");
   options.positive_radius = section.positive("positive_radius");

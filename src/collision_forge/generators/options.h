@@ -7,6 +7,11 @@ namespace forge {
 
 class Section;
 
+// What a model may be made with, in config/ and in a file of weights alike.
+inline constexpr int kMaxModelWidth = 1024;   ///< of a layer
+inline constexpr int kMaxModelCount = 256;    ///< of frames, agents, lanes, points, layers, samples
+inline constexpr int kMaxModelSteps = 10000;  ///< of a search, of diffusion
+
 /// config/generators.yaml, section lanes, where each number's unit stands.
 struct TrafficLaneOptions {
   double reach = 0.0;
