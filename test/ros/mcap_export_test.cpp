@@ -250,7 +250,7 @@ TEST_F(ExportToMcapTest, WhatIsBeyondTheLimitsIsCopiedNotShownAndTold) {
   EXPECT_THAT(
       exportToMcap(in_, out_, optionsOfTest()),
       UnorderedElementsAre("3 entries of /agents" + entries, "1 entries of /lane_map" + entries,
-                           "1 entries of /attack" + entries, "2 entries of /tf" + entries));
+                           "1 entries of /attack" + entries, "1 entries of /tf" + entries));
   const McapContents contents(bytesOf(out_));
   EXPECT_EQ(contents.of("/agents").size(), 2U);
   EXPECT_EQ(contents.of("/collision_forge/map").size(), 0U);

@@ -127,12 +127,6 @@ bool CrashTopics::isShown(const collision_forge::Agent& agent) const {
          isWithin(BoxSize{agent.size.x, agent.size.y}, limits_) && speed <= limits_.max_speed;
 }
 
-bool CrashTopics::isEgoShown(const Pose2& base) {
-  if (isWithin(base, limits_)) return true;
-  ++not_shown_[names::kTf];
-  return false;
-}
-
 void CrashTopics::takeMap(const collision_forge::LaneMap& map, const ros::Time& time) {
   const auto check = [&] { checkMap(fromMessage(map), limits_, names::kLaneMap); };
   if (isWithinLimits(names::kLaneMap, check)) map_.write(time, toRosBytes(mapScene(map)));
@@ -168,7 +162,10 @@ void CrashTopics::tell() {
 
 /// From the pose before, if that is not too long ago.
 void CrashTopics::showSpeed(const Place& place, const Pose2& base) {
-  if (!isEgoShown(base)) return;
+  if (!isWithin(base, limits_)) {
+    ++not_shown_[names::kTf];
+    return;
+  }
   const AgentState state{place.header.stamp.toSec(), base, Vector2::Zero()};
   const double duration = base_ ? state.time - base_->time : 0.0;
   if (duration > 0.0 && duration <= kMaxGap) {
@@ -179,7 +176,7 @@ void CrashTopics::showSpeed(const Place& place, const Pose2& base) {
 }
 
 void CrashTopics::show(const Frame& frame, const Pose2& base) {
-  if (!isEgoShown(base)) return;
+  if (!isWithin(base, limits_)) return;
   CrashView view;
   view.header = frame.header;
   view.ego = OrientedBox{compose(base, {ego_.center_offset, 0.0, 0.0}), ego_.size};

@@ -66,10 +66,9 @@ class CrashTopics {
   };
 
   bool isShown(const collision_forge::Agent& agent) const;
-  // These count what is beyond the limits.
+  /// Whether `check` does not throw; counts where it does.
   template <typename Check>
   bool isWithinLimits(const char* topic, const Check& check);
-  bool isEgoShown(const Pose2& base);
   void takeMap(const collision_forge::LaneMap& map, const ros::Time& time);
   void takeTransforms(const tf2_msgs::TFMessage& message, const ros::Time& time, bool is_static);
   void takeAttack(const collision_forge::Attack& attack);
