@@ -204,8 +204,8 @@ TEST(Realize, TakesAnotherAttackerWhereTheFirstIsHopeless) {
 TEST(Realize, RefusesWhatCannotBeDriven) {
   Case attack(190.0);
   attack.expectRefusal(StatusCode::kNoAttackWithinLimits,
-                       "tried 1 ways to meet the ego, by 1 vehicles: no motion within the limits "
-                       "touches the ego as asked");
+                       "tried 1 collision pattern of 1 vehicle: no motion within the limits hits "
+                       "the ego as asked, 4 +- 0.5 s from now");
 }
 
 TEST(Realize, RefusesWhenSomebodyIsInTheWay) {

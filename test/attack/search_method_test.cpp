@@ -141,7 +141,7 @@ TEST(GenerateCollision, RefusesWhatNobodyCanDrive) {
   Case scene;
   scene.request.tta = 0.5;
   scene.request.type = CollisionType::kLaneChange;
-  scene.expectRefusal(StatusCode::kNoAttackWithinLimits, {"4 ways to meet the ego"});
+  scene.expectRefusal(StatusCode::kNoAttackWithinLimits, {"tried 4 collision patterns of "});
 }
 
 TEST(GenerateCollision, RefusesAReplayWithoutARecording) {

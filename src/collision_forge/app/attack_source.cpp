@@ -14,6 +14,7 @@
 #include "collision_forge/files/fingerprint.h"
 #include "collision_forge/files/plain_name.h"
 #include "collision_forge/ros/bag_reader.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
 
 namespace forge {
@@ -91,9 +92,7 @@ class ScenarioAttacks : public AttackSource {
 
   std::string where(std::size_t index) const override { return attacks_.where(numberOf(index)); }
 
-  std::string described() const override {
-    return std::to_string(attacks_.scenarios) + " scenarios";
-  }
+  std::string described() const override { return counted(attacks_.scenarios, "scenario"); }
 
   std::map<std::string, std::string> fingerprints() const override {
     std::map<std::string, std::string> found = fingerprintsOf(logs_);
@@ -126,7 +125,7 @@ class BagAttacks : public AttackSource {
   std::size_t count() const override { return paths_.size(); }
   std::size_t numberOf(std::size_t index) const override { return index + 1; }
   std::string where(std::size_t index) const override { return paths_[index]; }
-  std::string described() const override { return std::to_string(paths_.size()) + " bags"; }
+  std::string described() const override { return counted(paths_.size(), "bag"); }
 
   std::map<std::string, std::string> fingerprints() const override {
     std::map<std::string, std::string> found;

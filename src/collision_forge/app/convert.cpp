@@ -17,6 +17,7 @@
 #include "collision_forge/files/plain_name.h"
 #include "collision_forge/ros/bag_writer.h"
 #include "collision_forge/ros/foreign_logs.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/settings/config.h"
 
 namespace forge {
@@ -92,7 +93,7 @@ int convert(const Arguments& arguments) {
       std::count_if(scenes.begin(), scenes.end(),
                     [&](const std::string& scene) { return isConverted(arguments, scene); }));
   if (isMaster()) {
-    std::cerr << scenes.size() - before << " scenes to convert, " << before
+    std::cerr << counted(scenes.size() - before, "scene") << " to convert, " << before
               << " converted before\n";
   }
   const auto convertOne = [&](std::size_t index) -> std::string {
@@ -118,7 +119,8 @@ int convert(const Arguments& arguments) {
   if (arguments.to_scenario_net) {
     writeScenarioNetSummary(arguments.out, scenarioNetNames(arguments.out));
   }
-  std::cerr << scenes.size() - before - failures << " scenes written to " << arguments.out << "\n";
+  std::cerr << counted(scenes.size() - before - failures, "scene") << " written to "
+            << arguments.out << "\n";
   return failures == 0 ? kExitOk : kExitError;
 }
 

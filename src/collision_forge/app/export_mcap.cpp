@@ -12,6 +12,7 @@
 #include "collision_forge/files/output_lock.h"
 #include "collision_forge/ros/foxglove_layout.h"
 #include "collision_forge/ros/mcap_export.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/settings/config.h"
 
 namespace forge {
@@ -67,7 +68,7 @@ int exportMcap(const std::vector<std::string>& bags, const std::string& out, con
   }
   const fs::path layout = fs::path(out) / "layout.json";
   if (written + before > 0 && !fs::exists(layout)) writeText(layout.string(), foxgloveLayout());
-  std::cout << written << " of " << bags.size() << " bags exported to " << out;
+  std::cout << written << " of " << counted(bags.size(), "bag") << " exported to " << out;
   if (before > 0) std::cout << ", " << before << " before";
   std::cout << "\n";
   return written + before == bags.size() ? kExitOk : kExitError;

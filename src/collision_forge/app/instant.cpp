@@ -4,6 +4,7 @@
 
 #include "collision_forge/app/options.h"
 #include "collision_forge/ros/bag_reader.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 
@@ -11,9 +12,8 @@ double frameTimeOf(const Scene& scene, double now) {
   const double start = scene.frame_times.front();
   const auto frame = lastFrameTime(scene, start + now);
   if (!frame || !(start + now <= scene.frame_times.back())) {
-    throw std::invalid_argument("--now " + std::to_string(now) +
-                                " is outside the recording, 0 to " +
-                                std::to_string(scene.frame_times.back() - start) + " s");
+    throw std::invalid_argument("--now " + numberText(now) + " is outside the recording, 0 to " +
+                                numberText(scene.frame_times.back() - start) + " s");
   }
   return *frame;
 }

@@ -7,6 +7,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/files/output_lock.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -31,7 +32,7 @@ int report(const Arguments& arguments) {
 void writeReport(const ReportInputs& inputs, const std::string& folder, const Config& config) {
   const std::size_t rows =
       writeReportPage(inputs, folder, {config.report, config.drawing, config, config.planners});
-  std::cout << rows << " rows in " << folder << "/index.html\n";
+  std::cout << counted(rows, "row") << " in " << folder << "/index.html\n";
 }
 
 CLI::Option* addReportOption(CLI::App& app, std::string& folder) {

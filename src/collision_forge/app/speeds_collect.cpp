@@ -7,6 +7,7 @@
 #include "collision_forge/data/speed_profiles_file.h"
 #include "collision_forge/files/output_lock.h"
 #include "collision_forge/forecast/speed_profile_collection.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/settings/config.h"
 
 namespace forge {
@@ -33,7 +34,7 @@ int collect(const Arguments& arguments) {
     progress.show(i + 1, names.size());
   }
   writeSpeedProfiles(rows, arguments.out);
-  std::cout << rows.size() << " rows of " << names.size() << " scenes\n";
+  std::cout << counted(rows.size(), "row") << " of " << counted(names.size(), "scene") << "\n";
   return kExitOk;
 }
 

@@ -7,6 +7,7 @@
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/forecast/kinematic_prediction.h"
 #include "collision_forge/forecast/motion_estimate.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/verify/believability.h"
 
 namespace forge {
@@ -103,7 +104,7 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   if (!ego) {
     prediction.status = {StatusCode::kBeyondRecording,
                          "the ego's recording ends before the impact, tta = " +
-                             std::to_string(request.tta) + " s from now"};
+                             numberText(request.tta) + " s from now"};
     return prediction;
   }
   if (request.crash.believable &&
@@ -134,7 +135,7 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   if (prediction.patterns.empty()) {
     prediction.status = {
         StatusCode::kNoCandidate,
-        "no vehicle within candidate_radius = " + std::to_string(options_.candidate_radius) +
+        "no vehicle within candidate_radius = " + numberText(options_.candidate_radius) +
             " m, seen now and in the frame before, comes from where " + toString(request.type) +
             " wants it"};
   }

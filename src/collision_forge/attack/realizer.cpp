@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "collision_forge/attack/attack_search.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -31,7 +32,7 @@ void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot
                                   "not finite");
     }
     if (!(pattern.tolerance >= 0.0)) {
-      throw std::invalid_argument("the pattern's tolerance = " + std::to_string(pattern.tolerance) +
+      throw std::invalid_argument("the pattern's tolerance = " + numberText(pattern.tolerance) +
                                   " is not 0 m or more");
     }
   }
@@ -65,8 +66,8 @@ class Rejections {
       text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
     }
     if (!nearest_) return text;
-    return text + ", the nearest by " + std::to_string(nearest_->distance) + " m and " +
-           std::to_string(nearest_->heading) + " rad";
+    return text + ", the nearest by " + numberText(nearest_->distance) + " m and " +
+           numberText(nearest_->heading) + " rad";
   }
 
  private:
@@ -121,16 +122,17 @@ double confidenceIn(const VerificationInput& input, const FoundAttack& attack,
 
 /// What was tried, and how it failed, for people.
 std::string whatFailed(const std::vector<CollisionPattern>& patterns,
-                       const Rejections& rejections) {
+                       const CollisionRequest& request, const Rejections& rejections) {
   std::set<std::string> attackers;
   for (const CollisionPattern& pattern : patterns) attackers.insert(pattern.attacker_id);
-  const std::string tried = "tried " + std::to_string(patterns.size()) +
-                            " ways to meet the ego, by " + std::to_string(attackers.size()) +
-                            " vehicles: ";
+  const std::string tried = "tried " + counted(patterns.size(), "collision pattern") + " of " +
+                            counted(attackers.size(), "vehicle") + ": ";
   const std::string reasons = rejections.summary();
-  if (reasons.empty()) return tried + "no motion within the limits touches the ego as asked";
-  return tried +
-         "the best motions within the limits do not hold when they are verified: " + reasons;
+  if (reasons.empty()) {
+    return tried + "no motion within the limits hits the ego as asked, " + numberText(request.tta) +
+           " +- " + numberText(request.crash.time_tolerance) + " s from now";
+  }
+  return tried + "the best motions within the limits fail the verification: " + reasons;
 }
 
 }  // namespace
@@ -200,8 +202,8 @@ Realization realize(const std::vector<CollisionPattern>& patterns, const Verific
       Realization declined;
       declined.status = {
           StatusCode::kLowConfidence,
-          "the best attack promises " + std::to_string(found.report.confidence) +
-              ", less than min_confidence = " + std::to_string(input.request.crash.min_confidence)};
+          "the best attack has a confidence of " + percentText(found.report.confidence) +
+              ", less than min_confidence = " + numberText(input.request.crash.min_confidence)};
       return declined;
     }
     return found;
@@ -211,7 +213,8 @@ Realization realize(const std::vector<CollisionPattern>& patterns, const Verific
     refused.status = {StatusCode::kNotBelievable, "the best attacker " + rejections.unbelievable()};
     return refused;
   }
-  refused.status = {StatusCode::kNoAttackWithinLimits, whatFailed(patterns, rejections)};
+  refused.status = {StatusCode::kNoAttackWithinLimits,
+                    whatFailed(patterns, input.request, rejections)};
   return refused;
 }
 

@@ -6,6 +6,7 @@
 
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/forecast/motion_estimate.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -47,7 +48,7 @@ std::vector<SceneRequest> listRequests(const Scene& scene, const RequestListOpti
                                        const PredictionOptions& options, double time_tolerance,
                                        const CollisionRequest& asked) {
   if (!(list.stride > 0.0)) {
-    throw std::invalid_argument("stride = " + std::to_string(list.stride) + " s is not positive");
+    throw std::invalid_argument("stride = " + numberText(list.stride) + " s is not positive");
   }
   std::vector<SceneRequest> requests;
   for (const double now : framesEvery(list.stride, scene.frame_times)) {

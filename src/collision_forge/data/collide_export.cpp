@@ -1,6 +1,7 @@
 #include "collision_forge/data/collide_export.h"
 #include "collision_forge/files/plain_name.h"
 #include "collision_forge/scene/clock.h"
+#include "collision_forge/scene/number_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,8 +78,7 @@ std::size_t frameAt(const Scene& scene, double time) {
       std::find_if(scene.frame_times.begin(), scene.frame_times.end(),
                    [=](double frame) { return std::abs(frame - time) <= kTimeEpsilon; });
   if (found == scene.frame_times.end()) {
-    throw std::invalid_argument("now = " + std::to_string(time) + " s is no frame of " +
-                                scene.name);
+    throw std::invalid_argument("now = " + numberText(time) + " s is no frame of " + scene.name);
   }
   return static_cast<std::size_t>(found - scene.frame_times.begin());
 }

@@ -7,6 +7,7 @@
 
 #include "collision_forge/data/nuscenes_map_layers.h"
 #include "collision_forge/files/plain_name.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -128,7 +129,7 @@ LaneMap readNuScenesMapFile(const std::string& path, DrivingSide driving_side,
                             const NuScenesMapOptions& options, std::vector<std::string>* warnings) {
   if (!(options.resolution > 0.0)) {
     throw std::invalid_argument("readNuScenesMap: resolution must be positive, is " +
-                                std::to_string(options.resolution));
+                                numberText(options.resolution));
   }
   WarningCounter counter;
   const NuScenesMapLayers layers = readNuScenesMapLayers(path, options.limits, counter);

@@ -13,6 +13,7 @@
 #include "collision_forge/data/pickle_reader.h"
 #include "collision_forge/geometry/polyline.h"
 #include "collision_forge/scene/input_limits.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/scene/request_words.h"
 
 namespace forge {
@@ -392,8 +393,8 @@ class DescriptionReader {
     }
     if (std::abs(ego.size.length - vehicle.size.length) > kSameSize ||
         std::abs(ego.size.width - vehicle.size.width) > kSameSize) {
-      warn("the ego is " + std::to_string(ego.size.length) + " m by " +
-           std::to_string(ego.size.width) + " m there; the box of ego_vehicle.yaml is taken");
+      warn("the ego is " + numberText(ego.size.length) + " m by " + numberText(ego.size.width) +
+           " m there; the box of ego_vehicle.yaml is taken");
     }
     for (const AgentState& state : ego.states) {
       const Pose2 base = compose(state.pose, {-vehicle.center_offset, 0.0, 0.0});

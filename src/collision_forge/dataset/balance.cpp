@@ -8,6 +8,7 @@
 #include <string>
 
 #include "collision_forge/dataset/seeds.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -79,7 +80,7 @@ std::vector<std::size_t> withMinShare(const std::vector<std::size_t>& available,
   const std::size_t groups = countFull(available);
   if (min_share * static_cast<double>(groups) > 1.0 + kRounding) {
     throw std::invalid_argument(std::to_string(groups) + " groups cannot have a share of " +
-                                std::to_string(min_share) + " each");
+                                numberText(min_share) + " each");
   }
   if (min_share <= 0.0 || groups == 0) return available;
   std::size_t least = sum(available);
@@ -90,8 +91,7 @@ std::vector<std::size_t> withMinShare(const std::vector<std::size_t>& available,
 
 std::vector<std::size_t> withMaxRatio(const std::vector<std::size_t>& available, double max_ratio) {
   if (max_ratio < 1.0) {
-    throw std::invalid_argument("a largest group of " + std::to_string(max_ratio) +
-                                " times the mean");
+    throw std::invalid_argument("a largest group of " + numberText(max_ratio) + " times the mean");
   }
   const std::size_t groups = countFull(available);
   if (groups == 0) return available;

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "collision_forge/scene/number_words.h"
+
 namespace forge {
 
 FigureSize pngSize(const DrawingOptions& options) {
@@ -27,7 +29,7 @@ FigureLayout layoutFigure(const FigureSize& size) {
   if (font <= 0 || map_height < 0.3 * size.height || size.width < 30 * font) {
     throw std::invalid_argument("no room to draw: " + std::to_string(size.width) + " x " +
                                 std::to_string(size.height) + " pixels with a font of " +
-                                std::to_string(font));
+                                numberText(font));
   }
   const double width = size.width;
   layout.header = {pad, 0, width - 2 * pad, header_height};

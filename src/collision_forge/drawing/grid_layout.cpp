@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "collision_forge/scene/number_words.h"
+
 namespace forge {
 namespace {
 
@@ -25,7 +27,7 @@ constexpr double kTextMargin = 0.5;  // left free beside the widest text of a ce
 GridLayout layoutGrid(const GridMeasures& measures) {
   const double font = measures.font_size;
   if (font <= 0) {
-    throw std::invalid_argument("no room to draw with a font of " + std::to_string(font));
+    throw std::invalid_argument("no room to draw with a font of " + numberText(font));
   }
   GridLayout layout;
   const auto pixels = [font](double fonts) { return std::round(fonts * font); };

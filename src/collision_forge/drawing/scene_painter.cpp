@@ -4,6 +4,7 @@
 
 #include "collision_forge/drawing/box_painter.h"
 #include "collision_forge/drawing/map_painter.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 
@@ -34,7 +35,7 @@ void checkDrawable(const ScenarioView& view, const DrawingOptions& options, bool
                        key_time <= points.back().time + kTimeTolerance;
   if (!spanned) {
     throw std::runtime_error("the attacker's trajectory does not span now to the contact at " +
-                             std::to_string(key_time) + " s");
+                             numberText(key_time) + " s");
   }
 }
 

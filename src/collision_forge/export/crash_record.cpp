@@ -8,6 +8,7 @@
 
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/scene/clock.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/verify/braking_slide.h"
 #include "collision_forge/verify/verification.h"
 
@@ -62,8 +63,8 @@ class RecordBuilder {
         step_(context.options.step) {
     const double now = scenario.asked.now;
     if (!stateAt(scene_.ego, now)) {
-      throw std::runtime_error("the ego is not in " + scene_.name +
-                               " at now = " + std::to_string(now) + " s");
+      throw std::runtime_error("the ego is not in " + scene_.name + " at now = " + numberText(now) +
+                               " s");
     }
     const double known = std::min(history, now - scene_.ego.states.front().time);
     now_step_ = static_cast<std::size_t>(std::floor(known / step_ + kTimeEpsilon));

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/scene/number_words.h"
+
 namespace forge {
 namespace {
 
@@ -163,7 +165,7 @@ Track drive(const Track& ego, const EgoNow& now, const DrivenDistance& distance,
 
 void checkSampleArguments(double horizon, int count) {
   if (!(horizon > 0.0 && std::isfinite(horizon))) {
-    throw std::invalid_argument("horizon = " + std::to_string(horizon) + " s is not positive");
+    throw std::invalid_argument("horizon = " + numberText(horizon) + " s is not positive");
   }
   if (count < 0) throw std::invalid_argument("count = " + std::to_string(count) + " is negative");
 }

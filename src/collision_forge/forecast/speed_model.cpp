@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "collision_forge/forecast/speed_situations.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -39,7 +40,7 @@ void checkProfiles(const WeightedProfiles& profiles, Eigen::Index intervals,
   }
   const double sum = profiles.weights.sum();
   if (std::abs(sum - 1.0) > kWeightTolerance) {
-    throw std::invalid_argument(field + ".weights sum to " + std::to_string(sum) + ", not 1");
+    throw std::invalid_argument(field + ".weights sum to " + numberText(sum) + ", not 1");
   }
 }
 

@@ -9,6 +9,7 @@
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/forecast/kinematic_prediction.h"
 #include "collision_forge/forecast/motion_estimate.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 
@@ -43,7 +44,7 @@ class PublishedPatternPredictor : public PatternPredictor {
     const std::vector<std::string> allowed = allowedBy(request, snapshot);
     if (allowed.empty()) {
       prediction.status = {StatusCode::kNoCandidate, "no vehicle within candidate_radius = " +
-                                                         std::to_string(options_.candidate_radius) +
+                                                         numberText(options_.candidate_radius) +
                                                          " m, seen now and in the frame before"};
       return prediction;
     }
@@ -53,7 +54,7 @@ class PublishedPatternPredictor : public PatternPredictor {
     const PublishedTold told = tell_(batch);
     if (!told.placed.item<bool>()) {
       prediction.status = {StatusCode::kRoadDoesNotAllow,
-                           "no lane within " + std::to_string(traffic_.lanes.reach) +
+                           "no lane within " + numberText(traffic_.lanes.reach) +
                                " m of the ego, where the crash could be"};
       return prediction;
     }

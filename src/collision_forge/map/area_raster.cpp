@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -44,8 +45,9 @@ AreaRaster::AreaRaster(const std::vector<Polygon>& area) : area_(area) {
   }
   if (all.isEmpty()) return;
   if (!(all.sizes().maxCoeff() <= kLargest)) {
-    throw std::invalid_argument("an area of " + std::to_string(all.sizes().x()) + " x " +
-                                std::to_string(all.sizes().y()) + " m is too large");
+    std::ostringstream complaint;
+    complaint << "an area of " << all.sizes().x() << " x " << all.sizes().y() << " m is too large";
+    throw std::invalid_argument(complaint.str());
   }
   // At whole tiles of the map's frame, so that a part of the map has the cells of the whole.
   constexpr double kTile = kCell * kCells;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -25,7 +26,9 @@ std::vector<LaneSample> samplesOf(const std::vector<std::optional<Polyline>>& ce
     if (!centerlines[lane]) continue;
     const double length = centerlines[lane]->length();
     if (!(length <= kLongest)) {
-      throw std::invalid_argument("a centreline of " + std::to_string(length) + " m is too long");
+      std::ostringstream complaint;
+      complaint << "a centreline of " << length << " m is too long";
+      throw std::invalid_argument(complaint.str());
     }
     const int steps = static_cast<int>(std::ceil(length / kSpacing));
     for (int i = 0; i <= steps; ++i) {

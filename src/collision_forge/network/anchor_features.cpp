@@ -8,6 +8,7 @@
 
 #include "collision_forge/forecast/ego_sampling.h"
 #include "collision_forge/network/feature_scales.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -217,7 +218,7 @@ AnchorFeatures anchorFeatures(const EgoWays& ways, const LaneIndex& lanes, doubl
                               const EgoFutureOptions& futures,
                               const PatternFeatureOptions& options) {
   if (!(tta > 0.0 && std::isfinite(tta))) {
-    throw std::invalid_argument("tta = " + std::to_string(tta) + " s is not positive");
+    throw std::invalid_argument("tta = " + numberText(tta) + " s is not positive");
   }
   switch (options.head) {
     case EgoHead::kRegionProposal:

@@ -16,6 +16,7 @@
 #include <cstring>
 
 #include "collision_forge/planners/planner_contract.h"
+#include "collision_forge/scene/number_words.h"
 
 extern char** environ;
 
@@ -91,7 +92,7 @@ void WorkerProcess::await(short events) {
         poll(&wanted, 1, static_cast<int>(std::ceil(1e3 * std::clamp(left, 0.0, 1e5))));
     if (found > 0) return;
     if (found < 0 && errno != EINTR) throw std::runtime_error(std::strerror(errno));
-    if (found == 0) throw WorkerTimeout("no answer within " + std::to_string(timeout_) + " s");
+    if (found == 0) throw WorkerTimeout("no answer within " + numberText(timeout_) + " s");
   }
 }
 

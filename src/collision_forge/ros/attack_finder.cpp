@@ -9,6 +9,7 @@
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/report_text.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -150,7 +151,7 @@ Status AttackFinder::findRecorded(double now, std::optional<Future>& recorded) c
   const auto frame = lastFrameTime(*recording_, now);
   if (!frame || std::abs(*frame - now) > kFrameTolerance) {
     return {StatusCode::kNoRecording, "recording \"" + recording_->name +
-                                          "\" has no frame at now = " + std::to_string(now) +
+                                          "\" has no frame at now = " + numberText(now) +
                                           " s: is another bag playing?"};
   }
   recorded = recordedFuture(*recording_, *frame);

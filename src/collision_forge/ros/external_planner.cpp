@@ -4,6 +4,7 @@
 
 #include "collision_forge/ros/planner_messages.h"
 #include "collision_forge/ros/topic_names.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -12,7 +13,7 @@ constexpr std::uint32_t kQueue = 100;  // answers; one a tick is expected
 constexpr double kPoll = 0.02;         // s between two looks whether anybody is there
 constexpr double kRepeat = 0.2;        // s between two publications of a test's first state
 
-std::string seconds(double value) { return std::to_string(value) + " s"; }
+std::string seconds(double value) { return numberText(value) + " s"; }
 
 class Deadline {
  public:

@@ -13,6 +13,7 @@
 #include "collision_forge/data/nuscenes_json.h"
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/ros/bag_reader.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -60,7 +61,7 @@ double frameAt(const Scene& scene, double time) {
   if (!frame || std::abs(*frame - time) > kFrameTolerance) {
     throw TestRefusal(Codes::NO_SCENE, "recording \"" + scene.name +
                                            "\" has no frame at trajectory.header.stamp = " +
-                                           std::to_string(time) + " s");
+                                           numberText(time) + " s");
   }
   return *frame;
 }

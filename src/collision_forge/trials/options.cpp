@@ -5,6 +5,7 @@
 #include <string>
 
 #include "collision_forge/config/section.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 
@@ -61,7 +62,7 @@ static void checkIntervals(const Section& file, const TrialOptions& options) {
   const auto check = [&](const char* key, double interval) {
     const double steps = interval / step;
     if (std::round(steps) >= 1.0 && std::abs(steps - std::round(steps)) < 1e-6) return;
-    file.refuse(key, "is no multiple of rollout.step, which is " + std::to_string(step) + " s");
+    file.refuse(key, "is no multiple of rollout.step, which is " + numberText(step) + " s");
   };
   check("planning.interval", options.planning.interval);
   check("idm.published.step", options.published_idm.step);

@@ -13,6 +13,7 @@
 #include "collision_forge/planners/route_road.h"
 #include "collision_forge/scene/clock.h"
 #include "collision_forge/scene/find_track.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -54,9 +55,9 @@ Failure failureOf(const std::vector<TrajectoryPoint>& plan, double now, double n
   const double first = plan.front().time - now;
   const double last = plan.back().time - now;
   if (std::abs(first) > kTimeEpsilon || plan.back().time < next_call - kTimeEpsilon) {
-    return {PlannerFailure::kLate, "the trajectory goes from " + std::to_string(first) + " to " +
-                                       std::to_string(last) + " s after the call, not from 0 to " +
-                                       std::to_string(next_call - now) + " s"};
+    return {PlannerFailure::kLate, "the trajectory goes from " + numberText(first) + " to " +
+                                       numberText(last) + " s after the call, not from 0 to " +
+                                       numberText(next_call - now) + " s"};
   }
   return {};
 }
