@@ -22,6 +22,10 @@ TEST(CollisionType, ShortTypeNamesAreThoseOfThePaper) {
   EXPECT_EQ(collisionTypeFromString("ltap"), CollisionType::kLtap);
 }
 
+TEST(CollisionType, HeadOnIsTheOppositeDirection) {
+  EXPECT_EQ(collisionTypeFromString("head_on"), CollisionType::kOppositeDirection);
+}
+
 TEST(CollisionType, UnknownNamesAreNone) {
   for (const char* name : {"", "rear end", "rear_end ", "REAR", "unknown"}) {
     EXPECT_FALSE(collisionTypeFromString(name)) << name;

@@ -2,8 +2,25 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <sstream>
+
 namespace forge {
 namespace {
+
+TEST(RequestWords, EveryNameInTheListOfCollisionTypesIsTaken) {
+  std::string words = collisionTypeWords();
+  for (char& letter : words) {
+    if (letter == '(' || letter == ')' || letter == ',') letter = ' ';
+  }
+  std::istringstream stream(words);
+  std::set<CollisionType> types;
+  for (std::string word; stream >> word;) {
+    ASSERT_TRUE(collisionTypeFromString(word)) << word;
+    types.insert(*collisionTypeFromString(word));
+  }
+  EXPECT_EQ(types.size(), std::size(kCollisionTypes));
+}
 
 TEST(RequestWords, LimitSetsAreReadBack) {
   for (const LimitSet limits : {LimitSet::kDrivable, LimitSet::kStrict}) {

@@ -6,9 +6,18 @@
 #include <utility>
 
 #include "collision_forge/batch/printable.h"
+#include "collision_forge/scene/nearest_names.h"
 
 namespace forge {
 namespace {
+
+constexpr char kVersion[] =
+    "collision_forge " COLLISION_FORGE_VERSION
+    "\n"
+    "licence: BSD-3-Clause; weights in data/weights: CC BY-NC-SA 4.0, for non-commercial use";
+
+constexpr char kExitCodes[] =
+    "Exit codes: 0 done, 1 error, 2 wrong command line, 3 no crash as asked.";
 
 /// Help in which a command of two words has a line of its own.
 class ContentsFormatter : public CLI::Formatter {
@@ -25,7 +34,31 @@ class ContentsFormatter : public CLI::Formatter {
   }
 };
 
+/// The complaint about a word that a command does not know.
+std::string complaintOfWord(const std::string& word, const CLI::App& command) {
+  const std::string name = word.substr(0, word.find('='));
+  std::vector<std::string> names;
+  if (name.front() == '-') {
+    for (const CLI::Option* option : optionsOf(command)) {
+      for (const std::string& known : option->get_lnames()) names.push_back("--" + known);
+    }
+    return name + " is no option" + nearestNameHint(name, names);
+  }
+  for (const CLI::App* part : partsOf(command)) names.push_back(part->get_name());
+  return word + (names.empty() ? " is not expected" : " is no command") +
+         nearestNameHint(word, names);
+}
+
 }  // namespace
+
+std::vector<const CLI::Option*> optionsOf(const CLI::App& command) {
+  std::vector<const CLI::Option*> options = command.get_options();
+  for (const CLI::App* part : command.get_subcommands([](const CLI::App*) { return true; })) {
+    if (!part->get_name().empty()) continue;
+    for (const CLI::Option* option : part->get_options()) options.push_back(option);
+  }
+  return options;
+}
 
 std::vector<const CLI::App*> partsOf(const CLI::App& command) {
   return command.get_subcommands([](const CLI::App* part) { return !part->get_name().empty(); });
@@ -34,13 +67,26 @@ std::vector<const CLI::App*> partsOf(const CLI::App& command) {
 CommandLine::CommandLine()
     : app_(
           "Turns safe driving logs into collision scenarios.\n"
-          "forge COMMAND --help tells the options of a command.",
+          "forge COMMAND --help lists the options of a command.",
           "forge") {
   app_.formatter(std::make_shared<ContentsFormatter>());
   app_.require_subcommand(0, 1);  // parse() asks for one, after words that are none
+  app_.set_version_flag("--version", kVersion, "Print version and licences");
+  app_.footer(kExitCodes);
   app_.failure_message([this](const CLI::App*, const CLI::Error& error) {
-    return name() + ": " + error.what() + "\ntry: " + name() + " --help\n";
+    return name() + ": " + complaintOf(error) + "\ntry: " + name() + " --help\n";
   });
+}
+
+std::string CommandLine::complaintOf(const CLI::Error& error) const {
+  // A mistyped option also leaves the option that was meant without its value.
+  const auto is = [&](CLI::ExitCodes code) {
+    return error.get_exit_code() == static_cast<int>(code);
+  };
+  const bool may_be_mistyped = is(CLI::ExitCodes::ExtrasError) || is(CLI::ExitCodes::RequiredError);
+  const std::vector<std::string> unknown = chosen()->remaining();
+  if (!may_be_mistyped || unknown.empty()) return error.what();
+  return complaintOfWord(unknown.front(), *chosen());
 }
 
 CLI::App& CommandLine::add(const std::string& heading, const std::string& name,

@@ -9,7 +9,9 @@
 
 namespace forge {
 
-/// Exit codes of every command.
+/// Exit codes of every command. kExitNoAttack: no crash as it was asked for; forge inject writes
+/// the bag all the same where there is an attack that does not crash into the recorded ego as
+/// asked.
 enum ExitCode { kExitOk = 0, kExitError = 1, kExitUsage = 2, kExitNoAttack = 3 };
 
 /// The command line of forge: its commands, and the one that a line asks for.
@@ -39,6 +41,8 @@ class CommandLine {
  private:
   /// The innermost command that was read.
   const CLI::App* chosen() const;
+  /// What is wrong with a line that was refused.
+  std::string complaintOf(const CLI::Error& error) const;
 
   CLI::App app_;
   std::map<const CLI::App*, Run> runs_;
@@ -49,6 +53,9 @@ void addCommands(CommandLine& line);
 
 /// The commands of a command: "coverage" of "measure". CLI11 has groups of options among them.
 std::vector<const CLI::App*> partsOf(const CLI::App& command);
+
+/// The options of a command, those of its groups included.
+std::vector<const CLI::Option*> optionsOf(const CLI::App& command);
 
 /// A script for bash that completes the words of the command line.
 std::string bashCompletion(const CLI::App& app);

@@ -16,16 +16,6 @@ std::string wordsOf(const CLI::Option& option) {
   return words;
 }
 
-/// Those of its groups too.
-std::vector<const CLI::Option*> optionsOf(const CLI::App& command) {
-  std::vector<const CLI::Option*> options = command.get_options();
-  for (const CLI::App* part : command.get_subcommands([](const CLI::App*) { return true; })) {
-    if (!part->get_name().empty()) continue;
-    for (const CLI::Option* option : part->get_options()) options.push_back(option);
-  }
-  return options;
-}
-
 /// What may follow a command, and what may follow its options, as branches of two `case`.
 void describe(const CLI::App& command, const std::string& name, std::ostream& next,
               std::ostream& values) {

@@ -12,6 +12,7 @@
 #include "collision_forge/batch/run.h"
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/export/crash_writer.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
 
 namespace forge {
@@ -141,7 +142,7 @@ class CrashExport {
   }
 
   void printSummary() const {
-    std::cout << crashes_.size() << " attacks of " << attacks_.described() << " in "
+    std::cout << counted(crashes_.size(), "attack") << " of " << attacks_.described() << " in "
               << arguments_.out << "\n";
     if (without_contact_ == 0) return;
     std::cout << without_contact_ << " of them do not touch the ego as it was recorded; they end "
@@ -181,9 +182,7 @@ void addExport(CommandLine& line) {
       line.add(kMakingCollisions, "export",
                "Writes attacks and bags in formats of other tools; goes on where a run stopped.",
                [arguments] { return exportAny(*arguments); });
-  app.add_option("--to", arguments->format, "format")
-      ->required()
-      ->transform(CLI::IsMember(formats(), CLI::ignore_case));
+  app.add_option("--to", arguments->format, "format")->required()->transform(oneOf(formats()));
   CLI::Option_group* source = app.add_option_group("what is exported");
   CLI::Option* scenarios = source
                                ->add_option("--scenarios", arguments->scenarios,

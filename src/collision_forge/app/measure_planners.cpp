@@ -101,7 +101,7 @@ void addMeasurePlanners(CommandLine& line) {
   addScenes(app, arguments->scenes);
   app.add_option("--planners", arguments->planners, "whose steps; names, separated by commas")
       ->delimiter(',')
-      ->transform(CLI::IsMember(plannerNames(), CLI::ignore_case))
+      ->transform(oneOf(plannerNames()))
       ->capture_default_str();
   addPlannerFile(app, arguments->planner_file);
   addConfig(app, arguments->config);

@@ -8,6 +8,7 @@
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/scenario_net_logs.h"
 #include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/scene/nearest_names.h"
 #include "collision_forge/scene/request_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/study/clip_methods.h"
@@ -67,6 +68,15 @@ std::string manoeuvresByType() {
 }
 
 }  // namespace
+
+CLI::Validator oneOf(const std::vector<std::string>& words) {
+  const CLI::Validator member = CLI::IsMember(words, CLI::ignore_case);
+  const auto check = [member, words](std::string& word) {
+    const std::string complaint = member(word);
+    return complaint.empty() ? complaint : complaint + nearestNameHint(word, words);
+  };
+  return {check, member.get_description()};
+}
 
 void RequestControls::applyTo(CollisionRequest& request) const {
   if (const auto choice = attackerChoiceFromString(attacker)) {
@@ -156,7 +166,7 @@ CLI::Option* addCollide(CLI::App& app, std::string& collide) {
 
 CLI::Option* addSplit(CLI::App& app, std::string& split, CLI::Option* collide) {
   return app.add_option("--split", split, "which clips of --collide")
-      ->transform(CLI::IsMember({"train", "val", "test"}, CLI::ignore_case))
+      ->transform(oneOf({"train", "val", "test"}))
       ->capture_default_str()
       ->needs(collide);
 }
@@ -221,22 +231,22 @@ CLI::Option* addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text
 
 std::string checkType(const std::string& name) {
   if (collisionTypeFromString(name)) return "";
-  return "\"" + name +
-         "\" is none of lane_change (LC), opposite_direction (OD, HO), rear_end (RE), "
-         "junction_crossing (JC), ltap (LTAP)";
+  std::vector<std::string> names = {"head_on"};
+  for (const CollisionType type : kCollisionTypes) names.push_back(toString(type));
+  return "\"" + name + "\" is none of " + collisionTypeWords() + nearestNameHint(name, names);
 }
 
 void addMode(CLI::App& app, Mode& mode, bool may_adapt) {
   if (!may_adapt) {
     addChoice<Mode>(app, "--mode", mode, {{"history", Mode::kHistory}, {"replay", Mode::kReplay}},
-                    "history: use only what was seen up to now; replay: use the recorded future");
+                    "replay: the recorded future is known; history: only the frames up to now are");
     return;
   }
   addChoice<Mode>(
       app, "--mode", mode,
       {{"history", Mode::kHistory}, {"replay", Mode::kReplay}, {"adaptive", Mode::kAdaptive}},
-      "history: use only what was seen up to now; replay: use the recorded future; "
-      "adaptive: as history, and the attacker looks again at every frame that comes");
+      "replay: the recorded future is known; history: only the frames up to now are; adaptive: as "
+      "history, and the attacker replans at every frame that comes");
 }
 
 void addPlannerFile(CLI::App& app, std::string& file) {

@@ -19,6 +19,11 @@
 /// Options that several commands have, each defined once.
 namespace forge {
 
+/// Returns a check of an option that takes one of a few words, in capitals or not. As a transform
+/// it hands on the word as it stands in `words`. The complaint about another word lists the words,
+/// and names the one that was most likely meant.
+CLI::Validator oneOf(const std::vector<std::string>& words);
+
 /// One of a few words, in capitals or not, each with its value; the value that `value` has is the
 /// default.
 template <typename Value>
@@ -36,7 +41,7 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
     value = std::find_if(choices.begin(), choices.end(), is_given)->second;
   };
   return app.add_option_function<std::string>(name, take, text)
-      ->check(CLI::IsMember(words, CLI::ignore_case))
+      ->check(oneOf(words))
       ->default_str(default_word);
 }
 
@@ -88,7 +93,8 @@ void addJobs(CLI::App& app, int& jobs, const std::string& text);
 CLI::Option* addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text);
 /// Says what is wrong with the name of a collision type, for a check of an option.
 std::string checkType(const std::string& name);
-/// --mode, history or replay.
+/// --mode, history or replay; the value that `mode` has is the default. Commands that make
+/// collisions of recordings default to replay, commands that measure methods to history.
 /// `may_adapt`: mode adaptive is one of them.
 void addMode(CLI::App& app, Mode& mode, bool may_adapt);
 /// --method of attack, one that the configuration in the folder `config` knows; empty: the suite's

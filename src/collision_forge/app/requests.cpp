@@ -14,6 +14,7 @@
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/files/output_lock.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/settings/config.h"
 #include "collision_forge/study/allowed_requests.h"
 
@@ -143,8 +144,8 @@ int makeRequests(const Arguments& arguments) {
                                  : "the road allows no request of these scenes with these options");
   }
   writeRequests(arguments.out, requests, config.crash);
-  std::cout << requests.size() << " requests over " << names.size() << " scenes written to "
-            << arguments.out << "\n";
+  std::cout << counted(requests.size(), "request") << " over " << counted(names.size(), "scene")
+            << " written to " << arguments.out << "\n";
   print(counts);
   return kExitOk;
 }
@@ -179,7 +180,7 @@ void addRequests(CommandLine& line) {
   app.add_option("--attackers", arguments->attackers,
                  "any vehicle, existing (a recorded one), new (one is added), or each: a request "
                  "for every recorded one that can")
-      ->transform(CLI::IsMember({"any", "existing", "new", kEach}, CLI::ignore_case))
+      ->transform(oneOf({"any", "existing", "new", kEach}))
       ->capture_default_str();
   addControls(app, arguments->controls);
   addAlternatives(app, arguments->controls);

@@ -71,7 +71,7 @@ void addTrain(CommandLine& line) {
       app.add_flag("--planner", run->is_planner, "train the planner torchscript instead, on logs");
   planner->excludes(collide)->excludes(device)->excludes(stop);
   app.add_option("--generator", run->generator, "train this learned generator instead, on clips")
-      ->check(CLI::IsMember(trafficModelNames()))
+      ->transform(oneOf(trafficModelNames()))
       ->needs(collide)
       ->excludes(planner);
   addConfig(app, run->config);

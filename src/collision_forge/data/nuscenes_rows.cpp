@@ -10,6 +10,8 @@
 
 #include "collision_forge/data/nuscenes_json.h"
 #include "collision_forge/files/plain_name.h"
+#include "collision_forge/scene/nearest_names.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -171,8 +173,7 @@ class TableReader {
       annotation.translation = row.numbers<3>(kTranslation);
       annotation.size = row.numbers<3>(kSize);
       for (const double side : annotation.size) {
-        if (side <= 0.0)
-          row.fail(kSize, "has a side that is not positive: " + std::to_string(side));
+        if (side <= 0.0) row.fail(kSize, "has a side that is not positive: " + numberText(side));
       }
       annotation.rotation = rotationOf(row, kRotation);
       tables_.annotations.push_back(annotation);
@@ -238,20 +239,6 @@ class TableReader {
   std::uint64_t bytes_before_ = 0;
   std::uint64_t bytes_in_all_ = 0;
 };
-
-/// Number of single-character edits between two texts.
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
-    }
-  }
-  return row.back();
-}
 
 }  // namespace
 

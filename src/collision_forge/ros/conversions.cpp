@@ -361,10 +361,8 @@ std::variant<CollisionRequest, Status> fromMessage(const collision_forge::Collis
   request.crash = crash;
   const auto type = collisionTypeFromString(message.collision_type);
   if (!type) {
-    return Status{StatusCode::kUnknownType,
-                  "collision_type = \"" + message.collision_type +
-                      "\" is none of lane_change (LC), opposite_direction (OD, HO), rear_end (RE), "
-                      "junction_crossing (JC), ltap (LTAP)"};
+    return Status{StatusCode::kUnknownType, "collision_type = \"" + message.collision_type +
+                                                "\" is none of " + collisionTypeWords()};
   }
   const auto mode = modeFromString(message.mode.empty() ? "history" : message.mode);
   if (!mode) {

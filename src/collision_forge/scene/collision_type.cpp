@@ -25,7 +25,7 @@ std::optional<CollisionType> collisionTypeFromString(const std::string& name) {
     if (key == toString(type)) return type;
   }
   if (key == "lc") return CollisionType::kLaneChange;
-  if (key == "od" || key == "ho") return CollisionType::kOppositeDirection;
+  if (key == "od" || key == "ho" || key == "head_on") return CollisionType::kOppositeDirection;
   if (key == "re") return CollisionType::kRearEnd;
   if (key == "jc") return CollisionType::kJunctionCrossing;
   return std::nullopt;

@@ -13,7 +13,7 @@ inline constexpr CollisionType kCollisionTypes[] = {
 
 /// "lane_change", "opposite_direction", "rear_end", "junction_crossing" or "ltap".
 const char* toString(CollisionType type);
-/// Takes those names and the paper's short ones (LC, OD, HO, RE, JC, LTAP), in any case.
+/// Takes those names, head_on and the short ones (LC, OD, HO, RE, JC, LTAP), in any case.
 std::optional<CollisionType> collisionTypeFromString(const std::string& name);
 
 }  // namespace forge

@@ -11,6 +11,11 @@ std::string lowered(std::string word) {
   return word;
 }
 
+std::string collisionTypeWords() {
+  return "lane_change (LC), opposite_direction (OD, HO, head_on), rear_end (RE), "
+         "junction_crossing (JC), ltap (LTAP)";
+}
+
 const char* toString(LimitSet limits) {
   return limits == LimitSet::kDrivable ? "drivable" : "strict";
 }

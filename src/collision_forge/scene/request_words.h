@@ -12,6 +12,10 @@ namespace forge {
 /// Words mean the same in capitals on the command line and in messages, which read them so.
 std::string lowered(std::string word);
 
+/// The names that collisionTypeFromString() takes, as "lane_change (LC), opposite_direction (OD,
+/// HO, head_on), ...".
+std::string collisionTypeWords();
+
 /// "drivable", "strict".
 const char* toString(LimitSet limits);
 std::optional<LimitSet> limitSetFromString(const std::string& name);
