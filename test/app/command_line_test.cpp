@@ -214,12 +214,59 @@ TEST(CommandLine, WordsInCapitalsAreHandedOnAsTheyAreKnown) {
 }
 
 TEST(CommandLine, HelpTellsDefaults) {
-  EXPECT_THAT(read("generate --help").out, AllOf(HasSubstr("{history,replay,adaptive}=history"),
+  EXPECT_THAT(read("generate --help").out, AllOf(HasSubstr("{history,replay,adaptive}=replay"),
                                                  HasSubstr("{jsonl,csv-collide}=jsonl")));
   EXPECT_THAT(read("test --help").out,
               AllOf(HasSubstr("{replay,idm}=replay"),
                     HasSubstr("{recorded,history,replay}=recorded"), HasSubstr("=val")));
   EXPECT_THAT(read("requests --help").out, HasSubstr("{any,existing,new,each}=any"));
+}
+
+TEST(CommandLine, CollisionsOfRecordingsAreMadeInReplayModeAndMethodsMeasuredInHistoryMode) {
+  for (const std::string command : {"inject", "possible", "generate"}) {
+    EXPECT_THAT(read(command + " --help").out, HasSubstr("}=replay")) << command;
+  }
+  for (const std::string command : {"evaluate", "compare", "measure methods", "measure latency"}) {
+    EXPECT_THAT(read(command + " --help").out, HasSubstr("}=history")) << command;
+  }
+}
+
+TEST(CommandLine, TheVersionIsPrintedWithTheLicences) {
+  const Reading version = read("--version");
+  EXPECT_EQ(version.exit_code, kExitOk);
+  EXPECT_THAT(version.out,
+              testing::MatchesRegex("collision_forge [0-9]+\\.[0-9]+\\.[0-9]+\n"
+                                    "licence: BSD-3-Clause; weights .*CC BY-NC-SA.*\n"));
+}
+
+TEST(CommandLine, HelpOfEveryCommandEndsWithTheExitCodes) {
+  for (const auto& [name, options] : kComplete) {
+    EXPECT_THAT(read(name + " --help").out, HasSubstr("\nExit codes: 0 done, 1 error, 2 wrong"))
+        << name;
+  }
+  EXPECT_THAT(read("inject --help").out, HasSubstr("the bag is written all the same"));
+}
+
+TEST(CommandLine, MistypedWordsAreAnsweredWithTheNearest) {
+  for (const auto& [line, named] : std::map<std::string, std::string>{
+           {"genrate --jobs 2", "forge: genrate is no command; did you mean generate?"},
+           {"measure covrage", "forge measure: covrage is no command; did you mean coverage?"},
+           {"inject --bagg a.bag", "forge inject: --bagg is no option; did you mean --bag?"},
+           {"inject --output=b.bag", "forge inject: --output is no option; did you mean --out?"},
+           {"inject" + kComplete.at("inject") + " --mode repaly", "did you mean replay?"},
+           {"possible" + kComplete.at("possible") + " --type rear_ned", "did you mean rear_end?"},
+           {"test" + kComplete.at("test") + " --planners idm,pmd", "did you mean pdm?"}}) {
+    const Reading reading = read(line);
+    EXPECT_EQ(reading.exit_code, kExitUsage) << line;
+    EXPECT_THAT(reading.err, HasSubstr(named)) << line;
+  }
+}
+
+TEST(CommandLine, WordsThatAreLikeNoOtherAreAnsweredWithoutAHint) {
+  for (const std::string& line :
+       {std::string("fabricate"), "inject" + kComplete.at("inject") + " --nonsense"}) {
+    EXPECT_THAT(read(line).err, Not(HasSubstr("did you mean"))) << line;
+  }
 }
 
 TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {

@@ -365,6 +365,35 @@ class InjectionTest(road.RoadTest):
         self.assertIn('there are {} distinct attacks only'.format(len(attacks)), result.stderr)
 
 
+class RecordedCrashTest(road.RoadTest):
+    """Whether the bag shows the crash that was asked for decides the exit code."""
+    SCENES = [SCENE]
+
+    def test_a_bag_without_the_crash_asked_for_is_written_with_an_exit_code_of_its_own(self):
+        """In history mode the ego may drive otherwise than predicted."""
+        codes = set()
+        for collision_type in ('rear_end', 'lane_change'):
+            for now in (4.0, 8.0, NOW):
+                out = self.path('{}_{}.bag'.format(collision_type, now))
+                result = road.inject(self.bag(SCENE), out, collision_type, 4.0, now, '--mode', 'history')
+                self.assertEqual(road.code_of(result), 'OK', result.stderr)
+                tested = road.read_one(out, '/tested_report')
+                self.assertEqual(result.returncode, 0 if tested.verified else 3, result.stderr)
+                codes.add(result.returncode)
+                if result.returncode == 3:
+                    last = result.stderr.splitlines()[-1]
+                    self.assertTrue(last.startswith('NOT_AS_ASKED: {} does not show the crash asked for: '.format(out)))
+                    self.assertIn('contact not as asked: ' if tested.contact else 'no contact', last)
+        self.assertIn(3, codes)
+
+    def test_by_default_the_recorded_future_is_known(self):
+        out = self.path('out.bag')
+        result = road.inject(self.bag(SCENE), out, 'rear_end', 4.0, NOW)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue(road.read_one(out, '/tested_report').verified)
+        self.assertEqual(road.read_one(out, '/attack_request').request.mode, 'replay')
+
+
 class AdaptiveInjectionTest(road.RoadTest):
     """An attacker that sees and reacts says in its bag what it decided."""
     SCENES = ['scene-0005']

@@ -32,7 +32,7 @@ class PossibleTest(road.RoadTest):
             self.assertGreater(len(rows(result)), 10)
 
     def test_every_type_and_time_is_possible_or_has_a_reason(self):
-        table, reasons = of_the_root().stdout.split('\nnot possible\n')
+        table, reasons = of_the_root().stdout.split('\ndeclined\n')
         asked = {tuple(line.split()[:2]) for line in table.splitlines()[1:]}
         declined = {tuple(line.split()[:2]) for line in reasons.splitlines()}
         self.assertEqual(len(asked) + len(declined), 25)

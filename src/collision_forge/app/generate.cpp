@@ -17,6 +17,7 @@
 #include "collision_forge/data/input_line.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/request_file.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/study/request_answerer.h"
 
 namespace forge {
@@ -34,7 +35,7 @@ struct Arguments {
   std::string method;
   std::string report;
   RequestControls controls;
-  Mode mode = Mode::kHistory;
+  Mode mode = Mode::kReplay;
   Format format = Format::kJsonl;
   int jobs = defaultJobs();
 
@@ -76,9 +77,7 @@ RequestList readList(const Arguments& arguments, const Config& config) {
 }
 
 /// Throws for a line that answers something else.
-void checkAnswer(const std::string& where, const std::string& line, const SceneRequest& request,
-                 const InputLimits& limits) {
-  const SceneRequest asked = readScenarioLine(where, line, limits).asked;
+void checkAnswer(const std::string& where, const SceneRequest& asked, const SceneRequest& request) {
   if (requestLine(asked) == requestLine(request) && asked.request.mode == request.request.mode) {
     return;
   }
@@ -124,7 +123,8 @@ void exportClips(const Arguments& arguments, std::size_t count, SceneSource& sce
     progress.show(static_cast<std::size_t>(index) + 1, count);
   }
   if (!exporter.complaint().empty()) printLine(exporter.complaint());
-  std::cout << exporter.clips() << " clips in " << CollideExporter::folderIn(arguments.out) << "\n";
+  std::cout << counted(exporter.clips(), "clip") << " in "
+            << CollideExporter::folderIn(arguments.out) << "\n";
 }
 
 int generate(const Arguments& arguments) {
@@ -154,12 +154,17 @@ int generate(const Arguments& arguments) {
                                " cannot be answered: " + error.what());
     }
   };
+  std::size_t attacks = 0;
   run.take = [&](std::size_t index, const std::string& where, const std::string& line) {
-    checkAnswer(where, line, list.requests[index], config.input_limits);
+    const Scenario scenario = readScenarioLine(where, line, config.input_limits);
+    checkAnswer(where, scenario.asked, list.requests[index]);
+    if (scenario.answer.status.code == StatusCode::kOk) ++attacks;
   };
   carryOut(run);
   if (!is_master) return kExitOk;
-  std::cout << list.requests.size() << " requests answered in " << arguments.scenarios() << "\n";
+  std::cout << counted(list.requests.size(), "request") << " answered in " << arguments.scenarios()
+            << ": " << counted(attacks, "attack") << ", " << list.requests.size() - attacks
+            << " declined\n";
   if (arguments.format == Format::kCsvCollide) {
     exportClips(arguments, list.requests.size(), scenes, config.input_limits);
   }

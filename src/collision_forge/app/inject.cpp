@@ -19,6 +19,7 @@
 #include "collision_forge/ros/attack_request.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/crash_words.h"
 #include "collision_forge/ros/injection.h"
 #include "collision_forge/ros/report_text.h"
 #include "collision_forge/settings/config.h"
@@ -39,7 +40,7 @@ struct Arguments {
   int alternative = 1;
   collision_forge::CollisionRequest request;
   RequestControls controls;
-  Mode mode = Mode::kHistory;
+  Mode mode = Mode::kReplay;
   AfterContact after_contact = AfterContact::kStop;
 };
 
@@ -58,6 +59,18 @@ std::string aftermathOf(AfterContact after, bool has_contact, double end_time) {
       break;
   }
   return "after the contact: the ego drives on as recorded, the attacker its trajectory to the end";
+}
+
+/// Returns the exit code for an attack that was written; where the recorded ego is not hit as
+/// asked, prints so on stderr.
+int exitCodeOf(const collision_forge::CollisionReport& tested, const Arguments& arguments) {
+  if (tested.verified) return kExitOk;
+  std::cout.flush();
+  std::cerr << "NOT_AS_ASKED: " << printable(arguments.out)
+            << " does not show the crash asked for: " << outcomeWords(tested)
+            << (arguments.mode == Mode::kReplay ? "" : " (--mode replay knows the recorded future)")
+            << "\n";
+  return kExitNoAttack;
 }
 
 int refuse(const Status& status) {
@@ -207,7 +220,7 @@ int inject(const Arguments& arguments) {
     drawScenarioGif(arguments.draw + ".gif", view, config.drawing);
     std::cout << "wrote " << arguments.draw << ".png\nwrote " << arguments.draw << ".gif\n";
   }
-  return kExitOk;
+  return exitCodeOf(written.tested_report, arguments);
 }
 
 }  // namespace
@@ -219,9 +232,7 @@ void addInject(CommandLine& line) {
                            [arguments] { return inject(*arguments); });
   auto& request = arguments->request;
   app.add_option("--bag", arguments->bag, "recorded bag, as from forge convert")->required();
-  app.add_option("--type", request.collision_type,
-                 "lane_change, opposite_direction, rear_end, junction_crossing or ltap (LC, OD, "
-                 "HO, RE, JC, LTAP)")
+  app.add_option("--type", request.collision_type, "one of " + collisionTypeWords())
       ->required()
       ->check(checkType);
   app.add_option("--tta", request.tta, "seconds from now to impact")->required();
@@ -247,6 +258,12 @@ void addInject(CommandLine& line) {
   addOut(app, arguments->out, "bag to write");
   app.add_option("--draw", arguments->draw, "also draw to this name + .png and .gif");
   addConfig(app, arguments->config);
+  app.footer(
+      "Exit codes: 0 done, 1 error, 2 wrong command line, 3 no crash as asked: no attack is "
+      "possible, "
+      "or the attack does not crash into the recorded ego as asked; then the bag is written all "
+      "the "
+      "same, and the last line says so.");
 }
 
 }  // namespace forge

@@ -26,7 +26,7 @@ struct Arguments {
   std::vector<double> ttas;
   RequestControls controls;
   std::string method;
-  Mode mode = Mode::kHistory;
+  Mode mode = Mode::kReplay;
   std::uint64_t seed = 0;
   std::string config;
 };
@@ -91,7 +91,7 @@ int listPossible(const Arguments& arguments) {
   request.seed = arguments.seed;
   arguments.controls.applyTo(request);
 
-  std::ostringstream impossible;
+  std::ostringstream declined;
   std::size_t possible = 0;
   std::cout << "type                 TTA  manoeuvre             id      attacker                "
                "confidence  contact     impact\n";
@@ -102,8 +102,8 @@ int listPossible(const Arguments& arguments) {
       const Realization answer =
           generateCollision(*maker.make(), moment, request, config.attack.prediction);
       if (answer.status.code != StatusCode::kOk) {
-        impossible << asked(request) << "  " << toString(answer.status.code) << ": "
-                   << answer.status.message << "\n";
+        declined << asked(request) << "  " << toString(answer.status.code) << ": "
+                 << answer.status.message << "\n";
         continue;
       }
       for (const Realization& attack : attacksOf(answer)) {
@@ -112,7 +112,7 @@ int listPossible(const Arguments& arguments) {
       }
     }
   }
-  if (!impossible.str().empty()) std::cout << "\nnot possible\n" << impossible.str();
+  if (!declined.str().empty()) std::cout << "\ndeclined\n" << declined.str();
   return possible > 0 ? kExitOk : kExitNoAttack;
 }
 
@@ -131,7 +131,8 @@ void addPossible(CommandLine& line) {
   source->needs(app.add_option("--scene", arguments->scene, "as scene-0061")->needs(source));
   app.add_option("--now", arguments->now, "seconds from the first frame; the frame at or before")
       ->required();
-  app.add_option("--type", arguments->types, "collision types; default: all five")
+  app.add_option("--type", arguments->types,
+                 "collision types; default: all five: " + collisionTypeWords())
       ->check(checkType);
   app.add_option("--tta", arguments->ttas,
                  "seconds from now to impact; default: those of requests.yaml");
