@@ -5,6 +5,7 @@ import json
 import math
 import os
 import re
+import shutil
 import subprocess
 import time
 
@@ -122,10 +123,13 @@ class BuildDatasetTest(road.RoadTest):
             for row in rows:
                 self.assertEqual(row[column], '1', row)
 
-    def test_threads_and_ranks_give_the_same_bytes(self):
+    def test_threads_and_ranks_give_the_same_bytes_beside_a_page(self):
         threads = self.path('threads')
-        result = run(command(threads, '--config', self.config, '--jobs', 3))
+        page = threads / 'page'
+        result = run(command(threads, '--config', self.config, '--jobs', 3, '--report', page))
         self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue((page / 'index.html').exists())
+        shutil.rmtree(str(page))
         self.assertEqual(content(threads), self.expected)
         ranks = self.path('ranks')
         result = run(['mpirun', '--oversubscribe', '-np', '2'] + command(ranks, '--config', self.config),

@@ -15,6 +15,7 @@
 #include "collision_forge/dataset/clip_requests.h"
 #include "collision_forge/dataset/clip_search.h"
 #include "collision_forge/dataset/dataset_writer.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -48,7 +49,7 @@ std::vector<SceneRequest> listRequests(const Arguments& arguments,
   }
   if (requests.empty()) {
     throw std::runtime_error(arguments.logs.path + ": no scene is long enough for a clip of " +
-                             std::to_string(config.dataset.min_length) +
+                             numberText(config.dataset.min_length) +
                              " s (dataset.min_length) with an ego that moves");
   }
   return requests;
@@ -62,12 +63,21 @@ ResumableFile::Options runOptions(const Arguments& arguments, const Config& conf
   return options;
 }
 
-/// A folder that holds a data set, or a part of one, is gone on with.
+/// The name in the folder of the data set under which the page is; empty if it is elsewhere.
+fs::path pageIn(const Arguments& arguments) {
+  if (arguments.report.empty()) return {};
+  const fs::path page = fs::weakly_canonical(arguments.report)
+                            .lexically_relative(fs::weakly_canonical(arguments.out));
+  return *page.begin();
+}
+
+/// Throws for a folder that holds anything but a data set that was begun, its lock and its page.
 void checkFolder(const Arguments& arguments) {
   const bool begun = fs::exists(arguments.attempts()) || fs::exists(arguments.attempts() + ".part");
   if (begun) return;
   for (const auto& entry : fs::directory_iterator(arguments.out)) {
-    if (entry.path().filename() == OutputLock::kFileName) continue;
+    const fs::path name = entry.path().filename();
+    if (name == OutputLock::kFileName || name == pageIn(arguments)) continue;
     throw std::runtime_error(arguments.out + ": holds other files; write elsewhere");
   }
 }
