@@ -159,9 +159,9 @@ class Attack:
 
     def __repr__(self) -> str:
         state = '; {}: {}'.format(self.phase, self.decision) if self.adaptive else ''
-        return '<Attack {} by {}{} {:.8}: {}, confidence {:.2f}{}>'.format(
+        return '<Attack {} by {}{} {:.8}: {}, confidence {:.0f} %{}>'.format(
             self.collision_type, 'added ' if self.added else '', self.attacker_class, self.attacker,
-            self.report.summary(), self.report.confidence, state)
+            self.report.summary(), 100.0 * self.report.confidence, state)
 
 
 @dataclass(frozen=True, repr=False)
@@ -274,12 +274,21 @@ class PlannerOutcome:
             return 'failed ({}): {}'.format(self.failure, self.failure_reason)
         if self.contact is None:
             return 'touches nobody in {:.1f} s'.format(self.duration)
-        avoidable = 'not known to be avoidable'
-        if self.last_moment is not None:
-            avoidable = 'avoidable by {} until {:.1f} s'.format(self.last_manoeuvre, self.last_moment)
         return 'touches {} {:.8} after {:.2f} s at {:.1f} m/s, {}'.format(
             'the attacker' if self.hit else 'somebody else,', self.contact.other, self.contact.t,
-            self.contact.impact_speed, avoidable)
+            self.contact.impact_speed, self._avoidance())
+
+    def _avoidance(self) -> str:
+        """How the contact could have been avoided."""
+        if self.last_moment is None:
+            return 'not known to be avoidable'
+        at_once = self.last_moment < 1e-6  # s
+        if self.last_manoeuvre != 'keeping':
+            when = 'at once' if at_once else 'until {:.1f} s'.format(self.last_moment)
+            return 'avoidable by {} {}'.format(self.last_manoeuvre, when)
+        if self.message.attacker_policy != 'adaptive':
+            return 'avoidable by driving as recorded'
+        return 'avoidable by keeping its speed' + ('' if at_once else ' from {:.1f} s on'.format(self.last_moment))
 
 
 @dataclass(frozen=True, repr=False)

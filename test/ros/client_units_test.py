@@ -120,7 +120,7 @@ class ResultsTest(unittest.TestCase):
         self.assertIs(attack.message, message)
         self.assertEqual(attack.alternatives, (Attack.of(other),))
         self.assertEqual(repr(attack), '<Attack lane_change by truck ann: cut_in after 3.50 s on the left at 2.5 m/s, '
-                                       'confidence 0.25>')
+                                       'confidence 25 %>')
 
     def test_an_attack_that_sees_tells_its_decision(self):
         attack = Attack.of(attack_message(adaptive=True, phase='committed', decision='too late', plans=3))
@@ -163,6 +163,17 @@ class ResultsTest(unittest.TestCase):
         self.assertEqual(len(outcome.nuplan), 8)
         self.assertEqual(outcome.summary(), 'touches the attacker ann after 4.25 s at 3.0 m/s, '
                                             'avoidable by braking until 2.0 s')
+
+    def test_an_outcome_says_how_a_hit_could_have_been_avoided(self):
+        for manoeuvre, moment, policy, words in (
+                ('braking', 0.0, 'fixed', 'avoidable by braking at once'),
+                ('keeping', 0.0, 'fixed', 'avoidable by driving as recorded'),
+                ('keeping', 0.0, 'adaptive', 'avoidable by keeping its speed'),
+                ('keeping', 1.5, 'adaptive', 'avoidable by keeping its speed from 1.5 s on')):
+            message = msg.PlannerOutcome(failure='none', collided=True, is_attacker=True, avoidable=True,
+                                         attacker_policy=policy, last_manoeuvre=manoeuvre, last_moment=at(moment))
+            message.header.stamp = NOW
+            self.assertTrue(PlannerOutcome.of(message).summary().endswith(', ' + words), words)
 
     def test_an_outcome_with_somebody_else_is_no_hit(self):
         message = msg.PlannerOutcome(failure='none', collided=True, is_attacker=False)

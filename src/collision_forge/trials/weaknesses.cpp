@@ -14,10 +14,16 @@ struct Hit {
   const PlannerContact& contact() const { return *row->outcome.contact; }
 };
 
+/// True if the other vehicle drove into the ego's rear: that is its own fault, not the planner's.
+bool isRunInto(const PlannerContact& contact) {
+  return contact.cause == ContactCause::kRear ||
+         (contact.cause == ContactCause::kStoppedEgo && contact.ego_side == Side::kRear);
+}
+
 bool showsWeakness(const PlannerRow& row, const UntilHitOptions& options) {
   const RolloutOutcome& outcome = row.outcome;
   return outcome.failure == PlannerFailure::kNone && outcome.contact &&
-         outcome.contact->is_attacker && row.is_fair &&
+         outcome.contact->is_attacker && !isRunInto(*outcome.contact) && row.is_fair &&
          row.attacker.phase != AttackerPhase::kDrivingOn && row.attacker.broken_limit.empty() &&
          row.attacker.touched.empty() && outcome.contact->impact_speed >= options.min_impact_speed;
 }

@@ -23,7 +23,8 @@ struct Weakness {
 
 /// The weaknesses that results show, that with the hardest impact first. Counted are fair hits
 /// (PlannerRow::is_fair) by attackers that had not given up, kept every limit and touched nobody
-/// else, no softer than `min_impact_speed`. `manoeuvreOf`: what was asked for in the case of a
+/// else, no softer than `min_impact_speed`. Hits into the ego's rear are left out: they are the
+/// attacker's own fault. `manoeuvreOf`: what was asked for in the case of a
 /// result.
 std::vector<Weakness> findWeaknesses(const std::vector<PlannerTestResult>& results,
                                      const std::function<Manoeuvre(std::size_t)>& manoeuvreOf,

@@ -1,0 +1,29 @@
+#include "collision_forge/trials/avoidance_words.h"
+
+#include <cstdio>
+
+#include "collision_forge/scene/clock.h"
+
+namespace forge {
+namespace {
+
+std::string secondsText(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.1f s", seconds);
+  return text;
+}
+
+}  // namespace
+
+std::string avoidanceWords(EvasiveManoeuvre manoeuvre, double start, bool is_escape) {
+  const bool is_at_once = start < kTimeEpsilon;
+  if (manoeuvre == EvasiveManoeuvre::kKeeping) {
+    if (!is_escape) return "by driving as recorded";
+    return is_at_once ? "by keeping its speed"
+                      : "by keeping its speed from " + secondsText(start) + " on";
+  }
+  return std::string("by ") + toString(manoeuvre) +
+         (is_at_once ? " at once" : " until " + secondsText(start));
+}
+
+}  // namespace forge
