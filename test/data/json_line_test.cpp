@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <limits>
+#include <map>
 #include <random>
 
 namespace forge {
@@ -41,6 +42,19 @@ TEST(JsonLine, TellsWhichKeysAreThere) {
   EXPECT_EQ(list->at(0).number("y"), 2.0);
   EXPECT_THAT(complaintOf(R"({"l":1})", [](JsonObject& other) { other.objectsOrNull("l", 1); }),
               HasSubstr("l = 1 is not an array"));
+}
+
+TEST(JsonLine, EmptyLinesAndCommentsAreCalledSo) {
+  for (const auto& [line, named] :
+       std::map<std::string, std::string>{{"", "is empty"}, {"# later", "is a comment"}}) {
+    try {
+      const JsonLine read("list.jsonl: line 3", line);
+      FAIL() << line;
+    } catch (const JsonLineError& error) {
+      EXPECT_EQ(error.what(),
+                "list.jsonl: line 3: " + named + "; every line must be one JSON object");
+    }
+  }
 }
 
 TEST(JsonLine, ListsAreCountedBeforeTheyAreLookedAt) {

@@ -87,11 +87,14 @@ TEST_P(BagCheck, SoundBagsPass) {
   EXPECT_EQ(countMessages(), 40u);
 }
 
-TEST_P(BagCheck, WhatIsNoBagIsLeftToRosbag) {
-  for (const char* bytes : {"", "no bag at all, but some bytes"}) {
+TEST_P(BagCheck, AFileThatIsNoBagIsCalledSo) {
+  for (const char* bytes : {"", "x", "no bag at all, but some bytes"}) {
     write(bytes);
-    EXPECT_EQ(complaint(), "") << bytes;
+    EXPECT_EQ(complaint(), path_ + ": is not a ROS bag") << bytes;
   }
+}
+
+TEST_P(BagCheck, AMissingFileIsLeftToRosbag) {
   std::filesystem::remove(path_);
   EXPECT_EQ(complaint(), "");
 }

@@ -186,6 +186,10 @@ std::string JsonObject::pathOf(const std::string& key) const {
 
 JsonLine::JsonLine(std::string where, const std::string& text)
     : where_(std::move(where)), document_(std::make_shared<rapidjson::Document>()) {
+  if (text.empty() || text.front() == '#') {
+    throw JsonLineError(where_ + (text.empty() ? ": is empty" : ": is a comment") +
+                        "; every line must be one JSON object");
+  }
   rapidjson::MemoryStream bytes(text.data(), text.size());
   rapidjson::EncodedInputStream<rapidjson::UTF8<>, rapidjson::MemoryStream> stream(bytes);
   const rapidjson::ParseResult result =

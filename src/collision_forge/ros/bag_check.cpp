@@ -16,8 +16,10 @@
 #include <boost/interprocess/mapped_region.hpp>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -255,13 +257,19 @@ void checkBag(const std::string& path) {
   namespace ipc = boost::interprocess;
   constexpr std::string_view kAnyBag = "#ROS";
   std::error_code none;
-  if (std::filesystem::file_size(path, none) <= RecordWalk::kFirstLine.size() || none) return;
+  const auto size = std::filesystem::file_size(path, none);
+  std::ifstream stream(path, std::ios::binary);
+  if (none || !stream.is_open()) return;
+  std::string begin(kAnyBag.size(), '\0');
+  if (!stream.read(begin.data(), static_cast<std::streamsize>(begin.size())) || begin != kAnyBag) {
+    throw BagError(path + ": is not a ROS bag");
+  }
+  if (size <= RecordWalk::kFirstLine.size()) return;
   const ipc::file_mapping file(path.c_str(), ipc::read_only);
   const ipc::mapped_region region(file, ipc::read_only);
   const std::string_view bag(static_cast<const char*>(region.get_address()), region.get_size());
   if (bag.substr(0, RecordWalk::kFirstLine.size()) != RecordWalk::kFirstLine) {
     // rosbag takes any word behind "#ROS", and reads the older version, too.
-    if (bag.substr(0, kAnyBag.size()) != kAnyBag) return;
     throw BagError(path + ": is no bag of version 2.0");
   }
   RecordWalk walk(bag);
