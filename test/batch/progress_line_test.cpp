@@ -45,11 +45,25 @@ TEST_F(ProgressLineTest, WhatWasDoneBeforeCountsForTheShareAlone) {
   EXPECT_EQ(printed(), "requests  62 %, 1.2/s, 63 s left\n");
 }
 
-TEST_F(ProgressLineTest, SharesHaveARateOfPerCent) {
+TEST_F(ProgressLineTest, SharesHaveNoRate) {
   ProgressLine line("training", 0.0, output(false));
   time_ += 600.0;
-  line.show(0.25, "loss 3");  // 2.5 % a minute, 1800 s to go
-  EXPECT_EQ(printed(), "training  25 %, 2.5 %/min, 30 min left, loss 3\n");
+  line.show(0.25, "loss 3");  // 1800 s to go
+  EXPECT_EQ(printed(), "training  25 %, 30 min left, loss 3\n");
+}
+
+TEST_F(ProgressLineTest, WorkOfLessThanASecondShowsNoLine) {
+  ProgressLine line("writing", 0.0, output(false));
+  time_ += 0.5;
+  line.show(1.0);
+  EXPECT_EQ(printed(), "");
+}
+
+TEST_F(ProgressLineTest, TheLastLineTellsHowLongTheWorkTook) {
+  ProgressLine line("scenes", 0.0, output(false));
+  time_ += 40.0;
+  line.show(80, 80);
+  EXPECT_EQ(printed(), "scenes 100 %, 2.0/s in 40 s\n");
 }
 
 TEST_F(ProgressLineTest, SlowWorkHasARateByTheHour) {

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kTerminalInterval = 0.2;  // s between two shows of a line
 constexpr double kPipeInterval = 10.0;     // s
+constexpr double kShortWork = 1.0;         // s; it ends before a line could be read
 constexpr char kClear[] = "\r\033[K";      // what a terminal has on its line
 
 bool isTerminal() { return isatty(STDERR_FILENO) == 1; }
@@ -35,10 +36,10 @@ std::string durationText(double seconds) {
 }
 
 /// In a unit of time in which it is a number to be read.
-std::string rateText(double per_second, const std::string& unit) {
-  if (per_second >= 1.0) return formatted("%.1f", per_second) + unit + "/s";
-  if (per_second * 60.0 >= 1.0) return formatted("%.1f", per_second * 60.0) + unit + "/min";
-  return formatted("%.1f", per_second * 3600.0) + unit + "/h";
+std::string rateText(double per_second) {
+  if (per_second >= 1.0) return formatted("%.1f/s", per_second);
+  if (per_second * 60.0 >= 1.0) return formatted("%.1f/min", per_second * 60.0);
+  return formatted("%.1f/h", per_second * 3600.0);
 }
 
 }  // namespace
@@ -59,25 +60,27 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::show(std::size_t done, std::size_t all) {
   const auto whole = static_cast<double>(all);
-  show(static_cast<double>(done) / whole, whole, "", "");
+  show(static_cast<double>(done) / whole, whole, "");
 }
 
 void ProgressLine::show(double share, const std::string& detail) {
-  show(share, 100.0, " %", detail);
+  show(share, std::nullopt, detail);
 }
 
-void ProgressLine::show(double share, double whole, const std::string& unit,
-                        const std::string& detail) {
+void ProgressLine::show(double share, std::optional<double> whole, const std::string& detail) {
   const double time = output_.clock();
   const double interval = output_.is_terminal ? kTerminalInterval : kPipeInterval;
   if (share < 1.0 && time - shown_ < interval) return;
-  shown_ = time;
   const double elapsed = time - begin_;
+  const bool is_unseen = shown_ == begin_;
+  if (share >= 1.0 && is_unseen && elapsed < kShortWork) return;
+  shown_ = time;
   const double gained = share - first_share_;
   std::string line = title_ + formatted(" %3.0f %%", 100.0 * share);
   if (elapsed > 0.0 && gained > 0.0) {
-    line += ", " + rateText(gained * whole / elapsed, unit) + ", " +
-            durationText(elapsed * (1.0 - share) / gained) + " left";
+    if (whole) line += ", " + rateText(gained * *whole / elapsed);
+    line += share < 1.0 ? ", " + durationText(elapsed * (1.0 - share) / gained) + " left"
+                        : " in " + durationText(elapsed);
   }
   if (!detail.empty()) line += ", " + detail;
   is_open_ = output_.is_terminal && share < 1.0;

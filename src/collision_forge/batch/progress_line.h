@@ -4,13 +4,15 @@
 #include <cstddef>
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 namespace forge {
 
-/// A line that tells what share of a long work is done, how fast it goes, and how long the rest
-/// will take: on a terminal in place, several times a second, else a line every ten seconds. Every
-/// command shows its work with this. For one thread at a time.
+/// A line that shows what share of a long work is done, how many items a second, and how long the
+/// rest will take: on a terminal in place, several times a second, else a line every ten seconds.
+/// Work that is done within a second shows none. Every command shows its work with this. For one
+/// thread at a time.
 class ProgressLine {
  public:
   /// Where the line goes.
@@ -32,8 +34,8 @@ class ProgressLine {
   void show(double share, const std::string& detail = "");
 
  private:
-  /// `whole` is what a share of 1 is, in `unit`.
-  void show(double share, double whole, const std::string& unit, const std::string& detail);
+  /// `whole`: the items that a share of 1 is; without it no rate is shown.
+  void show(double share, std::optional<double> whole, const std::string& detail);
 
   std::string title_;
   double first_share_;
