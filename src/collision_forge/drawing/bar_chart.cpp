@@ -63,6 +63,7 @@ class ChartPainter {
     canvas_.fillRect({x, top, width - kGap, toY(0.0) - top}, color);
     const double middle = x + 0.5 * (width - kGap);
     const double half = 0.2 * width;
+    if (bar.low == bar.high) return;
     const LineStyle whisker{options_.text_color, 1.0};
     canvas_.stroke({{middle, toY(bar.low)}, {middle, toY(bar.high)}}, whisker);
     for (const double end : {bar.low, bar.high}) {

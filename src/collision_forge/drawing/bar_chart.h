@@ -8,7 +8,7 @@
 
 namespace forge {
 
-/// A share in [0, 1] with its interval.
+/// A share in [0, 1] with its interval; without one `low` and `high` are `value`.
 struct Bar {
   double value = 0.0;
   double low = 0.0;

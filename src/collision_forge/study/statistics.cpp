@@ -8,6 +8,8 @@
 namespace forge {
 namespace {
 
+constexpr std::size_t kMinScenes = 5;  // fewer say too little about other scenes for an interval
+
 struct Sum {
   double values = 0.0;
   int trials = 0;
@@ -77,7 +79,7 @@ Rate pooledRate(const std::vector<Trial>& trials, const StatisticsOptions& optio
     all.values += scene.values;
     all.trials += scene.trials;
   }
-  if (scenes.size() < 2) return {all.trials, meanOf(all), std::nullopt};
+  if (scenes.size() < kMinScenes) return {all.trials, meanOf(all), std::nullopt};
   std::mt19937_64 generator(options.seed);
   std::vector<double> rates;
   for (int resample = 0; resample < options.resamples; ++resample) {

@@ -26,7 +26,7 @@ struct Interval {
 struct Rate {
   int trials = 0;
   double value = 0.0;                ///< valid with trials
-  std::optional<Interval> interval;  ///< of two scenes or more: one tells nothing about others
+  std::optional<Interval> interval;  ///< empty below five scenes: they say too little about others
 };
 
 /// With a bootstrap interval by scenes: as many scenes as there are, drawn with replacement, give
