@@ -65,7 +65,7 @@ TEST(ReportText, BeginsASummaryWithTheAttacker) {
   attack.report = crash();
   attack.report.confidence = 0.75;
   EXPECT_EQ(summaryOf(attack),
-            "rear_end by added-1, an added bus, confidence 0.75: " + lineOf(attack.report));
+            "rear_end by added-1, an added bus, confidence 75 %: " + lineOf(attack.report));
   attack.trajectory.added = 0;
   EXPECT_THAT(summaryOf(attack), HasSubstr("a recorded bus"));
 }

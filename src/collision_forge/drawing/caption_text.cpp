@@ -5,6 +5,7 @@
 
 #include "collision_forge/drawing/decimal_text.h"
 #include "collision_forge/drawing/scenario_motion.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/scene/short_id.h"
 
 namespace forge {
@@ -87,7 +88,7 @@ std::vector<CaptionRow> drivingRows(const ScenarioView& view) {
                                shortId(report.first_other_id),
                   nobody});
   rows.push_back({"Off road", decimalText(100 * report.off_road_share, 0) + " %", std::nullopt});
-  rows.push_back({"Confidence", decimalText(report.confidence, 2), std::nullopt});
+  rows.push_back({"Confidence", percentText(report.confidence), std::nullopt});
   return rows;
 }
 

@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/scene/track.h"
 
 namespace forge {
@@ -33,7 +34,7 @@ std::string summaryOf(const collision_forge::Attack& attack) {
   line << attack.pattern.collision_type << " by " << attacker.attacker_id << ", "
        << (attacker.added ? "an added " : "a recorded ")
        << toString(static_cast<AgentClass>(attacker.agent_class)) << ", confidence "
-       << attack.report.confidence << ": " << lineOf(attack.report);
+       << percentText(attack.report.confidence) << ": " << lineOf(attack.report);
   return line.str();
 }
 

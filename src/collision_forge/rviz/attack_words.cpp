@@ -49,7 +49,7 @@ QString attackText(const collision_forge::Attack& attack) {
          row("Contact after",
              number((report.contact_time - attack.header.stamp).toSec(), 2, " s")) +
          row("Manoeuvre", escaped(report.manoeuvre)) + row("Believable", believableText(report)) +
-         row("Confidence", number(report.confidence, 2, "")) +
+         row("Confidence", number(100.0 * report.confidence, 0, " %")) +
          row("Sides", escaped(report.attacker_side + " to ego's " + report.ego_side)) +
          row("Relative heading", number(report.relative_heading * kDegrees, 0, " deg")) +
          row("Impact speed", number(report.impact_speed, 1, " m/s")) +

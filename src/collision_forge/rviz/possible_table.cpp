@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/scene/short_id.h"
 
 namespace forge {
@@ -31,9 +32,10 @@ void PossibleTable::addRow(int row, const collision_forge::PossibleCollision& co
   const QString attacker = QString::fromStdString(shortId(collision.attacker_id));
   const QString of_class = QString::fromStdString(collision.attacker_class);
   const QString by = collision.added ? "added " + of_class : of_class + " " + attacker;
-  const QString texts[] = {
-      QString::fromStdString(collision.collision_type), QString::number(collision.tta, 'f', 1), by,
-      QString::number(collision.confidence, 'f', 2), QString::fromStdString(collision.manoeuvre)};
+  const QString texts[] = {QString::fromStdString(collision.collision_type),
+                           QString::number(collision.tta, 'f', 1), by,
+                           QString::fromStdString(percentText(collision.confidence)),
+                           QString::fromStdString(collision.manoeuvre)};
   const QString more = QString("Contact after %1 s with %2 m/s, attacker %3")
                            .arg(collision.contact_after, 0, 'f', 2)
                            .arg(collision.impact_speed, 0, 'f', 1)
