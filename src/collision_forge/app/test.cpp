@@ -22,11 +22,13 @@
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/trials/planner_cases.h"
 #include "collision_forge/trials/planner_report.h"
 #include "collision_forge/trials/planner_result_file.h"
 #include "collision_forge/trials/planner_run.h"
+#include "collision_forge/trials/planner_summary.h"
 #include "collision_forge/trials/request_cases.h"
 
 namespace forge {
@@ -104,24 +106,25 @@ ResumableFile::Options runOptions(const Arguments& arguments, const PlannerCases
   return options;
 }
 
-/// How long the planners computed in this process.
+/// How long the planners computed in this process, by rowName().
 class PlanningTimes {
  public:
   void add(const PlannerTestResult& result) {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (const PlannerRow& row : result.rows) {
-      Sum& sum = sums_[row.planner];
+      Sum& sum = sums_[rowName(row.planner, row.attacker.policy)];
       sum.seconds += row.outcome.planning_seconds;
       sum.calls += row.outcome.plans;
     }
   }
 
-  void print() const {
-    for (const auto& [planner, sum] : sums_) {
-      if (sum.calls == 0) continue;
-      std::printf("%s: %.3f ms a call, mean of %ld calls in this process\n", planner.c_str(),
-                  1e3 * sum.seconds / static_cast<double>(sum.calls), sum.calls);
+  /// Milliseconds a call in the mean, of those that were called.
+  std::map<std::string, double> means() const {
+    std::map<std::string, double> found;
+    for (const auto& [row, sum] : sums_) {
+      if (sum.calls > 0) found[row] = 1e3 * sum.seconds / static_cast<double>(sum.calls);
     }
+    return found;
   }
 
  private:
@@ -150,8 +153,9 @@ TestPlan planOf(const Arguments& arguments, const Config& config) {
   return plan;
 }
 
-void report(const std::vector<PlannerTestResult>& results, const Arguments& arguments,
-            const TestPlan& plan, const Config& config) {
+/// Writes what the results say into files.
+void writeTables(const std::vector<PlannerTestResult>& results, const Arguments& arguments,
+                 const TestPlan& plan, const Config& config) {
   const StatisticsOptions& statistics = config.evaluation.statistics;
   std::string text =
       reportTitle("Planners in closed loop", statistics) + "\n" + describeCases(results);
@@ -166,7 +170,18 @@ void report(const std::vector<PlannerTestResult>& results, const Arguments& argu
   writeText(arguments.out + "/results.csv", csvOf(results));
   writeText(arguments.out + "/table.csv", csv);
   writeText(arguments.out + "/table.md", text);
-  std::cout << text;
+}
+
+/// Prints how each planner did, and where more is.
+void printSummary(const std::vector<PlannerTestResult>& results, const PlanningTimes& times,
+                  const TestPlan& plan, const std::string& folder) {
+  const auto is_tested = [](const PlannerTestResult& result) { return result.isTested(); };
+  const auto tested = std::count_if(results.begin(), results.end(), is_tested);
+  std::cout << tested << " of " << counted(results.size(), "case") << " tested\n"
+            << summaryText(summarizePlanners(results, rowNames(plan)), times.means()) << "in "
+            << folder
+            << ": table.md (rates by type and time, and why cases were not tested), results.csv, "
+               "worst/ (pictures)\n";
 }
 
 void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& results,
@@ -240,8 +255,8 @@ int drive(Arguments arguments) {
   const std::vector<PlannerTestResult> results = testCases(run, cases, test);
   if (!isMaster()) return kExitOk;
   checkTested(results, run.path);
-  report(results, arguments, plan, config);
-  times.print();
+  writeTables(results, arguments, plan, config);
+  printSummary(results, times, plan, arguments.out);
   drawWorst(cases, results, arguments, plan, config);
   if (drawn) reportWeaknesses(drawn->requests, results, plan, arguments.out, config);
   if (!arguments.report.empty()) {
@@ -287,14 +302,14 @@ void addTest(CommandLine& line) {
   addMethod(app, arguments->method, arguments->config)->excludes(source->get_option("--scenarios"));
   app.add_option("--planners", arguments->planners, "names, separated by commas")
       ->delimiter(',')
-      ->transform(CLI::IsMember(plannerNames(), CLI::ignore_case))
+      ->transform(oneOf(plannerNames()))
       ->capture_default_str();
   app.add_option("--attacker-policy", arguments->policies,
                  "who drives the attacker, separated by commas: fixed, its trajectory as it is; "
                  "adaptive, one that sees the ego and plans anew, not with --collide; by default "
                  "adaptive with --until-hit, else fixed")
       ->delimiter(',')
-      ->transform(CLI::IsMember({"fixed", "adaptive"}, CLI::ignore_case))
+      ->transform(oneOf({"fixed", "adaptive"}))
       ->excludes(collide);
   addPlannerFile(app, arguments->planner_file);
   addBackground(app, arguments->background);

@@ -17,6 +17,7 @@
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/fingerprint.h"
 #include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/scene/number_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/trials/planner_cases.h"
 #include "collision_forge/trials/planner_report.h"
@@ -192,12 +193,13 @@ void report(const Tuning& tuning, std::size_t best, const std::vector<PlannerTes
   const PlannerValues& before = tuning.variants.front().values;
   const PlannerValues& after = tuning.variants[best].values;
   const RateTable comparison = comparisonTable(test, statistics);
-  std::string text = reportTitle("Tuning of " + arguments.planner, statistics) + "\nBest of " +
-                     std::to_string(tuning.variants.size()) +
-                     " variants on the training scenarios (" + tuning.variants[best].name +
-                     " of variants.csv):\n\n" + describeValues(before, after) +
-                     "\nTraining: " + describeCases(train) + "\nTest: " + describeCases(test) +
-                     "\n" + toMarkdown(comparison);
+  const std::string outcome = reportTitle("Tuning of " + arguments.planner, statistics) +
+                              "\nBest of " + counted(tuning.variants.size(), "variant") +
+                              " on the training scenarios (" + tuning.variants[best].name +
+                              " of variants.csv):\n\n" + describeValues(before, after) +
+                              "\nTraining: " + describeCases(train) +
+                              "\nTest: " + describeCases(test) + "\n" + toMarkdown(comparison);
+  std::string text = outcome;
   std::string csv = rateCsvHeader() + "\n" + toCsv(comparison);
   for (const PlannerTable& entry : plannerTables(test, {"default", "tuned"}, statistics)) {
     text += "\n" + toMarkdown(entry.table, entry.unit);
@@ -208,7 +210,8 @@ void report(const Tuning& tuning, std::size_t best, const std::vector<PlannerTes
   writeText(arguments.out + "/table.csv", csv);
   writeText(arguments.out + "/table.md", text);
   drawComparison(comparison, tuning);
-  std::cout << text;
+  std::cout << outcome << "\nin " << arguments.out
+            << ": planners.yaml (with the best values), table.md, variants.csv\n";
 }
 
 /// Clips are in no file that a page is made of.
@@ -271,7 +274,7 @@ void addTune(CommandLine& line) {
                  return tune(*arguments);
                });
   app.add_option("--planner", arguments->planner, "name")
-      ->transform(CLI::IsMember(plannerNames(), CLI::ignore_case))
+      ->transform(oneOf(plannerNames()))
       ->capture_default_str();
   addPlannerFile(app, arguments->planner_file);
   app.add_option("--grid", arguments->grid, "values to try (default: tuning.yaml of --config)")

@@ -12,6 +12,8 @@
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/files/aside_file.h"
+#include "collision_forge/scene/number_words.h"
+#include "collision_forge/trials/avoidance_words.h"
 #include "collision_forge/trials/escape.h"
 #include "collision_forge/trials/weaknesses.h"
 
@@ -97,14 +99,67 @@ std::size_t triesTo(const std::vector<Weakness>& weaknesses) {
   return last;
 }
 
-std::string headOf(const std::vector<Weakness>& weaknesses, std::size_t tries) {
-  if (weaknesses.empty()) return "No weakness showed in " + std::to_string(tries) + " tries.\n";
-  return std::to_string(weaknesses.size()) +
-         " weaknesses, the hardest impact first; the last new one showed with try " +
-         std::to_string(triesTo(weaknesses)) + " of " + std::to_string(tries) +
-         ".\n\n| | planner | hardest hit | manoeuvre | to blame | place | impact | after | "
-         "escape | hits |\n|---|---|---|---|---|---|---|---|---|---|\n";
+/// The weakness as a line for a terminal.
+std::string printedLine(int rank, const Weakness& weakness, const Shown& shown) {
+  const PlannerContact& contact = *shown.outcome.contact;
+  const Avoidance& escape = shown.escape.ego;
+  const double now = shown.one.scenario.snapshot.now;
+  char numbers[96];
+  std::snprintf(numbers, sizeof(numbers), " after %.1f s at %.1f m/s, avoidable ",
+                fromNow(contact.time, now), contact.impact_speed);
+  return "  " + std::to_string(rank) + " " + rowName(weakness.planner, weakness.policy) + ": " +
+         toString(weakness.manoeuvre) + " (" + toString(weakness.place) + ", " +
+         (weakness.at_fault ? "planner" : "attacker") + " at fault)" + numbers +
+         avoidanceWords(escape.manoeuvre, fromNow(escape.start, now), true) + "; " +
+         counted(weakness.results.size(), "hit") + ", the hardest in " + shown.one.name + "\n";
 }
+
+std::string headOf(const std::vector<Weakness>& weaknesses, std::size_t tries) {
+  const std::string tried = counted(tries, "try", "tries");
+  if (weaknesses.empty()) return "No weakness in " + tried + ".\n";
+  return counted(weaknesses.size(), "weakness", "weaknesses") +
+         ", the hardest impact first; the last new one came with try " +
+         std::to_string(triesTo(weaknesses)) + " of " + std::to_string(tries) + ".\n";
+}
+
+/// What is told of the weaknesses: a table in a file, and lines on the terminal.
+class WeaknessList {
+ public:
+  WeaknessList(const std::vector<Weakness>& weaknesses, std::size_t tries)
+      : head_(headOf(weaknesses, tries)) {}
+
+  void add(const Weakness& weakness, const Shown& shown) {
+    ++count_;
+    rows_ += tableRow(count_, weakness, shown);
+    if (count_ <= kPrinted) lines_ += printedLine(count_, weakness, shown);
+  }
+
+  int count() const { return count_; }
+
+  std::string table() const {
+    if (count_ == 0) return head_;
+    return head_ +
+           "\n| | planner | hardest hit | manoeuvre | to blame | place | impact | after | escape | "
+           "hits |\n|---|---|---|---|---|---|---|---|---|---|\n" +
+           rows_;
+  }
+
+  std::string printed(const std::string& folder) const {
+    const std::string more =
+        count_ > kPrinted ? "  and " + std::to_string(count_ - kPrinted) + " more\n" : "";
+    if (count_ == 0) return head_;
+    return head_ + lines_ + more + "in " + folder +
+           ": weaknesses.md, weaknesses/ (pictures), weaknesses.jsonl (scenarios)\n";
+  }
+
+ private:
+  static constexpr int kPrinted = 5;  // lines on the terminal
+
+  std::string head_;
+  std::string rows_;
+  std::string lines_;
+  int count_ = 0;
+};
 
 }  // namespace
 
@@ -116,11 +171,10 @@ void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestRe
   const fs::path pictures = fs::path(folder) / "weaknesses";
   fs::remove_all(pictures);
   fs::create_directories(pictures);
-  std::string table = headOf(weaknesses, results.size());
+  WeaknessList list(weaknesses, results.size());
   std::string scenarios;
   std::string witnesses;
   std::set<std::size_t> written;
-  int rank = 0;
   for (const Weakness& weakness : weaknesses) {
     const std::size_t hardest = weakness.results.front();
     const auto shown = show(weakness, cases, plan, config);
@@ -129,20 +183,20 @@ void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestRe
                 " was hit, but is not when it is driven again: left out");
       continue;
     }
-    table += tableRow(++rank, weakness, *shown);
+    list.add(weakness, *shown);
     if (written.insert(hardest).second) scenarios += scenarioLine(shown->scenario) + "\n";
     witnesses += witnessLine(weakness, *shown) + "\n";
-    const std::string picture = (pictures / std::to_string(rank)).string();
+    const std::string picture = (pictures / std::to_string(list.count())).string();
     drawView(picture, viewOf(shown->one, weakness.policy, shown->outcome), config.drawing);
     drawView(picture + "_escape",
              viewOf(shown->one, weakness.policy,
                     wholeEscape(shown->outcome.driven, shown->escape.ego), shown->escape.attacker),
              config.drawing);
   }
-  writeText(folder + "/weaknesses.md", table);
+  writeText(folder + "/weaknesses.md", list.table());
   writeText(folder + "/weaknesses.jsonl", scenarios);
   writeText(folder + "/witnesses.jsonl", witnesses);
-  std::cout << "\n" << table;
+  std::cout << list.printed(folder);
 }
 
 }  // namespace forge

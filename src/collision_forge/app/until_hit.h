@@ -10,9 +10,9 @@
 namespace forge {
 
 /// What the results over `cases` say of the planners' weaknesses (findWeaknesses()), the worst
-/// first. Prints a table and writes it to FOLDER/weaknesses.md; of each weakness its hardest hit: a
-/// line of a scenario file in weaknesses.jsonl, the witness that it could be escaped in
-/// witnesses.jsonl, pictures of both as weaknesses/N and weaknesses/N_escape.
+/// first. Prints the first few and writes a table of all to FOLDER/weaknesses.md; of each weakness
+/// its hardest hit: a line of a scenario file in weaknesses.jsonl, the witness that it could be
+/// escaped in witnesses.jsonl, pictures of both as weaknesses/N and weaknesses/N_escape.
 void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestResult>& results,
                       const TestPlan& plan, const std::string& folder, const Config& config);
 

@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "collision_forge/scene/number_words.h"
+
 namespace forge {
 namespace {
 
@@ -295,8 +297,8 @@ std::vector<PlannerTable> plannerTables(const std::vector<PlannerTestResult>& re
 std::string describeCases(const std::vector<PlannerTestResult>& results) {
   std::map<std::string, int> counts;
   for (const PlannerTestResult& result : results) ++counts[result.status];
-  std::string text = std::to_string(results.size()) +
-                     " cases, of which were tested: " + std::to_string(counts["OK"]) + "\n";
+  std::string text = counted(results.size(), "case") +
+                     ", of which were tested: " + std::to_string(counts["OK"]) + "\n";
   for (const auto& [status, count] : counts) {
     if (status != "OK") text += "- not tested, " + status + ": " + std::to_string(count) + "\n";
   }
