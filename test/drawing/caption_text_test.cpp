@@ -7,12 +7,16 @@
 namespace forge {
 namespace {
 
-/// The value of a row; empty without it.
-std::string valueOf(const ScenarioView& view, const std::string& name) {
+/// The row of that name; an empty one without it.
+CaptionRow rowOf(const ScenarioView& view, const std::string& name) {
   for (const CaptionRow& row : reportRows(view)) {
-    if (row.name == name) return row.value;
+    if (row.name == name) return row;
   }
-  return "";
+  return {};
+}
+
+std::string valueOf(const ScenarioView& view, const std::string& name) {
+  return rowOf(view, name).value;
 }
 
 TEST(CaptionText, NamesTheAttackersClassAndOrigin) {
@@ -34,9 +38,10 @@ TEST(CaptionText, TellsSpeedsNowAndAtContact) {
   EXPECT_EQ(valueOf(view, "Attacker, m/s"), "10.0 now, 8.0 then");
 }
 
-TEST(CaptionText, TheVerdictSaysAgainstWhatAndTheFirstConditionThatFails) {
+TEST(CaptionText, TheVerdictSaysWhatTheRecordingHasAndTheFirstConditionThatFails) {
   ScenarioView view = sampleView();
-  EXPECT_EQ(verdictText(view), "verified against the recording");
+  EXPECT_EQ(verdictText(view), "crash as asked in the recording");
+  EXPECT_EQ(verdictOf(view), Verdict::kWanted);
   const auto reason = [&view] {
     return verdictText(view).substr(verdictText(view).find(": ") + 2);
   };
@@ -48,9 +53,37 @@ TEST(CaptionText, TheVerdictSaysAgainstWhatAndTheFirstConditionThatFails) {
   EXPECT_EQ(reason(), "another time");
   view.report.type_kept = false;
   EXPECT_EQ(reason(), "another type");
+  EXPECT_EQ(verdictText(view).find("other contact in the recording"), 0U);
+  EXPECT_EQ(verdictOf(view), Verdict::kPartial);
   view.report.contact = false;
-  EXPECT_EQ(reason(), "no contact");
-  EXPECT_EQ(verdictText(view).find("not verified against the recording"), 0U);
+  EXPECT_EQ(verdictText(view), "no contact in the recording");
+  EXPECT_EQ(verdictOf(view), Verdict::kUnwanted);
+}
+
+TEST(CaptionText, APictureOfATestNamesThePlannerAndWhetherItIsHit) {
+  ScenarioView view = sampleView();
+  view.planner = "pdm against adaptive";
+  EXPECT_EQ(titleText(view), "pdm against adaptive: Rear end in scene-0001");
+  EXPECT_EQ(verdictText(view), "hit by the attacker");
+  EXPECT_EQ(verdictOf(view), Verdict::kUnwanted);
+  EXPECT_EQ(rowOf(view, "Contact").passed, false);
+}
+
+TEST(CaptionText, AnEscapeHasNoContactAndThatIsWanted) {
+  ScenarioView view = sampleView();
+  view.planner = "pdm";
+  view.report.contact = false;
+  view.escaped_hit = view.snapshot.now + 3.25;
+  EXPECT_EQ(verdictText(view), "escapes the hit");
+  EXPECT_EQ(verdictOf(view), Verdict::kWanted);
+  EXPECT_EQ(rowOf(view, "Contact").value, "none, escapes the hit at +3.25 s");
+  EXPECT_EQ(rowOf(view, "Contact").passed, true);
+}
+
+TEST(CaptionText, AShareIsWholePercent) {
+  ScenarioView view = sampleView();
+  view.report.confidence = 0.712;
+  EXPECT_EQ(rowOf(view, "Confidence").value, "71 %");
 }
 
 TEST(CaptionText, AnOutcomeTellsTimeAngleAndWhatIsNotAsAsked) {

@@ -63,15 +63,54 @@ std::string errorOf(const Draw& draw) {
   return "";
 }
 
-TEST_F(DrawPng, HasTheAskedSize) {
+TEST_F(DrawPng, HasTheAskedWidthAndAtMostTheAskedHeight) {
   draw();
   const Picture picture(path_);
   ASSERT_TRUE(picture.valid());
   EXPECT_EQ(picture.width(), options_.png_width);
-  EXPECT_EQ(picture.height(), options_.png_height);
+  EXPECT_LE(picture.height(), options_.png_height);
+}
+
+TEST_F(DrawPng, OfAStraightRoadTheMapEndsAMarginBesideTheDrives) {
+  options_.view_margin = 9.0;
+  const Viewport map = painter().mapViewport();
+  // Both drive along y = 0 and are 2 m wide.
+  EXPECT_NEAR(map.area().height, 20.0 * map.pixelsPerMetre(), 1.0);
+  draw();
+  EXPECT_EQ(Picture(path_).height(), painter().height());
+  EXPECT_LT(painter().height(), options_.png_height);
+}
+
+TEST_F(DrawPng, ARoadThatLeadsNorthLiesLevelWithNorthToTheRight) {
+  const auto turn = [](Pose2& pose) { pose = {-pose.y, pose.x, pose.yaw + M_PI_2}; };
+  const double level = painter().mapViewport().pixelsPerMetre();
+  const int height = painter().height();
+  for (Track* track : {&view_.snapshot.ego, &view_.future.ego, &view_.snapshot.agents[0]}) {
+    for (AgentState& state : track->states) turn(state.pose);
+  }
+  for (TrajectoryPoint& point : view_.trajectory.points) turn(point.pose);
+  turn(view_.pattern.ego.center);
+  turn(view_.report.ego_at_contact);
+  turn(view_.report.attacker_at_contact);
+  const ScenarioPainter turned = painter();
+  EXPECT_NEAR(turned.mapViewport().pixelsPerMetre(), level, 1e-9);
+  EXPECT_EQ(turned.height(), height);
+  const Vector2 middle = turned.mapViewport().area().center();
+  const Vector2 north =
+      turned.mapViewport().toWorld(middle + Vector2(10, 0)) - turned.mapViewport().toWorld(middle);
+  EXPECT_NEAR(north.x(), 0.0, 1e-9);
+  EXPECT_GT(north.y(), 0.0);
+}
+
+TEST_F(DrawPng, NorthIsUpWhereTheEgoDrivesWest) {
+  for (AgentState& state : view_.snapshot.ego.states) state.pose.yaw = M_PI;
+  const Viewport map = painter().mapViewport();
+  const Vector2 middle = map.area().center();
+  EXPECT_LT(map.toPixel(map.toWorld(middle) + Vector2(0, 5)).y(), middle.y());
 }
 
 TEST_F(DrawPng, ShowsEverybodyWhereTheyAreAtContact) {
+  options_.view_margin = 12.0;
   draw();
   EXPECT_EQ(onMap({10, 0}), packedColor(options_.ego_color));
   EXPECT_EQ(onMap({5.5, 0}), packedColor(options_.attacker_color));
@@ -95,9 +134,11 @@ TEST_F(DrawPng, WithoutContactThereIsNoMark) {
   EXPECT_NE(onCloseUp({7.8, 0}), packedColor(options_.contact_color));
 }
 
-TEST_F(DrawPng, WithTheContactAloneNothingElseOfTheReportIsSaid) {
+TEST_F(DrawPng, OfATestTheContactAloneIsShownOfTheReport) {
   const auto otherwise = [](CollisionReport report) {
     report.limits_kept = !report.limits_kept;
+    report.type_kept = !report.type_kept;
+    report.on_time = !report.on_time;
     report.first_other_id = "truck";
     report.off_road_share = 0.52;
     report.confidence = 0.25;
@@ -105,19 +146,19 @@ TEST_F(DrawPng, WithTheContactAloneNothingElseOfTheReportIsSaid) {
     report.unbelievable = "drives against its lane for 90 %";
     return report;
   };
-  const auto bytesWith = [this](bool contact_alone, const CollisionReport& report) {
-    view_.contact_alone = contact_alone;
+  const auto bytesWith = [this](const std::string& planner, const CollisionReport& report) {
+    view_.planner = planner;
     view_.report = report;
     draw();
     return readBytes(path_);
   };
   const CollisionReport known = sampleView().report;
-  const std::string alone = bytesWith(true, known);
-  EXPECT_EQ(bytesWith(true, otherwise(known)), alone);
-  EXPECT_NE(bytesWith(false, known), alone);
-  CollisionReport later = known;
-  later.on_time = !later.on_time;
-  EXPECT_NE(bytesWith(true, later), alone);
+  const std::string alone = bytesWith("idm", known);
+  EXPECT_EQ(bytesWith("idm", otherwise(known)), alone);
+  EXPECT_NE(bytesWith("", known), alone);
+  CollisionReport harder = known;
+  harder.impact_speed += 1.0;
+  EXPECT_NE(bytesWith("idm", harder), alone);
 }
 
 TEST_F(DrawPng, TheCaptionTellsManoeuvreBeliefAndWhetherTheAttackerWasAdded) {
@@ -191,14 +232,15 @@ TEST_F(DrawPng, ASheetHasThePicturesRowByRow) {
   drawScenarioSheet(path_, {view_, other, other}, 2, options_);
   const Picture sheet(path_);
   const FigureSize size = gifSize(options_);
+  const int height = ScenarioPainter(view_, options_, size).height();
   ASSERT_EQ(sheet.width(), 2 * size.width);
-  ASSERT_EQ(sheet.height(), 2 * size.height);
+  ASSERT_EQ(sheet.height(), 2 * height);
   const auto expectAt = [&](const ScenarioView& view, int column, int row) {
     const Image alone = ScenarioPainter(view, options_, size)
                             .paint(ScenarioMotion(view).keyTime(), view.snapshot.now);
-    for (int y = 0; y < size.height; ++y) {
+    for (int y = 0; y < height; ++y) {
       for (int x = 0; x < size.width; ++x) {
-        const Vector2 place(column * size.width + x, row * size.height + y);
+        const Vector2 place(column * size.width + x, row * height + y);
         ASSERT_EQ(sheet.at(place), alone.pixel(x, y)) << place.transpose();
       }
     }
@@ -206,7 +248,7 @@ TEST_F(DrawPng, ASheetHasThePicturesRowByRow) {
   expectAt(view_, 0, 0);
   expectAt(other, 1, 0);
   expectAt(other, 0, 1);
-  for (int y = size.height; y < 2 * size.height; ++y) {
+  for (int y = height; y < 2 * height; ++y) {
     for (int x = size.width; x < 2 * size.width; ++x) {
       ASSERT_EQ(sheet.at({x, y}), packedColor(options_.background_color));
     }

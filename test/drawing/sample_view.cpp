@@ -110,6 +110,7 @@ DrawingOptions sampleOptions() {
   options.pattern_attacker_color = {1.0, 0.6, 0.0};
   options.contact_color = {1.0, 1.0, 0.0};
   options.passed_color = {0.0, 0.6, 0.0};
+  options.partial_color = {0.7, 0.5, 0.0};
   options.failed_color = {0.6, 0.0, 0.0};
   return options;
 }

@@ -92,5 +92,13 @@ TEST(ScenarioMotion, BoxesReachBothEnds) {
   EXPECT_DOUBLE_EQ(boxes.back().center.x, 10.0);
 }
 
+TEST(ScenarioMotion, OfAnEscapeTheKeyTimeIsThatOfTheHit) {
+  ScenarioView view = sampleView();
+  view.report.contact = false;
+  EXPECT_DOUBLE_EQ(ScenarioMotion(view).keyTime(), view.pattern.time);
+  view.escaped_hit = view.pattern.time + 1.5;
+  EXPECT_DOUBLE_EQ(ScenarioMotion(view).keyTime(), view.pattern.time + 1.5);
+}
+
 }  // namespace
 }  // namespace forge

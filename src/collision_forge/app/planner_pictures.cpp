@@ -1,7 +1,5 @@
 #include "collision_forge/app/planner_pictures.h"
 
-#include <cmath>
-
 #include "collision_forge/drawing/draw_scenario.h"
 #include "collision_forge/scene/find_track.h"
 
@@ -15,23 +13,24 @@ void show(const std::vector<Track>& driven, std::vector<Track>& agents) {
   }
 }
 
-}  // namespace
-
-ScenarioView viewOf(const PlannerCase& one, PolicyKind policy,
+ScenarioView viewOf(const PlannerCase& one, const std::string& planner, PolicyKind policy,
                     const std::vector<TrajectoryPoint>& ego, const AttackerTrajectory& attacker) {
   const CrashScenario& scenario = one.scenario;
   const Mode mode = policy == PolicyKind::kAdaptive ? Mode::kAdaptive : one.request.mode;
   ScenarioView view{one.scene,         one.request.tta, mode,     scenario.snapshot,
                     scenario.recorded, one.pattern,     attacker, {}};
-  view.contact_alone = true;
+  view.planner = rowName(planner, policy);
   view.future.ego.states = toStates(ego);
   return view;
 }
 
-ScenarioView viewOf(const PlannerCase& one, PolicyKind policy, const RolloutOutcome& outcome) {
+}  // namespace
+
+ScenarioView viewOfHit(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                       const RolloutOutcome& outcome) {
   const CrashScenario& scenario = one.scenario;
   const PlannerContact& contact = *outcome.contact;
-  ScenarioView view = viewOf(one, policy, outcome.driven, outcome.attacker);
+  ScenarioView view = viewOf(one, planner, policy, outcome.driven, outcome.attacker);
   show(outcome.others, view.future.agents);
   CollisionReport& report = view.report;
   report.contact = true;
@@ -44,9 +43,14 @@ ScenarioView viewOf(const PlannerCase& one, PolicyKind policy, const RolloutOutc
   report.impact_speed = contact.impact_speed;
   report.overlap = sideOverlap({report.ego_at_contact, view.future.ego.size}, report.ego_side,
                                {report.attacker_at_contact, scenario.attacker.size});
-  report.type_kept = contact.type == one.request.type;
-  report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
-                   one.request.crash.time_tolerance;
+  return view;
+}
+
+ScenarioView viewOfEscape(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                          const RolloutOutcome& outcome, const Escape& escape) {
+  ScenarioView view =
+      viewOf(one, planner, policy, wholeEscape(outcome.driven, escape.ego), escape.attacker);
+  view.escaped_hit = outcome.contact->time;
   return view;
 }
 

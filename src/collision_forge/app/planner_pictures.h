@@ -10,12 +10,15 @@
 /// Pictures of planners under test.
 namespace forge {
 
-/// The ego and the attacker as they drove, without a contact.
-ScenarioView viewOf(const PlannerCase& one, PolicyKind policy,
-                    const std::vector<TrajectoryPoint>& ego, const AttackerTrajectory& attacker);
+/// The hit of a planner: the ego and the attacker as they drove, up to the contact of the outcome,
+/// which must have one.
+ScenarioView viewOfHit(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                       const RolloutOutcome& outcome);
 
-/// The same with the contact of the outcome, which has one.
-ScenarioView viewOf(const PlannerCase& one, PolicyKind policy, const RolloutOutcome& outcome);
+/// The escape from that hit: what the ego could have done instead of the outcome, and the attacker
+/// as it reacts to that.
+ScenarioView viewOfEscape(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                          const RolloutOutcome& outcome, const Escape& escape);
 
 /// PATH.png and PATH.gif.
 void drawView(const std::string& path, const ScenarioView& view, const DrawingOptions& drawing);

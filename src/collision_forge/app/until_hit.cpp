@@ -187,11 +187,12 @@ void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestRe
     if (written.insert(hardest).second) scenarios += scenarioLine(shown->scenario) + "\n";
     witnesses += witnessLine(weakness, *shown) + "\n";
     const std::string picture = (pictures / std::to_string(list.count())).string();
-    drawView(picture, viewOf(shown->one, weakness.policy, shown->outcome), config.drawing);
-    drawView(picture + "_escape",
-             viewOf(shown->one, weakness.policy,
-                    wholeEscape(shown->outcome.driven, shown->escape.ego), shown->escape.attacker),
+    drawView(picture, viewOfHit(shown->one, weakness.planner, weakness.policy, shown->outcome),
              config.drawing);
+    drawView(
+        picture + "_escape",
+        viewOfEscape(shown->one, weakness.planner, weakness.policy, shown->outcome, shown->escape),
+        config.drawing);
   }
   writeText(folder + "/weaknesses.md", list.table());
   writeText(folder + "/weaknesses.jsonl", scenarios);

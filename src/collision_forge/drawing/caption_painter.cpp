@@ -1,6 +1,5 @@
 #include "collision_forge/drawing/caption_painter.h"
 
-#include "collision_forge/drawing/caption_text.h"
 #include "collision_forge/drawing/decimal_text.h"
 
 namespace forge {
@@ -18,13 +17,23 @@ TextStyle titleStyle(const FigureSize& size, const DrawingOptions& options) {
 
 }  // namespace
 
+Color colorOf(Verdict verdict, const DrawingOptions& options) {
+  switch (verdict) {
+    case Verdict::kWanted:
+      return options.passed_color;
+    case Verdict::kPartial:
+      return options.partial_color;
+    case Verdict::kUnwanted:
+      return options.failed_color;
+  }
+  return options.text_color;
+}
+
 void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, const DrawingOptions& options) {
   const PixelRect& area = layout.header;
   const double font = size.font_size;
-  const bool verified = view.report.verified();
-  const TextStyle badge{verified ? options.passed_color : options.failed_color, font, true,
-                        TextAlign::kRight};
+  const TextStyle badge{colorOf(verdictOf(view), options), font, true, TextAlign::kRight};
   const double first_line = 1.7 * font;
   const double second_line = 3.1 * font;
   // The clock is above the verdict.
@@ -33,7 +42,7 @@ void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& s
   const TextStyle scene{options.text_color, 1.3 * font, true, TextAlign::kLeft};
   canvas.text({area.x, first_line},
               canvas.fitted(titleText(view), area.width - clock_width - 2 * font, scene), scene);
-  const std::string verdict = view.contact_alone ? "" : verdictText(view);
+  const std::string verdict = verdictText(view);
   canvas.text({area.x + area.width, second_line}, verdict, badge);
   const double room = area.width - canvas.textWidth(verdict, badge) - 2 * font;
   const TextStyle details{options.muted_text_color, font, false, TextAlign::kLeft};
@@ -86,13 +95,16 @@ void paintScale(Canvas& canvas, const Viewport& viewport, const FigureSize& size
   const TextStyle style{options.text_color, 0.9 * font, false, TextAlign::kCenter};
   canvas.text({(left + right) / 2, y - 0.5 * font}, decimalText(length, 0) + " m", style);
 
-  const double arrow_x = area.x + area.width - 1.6 * font;
-  canvas.fill({{{arrow_x, y - 2.4 * font},
-                {arrow_x + 0.45 * font, y - 1.1 * font},
-                {arrow_x, y - 1.4 * font},
-                {arrow_x - 0.45 * font, y - 1.1 * font}}},
+  const Vector2 arrow(area.x + area.width - 1.6 * font, y - 1.75 * font);
+  const Vector2 middle = viewport.toWorld(area.center());
+  const Vector2 north = (viewport.toPixel(middle + Vector2::UnitY()) - area.center()).normalized();
+  const Vector2 east(-north.y(), north.x());
+  const auto at = [&](double ahead, double aside) {
+    return Vector2(arrow + font * (ahead * north + aside * east));
+  };
+  canvas.fill({{at(0.65, 0.0), at(-0.65, 0.45), at(-0.35, 0.0), at(-0.65, -0.45)}},
               options.text_color);
-  canvas.text({arrow_x, y}, "N", style);
+  canvas.text({arrow.x(), y}, "N", style);
 }
 
 }  // namespace forge

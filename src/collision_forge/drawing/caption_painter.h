@@ -1,12 +1,16 @@
 #pragma once
 
 #include "collision_forge/drawing/canvas.h"
+#include "collision_forge/drawing/caption_text.h"
 #include "collision_forge/drawing/figure_layout.h"
 #include "collision_forge/drawing/scenario_view.h"
 
 namespace forge {
 
-/// titleText(), detailsText(), and on the right verdictText() where that is known.
+/// The one colour of a verdict.
+Color colorOf(Verdict verdict, const DrawingOptions& options);
+
+/// titleText(), detailsText(), and on the right verdictText().
 void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, const DrawingOptions& options);
 

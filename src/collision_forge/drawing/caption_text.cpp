@@ -20,6 +20,8 @@ std::string className(AgentClass agent_class) {
   return name;
 }
 
+std::string percentText(double share) { return decimalText(100 * share, 0) + " %"; }
+
 /// The first condition of verified() that does not hold; some does not.
 std::string shortcoming(const CollisionReport& report) {
   if (!report.contact) return "no contact";
@@ -49,22 +51,35 @@ std::vector<CaptionRow> speedRows(const ScenarioView& view) {
        std::nullopt}};
 }
 
+/// When the boxes touch, and how the attacker heads then.
+std::vector<CaptionRow> impactRows(const ScenarioView& view) {
+  const CollisionReport& report = view.report;
+  const std::string time = signedSeconds(report.contact_time - view.snapshot.now, 2);
+  const std::string heading = decimalText(report.relative_heading * kDegreesPerRadian, 0) + "°";
+  if (!view.planner.empty()) {
+    return {{"Contact", time, false}, {"Relative heading", heading, std::nullopt}};
+  }
+  return {
+      {"Contact", time + (report.on_time ? ", on time" : ", not on time"), report.on_time},
+      {"Relative heading", heading + (report.type_kept ? ", fits the type" : ", not of the type"),
+       report.type_kept}};
+}
+
 std::vector<CaptionRow> contactRows(const ScenarioView& view) {
   const CollisionReport& report = view.report;
-  if (!report.contact) return {{"Contact", "none", false}};
-  const std::string heading = decimalText(report.relative_heading * kDegreesPerRadian, 0) + "°";
+  if (view.escaped_hit) {
+    const std::string time = signedSeconds(*view.escaped_hit - view.snapshot.now, 2);
+    return {{"Contact", "none, escapes the hit at " + time, true}};
+  }
+  if (!report.contact) return {{"Contact", "none", !view.planner.empty()}};
   const std::string ego_side = toString(report.ego_side);
-  return {
-      {"Contact",
-       signedSeconds(report.contact_time - view.snapshot.now, 2) +
-           (report.on_time ? ", on time" : ", not on time"),
-       report.on_time},
-      {"Relative heading", heading + (report.type_kept ? ", fits the type" : ", not of the type"),
-       report.type_kept},
-      {"Sides", std::string(toString(report.attacker_side)) + " to ego's " + ego_side,
-       std::nullopt},
-      {"Impact speed", decimalText(report.impact_speed, 1) + " m/s", std::nullopt},
-      {"Overlap", decimalText(100 * report.overlap, 0) + " % of ego's " + ego_side, std::nullopt}};
+  std::vector<CaptionRow> rows = impactRows(view);
+  rows.insert(rows.end(),
+              {{"Sides", std::string(toString(report.attacker_side)) + " to ego's " + ego_side,
+                std::nullopt},
+               {"Impact speed", decimalText(report.impact_speed, 1) + " m/s", std::nullopt},
+               {"Overlap", percentText(report.overlap) + " of ego's " + ego_side, std::nullopt}});
+  return rows;
 }
 
 std::vector<CaptionRow> drivingRows(const ScenarioView& view) {
@@ -87,7 +102,7 @@ std::vector<CaptionRow> drivingRows(const ScenarioView& view) {
                          : signedSeconds(report.first_other_time - now, 1) + ", " +
                                shortId(report.first_other_id),
                   nobody});
-  rows.push_back({"Off road", decimalText(100 * report.off_road_share, 0) + " %", std::nullopt});
+  rows.push_back({"Off road", percentText(report.off_road_share), std::nullopt});
   rows.push_back({"Confidence", percentText(report.confidence), std::nullopt});
   return rows;
 }
@@ -110,6 +125,12 @@ std::string typeTitle(CollisionType type) {
   return toString(type);
 }
 
+Verdict verdictOf(const ScenarioView& view) {
+  if (!view.planner.empty()) return view.report.contact ? Verdict::kUnwanted : Verdict::kWanted;
+  if (view.report.verified()) return Verdict::kWanted;
+  return view.report.contact ? Verdict::kPartial : Verdict::kUnwanted;
+}
+
 OutcomeText outcomeText(const ScenarioView& view) {
   const CollisionReport& report = view.report;
   if (!report.contact) return {"no contact", ""};
@@ -128,7 +149,8 @@ OutcomeText outcomeText(const ScenarioView& view) {
 }
 
 std::string titleText(const ScenarioView& view) {
-  return typeTitle(view.pattern.type) + " in " + view.scene_name;
+  const std::string title = typeTitle(view.pattern.type) + " in " + view.scene_name;
+  return view.planner.empty() ? title : view.planner + ": " + title;
 }
 
 std::string detailsText(const ScenarioView& view) {
@@ -140,8 +162,11 @@ std::string detailsText(const ScenarioView& view) {
 }
 
 std::string verdictText(const ScenarioView& view) {
-  if (view.report.verified()) return "verified against the recording";
-  return "not verified against the recording: " + shortcoming(view.report);
+  if (view.escaped_hit) return "escapes the hit";
+  if (!view.planner.empty()) return view.report.contact ? "hit by the attacker" : "no contact";
+  if (view.report.verified()) return "crash as asked in the recording";
+  if (!view.report.contact) return "no contact in the recording";
+  return "other contact in the recording: " + shortcoming(view.report);
 }
 
 std::vector<CaptionRow> reportRows(const ScenarioView& view) {
@@ -150,7 +175,7 @@ std::vector<CaptionRow> reportRows(const ScenarioView& view) {
     rows.insert(rows.end(), more.begin(), more.end());
   };
   append(speedRows(view));
-  if (!view.contact_alone) append(drivingRows(view));
+  if (view.planner.empty()) append(drivingRows(view));
   return rows;
 }
 

@@ -18,6 +18,15 @@ struct CaptionRow {
 /// The type's name, as "Left turn across path".
 std::string typeTitle(CollisionType type);
 
+/// How an outcome compares with what is wanted: of an attack the crash as asked, of a planner that
+/// nobody hits the ego.
+enum class Verdict {
+  kWanted,
+  kPartial,  ///< a contact that is not the crash as asked
+  kUnwanted
+};
+Verdict verdictOf(const ScenarioView& view);
+
 /// What came of an attack, in few words.
 struct OutcomeText {
   std::string contact;  ///< as "touches after 3.9 s, 12°", the angle that between the headings
@@ -26,14 +35,15 @@ struct OutcomeText {
 };
 OutcomeText outcomeText(const ScenarioView& view);
 
-/// Type and scene.
+/// Type and scene; of a test the planner before them.
 std::string titleText(const ScenarioView& view);
 
 /// Time to accident, mode, and the attacker: whether it was added, its class, and of a recorded one
 /// the first letters of its id.
 std::string detailsText(const ScenarioView& view);
 
-/// Whether the attack is verified, against what, and the first condition that fails.
+/// Whether the recording has the crash as asked, and the first condition that fails. Of a test
+/// whether the planner is hit or escapes.
 std::string verdictText(const ScenarioView& view);
 
 /// The figures of the report that are known, and how fast ego and attacker are now and at contact

@@ -9,7 +9,7 @@ namespace {
 constexpr double kNoGhosts = std::numeric_limits<double>::infinity();
 
 Viewport closeUpOf(const ScenePainter& scene, double side, double extent) {
-  return {{0.0, 0.0, side, side}, scene.motion().contactPoint(), side / extent};
+  return {{0.0, 0.0, side, side}, scene.motion().contactPoint(), side / extent, scene.rightwards()};
 }
 
 }  // namespace

@@ -54,17 +54,23 @@ void writeGif(std::ostream& file, const ScenarioView& view, const DrawingOptions
 
 void writeSheet(std::ostream& file, const std::vector<ScenarioView>& views, int columns,
                 const DrawingOptions& options) {
-  const FigureSize size = gifSize(options);
+  std::vector<Image> pictures;
+  for (const ScenarioView& view : views) {
+    checkDrawable(view, options, true);
+    const ScenarioPainter painter(view, options, gifSize(options));
+    pictures.push_back(painter.paint(ScenarioMotion(view).keyTime(), view.snapshot.now));
+  }
+  int height = 0;
+  for (const Image& picture : pictures) height = std::max(height, picture.height());
+  const int width = pictures.front().width();
   const int rows = (static_cast<int>(views.size()) + columns - 1) / columns;
-  Image sheet(columns * size.width, rows * size.height, options.background_color);
+  Image sheet(columns * width, rows * height, options.background_color);
   Canvas canvas(sheet);
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    checkDrawable(views[i], options, true);
-    const ScenarioPainter painter(views[i], options, size);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
     const int place = static_cast<int>(i);
-    canvas.image({static_cast<double>(place % columns * size.width),
-                  static_cast<double>(place / columns * size.height)},
-                 painter.paint(ScenarioMotion(views[i]).keyTime(), views[i].snapshot.now));
+    canvas.image({static_cast<double>(place % columns * width),
+                  static_cast<double>(place / columns * height)},
+                 pictures[i]);
   }
   sheet.writePng(file);
 }

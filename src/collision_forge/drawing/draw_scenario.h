@@ -8,8 +8,9 @@
 
 namespace forge {
 
-/// Draws the scenario from above (north up) at the moment of contact, or at the pattern's time when
-/// the report has no contact.
+/// Draws the scenario from above at ScenarioMotion::keyTime(), turned so that the ego's heading at
+/// now is level. The picture is as wide as the options say, and at most as high: the map ends
+/// above and below what the drives need.
 ///
 /// Both functions write beside `path` and rename at the end, so `path` never holds half a picture.
 /// The same input gives the same bytes on the same machine. They throw std::runtime_error naming
@@ -24,8 +25,8 @@ void drawScenarioPng(const std::string& path, const ScenarioView& view,
 void drawScenarioGif(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options);
 
-/// Pictures as of drawScenarioPng(), each of the size of an animation, `columns` a row, in the
-/// order of `views`, row by row; places that are left stay empty. Throws as the others, and
+/// Pictures as of drawScenarioPng(), each as wide as an animation, `columns` a row, in the order of
+/// `views`, row by row; all rows are as high as the highest picture. Throws as the others, and
 /// std::invalid_argument for no views or no columns.
 void drawScenarioSheet(const std::string& path, const std::vector<ScenarioView>& views, int columns,
                        const DrawingOptions& options);

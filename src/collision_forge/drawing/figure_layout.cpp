@@ -44,4 +44,11 @@ FigureLayout layoutFigure(const FigureSize& size) {
   return layout;
 }
 
+FigureLayout withMapHeight(FigureLayout layout, double height) {
+  const double removed = layout.map.height - height;
+  layout.map.height = height;
+  for (PixelRect* below : {&layout.legend, &layout.report, &layout.close_up}) below->y -= removed;
+  return layout;
+}
+
 }  // namespace forge

@@ -29,7 +29,11 @@ struct FigureLayout {
 /// Lines of text below the title of the legend and of the report.
 inline constexpr int kCaptionRows = 14;
 
-/// Throws std::invalid_argument when the font leaves no room for the map.
+/// The layout of the highest picture of that size. Throws std::invalid_argument when the font
+/// leaves no room for the map.
 FigureLayout layoutFigure(const FigureSize& size);
+
+/// The same with a map of `height` pixels, at most as high as before; what is below moves up.
+FigureLayout withMapHeight(FigureLayout layout, double height);
 
 }  // namespace forge

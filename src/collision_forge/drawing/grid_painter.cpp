@@ -139,10 +139,9 @@ void GridPainter::placeCells() {
     }
     std::vector<Cell> cells;
     for (std::size_t column = 0; column < scenes.size(); ++column) {
-      cells.push_back({std::move(scenes[column]),
-                       fitViewport(layout_.cells[row][column], shown, options_.view_margin,
-                                   options_.min_extent),
-                       nullptr});
+      const Viewport viewport = fitViewport(layout_.cells[row][column], shown, options_.view_margin,
+                                            options_.min_extent, scenes[column]->rightwards());
+      cells.push_back({std::move(scenes[column]), viewport, nullptr});
     }
     addCloseUps(cells, shown);
     cells_.push_back(std::move(cells));
@@ -328,8 +327,8 @@ void GridPainter::paintOutcome(Canvas& canvas, std::size_t row, std::size_t colu
   const CollisionReport& report = grid_.rows[row][column].view.report;
   const TextStyle contact =
       style(report.contact ? options_.text_color : options_.failed_color, false, TextAlign::kLeft);
-  const TextStyle verdict = style(report.verified() ? options_.passed_color : options_.failed_color,
-                                  false, TextAlign::kLeft);
+  const TextStyle verdict =
+      style(colorOf(verdictOf(grid_.rows[row][column].view), options_), false, TextAlign::kLeft);
   const double baseline = middleBaseline(area, font_);
   const double left = area.center().x() - canvas.textWidth(captionOf(outcome), contact) / 2;
   canvas.text({left, baseline}, outcome.contact, contact);

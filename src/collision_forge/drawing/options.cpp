@@ -45,6 +45,7 @@ void readColors(Section& section, DrawingOptions& options) {
   options.pattern_attacker_color = section.color<Color>("pattern_attacker_color");
   options.contact_color = section.color<Color>("contact_color");
   options.passed_color = section.color<Color>("passed_color");
+  options.partial_color = section.color<Color>("partial_color");
   options.failed_color = section.color<Color>("failed_color");
 }
 

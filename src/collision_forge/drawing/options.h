@@ -51,6 +51,7 @@ struct DrawingOptions {
   Color pattern_attacker_color;
   Color contact_color;
   Color passed_color;
+  Color partial_color;
   Color failed_color;
 };
 

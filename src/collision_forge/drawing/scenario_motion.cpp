@@ -31,7 +31,8 @@ std::vector<OrientedBox> sample(double from, double to, const BoxAtTime& box_at)
 }  // namespace
 
 double ScenarioMotion::keyTime() const {
-  return view_.report.contact ? view_.report.contact_time : view_.pattern.time;
+  if (view_.report.contact) return view_.report.contact_time;
+  return view_.escaped_hit.value_or(view_.pattern.time);
 }
 
 bool ScenarioMotion::frozenAt(double time) const {

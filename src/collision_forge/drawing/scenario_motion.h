@@ -19,7 +19,8 @@ class ScenarioMotion {
   explicit ScenarioMotion(const ScenarioView& view) : view_(view) {}
 
   double now() const { return view_.snapshot.now; }
-  /// The instant the picture is about: first contact, or the pattern's time without one.
+  /// The instant the picture is about: first contact. Without one: the time of the hit that the ego
+  /// escapes, else the pattern's time.
   double keyTime() const;
 
   /// Empty where nothing is known. From contact on both stay at their contact poses.

@@ -1,5 +1,7 @@
 #include "collision_forge/drawing/scenario_painter.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "collision_forge/drawing/box_painter.h"
@@ -12,9 +14,10 @@ namespace {
 
 constexpr double kTimeTolerance = 1e-6;  // s
 constexpr double kNoGhosts = std::numeric_limits<double>::infinity();
+constexpr double kLeastMapHeight = 0.22;  // of its width: leaves room for the labels
 
-Viewport closeUp(const PixelRect& area, const Vector2& center, double extent) {
-  return {area, center, area.width / extent};
+Viewport closeUp(const PixelRect& area, const ScenePainter& scene, double extent) {
+  return {area, scene.motion().contactPoint(), area.width / extent, scene.rightwards()};
 }
 
 }  // namespace
@@ -26,19 +29,31 @@ ScenarioPainter::ScenarioPainter(const ScenarioView& view, const DrawingOptions&
       size_(size),
       kind_(kind),
       scene_(view, options, size.font_size, kind, true),
-      layout_(layoutFigure(size)),
-      map_viewport_(fitMap()),
-      close_up_viewport_(
-          closeUp(layout_.close_up, scene_.motion().contactPoint(), options.close_up_extent)),
-      background_(size.width, size.height, options.background_color) {
+      map_viewport_(fitMap(layoutFigure(size).map)),
+      layout_(withMapHeight(layoutFigure(size), map_viewport_.area().height)),
+      close_up_viewport_(closeUp(layout_.close_up, scene_, options.close_up_extent)),
+      background_(
+          size.width,
+          size.height - static_cast<int>(layoutFigure(size).map.height - layout_.map.height),
+          options.background_color) {
   paintBackground();
   placeLabels();
 }
 
-Viewport ScenarioPainter::fitMap() const {
+Viewport ScenarioPainter::fitMap(const PixelRect& area) const {
   std::vector<Vector2> points = scene_.shownCorners(scene_.trailsFrom());
   points.push_back(scene_.motion().contactPoint());
-  return fitViewport(layout_.map, points, options_.view_margin, options_.min_extent);
+  const Viewport whole =
+      fitViewport(area, points, options_.view_margin, options_.min_extent, scene_.rightwards());
+  double reach = options_.view_margin * whole.pixelsPerMetre();  // pixels, above the middle
+  for (const Vector2& point : points) {
+    reach = std::max(reach, area.center().y() - whole.toPixel(point).y() +
+                                options_.view_margin * whole.pixelsPerMetre());
+  }
+  PixelRect cropped = area;
+  cropped.height = std::clamp(std::ceil(2 * reach),
+                              std::min(kLeastMapHeight * area.width, area.height), area.height);
+  return whole.movedTo(cropped);
 }
 
 void ScenarioPainter::paintBackground() {

@@ -7,15 +7,20 @@
 
 namespace forge {
 
-/// Paints one scenario at any instant. What stands still is painted once. The view and the options
-/// must outlive it.
+/// Paints one scenario at any instant, turned as ScenePainter::rightwards() says. What stands still
+/// is painted once. The view and the options must outlive it.
 class ScenarioPainter {
  public:
+  /// `size` is the largest size of the picture, which is less high where its map needs no more.
   ScenarioPainter(const ScenarioView& view, const DrawingOptions& options, const FigureSize& size,
                   PictureKind kind = PictureKind::kStill);
 
   /// Everybody at `time`; ghosts show where ego and attacker are from `ghosts_from` to contact.
   Image paint(double time, double ghosts_from) const;
+
+  /// Pixels.
+  int width() const { return background_.width(); }
+  int height() const { return background_.height(); }
 
   /// Where the ground falls on the picture.
   const Viewport& mapViewport() const { return map_viewport_; }
@@ -30,7 +35,8 @@ class ScenarioPainter {
     Color color;
   };
 
-  Viewport fitMap() const;
+  /// The viewport of the map in an area of this size, cropped above and below what is shown.
+  Viewport fitMap(const PixelRect& area) const;
   void paintBackground();
   void placeLabels();
   Label makeLabel(Canvas& canvas, LabelPlacer& placer, const Vector2& world,
@@ -42,8 +48,8 @@ class ScenarioPainter {
   FigureSize size_;
   PictureKind kind_;
   ScenePainter scene_;
-  FigureLayout layout_;
   Viewport map_viewport_;
+  FigureLayout layout_;
   Viewport close_up_viewport_;
   Image background_;
   std::vector<Label> now_labels_;

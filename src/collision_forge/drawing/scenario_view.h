@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "collision_forge/scene/attack.h"
@@ -26,9 +27,12 @@ struct ScenarioView {
   CollisionPattern pattern;       ///< the asked-for boxes, drawn as outlines
   AttackerTrajectory trajectory;  ///< what the attacker drives instead
   CollisionReport report;         ///< of that trajectory against `future`, the recording
-  /// Of the report its contact alone is known, with its type and time: the picture says nothing of
-  /// the other fields, nor whether the attack is verified.
-  bool contact_alone = false;
+
+  /// Empty for an attack. For a test of a planner: the planner, as tables name it. `future.ego` is
+  /// then the ego as the planner drives it, and of the report only the contact is shown.
+  std::string planner = {};
+  /// For the escape from a hit, which has no contact: the time of the hit.
+  std::optional<double> escaped_hit = {};
 };
 
 }  // namespace forge

@@ -1,5 +1,6 @@
 #include "collision_forge/drawing/scene_painter.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "collision_forge/drawing/box_painter.h"
@@ -47,6 +48,11 @@ ScenePainter::ScenePainter(const ScenarioView& view, const DrawingOptions& optio
       kind_(kind),
       shows_pattern_(shows_pattern),
       motion_(view) {}
+
+double ScenePainter::rightwards() const {
+  const auto ego = motion_.egoAt(motion_.now());
+  return ego ? std::atan(std::tan(ego->center.yaw)) : 0.0;
+}
 
 double ScenePainter::trailsFrom() const { return motion_.now() - options_.seconds_before_now; }
 

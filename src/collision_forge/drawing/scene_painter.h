@@ -24,6 +24,10 @@ class ScenePainter {
   const ScenarioMotion& motion() const { return motion_; }
   bool hasContact() const { return view_.report.contact; }
 
+  /// The direction of the ground, radians from east, that points to the right in a picture: that of
+  /// the ego at now or the opposite one, whichever is at most a quarter turn from east. North is
+  /// then never below the middle, and a straight road fills the width.
+  double rightwards() const;
   /// When the trails of the past begin.
   double trailsFrom() const;
   /// Corners of the boxes of ego and attacker, from then to keyTime().

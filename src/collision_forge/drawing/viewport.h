@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "collision_forge/geometry/pose2.h"
@@ -17,15 +18,20 @@ struct PixelRect {
   bool contains(const Vector2& pixel) const;
 };
 
-/// Maps the ground (metres, y north) onto a rectangle of the picture (pixels, y down): north up and
-/// the same scale along both axes.
+/// Maps the ground (metres, y north) onto a rectangle of the picture (pixels, y down), at the same
+/// scale along both axes.
 class Viewport {
  public:
-  /// `center` (metres) falls on the middle of `area`.
-  Viewport(const PixelRect& area, const Vector2& center, double pixels_per_metre);
+  /// `center` (metres) falls on the middle of `area`. The direction `rightwards` (radians from
+  /// east) points to the right in the picture; with 0 north is up.
+  Viewport(const PixelRect& area, const Vector2& center, double pixels_per_metre,
+           double rightwards = 0.0);
 
   Vector2 toPixel(const Vector2& world) const;
   Vector2 toWorld(const Vector2& pixel) const;
+
+  /// The same ground at the same scale around the middle of another area.
+  Viewport movedTo(const PixelRect& area) const;
 
   const PixelRect& area() const { return area_; }
   double pixelsPerMetre() const { return pixels_per_metre_; }
@@ -34,12 +40,13 @@ class Viewport {
   PixelRect area_;
   Vector2 center_;
   double pixels_per_metre_;
+  Eigen::Rotation2Dd to_picture_;
 };
 
 /// The largest scale at which all `points` lie at least `margin` metres inside `area`, never
-/// showing less than `min_extent` metres along the shorter side. Throws std::invalid_argument for
-/// no points.
+/// showing less than `min_extent` metres along the shorter side. `rightwards`: as of Viewport.
+/// Throws std::invalid_argument for no points.
 Viewport fitViewport(const PixelRect& area, const std::vector<Vector2>& points, double margin,
-                     double min_extent);
+                     double min_extent, double rightwards = 0.0);
 
 }  // namespace forge
