@@ -2,6 +2,8 @@
 """The page of forge report in a headless Chromium."""
 import json
 import os
+import re
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
@@ -23,6 +25,11 @@ for (let i = 0; i < data.length; i += 4) {
 }
 return sums;
 '''
+
+
+def cell_count(cell):
+    """Of a cell of the matrix, which shows a count and its share."""
+    return cell.text.split('\n')[0]
 
 
 class ReportTest(unittest.TestCase):
@@ -157,9 +164,64 @@ class ReportTest(unittest.TestCase):
         codes = {answer['status']['code'] for answer in self.answers} - {'OK'}
         self.assertTrue(any(code in self.find('#facts').text for code in codes))
 
-    def test_an_address_opens_a_row(self):
-        open_page(self.browser, self.page, '#2')
+    def open_row(self, page, name):
+        open_page(self.browser, page, '#' + name)
         until(self.browser, 'return document.getElementById("detail").open')
+
+    def test_an_address_opens_the_line_of_the_file(self):
+        self.open_row(self.page, '11')
+        self.assertTrue(self.find('#detail-title').text.startswith('scenarios:11, '))
+        self.assertIn('line 11', self.find('#facts').text)
+        self.assertEqual(self.find('[aria-selected=true] .of-name').get_attribute('textContent'), 'scenarios:11')
+        self.assertTrue(self.browser.current_url.endswith('#scenarios:11'))
+        self.browser.execute_script('location.hash = "scenarios:3"')
+        until(self.browser, 'return document.getElementById("detail-title").textContent.startsWith("scenarios:3,")')
+
+    def test_now_is_in_the_table_and_the_detail(self):
+        start = min(answer['now'] for answer in self.answers if answer['scene'] == self.answers[0]['scene'])
+        self.open_row(self.page, '1')
+        shown = float(self.find('.rows .of-now_in_recording').get_attribute('textContent'))
+        self.assertIn('{:.2f}'.format(shown), self.find('#facts').text)
+        self.assertIn('{:.6f}'.format(self.answers[0]['now']), self.find('#facts').text)
+        self.assertGreaterEqual(shown, self.answers[0]['now'] - start)
+
+    def test_the_commands_of_a_row_make_it_again(self):
+        number = 1 + next(i for i, answer in enumerate(self.answers) if answer['status']['code'] == 'OK')
+        self.browser.execute_cdp_cmd('Browser.grantPermissions', {
+            'permissions': ['clipboardReadWrite', 'clipboardSanitizedWrite']})
+        self.open_row(self.page, str(number))
+        for copy, lines in zip(self.find_all('.copy'), self.find_all('.commands pre')):
+            copy.click()
+            until(self.browser, 'return document.activeElement.textContent === "Copied"')
+            copied = self.browser.execute_async_script(
+                'navigator.clipboard.readText().then(arguments[arguments.length - 1])')
+            self.assertEqual(copied, lines.get_attribute('textContent'))
+        inject, generate = (pre.get_attribute('textContent') for pre in self.find_all('.commands pre'))
+        folder = Path(self.folder.name, 'again')
+        folder.mkdir()
+        (folder / 'data').symlink_to(Path('data').resolve())
+        printed = subprocess.run(['bash', '-ec', inject + '\n' + generate], cwd=folder, check=True, text=True,
+                                 stdout=subprocess.PIPE).stdout
+        again = json.loads((folder / 'answer.jsonl').read_text(encoding='utf-8'))
+        self.assertEqual(again, self.answers[number - 1])
+        for ending in ('bag', 'png', 'gif'):
+            self.assertTrue((folder / ('attacked.' + ending)).is_file(), printed)
+
+    def test_the_contact_is_one_key_away(self):
+        self.open_attack()
+        contact = re.search(r'Contact\n\W*([\d.]+)', self.find('#facts').text).group(1)
+        self.press(Keys.HOME)
+        self.press('c')
+        self.assertEqual(self.find('#clock').text.split('\u202f')[0], contact)
+        self.press(Keys.END)
+        self.find('#to-contact').click()
+        self.assertEqual(self.find('#clock').text.split('\u202f')[0], contact)
+
+    def test_a_number_is_the_same_in_table_and_detail(self):
+        self.open_attack()
+        for key, term in (('impact_speed', 'Impact speed'), ('contact_t', 'Contact'), ('confidence', 'Confidence')):
+            cell = self.find('[aria-selected=true] .of-' + key).get_attribute('textContent')
+            self.assertRegex(self.find('#facts').text, term + r'\n\W*' + re.escape(cell) + r'\b')
 
     def test_light_and_dark(self):
         self.browser.execute_cdp_cmd('Emulation.setEmulatedMedia',
@@ -202,8 +264,7 @@ class ReportTest(unittest.TestCase):
         scenario['attacker']['id'] = evil
         file = Path(self.folder.name, 'evil.jsonl')
         file.write_text(json.dumps(scenario) + '\n', encoding='utf-8')
-        open_page(self.browser, self.made('evil', str(file)), '#0')
-        until(self.browser, 'return document.getElementById("detail").open')
+        self.open_row(self.made('evil', str(file)), '1')
         self.assertEqual(self.browser.title, 'Collision scenarios')
         self.assertIn(evil, self.find('#facts').text)
         self.assertEqual(self.find_all('#detail img, #table img'), [])
@@ -216,7 +277,14 @@ class ReportTest(unittest.TestCase):
         forge('test', *LOGS, '--scenarios', str(some), '--planners', 'idm', '--worst', '9', '--out', str(out),
               '--report', str(page))
         open_page(self.browser, page / 'index.html')
-        self.chip('idm').click()
+        self.assertEqual([button.text.split('\n')[0] for button in self.find_all('#kinds button')],
+                         ['Planner tests', 'Attacks'])
+        self.assertTrue(all(cell.text == 'idm' for cell in self.find_all('.rows .of-planner')))
+        cell = next(cell for cell in self.find_all('.matrix td button') if cell.text)
+        cell.click()
+        self.assertEqual(self.find('#count').text.split(' ')[0], cell_count(self.find('.matrix td [aria-pressed=true]')))
+        self.shoot('matrix')
+        self.find('.matrix td [aria-pressed=true]').click()
         self.find('.rows .row').click()
         until(self.browser, 'return document.getElementById("detail").open')
         self.assertIn('Ego as the planner drives it', self.find('#legend').text)
@@ -224,9 +292,8 @@ class ReportTest(unittest.TestCase):
         self.shoot('planner')
         drawn = {file.name for file in (out / 'worst').glob('*.gif')}
         linked, legends = set(), ''
-        for row in range(12, 24):
-            open_page(self.browser, page / 'index.html', '#{}'.format(row))
-            until(self.browser, 'return document.getElementById("detail").open')
+        for line in range(1, 13):
+            self.open_row(page / 'index.html', 'results:{}'.format(line))
             legends += self.find('#legend').text
             for link in self.find_all('#facts a[href$=gif]'):
                 self.assertTrue(Path(link.get_property('href')[len('file://'):]).is_file())
@@ -252,10 +319,10 @@ class ReportTest(unittest.TestCase):
         attacks, witnesses, results = (
             [json.loads(line) for line in (folder / 'hits' / (name + '.jsonl')).read_text(encoding='utf-8').splitlines()]
             for name in ('weaknesses', 'witnesses', 'results'))
-        hit = len(attacks) + [result['name'] for result in results].index(witnesses[0]['name'])
-        for name, row in (('tuning', len(list(by_scene.values())[-1])), ('hits', hit)):
-            open_page(self.browser, folder / name / 'index.html', '#{}'.format(row))
-            until(self.browser, 'return document.getElementById("detail").open')
+        hit = 1 + [result['name'] for result in results].index(witnesses[0]['name'])
+        self.assertTrue(attacks)
+        for name, row in (('tuning', 'test:1'), ('hits', 'results:{}'.format(hit))):
+            self.open_row(folder / name / 'index.html', row)
             self.assertIn('Ego as the planner drives it', self.find('#legend').text)
             self.shoot(name)
 

@@ -41,6 +41,20 @@ TEST(RowOfAttack, TellsHowItDoesInTheRecording) {
   EXPECT_EQ(rowOfAttack(scenario, scenario.answer, recorded).outcome, "as_asked");
 }
 
+TEST(RowOfAttack, HasTheContactOfTheRecordingWhereThatIsKnown) {
+  const Scenario scenario = rearEnd();
+  StrictOutcome recorded;
+  recorded.report.contact = true;
+  recorded.report.contact_time = kNow + 2.25;
+  recorded.report.impact_speed = 4.0;
+  const ReportRow row = rowOfAttack(scenario, scenario.answer, recorded);
+  EXPECT_DOUBLE_EQ(*row.contact_t, 2.25);
+  EXPECT_DOUBLE_EQ(*row.impact_speed, 4.0);
+  const ReportRow missed = rowOfAttack(scenario, scenario.answer, StrictOutcome());
+  EXPECT_FALSE(missed.contact_t);
+  EXPECT_FALSE(missed.impact_speed);
+}
+
 TEST(RowOfAttack, KeepsCodeAndReasonOfWhatIsDeclined) {
   Scenario scenario = rearEnd();
   scenario.answer.status = {StatusCode::kNoCandidate, "nobody is near"};
@@ -67,9 +81,11 @@ TEST(RowOfTest, KnowsTheAttackThatItIsOf) {
   const Scenario scenario = rearEnd();
   ReportRow attack = rowOfAttack(scenario, scenario.answer, {});
   attack.attack = 7.0;
+  attack.commands = 8.0;
   const PlannerTestResult result = tested(true);
   const ReportRow row = rowOfTest(result, &result.rows[0], &attack);
   EXPECT_EQ(row.attack, 7.0);
+  EXPECT_FALSE(row.commands) << "those of the attack do not test the planner";
   EXPECT_EQ(row.manoeuvre, attack.manoeuvre);
   EXPECT_DOUBLE_EQ(*row.contact_t, 1.0);
   EXPECT_EQ(row.planner, "idm");
@@ -108,6 +124,21 @@ TEST(WriteColumns, NameEveryWordOnce) {
   EXPECT_THAT(writer.line(), HasSubstr(R"("scene":{"words":["s",""],"values":[0,0,1]})"));
   EXPECT_THAT(writer.line(), HasSubstr(R"("tta":{"unit":0.001,"missing":-1e+15,)"
                                        R"("values":[2500,2500,-1e+15]})"));
+}
+
+/// Both round to 9.7 as they are, and to 9.8 by way of 9.75.
+TEST(WriteColumns, RoundNothingThatIsRoundedForDisplay) {
+  ReportRow row;
+  row.impact_speed = 9.7481;
+  row.contact_t = 9.7496;
+  JsonLineWriter writer;
+  writer.beginObject();
+  writeColumns(writer, {row});
+  writer.endObject();
+  EXPECT_THAT(writer.line(), HasSubstr(R"("impact_speed":{"unit":1e-06,"missing":-1e+15,)"
+                                       R"("values":[9748100]})"));
+  EXPECT_THAT(writer.line(), HasSubstr(R"("contact_t":{"unit":1e-06,"missing":-1e+15,)"
+                                       R"("values":[9749600]})"));
 }
 
 }  // namespace

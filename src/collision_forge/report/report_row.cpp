@@ -33,16 +33,23 @@ constexpr TextColumn kTexts[] = {{"scene", &ReportRow::scene},
                                  {"believable", &ReportRow::believable},
                                  {"avoidable", &ReportRow::avoidable}};
 
-constexpr NumberColumn kNumbers[] = {{"now", &ReportRow::now, 1e-6},
-                                     {"tta", &ReportRow::tta, 1e-3},
-                                     {"contact_t", &ReportRow::contact_t, 1e-3},
-                                     {"impact_speed", &ReportRow::impact_speed, 1e-2},
-                                     {"heading", &ReportRow::heading, 1e-3},
-                                     {"overlap", &ReportRow::overlap, 1e-3},
-                                     {"confidence", &ReportRow::confidence, 1e-3},
-                                     {"attack", &ReportRow::attack, 1.0},
-                                     {"test", &ReportRow::test, 1.0},
-                                     {"place", &ReportRow::place, 1.0}};
+/// A column must not round a number before the page rounds it for display: 9.748 m/s must not
+/// become 9.75 and then 9.8.
+constexpr double kMeasuredUnit = 1e-6;
+
+constexpr NumberColumn kNumbers[] = {
+    {"now", &ReportRow::now, kMeasuredUnit},
+    {"now_in_recording", &ReportRow::now_in_recording, kMeasuredUnit},
+    {"tta", &ReportRow::tta, 1e-3},
+    {"contact_t", &ReportRow::contact_t, kMeasuredUnit},
+    {"impact_speed", &ReportRow::impact_speed, kMeasuredUnit},
+    {"heading", &ReportRow::heading, kMeasuredUnit},
+    {"overlap", &ReportRow::overlap, kMeasuredUnit},
+    {"confidence", &ReportRow::confidence, kMeasuredUnit},
+    {"attack", &ReportRow::attack, 1.0},
+    {"test", &ReportRow::test, 1.0},
+    {"place", &ReportRow::place, 1.0},
+    {"commands", &ReportRow::commands, 1.0}};
 
 std::string yesOrNo(bool value) { return value ? "yes" : "no"; }
 
@@ -133,11 +140,13 @@ ReportRow rowOfAttack(const Scenario& scenario, const Realization& attack,
   row.attacker_class = toString(attack.trajectory.agent_class);
   row.origin = attack.trajectory.isAdded() ? "added" : "recorded";
   row.believable = yesOrNo(report.believable());
-  row.contact_t = report.contact_time - scenario.asked.now;
-  row.impact_speed = report.impact_speed;
-  row.heading = report.relative_heading;
-  row.overlap = report.overlap;
   row.confidence = report.confidence;
+  const CollisionReport& told = recorded ? recorded->report : report;
+  if (!told.contact) return row;
+  row.contact_t = told.contact_time - scenario.asked.now;
+  row.impact_speed = told.impact_speed;
+  row.heading = told.relative_heading;
+  row.overlap = told.overlap;
   return row;
 }
 
@@ -150,6 +159,7 @@ ReportRow rowOfTest(const PlannerTestResult& result, const PlannerRow* row,
     found.type = toString(result.type);
     found.tta = result.tta;
   }
+  found.commands.reset();
   found.status = result.status;
   found.message = result.message;
   found.outcome = "untested";

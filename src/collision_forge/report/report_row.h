@@ -33,8 +33,10 @@ struct ReportRow {
   std::string origin;      ///< "recorded" or "added"
   std::string believable;  ///< these two "yes", "no" or empty
   std::string avoidable;
-  std::optional<double> now;           ///< s, the scene's clock
-  std::optional<double> tta;           ///< s
+  std::optional<double> now;               ///< s, the scene's clock
+  std::optional<double> now_in_recording;  ///< s from the recording's first frame, if that is known
+  std::optional<double> tta;               ///< s
+  // Contact of the planner's ego, else in the recording if `outcome` is about it, else predicted.
   std::optional<double> contact_t;     ///< s from now
   std::optional<double> impact_speed;  ///< m/s
   std::optional<double> heading;       ///< rad, at contact
@@ -43,7 +45,8 @@ struct ReportRow {
   // Places of records in the page.
   std::optional<double> attack;
   std::optional<double> test;
-  std::optional<double> place;  ///< of the scene's
+  std::optional<double> place;     ///< of the scene's
+  std::optional<double> commands;  ///< of the ShellCommands
 };
 
 /// The row of a scenario's answer, or of one of its alternatives. `recorded` is how it does in the

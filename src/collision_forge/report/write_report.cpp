@@ -21,6 +21,7 @@
 #include "collision_forge/report/report_files.h"
 #include "collision_forge/report/report_row.h"
 #include "collision_forge/report/scene_record.h"
+#include "collision_forge/report/shell_commands.h"
 #include "collision_forge/report/weakness_files.h"
 #include "collision_forge/trials/planner_cases.h"
 #include "collision_forge/trials/planner_result_file.h"
@@ -56,6 +57,11 @@ bool isSame(const RolloutOutcome& driven, const RolloutOutcome& tested) {
   if (!driven.contact || !tested.contact) return !driven.contact && !tested.contact;
   return std::abs(driven.contact->time - tested.contact->time) < kTolerance &&
          driven.contact->other_id == tested.contact->other_id;
+}
+
+bool isPlannerName(const std::string& name) {
+  const std::vector<std::string>& names = plannerNames();
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// Calls `work` for all of [0, count) on threads; what it returns, in order.
@@ -180,24 +186,49 @@ class ReportBuilder {
                                inputs_.logs.described());
     }
     attacks_.emplace(source + ":" + std::to_string(line), rows_.size());
-    addAttack(scenario, scenario.answer);
+    int number = 1;
+    addAttack(scenario, scenario.answer, number);
     for (const Realization& alternative : scenario.answer.alternatives) {
-      addAttack(scenario, alternative);
+      addAttack(scenario, alternative, ++number);
     }
   }
 
-  void addAttack(const Scenario& scenario, const Realization& attack) {
+  std::size_t addCommands(const std::vector<ShellCommands>& commands) {
+    JsonLineWriter writer;
+    writer.beginObject();
+    writer.beginArray("commands");
+    for (const ShellCommands& some : commands) {
+      writer.beginObject();
+      writer.text("title", some.title);
+      writer.text("lines", some.lines);
+      writer.endObject();
+    }
+    writer.endArray();
+    writer.endObject();
+    return page_.add(writer.line());
+  }
+
+  /// `alternative` counts the attacks of the scenario from 1 on.
+  void addAttack(const Scenario& scenario, const Realization& attack, int alternative) {
     std::optional<StrictOutcome> recorded;
+    std::optional<double> now_in_recording;
     const bool is_attack = attack.status.code == StatusCode::kOk;
     if (scenes_) {
       if (is_attack) recorded = judge(scenario, attack);
       const double now = scenario.asked.now;
+      const Scene& scene = scenes_->at(scenario.asked.scene)->scene;
+      if (!scene.frame_times.empty()) {
+        now_in_recording = fromNow(now, scene.frame_times.front());
+      }
       const std::vector<TrajectoryPoint>& points = attack.trajectory.points;
       extents_[scenario.asked.scene].include(
           now - settings_.report.seconds_before_now,
           points.empty() ? now + scenario.asked.request.tta : points.back().time, points);
     }
     ReportRow& row = rows_.emplace_back(rowOfAttack(scenario, attack, recorded));
+    row.now_in_recording = now_in_recording;
+    row.commands = addCommands(commandsOfAttack(scenario, alternative, now_in_recording,
+                                                inputs_.logs, settings_.study.crash));
     if (!is_attack) return;
     row.attack = page_.add(attackRecord(scenario, attack,
                                         recorded ? std::optional(recorded->report) : std::nullopt,
@@ -224,8 +255,13 @@ class ReportBuilder {
     const ReportRow* known = attack ? &*attack : nullptr;
     if (result.rows.empty()) rows_.push_back(rowOfTest(result, nullptr, known));
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
+      const PlannerRow& test = result.rows[i];
       if (result.isTested()) tests_.push_back({rows_.size(), result, i});
-      rows_.push_back(rowOfTest(result, &result.rows[i], known));
+      ReportRow& row = rows_.emplace_back(rowOfTest(result, &test, known));
+      if (known == nullptr || !isPlannerName(test.planner)) continue;
+      row.commands =
+          addCommands({commandsOfTest(files_[known->file].path, known->line, test.planner,
+                                      test.attacker.policy, inputs_.background, inputs_.logs)});
     }
   }
 
@@ -266,8 +302,7 @@ class ReportBuilder {
     for (const PlannerVariant& variant : inputs_.variants) {
       if (variant.name == row.planner) return KnownPlanner{inputs_.planner, &variant.options};
     }
-    const std::vector<std::string>& names = plannerNames();
-    if (std::find(names.begin(), names.end(), row.planner) == names.end()) return std::nullopt;
+    if (!isPlannerName(row.planner)) return std::nullopt;
     return KnownPlanner{row.planner, &settings_.trials};
   }
 
@@ -339,6 +374,7 @@ class ReportBuilder {
     for (const ReportFile& file : files_) {
       writer.beginObject();
       writer.text("path", file.path);
+      writer.flag("has_tests", file.kind == ReportFileKind::kPlannerTests);
       writer.text("link", linkTo(file.path, folder_));
       writer.endObject();
     }
@@ -362,6 +398,9 @@ class ReportBuilder {
     writeColor(writer, "aim-ego", drawing.pattern_ego_color);
     writeColor(writer, "aim-attacker", drawing.pattern_attacker_color);
     writeColor(writer, "contact", drawing.contact_color);
+    writeColor(writer, "passed", drawing.passed_color);
+    writeColor(writer, "partial", drawing.partial_color);
+    writeColor(writer, "failed", drawing.failed_color);
     writer.endObject();
   }
 

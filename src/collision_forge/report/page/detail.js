@@ -8,9 +8,9 @@ import {OUTCOME_NOTES, amount, degrees, element, title} from './words.js';
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
 const AFTER_CONTACT = 1.5; // s shown after a planner's contact, where its drive ends
 
-/** "Left turn across path, 4.0 s from now, car, cut in". */
+/** "scenarios:3, Left turn across path, 4.0 s from now, car, cut in"; of a test its planner comes second. */
 export function headline(rows, row) {
-  const parts = [title(rows.text('type', row)) || 'Unreadable case'];
+  const parts = [rows.name(row), rows.text('planner', row), title(rows.text('type', row)) || 'Unreadable case'];
   if (rows.number('tta', row) !== null) parts.push(amount(rows.number('tta', row), 1, 's') + ' from now');
   for (const key of ['class', 'manoeuvre']) parts.push(rows.text(key, row).replace(/_/g, ' '));
   return parts.filter((part) => part).join(', ');
@@ -148,6 +148,26 @@ function pictureList(pictures) {
     element('p', {}, element('a', {href: link}, name))));
 }
 
+/** Commands in a box, with a button that copies them; where a browser forbids that they are selected. */
+function commandList(commands) {
+  if (!commands.length) return null;
+  return element('section', {}, element('h3', {}, 'Make this row again'), ...commands.map(({title: name, lines}) => {
+    // A line may end between words alone, not at the hyphens within them.
+    const words = lines.split(/([ \n])/).map((word) => (word.trim() ? element('span', {}, word) : word));
+    const text = element('pre', {tabIndex: 0}, ...words);
+    const button = element('button', {type: 'button', className: 'copy', onclick: async () => {
+      try {
+        await navigator.clipboard.writeText(lines);
+        button.textContent = 'Copied';
+      } catch (error) {
+        getSelection().selectAllChildren(text);
+        button.textContent = 'Selected';
+      }
+    }}, 'Copy');
+    return element('div', {className: 'commands'}, element('p', {}, name, button), text);
+  }));
+}
+
 function planList(plans) {
   if (plans.length < 2) return null;
   return list('Plans of the attacker', plans.map((plan) => [amount(plan.from_t, 1, 's'),
@@ -186,13 +206,14 @@ export class Detail {
     Object.assign(this, {dialog, rows, records, files, onStep});
     const find = (name) => dialog.querySelector('#' + name);
     Object.assign(this, {heading: find('detail-title'), facts: find('facts'), slider: find('time'),
+      contactButton: find('to-contact'),
       clock: find('clock'), playButton: find('play'), followButton: find('follow'), speed: find('speed'),
       legend: find('legend'), notice: find('notice')});
     this.view = new TopView(find('view'), colors);
     this.timelines = new Timelines(find('plots'), (time) => this.seek(time));
     this.speed.append(...SPEEDS.map((speed) => element('option', {value: speed, selected: speed === 1}, speed + '×')));
     this.slider.addEventListener('input', () => this.seek(Number(this.slider.value)));
-    const onClick = {play: () => this.play(!this.isPlaying), follow: () => this.follow(!this.view.isFollowing),
+    const onClick = {play: () => this.play(!this.isPlaying), 'to-contact': () => this.seekContact(), follow: () => this.follow(!this.view.isFollowing),
       'zoom-in': () => this.view.zoom(1.3), 'zoom-out': () => this.view.zoom(1 / 1.3), fit: () => this.fit(),
       previous: () => this.onStep(-1), next: () => this.onStep(1), close: () => dialog.close()};
     for (const [name, action] of Object.entries(onClick)) find(name).addEventListener('click', action);
@@ -202,7 +223,7 @@ export class Detail {
 
   async open(row) {
     this.row = row;
-    const [scene, attack, test] = await Promise.all(['place', 'attack', 'test'].map(
+    const [scene, attack, test, shell] = await Promise.all(['place', 'attack', 'test', 'commands'].map(
       (key) => this.records.at(this.rows.number(key, row))));
     if (this.row !== row) return; // another one was opened meanwhile
     this.play(false);
@@ -213,11 +234,12 @@ export class Detail {
     this.slider.min = this.world.begin;
     this.slider.max = this.world.end;
     this.slider.disabled = this.world.roles.length === 0;
+    this.contactButton.disabled = !this.world.contact;
     this.notice.textContent = this.noticeFor(scene);
     this.view.show(this.world);
     this.timelines.show(this.world);
     this.legend.replaceChildren(...this.legendEntries());
-    this.facts.replaceChildren(...this.factsOf(row, attack, test).filter((part) => part));
+    this.facts.replaceChildren(...this.factsOf(row, attack, test, shell).filter((part) => part));
     this.facts.scrollTop = 0;
     this.seek(this.world.contact ? Math.max(this.world.contact.t - 2, this.world.begin) : 0);
   }
@@ -235,17 +257,21 @@ export class Detail {
     return entries;
   }
 
-  factsOf(row, attack, test) {
+  factsOf(row, attack, test, shell) {
     const {rows} = this;
     const outcome = rows.text('outcome', row);
     const file = this.files[rows.number('file', row)];
     const status = rows.text('status', row);
+    const now = rows.number('now_in_recording', row);
     return [
       element('p', {className: 'verdict'}, element('i', {className: 'dot outcome-' + outcome}), title(outcome)),
       OUTCOME_NOTES[outcome] ? element('p', {className: 'note'}, OUTCOME_NOTES[outcome]) : null,
       list('Why', [['Code', status === 'OK' ? '' : status], ['Reason', rows.text('message', row)]]),
       list('Request', [
         ['Scene', rows.text('scene', row)],
+        ['Now', now === null ? '' : amount(now, 2, 's') + ' from the first frame'],
+        ['Clock of the scene', rows.number('now', row) === null ? '' : amount(rows.number('now', row), 6, 's')],
+        ['Time to accident', rows.number('tta', row) === null ? '' : amount(rows.number('tta', row), 1, 's')],
         ['Mode', title(rows.text('mode', row))],
         ['Planner, method', rows.text('planner', row)],
         ['Attacker', attack ? `${rows.text('origin', row)}, ${attack.attacker.id}` : ''],
@@ -258,6 +284,7 @@ export class Detail {
       attack && reportList(attack.recorded ? 'As generated' : 'Attack', attack.report),
       attack && limitList(attack, this.world),
       attack && planList((test && test.drive && test.drive.plans) || attack.plans),
+      shell && commandList(shell.commands),
       test && pictureList(test.pictures),
       element('section', {}, element('h3', {}, 'File'), element('p', {},
         element('a', {href: file.link}, file.path), `, line ${rows.number('line', row)}`)),
@@ -271,6 +298,12 @@ export class Detail {
     this.slider.setAttribute('aria-valuetext', this.clock.textContent + ' from now');
     this.view.at(this.time);
     this.timelines.at(this.time);
+  }
+
+  seekContact() {
+    if (!this.world.contact) return;
+    this.play(false);
+    this.seek(this.world.contact.t);
   }
 
   play(isPlaying) {
@@ -318,6 +351,7 @@ export class Detail {
       ArrowRight: () => this.seek(this.time + scrub),
       Home: () => this.seek(this.world.begin),
       End: () => this.seek(this.world.end),
+      c: () => this.seekContact(),
       f: () => this.follow(!this.view.isFollowing),
       '+': () => this.view.zoom(1.3),
       '=': () => this.view.zoom(1.3),

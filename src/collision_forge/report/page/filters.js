@@ -5,7 +5,7 @@ const FACETS = [
   {key: 'outcome', title: 'Outcome', show: title},
   {key: 'type', title: 'Type', show: title},
   {key: 'tta', title: 'Time to accident', show: (word) => word + '\u202fs'},
-  {key: 'planner', title: 'Planner, method', show: (word) => word || 'Recorded ego'},
+  {key: 'planner', title: 'Planner, method', show: (word) => word || 'None'},
   {key: 'manoeuvre', title: 'Manoeuvre', show: (word) => title(word) || 'None'},
   {key: 'believable', title: 'Believable', show: (word) => title(word) || 'Unknown'},
   {key: 'mode', title: 'Mode', show: (word) => title(word) || 'Unknown'},
@@ -19,8 +19,10 @@ function sortedWords(facet, words) {
 }
 
 export class Filters {
-  constructor(place, rows, onChange) {
+  /** Of the rows in `list`; `onChange` gets those of them that pass. */
+  constructor(place, rows, list, onChange) {
     this.rows = rows;
+    this.list = list;
     this.onChange = onChange;
     this.search = '';
     this.facets = FACETS.map((facet) => this.makeFacet(facet)).filter(({words}) => words.length > 1);
@@ -31,7 +33,7 @@ export class Filters {
         this.apply();
       },
     });
-    place.append(element('label', {className: 'facet search'}, element('span', {}, 'Search'), this.input),
+    place.replaceChildren(element('label', {className: 'facet search'}, element('span', {}, 'Search'), this.input),
       ...this.facets.map(({fieldset}) => fieldset));
   }
 
@@ -39,11 +41,11 @@ export class Filters {
     const found = new Set();
     const wordOf = (row) => (facet.key === 'tta'
       ? String(Math.round(10 * this.rows.number('tta', row)) / 10) : this.rows.text(facet.key, row));
-    const texts = Array.from({length: this.rows.length}, (_, row) => wordOf(row));
-    texts.forEach((word) => found.add(word));
+    for (const row of this.list) found.add(wordOf(row));
     const words = sortedWords(facet, found);
     const places = new Map(words.map((word, i) => [word, i]));
-    const made = {...facet, words, chosen: new Set(), ofRow: Int32Array.from(texts, (word) => places.get(word))};
+    const made = {...facet, words, chosen: new Set(), ofRow: new Int32Array(this.rows.length)};
+    for (const row of this.list) made.ofRow[row] = places.get(wordOf(row));
     made.buttons = words.map((word, i) => element('button', {
       type: 'button', className: 'chip', 'aria-pressed': 'false', onclick: () => this.toggle(facet.key, i),
     }, facet.show(word), element('small', {})));
@@ -62,6 +64,30 @@ export class Filters {
     const {chosen} = this.facet(key);
     if (!chosen.delete(place)) chosen.add(place);
     this.apply();
+  }
+
+  /** Chooses these words alone, by the keys of their facets; chooses none of them if that is so already. */
+  toggleOnly(words) {
+    const wanted = Object.entries(words).map(([key, word]) => [this.facet(key), word]).filter(([facet]) => facet)
+      .map(([facet, word]) => [facet, facet.words.indexOf(word)]);
+    const areChosen = wanted.every(([{chosen}, place]) => chosen.size === 1 && chosen.has(place));
+    wanted.forEach(([{chosen}, place]) => {
+      chosen.clear();
+      if (!areChosen) chosen.add(place);
+    });
+    this.apply();
+  }
+
+  isChosen(key, word) {
+    const facet = this.facet(key);
+    return Boolean(facet) && facet.chosen.has(facet.words.indexOf(word));
+  }
+
+  /** The rows that pass the search and all facets but those of these keys. */
+  passingBut(keys) {
+    const facets = this.facets.filter(({key}) => !keys.includes(key));
+    return this.list.filter((row) => (!this.search || this.matchesSearch(row))
+      && facets.every(({chosen, ofRow}) => chosen.size === 0 || chosen.has(ofRow[row])));
   }
 
   clear() {
@@ -83,7 +109,7 @@ export class Filters {
   apply() {
     const passing = [];
     const counts = this.facets.map(({words}) => new Int32Array(words.length));
-    for (let row = 0; row < this.rows.length; ++row) {
+    for (const row of this.list) {
       if (this.search && !this.matchesSearch(row)) continue;
       let missed = -1;
       let misses = 0;

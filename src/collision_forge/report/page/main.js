@@ -2,8 +2,9 @@
 import {Detail} from './detail.js';
 import {Filters} from './filters.js';
 import {Overview} from './overview.js';
-import {Columns, Records, readIndex} from './records.js';
+import {Records, Rows, readIndex} from './records.js';
 import {Table} from './table.js';
+import {element} from './words.js';
 
 const find = (id) => document.getElementById(id);
 
@@ -41,15 +42,51 @@ class Theme {
   }
 }
 
-/** Columns with a name for every row. */
-class Rows extends Columns {
-  constructor(index) {
-    super(index);
-    this.stems = index.files.map(({path}) => path.split('/').pop().replace(/\.[a-z]+$/, ''));
+/** The name of a row in an address; empty where that is none. */
+function nameIn(hash) {
+  try {
+    return decodeURIComponent(hash.slice(1));
+  } catch (error) {
+    return '';
+  }
+}
+
+/** Shows either the planner tests or the attacks: charts, filters and table are of one kind of rows. */
+class Kinds {
+  constructor(place, rows, table) {
+    Object.assign(this, {rows, table});
+    const all = Array.from({length: rows.length}, (_, row) => row);
+    this.kinds = [{title: 'Planner tests', list: all.filter((row) => rows.isTest(row))},
+      {title: 'Attacks', list: all.filter((row) => !rows.isTest(row))}].filter(({list}) => list.length);
+    for (const kind of this.kinds) {
+      kind.button = element('button', {type: 'button', onclick: () => this.choose(kind)}, kind.title,
+        element('small', {}, String(kind.list.length)));
+    }
+    if (this.kinds.length > 1) place.append(...this.kinds.map(({button}) => button));
+    if (this.kinds.length) this.choose(this.kinds[0]);
   }
 
-  name(row) {
-    return this.stems[this.number('file', row)] + ':' + this.number('line', row);
+  choose(kind) {
+    this.chosen = kind;
+    this.kinds.forEach((each) => each.button.setAttribute('aria-pressed', String(each === kind)));
+    this.table.chooseColumns(kind.list);
+    this.filters = new Filters(find('filters'), this.rows, kind.list, (shown) => this.show(shown));
+    this.overview = new Overview(find('overview'), this.rows, this.filters);
+    this.filters.apply();
+  }
+
+  show(shown) {
+    const {length} = this.chosen.list;
+    this.table.setRows(shown);
+    this.overview.draw(shown);
+    find('count').textContent = shown.length === length ? `${length} rows` : `${shown.length} of ${length} rows`;
+    find('clear').hidden = this.filters.isEmpty();
+  }
+
+  /** Shows the kind that a row is of. */
+  chooseFor(row) {
+    const kind = this.kinds.find(({list}) => list.includes(row));
+    if (kind !== this.chosen) this.choose(kind);
   }
 }
 
@@ -57,36 +94,33 @@ function showIndex(index) {
   const rows = new Rows(index);
   const theme = new Theme(index.colors, find('theme'));
   const records = new Records(find('records').textContent);
-  let overview = null;
   const table = new Table(find('table'), rows, (row) => open(row));
-  const filters = new Filters(find('filters'), rows, (shown) => {
-    table.setRows(shown);
-    overview.draw(shown);
-    find('count').textContent = shown.length === rows.length ? `${rows.length} rows`
-      : `${shown.length} of ${rows.length} rows`;
-    find('clear').hidden = filters.isEmpty();
-  });
-  overview = new Overview(find('overview'), rows, filters);
+  const kinds = new Kinds(find('kinds'), rows, table);
   const detail = new Detail(find('detail'), rows, records, index.files, (name) => theme.colors[name], (step) => {
     const row = table.neighbour(step);
     if (row !== null) open(row);
   });
   const open = (row) => {
-    history.replaceState(null, '', '#' + row);
+    history.replaceState(null, '', '#' + encodeURIComponent(rows.name(row)).replace(/%(3A|2F)/g, decodeURIComponent));
     return detail.open(row);
+  };
+  const openNamed = () => {
+    const row = rows.named(nameIn(location.hash));
+    if (row === null) return;
+    kinds.chooseFor(row);
+    table.chooseRow(row);
+    open(row);
   };
   theme.onChange = () => detail.view.draw();
   find('detail').addEventListener('close', () => {
     history.replaceState(null, '', location.pathname + location.search);
     table.scroller.focus();
   });
-  find('clear').addEventListener('click', () => filters.clear());
+  find('clear').addEventListener('click', () => kinds.filters.clear());
   find('source').textContent = index.files.map(({path}) => path).join(', ')
     + (index.source ? `; ${[index.source, index.version].filter(Boolean).join(', ')}` : '');
-  filters.apply();
-  if (/^#\d+$/.test(location.hash) && Number(location.hash.slice(1)) < rows.length) {
-    open(Number(location.hash.slice(1)));
-  }
+  window.addEventListener('hashchange', openNamed);
+  openNamed();
 }
 
 function addHelp() {

@@ -1,7 +1,7 @@
-// Charts of the rows that are shown: outcomes by type, time, planner and manoeuvre, and impact speeds.
+// Charts of the rows that are shown: planners and their outcomes; outcomes by type, time and manoeuvre; impact speeds.
 import {OUTCOMES, amount, element, title} from './words.js';
 
-const BREAKDOWNS = ['type', 'tta', 'planner', 'manoeuvre'];
+const BREAKDOWNS = ['type', 'tta', 'manoeuvre'];
 const SPEED_STEP = 2; // m/s a column
 
 export class Overview {
@@ -9,17 +9,66 @@ export class Overview {
     this.place = place;
     this.rows = rows;
     this.filters = filters;
-    this.outcomes = OUTCOMES.filter((outcome) => rows.columns.outcome.words.includes(outcome));
+    const found = new Set(filters.list.map((row) => this.outcomeOf(row)));
+    this.outcomes = OUTCOMES.filter((outcome) => found.has(outcome));
+    this.planners = [...new Set(filters.list.map((row) => rows.text('planner', row)))].filter((name) => name).sort();
+    this.hasTests = filters.list.some((row) => rows.isTest(row));
   }
 
   draw(shown) {
     const charts = BREAKDOWNS.map((key) => this.filters.facet(key)).filter((facet) => facet)
       .map((facet) => this.breakdown(facet, shown));
-    this.place.replaceChildren(this.totals(shown), this.speeds(shown), ...charts);
+    const hasMatrix = this.hasTests || this.planners.length > 1;
+    this.place.replaceChildren(hasMatrix ? this.matrix() : this.totals(shown), this.speeds(shown), ...charts);
   }
 
   outcomeOf(row) {
     return this.rows.text('outcome', row);
+  }
+
+  /**
+   * A row a planner or method, a column an outcome; a click on a cell, a row or a column filters. Cases that no planner
+   * drove are counted below.
+   */
+  matrix() {
+    const counts = new Map(['', ...this.planners].map((planner) => [planner, new Map()]));
+    for (const row of this.filters.passingBut(['planner', 'outcome'])) {
+      const of = counts.get(this.rows.text('planner', row));
+      of.set(this.outcomeOf(row), (of.get(this.outcomeOf(row)) || 0) + 1);
+    }
+    const button = (words, ...content) => element('button', {
+      type: 'button', onclick: () => this.filters.toggleOnly(words),
+      'aria-pressed': String(Object.entries(words).every(([key, word]) => this.filters.isChosen(key, word))),
+    }, ...content);
+    const told = this.outcomes.filter((outcome) => this.planners.some((planner) => counts.get(planner).get(outcome)));
+    const heads = told.map((outcome) => element('th', {scope: 'col'},
+      button({outcome}, element('i', {className: 'dot outcome-' + outcome}), title(outcome))));
+    const lines = this.planners.map((planner) => {
+      const of = counts.get(planner);
+      const sum = [...of.values()].reduce((total, count) => total + count, 0);
+      const cells = told.map((outcome) => {
+        const count = of.get(outcome) || 0;
+        const share = count ? amount(100 * count / sum, 0, '%') : '';
+        const cell = button({planner, outcome}, element('b', {}, String(count)), element('small', {}, share));
+        const shade = element('i', {className: 'shade outcome-' + outcome});
+        shade.style.opacity = count ? 0.1 + 0.5 * count / sum : 0;
+        cell.prepend(shade);
+        return element('td', {}, cell);
+      });
+      return element('tr', {}, element('th', {scope: 'row'}, button({planner}, planner)), ...cells,
+        element('td', {className: 'sum'}, String(sum)));
+    });
+    const name = this.hasTests ? 'Planner' : 'Method';
+    const card = this.card(`${name} and outcome`, element('table', {className: 'matrix'}, element('thead', {},
+      element('tr', {}, element('th', {scope: 'col'}, name), ...heads, element('th', {scope: 'col'}, 'All'))),
+    element('tbody', {}, ...lines)), this.untested(counts.get('')));
+    card.classList.add('wide-card');
+    return card;
+  }
+
+  untested(counts) {
+    const sum = [...counts.values()].reduce((total, count) => total + count, 0);
+    return sum ? element('p', {className: 'note'}, `${sum} more cases hold no attack to test on.`) : null;
   }
 
   totals(shown) {
@@ -28,7 +77,7 @@ export class Overview {
     const lines = this.outcomes.map((outcome) => element('div', {className: 'total'},
       element('i', {className: 'dot outcome-' + outcome}), element('b', {}, String(counts.get(outcome))),
       element('span', {}, title(outcome)),
-      element('small', {}, amount(100 * counts.get(outcome) / Math.max(shown.length, 1), 1, '%'))));
+      element('small', {}, amount(100 * counts.get(outcome) / Math.max(shown.length, 1), 0, '%'))));
     return this.card('Outcomes', ...lines);
   }
 

@@ -25,11 +25,48 @@ export function motionOf(packed, offset = 0) {
   return motion;
 }
 
+const stemOf = (path) => path.split('/').pop().replace(/\.[a-z]+$/, '');
+
+/** How rows name each file: by its name without folder and ending, by its path where that is not unique. */
+function namesOf(files) {
+  const stems = files.map(({path}) => stemOf(path));
+  return stems.map((stem, i) => (stems.indexOf(stem) === stems.lastIndexOf(stem) ? stem : files[i].path));
+}
+
 /** The table: columns of texts and of numbers. */
-export class Columns {
+export class Rows {
   constructor(index) {
     this.length = index.rows;
     this.columns = index.columns;
+    this.files = index.files;
+    this.fileNames = namesOf(index.files);
+    this.parts = new Int32Array(this.length); // place of a row among those of its line, from 1 on
+    for (let row = 0; row < this.length; ++row) {
+      const isSame = row > 0 && ['file', 'line'].every((key) => this.number(key, row) === this.number(key, row - 1));
+      this.parts[row] = isSame ? this.parts[row - 1] + 1 : 1;
+    }
+  }
+
+  isTest(row) {
+    return this.files[this.number('file', row)].has_tests;
+  }
+
+  /** "scenarios:11", and "scenarios:11.2" for the second row of that line. */
+  name(row) {
+    return `${this.fileNames[this.number('file', row)]}:${this.line(row)}`;
+  }
+
+  /** "11" or "11.2". */
+  line(row) {
+    return this.number('line', row) + (this.parts[row] > 1 ? '.' + this.parts[row] : '');
+  }
+
+  /** The row of a name, or of a line of the first file; null where there is none. */
+  named(name) {
+    for (let row = 0; row < this.length; ++row) {
+      if (this.name(row) === name || (this.number('file', row) === 0 && this.line(row) === name)) return row;
+    }
+    return null;
   }
 
   text(name, row) {

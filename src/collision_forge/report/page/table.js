@@ -3,21 +3,33 @@ import {amount, degrees, element, title} from './words.js';
 
 const ROW_HEIGHT = 34; // pixels, as in the style
 
-export const COLUMNS = [
-  {key: 'name', title: 'Line', wide: true},
-  {key: 'scene', title: 'Scene', wide: true},
-  {key: 'type', title: 'Type', show: title},
-  {key: 'tta', title: 'TTA', unit: 's', digits: 1},
-  {key: 'planner', title: 'Planner', wide: true},
-  {key: 'outcome', title: 'Outcome', show: title},
-  {key: 'manoeuvre', title: 'Manoeuvre', show: title, wide: true},
-  {key: 'class', title: 'Attacker', show: title, wide: true},
-  {key: 'contact_t', title: 'Contact', unit: 's', digits: 2, wide: true},
-  {key: 'impact_speed', title: 'Impact', unit: 'm/s', digits: 1},
-  {key: 'heading', title: 'Heading', unit: '°', digits: 0, wide: true, of: degrees},
-  {key: 'confidence', title: 'Confidence', unit: '%', digits: 0, wide: true, of: (share) => share && 100 * share},
+const hasTests = (rows, list) => list.some((row) => rows.isTest(row));
+const hasAttacks = (rows, list) => !hasTests(rows, list);
+
+// Widths in rem. `isShown` is asked of the rows and the list of those that the table is of.
+const COLUMNS = [
+  {key: 'name', title: 'Line', wide: true, width: 7.6},
+  {key: 'scene', title: 'Scene', wide: true, width: 6.6},
+  {key: 'now_in_recording', title: 'Now', unit: 's', digits: 2, wide: true, width: 4.8},
+  {key: 'type', title: 'Type', show: title, width: 10.5},
+  {key: 'tta', title: 'TTA', unit: 's', digits: 1, width: 4.2},
+  {key: 'planner', title: 'Planner', wide: true, width: 11.6, isShown: hasTests},
+  {key: 'planner', title: 'Method', wide: true, width: 11.6,
+    isShown: (rows, list) => !hasTests(rows, list) && list.some((row) => rows.text('planner', row))},
+  {key: 'outcome', title: 'Outcome', show: title, width: 12.4},
+  {key: 'manoeuvre', title: 'Manoeuvre', show: title, wide: true, width: 10.4},
+  {key: 'class', title: 'Attacker', show: title, wide: true, width: 6.6, isShown: hasAttacks},
+  {key: 'contact_t', title: 'Contact', unit: 's', digits: 2, wide: true, width: 6},
+  {key: 'impact_speed', title: 'Impact', unit: 'm/s', digits: 1, width: 6.8},
+  {key: 'heading', title: 'Heading', unit: '°', digits: 0, wide: true, width: 6.4, of: degrees},
+  {key: 'avoidable', title: 'Avoidable', show: title, wide: true, width: 6, isShown: hasTests},
+  {key: 'confidence', title: 'Confidence', unit: '%', digits: 0, wide: true, width: 8.2,
+    of: (share) => share && 100 * share, isShown: hasAttacks},
   {key: 'message', title: 'Reason', wide: true},
 ];
+const LAST_WIDTH = 5; // rem, at least
+
+const ALWAYS = () => true;
 
 export class Table {
   /** `rows` has text(), number() and name() of a row; `onOpen` is told the row. */
@@ -29,7 +41,7 @@ export class Table {
     this.sorting = {key: 'name', falling: false};
     this.body = element('div', {className: 'rows'});
     this.scroller = element('div', {className: 'scroller', tabIndex: 0, role: 'grid', 'aria-label': 'Attacks'});
-    this.headings = this.makeHeadings();
+    this.headings = element('div', {className: 'row headings', role: 'row'});
     this.scroller.append(this.headings, this.body);
     place.append(this.scroller);
     this.scroller.addEventListener('scroll', () => this.draw(), {passive: true});
@@ -37,12 +49,20 @@ export class Table {
     new ResizeObserver(() => this.draw()).observe(this.scroller);
   }
 
-  makeHeadings() {
-    const cells = COLUMNS.map((column) => element('button', {
+  /** Takes the columns that rows of this list need. */
+  chooseColumns(list) {
+    this.columns = COLUMNS.filter(({isShown}) => (isShown || ALWAYS)(this.rows, list));
+    this.sorting = {key: 'name', falling: false};
+    this.chosen = 0;
+    this.scroller.scrollTop = 0;
+    this.headings.replaceChildren(...this.columns.map((column) => element('button', {
       className: this.classOf(column), role: 'columnheader', type: 'button',
       onclick: () => this.sortBy(column.key),
-    }, column.title, column.unit ? element('small', {}, ' [' + column.unit + ']') : null));
-    return element('div', {className: 'row headings', role: 'row'}, ...cells);
+    }, column.title, column.unit ? element('small', {}, ' [' + column.unit + ']') : null)));
+    const widths = this.columns.map(({width}) => (width ? `${width}rem` : `minmax(${LAST_WIDTH}rem, 1fr)`));
+    const sum = this.columns.reduce((total, {width}) => total + (width || LAST_WIDTH), 1);
+    this.scroller.style.setProperty('--columns', widths.join(' '));
+    this.scroller.style.setProperty('--columns-width', `${sum}rem`);
   }
 
   classOf(column) {
@@ -63,7 +83,7 @@ export class Table {
 
   /** Shows these rows, sorted. */
   setRows(list) {
-    const column = COLUMNS.find(({key}) => key === this.sorting.key);
+    const column = this.columns.find(({key}) => key === this.sorting.key);
     const sign = this.sorting.falling ? -1 : 1;
     const order = Int32Array.from(list).sort();
     if (column.key !== 'name') {
@@ -83,7 +103,7 @@ export class Table {
     this.order = order;
     this.chosen = Math.min(this.chosen, Math.max(order.length - 1, 0));
     [...this.headings.children].forEach((cell, i) => cell.setAttribute('aria-sort',
-      COLUMNS[i].key !== this.sorting.key ? 'none' : this.sorting.falling ? 'descending' : 'ascending'));
+      this.columns[i].key !== this.sorting.key ? 'none' : this.sorting.falling ? 'descending' : 'ascending'));
     this.scroller.setAttribute('aria-rowcount', order.length + 1);
     this.body.style.height = order.length * ROW_HEIGHT + 'px';
     this.draw();
@@ -108,7 +128,7 @@ export class Table {
         this.choose(place);
         this.onOpen(row);
       },
-    }, ...COLUMNS.map((column) => this.makeCell(column, row)));
+    }, ...this.columns.map((column) => this.makeCell(column, row)));
     made.style.top = place * ROW_HEIGHT + 'px';
     return made;
   }
@@ -129,6 +149,12 @@ export class Table {
     const room = clientHeight - this.headings.offsetHeight - ROW_HEIGHT;
     if (top > scrollTop + room) this.scroller.scrollTop = top - room;
     this.draw();
+  }
+
+  /** Chooses a row, if it is shown. */
+  chooseRow(row) {
+    const place = this.order.indexOf(row);
+    if (place >= 0) this.choose(place);
   }
 
   /** The row that is `step` places on in the order, chosen; null at the ends. */

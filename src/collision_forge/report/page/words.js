@@ -18,8 +18,8 @@ const TITLES = {
 };
 
 // The order in which outcomes are stacked and listed.
-export const OUTCOMES = ['as_asked', 'hit', 'otherwise', 'hit_other', 'generated', 'missed', 'clear', 'failed',
-  'declined', 'untested'];
+export const OUTCOMES = ['as_asked', 'otherwise', 'missed', 'generated', 'declined', 'hit', 'hit_other', 'clear',
+  'failed', 'untested'];
 
 // What outcomes mean, beside their names.
 export const OUTCOME_NOTES = {
