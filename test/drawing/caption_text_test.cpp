@@ -76,7 +76,7 @@ TEST(CaptionText, AnEscapeHasNoContactAndThatIsWanted) {
   view.escaped_hit = view.snapshot.now + 3.25;
   EXPECT_EQ(verdictText(view), "escapes the hit");
   EXPECT_EQ(verdictOf(view), Verdict::kWanted);
-  EXPECT_EQ(rowOf(view, "Contact").value, "none, escapes the hit at +3.25 s");
+  EXPECT_EQ(rowOf(view, "Contact").value, "none (hit: +3.25 s)");
   EXPECT_EQ(rowOf(view, "Contact").passed, true);
 }
 

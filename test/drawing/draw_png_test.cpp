@@ -71,8 +71,8 @@ TEST_F(DrawPng, HasTheAskedWidthAndAtMostTheAskedHeight) {
   EXPECT_LE(picture.height(), options_.png_height);
 }
 
-TEST_F(DrawPng, OfAStraightRoadTheMapEndsAMarginBesideTheDrives) {
-  options_.view_margin = 9.0;
+TEST_F(DrawPng, OfAStraightRoadTheMapEndsOneAndAHalfMarginsBesideTheDrives) {
+  options_.view_margin = 6.0;
   const Viewport map = painter().mapViewport();
   // Both drive along y = 0 and are 2 m wide.
   EXPECT_NEAR(map.area().height, 20.0 * map.pixelsPerMetre(), 1.0);

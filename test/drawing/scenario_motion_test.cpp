@@ -97,7 +97,11 @@ TEST(ScenarioMotion, OfAnEscapeTheKeyTimeIsThatOfTheHit) {
   view.report.contact = false;
   EXPECT_DOUBLE_EQ(ScenarioMotion(view).keyTime(), view.pattern.time);
   view.escaped_hit = view.pattern.time + 1.5;
-  EXPECT_DOUBLE_EQ(ScenarioMotion(view).keyTime(), view.pattern.time + 1.5);
+  const ScenarioMotion motion(view);
+  EXPECT_DOUBLE_EQ(motion.keyTime(), view.pattern.time + 1.5);
+  const double ego = motion.egoAt(motion.keyTime())->center.x;
+  const double attacker = motion.attackerAt(motion.keyTime())->center.x;
+  EXPECT_NEAR(motion.contactPoint().x(), (ego + attacker) / 2, 1e-9);
 }
 
 }  // namespace

@@ -6,6 +6,11 @@ namespace forge {
 
 namespace {
 
+// Of the light ground below scale bar and north arrow; there may be somebody below.
+constexpr double kScaleHeight = 2.6;  // multiples of the font's size
+constexpr double kArrowWidth = 3.2;   // the same
+constexpr double kScaleGround = 0.75;
+
 Color colorOf(const CaptionRow& row, const DrawingOptions& options) {
   if (!row.passed) return options.text_color;
   return *row.passed ? options.passed_color : options.failed_color;
@@ -89,6 +94,12 @@ void paintScale(Canvas& canvas, const Viewport& viewport, const FigureSize& size
   const double left = area.x + 0.9 * font;
   const double length = scaleBarLength(viewport, font, options);
   const double right = left + length * viewport.pixelsPerMetre();
+  const double top = area.y + area.height - kScaleHeight * font;
+  canvas.fillRect({area.x, top, right + 0.9 * font - area.x, kScaleHeight * font},
+                  options.background_color, kScaleGround);
+  canvas.fillRect(
+      {area.x + area.width - kArrowWidth * font, top, kArrowWidth * font, kScaleHeight * font},
+      options.background_color, kScaleGround);
   const double tick = 0.35 * font;
   const LineStyle line{options.text_color, 0.13 * font, 1.0, 0.0, false};
   canvas.stroke({{left, y - tick}, {left, y}, {right, y}, {right, y - tick}}, line);

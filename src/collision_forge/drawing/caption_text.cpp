@@ -69,7 +69,7 @@ std::vector<CaptionRow> contactRows(const ScenarioView& view) {
   const CollisionReport& report = view.report;
   if (view.escaped_hit) {
     const std::string time = signedSeconds(*view.escaped_hit - view.snapshot.now, 2);
-    return {{"Contact", "none, escapes the hit at " + time, true}};
+    return {{"Contact", "none (hit: " + time + ")", true}};
   }
   if (!report.contact) return {{"Contact", "none", !view.planner.empty()}};
   const std::string ego_side = toString(report.ego_side);

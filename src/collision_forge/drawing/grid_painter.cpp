@@ -297,28 +297,13 @@ void GridPainter::paintCell(Canvas& canvas, std::size_t row, std::size_t column,
   const PixelRect& area = cell.viewport.area();
   canvas.clip(area);
   cell.scene->paint(canvas, cell.viewport, time, ghosts_from);
-  if (column == 0) paintScaleOn(canvas, cell.viewport);
+  if (column == 0) paintScale(canvas, cell.viewport, {0, 0, kMarkSize * font_}, options_);
   canvas.unclip();
   if (cell.close_up) cell.close_up->paint(canvas, time);
   canvas.stroke(edgeOf(area), {options_.lane_color, 1.0, 1.0, 0.0, true});
   const bool is_known = !grid_.rows[row][column].refusal.empty() ||
                         time >= cell.scene->motion().keyTime() - kTimeTolerance;
   if (is_known) paintOutcome(canvas, row, column);
-}
-
-/// On a light ground, as there may be somebody below.
-void GridPainter::paintScaleOn(Canvas& canvas, const Viewport& viewport) const {
-  const double font = kMarkSize * font_;
-  const PixelRect& area = viewport.area();
-  const double length =
-      scaleBarLength(viewport, font, options_) * viewport.pixelsPerMetre() + 1.8 * font;
-  const double height = 2.6 * font;
-  const double top = area.y + area.height - height;
-  const double arrow = 3.2 * font;
-  canvas.fillRect({area.x, top, length, height}, options_.background_color, 0.75);
-  canvas.fillRect({area.x + area.width - arrow, top, arrow, height}, options_.background_color,
-                  0.75);
-  paintScale(canvas, viewport, {0, 0, font}, options_);
 }
 
 void GridPainter::paintOutcome(Canvas& canvas, std::size_t row, std::size_t column) const {

@@ -56,7 +56,6 @@ class GridPainter {
   double legendWidth(Canvas& canvas, const LegendRow& row) const;
   void paintCell(Canvas& canvas, std::size_t row, std::size_t column, double time,
                  double ghosts_from) const;
-  void paintScaleOn(Canvas& canvas, const Viewport& viewport) const;
   void paintOutcome(Canvas& canvas, std::size_t row, std::size_t column) const;
 
   const ScenarioGrid& grid_;

@@ -130,6 +130,11 @@ std::vector<OrientedBox> ScenarioMotion::recordedAttackerBoxes(double from, doub
 }
 
 Vector2 ScenarioMotion::contactPoint() const {
+  if (view_.escaped_hit) {
+    const auto ego = egoAt(keyTime());
+    const auto attacker = attackerAt(keyTime());
+    if (ego && attacker) return (ego->center.position() + attacker->center.position()) / 2;
+  }
   if (!view_.report.contact) {
     return (view_.pattern.ego.center.position() + patternAttackerBox(view_).center.position()) / 2;
   }

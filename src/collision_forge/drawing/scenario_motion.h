@@ -47,7 +47,8 @@ class ScenarioMotion {
   std::vector<OrientedBox> attackerBoxes(double from, double to) const;
   std::vector<OrientedBox> recordedAttackerBoxes(double from, double to) const;
 
-  /// Where the boxes touch at contact; the middle between the pattern's boxes without one.
+  /// Where the boxes touch at contact. Without one: the middle between ego and attacker at the time
+  /// of the hit that the ego escapes, else the middle between the pattern's boxes.
   Vector2 contactPoint() const;
 
  private:

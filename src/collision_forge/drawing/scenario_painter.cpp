@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kTimeTolerance = 1e-6;  // s
 constexpr double kNoGhosts = std::numeric_limits<double>::infinity();
+constexpr double kMarginAside = 1.5;      // of the margin, above and below: shows more of the road
 constexpr double kLeastMapHeight = 0.22;  // of its width: leaves room for the labels
 
 Viewport closeUp(const PixelRect& area, const ScenePainter& scene, double extent) {
@@ -45,13 +46,13 @@ Viewport ScenarioPainter::fitMap(const PixelRect& area) const {
   points.push_back(scene_.motion().contactPoint());
   const Viewport whole =
       fitViewport(area, points, options_.view_margin, options_.min_extent, scene_.rightwards());
-  double reach = options_.view_margin * whole.pixelsPerMetre();  // pixels, above the middle
+  double reach = 0.0;  // pixels that the points are above the middle, or below
   for (const Vector2& point : points) {
-    reach = std::max(reach, area.center().y() - whole.toPixel(point).y() +
-                                options_.view_margin * whole.pixelsPerMetre());
+    reach = std::max(reach, area.center().y() - whole.toPixel(point).y());
   }
+  const double margin = kMarginAside * options_.view_margin * whole.pixelsPerMetre();
   PixelRect cropped = area;
-  cropped.height = std::clamp(std::ceil(2 * reach),
+  cropped.height = std::clamp(std::ceil(2 * (reach + margin)),
                               std::min(kLeastMapHeight * area.width, area.height), area.height);
   return whole.movedTo(cropped);
 }

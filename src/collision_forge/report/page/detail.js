@@ -152,8 +152,8 @@ function pictureList(pictures) {
 function commandList(commands) {
   if (!commands.length) return null;
   return element('section', {}, element('h3', {}, 'Make this row again'), ...commands.map(({title: name, lines}) => {
-    // A line may end between words alone, not at the hyphens within them.
-    const words = lines.split(/([ \n])/).map((word) => (word.trim() ? element('span', {}, word) : word));
+    // A line may not end at the hyphens of an option.
+    const words = lines.split(/([ \n])/).map((word) => (word.startsWith('--') ? element('span', {}, word) : word));
     const text = element('pre', {tabIndex: 0}, ...words);
     const button = element('button', {type: 'button', className: 'copy', onclick: async () => {
       try {
@@ -269,8 +269,8 @@ export class Detail {
       list('Why', [['Code', status === 'OK' ? '' : status], ['Reason', rows.text('message', row)]]),
       list('Request', [
         ['Scene', rows.text('scene', row)],
-        ['Now', now === null ? '' : amount(now, 2, 's') + ' from the first frame'],
-        ['Clock of the scene', rows.number('now', row) === null ? '' : amount(rows.number('now', row), 6, 's')],
+        ['Now', now === null ? '' : amount(now, 2, 's') + ' into the scene'],
+        ['Clock', rows.number('now', row) === null ? '' : amount(rows.number('now', row), 6, 's')],
         ['Time to accident', rows.number('tta', row) === null ? '' : amount(rows.number('tta', row), 1, 's')],
         ['Mode', title(rows.text('mode', row))],
         ['Planner, method', rows.text('planner', row)],

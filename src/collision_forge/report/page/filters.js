@@ -68,8 +68,7 @@ export class Filters {
 
   /** Chooses these words alone, by the keys of their facets; chooses none of them if that is so already. */
   toggleOnly(words) {
-    const wanted = Object.entries(words).map(([key, word]) => [this.facet(key), word]).filter(([facet]) => facet)
-      .map(([facet, word]) => [facet, facet.words.indexOf(word)]);
+    const wanted = this.placesOf(words);
     const areChosen = wanted.every(([{chosen}, place]) => chosen.size === 1 && chosen.has(place));
     wanted.forEach(([{chosen}, place]) => {
       chosen.clear();
@@ -78,9 +77,15 @@ export class Filters {
     this.apply();
   }
 
-  isChosen(key, word) {
-    const facet = this.facet(key);
-    return Boolean(facet) && facet.chosen.has(facet.words.indexOf(word));
+  areChosen(words) {
+    const wanted = this.placesOf(words);
+    return wanted.length > 0 && wanted.every(([{chosen}, place]) => chosen.has(place));
+  }
+
+  /** Facets and the places of their words. A word that all rows have is of no facet. */
+  placesOf(words) {
+    return Object.entries(words).map(([key, word]) => [this.facet(key), word]).filter(([facet]) => facet)
+      .map(([facet, word]) => [facet, facet.words.indexOf(word)]);
   }
 
   /** The rows that pass the search and all facets but those of these keys. */

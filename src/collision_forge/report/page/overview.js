@@ -38,7 +38,7 @@ export class Overview {
     }
     const button = (words, ...content) => element('button', {
       type: 'button', onclick: () => this.filters.toggleOnly(words),
-      'aria-pressed': String(Object.entries(words).every(([key, word]) => this.filters.isChosen(key, word))),
+      'aria-pressed': String(this.filters.areChosen(words)),
     }, ...content);
     const told = this.outcomes.filter((outcome) => this.planners.some((planner) => counts.get(planner).get(outcome)));
     const heads = told.map((outcome) => element('th', {scope: 'col'},

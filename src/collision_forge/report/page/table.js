@@ -8,18 +8,18 @@ const hasAttacks = (rows, list) => !hasTests(rows, list);
 
 // Widths in rem. `isShown` is asked of the rows and the list of those that the table is of.
 const COLUMNS = [
-  {key: 'name', title: 'Line', wide: true, width: 7.6},
-  {key: 'scene', title: 'Scene', wide: true, width: 6.6},
+  {key: 'name', title: 'Line', wide: true, width: 7.4},
+  {key: 'scene', title: 'Scene', wide: true, width: 7.2},
   {key: 'now_in_recording', title: 'Now', unit: 's', digits: 2, wide: true, width: 4.8},
-  {key: 'type', title: 'Type', show: title, width: 10.5},
+  {key: 'type', title: 'Type', show: title, width: 10},
   {key: 'tta', title: 'TTA', unit: 's', digits: 1, width: 4.2},
-  {key: 'planner', title: 'Planner', wide: true, width: 11.6, isShown: hasTests},
-  {key: 'planner', title: 'Method', wide: true, width: 11.6,
+  {key: 'planner', title: 'Planner', wide: true, width: 10.8, isShown: hasTests},
+  {key: 'planner', title: 'Method', wide: true, width: 10.8,
     isShown: (rows, list) => !hasTests(rows, list) && list.some((row) => rows.text('planner', row))},
   {key: 'outcome', title: 'Outcome', show: title, width: 12.4},
   {key: 'manoeuvre', title: 'Manoeuvre', show: title, wide: true, width: 10.4},
   {key: 'class', title: 'Attacker', show: title, wide: true, width: 6.6, isShown: hasAttacks},
-  {key: 'contact_t', title: 'Contact', unit: 's', digits: 2, wide: true, width: 6},
+  {key: 'contact_t', title: 'Contact', unit: 's', digits: 2, wide: true, width: 6.2},
   {key: 'impact_speed', title: 'Impact', unit: 'm/s', digits: 1, width: 6.8},
   {key: 'heading', title: 'Heading', unit: '°', digits: 0, wide: true, width: 6.4, of: degrees},
   {key: 'avoidable', title: 'Avoidable', show: title, wide: true, width: 6, isShown: hasTests},
@@ -27,7 +27,7 @@ const COLUMNS = [
     of: (share) => share && 100 * share, isShown: hasAttacks},
   {key: 'message', title: 'Reason', wide: true},
 ];
-const LAST_WIDTH = 5; // rem, at least
+const LAST_WIDTH = 4.5; // rem, at least
 
 const ALWAYS = () => true;
 
