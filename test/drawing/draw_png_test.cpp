@@ -102,6 +102,15 @@ TEST_F(DrawPng, ARoadThatLeadsNorthLiesLevelWithNorthToTheRight) {
   EXPECT_GT(north.y(), 0.0);
 }
 
+TEST_F(DrawPng, OfAnEgoThatTurnsTheRoadOfTheContactIsLevel) {
+  for (AgentState& state : view_.snapshot.ego.states) state.pose.yaw = 0.8;
+  const Viewport map = painter().mapViewport();
+  const Vector2 middle = map.area().center();
+  const Vector2 right = map.toWorld(middle + Vector2(10, 0)) - map.toWorld(middle);
+  EXPECT_GT(right.x(), 0.0);
+  EXPECT_NEAR(right.y(), 0.0, 1e-9);
+}
+
 TEST_F(DrawPng, NorthIsUpWhereTheEgoDrivesWest) {
   for (AgentState& state : view_.snapshot.ego.states) state.pose.yaw = M_PI;
   const Viewport map = painter().mapViewport();

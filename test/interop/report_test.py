@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The page of forge report in a headless Chromium."""
 import json
+import math
 import os
 import re
 import subprocess
@@ -24,6 +25,19 @@ for (let i = 0; i < data.length; i += 4) {
   sums[key] = (sums[key] || 0) + 1;
 }
 return sums;
+'''
+
+EGO_EXTENT = '''
+const canvas = document.getElementById('view');
+const {data, width} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+const [xs, ys] = [[], []];
+for (let i = 0; i < data.length; i += 4) {
+  if (data[i + 2] < 180 || data[i] > 70) continue;
+  xs.push(i / 4 % width);
+  ys.push(Math.floor(i / 4 / width));
+}
+const extent = (values) => values.reduce((a, b) => Math.max(a, b)) - values.reduce((a, b) => Math.min(a, b));
+return [extent(xs), extent(ys)];
 '''
 
 
@@ -114,6 +128,15 @@ class ReportTest(unittest.TestCase):
         self.assertGreater(ink['blue'], 300)
         self.assertEqual(len(self.find_all('.plot')), 3)
         self.shoot('attack')
+
+    def test_a_road_that_leads_north_lies_level(self):
+        line = 1 + next(place for place, answer in enumerate(self.answers) if answer['status']['code'] == 'OK'
+                        and answer['request']['type'] == 'rear_end'
+                        and abs(math.cos(answer['pattern']['ego']['yaw'])) < 0.1)
+        self.open_row(self.page, str(line))
+        width, height = self.browser.execute_script(EGO_EXTENT)
+        self.assertGreater(width, 1.8 * height, 'the box of the ego')
+        self.shoot('turned')
 
     def test_the_time_line_scrubs(self):
         self.open_attack()

@@ -8,9 +8,9 @@
 
 namespace forge {
 
-/// Draws the scenario from above at ScenarioMotion::keyTime(), turned so that the ego's heading at
-/// now is level. The picture is as wide as the options say, and at most as high: the map ends
-/// above and below what the drives need.
+/// Draws the scenario from above at ScenarioMotion::keyTime(), turned so that a straight road is
+/// level (ScenePainter::rightwards()). The picture is as wide as the options say, and at most as
+/// high: the map ends above and below what the drives need.
 ///
 /// Both functions write beside `path` and rename at the end, so `path` never holds half a picture.
 /// The same input gives the same bytes on the same machine. They throw std::runtime_error naming

@@ -1,6 +1,8 @@
 #include "collision_forge/drawing/scene_painter.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "collision_forge/drawing/box_painter.h"
@@ -12,6 +14,15 @@ namespace forge {
 namespace {
 
 constexpr double kTimeTolerance = 1e-6;  // s
+constexpr double kFarLess = 0.8;         // of a height
+
+/// Metres between the lowest and the highest point where `rightwards` points to the right.
+double heightOf(const std::vector<Vector2>& points, double rightwards) {
+  const Vector2 up(-std::sin(rightwards), std::cos(rightwards));
+  Eigen::AlignedBox<double, 1> extent;
+  for (const Vector2& point : points) extent.extend(Eigen::Matrix<double, 1, 1>(up.dot(point)));
+  return extent.isEmpty() ? 0.0 : extent.sizes()[0];
+}
 
 std::vector<Vector2> centers(const Viewport& viewport, const std::vector<OrientedBox>& boxes) {
   std::vector<Vector2> pixels;
@@ -50,8 +61,19 @@ ScenePainter::ScenePainter(const ScenarioView& view, const DrawingOptions& optio
       motion_(view) {}
 
 double ScenePainter::rightwards() const {
-  const auto ego = motion_.egoAt(motion_.now());
-  return ego ? std::atan(std::tan(ego->center.yaw)) : 0.0;
+  const std::vector<Vector2> shown = shownCorners(trailsFrom());
+  double best = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double time : {motion_.now(), motion_.keyTime()}) {
+    const auto ego = motion_.egoAt(time);
+    if (!ego) continue;
+    const double direction = std::atan(std::tan(ego->center.yaw));
+    const double height = heightOf(shown, direction);
+    if (height > kFarLess * least) continue;
+    best = direction;
+    least = height;
+  }
+  return best;
 }
 
 double ScenePainter::trailsFrom() const { return motion_.now() - options_.seconds_before_now; }

@@ -24,9 +24,10 @@ class ScenePainter {
   const ScenarioMotion& motion() const { return motion_; }
   bool hasContact() const { return view_.report.contact; }
 
-  /// The direction of the ground, radians from east, that points to the right in a picture: that of
-  /// the ego at now or the opposite one, whichever is at most a quarter turn from east. North is
-  /// then never below the middle, and a straight road fills the width.
+  /// The direction of the ground, radians from east, that points to the right in a picture, so that
+  /// a straight road fills the width: that of the ego at now, or at keyTime() if the picture is
+  /// then far less high, or the opposite one. At most a quarter turn from east: north is never
+  /// down.
   double rightwards() const;
   /// When the trails of the past begin.
   double trailsFrom() const;

@@ -7,6 +7,7 @@ import {OUTCOME_NOTES, amount, degrees, element, title} from './words.js';
 
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
 const AFTER_CONTACT = 1.5; // s shown after a planner's contact, where its drive ends
+const FAR_LESS = 0.8; // of the height of the view
 
 /** "scenarios:3, Left turn across path, 4.0 s from now, car, cut in"; of a test its planner comes second. */
 export function headline(rows, row) {
@@ -50,6 +51,7 @@ export function worldOf({now, tta, scene, attack, test}) {
       if (t >= -0.5 && t <= world.end) world.focus.push([role.motion.x[i], role.motion.y[i]]);
     });
   }
+  world.rightwards = rightwardsOf(world);
   return world;
 }
 
@@ -66,6 +68,23 @@ function addAttacker(world, attack, drive) {
   world.roles.push({motion, ...size, color: 'attacker', isAttacker: true, isTimed: true, name: 'Attacker'});
   world.aim = {ego: aim.ego, attacker: aim.attacker, attackerSize: size,
     egoSize: {length: attack.ego_length, width: attack.ego_width}};
+}
+
+/**
+ * The direction that points to the right, radians from east, as in pictures: that of the ego at now, or at the contact
+ * (else of the pattern) if the view is then far less high, or the opposite one. At most a quarter turn from east.
+ */
+function rightwardsOf(world) {
+  const ego = world.roles.find((role) => role.isFollowed);
+  const poses = ego ? [stateAt(ego.motion, 0), world.contact && stateAt(ego.motion, world.contact.t)] : [];
+  if (world.aim && !poses[1]) poses.push(world.aim.ego);
+  const directions = poses.filter((pose) => pose).map(({yaw}) => Math.atan(Math.tan(yaw)));
+  const heightOf = (direction) => {
+    const heights = world.focus.map(([x, y]) => y * Math.cos(direction) - x * Math.sin(direction));
+    return Math.max(...heights) - Math.min(...heights);
+  };
+  return directions.reduce((best, next) => (heightOf(next) < FAR_LESS * heightOf(best) ? next : best),
+    directions[0] || 0);
 }
 
 /** Of the planner, else in the recording, else as it was predicted. */

@@ -77,9 +77,11 @@ export class TopView {
     }
   }
 
-  /** `world`: map, others, roles ({motion, length, width, color, ...}), aim, contact, focus. */
+  /** `world`: map, others, roles ({motion, length, width, color, ...}), aim, contact, focus, rightwards. */
   show(world) {
     this.world = world;
+    this.cos = Math.cos(world.rightwards);
+    this.sin = Math.sin(world.rightwards);
     this.paths = world.map && new MapPaths(world.map);
     this.resize();
     this.fit();
@@ -95,14 +97,23 @@ export class TopView {
     this.draw();
   }
 
+  /** A step on the ground, as the view is turned: to the right and up. */
+  turned([x, y]) {
+    return [this.cos * x + this.sin * y, this.cos * y - this.sin * x];
+  }
+
+  turnedBack([x, y]) {
+    return [this.cos * x - this.sin * y, this.cos * y + this.sin * x];
+  }
+
   /** Shows all of the ways from now on. */
   fit() {
-    const places = this.world.focus;
+    const places = this.world.focus.map((place) => this.turned(place));
     if (!places.length || !this.width) return;
     const range = (k) => [Math.min(...places.map((place) => place[k])), Math.max(...places.map((place) => place[k]))];
     const [left, right] = range(0);
     const [bottom, top] = range(1);
-    this.middle = [(left + right) / 2, (bottom + top) / 2];
+    this.middle = this.turnedBack([(left + right) / 2, (bottom + top) / 2]);
     this.scale = Math.min(this.width / (right - left + 24), this.height / (top - bottom + 24), 18);
     this.draw();
   }
@@ -118,7 +129,8 @@ export class TopView {
   }
 
   placeAt(x, y) {
-    return [this.middle[0] + (x - this.width / 2) / this.scale, this.middle[1] - (y - this.height / 2) / this.scale];
+    const step = this.turnedBack([(x - this.width / 2) / this.scale, (this.height / 2 - y) / this.scale]);
+    return [this.middle[0] + step[0], this.middle[1] + step[1]];
   }
 
   /** One finger or the mouse moves the map, two fingers zoom. */
@@ -133,8 +145,8 @@ export class TopView {
       this.zoom(reach(now) / Math.max(reach(before), 1), ...other[1]);
       return;
     }
-    this.middle = [this.middle[0] - (now[0] - before[0]) / this.scale,
-      this.middle[1] + (now[1] - before[1]) / this.scale];
+    const step = this.turnedBack([(before[0] - now[0]) / this.scale, (now[1] - before[1]) / this.scale]);
+    this.middle = [this.middle[0] + step[0], this.middle[1] + step[1]];
     this.draw();
   }
 
@@ -155,8 +167,10 @@ export class TopView {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.fillStyle = this.colors('ground');
     context.fillRect(0, 0, this.width, this.height);
-    context.setTransform(ratio * this.scale, 0, 0, -ratio * this.scale,
-      ratio * (this.width / 2 - this.middle[0] * this.scale), ratio * (this.height / 2 + this.middle[1] * this.scale));
+    const zoom = ratio * this.scale;
+    const [right, up] = this.turned(this.middle);
+    context.setTransform(zoom * this.cos, zoom * this.sin, zoom * this.sin, -zoom * this.cos,
+      ratio * (this.width / 2 - right * this.scale), ratio * (this.height / 2 + up * this.scale));
     this.pixel = 1 / this.scale; // m
     if (this.paths) this.drawMap();
     this.drawOthers();
@@ -166,6 +180,7 @@ export class TopView {
     this.drawContact();
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.drawScaleBar();
+    this.drawNorth();
   }
 
   drawMap() {
@@ -292,6 +307,20 @@ export class TopView {
     context.fill();
     context.stroke();
     context.globalAlpha = 1;
+  }
+
+  drawNorth() {
+    const {context} = this;
+    const [x, y] = [this.width - 22, this.height - 34];
+    const [right, up] = this.turned([0, 1]);
+    context.fillStyle = this.colors('text');
+    context.beginPath();
+    for (const [ahead, aside] of [[10, 0], [-10, 7], [-5, 0], [-10, -7]]) {
+      context.lineTo(x + ahead * right + aside * up, y - ahead * up + aside * right);
+    }
+    context.fill();
+    context.font = '12px system-ui, sans-serif';
+    context.fillText('N', x - 4, this.height - 8);
   }
 
   drawScaleBar() {
