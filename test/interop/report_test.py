@@ -179,6 +179,10 @@ class ReportTest(unittest.TestCase):
         self.chip('Declined').click()
         self.find('.rows .row').click()
         until(self.browser, 'return document.getElementById("detail").open')
+        reason = self.find('.rows .of-message').get_attribute('textContent')
+        self.assertIn(reason, self.find('#facts').text.replace('\n', ' '))
+        self.assertEqual(self.browser.execute_script(
+            'const cell = document.querySelector(".rows .of-message"); return cell.scrollWidth - cell.clientWidth'), 0)
         codes = {answer['status']['code'] for answer in self.answers} - {'OK'}
         self.assertTrue(any(code in self.find('#facts').text for code in codes))
 

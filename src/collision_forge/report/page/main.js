@@ -56,14 +56,15 @@ class Kinds {
   constructor(place, rows, table) {
     Object.assign(this, {rows, table});
     const all = Array.from({length: rows.length}, (_, row) => row);
-    this.kinds = [{title: 'Planner tests', list: all.filter((row) => rows.isTest(row))},
-      {title: 'Attacks', list: all.filter((row) => !rows.isTest(row))}].filter(({list}) => list.length);
+    const tests = {title: 'Planner tests', list: all.filter((row) => rows.isTest(row))};
+    const attacks = {title: 'Attacks', list: all.filter((row) => !rows.isTest(row))};
+    this.kinds = [tests, attacks].filter(({list}) => list.length);
     for (const kind of this.kinds) {
       kind.button = element('button', {type: 'button', onclick: () => this.choose(kind)}, kind.title,
         element('small', {}, String(kind.list.length)));
     }
     if (this.kinds.length > 1) place.append(...this.kinds.map(({button}) => button));
-    if (this.kinds.length) this.choose(this.kinds[0]);
+    this.choose(this.kinds[0] || attacks);
   }
 
   choose(kind) {

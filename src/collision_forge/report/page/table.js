@@ -29,6 +29,7 @@ const COLUMNS = [
 ];
 const LAST_WIDTH = 4.5; // rem, at least
 
+const WITHOUT_DRIVE = ['declined', 'untested'];
 const ALWAYS = () => true;
 
 export class Table {
@@ -128,9 +129,21 @@ export class Table {
         this.choose(place);
         this.onOpen(row);
       },
-    }, ...this.columns.map((column) => this.makeCell(column, row)));
+    }, ...this.cellsOf(row));
     made.style.top = place * ROW_HEIGHT + 'px';
     return made;
+  }
+
+  /** Where there is no drive, the reason takes the place of all that is said of one. */
+  cellsOf(row) {
+    if (!WITHOUT_DRIVE.includes(this.rows.text('outcome', row))) {
+      return this.columns.map((column) => this.makeCell(column, row));
+    }
+    const count = this.columns.findIndex(({key}) => key === 'outcome') + 1;
+    const reason = this.makeCell(this.columns[this.columns.length - 1], row);
+    reason.style.gridColumn = `${count + 1} / -1`;
+    reason.setAttribute('aria-colspan', this.columns.length - count);
+    return [...this.columns.slice(0, count).map((column) => this.makeCell(column, row)), reason];
   }
 
   makeCell(column, row) {
