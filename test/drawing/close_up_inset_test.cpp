@@ -27,6 +27,21 @@ TEST(FreeCorner, CoversAsFewPointsAsPossible) {
   expectAt(freeCorner(kArea, 20.0, 5.0, {upper_right, upper_left, lower_right}), 105.0, 235.0);
 }
 
+TEST(CloseUpInset, FollowsTheVehiclesAfterTheContact) {
+  const ScenarioView view = sampleCrash();
+  const DrawingOptions options = sampleOptions();
+  const ScenePainter scene(view, options, 6.0, PictureKind::kAnimation, false);
+  Image image(100, 100, options.text_color);
+  Canvas canvas(image);
+  CloseUpInset(scene, {20.0, 30.0, 64.0, 64.0}, options).paint(canvas, scene.motion().standTime());
+  const double scale = 64.0 / options.close_up_extent;  // pixels a metre
+  const int beside = 30 + 32 + static_cast<int>(0.6 * scale);
+  EXPECT_EQ(image.pixel(20 + 32 + static_cast<int>(2.0 * scale), beside),
+            packedColor(options.ego_color));
+  EXPECT_EQ(image.pixel(20 + 32 - static_cast<int>(3.0 * scale), beside),
+            packedColor(options.attacker_color));
+}
+
 TEST(CloseUpInset, ShowsTheContactFromNearInItsSquareAlone) {
   const ScenarioView view = sampleView();
   const DrawingOptions options = sampleOptions();

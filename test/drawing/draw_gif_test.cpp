@@ -105,7 +105,7 @@ TEST_F(DrawGif, HasTheAskedWidthFramesAndDelays) {
   }
 }
 
-TEST_F(DrawGif, EgoAndAttackerMoveAndStopAtContact) {
+TEST_F(DrawGif, EgoAndAttackerMoveUpToTheContact) {
   const Animation animation = draw();
   ASSERT_EQ(animation.frames.size(), kFrames);
   const Color& ego = options_.ego_color;
@@ -117,6 +117,19 @@ TEST_F(DrawGif, EgoAndAttackerMoveAndStopAtContact) {
     EXPECT_TRUE(looksLike(animation.at(frame, pixelOf({10, 0})), ego));
     EXPECT_TRUE(looksLike(animation.at(frame, pixelOf({5.5, 0})), attacker));
   }
+}
+
+TEST_F(DrawGif, EgoAndAttackerComeToRestAfterTheContact) {
+  view_ = sampleCrash();
+  const Animation animation = draw();
+  ASSERT_EQ(animation.frames.size(), kContactFrame + 1 + 15) << "1 s to the stand and 0.5 s more";
+  const Color& ego = options_.ego_color;
+  const Color& attacker = options_.attacker_color;
+  for (const std::size_t frame : {kContactFrame + 10, kContactFrame + 15}) {
+    EXPECT_TRUE(looksLike(animation.at(frame, pixelOf({13.875, -0.6})), ego));
+    EXPECT_TRUE(looksLike(animation.at(frame, pixelOf({9.375, -0.6})), attacker));
+  }
+  EXPECT_TRUE(looksLike(animation.at(kContactFrame, pixelOf({10.0, -0.6})), ego));
 }
 
 TEST_F(DrawGif, TheContactMarkAppearsAtContact) {

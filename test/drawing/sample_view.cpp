@@ -76,6 +76,22 @@ ScenarioView sampleView() {
   view.report.ego_at_contact = {10.0, 0.0, 0.0};
   view.report.attacker_at_contact = {5.5, 0.0, 0.0};
   view.report.type_kept = view.report.on_time = view.report.limits_kept = true;
+  view.seconds_after_stand = 0.5;
+  return view;
+}
+
+ScenarioView sampleCrash() {
+  ScenarioView view = sampleView();
+  DriveLimitOptions limits;
+  for (DriveLimits& row : limits.rows) row.max_braking = 7.75;
+  // With areas of 8 and 10 m2 they go on at (4 * 5 + 5 * 9.95) / 9 = 7.75 m/s.
+  const CrashedVehicle ego{AgentClass::kCar,
+                           view.future.ego.size,
+                           {kContactTime, view.report.ego_at_contact, {5.0, 0.0}}};
+  const CrashedVehicle attacker{AgentClass::kCar,
+                                view.trajectory.size,
+                                {kContactTime, view.report.attacker_at_contact, {9.95, 0.0}}};
+  view.crash.emplace(ego, attacker, limits);
   return view;
 }
 
@@ -88,7 +104,6 @@ DrawingOptions sampleOptions() {
   options.gif_height = 360;
   options.gif_font_size = 6.0;
   options.gif_frames_per_second = 10.0;
-  options.gif_seconds_after_contact = 0.5;
   options.gif_contact_hold = 0.7;
   options.seconds_before_now = 2.0;
   options.view_margin = 4.0;

@@ -111,7 +111,7 @@ TEST_F(DrawScenarioGrid, CellsPlayInStepAndStandStillAfterTheirRowsEnd) {
   }
   grid_.rows = {{touching(), touching(), touching()}, {{early, ""}, {early, ""}, {early, ""}}};
   const GridPainter grid = painter(PictureKind::kAnimation);
-  EXPECT_NEAR(grid.end(), 2.04 + options_.gif_seconds_after_contact, 1e-6);
+  EXPECT_NEAR(grid.end(), 2.04 + early.seconds_after_stand, 1e-6);
   const Image now = grid.paint(0.0);
   EXPECT_EQ(at(now, grid, 0, 0, {-0.8, -0.6}), packedColor(options_.ego_color));
   const Image half = grid.paint(0.5);
@@ -125,10 +125,16 @@ TEST_F(DrawScenarioGrid, CellsPlayInStepAndStandStillAfterTheirRowsEnd) {
 
 TEST_F(DrawScenarioGrid, EndsWhereNothingMoreIsKnown) {
   grid_.rows.pop_back();
-  options_.gif_seconds_after_contact = 60.0;
+  for (GridCell& cell : grid_.rows[0]) cell.view.seconds_after_stand = 60.0;
   EXPECT_NEAR(painter().end(), 4.0, 1e-6) << "the ego's future";
   grid_.rows[0][1].view.trajectory.points.resize(31);
   EXPECT_NEAR(painter().end(), 3.0, 1e-6) << "an attacker that goes on";
+}
+
+TEST_F(DrawScenarioGrid, GoesOnUntilTheLastCrashHasComeToAStand) {
+  grid_.rows.pop_back();
+  for (GridCell& cell : grid_.rows[0]) cell = {sampleCrash(), ""};
+  EXPECT_NEAR(painter(PictureKind::kAnimation).end(), 3.04 + 0.5, 1e-6);
 }
 
 TEST_F(DrawScenarioGrid, FarContactsAreShownFromNearToo) {

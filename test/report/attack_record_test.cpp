@@ -4,6 +4,7 @@
 
 #include "collision_forge/settings/config.h"
 #include "collision_forge/trials/planner_result_file.h"
+#include "report/decoded_motion.h"
 #include "report/report_scenes.h"
 
 namespace forge {
@@ -29,8 +30,41 @@ TEST(AttackRecord, HasWhatTheRecordingSaysWhereThatIsKnown) {
   const Scenario scenario = rearEnd();
   const VerificationOptions options = shippedOptions();
   EXPECT_THAT(attackRecord(scenario, scenario.answer, {}, options), Not(HasSubstr("recorded\":{")));
-  EXPECT_THAT(attackRecord(scenario, scenario.answer, CollisionReport(), options),
+  EXPECT_THAT(attackRecord(scenario, scenario.answer, RecordedAttack(), options),
               HasSubstr(R"("recorded":{"verified":false,"contact":false)"));
+}
+
+/// Of two equal cars at 10 s after kNow: the ego at 4 m/s is hit from behind at 8 m/s.
+ShownCrash crash() {
+  const BoxSize size{4.0, 2.0};
+  const double time = kNow + 10.0;
+  return {PostCrashMotion({AgentClass::kCar, size, {time, {20.0, 0.0, 0.0}, {4.0, 0.0}}},
+                          {AgentClass::kCar, size, {time, {16.0, 0.0, 0.0}, {8.0, 0.0}}},
+                          shippedOptions().drivable),
+          2.0};
+}
+
+TEST(AttackRecord, HasTheMotionAfterTheContactUpToSomeSecondsAfterTheStand) {
+  const Scenario scenario = rearEnd();
+  const auto record = [&](const RecordedAttack& recorded) {
+    return attackRecord(scenario, scenario.answer, recorded, shippedOptions());
+  };
+  EXPECT_THAT(record({}), Not(HasSubstr("\"crash\":")));
+  const std::string line = record({{}, crash()});
+  EXPECT_THAT(line, HasSubstr(R"("crash":{"ego":{"t":[10000,100)"));
+  EXPECT_THAT(line, HasSubstr(R"("attacker":{"t":[10000,100)"));
+  const auto motionOf = [&](const std::string& who) {
+    const std::size_t begin = line.find('"' + who + "\":{", line.find("\"crash\":"));
+    return decodedMotion(line.substr(begin, line.find('}', begin) - begin));
+  };
+  const DecodedMotion ego = motionOf("ego");
+  const DecodedMotion attacker = motionOf("attacker");
+  const PostCrashMotion motion = crash().motion;
+  EXPECT_NEAR(ego.t.back(), motion.standTime() + 2.0 - kNow, 1e-3);
+  for (std::size_t i = 0; i < ego.t.size(); ++i) {
+    EXPECT_NEAR(ego.x[i], motion.egoAt(kNow + ego.t[i]).pose.x, 0.02);
+    EXPECT_NEAR(attacker.x[i], motion.attackerAt(kNow + attacker.t[i]).pose.x, 0.02);
+  }
 }
 
 TEST(AttackRecord, TellsAllOfTheReportThatTheScenarioFileDoes) {
@@ -70,6 +104,9 @@ TEST(PlannerRecord, HasTheMotionWhereItWasDrivenAgain) {
   shown.driven->driven = rearEnd().answer.trajectory.points;
   EXPECT_THAT(plannerRecord(result, row, shown),
               AllOf(HasSubstr(R"("drive":{"ego":{"t":[0,100)"), Not(HasSubstr("\"escape\":{"))));
+  EXPECT_THAT(plannerRecord(result, row, shown), Not(HasSubstr("\"crash\":")));
+  shown.crash = crash();
+  EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("crash":{"ego":{"t":[10000,100)"));
   shown.escape = Escape{{EvasiveManoeuvre::kBraking, kNow + 1.0, shown.driven->driven, 0.0}, {}};
   EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("escape":{"t":[0,100)"));
 }

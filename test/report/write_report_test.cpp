@@ -21,7 +21,9 @@ std::string contentOf(const std::string& path) {
 
 std::size_t write(const ReportInputs& inputs, const std::string& folder) {
   static const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
-  return writeReportPage(inputs, folder, {config.report, config.drawing, config, config.planners});
+  return writeReportPage(inputs, folder,
+                         {config.report, config.drawing, config, config.planners,
+                          config.attacked_bag.seconds_after_stand});
 }
 
 TEST(PageFile, CountsItsRecords) {

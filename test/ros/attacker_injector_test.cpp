@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "collision_forge/settings/config.h"
+
 namespace forge {
 namespace {
 
@@ -20,8 +22,13 @@ collision_forge::AttackerTrajectory trajectory() {
   return message;
 }
 
-/// From the trajectory's end on: from 10 m/s with 5 m/s2.
-BrakingSlide slide() { return {11.0, {10.0, 0.0}, 5.0}; }
+/// Every vehicle brakes with 5 m/s2.
+DriveLimitOptions limits() {
+  DriveLimitOptions options =
+      loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").attack.verification.drivable;
+  for (DriveLimits& row : options.rows) row.max_braking = 5.0;
+  return options;
+}
 
 /// A frame with the attacker at y = 3, and somebody else.
 collision_forge::AgentArray frame(double time, double height) {
@@ -41,7 +48,7 @@ collision_forge::AgentArray frame(double time, double height) {
 }
 
 TEST(AttackerInjector, TheAttackerDrivesItsTrajectoryAndSlidesToAStandAfterwards) {
-  AttackerInjector injector(trajectory(), slide());
+  AttackerInjector injector(trajectory(), limits());
   EXPECT_EQ(injector.inject(frame(10.0, 1.6)), frame(10.0, 1.6));
   const auto injected = injector.inject(frame(10.5, 1.7));
   EXPECT_EQ(injected.agents[0], frame(10.5, 1.7).agents[0]);
@@ -59,14 +66,14 @@ TEST(AttackerInjector, TheAttackerDrivesItsTrajectoryAndSlidesToAStandAfterwards
 }
 
 TEST(AttackerInjector, OneThatWasRecordedTwiceIsThereOnce) {
-  AttackerInjector injector(trajectory(), slide());
+  AttackerInjector injector(trajectory(), limits());
   auto recorded = frame(10.5, 1.6);
   recorded.agents.push_back(recorded.agents[1]);
   EXPECT_EQ(injector.inject(recorded).agents.size(), 2u);
 }
 
 TEST(AttackerInjector, OneThatStartsLateTakesTheHeightFromTheFirstFrameThatHasIt) {
-  AttackerInjector injector(trajectory(), slide());
+  AttackerInjector injector(trajectory(), limits());
   auto without = frame(10.2, 1.6);
   without.agents.pop_back();
   EXPECT_EQ(injector.inject(without).agents[1].size.z, 0.0);
@@ -94,7 +101,7 @@ collision_forge::AttackerTrajectory addedTrajectory() {
 }
 
 TEST(AttackerInjector, OneThatWasAddedIsANewAgentFromItsFirstStateOn) {
-  AttackerInjector injector(addedTrajectory(), slide());
+  AttackerInjector injector(addedTrajectory(), limits());
   EXPECT_EQ(injector.inject(frame(8.5, 1.6)), frame(8.5, 1.6));
   double x = -10.0;
   for (const double time : {9.0, 9.5, 10.0, 10.5}) {
@@ -112,18 +119,23 @@ TEST(AttackerInjector, OneThatWasAddedIsANewAgentFromItsFirstStateOn) {
   }
 }
 
-TEST(AttackerInjector, TheTrajectoryIsLeftWhereTheSlideBegins) {
-  AttackerInjector injector(trajectory(), {10.5, {0.0, 4.0}, 4.0});  // stands after 1 s and 2 m
+TEST(AttackerInjector, TheTrajectoryIsLeftAtTheContact) {
+  AttackerInjector injector(trajectory(), limits());
+  const CrashedVehicle crashed{AgentClass::kCar, {4.5, 2.0}, {10.5, {5.0, 0.0, 0.0}, {0.0, 5.0}}};
+  injector.setCrash(PostCrashMotion(crashed, crashed, limits()));  // stands after 1 s and 2.5 m
+  EXPECT_EQ(injector.inject(frame(10.4, 1.6)).agents[1].pose.position.x, 4.0);
   const auto sliding = injector.inject(frame(11.0, 1.6)).agents[1];
   EXPECT_EQ(sliding.pose.position.x, 5.0);
-  EXPECT_NEAR(sliding.pose.position.y, 1.5, 1e-9);
-  EXPECT_NEAR(sliding.velocity.y, 2.0, 1e-9);
+  EXPECT_NEAR(sliding.pose.position.y, 1.875, 1e-9);
+  EXPECT_NEAR(sliding.velocity.y, 2.5, 1e-9);
   EXPECT_EQ(sliding.velocity.x, 0.0);
-  EXPECT_NEAR(injector.inject(frame(20.0, 1.6)).agents[1].pose.position.y, 2.0, 1e-9);
+  EXPECT_NEAR(injector.inject(frame(20.0, 1.6)).agents[1].pose.position.y, 2.5, 1e-9);
+  injector.setCrash(std::nullopt);
+  EXPECT_EQ(injector.inject(frame(11.0, 1.6)).agents[1].pose.position.x, 10.0);
 }
 
 TEST(AttackerInjector, OneThatWasAddedIsAsHighAsTheNearestOfItsClass) {
-  AttackerInjector injector(addedTrajectory(), slide());
+  AttackerInjector injector(addedTrajectory(), limits());
   auto recorded = frame(9.5, 1.6);
   recorded.agents[0].agent_class = collision_forge::Agent::TRUCK;
   recorded.agents[0].size.z = 3.0;
@@ -137,11 +149,11 @@ TEST(AttackerInjector, OneThatWasAddedIsAsHighAsTheNearestOfItsClass) {
 }
 
 TEST(AttackerInjector, AChangedTrajectoryIsDrivenAtTheSameHeight) {
-  AttackerInjector injector(trajectory(), slide());
+  AttackerInjector injector(trajectory(), limits());
   injector.inject(frame(10.0, 1.6));
   auto changed = trajectory();
   for (auto& point : changed.points) point.pose.position.y = -2.0;
-  EXPECT_TRUE(injector.change(changed, slide()));
+  EXPECT_TRUE(injector.change(changed));
   const auto injected = injector.inject(frame(10.5, 1.7));
   EXPECT_EQ(injected.agents[1].pose.position.y, -2.0);
   EXPECT_EQ(injected.agents[1].pose.position.z, 0.8);
@@ -149,16 +161,16 @@ TEST(AttackerInjector, AChangedTrajectoryIsDrivenAtTheSameHeight) {
 }
 
 TEST(AttackerInjector, ATrajectoryOfAnotherAttackIsNoChange) {
-  AttackerInjector injector(trajectory(), slide());
+  AttackerInjector injector(trajectory(), limits());
   auto of_another = trajectory();
   of_another.attacker_id = "other";
   auto later = trajectory();
   later.header.stamp = ros::Time(10.5);
   for (auto* changed : {&of_another, &later}) {
     for (auto& point : changed->points) point.pose.position.y = -2.0;
-    EXPECT_FALSE(injector.change(*changed, slide()));
+    EXPECT_FALSE(injector.change(*changed));
   }
-  EXPECT_FALSE(injector.change(addedTrajectory(), slide()));
+  EXPECT_FALSE(injector.change(addedTrajectory()));
   EXPECT_EQ(injector.inject(frame(10.5, 1.6)).agents[1].pose.position.y, 0.0);
 }
 

@@ -31,7 +31,7 @@ collision_forge::CollisionReport tested() {
 
 TEST(CrashWords, CountDownInTheTimeGiven) {
   EXPECT_EQ(countdownWords(attack(), ros::Time(10.6)), "contact in 2.4 s");
-  EXPECT_EQ(countdownWords(attack(), ros::Time(13.05)), "contact is due");
+  EXPECT_EQ(countdownWords(attack(), ros::Time(13.2)), "contact predicted 0.2 s ago");
   collision_forge::Attack missed = attack();
   missed.report.contact = false;
   EXPECT_EQ(countdownWords(missed, ros::Time(10.6)), "no contact foreseen");

@@ -17,6 +17,7 @@
 
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/bag_reader.h"
+#include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/object_array.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/settings/config.h"
@@ -110,6 +111,7 @@ class InjectIntoBagTest : public testing::Test {
     attack_.tested_report.contact = true;
     attack_.tested_report.contact_time = ros::Time(kContact);
     attack_.tested_report.ego_at_contact.x = egoAt(kContact);
+    seconds_after_stand_ = 60.0;
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
@@ -132,8 +134,9 @@ class InjectIntoBagTest : public testing::Test {
 
   /// The base is the middle of the ego's box here.
   void inject() {
-    injectIntoBag(in_, out_, attack_,
-                  {ego_, 0.0, config_.attack.verification.drivable, config_.attacked_bag});
+    AttackedBagOptions options = config_.attacked_bag;
+    options.seconds_after_stand = seconds_after_stand_;
+    injectIntoBag(in_, out_, attack_, {ego_, 0.0, config_.attack.verification.drivable, options});
   }
 
   template <typename Message>
@@ -156,6 +159,7 @@ class InjectIntoBagTest : public testing::Test {
   std::string out_;
   Track ego_;
   BagAttack attack_;
+  double seconds_after_stand_;  ///< longer than the recording, if no test sets it
 };
 
 const collision_forge::Agent& attackerIn(const collision_forge::AgentArray& frame) {
@@ -240,6 +244,24 @@ TEST_F(InjectIntoBagTest, TheEgoIsThereAtTheContact) {
   const auto odometry = read<nav_msgs::Odometry>(bagTopic(names::kOdometry))[5];
   EXPECT_NEAR(odometry.pose.pose.position.x, egoAt(kContact), 1e-6);
   EXPECT_NEAR(odometry.twist.twist.linear.x, kEgoSpeed, 1e-9);
+}
+
+TEST_F(InjectIntoBagTest, TheBagEndsSomeSecondsAfterBothStand) {
+  writeRecording({8.5, 9.0, 9.5, 10.0, 10.5, 11.0, 11.5, 12.0, 12.5, 13.0, 13.5, 14.0, 14.5, 15.0});
+  const double stand = motionAfterContact(kContact, fromMessage(attack_.attack.trajectory), ego_,
+                                          config_.attack.verification.drivable)
+                           ->standTime();
+  for (const double seconds : {0.0, 1.0}) {
+    seconds_after_stand_ = seconds;
+    inject();
+    for (const double last :
+         {frames().back().header.stamp.toSec(),
+          read<tf2_msgs::TFMessage>(names::kTf).back().transforms.front().header.stamp.toSec()}) {
+      EXPECT_LE(last, stand + seconds);
+      EXPECT_GT(last, stand + seconds - 0.5) << "tf comes twice a second here";
+      EXPECT_LT(last, 15.0 - 0.5);
+    }
+  }
 }
 
 TEST_F(InjectIntoBagTest, TheBagMayEndShortlyAfterTheContact) {

@@ -1,5 +1,7 @@
 """What the rostests share: the suite, started beside the test under the test's own master, and a player of bags that
 goes exactly as far as it is told to and then lets time stand still."""
+import cmath
+import math
 import os
 import signal
 import subprocess
@@ -16,13 +18,15 @@ import road
 from collision_forge.msg import AgentArray, Attack, AttackMethods, AttackRequest, CollisionReport, EncodedScene
 from collision_forge.srv import GenerateCollision
 from nav_msgs.msg import Path
-from visualization_msgs.msg import MarkerArray
+from visualization_msgs.msg import Marker, MarkerArray
 
 TIMEOUT = 30.0  # s; for what takes a fraction of a second on an idle machine
 RATE = 10.0  # Hz of injected_agents while there is an attack
 SAME_CONTACT = 0.02  # s; bag and node see other poses of the ego
 SAME_SPEED = 0.1     # m/s
 SAME_SLIDE = 0.3  # m, m/s; what that makes of a slide
+SAME_PLACE = 0.1  # m, of the boxes that are shown one second after a contact
+MOST_OVERLAP = 0.1  # m of two boxes that touch, as they are shown
 CLOCK_LEAD = 0.5  # s from the first /clock to the first message: tf2 drops what is before its past until time jumps back
 
 # What every node of the suite publishes, hears and answers.
@@ -42,7 +46,8 @@ NODES = {
     'attacker_injector': (['/injected_agents', '/injected_objects'], ['/agents', '/attack', '/tf', '/tf_static'], []),
     'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers',
                           '/tf_static'],
-                         ['/attack', '/encoded_scene', '/lane_map', '/predicted_patterns', '/tested_report'], []),
+                         ['/attack', '/encoded_scene', '/lane_map', '/predicted_patterns', '/tested_report', '/tf',
+                          '/tf_static'], []),
 }
 MANAGER = 'collision_forge_manager'
 PLAYED = ['/agents', '/lane_map', '/tf']  # what the suite hears of a bag
@@ -148,6 +153,26 @@ class Suite:
         except subprocess.TimeoutExpired:
             self.process.kill()
             raise
+
+
+def shown_box(markers, name):
+    """Middle, heading and size of the box in a namespace of scene_markers."""
+    marker = next(marker for marker in markers.markers if marker.ns == name and marker.type == Marker.CUBE)
+    position = marker.pose.position
+    return complex(position.x, position.y), road.yaw_of(marker.pose.orientation), (marker.scale.x, marker.scale.y)
+
+
+def depth_between(first, second):
+    """How far two boxes overlap, m, along the axis on which they overlap least; negative: the gap between them."""
+    def corners(box):
+        middle, yaw, (length, width) = box
+        return [middle + complex(ahead * length / 2, left * width / 2) * cmath.rect(1.0, yaw)
+                for ahead, left in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
+
+    def depth_along(yaw):
+        spans = [[(corner * cmath.rect(1.0, -yaw)).real for corner in corners(box)] for box in (first, second)]
+        return min(max(spans[0]), max(spans[1])) - max(min(spans[0]), min(spans[1]))
+    return min(depth_along(box[1] + quarter) for box in (first, second) for quarter in (0.0, math.pi / 2))
 
 
 def living_connections(end):
@@ -403,6 +428,35 @@ class WholeRoadTest(LiveTest):
             self.assertAlmostEqual(tested.impact_speed, offline.impact_speed, delta=SAME_SPEED)
             self.assertAlmostEqual(tested.overlap, offline.overlap, delta=0.02)
         return tested
+
+    def play_clock_to(self, seconds):
+        """Plays, lets time stand still there, and returns the second picture of scene_markers after that."""
+        self.player.play_to(seconds)
+        self.player.publishers['/clock'].publish(Clock(self.player.start + rospy.Duration(seconds)))
+        pictures = self.heard['/scene_markers']
+        pictures.clear()
+        until(lambda: len(pictures.all()) > 1, 'two pictures')
+        return pictures.all()[1]
+
+    def assert_crash_shown(self, attacked):
+        """Played from before the contact on, the boxes touch and then move as in the bag; they never overlap."""
+        report = road.read_one(attacked, '/tested_report')
+        self.assertTrue(report.contact)
+        contact = (report.contact_time - self.player.start).to_sec()
+        depths = []
+        for step in range(-15, 25):
+            picture = self.play_clock_to(contact + 0.02 * step)
+            depths.append(depth_between(shown_box(picture, 'ego'), shown_box(picture, 'attacker')))
+        self.assertLess(max(depths), MOST_OVERLAP, depths)
+        self.assertGreater(min(depths[16:]), -MOST_OVERLAP, depths)
+        second_after = report.contact_time + rospy.Duration(1.0)
+        markers = min((message for message, _ in road.read(attacked, '/attack_markers')),
+                      key=lambda message: abs(message.markers[-1].header.stamp - second_after))
+        picture = self.play_clock_to((markers.markers[-1].header.stamp - self.player.start).to_sec())
+        for name in ('ego', 'attacker'):
+            (place, yaw, _), (expected, expected_yaw, _) = shown_box(picture, name), shown_box(markers, name)
+            self.assertLess(abs(place - expected), SAME_PLACE, name)
+            self.assertLess(abs(road.angle_between(yaw, expected_yaw)), 0.05, name)
 
     def assert_injected(self, actual, expected, report):
         """A frame with the attacker is as in the bag, after the contact as nearly as that is found."""

@@ -10,6 +10,7 @@
 
 #include "collision_forge/ros/label_places.h"
 #include "collision_forge/ros/marker_colors.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
@@ -59,6 +60,18 @@ class LiveSceneTest : public testing::Test {
     tested_.ego_at_contact.x = 9.4;
     live_.scene = &scene_;
     live_.now = ros::Time(12.25);
+  }
+
+  /// The ego at rest, hit from ahead by the attacker with 8 m/s at 13 s.
+  void showCrash(double now) {
+    const DriveLimitOptions limits =
+        loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").attack.verification.drivable;
+    const BoxSize size{4.6, 1.9};
+    live_.attack = &attack_;
+    live_.now = ros::Time(now);
+    live_.crash.emplace(
+        CrashedVehicle{AgentClass::kCar, size, {13.0, {9.4, 0.0, 0.0}, {0.0, 0.0}}},
+        CrashedVehicle{AgentClass::kCar, size, {13.0, {14.0, 0.0, M_PI}, {-8.0, 0.0}}}, limits);
   }
 
   std::vector<Marker> shown(const std::string& name) const {
@@ -113,15 +126,37 @@ TEST_F(LiveSceneTest, ShowsTheAttackerDriveBesideItsRecordedGhost) {
   EXPECT_EQ(shown("words")[0].text.substr(0, 12), "contact in 0");
 }
 
-TEST_F(LiveSceneTest, LeavesBothWhereTheyTouchedWithTheVerdict) {
-  live_.attack = &attack_;
-  live_.verdict = &tested_;
-  live_.now = ros::Time(13.2);
-  EXPECT_NEAR(shown("attacker")[0].pose.position.x, 14.0, 1e-6);
-  EXPECT_NEAR(shown("ego")[0].pose.position.x, 9.4, 1e-6);
+TEST_F(LiveSceneTest, ShowsTheEgoWhereItsNewestPoseIs) {
+  live_.ego = Pose2{2.5, 0.5, 0.0};
+  EXPECT_NEAR(shown("ego")[0].pose.position.x, 2.5, 1e-6);
+  EXPECT_NEAR(shown("ego")[0].pose.position.y, 0.5, 1e-6);
+  EXPECT_NEAR(viewedEgo(live_)->x, 2.5, 1e-6);
+}
+
+TEST_F(LiveSceneTest, ShowsTheCrashFromTheContactOnBeforeTheVerdictIsThere) {
+  showCrash(13.2);
+  EXPECT_NEAR(shown("attacker")[0].pose.position.x, live_.crash->attackerAt(13.2).pose.x, 1e-6);
+  EXPECT_NEAR(shown("ego")[0].pose.position.x, live_.crash->egoAt(13.2).pose.x, 1e-6);
+  EXPECT_LT(shown("ego")[0].pose.position.x, 9.4 - 0.1) << "pushed back";
   EXPECT_EQ(shown("recorded").size(), 2U) << "ego and attacker";
   EXPECT_EQ(shown("contact").size(), 1U);
+  EXPECT_EQ(shown("words")[0].text, "contact; verification follows");
+}
+
+TEST_F(LiveSceneTest, ShowsTheVerdictOnTheCrashOnceItIsThere) {
+  showCrash(13.2);
+  live_.verdict = &tested_;
+  EXPECT_NEAR(shown("attacker")[0].pose.position.x, live_.crash->attackerAt(13.2).pose.x, 1e-6);
   EXPECT_EQ(shown("words")[0].text.find("contact not as asked"), 0U);
+}
+
+TEST_F(LiveSceneTest, TheContactStaysMarkedWhereTheBoxesTouchedAndTheWordsStandStill) {
+  showCrash(13.0);
+  const Marker disc = shown("contact")[0];
+  const Marker words = shown("words")[0];
+  live_.now = ros::Time(13.6);
+  EXPECT_EQ(shown("contact")[0].pose, disc.pose);
+  EXPECT_EQ(shown("words")[0].pose, words.pose);
 }
 
 TEST_F(LiveSceneTest, WritesTheIdBesideTheWords) {
@@ -137,11 +172,9 @@ TEST_F(LiveSceneTest, WritesTheIdBesideTheWords) {
   EXPECT_FALSE(overlaps(box_of(shown("ids")[0]), box_of(shown("words")[0])));
 }
 
-TEST_F(LiveSceneTest, LooksAtTheContactForAWhile) {
-  live_.attack = &attack_;
-  live_.verdict = &tested_;
-  live_.now = ros::Time(13.0 + kCrashView - 0.1);
-  EXPECT_NEAR(viewedEgo(live_)->x, 9.4, 1e-6);
+TEST_F(LiveSceneTest, LooksAtTheCrashedEgoForAWhile) {
+  showCrash(13.0 + kCrashView - 0.1);
+  EXPECT_NEAR(viewedEgo(live_)->x, live_.crash->egoAt(20.0).pose.x, 1e-6);
   live_.now = ros::Time(13.0 + kCrashView + 0.1);
   EXPECT_NEAR(viewedEgo(live_)->x, 8.0 * 0.6, 1e-6);
 }

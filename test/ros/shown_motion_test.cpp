@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "collision_forge/scene/scene.h"
+
 namespace forge {
 namespace {
 
@@ -36,6 +38,19 @@ TEST(ShownMotion, OfATurnIsTheSumOfItsSmallSteps) {
 TEST(ShownMotion, TurnsAsBetweenTheLastStatesAndNotWhileStanding) {
   EXPECT_NEAR(lastTurnRate(turning(5.0)), 0.2, 1e-9);
   EXPECT_EQ(lastTurnRate(turning(0.1)), 0.0);
+}
+
+TEST(ShownMotion, OfPosesIsBetweenThemAndGoesOnForALittleWhile) {
+  const Track poses{kEgoId,
+                    AgentClass::kCar,
+                    {4.0, 2.0},
+                    {{10.0, {0.0, 0.0, 0.0}, {5.0, 0.0}}, {10.1, {0.5, 0.0, 0.0}, {5.0, 0.0}}}};
+  EXPECT_FALSE(shownState(poses, 9.9));
+  EXPECT_NEAR(shownState(poses, 10.05)->pose.x, 0.25, 1e-9);
+  EXPECT_NEAR(shownState(poses, 10.3)->pose.x, 1.5, 1e-9);
+  EXPECT_EQ(shownState(poses, 10.3)->time, 10.3);
+  EXPECT_FALSE(shownState(poses, 10.1 + kLongestGuess + 0.1)) << "nobody knows";
+  EXPECT_FALSE(shownState({}, 10.0));
 }
 
 TEST(ShownMotion, GoesOnFromTheNewestFrameForALittleWhileAlone) {

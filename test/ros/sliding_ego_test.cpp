@@ -5,12 +5,19 @@
 #include <cmath>
 
 #include "collision_forge/ros/topic_names.h"
+#include "collision_forge/settings/config.h"
 
 namespace forge {
 namespace {
 
-/// Sideways along y from 10 s on; it stands at 11 s, 2 m on.
-BrakingSlide sideways() { return {10.0, {0.0, 4.0}, 4.0}; }
+/// From `box` sideways along y from 10 s on; it stands at 11 s, 2 m on.
+PostCrashMotion sideways(const Pose2& box) {
+  DriveLimitOptions limits =
+      loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").attack.verification.drivable;
+  for (DriveLimits& row : limits.rows) row.max_braking = 4.0;
+  const CrashedVehicle vehicle{AgentClass::kCar, {4.0, 2.0}, {10.0, box, {0.0, 4.0}}};
+  return {vehicle, vehicle, limits};
+}
 
 geometry_msgs::TransformStamped transformAt(double time, const std::string& child) {
   geometry_msgs::TransformStamped transform;
@@ -29,8 +36,8 @@ tf2_msgs::TFMessage messageAt(double time) {
   return message;
 }
 
-TEST(SlidingEgo, MovesBaseLinkAloneAndOnlyAfterTheBeginning) {
-  SlidingEgo ego(sideways(), {7.0, 1.0, 0.0}, 1.5);
+TEST(SlidingEgo, MovesBaseLinkAloneAndOnlyAfterTheContact) {
+  SlidingEgo ego(sideways({7.0, 1.0, 0.0}), 1.5);
   EXPECT_EQ(ego.changed(messageAt(9.9)), messageAt(9.9));
   EXPECT_EQ(ego.changed(messageAt(10.0)), messageAt(10.0));
   const auto later = ego.changed(messageAt(10.5));
@@ -44,7 +51,7 @@ TEST(SlidingEgo, MovesBaseLinkAloneAndOnlyAfterTheBeginning) {
 
 TEST(SlidingEgo, KeepsRollAndPitchAndTurnsToTheHeadingAtTheContact) {
   constexpr double kRoll = 0.2;
-  SlidingEgo ego(sideways(), {0.0, 0.0, M_PI / 2}, 0.0);
+  SlidingEgo ego(sideways({0.0, 0.0, M_PI / 2}), 0.0);
   auto rolled = messageAt(9.9);
   rolled.transforms[0].transform.rotation.x = std::sin(kRoll / 2.0);
   rolled.transforms[0].transform.rotation.w = std::cos(kRoll / 2.0);
@@ -58,7 +65,7 @@ TEST(SlidingEgo, KeepsRollAndPitchAndTurnsToTheHeadingAtTheContact) {
 }
 
 TEST(SlidingEgo, OdometryHasTheVelocityInBaseLink) {
-  SlidingEgo ego(sideways(), {0.0, 0.0, M_PI / 2}, 0.0);
+  SlidingEgo ego(sideways({0.0, 0.0, M_PI / 2}), 0.0);
   nav_msgs::Odometry message;
   message.header.stamp = ros::Time(10.5);
   message.pose.pose.orientation.w = 1.0;
@@ -71,12 +78,12 @@ TEST(SlidingEgo, OdometryHasTheVelocityInBaseLink) {
   EXPECT_DOUBLE_EQ(changed.pose.pose.position.y, 1.5);
 }
 
-TEST(SlidingEgo, IsThereWhenTheSlideBeginsOnceBetweenTwoMessages) {
-  SlidingEgo ego(sideways(), {7.0, 1.0, M_PI / 2}, 1.5);
-  EXPECT_FALSE(ego.atBeginning(messageAt(10.3))) << "nothing before tells of its height";
+TEST(SlidingEgo, IsThereAtTheContactOnceBetweenTwoMessages) {
+  SlidingEgo ego(sideways({7.0, 1.0, M_PI / 2}), 1.5);
+  EXPECT_FALSE(ego.atContact(messageAt(10.3))) << "nothing before tells of its height";
   ego.changed(messageAt(9.9));
-  EXPECT_FALSE(ego.atBeginning(messageAt(9.95)));
-  const auto made = ego.atBeginning(messageAt(10.3));
+  EXPECT_FALSE(ego.atContact(messageAt(9.95)));
+  const auto made = ego.atContact(messageAt(10.3));
   ASSERT_TRUE(made);
   EXPECT_NEAR(made->ratio, 0.25, 1e-9);
   ASSERT_EQ(made->message.transforms.size(), 1u);
@@ -88,20 +95,20 @@ TEST(SlidingEgo, IsThereWhenTheSlideBeginsOnceBetweenTwoMessages) {
   EXPECT_NEAR(base.transform.translation.z, 0.99, 1e-9);
   EXPECT_NEAR(base.transform.rotation.z, std::sqrt(0.5), 1e-9);
   ego.changed(messageAt(10.3));
-  EXPECT_FALSE(ego.atBeginning(messageAt(10.6)));
+  EXPECT_FALSE(ego.atContact(messageAt(10.6)));
 }
 
 TEST(SlidingEgo, IsNotMadeWhereAMessageHasThatStamp) {
-  SlidingEgo before(sideways(), {}, 0.0);
+  SlidingEgo before(sideways({}), 0.0);
   before.changed(messageAt(10.0));
-  EXPECT_FALSE(before.atBeginning(messageAt(10.3)));
-  SlidingEgo soon_after(sideways(), {}, 0.0);
+  EXPECT_FALSE(before.atContact(messageAt(10.3)));
+  SlidingEgo soon_after(sideways({}), 0.0);
   soon_after.changed(messageAt(10.0 - 1e-4));
-  EXPECT_TRUE(soon_after.atBeginning(messageAt(10.3)));
+  EXPECT_TRUE(soon_after.atContact(messageAt(10.3)));
 }
 
-TEST(SlidingEgo, OdometryAtTheBeginningMovesAsBetweenTheMessages) {
-  SlidingEgo ego(sideways(), {5.0, 0.0, 0.0}, 0.0);
+TEST(SlidingEgo, OdometryAtTheContactMovesAsBetweenTheMessages) {
+  SlidingEgo ego(sideways({5.0, 0.0, 0.0}), 0.0);
   nav_msgs::Odometry message;
   message.pose.pose.orientation.w = 1.0;
   message.header.stamp = ros::Time(9.9);
@@ -111,13 +118,13 @@ TEST(SlidingEgo, OdometryAtTheBeginningMovesAsBetweenTheMessages) {
   message.header.stamp = ros::Time(10.3);
   message.twist.twist.linear.x = 4.0;
   message.twist.twist.angular.z = 0.5;
-  const auto made = ego.atBeginning(message);
+  const auto made = ego.atContact(message);
   ASSERT_TRUE(made);
   EXPECT_EQ(made->message.header.stamp, ros::Time(10.0));
   EXPECT_NEAR(made->message.pose.pose.position.x, 5.0, 1e-9);
   EXPECT_NEAR(made->message.twist.twist.linear.x, 7.0, 1e-9);
   EXPECT_NEAR(made->message.twist.twist.angular.z, 0.2, 1e-9);
-  EXPECT_FALSE(ego.atBeginning(message));
+  EXPECT_FALSE(ego.atContact(message));
 }
 
 }  // namespace

@@ -54,6 +54,10 @@ class JunctionTest(live.WholeRoadTest):
     def test_replay_junction_crossing(self):
         self.check('junction_crossing', 'replay', 7)
 
+    def test_crash_with_an_ego_that_does_not_drive_as_predicted_is_shown_as_in_the_bag(self):
+        _, attacked = self.play_and_ask('junction_crossing', 'history', 3)
+        self.assert_crash_shown(attacked)
+
     def test_before_an_attack_agents_pass_as_they_are(self):
         self.play_to(2.0)
         recorded = self.heard['/agents'].wait()

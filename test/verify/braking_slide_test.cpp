@@ -53,12 +53,14 @@ TEST(BrakingSlide, SlowsDownEvenlyAndStandsFromThenOn) {
     EXPECT_EQ(state.pose.yaw, 0.3);
     EXPECT_NEAR(state.velocity.norm(), 0.0, 1e-9);
   }
+  EXPECT_DOUBLE_EQ(slide.standTime(), 11.5);
 }
 
 TEST(BrakingSlide, StaysWhereItStands) {
   const AgentState state = BrakingSlide{10.0, {0.0, 0.0}, 4.0}.stateFrom({1.0, 2.0, 0.3}, 20.0);
   EXPECT_EQ(state.pose.position(), Vector2(1.0, 2.0));
   EXPECT_EQ(state.velocity, Vector2(0.0, 0.0));
+  EXPECT_EQ((BrakingSlide{10.0, {0.0, 0.0}, 4.0}.standTime()), 10.0);
 }
 
 TEST(SlideFromEnd, IsStraightOnAsHardAsTheClassBrakes) {
@@ -68,31 +70,6 @@ TEST(SlideFromEnd, IsStraightOnAsHardAsTheClassBrakes) {
   EXPECT_NEAR((slide.velocity - Vector2(0.0, 8.0)).norm(), 0.0, 1e-9);
   EXPECT_EQ(slide.braking, brakingOf(AgentClass::kBus, bus));
   EXPECT_LT(slide.braking, brakingOf(AgentClass::kCar, kCarSize));
-}
-
-/// An ego along +x at 10 m/s.
-Track drivingEgo() {
-  Track ego{kEgoId, AgentClass::kCar, kCarSize, {}};
-  for (int i = 0; i <= 4; ++i) {
-    ego.states.push_back({kNow + 0.5 * i, {5.0 * i, 0.0, 0.0}, {10.0, 0.0}});
-  }
-  return ego;
-}
-
-TEST(SlideFromContact, KeepsTheMomentumOfTwoEqualBoxes) {
-  const BrakingSlide slide = slideFromContact(
-      kNow + 1.25, straight(6.0, M_PI / 2, AgentClass::kCar, kCarSize), drivingEgo(), limits());
-  EXPECT_EQ(slide.begin, kNow + 1.25);
-  EXPECT_NEAR((slide.velocity - Vector2(5.0, 3.0)).norm(), 0.0, 1e-9);
-  EXPECT_EQ(slide.braking, brakingOf(AgentClass::kCar, kCarSize));
-}
-
-TEST(SlideFromContact, AThreeTimesGreaterBoxHasThreeQuartersOfIt) {
-  const BoxSize bus{3.0 * kCarSize.length, kCarSize.width};
-  const BrakingSlide slide = slideFromContact(
-      kNow + 1.0, straight(8.0, M_PI, AgentClass::kBus, bus), drivingEgo(), limits());
-  EXPECT_NEAR((slide.velocity - Vector2(0.25 * 10.0 - 0.75 * 8.0, 0.0)).norm(), 0.0, 1e-9);
-  EXPECT_EQ(slide.braking, brakingOf(AgentClass::kBus, bus));
 }
 
 }  // namespace

@@ -89,6 +89,8 @@ GridCell cellOf(const CollideClip& clip, const ClipQuestion& question, const Met
   const VerificationInput input{moment.snapshot, *moment.recorded, question.request(),
                                 *moment.lanes};
   view.report = strictOutcome(answer.trajectory, input, study.attack.verification).report;
+  view.crash = motionAfterContact(view.report, view.trajectory, moment.recorded->ego,
+                                  study.attack.verification.drivable);
   return cell;
 }
 
@@ -109,6 +111,7 @@ ScenarioGrid gridOf(const std::vector<std::string>& paths, const Arguments& argu
       const MethodMaker maker =
           clipMethod(name, clip, {methods, foresight, config}, arguments.seen_scenes);
       grid.rows.back().push_back(cellOf(clip, question, maker, arguments, config));
+      grid.rows.back().back().view.seconds_after_stand = config.attacked_bag.seconds_after_stand;
       progress.show(++answered, paths.size() * arguments.methods.size());
     }
   }

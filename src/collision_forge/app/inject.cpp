@@ -42,23 +42,27 @@ struct Arguments {
   RequestControls controls;
   Mode mode = Mode::kReplay;
   AfterContact after_contact = AfterContact::kStop;
+  std::optional<double> seconds_after_stand;
 };
 
 /// What the bag shows after the contact with the recorded ego.
-std::string aftermathOf(AfterContact after, bool has_contact, double end_time) {
+std::string aftermathOf(AfterContact after, bool has_contact, const AttackedBagOptions& options) {
   if (!has_contact) return "without contact: the bag goes on, the ego drives as recorded";
+  std::ostringstream text;
+  text << "after the contact: ";
   switch (after) {
     case AfterContact::kStop:
-      return "after the contact: both slide to a stand; /tf and odom are rewritten from then on";
-    case AfterContact::kEnd: {
-      std::ostringstream text;
-      text << "after the contact: the bag ends " << end_time << " s later";
-      return text.str();
-    }
+      text << "both slide to a stand; /tf and odom are rewritten; the bag ends "
+           << options.seconds_after_stand << " s after both stand";
+      break;
+    case AfterContact::kEnd:
+      text << "the bag ends " << options.end_time << " s later";
+      break;
     case AfterContact::kDriveOn:
+      text << "the ego drives on as recorded, the attacker its trajectory to the end";
       break;
   }
-  return "after the contact: the ego drives on as recorded, the attacker its trajectory to the end";
+  return text.str();
 }
 
 /// Returns the exit code for an attack that was written; where the recorded ego is not hit as
@@ -185,7 +189,9 @@ int inject(const Arguments& arguments) {
   const OutputLock lock = OutputLock::ofFile(arguments.out);
   collision_forge::CollisionRequest asked = arguments.request;
   asked.mode = toString(arguments.mode);
-  const Config config = loadConfig(arguments.config);
+  Config config = loadConfig(arguments.config);
+  auto& seconds_after_stand = config.attacked_bag.seconds_after_stand;
+  seconds_after_stand = arguments.seconds_after_stand.value_or(seconds_after_stand);
   const auto parsed = fromMessage(asked, config.crash);
   if (const Status* refusal = std::get_if<Status>(&parsed)) return refuse(*refusal);
   CollisionRequest request = std::get<CollisionRequest>(parsed);
@@ -211,11 +217,14 @@ int inject(const Arguments& arguments) {
   std::cout << "now: " << now - scene.frame_times.front() << " s from the first frame\n"
             << "generated: " << summaryOf(written.attack) << "\n"
             << "against the recording: " << lineOf(written.tested_report) << "\n";
-  std::cout << aftermathOf(arguments.after_contact, tested.contact, config.attacked_bag.end_time)
+  std::cout << aftermathOf(arguments.after_contact, tested.contact, config.attacked_bag)
             << "\nwrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {
-    const ScenarioView view{scene.name,       request.tta, request.mode,      moment.snapshot,
-                            *moment.recorded, attack.aim,  attack.trajectory, tested};
+    ScenarioView view{scene.name,       request.tta, request.mode,      moment.snapshot,
+                      *moment.recorded, attack.aim,  attack.trajectory, tested};
+    view.crash = motionAfterContact(tested, attack.trajectory, moment.recorded->ego,
+                                    config.attack.verification.drivable);
+    view.seconds_after_stand = seconds_after_stand;
     drawScenarioPng(arguments.draw + ".png", view, config.drawing);
     drawScenarioGif(arguments.draw + ".gif", view, config.drawing);
     std::cout << "wrote " << arguments.draw << ".png\nwrote " << arguments.draw << ".gif\n";
@@ -255,6 +264,10 @@ void addInject(CommandLine& line) {
        {"drive_on", AfterContact::kDriveOn}},
       "what the bag shows then; stop: both slide to a stand, the ego's /tf and odom are rewritten; "
       "end: it ends shortly after; drive_on: the ego drives on as recorded");
+  app.add_option("--seconds-after-stand", arguments->seconds_after_stand,
+                 "how long bag and animation go on after both vehicles stand; default: "
+                 "seconds_after_stand of attacked_bag.yaml")
+      ->check(CLI::NonNegativeNumber);
   addOut(app, arguments->out, "bag to write");
   app.add_option("--draw", arguments->draw, "also draw to this name + .png and .gif");
   addConfig(app, arguments->config);

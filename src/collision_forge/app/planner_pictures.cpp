@@ -27,7 +27,7 @@ ScenarioView viewOf(const PlannerCase& one, const std::string& planner, PolicyKi
 }  // namespace
 
 ScenarioView viewOfHit(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                       const RolloutOutcome& outcome) {
+                       const RolloutOutcome& outcome, const Config& config) {
   const CrashScenario& scenario = one.scenario;
   const PlannerContact& contact = *outcome.contact;
   ScenarioView view = viewOf(one, planner, policy, outcome.driven, outcome.attacker);
@@ -43,6 +43,14 @@ ScenarioView viewOfHit(const PlannerCase& one, const std::string& planner, Polic
   report.impact_speed = contact.impact_speed;
   report.overlap = sideOverlap({report.ego_at_contact, view.future.ego.size}, report.ego_side,
                                {report.attacker_at_contact, scenario.attacker.size});
+  report.type_kept = contact.type == one.request.type;
+  report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
+                   one.request.crash.time_tolerance;
+  if (contact.is_attacker) {
+    view.crash = motionAfterContact(report, outcome.attacker, view.future.ego,
+                                    config.attack.verification.drivable);
+  }
+  view.seconds_after_stand = config.attacked_bag.seconds_after_stand;
   return view;
 }
 

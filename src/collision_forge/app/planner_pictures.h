@@ -5,15 +5,16 @@
 
 #include "collision_forge/drawing/options.h"
 #include "collision_forge/drawing/scenario_view.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/trials/planner_result.h"
 
 /// Pictures of planners under test.
 namespace forge {
 
 /// The hit of a planner: the ego and the attacker as they drove, up to the contact of the outcome,
-/// which must have one.
+/// which must have one, and what follows a contact with the attacker.
 ScenarioView viewOfHit(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                       const RolloutOutcome& outcome);
+                       const RolloutOutcome& outcome, const Config& config);
 
 /// The escape from that hit: what the ego could have done instead of the outcome, and the attacker
 /// as it reacts to that.

@@ -30,8 +30,9 @@ int report(const Arguments& arguments) {
 }  // namespace
 
 void writeReport(const ReportInputs& inputs, const std::string& folder, const Config& config) {
-  const std::size_t rows =
-      writeReportPage(inputs, folder, {config.report, config.drawing, config, config.planners});
+  const std::size_t rows = writeReportPage(inputs, folder,
+                                           {config.report, config.drawing, config, config.planners,
+                                            config.attacked_bag.seconds_after_stand});
   std::cout << counted(rows, "row") << " in " << folder << "/index.html\n";
 }
 

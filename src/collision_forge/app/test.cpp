@@ -200,7 +200,7 @@ void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& 
         const RolloutOutcome outcome =
             driveAgain(one, planner, policy, plan, config, config.planners);
         if (!outcome.contact) continue;  // of a planner that is timed by the wall clock
-        drawView((folder / name).string(), viewOfHit(one, planner, policy, outcome),
+        drawView((folder / name).string(), viewOfHit(one, planner, policy, outcome, config),
                  config.drawing);
       }
     }

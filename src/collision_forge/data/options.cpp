@@ -14,6 +14,7 @@ void readOptions(Section& section, ConversionOptions& options) {
 
 void readOptions(Section& section, AttackedBagOptions& options) {
   options.frame_rate = section.within("frame_rate", 10.0, 100.0);
+  options.seconds_after_stand = section.nonNegative("seconds_after_stand");
   options.end_time = section.nonNegative("end_time");
 }
 

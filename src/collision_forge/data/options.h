@@ -23,6 +23,7 @@ struct ConversionOptions {
 /// config/attacked_bag.yaml, where each number's unit stands.
 struct AttackedBagOptions {
   double frame_rate = 0.0;
+  double seconds_after_stand = 0.0;
   double end_time = 0.0;
 };
 

@@ -8,8 +8,18 @@ namespace {
 
 constexpr double kNoGhosts = std::numeric_limits<double>::infinity();
 
-Viewport closeUpOf(const ScenePainter& scene, double side, double extent) {
-  return {{0.0, 0.0, side, side}, scene.motion().contactPoint(), side / extent, scene.rightwards()};
+/// A square of `side` pixels that shows `extent` metres around `center`.
+Viewport closeUpOf(const ScenePainter& scene, const Vector2& center, double side, double extent) {
+  return {{0.0, 0.0, side, side}, center, side / extent, scene.rightwards()};
+}
+
+Image groundOf(const ScenePainter& scene, const Viewport& viewport, const DrawingOptions& options) {
+  const PixelRect& area = viewport.area();
+  Image ground(static_cast<int>(area.width), static_cast<int>(area.height),
+               options.background_color);
+  Canvas canvas(ground);
+  scene.paintGround(canvas, viewport);
+  return ground;
 }
 
 }  // namespace
@@ -17,19 +27,20 @@ Viewport closeUpOf(const ScenePainter& scene, double side, double extent) {
 CloseUpInset::CloseUpInset(const ScenePainter& scene, const PixelRect& area,
                            const DrawingOptions& options)
     : scene_(scene),
+      options_(options),
       area_(area),
       frame_{options.text_color, 1.0, 1.0, 0.0, true},
-      viewport_(closeUpOf(scene, area.width, options.close_up_extent)),
-      ground_(static_cast<int>(area.width), static_cast<int>(area.height),
-              options.background_color) {
-  Canvas canvas(ground_);
-  scene.paintGround(canvas, viewport_);
-}
+      ground_(groundOf(
+          scene, closeUpOf(scene, scene.motion().contactPoint(), area.width, options.close_up_extent),
+          options)) {}
 
 void CloseUpInset::paint(Canvas& canvas, double time) const {
-  Image image(ground_);
+  const Vector2 center = scene_.motion().closeUpCenter(time);
+  const Viewport viewport = closeUpOf(scene_, center, area_.width, options_.close_up_extent);
+  const bool is_moved = center != scene_.motion().contactPoint();
+  Image image(is_moved ? groundOf(scene_, viewport, options_) : ground_);
   Canvas near(image);
-  scene_.paint(near, viewport_, time, kNoGhosts);
+  scene_.paint(near, viewport, time, kNoGhosts);
   canvas.image({area_.x, area_.y}, image);
   canvas.stroke(edgeOf(area_), frame_);
 }

@@ -7,8 +7,8 @@
 
 namespace forge {
 
-/// The contact from near, in a corner of a picture where its vehicles are small. The scene and the
-/// options must outlive it.
+/// The contact from near, in a corner of a picture where its vehicles are small; after the contact
+/// it follows them. The scene and the options must outlive it.
 class CloseUpInset {
  public:
   /// `area` is a square of whole pixels.
@@ -19,10 +19,10 @@ class CloseUpInset {
 
  private:
   const ScenePainter& scene_;
+  const DrawingOptions& options_;
   PixelRect area_;
   LineStyle frame_;
-  Viewport viewport_;  ///< of the square alone
-  Image ground_;
+  Image ground_;  ///< at the contact
 };
 
 /// The corner of `area` for a square of `side` pixels, `gap` off its edges, that covers the fewest

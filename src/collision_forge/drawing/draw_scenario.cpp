@@ -25,12 +25,13 @@ double startTime(const ScenarioView& view, const DrawingOptions& options) {
 /// Evenly spaced around the contact, which is held.
 std::vector<AnimationFrame> planFrames(const ScenarioView& view, const DrawingOptions& options) {
   const double rate = options.gif_frames_per_second;
-  const double key_time = ScenarioMotion(view).keyTime();
+  const ScenarioMotion motion(view);
+  const double key_time = motion.keyTime();
   const auto count = [rate](double seconds) {
     return static_cast<int>(std::floor(seconds * rate + kTimeTolerance));
   };
   const int before = count(key_time - startTime(view, options));
-  const int after = count(options.gif_seconds_after_contact);
+  const int after = count(motion.endTime() - key_time);
   std::vector<AnimationFrame> frames;
   for (int i = -before; i <= after; ++i) {
     const double seconds = 1.0 / rate + (i == 0 ? options.gif_contact_hold : 0.0);

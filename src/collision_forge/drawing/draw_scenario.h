@@ -19,9 +19,9 @@ namespace forge {
 void drawScenarioPng(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options);
 
-/// Animates the scenario in a loop, from before now to after contact; one frame falls exactly on
-/// the contact and is held. The crash's aftermath is not modelled: from contact on ego and attacker
-/// stay at their contact poses while the others go on.
+/// Animates the scenario in a loop, from before now to ScenarioMotion::endTime(); one frame falls
+/// exactly on the contact and is held. From the contact on ego and attacker move as the view's
+/// PostCrashMotion, while the others go on as recorded.
 void drawScenarioGif(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options);
 

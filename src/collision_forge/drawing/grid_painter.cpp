@@ -39,15 +39,16 @@ std::vector<GridRowTexts> textsOf(const ScenarioGrid& grid) {
   return texts;
 }
 
-/// Shortly after the row's last contact, or before where somebody's motion is not known so long.
+/// Where the last animation of a cell ends, or before where somebody's motion is not known so long.
 /// Seconds from now.
-double endOf(const std::vector<GridCell>& row, const DrawingOptions& options) {
+double endOf(const std::vector<GridCell>& row) {
   double end = 0.0;
   double known = std::numeric_limits<double>::infinity();
   for (const GridCell& cell : row) {
     const ScenarioView& view = cell.view;
     const double now = view.snapshot.now;
-    end = std::max(end, ScenarioMotion(view).keyTime() - now + options.gif_seconds_after_contact);
+    end = std::max(end, ScenarioMotion(view).endTime() - now);
+    if (view.report.contact && view.crash) continue;
     known = std::min(known, view.future.ego.states.back().time - now);
     if (!view.report.contact && cell.refusal.empty()) {
       known = std::min(known, view.trajectory.points.back().time - now);
@@ -56,9 +57,9 @@ double endOf(const std::vector<GridCell>& row, const DrawingOptions& options) {
   return std::min(end, known);
 }
 
-std::vector<double> endsOf(const ScenarioGrid& grid, const DrawingOptions& options) {
+std::vector<double> endsOf(const ScenarioGrid& grid) {
   std::vector<double> ends;
-  for (const auto& row : grid.rows) ends.push_back(endOf(row, options));
+  for (const auto& row : grid.rows) ends.push_back(endOf(row));
   return ends;
 }
 
@@ -77,7 +78,7 @@ GridPainter::GridPainter(const ScenarioGrid& grid, const DrawingOptions& options
       font_(font_size),
       kind_(kind),
       texts_(textsOf(grid)),
-      ends_(endsOf(grid, options)),
+      ends_(endsOf(grid)),
       layout_(layoutGrid(measure())),
       background_(1, 1, options.background_color) {
   placeCells();
@@ -207,13 +208,12 @@ void GridPainter::paintRowLabel(Canvas& canvas, const GridRowTexts& texts,
   write(texts.scene, options_.muted_text_color, false);
 }
 
-bool GridPainter::hasContact() const {
-  for (const auto& row : grid_.rows) {
-    for (const GridCell& cell : row) {
-      if (cell.view.report.contact) return true;
-    }
-  }
-  return false;
+template <typename Holds>
+bool GridPainter::hasCell(const Holds& holds) const {
+  return std::any_of(grid_.rows.begin(), grid_.rows.end(), [&](const auto& row) {
+    return std::any_of(row.begin(), row.end(),
+                       [&](const GridCell& cell) { return holds(cell.view); });
+  });
 }
 
 double GridPainter::legendWidth(Canvas& canvas, const LegendRow& row) const {
@@ -224,7 +224,8 @@ double GridPainter::legendWidth(Canvas& canvas, const LegendRow& row) const {
 GridPainter::LegendLines GridPainter::legendLines(Canvas& canvas, double width) const {
   LegendLines lines;
   double left = 0.0;  // of the line that is begun
-  for (const LegendRow& row : legendRows(canvas, font_, kind_, hasContact(), options_)) {
+  const LegendContents contents{kind_, hasCell(hasContact), hasCell(hasRest)};
+  for (const LegendRow& row : legendRows(canvas, font_, contents, options_)) {
     if (row.is_of_pattern) continue;
     const double needed = legendWidth(canvas, row);
     if (lines.empty() || needed > left) {

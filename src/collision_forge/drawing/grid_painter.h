@@ -49,7 +49,8 @@ class GridPainter {
   void addCloseUps(std::vector<Cell>& cells, const std::vector<Vector2>& shown) const;
   void paintBackground();
   void paintRowLabel(Canvas& canvas, const GridRowTexts& texts, const PixelRect& area) const;
-  bool hasContact() const;
+  template <typename Holds>
+  bool hasCell(const Holds& holds) const;
   LegendLines legendLines(Canvas& canvas, double width) const;
   LegendLines evenLegendLines(Canvas& canvas) const;
   void paintLegendLines(Canvas& canvas) const;

@@ -2,6 +2,7 @@
 #include "collision_forge/drawing/caption_painter.h"
 #include "collision_forge/drawing/decimal_text.h"
 #include "collision_forge/drawing/legend_rows.h"
+#include "collision_forge/drawing/scene_painter.h"
 
 namespace forge {
 
@@ -17,7 +18,7 @@ std::vector<Vector2> markBox(const Vector2& center, double font) {
 
 }  // namespace
 
-std::vector<LegendRow> legendRows(Canvas& canvas, double font, PictureKind kind, bool has_contact,
+std::vector<LegendRow> legendRows(Canvas& canvas, double font, const LegendContents& contents,
                                   const DrawingOptions& options) {
   const auto body = [&canvas, font](const Color& color, double opacity) {
     return [&canvas, font, color, opacity](const Vector2& center) {
@@ -40,13 +41,13 @@ std::vector<LegendRow> legendRows(Canvas& canvas, double font, PictureKind kind,
   const auto star = [&canvas, &options, font](const Vector2& center) {
     paintStar(canvas, center, 0.7 * font, options.contact_color, options.text_color, 0.08 * font);
   };
-  const bool is_still = kind == PictureKind::kStill;
+  const bool is_still = contents.kind == PictureKind::kStill;
   std::vector<LegendRow> rows = {
       {body(options.ego_color, 1.0), "Ego"},
       {body(options.attacker_color, 1.0), "Attacker"},
       {body(options.recorded_attacker_color, options.ghost_opacity), "Attacker as recorded"},
       {body(options.agent_color, 1.0),
-       is_still && has_contact ? "Others at contact" : "Others at time t"},
+       is_still && contents.has_contact ? "Others at contact" : "Others at time t"},
       {line(0.0), "Driven up to now"},
       {line(0.45 * font), "From now to contact"},
       {body(options.muted_text_color, options.ghost_opacity),
@@ -59,6 +60,10 @@ std::vector<LegendRow> legendRows(Canvas& canvas, double font, PictureKind kind,
     rows.insert(rows.begin() + 4,
                 {body(options.agent_color, options.ghost_opacity), "Others when passed"});
   }
+  if (is_still && contents.has_rest) {
+    rows.push_back({body(options.muted_text_color, kRestGhosts * options.ghost_opacity),
+                    "At rest after the contact"});
+  }
   return rows;
 }
 
@@ -69,7 +74,8 @@ void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& s
   double baseline = area.y + font;
   canvas.text({area.x, baseline}, "Legend", {options.text_color, font, true, TextAlign::kLeft});
   const TextStyle style{options.text_color, font, false, TextAlign::kLeft};
-  for (const LegendRow& row : legendRows(canvas, font, kind, view.report.contact, options)) {
+  const LegendContents contents{kind, hasContact(view), hasRest(view)};
+  for (const LegendRow& row : legendRows(canvas, font, contents, options)) {
     baseline += layout.line_height;
     row.paint_mark({area.x + kLegendMark * font / 2, baseline - 0.36 * font});
     const double left = (kLegendMark + kLegendGap) * font;

@@ -20,8 +20,15 @@ struct LegendRow {
   bool is_of_pattern = false;  ///< of what was asked for, not of what is driven
 };
 
+/// What the pictures beside a legend have.
+struct LegendContents {
+  PictureKind kind = PictureKind::kStill;
+  bool has_contact = false;
+  bool has_rest = false;  ///< rest positions after a contact
+};
+
 /// All of them, from top to bottom. The canvas and the options must outlive them.
-std::vector<LegendRow> legendRows(Canvas& canvas, double font, PictureKind kind, bool has_contact,
+std::vector<LegendRow> legendRows(Canvas& canvas, double font, const LegendContents& contents,
                                   const DrawingOptions& options);
 
 }  // namespace forge

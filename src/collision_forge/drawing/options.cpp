@@ -18,7 +18,6 @@ void readDrawingSizes(Section& section, DrawingOptions& options) {
   options.gif_height = section.count("gif_height", kMinPixels, kMaxPixels);
   options.gif_font_size = section.positive("gif_font_size");
   options.gif_frames_per_second = section.positive("gif_frames_per_second");
-  options.gif_seconds_after_contact = section.nonNegative("gif_seconds_after_contact");
   options.gif_contact_hold = section.nonNegative("gif_contact_hold");
   options.seconds_before_now = section.nonNegative("seconds_before_now");
   options.view_margin = section.nonNegative("view_margin");

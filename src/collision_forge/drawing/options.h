@@ -25,7 +25,6 @@ struct DrawingOptions {
   int gif_height = 0;
   double gif_font_size = 0.0;
   double gif_frames_per_second = 0.0;
-  double gif_seconds_after_contact = 0.0;
   double gif_contact_hold = 0.0;
 
   double seconds_before_now = 0.0;

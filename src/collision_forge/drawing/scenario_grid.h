@@ -33,8 +33,9 @@ struct ScenarioGrid {
 void drawScenarioGridPng(const std::string& path, const ScenarioGrid& grid,
                          const DrawingOptions& options);
 
-/// All cells in step, in a loop, from now to shortly after the last contact; a row whose own end
-/// comes earlier stands still from then on. What came of an attack is told when it has come.
+/// All cells in step, in a loop, from now to the last end of a cell (ScenarioMotion::endTime()); a
+/// row whose own end comes earlier stands still from then on. What came of an attack is told when
+/// it has come.
 void drawScenarioGridGif(const std::string& path, const ScenarioGrid& grid,
                          const DrawingOptions& options, const PictureProgress& on_progress = {});
 

@@ -35,18 +35,46 @@ double ScenarioMotion::keyTime() const {
   return view_.escaped_hit.value_or(view_.pattern.time);
 }
 
-bool ScenarioMotion::frozenAt(double time) const {
+double ScenarioMotion::standTime() const {
+  return view_.report.contact && view_.crash ? view_.crash->standTime() : keyTime();
+}
+
+double ScenarioMotion::endTime() const {
+  return std::max(standTime(), std::min(standTime() + view_.seconds_after_stand, lastKnownTime()));
+}
+
+/// Without a contact, the end of what ego and attacker drive; with one, the end of the recording.
+double ScenarioMotion::lastKnownTime() const {
+  double last = view_.future.ego.states.back().time;
+  if (!view_.report.contact) {
+    const auto& points = view_.trajectory.points;
+    return points.empty() ? last : std::min(last, points.back().time);
+  }
+  for (const Track& track : view_.future.agents) {
+    if (!track.states.empty()) last = std::max(last, track.states.back().time);
+  }
+  return last;
+}
+
+bool ScenarioMotion::isAfterContact(double time) const {
   return view_.report.contact && time >= view_.report.contact_time;
 }
 
 std::optional<OrientedBox> ScenarioMotion::egoAt(double time) const {
-  if (frozenAt(time)) return boxAt(view_.snapshot.ego, view_.report.ego_at_contact);
+  if (isAfterContact(time)) {
+    return boxAt(view_.snapshot.ego,
+                 view_.crash ? view_.crash->egoAt(time).pose : view_.report.ego_at_contact);
+  }
   return boxOf(time <= now() ? view_.snapshot.ego : view_.future.ego, time);
 }
 
 std::optional<OrientedBox> ScenarioMotion::attackerAt(double time) const {
   const AttackerTrajectory& trajectory = view_.trajectory;
-  if (frozenAt(time)) return OrientedBox{view_.report.attacker_at_contact, trajectory.size};
+  if (isAfterContact(time)) {
+    return OrientedBox{
+        view_.crash ? view_.crash->attackerAt(time).pose : view_.report.attacker_at_contact,
+        trajectory.size};
+  }
   if (time > now()) {
     const auto& points = trajectory.points;
     if (points.empty() || time < points.front().time || time > points.back().time) {
@@ -140,6 +168,14 @@ Vector2 ScenarioMotion::contactPoint() const {
   }
   return touchPoint(boxAt(view_.snapshot.ego, view_.report.ego_at_contact),
                     {view_.report.attacker_at_contact, view_.trajectory.size});
+}
+
+Vector2 ScenarioMotion::closeUpCenter(double time) const {
+  if (!isAfterContact(time)) return contactPoint();
+  const auto middle = [this](double instant) -> Vector2 {
+    return (egoAt(instant)->center.position() + attackerAt(instant)->center.position()) / 2.0;
+  };
+  return contactPoint() + (middle(time) - middle(keyTime()));
 }
 
 OrientedBox patternAttackerBox(const ScenarioView& view) {

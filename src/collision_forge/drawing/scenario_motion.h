@@ -22,8 +22,14 @@ class ScenarioMotion {
   /// The instant the picture is about: first contact. Without one: the time of the hit that the ego
   /// escapes, else the pattern's time.
   double keyTime() const;
+  /// When both stand after the contact; keyTime() where the view has no such motion.
+  double standTime() const;
+  /// When an animation ends: the view's seconds_after_stand after standTime(), or earlier, where
+  /// the view knows nothing later. Not before standTime().
+  double endTime() const;
 
-  /// Empty where nothing is known. From contact on both stay at their contact poses.
+  /// Empty where nothing is known. From the contact on both move as the view's `crash` has it; they
+  /// stay where they are in a view without it.
   std::optional<OrientedBox> egoAt(double time) const;
   std::optional<OrientedBox> attackerAt(double time) const;
   /// m/s; empty where nothing is known.
@@ -50,9 +56,13 @@ class ScenarioMotion {
   /// Where the boxes touch at contact. Without one: the middle between ego and attacker at the time
   /// of the hit that the ego escapes, else the middle between the pattern's boxes.
   Vector2 contactPoint() const;
+  /// What a close-up looks at: the contact point, from the contact on moved as ego and attacker are
+  /// in the mean.
+  Vector2 closeUpCenter(double time) const;
 
  private:
-  bool frozenAt(double time) const;
+  bool isAfterContact(double time) const;
+  double lastKnownTime() const;
   /// The last instant before keyTime() at which the ego or the attacker covers some of `box`.
   std::optional<double> lastPassing(const OrientedBox& box) const;
 

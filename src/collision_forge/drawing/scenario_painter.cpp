@@ -142,7 +142,13 @@ Image ScenarioPainter::paint(double time, double ghosts_from) const {
 
   const PixelRect& square = layout_.close_up;
   canvas.clip(square);
-  scene_.paint(canvas, close_up_viewport_, time, kNoGhosts);
+  const Vector2 center = scene_.motion().closeUpCenter(time);
+  const Viewport close_up = closeUp(square, center, options_.close_up_extent);
+  if (center != scene_.motion().contactPoint()) {
+    canvas.fillRect(square, options_.background_color);
+    scene_.paintGround(canvas, close_up);
+  }
+  scene_.paint(canvas, close_up, time, kNoGhosts);
   canvas.unclip();
   canvas.stroke({{square.x, square.y},
                  {square.x + square.width, square.y},

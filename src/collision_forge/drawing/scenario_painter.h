@@ -24,7 +24,7 @@ class ScenarioPainter {
 
   /// Where the ground falls on the picture.
   const Viewport& mapViewport() const { return map_viewport_; }
-  /// The square that shows the contact from near.
+  /// The square that shows the contact from near; after the contact it follows the vehicles.
   const Viewport& closeUpViewport() const { return close_up_viewport_; }
 
  private:

@@ -6,6 +6,7 @@
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/scene.h"
+#include "collision_forge/verify/post_crash_motion.h"
 
 namespace forge {
 
@@ -27,6 +28,13 @@ struct ScenarioView {
   CollisionPattern pattern;       ///< the asked-for boxes, drawn as outlines
   AttackerTrajectory trajectory;  ///< what the attacker drives instead
   CollisionReport report;         ///< of that trajectory against `future`, the recording
+  /// Of the report its contact alone is known, with its type and time: the picture says nothing of
+  /// the other fields, nor whether the attack is verified.
+  bool contact_alone = false;
+  /// What ego and attacker do after the contact of the report; without it the picture shows nothing
+  /// later than the contact.
+  std::optional<PostCrashMotion> crash = {};
+  double seconds_after_stand = 0.0;  ///< that an animation goes on after both stand
 
   /// Empty for an attack. For a test of a planner: the planner, as tables name it. `future.ego` is
   /// then the ego as the planner drives it, and of the report only the contact is shown.
@@ -34,5 +42,9 @@ struct ScenarioView {
   /// For the escape from a hit, which has no contact: the time of the hit.
   std::optional<double> escaped_hit = {};
 };
+
+inline bool hasContact(const ScenarioView& view) { return view.report.contact; }
+/// Whether the picture shows where ego and attacker come to a stand.
+inline bool hasRest(const ScenarioView& view) { return hasContact(view) && view.crash; }
 
 }  // namespace forge

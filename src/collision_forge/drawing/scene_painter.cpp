@@ -80,8 +80,8 @@ double ScenePainter::trailsFrom() const { return motion_.now() - options_.second
 
 std::vector<Vector2> ScenePainter::shownCorners(double from) const {
   std::vector<Vector2> points;
-  for (const auto& boxes : {motion_.egoBoxes(from, motion_.keyTime()),
-                            motion_.attackerBoxes(from, motion_.keyTime())}) {
+  for (const auto& boxes : {motion_.egoBoxes(from, motion_.standTime()),
+                            motion_.attackerBoxes(from, motion_.standTime())}) {
     for (const OrientedBox& box : boxes) {
       for (const Vector2& corner : corners(box)) points.push_back(corner);
     }
@@ -97,7 +97,10 @@ void ScenePainter::paintGround(Canvas& canvas, const Viewport& viewport) const {
 void ScenePainter::paint(Canvas& canvas, const Viewport& viewport, double time,
                          double ghosts_from) const {
   paintRecorded(canvas, viewport, time);
-  if (kind_ == PictureKind::kStill) paintPassed(canvas, viewport);
+  if (kind_ == PictureKind::kStill) {
+    paintPassed(canvas, viewport);
+    paintRest(canvas, viewport);
+  }
   paintTrails(canvas, viewport);
   paintGhosts(canvas, viewport, ghosts_from);
   paintVehicles(canvas, viewport, time);
@@ -157,6 +160,19 @@ void ScenePainter::paintPassed(Canvas& canvas, const Viewport& viewport) const {
     canvas.stroke(centers(viewport, {other.then.box, other.at_key_time.box}),
                   {options_.agent_color, 2 * width});
   }
+}
+
+void ScenePainter::paintRest(Canvas& canvas, const Viewport& viewport) const {
+  if (!hasRest(view_)) return;
+  const double from = motion_.keyTime();
+  const double rest = motion_.standTime();
+  const double width = 0.08 * mark_size_;
+  const auto show = [&](const std::vector<OrientedBox>& way, const Color& color) {
+    canvas.stroke(centers(viewport, way), {color, width, 1.0, 0.3 * mark_size_, false});
+    paintGhost(canvas, viewport, way.back(), color, kRestGhosts * options_.ghost_opacity, width);
+  };
+  show(motion_.egoBoxes(from, rest), options_.ego_color);
+  show(motion_.attackerBoxes(from, rest), options_.attacker_color);
 }
 
 void ScenePainter::paintVehicles(Canvas& canvas, const Viewport& viewport, double time) const {

@@ -13,6 +13,9 @@ namespace forge {
 /// above zero. A scenario without an attack needs no trajectory.
 void checkDrawable(const ScenarioView& view, const DrawingOptions& options, bool has_attack);
 
+/// How much more opaque than ghosts the boxes at rest are.
+inline constexpr double kRestGhosts = 1.5;
+
 /// Paints the scene of one scenario, without any text, into any part of a picture. The view and the
 /// options must outlive it. Who paints clips to the viewport's area.
 class ScenePainter {
@@ -22,7 +25,7 @@ class ScenePainter {
                PictureKind kind, bool shows_pattern);
 
   const ScenarioMotion& motion() const { return motion_; }
-  bool hasContact() const { return view_.report.contact; }
+  bool hasContact() const { return forge::hasContact(view_); }
 
   /// The direction of the ground, radians from east, that points to the right in a picture, so that
   /// a straight road fills the width: that of the ego at now, or at keyTime() if the picture is
@@ -31,13 +34,14 @@ class ScenePainter {
   double rightwards() const;
   /// When the trails of the past begin.
   double trailsFrom() const;
-  /// Corners of the boxes of ego and attacker, from then to keyTime().
+  /// Corners of the boxes of ego and attacker, from then to standTime().
   std::vector<Vector2> shownCorners(double from) const;
 
   /// The map, which stands still.
   void paintGround(Canvas& canvas, const Viewport& viewport) const;
 
-  /// Everybody at `time`; ghosts show where ego and attacker are from `ghosts_from` to contact.
+  /// Everybody at `time`; ghosts show where ego and attacker are from `ghosts_from` to contact, and
+  /// in a still where they come to rest.
   void paint(Canvas& canvas, const Viewport& viewport, double time, double ghosts_from) const;
 
  private:
@@ -45,6 +49,7 @@ class ScenePainter {
   void paintGhosts(Canvas& canvas, const Viewport& viewport, double from) const;
   void paintRecorded(Canvas& canvas, const Viewport& viewport, double time) const;
   void paintPassed(Canvas& canvas, const Viewport& viewport) const;
+  void paintRest(Canvas& canvas, const Viewport& viewport) const;
   void paintVehicles(Canvas& canvas, const Viewport& viewport, double time) const;
   void paintPattern(Canvas& canvas, const Viewport& viewport) const;
 

@@ -9,7 +9,7 @@
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/scene/clock.h"
 #include "collision_forge/scene/number_words.h"
-#include "collision_forge/verify/braking_slide.h"
+#include "collision_forge/verify/post_crash_motion.h"
 #include "collision_forge/verify/verification.h"
 
 namespace forge {
@@ -94,9 +94,12 @@ class RecordBuilder {
     contact_ =
         firstContactTime(trajectory_, scene_.ego, last, context_.verification.overlap_tolerance);
     if (contact_) {
-      slide_ = slideFromContact(*contact_, trajectory_, scene_.ego, context_.verification.drivable);
-      ego_at_contact_ = stateAt(scene_.ego, *contact_).value().pose;
-      attacker_at_contact_ = overlapping(stateAt(drive_, *contact_).value().pose);
+      const AgentState ego = stateAt(scene_.ego, *contact_).value();
+      AgentState attacker = stateAt(drive_, *contact_).value();
+      attacker.pose = overlapping(ego.pose, attacker.pose);
+      crash_.emplace(CrashedVehicle{scene_.ego.agent_class, scene_.ego.size, ego},
+                     CrashedVehicle{drive_.agent_class, drive_.size, attacker},
+                     context_.verification.drivable);
     }
     const double end = contact_ ? *contact_ + context_.options.tail : last;
     const double steps = (end - begin_) / step_;
@@ -106,8 +109,8 @@ class RecordBuilder {
 
   /// The attacker's pose, moved towards the ego until their boxes overlap: the contact is found to
   /// a tolerance, and readers test the boxes as they are.
-  Pose2 overlapping(Pose2 attacker) const {
-    const auto gaps = axisGaps({ego_at_contact_, scene_.ego.size}, {attacker, drive_.size});
+  Pose2 overlapping(const Pose2& ego, Pose2 attacker) const {
+    const auto gaps = axisGaps({ego, scene_.ego.size}, {attacker, drive_.size});
     const auto widest = std::max_element(
         gaps.begin(), gaps.end(), [](const AxisGap& a, const AxisGap& b) { return a.gap < b.gap; });
     const double way = std::max(0.0, widest->gap + kTouchDepth);
@@ -141,9 +144,7 @@ class RecordBuilder {
 
   Track egoTrack() const {
     Track track = sampled(scene_.ego, [&](double time) -> std::optional<AgentState> {
-      if (isAfterContact(time)) {
-        return slide_.stateFrom(ego_at_contact_, std::max(time, *contact_));
-      }
+      if (isAfterContact(time)) return crash_->egoAt(time);
       return stateAt(scene_.ego, time);
     });
     if (track.states.size() < count_) {
@@ -168,9 +169,7 @@ class RecordBuilder {
     const Track past = pastOfAttacker();
     const double now = scenario_.asked.now;
     Track track = sampled(drive_, [&](double time) -> std::optional<AgentState> {
-      if (isAfterContact(time)) {
-        return slide_.stateFrom(attacker_at_contact_, std::max(time, *contact_));
-      }
+      if (isAfterContact(time)) return crash_->attackerAt(time);
       const bool is_attacking = time >= now - kTimeEpsilon;
       return is_attacking ? stateAt(drive_, std::max(time, now)) : stateAt(past, time);
     });
@@ -230,10 +229,8 @@ class RecordBuilder {
   std::size_t now_step_ = 0;
   std::size_t count_ = 0;
   Track drive_;
-  std::optional<double> contact_;  // s of the scene; the next three are valid with it
-  Pose2 ego_at_contact_;
-  Pose2 attacker_at_contact_;
-  BrakingSlide slide_;
+  std::optional<double> contact_;         // s of the scene
+  std::optional<PostCrashMotion> crash_;  // with a contact
 };
 
 }  // namespace

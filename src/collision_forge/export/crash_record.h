@@ -21,7 +21,7 @@ using LaneArcs = std::unordered_map<std::string, std::vector<ArcPath>>;
 /// the lanes around. Global map frame, metres, radians. Poses are the middles of boxes.
 ///
 /// Up to the contact ego and others are as recorded, and the attacker drives its attack. After it
-/// ego and attacker slide to a stand as one (slideFromContact()), with boxes that overlap by 5 mm.
+/// ego and attacker move as of PostCrashMotion, with boxes that overlap by 5 mm.
 struct CrashRecord {
   std::string name;   ///< of the files; a plain word, "scene-0061_17"
   Scenario scenario;  ///< what was asked for and answered; its times are on the scene's clock

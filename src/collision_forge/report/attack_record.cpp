@@ -1,5 +1,8 @@
 #include "collision_forge/report/attack_record.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "collision_forge/data/request_fields.h"
 #include "collision_forge/policy/attacker_policy.h"
 #include "collision_forge/report/compact_motion.h"
@@ -7,6 +10,8 @@
 
 namespace forge {
 namespace {
+
+constexpr double kCrashStep = 0.1;  // s between the states after a contact
 
 /// Those of the request's set, as far as both sets have them.
 void writeLimits(JsonLineWriter& writer, LimitSet set, const AttackerTrajectory& attacker,
@@ -58,12 +63,43 @@ void writePlansInShort(JsonLineWriter& writer, const std::vector<AttackerPlan>& 
   });
 }
 
-void writeDrive(JsonLineWriter& writer, const RolloutOutcome& driven,
-                const std::optional<Escape>& escape, double now) {
+/// Speed and acceleration along the heading.
+template <typename StateAtTime>
+std::vector<TrajectoryPoint> pointsAfterContact(const ShownCrash& crash, const StateAtTime& at) {
+  const double begin = crash.motion.contactTime();
+  const double duration = crash.motion.standTime() + crash.seconds_after_stand - begin;
+  const int steps = static_cast<int>(std::ceil(duration / kCrashStep));
+  std::vector<TrajectoryPoint> points;
+  for (int i = 0; i <= steps; ++i) {
+    const double time = begin + std::min(i * kCrashStep, duration);
+    const AgentState state = at(time);
+    points.push_back({time, state.pose, state.velocity.dot(state.pose.heading()), 0.0, 0.0});
+  }
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    points[i].acceleration =
+        (points[i + 1].speed - points[i].speed) / (points[i + 1].time - points[i].time);
+  }
+  return points;
+}
+
+void writeCrash(JsonLineWriter& writer, const ShownCrash& crash, double now) {
+  const PostCrashMotion& motion = crash.motion;
+  writer.beginObject("crash");
+  writeTrajectory(writer, "ego",
+                  pointsAfterContact(crash, [&](double time) { return motion.egoAt(time); }), now);
+  writeTrajectory(writer, "attacker",
+                  pointsAfterContact(crash, [&](double time) { return motion.attackerAt(time); }),
+                  now);
+  writer.endObject();
+}
+
+void writeDrive(JsonLineWriter& writer, const ShownTest& shown, double now) {
+  const RolloutOutcome& driven = *shown.driven;
   writer.beginObject("drive");
   writeTrajectory(writer, "ego", driven.driven, now);
   writeTrajectory(writer, "attacker", driven.attacker.points, now);
-  if (escape) writeTrajectory(writer, "escape", escape->ego.motion, now);
+  if (shown.crash) writeCrash(writer, *shown.crash, now);
+  if (shown.escape) writeTrajectory(writer, "escape", shown.escape->ego.motion, now);
   writePlansInShort(writer, driven.attacker_plans, now);
   writer.endObject();
 }
@@ -71,7 +107,7 @@ void writeDrive(JsonLineWriter& writer, const RolloutOutcome& driven,
 }  // namespace
 
 std::string attackRecord(const Scenario& scenario, const Realization& attack,
-                         const std::optional<CollisionReport>& recorded,
+                         const std::optional<RecordedAttack>& recorded,
                          const VerificationOptions& options) {
   const double now = scenario.asked.now;
   JsonLineWriter writer;
@@ -85,7 +121,8 @@ std::string attackRecord(const Scenario& scenario, const Realization& attack,
   writeAttacker(writer, attack.trajectory, now);
   writeAim(writer, attack, now);
   writeCollisionReport(writer, "report", attack.report, now);
-  if (recorded) writeCollisionReport(writer, "recorded", *recorded, now);
+  if (recorded) writeCollisionReport(writer, "recorded", recorded->report, now);
+  if (recorded && recorded->crash) writeCrash(writer, *recorded->crash, now);
   writeLimits(writer, scenario.asked.request.crash.limits, attack.trajectory, options);
   const bool is_first = &attack == &scenario.answer;
   writePlansInShort(writer, is_first ? scenario.plans : std::vector<AttackerPlan>(), now);
@@ -99,7 +136,7 @@ std::string plannerRecord(const PlannerTestResult& result, const PlannerRow& row
   writer.beginObject();
   writeAvoidability(writer, "avoidability", result.avoidability);
   writePlannerRow(writer, row, result.now);
-  if (shown.driven) writeDrive(writer, *shown.driven, shown.escape, result.now);
+  if (shown.driven) writeDrive(writer, shown, result.now);
   writer.beginArray("pictures");
   for (const PictureLink& picture : shown.pictures) {
     writer.beginObject();

@@ -8,14 +8,26 @@
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/trials/planner_result.h"
 #include "collision_forge/verify/options.h"
+#include "collision_forge/verify/post_crash_motion.h"
 
 namespace forge {
 
+/// What ego and attacker do after a contact, as the page shows it.
+struct ShownCrash {
+  PostCrashMotion motion;
+  double seconds_after_stand = 0.0;  ///< from when both stand to the end of what is shown
+};
+
+/// An attack against the recording.
+struct RecordedAttack {
+  CollisionReport report;                ///< of verify()
+  std::optional<ShownCrash> crash = {};  ///< with a contact
+};
+
 /// What the page tells of one attack beyond its row, as JSON. `attack` is the scenario's answer or
-/// one of its alternatives; `recorded` is what verify() says of it against the recording, where
-/// that is known.
+/// one of its alternatives; `recorded` is empty where the recording is not known.
 std::string attackRecord(const Scenario& scenario, const Realization& attack,
-                         const std::optional<CollisionReport>& recorded,
+                         const std::optional<RecordedAttack>& recorded,
                          const VerificationOptions& options);
 
 /// A picture of a test, as the page links to it.
@@ -27,6 +39,7 @@ struct PictureLink {
 /// What is known of a planner's test beyond its results.
 struct ShownTest {
   std::optional<RolloutOutcome> driven = {};  ///< with its motions, where it was driven again
+  std::optional<ShownCrash> crash = {};       ///< after a contact with the attacker there
   std::optional<Escape> escape = {};          ///< of the ego that was hit there
   std::vector<PictureLink> pictures = {};
 };

@@ -45,6 +45,12 @@ struct ListedTest {
   }
 };
 
+/// An attack, held against the recording.
+struct Judgement {
+  StrictOutcome outcome;
+  std::optional<ShownCrash> crash;  ///< with a contact
+};
+
 struct KnownPlanner {
   std::string name;
   const TrialOptions* options;
@@ -210,41 +216,57 @@ class ReportBuilder {
 
   /// `alternative` counts the attacks of the scenario from 1 on.
   void addAttack(const Scenario& scenario, const Realization& attack, int alternative) {
-    std::optional<StrictOutcome> recorded;
+    std::optional<Judgement> judgement;
     std::optional<double> now_in_recording;
     const bool is_attack = attack.status.code == StatusCode::kOk;
     if (scenes_) {
-      if (is_attack) recorded = judge(scenario, attack);
-      const double now = scenario.asked.now;
+      if (is_attack) judgement = judge(scenario, attack);
       const Scene& scene = scenes_->at(scenario.asked.scene)->scene;
       if (!scene.frame_times.empty()) {
-        now_in_recording = fromNow(now, scene.frame_times.front());
+        now_in_recording = fromNow(scenario.asked.now, scene.frame_times.front());
       }
-      const std::vector<TrajectoryPoint>& points = attack.trajectory.points;
-      extents_[scenario.asked.scene].include(
-          now - settings_.report.seconds_before_now,
-          points.empty() ? now + scenario.asked.request.tta : points.back().time, points);
+      include(scenario, attack, judgement ? judgement->crash : std::nullopt);
     }
-    ReportRow& row = rows_.emplace_back(rowOfAttack(scenario, attack, recorded));
+    ReportRow& row = rows_.emplace_back(rowOfAttack(
+        scenario, attack, judgement ? std::optional(judgement->outcome) : std::nullopt));
     row.now_in_recording = now_in_recording;
     row.commands = addCommands(commandsOfAttack(scenario, alternative, now_in_recording,
                                                 inputs_.logs, settings_.study.crash));
     if (!is_attack) return;
-    row.attack = page_.add(attackRecord(scenario, attack,
-                                        recorded ? std::optional(recorded->report) : std::nullopt,
-                                        settings_.study.attack.verification));
+    std::optional<RecordedAttack> recorded;
+    if (judgement) recorded = RecordedAttack{judgement->outcome.report, judgement->crash};
+    row.attack =
+        page_.add(attackRecord(scenario, attack, recorded, settings_.study.attack.verification));
+  }
+
+  /// In what is shown of its scene.
+  void include(const Scenario& scenario, const Realization& attack,
+               const std::optional<ShownCrash>& crash) {
+    const double now = scenario.asked.now;
+    const std::vector<TrajectoryPoint>& points = attack.trajectory.points;
+    double end = points.empty() ? now + scenario.asked.request.tta : points.back().time;
+    if (crash) end = std::max(end, crash->motion.standTime() + crash->seconds_after_stand);
+    extents_[scenario.asked.scene].include(now - settings_.report.seconds_before_now, end, points);
+  }
+
+  /// Empty without a contact.
+  std::optional<ShownCrash> shownCrash(const std::optional<PostCrashMotion>& motion) const {
+    if (!motion) return std::nullopt;
+    return ShownCrash{*motion, settings_.seconds_after_stand};
   }
 
   /// Empty where the recording has no frame at now.
-  std::optional<StrictOutcome> judge(const Scenario& scenario, const Realization& attack) {
+  std::optional<Judgement> judge(const Scenario& scenario, const Realization& attack) {
     Scenario judged{scenario.asked, scenario.ego, attack};
     const PlannerCase one =
         caseOfScenario(judged, *scenes_->at(scenario.asked.scene), settings_.study);
     if (one.status.code != StatusCode::kOk) return std::nullopt;
     const CrashScenario& crash = one.scenario;
-    return strictOutcome(crash.attacker,
-                         {crash.snapshot, crash.recorded, one.request, *crash.lanes},
-                         settings_.study.attack.verification);
+    const VerificationOptions& options = settings_.study.attack.verification;
+    const StrictOutcome outcome = strictOutcome(
+        crash.attacker, {crash.snapshot, crash.recorded, one.request, *crash.lanes}, options);
+    return Judgement{outcome, shownCrash(motionAfterContact(outcome.report, crash.attacker,
+                                                            crash.recorded.ego, options.drivable))};
   }
 
   void addPlannerTest(const std::string& where, const std::string& text) {
@@ -306,6 +328,16 @@ class ReportBuilder {
     return KnownPlanner{row.planner, &settings_.trials};
   }
 
+  /// Empty without a contact of the planner's ego with the attacker.
+  std::optional<PostCrashMotion> crashOf(const PlannerCase& one,
+                                         const RolloutOutcome& driven) const {
+    if (!driven.contact || !driven.contact->is_attacker) return std::nullopt;
+    const Track ego{kEgoId, AgentClass::kCar, one.scenario.recorded.ego.size,
+                    toStates(driven.driven)};
+    return motionAfterContact(driven.contact->time, driven.attacker, ego,
+                              settings_.study.attack.verification.drivable);
+  }
+
   /// The records of all tests, of as many as may be with the motions.
   void addTests() {
     std::stable_sort(tests_.begin(), tests_.end(), [](const ListedTest& a, const ListedTest& b) {
@@ -323,7 +355,7 @@ class ReportBuilder {
       const ListedTest& test = tests_[index];
       const auto place = places.find(lineOf(test.result.name));
       const auto planner = plannerOf(test.tested());
-      ShownTest shown{{}, {}, picturesOf(test)};
+      ShownTest shown{{}, {}, {}, picturesOf(test)};
       if (place == places.end() || !planner) {
         return plannerRecord(test.result, test.tested(), shown);
       }
@@ -336,6 +368,7 @@ class ReportBuilder {
           shown.escape =
               escapeAgain(one, outcome, policy, plan, settings_.study, *planner->options);
         }
+        shown.crash = shownCrash(crashOf(one, outcome));
         shown.driven = std::move(outcome);
       }
       return plannerRecord(test.result, test.tested(), shown);
@@ -347,7 +380,7 @@ class ReportBuilder {
       const ListedTest& test = tests_[i];
       rows_[test.row].test = page_.add(
           i < count ? records[i]
-                    : plannerRecord(test.result, test.tested(), {{}, {}, picturesOf(test)}));
+                    : plannerRecord(test.result, test.tested(), {{}, {}, {}, picturesOf(test)}));
     }
   }
 

@@ -28,6 +28,7 @@ struct ReportSettings {
   const DrawingOptions& drawing;
   const StudyOptions& study;
   const TrialOptions& trials;
+  double seconds_after_stand = 0.0;  ///< of AttackedBagOptions: how long a crash is shown
 };
 
 /// Writes FOLDER/index.html, a page of all that is in the files, with progress on stderr. With a

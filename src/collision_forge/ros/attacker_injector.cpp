@@ -35,22 +35,20 @@ std::optional<AgentState> pastAt(const collision_forge::AttackerTrajectory& traj
 }  // namespace
 
 AttackerInjector::AttackerInjector(collision_forge::AttackerTrajectory trajectory,
-                                   const BrakingSlide& slide)
-    : trajectory_(std::move(trajectory)), slide_(slide) {
+                                   const DriveLimitOptions& options)
+    : trajectory_(std::move(trajectory)), options_(options) {
   attacker_.id = trajectory_.attacker_id;
   attacker_.agent_class = trajectory_.agent_class;
   attacker_.size = trajectory_.size;
 }
 
-bool AttackerInjector::change(const collision_forge::AttackerTrajectory& trajectory,
-                              const BrakingSlide& slide) {
+bool AttackerInjector::change(const collision_forge::AttackerTrajectory& trajectory) {
   const bool is_same = trajectory.attacker_id == trajectory_.attacker_id &&
                        trajectory.header.stamp == trajectory_.header.stamp &&
                        trajectory.agent_class == trajectory_.agent_class &&
                        trajectory.size == trajectory_.size && trajectory.past == trajectory_.past;
   if (!is_same) return false;
   trajectory_ = trajectory;
-  slide_ = slide;
   return true;
 }
 
@@ -102,9 +100,11 @@ void AttackerInjector::put(const AgentState& state, collision_forge::AgentArray&
 }
 
 AgentState AttackerInjector::stateAfterNow(double time) const {
+  if (crash_ && time > crash_->contactTime()) return crash_->attackerAt(time);
   const AttackerTrajectory trajectory = fromMessage(trajectory_);
-  const TrajectoryPoint point = pointAt(trajectory, std::min(time, slide_.begin));
-  if (time > slide_.begin) return slide_.stateFrom(point.pose, time);
+  const TrajectoryPoint point = pointAt(trajectory, time);
+  const BrakingSlide slide = slideFromEnd(trajectory, options_);
+  if (time > slide.begin) return slide.stateFrom(point.pose, time);
   return {time, point.pose, point.speed * point.pose.heading()};
 }
 

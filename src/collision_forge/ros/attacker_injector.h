@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "collision_forge/geometry/pose2.h"
-#include "collision_forge/verify/braking_slide.h"
+#include "collision_forge/verify/post_crash_motion.h"
 
 namespace forge {
 
@@ -15,13 +15,17 @@ namespace forge {
 /// vehicle of its class, or of another where there is none.
 class AttackerInjector {
  public:
-  /// The attacker leaves the trajectory where the slide begins. Throws MessageError as
-  /// fromMessage() of the trajectory.
-  AttackerInjector(collision_forge::AttackerTrajectory trajectory, const BrakingSlide& slide);
+  /// After the end of the trajectory the attacker brakes to a stand (slideFromEnd()). Throws
+  /// MessageError as fromMessage() of the trajectory.
+  AttackerInjector(collision_forge::AttackerTrajectory trajectory,
+                   const DriveLimitOptions& options);
 
   /// Drives on by another trajectory of the same vehicle from the same now, and keeps what it
-  /// remembers; false, and nothing is changed, where it is of another attack.
-  bool change(const collision_forge::AttackerTrajectory& trajectory, const BrakingSlide& slide);
+  /// remembers, also of a crash; false, and nothing is changed, where it is of another attack.
+  bool change(const collision_forge::AttackerTrajectory& trajectory);
+
+  /// From the contact on the attacker moves as `crash` has it; empty: it has no contact.
+  void setCrash(const std::optional<PostCrashMotion>& crash) { crash_ = crash; }
 
   /// Takes height and z from a recorded frame, if the attacker is in it. inject() does so itself
   /// with frames up to the trajectory's start, and later ones where there was none.
@@ -29,7 +33,7 @@ class AttackerInjector {
 
   /// Frames up to the trajectory's start pass as they are; an attacker that was added is put into
   /// those of its past, too, as a new agent. Later, the attacker is where its trajectory or its
-  /// slide has it, whether it was recorded in that frame or not, and all others are as they were.
+  /// crash has it, whether it was recorded in that frame or not, and all others are as they were.
   collision_forge::AgentArray inject(collision_forge::AgentArray agents);
 
  private:
@@ -38,7 +42,8 @@ class AttackerInjector {
   void put(const AgentState& state, collision_forge::AgentArray& agents) const;
 
   collision_forge::AttackerTrajectory trajectory_;
-  BrakingSlide slide_;
+  DriveLimitOptions options_;
+  std::optional<PostCrashMotion> crash_;
   collision_forge::Agent attacker_;
   bool is_remembered_ = false;
 };

@@ -13,7 +13,11 @@ const collision_forge::CollisionReport* verdictBy(const ros::Time& now,
                                                   const collision_forge::Attack& attack,
                                                   const collision_forge::CollisionReport* tested);
 
-/// "contact in 4.4 s", from the foreseen contact on that it is waited for.
+/// Of a contact that is not yet verified.
+inline constexpr const char* kContactWords = "contact; verification follows";
+
+/// "contact in 4.4 s" up to the predicted contact, then "contact predicted 0.2 s ago": where the
+/// ego does not drive as predicted, the contact comes later or never.
 std::string countdownWords(const collision_forge::Attack& attack, const ros::Time& now);
 
 /// As asked, not as asked and why, or no contact.

@@ -22,7 +22,7 @@
 #include "collision_forge/ros/paths.h"
 #include "collision_forge/ros/sliding_ego.h"
 #include "collision_forge/ros/topic_names.h"
-#include "collision_forge/verify/braking_slide.h"
+#include "collision_forge/verify/post_crash_motion.h"
 
 namespace forge {
 namespace {
@@ -77,7 +77,7 @@ class Injection {
         recording_(recording),
         now_(attack.attack.trajectory.header.stamp) {
     shown_.report = attack.tested_report;
-    findSlide();
+    findCrash();
     findEnd();
     makeFrames();
     next_frame_ = frames_.begin();
@@ -107,22 +107,23 @@ class Injection {
  private:
   bool hasContact() const { return attack_.tested_report.contact; }
 
-  void findSlide() {
-    slide_ = slideFromEnd(trajectory_, recording_.limits);
+  void findCrash() {
     if (attack_.after_contact != AfterContact::kStop || !hasContact()) return;
-    slide_ = slideFromContact(attack_.tested_report.contact_time.toSec(), trajectory_,
-                              recording_.ego, recording_.limits);
-    ego_.emplace(slide_, fromMessage(attack_.tested_report.ego_at_contact),
-                 recording_.center_offset);
+    crash_ = motionAfterContact(attack_.tested_report.contact_time.toSec(), trajectory_,
+                                recording_.ego, recording_.limits);
+    if (crash_) ego_.emplace(*crash_, recording_.center_offset);
   }
 
   void findEnd() {
+    const AttackedBagOptions& options = recording_.options;
+    if (crash_) end_ = stampOf(crash_->standTime() + options.seconds_after_stand);
     if (attack_.after_contact != AfterContact::kEnd || !hasContact()) return;
-    end_ = attack_.tested_report.contact_time + ros::Duration(recording_.options.end_time);
+    end_ = attack_.tested_report.contact_time + ros::Duration(options.end_time);
   }
 
   void makeFrames() {
-    AttackerInjector injector(attack_.attack.trajectory, slide_);
+    AttackerInjector injector(attack_.attack.trajectory, recording_.limits);
+    injector.setCrash(crash_);
     collision_forge::AgentArray::Ptr before;
     ros::Time time_before;
     const rosbag::TopicQuery topic(bagTopic(names::kAgents));
@@ -201,9 +202,7 @@ class Injection {
 
   /// Where the ego is, as the bag has it.
   std::optional<Pose2> egoAt(double time) const {
-    if (ego_ && time > slide_.begin) {
-      return slide_.stateFrom(fromMessage(attack_.tested_report.ego_at_contact), time).pose;
-    }
+    if (crash_ && time > crash_->contactTime()) return crash_->egoAt(time).pose;
     const auto state = stateAt(recording_.ego, time);
     if (!state) return std::nullopt;
     return state->pose;
@@ -280,7 +279,7 @@ class Injection {
   /// The ego at the contact, before the first message that comes later.
   template <typename Message>
   void writeAtContact(const rosbag::MessageInstance& next, const Message& message) {
-    const auto made = ego_->atBeginning(message);
+    const auto made = ego_->atContact(message);
     const ros::Time before = std::exchange(ego_times_[next.getTopic()], next.getTime());
     if (!made) return;
     target_.write(next.getTopic(), before + (next.getTime() - before) * made->ratio, made->message,
@@ -309,8 +308,8 @@ class Injection {
   const RecordingContext& recording_;
   ros::Time now_;
   ros::Time end_ = ros::TIME_MAX;
-  BrakingSlide slide_;                          ///< of the attacker, and of the ego if it slides
-  std::optional<SlidingEgo> ego_;               ///< with AfterContact::kStop and a contact
+  std::optional<PostCrashMotion> crash_;        ///< with AfterContact::kStop and a contact
+  std::optional<SlidingEgo> ego_;               ///< the same
   std::map<std::string, ros::Time> ego_times_;  ///< by topic: when its last message was recorded
   AttackedFrames frames_;
   AttackedFrames::const_iterator next_frame_;  ///< that is not yet shown

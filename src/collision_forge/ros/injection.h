@@ -17,8 +17,9 @@ namespace forge {
 
 /// What an attacked bag shows after the contact with the recorded ego.
 enum class AfterContact {
-  kStop,     ///< both slide to a stand as one (slideFromContact()); /tf and odom are rewritten
-  kEnd,      ///< the bag ends shortly after
+  kStop,  ///< both move as of PostCrashMotion; /tf and odom are rewritten; the bag ends when both
+          ///< have stood for AttackedBagOptions::seconds_after_stand
+  kEnd,   ///< the bag ends shortly after
   kDriveOn,  ///< the ego drives as recorded, the attacker its trajectory to the end
 };
 

@@ -7,7 +7,6 @@
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/frame_between.h"
 #include "collision_forge/scene/scene_history.h"
-#include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {
@@ -22,33 +21,28 @@ double secondsFrom(const collision_forge::AgentArray::ConstPtr& from, const ros:
 
 LiveInjector::LiveInjector(const Config& config, AfterContact after_contact, Publish publish)
     : step_(1.0 / config.attacked_bag.frame_rate),
-      kept_for_(config.live.answerAge()),
       limits_(config.input_limits),
       after_contact_(after_contact),
-      verification_(config.attack.verification),
+      drivable_(config.attack.verification.drivable),
       publish_(std::move(publish)),
-      ego_{kEgoId, AgentClass::kCar, config.ego_vehicle.size, {}} {}
+      watch_(config.ego_vehicle.size, config.live.answerAge(), config.attack.verification) {}
 
 void LiveInjector::setAttack(const collision_forge::Attack& attack) {
   if (attack.trajectory.attacker_id.empty()) {
     injector_.reset();
-    contact_.reset();
+    watch_.stop();
     return send();
   }
   const AttackerTrajectory trajectory = fromMessage(attack.trajectory);
   checkTrajectory(trajectory, limits_, "attack");
-  message_ = attack.trajectory;
-  trajectory_ = trajectory;
-  const BrakingSlide slide = slideFromEnd(trajectory, verification_.drivable);
-  if (injector_ && injector_->change(message_, slide)) {
-    if (contact_) injector_->change(contact_->trajectory, contact_->slide);
-    return;
-  }
-  injector_.emplace(message_, slide);
-  contact_.reset();
+  now_ = trajectory.points.front().time;
+  if (injector_ && injector_->change(attack.trajectory)) return watch_.change(trajectory);
+  injector_.emplace(attack.trajectory, drivable_);
   if (last_) injector_->remember(*last_);
-  if (!ego_.states.empty()) begun_at_ = ego_.states.back().time;
-  findContact(ego_);
+  const auto& poses = watch_.ego().states;
+  if (!poses.empty()) begun_at_ = poses.back().time;
+  watch_.start(trajectory);
+  showCrash();
   send();
 }
 
@@ -66,34 +60,13 @@ void LiveInjector::addFrame(const collision_forge::AgentArray::ConstPtr& recorde
 }
 
 void LiveInjector::addEgo(const AgentState& ego) {
-  auto& states = ego_.states;
-  if (!states.empty() && ego.time <= states.back().time) {
-    states.clear();
-    if (contact_ && ego.time < contact_->slide.begin) forgetContact();
-  }
-  states.push_back(ego);
-  keepNewest(states, kept_for_);
-  if (states.size() > 1) {
-    findContact({ego_.id, ego_.agent_class, ego_.size, {*std::prev(states.end(), 2), ego}});
-  }
+  watch_.addEgo(ego);
+  showCrash();
   send();
 }
 
-/// With the poses of `ego`, the newest.
-void LiveInjector::findContact(const Track& ego) {
-  const bool is_over = contact_ || after_contact_ == AfterContact::kDriveOn;
-  if (!injector_ || is_over || ego.states.empty()) return;
-  const double end = std::min(ego.states.back().time, trajectory_.points.back().time);
-  const auto time = firstContactTime(trajectory_, ego, end, verification_.overlap_tolerance);
-  if (!time || *time <= trajectory_.points.front().time) return;
-  deriveVelocities(ego_);
-  contact_ = Contact{message_, slideFromContact(*time, trajectory_, ego_, verification_.drivable)};
-  injector_->change(contact_->trajectory, contact_->slide);
-}
-
-void LiveInjector::forgetContact() {
-  contact_.reset();
-  injector_->change(message_, slideFromEnd(trajectory_, verification_.drivable));
+void LiveInjector::showCrash() {
+  if (injector_ && after_contact_ != AfterContact::kDriveOn) injector_->setCrash(watch_.crash());
 }
 
 void LiveInjector::send() {
@@ -104,7 +77,7 @@ void LiveInjector::send() {
 /// False where none is due.
 bool LiveInjector::sendInBetween() {
   if (!injector_ || !last_) return false;
-  const double since = std::max({published_.toSec(), begun_at_, trajectory_.points.front().time});
+  const double since = std::max({published_.toSec(), begun_at_, now_});
   const double steps = std::floor((since - last_->header.stamp.toSec() + kSameTime) / step_) + 1.0;
   const double ahead = step_ * std::max(steps, 1.0);
   const ros::Time stamp = last_->header.stamp + ros::Duration(ahead);
@@ -146,11 +119,12 @@ void LiveInjector::keep(const collision_forge::AgentArray::ConstPtr& recorded) {
 }
 
 bool LiveInjector::isAfterNow(const ros::Time& stamp) const {
-  return injector_ && stamp.toSec() > trajectory_.points.front().time;
+  return injector_ && stamp.toSec() > now_;
 }
 
 bool LiveInjector::isEgoKnown(const ros::Time& stamp) const {
-  return !ego_.states.empty() && stamp.toSec() <= ego_.states.back().time + kSameTime;
+  const auto& poses = watch_.ego().states;
+  return !poses.empty() && stamp.toSec() <= poses.back().time + kSameTime;
 }
 
 }  // namespace forge

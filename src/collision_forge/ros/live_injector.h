@@ -11,6 +11,7 @@
 #include "collision_forge/ros/injection.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/settings/config.h"
+#include "collision_forge/verify/contact_watch.h"
 
 namespace forge {
 
@@ -27,9 +28,9 @@ namespace forge {
 /// that is older than what was published is left out. Where time stands still, nothing is
 /// published.
 ///
-/// From the attacker's first contact with the ego on, both boxes as in the verification, the
-/// attacker slides to a stand (slideFromContact()), unless it drives on. A replay that goes back
-/// to before the contact undoes it. Not thread-safe.
+/// From the attacker's first contact with the ego on (ContactWatch), the attacker moves as of
+/// PostCrashMotion, unless it drives on. A replay that goes back to before the contact undoes it.
+/// Not thread-safe.
 class LiveInjector {
  public:
   using Publish = std::function<void(const collision_forge::AgentArray&)>;
@@ -47,14 +48,7 @@ class LiveInjector {
   void addEgo(const AgentState& ego);
 
  private:
-  /// An attack from its contact on.
-  struct Contact {
-    collision_forge::AttackerTrajectory trajectory;
-    BrakingSlide slide;
-  };
-
-  void findContact(const Track& ego);
-  void forgetContact();
+  void showCrash();
   void send();
   bool sendInBetween();
   bool sendRecorded();
@@ -64,19 +58,16 @@ class LiveInjector {
   bool isAfterNow(const ros::Time& stamp) const;
   bool isEgoKnown(const ros::Time& stamp) const;
 
-  double step_;      // s between frames
-  double kept_for_;  // s of the ego's poses
+  double step_;  // s between frames
   InputLimits limits_;
   AfterContact after_contact_;
-  VerificationOptions verification_;
+  DriveLimitOptions drivable_;
   Publish publish_;
 
   std::optional<AttackerInjector> injector_;  // while there is an attack
-  collision_forge::AttackerTrajectory message_;
-  AttackerTrajectory trajectory_;  // the same
-  std::optional<Contact> contact_;
+  double now_ = 0.0;                          // s, of the attack
+  ContactWatch watch_;
 
-  Track ego_;  // its newest poses, as an answer is later than its "now"
   std::deque<collision_forge::AgentArray::ConstPtr> waiting_;  // for the ego's poses
   collision_forge::AgentArray::ConstPtr last_;                 // recorded frame that was published
   collision_forge::AgentArray::ConstPtr before_last_;

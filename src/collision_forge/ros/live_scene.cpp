@@ -28,23 +28,33 @@ OrientedBox shownBox(const AgentTrack& track, const LiveScene& live) {
   return {shownPose(track, live.now), sizeOf(track.size)};
 }
 
-const collision_forge::CollisionReport* contactIn(const LiveScene& live) {
-  return live.verdict && live.verdict->contact ? live.verdict : nullptr;
+/// As recorded.
+OrientedBox egoBox(const LiveScene& live) {
+  const AgentTrack& ego = live.scene->ego;
+  return {live.ego ? *live.ego : shownPose(ego, live.now), sizeOf(ego.size)};
 }
 
 bool isAttacker(const AgentTrack& track, const LiveScene& live) {
   return live.attack && track.id == live.attack->trajectory.attacker_id;
 }
 
-/// As it drives, from the contact on as it stands there.
+/// Ego and attacker after their contact.
+struct CrashedBoxes {
+  OrientedBox ego;
+  OrientedBox attacker;
+};
+
+CrashedBoxes crashedAt(double time, const LiveScene& live) {
+  return {{live.crash->egoAt(time).pose, sizeOf(live.attack->pattern.ego_size)},
+          {live.crash->attackerAt(time).pose, sizeOf(live.attack->trajectory.size)}};
+}
+
 std::optional<OrientedBox> attackerBox(const LiveScene& live) {
   if (!live.attack) return std::nullopt;
-  const BoxSize size = sizeOf(live.attack->trajectory.size);
-  if (const auto* contact = contactIn(live)) {
-    return OrientedBox{fromMessage(contact->attacker_at_contact), size};
-  }
+  if (live.crash) return crashedAt(live.now.toSec(), live).attacker;
   const auto pose = drivenPose(live.attack->trajectory, live.now);
-  return pose ? std::optional(OrientedBox{*pose, size}) : std::nullopt;
+  if (!pose) return std::nullopt;
+  return OrientedBox{*pose, sizeOf(live.attack->trajectory.size)};
 }
 
 /// Up to the box.
@@ -60,13 +70,10 @@ void addTrail(const AgentTrack& track, const OrientedBox& box, const colors::Mar
                    colors::withAlpha(color, kTrailAlpha));
 }
 
-/// Returns the box.
-OrientedBox addTrack(const std::string& name_space, const AgentTrack& track,
-                     const colors::MarkerColor& color, const LiveScene& live, MarkerList& markers) {
-  const OrientedBox box = shownBox(track, live);
+void addTrack(const std::string& name_space, const AgentTrack& track, const OrientedBox& box,
+              const colors::MarkerColor& color, MarkerList& markers) {
   addTrail(track, box, color, markers);
   markers.addBox(name_space, box, kVehicleHeight, color);
-  return box;
 }
 
 struct Named {
@@ -95,38 +102,42 @@ void addAgents(const LiveScene& live, std::vector<OrientedBox>& boxes, MarkerLis
     if (!isHere(agent, live)) continue;
     const colors::MarkerColor color = colors::agentColor(agent.agent_class);
     const bool attacks = isAttacker(agent, live);
-    boxes.push_back(addTrack(attacks ? "recorded" : "agents", agent,
-                             attacks ? colors::withAlpha(color, kRecordedAlpha) : color, live,
-                             markers));
+    boxes.push_back(shownBox(agent, live));
+    addTrack(attacks ? "recorded" : "agents", agent, boxes.back(),
+             attacks ? colors::withAlpha(color, kRecordedAlpha) : color, markers);
   }
 }
 
 void addEgo(const LiveScene& live, std::vector<OrientedBox>& boxes, MarkerList& markers) {
   const AgentTrack& ego = live.scene->ego;
-  const auto* contact = contactIn(live);
+  const bool is_crashed = live.attack && live.crash;
   if (isHere(ego, live)) {
-    boxes.push_back(addTrack(
-        contact ? "recorded" : "ego", ego,
-        contact ? colors::withAlpha(colors::kEgo, kRecordedAlpha) : colors::kEgo, live, markers));
+    boxes.push_back(egoBox(live));
+    addTrack(is_crashed ? "recorded" : "ego", ego, boxes.back(),
+             is_crashed ? colors::withAlpha(colors::kEgo, kRecordedAlpha) : colors::kEgo, markers);
   }
-  if (!contact) return;
-  boxes.push_back({fromMessage(contact->ego_at_contact), sizeOf(live.attack->pattern.ego_size)});
+  if (!is_crashed) return;
+  boxes.push_back(crashedAt(live.now.toSec(), live).ego);
   markers.addBox("ego", boxes.back(), kVehicleHeight, colors::kEgo);
 }
 
-/// Beside the contact, or beside the attacker where none is known.
+/// After a contact beside the place where the attacker comes to a stand; before it beside the
+/// predicted contact, or beside the attacker where none is predicted.
 void addWords(const LiveScene& live, const OrientedBox& attacker, std::vector<OrientedBox>& boxes,
               MarkerList& markers) {
   OrientedBox place = attacker;
-  if (contactIn(live)) {
-    const OrientedBox ego{fromMessage(live.verdict->ego_at_contact),
-                          sizeOf(live.attack->pattern.ego_size)};
-    markers.addDisc("contact", touchPoint(ego, attacker), kContactDiameter, kContactHeight,
+  if (live.crash) {
+    const auto [ego, attacker_then] = crashedAt(live.crash->contactTime(), live);
+    markers.addDisc("contact", touchPoint(ego, attacker_then), kContactDiameter, kContactHeight,
                     colors::kContact);
+    place = crashedAt(live.crash->standTime(), live).attacker;
   } else if (live.attack->report.contact && !live.verdict) {
     place.center = fromMessage(live.attack->report.attacker_at_contact);
   }
-  addWordsBeside(place, crashWords(*live.attack, live.verdict, live.now), boxes, markers);
+  const std::string words = live.crash && !live.verdict
+                                ? std::string(kContactWords)
+                                : crashWords(*live.attack, live.verdict, live.now);
+  addWordsBeside(place, words, boxes, markers);
 }
 
 }  // namespace
@@ -147,12 +158,11 @@ visualization_msgs::MarkerArray liveMarkers(const LiveScene& live) {
 }
 
 std::optional<Pose2> viewedEgo(const LiveScene& live) {
-  const auto* contact = contactIn(live);
-  if (contact && (live.now - contact->contact_time).toSec() < kCrashView) {
-    return fromMessage(contact->ego_at_contact);
-  }
+  const double now = live.now.toSec();
+  if (live.crash && now - live.crash->contactTime() < kCrashView)
+    return live.crash->egoAt(now).pose;
   if (!isHere(live.scene->ego, live)) return std::nullopt;
-  return shownPose(live.scene->ego, live.now);
+  return egoBox(live).center;
 }
 
 }  // namespace forge

@@ -4,26 +4,35 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include <memory>
+#include <optional>
 
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/crash_words.h"
+#include "collision_forge/ros/ego_poses.h"
 #include "collision_forge/ros/live_scene.h"
 #include "collision_forge/ros/markers.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/served_nodelet.h"
+#include "collision_forge/ros/shown_motion.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/scene/input_limits.h"
+#include "collision_forge/verify/contact_watch.h"
 
 namespace forge {
 
-/// Shows map, scene and attack in RViz. All but the map is a function of the time, the newest scene
-/// and the attack: it is right again after any jump of the clock.
+/// Shows map, scene and attack in RViz. All but the map is a function of the time, the newest
+/// scene, the poses of the ego and the attack: it is right again after any jump of the clock. The
+/// contact is found here (ContactWatch), because tested_report comes later: it waits for the next
+/// agents.
 class SceneVisualizerNodelet : public QueuedNodelet {
  private:
   static constexpr double kPictureRate = 20.0;  // Hz, of the wall clock
 
   void start(ros::NodeHandle node) override {
-    limits_ = loadNodeConfig(getPrivateNodeHandle()).input_limits;
+    const Config config = loadNodeConfig(getPrivateNodeHandle());
+    limits_ = config.input_limits;
+    drivable_ = config.attack.verification.drivable;
+    watch_.emplace(config.ego_vehicle.size, config.live.answerAge(), config.attack.verification);
     map_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kMapMarkers, 1, true);
     scene_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kSceneMarkers, 1);
     pattern_markers_ =
@@ -37,6 +46,8 @@ class SceneVisualizerNodelet : public QueuedNodelet {
         node.subscribe(names::kPredictedPatterns, 1, &SceneVisualizerNodelet::onPredicted, this),
         node.subscribe(names::kAttack, 1, &SceneVisualizerNodelet::onAttack, this),
         node.subscribe(names::kTestedReport, 1, &SceneVisualizerNodelet::onTested, this)};
+    ego_poses_ = std::make_unique<EgoPoses>(node, config.ego_vehicle.center_offset,
+                                            [this](const AgentState& ego) { watch_->addEgo(ego); });
     // Of the wall clock: whoever comes while the replay is paused sees the picture, too.
     timer_ = node.createWallTimer(ros::WallDuration(1.0 / kPictureRate),
                                   &SceneVisualizerNodelet::show, this);
@@ -87,11 +98,19 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     if (!goes_on) tested_.reset();  // it may be of another attack by the same vehicle, now
     attack_.reset();
     shown_ = Shown::kOutdated;
-    if (isNone(*attack)) return;
+    if (isNone(*attack)) return watch_->stop();
+    AttackerTrajectory trajectory;
     const auto check = [&] {
-      checkTrajectory(fromMessage(attack->trajectory), limits_, names::kAttack);
+      trajectory = fromMessage(attack->trajectory);
+      checkTrajectory(trajectory, limits_, names::kAttack);
     };
-    if (isUsable(names::kAttack, check)) attack_ = attack;
+    if (!isUsable(names::kAttack, check)) return watch_->stop();
+    attack_ = attack;
+    if (goes_on) {
+      watch_->change(trajectory);
+    } else {
+      watch_->start(trajectory);
+    }
   }
 
   void onTested(const collision_forge::CollisionReportConstPtr& report) {
@@ -112,13 +131,35 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     LiveScene live;
     live.scene = &scene_->snapshot;
     live.now = pictureTime();
+    const auto ego = shownState(watch_->ego(), live.now.toSec());
+    if (ego) live.ego = ego->pose;
     if (attack_ && live.now >= attack_->header.stamp) {
       live.attack = attack_.get();
       live.verdict = verdictBy(live.now, *attack_, tested_.get());
+      live.crash = crashBy(live, ego);
     }
     scene_markers_.publish(liveMarkers(live));
     showPlan(live);
     showView(live);
+  }
+
+  /// Empty before the contact. A contact that only the verdict knows, as that of a replay that was
+  /// joined later, is shown where the boxes touched: nobody knows the speed of the ego.
+  std::optional<PostCrashMotion> crashBy(const LiveScene& live,
+                                         const std::optional<AgentState>& ego) const {
+    const auto& known = watch_->crash();
+    if (known) return live.now.toSec() >= known->contactTime() ? known : std::nullopt;
+    const auto predicted = ego ? watch_->crashBefore(*ego) : std::nullopt;
+    if (predicted) return predicted;
+    if (!live.verdict || !live.verdict->contact) return std::nullopt;
+    const double time = live.verdict->contact_time.toSec();
+    const CrashedVehicle standing_ego{AgentClass::kCar,
+                                      sizeOf(live.attack->pattern.ego_size),
+                                      {time, fromMessage(live.verdict->ego_at_contact)}};
+    const CrashedVehicle attacker{AgentClass::kCar,
+                                  sizeOf(live.attack->trajectory.size),
+                                  {time, fromMessage(live.verdict->attacker_at_contact)}};
+    return PostCrashMotion(standing_ego, attacker, drivable_);
   }
 
   /// Where something changed.
@@ -157,6 +198,9 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   enum class Shown { kNothing, kPlan, kPast, kOutdated };
 
   InputLimits limits_;
+  DriveLimitOptions drivable_;
+  std::optional<ContactWatch> watch_;
+  std::unique_ptr<EgoPoses> ego_poses_;
   ros::Publisher map_markers_;
   ros::Publisher scene_markers_;
   ros::Publisher pattern_markers_;

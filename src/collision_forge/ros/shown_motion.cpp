@@ -13,6 +13,13 @@ constexpr double kStraight = 1e-4;    // rad/s; slower turns are none
 constexpr double kSlowest = 0.5;      // m/s; slower, a yaw's change is noise
 constexpr double kFastestTurn = 1.0;  // rad/s
 
+double turnRateBetween(const AgentState& before, const AgentState& last) {
+  const double time = last.time - before.time;
+  if (time <= 0.0 || time > kMaxGap || last.velocity.norm() < kSlowest) return 0.0;
+  const double rate = angleBetween(before.pose.yaw, last.pose.yaw) / time;
+  return std::clamp(rate, -kFastestTurn, kFastestTurn);
+}
+
 }  // namespace
 
 Pose2 movedOn(const AgentState& state, double turn_rate, double duration) {
@@ -31,19 +38,24 @@ Pose2 movedOn(const AgentState& state, double turn_rate, double duration) {
 
 double lastTurnRate(const collision_forge::AgentTrack& track) {
   if (track.states.size() < 2) return 0.0;
-  const auto& last = track.states.back();
-  const auto& before = track.states[track.states.size() - 2];
-  const double time = (last.stamp - before.stamp).toSec();
-  if (time <= 0.0 || time > kMaxGap) return 0.0;
-  if (std::hypot(last.velocity_x, last.velocity_y) < kSlowest) return 0.0;
-  const double rate = angleBetween(before.pose.theta, last.pose.theta) / time;
-  return std::clamp(rate, -kFastestTurn, kFastestTurn);
+  return turnRateBetween(fromMessage(track.states[track.states.size() - 2]),
+                         fromMessage(track.states.back()));
 }
 
 Pose2 shownPose(const collision_forge::AgentTrack& track, const ros::Time& now) {
   const AgentState newest = fromMessage(track.states.back());
   const double since = (now - track.states.back().stamp).toSec();
   return movedOn(newest, lastTurnRate(track), std::clamp(since, 0.0, kLongestGuess));
+}
+
+std::optional<AgentState> shownState(const Track& track, double now) {
+  const auto& states = track.states;
+  if (states.empty() || now <= states.back().time) return stateAt(track, now);
+  const double since = now - states.back().time;
+  if (since > kLongestGuess) return std::nullopt;
+  const double turn_rate =
+      states.size() < 2 ? 0.0 : turnRateBetween(*std::prev(states.end(), 2), states.back());
+  return AgentState{now, movedOn(states.back(), turn_rate, since), states.back().velocity};
 }
 
 std::optional<Pose2> drivenPose(const collision_forge::AttackerTrajectory& trajectory,

@@ -25,6 +25,11 @@ double lastTurnRate(const collision_forge::AgentTrack& track);
 /// track has a state.
 Pose2 shownPose(const collision_forge::AgentTrack& track, const ros::Time& now);
 
+/// Where a track of newer and newer states is at `now`: between its states, or the newest one moved
+/// on with its velocity and its last turn rate, by kLongestGuess at most. Empty before the first
+/// state, in gaps, and where the newest state is older than that.
+std::optional<AgentState> shownState(const Track& track, double now);
+
 /// Where its trajectory has an attacker at `now`; at its end from then on, empty before its begin.
 std::optional<Pose2> drivenPose(const collision_forge::AttackerTrajectory& trajectory,
                                 const ros::Time& now);

@@ -25,20 +25,20 @@ bool isEgo(const geometry_msgs::TransformStamped& transform) {
 
 }  // namespace
 
-SlidingEgo::SlidingEgo(const BrakingSlide& slide, const Pose2& box, double center_offset)
-    : slide_(slide), base_(compose(box, {-center_offset, 0.0, 0.0})) {}
+SlidingEgo::SlidingEgo(const PostCrashMotion& crash, double center_offset)
+    : crash_(crash), center_offset_(center_offset) {}
 
-/// Nothing where the beginning is not between the two stamps.
-std::optional<double> SlidingEgo::ratioOfBeginning(const ros::Time& before,
-                                                   const ros::Time& after) const {
-  const ros::Time begin = stampOf(slide_.begin);
-  if (begin <= before || begin >= after) return std::nullopt;
-  return (begin - before).toSec() / (after - before).toSec();
+/// Nothing where the contact is not between the two stamps.
+std::optional<double> SlidingEgo::ratioOfContact(const ros::Time& before,
+                                                 const ros::Time& after) const {
+  const ros::Time contact = stampOf(crash_.contactTime());
+  if (contact <= before || contact >= after) return std::nullopt;
+  return (contact - before).toSec() / (after - before).toSec();
 }
 
 geometry_msgs::Pose SlidingEgo::poseAt(double time, const geometry_msgs::Pose& like) const {
   geometry_msgs::Pose pose = like;
-  setPlanar(slide_.stateFrom(base_, time).pose, pose);
+  setPlanar(compose(crash_.egoAt(time).pose, {-center_offset_, 0.0, 0.0}), pose);
   return pose;
 }
 
@@ -53,14 +53,14 @@ geometry_msgs::Transform SlidingEgo::transformAt(double time,
   return transform;
 }
 
-std::optional<EgoBetween<tf2_msgs::TFMessage>> SlidingEgo::atBeginning(
+std::optional<EgoBetween<tf2_msgs::TFMessage>> SlidingEgo::atContact(
     const tf2_msgs::TFMessage& next) {
   const auto ego = std::find_if(next.transforms.begin(), next.transforms.end(), isEgo);
   if (ego == next.transforms.end() || !last_transform_) return std::nullopt;
-  const auto ratio = ratioOfBeginning(last_transform_->header.stamp, ego->header.stamp);
+  const auto ratio = ratioOfContact(last_transform_->header.stamp, ego->header.stamp);
   if (!ratio) return std::nullopt;
-  last_transform_->header.stamp = stampOf(slide_.begin);
-  last_transform_->transform = transformAt(slide_.begin, last_transform_->transform);
+  last_transform_->header.stamp = stampOf(crash_.contactTime());
+  last_transform_->transform = transformAt(crash_.contactTime(), last_transform_->transform);
   tf2_msgs::TFMessage message;
   message.transforms = {*last_transform_};
   return {{message, *ratio}};
@@ -70,7 +70,7 @@ tf2_msgs::TFMessage SlidingEgo::changed(tf2_msgs::TFMessage message) {
   for (auto& transform : message.transforms) {
     if (!isEgo(transform)) continue;
     const double time = transform.header.stamp.toSec();
-    if (time <= slide_.begin) {
+    if (time <= crash_.contactTime()) {
       last_transform_ = transform;
       continue;
     }
@@ -79,13 +79,13 @@ tf2_msgs::TFMessage SlidingEgo::changed(tf2_msgs::TFMessage message) {
   return message;
 }
 
-std::optional<EgoBetween<nav_msgs::Odometry>> SlidingEgo::atBeginning(
+std::optional<EgoBetween<nav_msgs::Odometry>> SlidingEgo::atContact(
     const nav_msgs::Odometry& next) {
   if (!last_odometry_) return std::nullopt;
-  const auto ratio = ratioOfBeginning(last_odometry_->header.stamp, next.header.stamp);
+  const auto ratio = ratioOfContact(last_odometry_->header.stamp, next.header.stamp);
   if (!ratio) return std::nullopt;
-  last_odometry_->header.stamp = stampOf(slide_.begin);
-  last_odometry_->pose.pose = poseAt(slide_.begin, last_odometry_->pose.pose);
+  last_odometry_->header.stamp = stampOf(crash_.contactTime());
+  last_odometry_->pose.pose = poseAt(crash_.contactTime(), last_odometry_->pose.pose);
   geometry_msgs::Twist& twist = last_odometry_->twist.twist;
   twist.linear = between(twist.linear, next.twist.twist.linear, *ratio);
   twist.angular = between(twist.angular, next.twist.twist.angular, *ratio);
@@ -94,13 +94,14 @@ std::optional<EgoBetween<nav_msgs::Odometry>> SlidingEgo::atBeginning(
 
 nav_msgs::Odometry SlidingEgo::changed(nav_msgs::Odometry message) {
   const double time = message.header.stamp.toSec();
-  if (time <= slide_.begin) {
+  if (time <= crash_.contactTime()) {
     last_odometry_ = message;
     return message;
   }
   message.pose.pose = poseAt(time, last_odometry_.value_or(message).pose.pose);
-  const Vector2 velocity = slide_.stateFrom(base_, time).velocity;
-  const Pose2 local = relativeTo({0.0, 0.0, base_.yaw}, {velocity.x(), velocity.y(), base_.yaw});
+  const AgentState ego = crash_.egoAt(time);
+  const double yaw = ego.pose.yaw;
+  const Pose2 local = relativeTo({0.0, 0.0, yaw}, {ego.velocity.x(), ego.velocity.y(), yaw});
   message.twist.twist = geometry_msgs::Twist();
   message.twist.twist.linear.x = local.x;
   message.twist.twist.linear.y = local.y;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "collision_forge/verify/braking_slide.h"
+#include "collision_forge/verify/post_crash_motion.h"
 
 namespace forge {
 
@@ -19,29 +19,29 @@ struct EgoBetween {
   double ratio;  ///< of the time between the two, in (0, 1)
 };
 
-/// Rewrites what tells the ego's motion in a recording, from the beginning of a slide on. Height,
-/// roll and pitch stay those of the newest message up to then. Messages come in the order of time.
+/// Rewrites what tells the ego's motion in a recording, from its contact on. Height, roll and pitch
+/// stay those of the newest message up to then. Messages come in the order of time.
 class SlidingEgo {
  public:
-  /// `box` is the ego's box when the slide begins, `center_offset` as of EgoVehicle.
-  SlidingEgo(const BrakingSlide& slide, const Pose2& box, double center_offset);
+  /// `center_offset` as of EgoVehicle.
+  SlidingEgo(const PostCrashMotion& crash, double center_offset);
 
-  /// The same with map -> base_link as it slides; other transforms are left alone.
+  /// The same with map -> base_link as after the contact; other transforms are left alone.
   tf2_msgs::TFMessage changed(tf2_msgs::TFMessage message);
   nav_msgs::Odometry changed(nav_msgs::Odometry message);
 
-  /// The ego when the slide begins, for the first message that comes after that, before it is
-  /// changed(). Nothing where there was none before, or where one of the two has that stamp.
-  std::optional<EgoBetween<tf2_msgs::TFMessage>> atBeginning(const tf2_msgs::TFMessage& next);
-  std::optional<EgoBetween<nav_msgs::Odometry>> atBeginning(const nav_msgs::Odometry& next);
+  /// The ego at the contact, for the first message that comes after that, before it is changed().
+  /// Nothing where there was none before, or where one of the two has that stamp.
+  std::optional<EgoBetween<tf2_msgs::TFMessage>> atContact(const tf2_msgs::TFMessage& next);
+  std::optional<EgoBetween<nav_msgs::Odometry>> atContact(const nav_msgs::Odometry& next);
 
  private:
-  std::optional<double> ratioOfBeginning(const ros::Time& before, const ros::Time& after) const;
+  std::optional<double> ratioOfContact(const ros::Time& before, const ros::Time& after) const;
   geometry_msgs::Pose poseAt(double time, const geometry_msgs::Pose& like) const;
   geometry_msgs::Transform transformAt(double time, const geometry_msgs::Transform& like) const;
 
-  BrakingSlide slide_;
-  Pose2 base_;  ///< base_link when the slide begins
+  PostCrashMotion crash_;
+  double center_offset_;
   std::optional<geometry_msgs::TransformStamped> last_transform_;  ///< up to then, as is the next
   std::optional<nav_msgs::Odometry> last_odometry_;
 };

@@ -5,25 +5,22 @@
 
 namespace forge {
 
-/// What vehicles do where nothing says what they drive: they slide on without turning and brake to
-/// a stand.
+/// A vehicle that brakes to a stand: it keeps its heading and its direction of travel.
 struct BrakingSlide {
   double begin = 0.0;          ///< seconds
   Vector2 velocity{0.0, 0.0};  ///< m/s at the beginning, global map frame
   double braking = 0.0;        ///< m/s2, positive
 
-  /// Where what was at `pose` at the beginning is at `time`, and how fast; not before the
-  /// beginning.
+  /// Returns the state at `time` of a vehicle that was at `pose` at the beginning. `time` must not
+  /// be before the beginning.
   AgentState stateFrom(const Pose2& pose, double time) const;
+
+  /// Returns the time from which on the vehicle stands, seconds.
+  double standTime() const;
 };
 
-/// An attacker after the end of its trajectory: straight on, braking as hard as its class can.
+/// Returns the motion of an attacker after the end of its trajectory: straight on, with the hardest
+/// braking of its class. `trajectory` must have points.
 BrakingSlide slideFromEnd(const AttackerTrajectory& trajectory, const DriveLimitOptions& options);
-
-/// Ego and attacker after their contact, as if they were one: with the velocity that keeps their
-/// momentum, masses as their boxes' areas, braking as hard as the weaker of the two can. It shows a
-/// crash and is no model of one. The contact is within the trajectory and the ego's track.
-BrakingSlide slideFromContact(double contact_time, const AttackerTrajectory& trajectory,
-                              const Track& ego, const DriveLimitOptions& options);
 
 }  // namespace forge

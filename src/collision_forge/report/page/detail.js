@@ -1,12 +1,12 @@
 // One row opened: the top view, the time lines, and what the files say of it.
 import {stateAt} from './geometry.js';
-import {motionOf} from './records.js';
+import {continued, motionOf} from './records.js';
 import {Timelines} from './timelines.js';
 import {TopView} from './top_view.js';
 import {OUTCOME_NOTES, amount, degrees, element, title} from './words.js';
 
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
-const AFTER_CONTACT = 1.5; // s shown after a planner's contact, where its drive ends
+const AFTER_CONTACT = 1.5; // s shown after a planner's contact with somebody else than the attacker
 const FAR_LESS = 0.8; // of the height of the view
 
 /** "scenarios:3, Left turn across path, 4.0 s from now, car, cut in"; of a test its planner comes second. */
@@ -22,6 +22,8 @@ export function worldOf({now, tta, scene, attack, test}) {
   const world = {others: [], roles: [], begin: 0, end: (tta || 0) + 1, focus: [], map: scene && scene.map};
   const offset = scene && scene.origin - now;
   const drive = test && test.drive;
+  const crash = drive ? drive.crash : attack && attack.crash;
+  const withCrash = (motion, after) => (after ? continued(motion, motionOf(after)) : motion);
   const attackerId = attack && attack.attacker.id;
   const size = attack ? {length: attack.ego_length, width: attack.ego_width} : scene;
   for (const agent of scene ? scene.agents : []) {
@@ -30,20 +32,25 @@ export function worldOf({now, tta, scene, attack, test}) {
     else world.roles.push({...role, color: 'attacker', isPale: true, name: 'Attacker as recorded'});
   }
   if (scene && scene.ego.t.length) {
-    world.roles.push({motion: motionOf(scene.ego, offset), length: scene.length, width: scene.width, color: 'ego',
-      isPale: Boolean(drive), isEgo: true, isTimed: true, isFollowed: !drive, name: 'Ego as recorded'});
+    const recorded = motionOf(scene.ego, offset);
+    const isCrashed = crash && !drive;
+    world.roles.push({motion: withCrash(recorded, isCrashed && crash.ego), length: scene.length, width: scene.width,
+      color: 'ego', isPale: Boolean(drive), isEgo: true, isTimed: true, isFollowed: !drive,
+      name: isCrashed ? 'Ego, recorded up to the contact' : 'Ego as recorded'});
     world.begin = Math.max(world.roles[world.roles.length - 1].motion.t[0], -3);
   }
-  if (attack) addAttacker(world, attack, drive);
+  if (attack) addAttacker(world, attack, drive, (motion) => withCrash(motion, crash && crash.attacker));
   if (drive) {
-    world.roles.push({motion: motionOf(drive.ego), ...size, color: 'ego', isEgo: true, isTimed: true,
-      isFollowed: true, isHeld: true, name: 'Ego as the planner drives it'});
+    world.roles.push({motion: withCrash(motionOf(drive.ego), crash && crash.ego), ...size, color: 'ego', isEgo: true,
+      isTimed: true, isFollowed: true, isHeld: true, name: 'Ego as the planner drives it'});
     if (drive.escape) {
       world.roles.push({motion: motionOf(drive.escape), ...size, color: 'escape', isPale: true,
         name: 'Ego as it could have escaped'});
     }
-    if (test.contact) world.end = Math.min(world.end, test.contact.t + AFTER_CONTACT);
+    if (test.contact && !crash) world.end = Math.min(world.end, test.contact.t + AFTER_CONTACT);
   }
+  // Without the recording nobody knows the ego, so nothing is shown after the predicted contact.
+  if (attack && !attack.recorded && !drive && attack.report.contact) world.end = attack.report.contact_t;
   world.contact = contactOf(attack, test, world);
   for (const role of world.roles) {
     if (role.isPale && !role.isEgo) continue;
@@ -55,9 +62,9 @@ export function worldOf({now, tta, scene, attack, test}) {
   return world;
 }
 
-function addAttacker(world, attack, drive) {
+function addAttacker(world, attack, drive, withCrash) {
   const {attacker, aim} = attack;
-  const motion = motionOf(drive && drive.attacker.t.length ? drive.attacker : attacker.trajectory);
+  const motion = withCrash(motionOf(drive && drive.attacker.t.length ? drive.attacker : attacker.trajectory));
   const past = motionOf(attacker.past);
   const size = {length: attacker.length, width: attacker.width};
   world.end = motion.t[motion.t.length - 1];

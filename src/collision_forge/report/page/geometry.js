@@ -39,14 +39,22 @@ export function heldAt(motion, t) {
   return stateAt(motion, Math.min(Math.max(t, motion.t[0]), motion.t[count - 1]));
 }
 
+/** The part of [t - width / 2, t + width / 2] that the motion covers; a joint of `continued` is an edge of it. */
+function windowAt(motion, t, width) {
+  const last = motion.t[motion.t.length - 1];
+  const [begin, end] = motion.joint === undefined ? [motion.t[0], last]
+    : t < motion.joint ? [motion.t[0], motion.joint] : [motion.joint, last];
+  return [Math.max(t - width / 2, begin), Math.min(t + width / 2, end)];
+}
+
 /** Speed along the heading over `width` seconds around t. */
 export function speedAt(motion, t, width = 0.6) {
   const state = stateAt(motion, t);
   if (!state || state.v !== null) return state && state.v;
-  const last = motion.t.length - 1;
-  const from = stateAt(motion, Math.max(t - width / 2, motion.t[0]));
-  const to = stateAt(motion, Math.min(t + width / 2, motion.t[last]));
-  const span = Math.min(t + width / 2, motion.t[last]) - Math.max(t - width / 2, motion.t[0]);
+  const [begin, end] = windowAt(motion, t, width);
+  const from = stateAt(motion, begin);
+  const to = stateAt(motion, end);
+  const span = end - begin;
   if (!from || !to || span <= 0) return null;
   return ((to.x - from.x) * Math.cos(state.yaw) + (to.y - from.y) * Math.sin(state.yaw)) / span;
 }
@@ -54,8 +62,7 @@ export function speedAt(motion, t, width = 0.6) {
 export function accelerationAt(motion, t, width = 1.0) {
   const state = stateAt(motion, t);
   if (!state || state.a !== null) return state && state.a;
-  const from = Math.max(t - width / 2, motion.t[0]);
-  const to = Math.min(t + width / 2, motion.t[motion.t.length - 1]);
+  const [from, to] = windowAt(motion, t, width);
   const before = speedAt(motion, from);
   const after = speedAt(motion, to);
   return before === null || after === null || to <= from ? null : (after - before) / (to - from);

@@ -25,6 +25,14 @@ export function motionOf(packed, offset = 0) {
   return motion;
 }
 
+/** The motion up to the first time of `next`, the joint, and `next` from then on. */
+export function continued(motion, next) {
+  const place = motion.t.findIndex((t) => t >= next.t[0] - 1e-6);
+  const count = place < 0 ? motion.t.length : place;
+  return Object.assign(Object.fromEntries(Object.entries(motion).map(
+    ([key, values]) => [key, Float64Array.of(...values.subarray(0, count), ...next[key])])), {joint: next.t[0]});
+}
+
 const stemOf = (path) => path.split('/').pop().replace(/\.[a-z]+$/, '');
 
 /** How rows name each file: by its name without folder and ending, by its path where that is not unique. */
