@@ -20,8 +20,6 @@ std::string className(AgentClass agent_class) {
   return name;
 }
 
-std::string percentText(double share) { return decimalText(100 * share, 0) + " %"; }
-
 /// The first condition of verified() that does not hold; some does not.
 std::string shortcoming(const CollisionReport& report) {
   if (!report.contact) return "no contact";

@@ -28,9 +28,6 @@ struct ScenarioView {
   CollisionPattern pattern;       ///< the asked-for boxes, drawn as outlines
   AttackerTrajectory trajectory;  ///< what the attacker drives instead
   CollisionReport report;         ///< of that trajectory against `future`, the recording
-  /// Of the report its contact alone is known, with its type and time: the picture says nothing of
-  /// the other fields, nor whether the attack is verified.
-  bool contact_alone = false;
   /// What ego and attacker do after the contact of the report; without it the picture shows nothing
   /// later than the contact.
   std::optional<PostCrashMotion> crash = {};
