@@ -344,9 +344,9 @@ class WholeRoadTest(LiveTest):
     HEARD = ['/encoded_scene', '/agents', '/injected_agents', '/tested_report', '/map_markers', '/scene_markers',
              '/pattern_markers', '/attack_markers']
 
-    def play_and_ask(self, collision_type, mode, seed, believable='false'):
-        """Answered live as offline; returns the answer and the attacked bag."""
-        now, tta, attacked = self.offline(collision_type, mode, seed, believable=believable)
+    def play_and_ask(self, collision_type, mode, seed, believable='false', **instants):
+        """Answered live as offline(); returns the answer and the attacked bag."""
+        now, tta, attacked = self.offline(collision_type, mode, seed, believable=believable, **instants)
         end = self.play_to(now).header.stamp
         answer = self.ask_until(lambda answer: answer.code == 0 and answer.attack.pattern.header.stamp == end, collision_type,
                                 tta, mode=mode, seed=seed, believable=believable, choice='existing')

@@ -55,7 +55,8 @@ class JunctionTest(live.WholeRoadTest):
         self.check('junction_crossing', 'replay', 7)
 
     def test_crash_with_an_ego_that_does_not_drive_as_predicted_is_shown_as_in_the_bag(self):
-        _, attacked = self.play_and_ask('junction_crossing', 'history', 3)
+        answer, attacked = self.play_and_ask('opposite_direction', 'history', 3, nows=(4.0,), ttas=(4.0,))
+        self.assertFalse(road.read_one(attacked, '/tested_report').verified)
         self.assert_crash_shown(attacked)
 
     def test_before_an_attack_agents_pass_as_they_are(self):

@@ -10,6 +10,7 @@
 #include "collision_forge/ros/crash_words.h"
 #include "collision_forge/ros/ego_poses.h"
 #include "collision_forge/ros/live_scene.h"
+#include "collision_forge/ros/marker_parts.h"
 #include "collision_forge/ros/markers.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/served_nodelet.h"
