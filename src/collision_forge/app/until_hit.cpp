@@ -187,7 +187,8 @@ void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestRe
     if (written.insert(hardest).second) scenarios += scenarioLine(shown->scenario) + "\n";
     witnesses += witnessLine(weakness, *shown) + "\n";
     const std::string picture = (pictures / std::to_string(list.count())).string();
-    drawView(picture, viewOfHit(shown->one, weakness.planner, weakness.policy, shown->outcome, config),
+    drawView(picture,
+             viewOfHit(shown->one, weakness.planner, weakness.policy, shown->outcome, config),
              config.drawing);
     drawView(
         picture + "_escape",

@@ -31,7 +31,8 @@ CloseUpInset::CloseUpInset(const ScenePainter& scene, const PixelRect& area,
       area_(area),
       frame_{options.text_color, 1.0, 1.0, 0.0, true},
       ground_(groundOf(
-          scene, closeUpOf(scene, scene.motion().contactPoint(), area.width, options.close_up_extent),
+          scene,
+          closeUpOf(scene, scene.motion().contactPoint(), area.width, options.close_up_extent),
           options)) {}
 
 void CloseUpInset::paint(Canvas& canvas, double time) const {

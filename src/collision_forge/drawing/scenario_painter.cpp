@@ -17,8 +17,9 @@ constexpr double kNoGhosts = std::numeric_limits<double>::infinity();
 constexpr double kMarginAside = 1.5;      // of the margin, above and below: shows more of the road
 constexpr double kLeastMapHeight = 0.22;  // of its width: leaves room for the labels
 
-Viewport closeUp(const PixelRect& area, const ScenePainter& scene, double extent) {
-  return {area, scene.motion().contactPoint(), area.width / extent, scene.rightwards()};
+Viewport closeUp(const PixelRect& area, const ScenePainter& scene, const Vector2& center,
+                 double extent) {
+  return {area, center, area.width / extent, scene.rightwards()};
 }
 
 }  // namespace
@@ -32,7 +33,8 @@ ScenarioPainter::ScenarioPainter(const ScenarioView& view, const DrawingOptions&
       scene_(view, options, size.font_size, kind, true),
       map_viewport_(fitMap(layoutFigure(size).map)),
       layout_(withMapHeight(layoutFigure(size), map_viewport_.area().height)),
-      close_up_viewport_(closeUp(layout_.close_up, scene_, options.close_up_extent)),
+      close_up_viewport_(closeUp(layout_.close_up, scene_, scene_.motion().contactPoint(),
+                                 options.close_up_extent)),
       background_(
           size.width,
           size.height - static_cast<int>(layoutFigure(size).map.height - layout_.map.height),
@@ -143,7 +145,7 @@ Image ScenarioPainter::paint(double time, double ghosts_from) const {
   const PixelRect& square = layout_.close_up;
   canvas.clip(square);
   const Vector2 center = scene_.motion().closeUpCenter(time);
-  const Viewport close_up = closeUp(square, center, options_.close_up_extent);
+  const Viewport close_up = closeUp(square, scene_, center, options_.close_up_extent);
   if (center != scene_.motion().contactPoint()) {
     canvas.fillRect(square, options_.background_color);
     scene_.paintGround(canvas, close_up);
