@@ -79,5 +79,10 @@ TEST(CommandsOfTest, TestThePlannerOnThatLineAlone) {
             "--attacker-policy adaptive --background idm --out one --report one/page");
 }
 
+TEST(CommandsRecord, HasTitlesAndLines) {
+  EXPECT_EQ(commandsRecord({{"A bag", "a\nb"}}),
+            R"({"commands":[{"title":"A bag","lines":"a\nb"}]})");
+}
+
 }  // namespace
 }  // namespace forge

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "collision_forge/data/json_line.h"
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/scene/request_words.h"
 
@@ -121,6 +122,21 @@ ShellCommands commandsOfTest(const std::string& path, std::size_t line, const st
                       option("planners", planner) + option("attacker-policy", toString(policy));
   if (background == Background::kIdm) lines += " --background idm";
   return {"Test, picture and animation", lines + " --out one --report one/page"};
+}
+
+std::string commandsRecord(const std::vector<ShellCommands>& commands) {
+  JsonLineWriter writer;
+  writer.beginObject();
+  writer.beginArray("commands");
+  for (const ShellCommands& some : commands) {
+    writer.beginObject();
+    writer.text("title", some.title);
+    writer.text("lines", some.lines);
+    writer.endObject();
+  }
+  writer.endArray();
+  writer.endObject();
+  return writer.line();
 }
 
 }  // namespace forge

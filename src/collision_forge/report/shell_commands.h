@@ -35,4 +35,7 @@ std::vector<ShellCommands> commandsOfAttack(const Scenario& scenario, int altern
 ShellCommands commandsOfTest(const std::string& path, std::size_t line, const std::string& planner,
                              PolicyKind policy, Background background, const LogSource& logs);
 
+/// What the page shows of them, as JSON.
+std::string commandsRecord(const std::vector<ShellCommands>& commands);
+
 }  // namespace forge

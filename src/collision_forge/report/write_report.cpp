@@ -199,21 +199,6 @@ class ReportBuilder {
     }
   }
 
-  std::size_t addCommands(const std::vector<ShellCommands>& commands) {
-    JsonLineWriter writer;
-    writer.beginObject();
-    writer.beginArray("commands");
-    for (const ShellCommands& some : commands) {
-      writer.beginObject();
-      writer.text("title", some.title);
-      writer.text("lines", some.lines);
-      writer.endObject();
-    }
-    writer.endArray();
-    writer.endObject();
-    return page_.add(writer.line());
-  }
-
   /// `alternative` counts the attacks of the scenario from 1 on.
   void addAttack(const Scenario& scenario, const Realization& attack, int alternative) {
     std::optional<Judgement> judgement;
@@ -230,8 +215,8 @@ class ReportBuilder {
     ReportRow& row = rows_.emplace_back(rowOfAttack(
         scenario, attack, judgement ? std::optional(judgement->outcome) : std::nullopt));
     row.now_in_recording = now_in_recording;
-    row.commands = addCommands(commandsOfAttack(scenario, alternative, now_in_recording,
-                                                inputs_.logs, settings_.study.crash));
+    row.commands = page_.add(commandsRecord(commandsOfAttack(
+        scenario, alternative, now_in_recording, inputs_.logs, settings_.study.crash)));
     if (!is_attack) return;
     std::optional<RecordedAttack> recorded;
     if (judgement) recorded = RecordedAttack{judgement->outcome.report, judgement->crash};
@@ -281,9 +266,9 @@ class ReportBuilder {
       if (result.isTested()) tests_.push_back({rows_.size(), result, i});
       ReportRow& row = rows_.emplace_back(rowOfTest(result, &test, known));
       if (known == nullptr || !isPlannerName(test.planner)) continue;
-      row.commands =
-          addCommands({commandsOfTest(files_[known->file].path, known->line, test.planner,
-                                      test.attacker.policy, inputs_.background, inputs_.logs)});
+      row.commands = page_.add(
+          commandsRecord({commandsOfTest(files_[known->file].path, known->line, test.planner,
+                                         test.attacker.policy, inputs_.background, inputs_.logs)}));
     }
   }
 
