@@ -80,6 +80,13 @@ TEST(CaptionText, AnEscapeHasNoContactAndThatIsWanted) {
   EXPECT_EQ(rowOf(view, "Contact").passed, true);
 }
 
+TEST(CaptionText, AManoeuvreIsInPlainWords) {
+  ScenarioView view = sampleView();
+  view.report.manoeuvre = Manoeuvre::kWrongWay;
+  view.report.manoeuvre_begin = view.snapshot.now + 1.0;
+  EXPECT_EQ(valueOf(view, "Manoeuvre"), "wrong way from +1.0 s");
+}
+
 TEST(CaptionText, AShareIsWholePercent) {
   ScenarioView view = sampleView();
   view.report.confidence = 0.712;

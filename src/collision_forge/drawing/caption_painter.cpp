@@ -94,12 +94,12 @@ void paintScale(Canvas& canvas, const Viewport& viewport, const FigureSize& size
   const double left = area.x + 0.9 * font;
   const double length = scaleBarLength(viewport, font, options);
   const double right = left + length * viewport.pixelsPerMetre();
-  const double top = area.y + area.height - kScaleHeight * font;
-  canvas.fillRect({area.x, top, right + 0.9 * font - area.x, kScaleHeight * font},
+  const double height = kScaleHeight * font - 1.0;  // pixels; leaves out the edge of the area
+  const double top = area.y + area.height - 1.0 - height;
+  canvas.fillRect({area.x, top, right + 0.9 * font - area.x, height}, options.background_color,
+                  kScaleGround);
+  canvas.fillRect({area.x + area.width - kArrowWidth * font, top, kArrowWidth * font, height},
                   options.background_color, kScaleGround);
-  canvas.fillRect(
-      {area.x + area.width - kArrowWidth * font, top, kArrowWidth * font, kScaleHeight * font},
-      options.background_color, kScaleGround);
   const double tick = 0.35 * font;
   const LineStyle line{options.text_color, 0.13 * font, 1.0, 0.0, false};
   canvas.stroke({{left, y - tick}, {left, y}, {right, y}, {right, y - tick}}, line);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kDegreesPerRadian = 57.29577951308232;
 
-std::string className(AgentClass agent_class) {
-  std::string name = toString(agent_class);
+/// The name as people read it, as "construction vehicle".
+std::string plainName(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }
@@ -86,7 +86,7 @@ std::vector<CaptionRow> drivingRows(const ScenarioView& view) {
   std::vector<CaptionRow> rows;
   if (report.contact) {
     rows.push_back({"Manoeuvre",
-                    std::string(toString(report.manoeuvre)) + " from " +
+                    plainName(toString(report.manoeuvre)) + " from " +
                         signedSeconds(report.manoeuvre_begin - now, 1),
                     std::nullopt});
   }
@@ -153,7 +153,7 @@ std::string titleText(const ScenarioView& view) {
 
 std::string detailsText(const ScenarioView& view) {
   const AttackerTrajectory& attacker = view.trajectory;
-  const std::string who = className(attacker.agent_class);
+  const std::string who = plainName(toString(attacker.agent_class));
   return "TTA " + decimalText(view.tta, 1) + " s  ·  " + toString(view.mode) + " mode  ·  by " +
          (attacker.isAdded() ? "an added " + who
                              : "a recorded " + who + ", " + shortId(attacker.attacker_id));
