@@ -211,7 +211,7 @@ TEST(Realize, RefusesWhatCannotBeDriven) {
 TEST(Realize, RefusesWhenSomebodyIsInTheWay) {
   Case attack;
   attack.future.agents = {futureTrack("wall", {4.0, 80.0}, {-5.0, 0.0, 0.0}, 0.0)};
-  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "by 1 vehicles");
+  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "of 1 vehicle: ");
 }
 
 TEST(Realize, CountsWhyTheBestAttacksDoNotVerify) {

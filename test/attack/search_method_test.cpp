@@ -155,7 +155,7 @@ TEST(GenerateCollision, RefusesAReplayBeyondTheRecording) {
   scene.request.mode = Mode::kReplay;
   scene.recorded = straightFuture();
   scene.recorded->ego.states.resize(8);
-  scene.expectRefusal(StatusCode::kBeyondRecording, {"tta", "4.0"});
+  scene.expectRefusal(StatusCode::kBeyondRecording, {"tta = 4 s"});
 }
 
 TEST(GenerateCollision, RefusesInvalidInput) {

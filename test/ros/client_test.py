@@ -76,7 +76,7 @@ class ClientTest(road.RoadTest):
 
     def offline(self, *arguments):
         out = self.path('offline.bag')
-        result = road.inject(self.bag(SCENE), out, TYPE, TTA, NOW, *arguments)
+        result = road.inject(self.bag(SCENE), out, TYPE, TTA, NOW, *(arguments or ('--mode', 'history')))
         self.assertEqual(road.code_of(result), 'OK')
         return road.read_one(out, '/attack'), road.read_one(out, '/tested_report')
 

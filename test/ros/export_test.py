@@ -20,7 +20,7 @@ class ExportTest(road.RoadTest):
         requests, cls.scenarios = cls.folder / 'requests.jsonl', cls.folder / 'scenarios.jsonl'
         for words in (('requests', *LOGS, '--out', requests, '--scene', 'scene-0001', 'scene-0007', '--stride', 6,
                        '--tta', 2, 4),
-                      ('generate', *LOGS, '--requests', requests, '--out', cls.scenarios)):
+                      ('generate', *LOGS, '--requests', requests, '--mode', 'history', '--out', cls.scenarios)):
             result = road.run(*words)
             assert result.returncode == 0, result.stderr
         cls.attacks = [number for number, line in enumerate(lines_of(cls.scenarios), start=1)

@@ -30,6 +30,9 @@ def make_requests(out, *arguments, dataroot=DATAROOT):
 
 
 def generate_command(requests, out, *arguments):
+    """In history mode unless another is asked for."""
+    if '--mode' not in arguments:
+        arguments += ('--mode', 'history')
     return [str(word) for word in ('forge', 'generate', *ROOT, '--requests', requests, '--out', out, *arguments)]
 
 
