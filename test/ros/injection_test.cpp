@@ -21,6 +21,7 @@
 #include "collision_forge/ros/object_array.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/settings/config.h"
+#include "collision_forge/verify/post_crash_motion.h"
 
 namespace forge {
 namespace {

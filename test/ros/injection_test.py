@@ -30,9 +30,14 @@ class InjectionTest(road.RoadTest):
         cls.source = cls.folder / (SCENE + '.bag')
         cls.attacked = cls.folder / 'attacked.bag'
         cls.drawing = cls.folder / 'attack'
-        cls.result = road.inject(cls.source, cls.attacked, 'rear_end', 4.0, NOW, *ASKED, '--seed', 5,
+        cls.ended = cls.folder / 'ended.bag'
+        cls.result = road.inject(cls.source, cls.ended, 'rear_end', 4.0, NOW, *ASKED, '--seed', 5,
                                  '--draw', cls.drawing)
         assert cls.result.returncode == 0, cls.result.stderr
+        # As long as the recording.
+        result = road.inject(cls.source, cls.attacked, 'rear_end', 4.0, NOW, *ASKED, '--seed', 5,
+                             '--seconds-after-stand', 60)
+        assert result.returncode == 0, result.stderr
         cls.trajectory = road.read_one(cls.attacked, '/attack').trajectory
         cls.driven_on = cls.folder / 'driven_on.bag'
         result = road.inject(cls.source, cls.driven_on, 'rear_end', 4.0, NOW, *ASKED, '--seed', 5,
@@ -71,6 +76,17 @@ class InjectionTest(road.RoadTest):
             self.assertEqual([time for time in times if time not in made], [time for time, _ in before[topic]])
             self.assertEqual(len(made), 1, topic)
             self.assertAlmostEqual(made.pop() / 1e9, self.contact.to_sec(), delta=2e-3)
+
+    def test_the_bag_ends_three_seconds_after_both_stand_unless_more_is_asked_for(self):
+        self.assertIn('the bag ends 3 s after both stand', self.result.stdout)
+        speeds = [(message.header.stamp.to_sec(), math.hypot(agent.velocity.x, agent.velocity.y))
+                  for message, _ in road.read(self.attacked, '/agents')
+                  for agent in message.agents if agent.id == self.attacker]
+        stand = next(stamp for stamp, speed in speeds if stamp > self.contact.to_sec() and speed < 1e-6)
+        with rosbag.Bag(str(self.ended)) as ended, rosbag.Bag(str(self.attacked)) as attacked:
+            self.assertAlmostEqual(ended.get_end_time(), stand + 3.0, delta=0.2)
+            with rosbag.Bag(str(self.source)) as source:
+                self.assertAlmostEqual(attacked.get_end_time(), source.get_end_time(), places=6)
 
     def test_the_ego_is_where_it_is_hit_for_who_interpolates_its_poses(self):
         tested = road.read_one(self.attacked, '/tested_report')
@@ -306,14 +322,14 @@ class InjectionTest(road.RoadTest):
 
     def test_answer_is_printed(self):
         for text in ('rear_end by ' + self.attacker, 'crash as asked', 'after the contact: both slide to a stand',
-                     str(self.attacked), 'attack.png', 'attack.gif'):
+                     str(self.ended), 'attack.png', 'attack.gif'):
             self.assertIn(text, self.result.stdout)
 
     def test_same_seed_same_bytes(self):
         again = self.path('out.bag')
         result = road.inject(self.source, again, 'rear_end', 4.0, NOW, *ASKED, '--seed', 5)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(again.read_bytes(), self.attacked.read_bytes())
+        self.assertEqual(again.read_bytes(), self.ended.read_bytes())
 
     def test_other_seed_other_attack(self):
         trajectories = []
