@@ -1,9 +1,11 @@
-"""The fenced blocks of a document: commands of the shell, files to save, and output, which is for reading alone."""
+"""The fenced blocks of a document: commands of the shell, Python to run, files to save, and outputs."""
 import re
 import subprocess
-from typing import List, NamedTuple, Optional
+from typing import List, NamedTuple, Optional, Tuple
 
+OUTPUT = 'text'  # the language of what the block before prints
 SAVED = re.compile(r'(?:#|//|<!--) *([\w.-]+/[\w./-]+)(?: *-->)?')  # a first line with nothing but a path
+EXIT_CODE = re.compile(r'# exit code (\d+)$')
 
 
 class Block(NamedTuple):
@@ -22,6 +24,12 @@ class Command(NamedTuple):
     line: int
     text: str
 
+    @property
+    def exit_code(self) -> int:
+        """The code that the comment at its end names; 0 without one."""
+        found = EXIT_CODE.search(self.text)
+        return int(found.group(1)) if found else 0
+
 
 def blocks(text: str) -> List[Block]:
     found, begin, language, lines = [], None, '', text.split('\n')
@@ -36,6 +44,20 @@ def blocks(text: str) -> List[Block]:
     if begin is not None:
         raise ValueError('line {}: a block that does not end'.format(begin - 1))
     return found
+
+
+def with_outputs(found: List[Block]) -> List[Tuple[Block, Optional[Block]]]:
+    """Each block that is no output, with its output if one follows."""
+    pairs = []
+    for block, following in zip(found, found[1:] + [None]):
+        shown = following if following and following.language == OUTPUT else None
+        if block.language != OUTPUT:
+            if shown and (block.path or block.language not in ('', 'python')):
+                raise ValueError('line {}: an output of nothing that runs'.format(shown.line))
+            pairs.append((block, shown))
+        elif shown or not pairs:
+            raise ValueError('line {}: an output without commands before it'.format((shown or block).line))
+    return pairs
 
 
 def is_complete(text: str) -> bool:

@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 from arrangements import INSTEAD, LEFT_OUT, NOT_RUN
-from blocks import blocks, commands, is_complete
+from blocks import Command, blocks, commands, is_complete, with_outputs
 
 PAGE = '''# A page
 
@@ -48,6 +48,23 @@ class Blocks(unittest.TestCase):
     def test_that_do_not_end_are_refused(self):
         with self.assertRaisesRegex(ValueError, 'line 2'):
             blocks('text\n```\nfirst')
+
+    def test_have_the_output_that_follows(self):
+        self.assertEqual([(4, 14), (18, None)], [(block.line, shown and shown.line)
+                                                 for block, shown in with_outputs(blocks(PAGE))])
+
+    def test_of_output_follow_what_runs(self):
+        for text in ('```text\noutput\n```', '```\nrun\n```\n```text\none\n```\n```text\ntwo\n```',
+                     '```yaml\nkey: 1\n```\n```text\noutput\n```',
+                     '```python\n# folder/program.py\n```\n```text\noutput\n```'):
+            with self.assertRaisesRegex(ValueError, 'an output'):
+                with_outputs(blocks(text))
+
+
+class ExitCode(unittest.TestCase):
+    def test_is_in_the_comment_at_the_end_of_a_command(self):
+        for text, expected in (('run', 0), ('run  # exit code 3', 3), ('run "# exit code 3"', 0)):
+            self.assertEqual(expected, Command(1, text).exit_code, text)
 
 
 class Complete(unittest.TestCase):

@@ -1,11 +1,16 @@
 #!/usr/bin/python3
-"""usage: run_document.py SOURCE_DIR DOCUMENT: runs the shell commands of a document, as a reader does, in order.
+"""usage: run_document.py [--rewrite] SOURCE_DIR DOCUMENT...: runs documents as a reader does, and checks what they show.
 
-They run in one bash, in a temporary folder with links to all of the repository and an `out` of its own, after
-`source scripts/env.bash`. Blocks with a language are not run; one whose first line is a comment with a path is saved
-there. `roscore` and `roslaunch` go on in the background, without RViz, until the next one or the end: a reader has them
-in a terminal of their own. What else is not as a reader has it says arrangements.py.
+The commands of a document run in order in one bash, in a temporary folder with links to all of the repository and an
+`out` of its own, after `source scripts/env.bash`. Blocks of Python run in one interpreter. A block whose first line is a
+comment with a path is saved there instead. `roscore` and `roslaunch` go on in the background, without RViz, until the
+next one or the end: a reader has them in a terminal of their own. arrangements.py says what else differs from a reader.
+
+A command ends with exit code 0, or with N where a comment `# exit code N` is at its end. A block ```text after a block of
+commands or of Python is all that the block before prints (shown.py says what `...` stands for). Lines that every terminal
+shows otherwise do not count (UNCOUNTED). With --rewrite the document gets the printed output where it shows another one.
 """
+import argparse
 import json
 import os
 import re
@@ -18,16 +23,19 @@ import time
 from pathlib import Path
 from xmlrpc.client import ServerProxy
 
-from arrangements import DATAROOT, EARLIER, INSTEAD, NOT_RUN, SCENES, VERSIONS
-from blocks import blocks, commands
+from arrangements import DATAROOT, EARLIER, INSTEAD, LEFT_OUT, NOT_RUN, SCENES, VERSIONS
+from blocks import blocks, commands, with_outputs
+from shown import difference, matches, rewritten
 
-TIMEOUT = 120.0       # s that a command may take
+TIMEOUT = 300.0       # s that a command may take
 READY_TIMEOUT = 60.0  # s until what was launched answers
 SHOWN = 3000          # characters of output in an error
-END = '=== the end of the command: '
 OWN = ('.git', 'out')  # entries of the repository that are not linked
 SERVICES = {'planner_test.launch': ['/test_planner']}
 ALL_SERVICES = ['/generate_collision', '/list_collisions', '/test_planner', '/reset']
+PYTHON_SESSION = Path(__file__).resolve().parent / 'python_session.py'
+# Progress, which a terminal has in one line that changes; what bash says of a program that the document has ended.
+UNCOUNTED = re.compile(r'^(\S+ +\d+ %, .* left|\S+: line \d+: +\d+ (Terminated|Killed) .*)\n', re.MULTILINE)
 
 
 class Failed(Exception):
@@ -38,7 +46,7 @@ class Shell:
     """One bash for all commands of a document."""
 
     def __init__(self, folder):
-        self.folder, self.launched = folder, None
+        self.folder, self.launched, self.has_python = folder, None, False
         with socket.socket() as free:
             free.bind(('localhost', 0))
             port = free.getsockname()[1]
@@ -54,24 +62,35 @@ class Shell:
         """(exit code, output) of a command, as if it was typed."""
         source, log, code = (self.folder / name for name in ('.command', '.output', '.code'))
         source.write_text(text + '\n')
+        log.unlink(missing_ok=True)  # what goes on in the background keeps the one of its own
         self.bash.stdin.write('source {0}/.command < /dev/null > {0}/.output 2>&1; echo $? > {0}/.coding; '
                               'mv {0}/.coding {0}/.code\n'.format(self.folder))
         self.bash.stdin.flush()
         deadline = time.monotonic() + timeout
         while not code.exists():
             if self.bash.poll() is not None or time.monotonic() > deadline:
-                raise Failed('does not end within {} s\n{}'.format(timeout, log.read_text()[-SHOWN:]))
+                raise Failed('does not end within {} s\n{}'.format(
+                    timeout, log.read_text(errors='replace')[-SHOWN:] if log.exists() else ''))
             time.sleep(0.02)
         result = int(code.read_text())
         code.unlink()
         return result, log.read_text(errors='replace')
 
-    def check(self, text):
-        """What it prints; fails unless it ends with 0."""
+    def check(self, text, expected=0):
+        """What it prints; fails unless it ends with the expected exit code."""
         code, output = self.run(text)
-        if code != 0:
-            raise Failed('exit code {}\n{}'.format(code, output[-SHOWN:]))
+        if code != expected:
+            raise Failed('exit code {}, not {}\n{}'.format(code, expected, output[-SHOWN:]))
         return output
+
+    def run_python(self, text):
+        """What it prints; all blocks of Python share one interpreter."""
+        if not self.has_python:
+            self.check('coproc PYTHON {{ exec python3 {} {}/.printed; }}'.format(PYTHON_SESSION, self.folder))
+            self.has_python = True
+        (self.folder / '.block.py').write_text(text + '\n')
+        return self.check('echo {0}/.block.py >&"${{PYTHON[1]}}"; read -r python_code <&"${{PYTHON[0]}}"; cat {0}/.printed; '
+                          '(exit "$python_code")'.format(self.folder))
 
     def launch(self, text):
         """Goes on in the background once it answers; what was launched before ends."""
@@ -101,12 +120,12 @@ class Shell:
             return False
 
     def call(self, text):
-        """A service that has no scene yet is asked again, as a reader would."""
+        """What it prints; a service that has no scene yet is asked again, as a reader would."""
         deadline = time.monotonic() + READY_TIMEOUT
         while True:
             output = self.check(text)
             if re.search(r'\bcode: 0\b|success: True', output):
-                return
+                return output
             if time.monotonic() > deadline:
                 raise Failed('declined\n' + output[-SHOWN:])
             time.sleep(1.0)
@@ -186,54 +205,102 @@ def make_earlier(shell, text):
             shell.check(how)
 
 
-def run_command(shell, text):
-    text = as_it_is_run(text)
+def run_command(shell, command):
+    """What it prints."""
+    text = as_it_is_run(command.text)
     make_earlier(shell, text)
     if re.match(r'(roscore|roslaunch)\b', text):
         shell.launch(text)
-    elif re.match(r'rosservice call\b', text):
-        shell.call(text)
-    else:
-        shell.check(text)
+        return ''
+    if re.match(r'rosservice call\b', text):
+        return shell.call(text)
+    return shell.check(text, command.exit_code)
 
 
-def run_document(document, shell):
-    """How many commands were run."""
-    count = 0
-    for block in blocks(document.read_text()):
-        if block.path:
-            (shell.folder / block.path).parent.mkdir(parents=True, exist_ok=True)
-            (shell.folder / block.path).write_text(block.text + '\n')
-        for command in commands(block) if not block.language else []:
-            if not is_run(command.text):
-                continue
-            begin = time.monotonic()
-            try:
-                run_command(shell, command.text)
-            except Failed as failed:
-                raise Failed('{}:{}: {}\n{}'.format(document, command.line, command.text, failed))
-            print('{:5.1f} s  line {}: {}'.format(time.monotonic() - begin, command.line, command.text), flush=True)
-            count += 1
-    return count
+class Document:
+    """A document that is run, and what it should show in place of what it does."""
+
+    def __init__(self, path):
+        self.path, self.text = path, path.read_text()
+        self.count, self.outputs = 0, []  # of what was run; (block, printed) of shown outputs that were not printed
+
+    def run(self, shell):
+        for block, shown in with_outputs(blocks(self.text)):
+            printed = ''
+            if block.path:
+                (shell.folder / block.path).parent.mkdir(parents=True, exist_ok=True)
+                (shell.folder / block.path).write_text(block.text + '\n')
+            elif block.language == 'python':
+                printed = self.timed(block, lambda: shell.run_python(block.text))
+            elif not block.language:
+                printed = ''.join(self.timed(command, lambda: run_command(shell, command))
+                                  for command in self.commands_of(block, shown))
+            printed = UNCOUNTED.sub('', printed)
+            if shown and not matches(shown.text, printed):
+                self.outputs.append((shown, printed))
+
+    def commands_of(self, block, shown):
+        for command in commands(block):
+            if shown and not (is_run(command.text) and as_it_is_run(command.text) == command.text):
+                raise Failed('{}:{}: its output is shown, so arrangements.py must leave it as it is: {}'.format(
+                    self.path, command.line, command.text))
+            if is_run(command.text):
+                yield command
+
+    def timed(self, part, run):
+        begin = time.monotonic()
+        try:
+            printed = run()
+        except Failed as failed:
+            raise Failed('{}:{}: {}\n{}'.format(self.path, part.line, part.text, failed))
+        print('{:5.1f} s  line {}: {}'.format(time.monotonic() - begin, part.line, part.text), flush=True)
+        self.count += 1
+        return printed
+
+    def rewrite(self):
+        lines = self.text.split('\n')
+        for shown, printed in reversed(self.outputs):
+            begin = shown.line - 1
+            lines[begin:begin + len(shown.text.split('\n'))] = rewritten(shown.text, printed).split('\n')
+        self.path.write_text('\n'.join(lines))
+
+    def report(self):
+        return ['{}:{}: shows another output than is printed\n{}'.format(
+            self.path, shown.line, difference(shown.text, printed)) for shown, printed in self.outputs]
 
 
-def main(source, document):
+def run_document(source, path, rewrite):
+    """True if all of it runs as it says."""
+    document = Document(path)
     with tempfile.TemporaryDirectory(prefix='collision_forge_docs_') as name:
         folder = Path(name).resolve()
         make_folder(source, folder)
         shell = Shell(folder)
         try:
             shell.check('source scripts/env.bash')
-            print('{} commands'.format(run_document(document, shell)))
+            document.run(shell)
         except Failed as failed:
             print(failed)
-            return 1
+            return False
         finally:
             shell.close()
-    return 0
+    if rewrite and document.outputs:
+        document.rewrite()
+    print(*document.report(), '{}: {} commands, {} outputs {}'.format(
+        path.name, document.count, len(document.outputs), 'rewritten' if rewrite else 'differ'), sep='\n')
+    return rewrite or not document.outputs
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--rewrite', action='store_true', help='put the printed outputs into the documents')
+    parser.add_argument('source', type=Path, help='folder of the repository')
+    parser.add_argument('documents', type=Path, nargs='+')
+    arguments = parser.parse_args()
+    results = [run_document(arguments.source.resolve(), path.resolve(), arguments.rewrite)
+               for path in arguments.documents if path.name not in LEFT_OUT]
+    return 0 if all(results) else 1
 
 
 if __name__ == '__main__':
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    sys.exit(main(Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()))
+    sys.exit(main())

@@ -1,0 +1,129 @@
+"""Compares the output that a document shows with the output that was printed, and rewrites the shown output.
+
+In a document `...` alone in a line stands for any number of lines, and `...` inside a line for any text of that line.
+White space does not count, and a printed line may be wrapped over several lines of the document.
+"""
+import re
+import textwrap
+from difflib import SequenceMatcher, unified_diff
+from itertools import accumulate
+
+WIDTH = 120  # columns of a document
+DOTS = '...'
+ANY_LINES = '\n' + DOTS  # the word for dots alone in a line
+NUMBER_OR_ID = re.compile(r'[0-9a-f]*\d[0-9a-f]*(\.\d+)?')
+
+
+def matches(shown, printed):
+    """True if `shown` describes all of `printed`."""
+    text, position, anchored = normal(printed), 0, True
+    parts = segments(shown)
+    for number, part in enumerate(parts):
+        if part:
+            is_last = number == len(parts) - 1
+            pattern = re.compile('^' + pattern_of(part) + r'$\n?' + (r'\Z' if is_last else ''), re.MULTILINE)
+            found = pattern.match(text, position) if anchored else pattern.search(text, position)
+            if not found:
+                return False
+            position = found.end()
+        anchored = False  # dots follow
+    return bool(parts[-1] == [] and len(parts) > 1) or position == len(text)
+
+
+def difference(shown, printed):
+    """What `rewritten` would change, as a unified diff."""
+    lines = unified_diff(shown.split('\n'), rewritten(shown, printed).split('\n'), 'shown', 'printed', n=1, lineterm='')
+    return '\n'.join(lines)
+
+
+def rewritten(shown, printed):
+    """`shown` with the words of `printed`; dots stay where the words around them are still printed.
+
+    Falls back to all of `printed` if the dots that stay do not describe it.
+    """
+    if matches(shown, printed):
+        return shown
+    text = laid_out(aligned(words_of(shown), printed), printed)
+    return text if matches(text, printed) else wrapped(printed)
+
+
+def normal(text):
+    """Lines without empty ones, with one space between words."""
+    return '\n'.join(' '.join(line.split()) for line in text.split('\n') if line.strip())
+
+
+def segments(shown):
+    """The lines between those of dots alone."""
+    found = [[]]
+    for line in normal(shown).split('\n'):
+        if line == DOTS:
+            found.append([])
+        elif line:
+            found[-1].append(line)
+    return found
+
+
+def pattern_of(lines):
+    """A regular expression of lines of which some may be the continuation of the one before."""
+    return '[ \n]'.join(pattern_of_line(line) for line in lines)
+
+
+def pattern_of_line(text):
+    return re.escape(text).replace(re.escape(DOTS), '[^\n]*')
+
+
+def words_of(shown):
+    return [word for line in shown.split('\n')
+            for word in ([ANY_LINES] if line.strip() == DOTS else line.split())]
+
+
+def aligned(words, printed):
+    """Pieces of the new output in order: (begin, end, text) for printed words [begin, end); text None: as printed."""
+    lines = [line.split() for line in printed.split('\n')]
+    new = [word for line in lines for word in line]
+    line_ends = list(accumulate(len(line) for line in lines))
+    matcher = SequenceMatcher(None, [masked(word) for word in words], [masked(word) for word in new], autojunk=False)
+    pieces = []
+    for _, begin, end, new_begin, new_end in matcher.get_opcodes():
+        dots = [k for k in range(begin, end) if DOTS in words[k]]
+        if not dots:
+            pieces.append((new_begin, new_end, None))
+            continue
+        first = min(new_begin + dots[0] - begin, new_end)  # as many words stay as stood before the dots
+        last = max(new_end - (end - 1 - dots[-1]), first)  # and after them
+        if ANY_LINES in words[begin:end]:
+            word = ANY_LINES
+            first = min(stop for stop in [0] + line_ends if stop >= first)
+            last = max([stop for stop in [0] + line_ends if stop <= last] + [first])
+        else:
+            last = min([last] + [stop for stop in line_ends if stop > first])
+            fits = re.fullmatch(pattern_of_line(words[dots[0]]), ' '.join(new[first:last]))
+            word = words[dots[0]] if fits else DOTS
+        pieces += [(new_begin, first, None), (first, last, word), (last, max(last, new_end), None)]
+    return [piece for piece in pieces if piece[0] < piece[1] or piece[2] == ANY_LINES]
+
+
+def masked(word):
+    """Numbers and ids may change: what is said stays."""
+    return NUMBER_OR_ID.sub('0', word)
+
+
+def laid_out(pieces, printed):
+    """The pieces with the white space that is printed between words; dots for lines have a line of their own."""
+    spans = [found.span() for found in re.finditer(r'\S+', printed)]
+    text, printed_end = '', 0
+    for begin, end, word in pieces:
+        if word == ANY_LINES:
+            text = text.rstrip() + ANY_LINES + '\n'
+        else:
+            space = printed[printed_end:spans[begin][0]]
+            text += space.lstrip('\n') if text.endswith('\n') else space
+            text += word or printed[spans[begin][0]:spans[end - 1][1]]
+        printed_end = spans[end - 1][1] if end else 0
+    return wrapped(text)
+
+
+def wrapped(text):
+    lines = [part for line in text.strip('\n').split('\n')
+             for part in textwrap.wrap(line, WIDTH, break_long_words=False, break_on_hyphens=False) or ['']]
+    return '\n'.join(lines)
