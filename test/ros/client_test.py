@@ -1,10 +1,7 @@
 #!/usr/bin/python3
-"""The Python client with the real nodes, and all examples of docs/python.md."""
-import contextlib
-import io
+"""The Python client with the real nodes."""
 import math
 import os
-import re
 import subprocess
 import threading
 import time
@@ -29,21 +26,6 @@ forge.play('{bag}').until({now})
 attack = forge.generate('{type}', {tta})
 print(rospy.resolve_name('generate_collision'), forge.tested(attack).contact is not None)
 """
-BLOCK = re.compile(r'^```(\w*)\n(.*?)^```$', re.MULTILINE | re.DOTALL)
-PAGE = road.PACKAGE_FOLDER / 'docs' / 'python.md'
-
-
-def masked(text):
-    """Without the numbers and ids, which may change with the search: what is said stays."""
-    return re.sub(r'-?\b[0-9a-f]*\d[0-9a-f]*(\.\d+)?\b', '0', text.strip())
-
-
-def blocks():
-    """(code, output or None) of each example in Python."""
-    found = BLOCK.findall(PAGE.read_text())
-    for (language, text), (next_language, next_text) in zip(found, found[1:] + [('', '')]):
-        if language == 'python':
-            yield text, next_text if next_language == 'text' else None
 
 
 class ClientTest(road.RoadTest):
@@ -286,45 +268,6 @@ class ClientTest(road.RoadTest):
         start = road.read(self.bag(SCENE), '/agents')[0][0].header.stamp
         self.assertGreater(len(found), 0)
         self.assertLessEqual({round((one.now - start).to_sec(), 3) for one in found}, {0.0, 8.0, 16.0})
-
-    # The page.
-
-    def test_the_examples_of_the_page_do_what_it_says(self):
-        demo = self.folder / 'out' / 'demo'
-        demo.mkdir(parents=True)
-        (demo / (SCENE + '.bag')).symlink_to(self.bag(SCENE))
-        here = os.getcwd()
-        self.addCleanup(os.chdir, here)
-        os.chdir(self.folder)
-        names = {}
-        self.addCleanup(lambda: names['forge'].close())
-        examples = list(blocks())
-        self.assertGreater(sum(output is not None for _, output in examples), 8)
-        for code, output in examples:
-            if 'def test_' in code:
-                self.check_test(code)
-                continue
-            printed = io.StringIO()
-            with contextlib.redirect_stdout(printed):
-                exec(code, names)
-            if output is not None:
-                self.check_output(code, printed.getvalue(), output)
-
-    def check_output(self, code, printed, expected):
-        """A line of dots stands for any number of lines, dots at the end of a line for any rest."""
-        pattern = re.escape(masked(expected)).replace(re.escape('...'), '.*')
-        self.assertIsNotNone(re.fullmatch(pattern, masked(printed), re.DOTALL), '{}\nprints\n{}'.format(code, printed))
-
-    def check_test(self, code):
-        """Under a master and a suite of its own, as the page says."""
-        path = self.folder / 'test_cut_in.py'
-        path.write_text(code)
-        result = subprocess.run(
-            ['/usr/bin/python3', '-m', 'pytest', '-p', 'no:cacheprovider', '-p', 'collision_forge.pytest_plugin',
-             '--forge-bag', 'out/demo/{}.bag'.format(SCENE), path], cwd=str(self.folder), stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT, universal_newlines=True, timeout=120.0, check=False)
-        self.assertEqual(result.returncode, 0, result.stdout)
-        self.assertIn('1 passed', result.stdout)
 
 
 if __name__ == '__main__':
