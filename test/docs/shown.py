@@ -39,12 +39,14 @@ def difference(shown, printed):
 def rewritten(shown, printed):
     """`shown` with the words of `printed`; dots stay where the words around them are still printed.
 
-    Falls back to all of `printed` if the dots that stay do not describe it.
+    Words are aligned once as they are and once with all numbers alike. The result is the text that keeps most of `shown`
+    and describes `printed`; without such a text it is all of `printed`.
     """
     if matches(shown, printed):
         return shown
-    text = laid_out(aligned(words_of(shown), printed), printed)
-    return text if matches(text, printed) else wrapped(printed)
+    texts = [laid_out(aligned(words_of(shown), printed, key), printed) for key in (str, masked)]
+    return max([text for text in texts if matches(text, printed)], default=wrapped(printed),
+               key=lambda text: SequenceMatcher(None, shown.split(), text.split(), autojunk=False).ratio())
 
 
 def normal(text):
@@ -77,12 +79,15 @@ def words_of(shown):
             for word in ([ANY_LINES] if line.strip() == DOTS else line.split())]
 
 
-def aligned(words, printed):
-    """Pieces of the new output in order: (begin, end, text) for printed words [begin, end); text None: as printed."""
+def aligned(words, printed, key):
+    """Pieces of the new output in order: (begin, end, text) for printed words [begin, end); text None: as printed.
+
+    Words with the same `key` are taken for the same.
+    """
     lines = [line.split() for line in printed.split('\n')]
     new = [word for line in lines for word in line]
     line_ends = list(accumulate(len(line) for line in lines))
-    matcher = SequenceMatcher(None, [masked(word) for word in words], [masked(word) for word in new], autojunk=False)
+    matcher = SequenceMatcher(None, [key(word) for word in words], [key(word) for word in new], autojunk=False)
     pieces = []
     for _, begin, end, new_begin, new_end in matcher.get_opcodes():
         dots = [k for k in range(begin, end) if DOTS in words[k]]

@@ -94,6 +94,9 @@ class Rewritten(unittest.TestCase):
     def test_has_whole_lines_beside_dots_where_words_changed(self):
         self.check('reading\n1 cut_in: touches nobody in 6.0 s\n...', 'reading\n1 turn: hits nobody\n...')
 
+    def test_keeps_dots_between_numbers_that_stay(self):
+        self.check('1\n...\n7\n8\n9', '1\n...\n7\n8\n10', '\n'.join('123456789'))
+
     def test_keeps_the_spaces_of_a_table(self):
         self.check('| a   | b |\n| cc  | 4 |\n...', '| a | b |\n| cc | 3 |\n...', '| a   | b |\n| cc  | 4 |\nmore\n')
 
