@@ -18,8 +18,6 @@ NOT_RUN = [
     (r'venv/bin', 'wants a torch from the network'),
     (r'^mpirun|^build-training', 'wants several machines, or another libtorch'),
     (r'YOUR_BAGS', 'wants bags of another stack'),
-    (r'test_cut_in\.py', 'test/ros/client_test.py runs it'),
-    (r'PLANNER=idm .*harness\.py', 'is to fail, as test/ros/harness_test.py checks'),
 ]
 
 # What is run otherwise: a pattern and what takes its place.

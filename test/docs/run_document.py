@@ -35,7 +35,7 @@ SERVICES = {'planner_test.launch': ['/test_planner']}
 ALL_SERVICES = ['/generate_collision', '/list_collisions', '/test_planner', '/reset']
 PYTHON_SESSION = Path(__file__).resolve().parent / 'python_session.py'
 # Progress, which a terminal has in one line that changes; what bash says of a program that the document has ended.
-UNCOUNTED = re.compile(r'^(\S+ +\d+ %, .* left|\S+: line \d+: +\d+ (Terminated|Killed) .*)\n', re.MULTILINE)
+UNCOUNTED = re.compile(r'^(\S[\w /.-]* \d+ %.* (left|in \d+ \w+)|\S+: line \d+: +\d+ (Terminated|Killed) .*)\n', re.MULTILINE)
 
 
 class Failed(Exception):
@@ -199,7 +199,7 @@ def make_earlier(shell, text):
     """What the command reads and earlier pages have made."""
     for path, how in EARLIER.items():
         written = re.search(r'--out\s+{}(\s|$)'.format(re.escape(path)), text)
-        read = re.search(r'(\s|PWD/){}(\s|$)'.format(re.escape(path)), text)
+        read = re.search(r'(\s|PWD/|=){}(\s|$)'.format(re.escape(path)), text)
         if read and not written and text != how and not (shell.folder / path).exists():
             make_earlier(shell, how)
             shell.check(how)

@@ -30,7 +30,7 @@ class HarnessTest(road.RoadTest):
         code, cases = self.harness(GOOD)
         self.assertEqual(code, 0, cases)
         self.assertEqual(cases['test_something_was_tested'], [])
-        self.assertEqual(cases['test_is_not_hit_where_it_can_escape[scene-0001-rear_end-6.0]'], [])
+        self.assertEqual(cases['test_is_not_hit_where_it_can_escape[scene-0001-rear_end-8.0]'], [])
 
     def test_fails_where_the_planner_is_hit(self):
         code, cases = self.harness(BAD, '-k', 'lane_change or something')
@@ -46,12 +46,12 @@ class HarnessTest(road.RoadTest):
         self.assertEqual(code, 0, cases)
 
     def test_fails_where_nothing_was_tested(self):
-        code, cases = self.harness(GOOD, '-k', 'ltap or something')
+        code, cases = self.harness(GOOD, '-k', 'opposite_direction or something')
         self.assertEqual(code, 1)
         self.assertEqual([tag for tag, _ in cases['test_something_was_tested']], ['failure'])
 
     def test_leaves_nothing_running(self):
-        self.harness(BAD, '-k', '(lane_change and 10.0) or something')
+        self.harness(BAD, '-k', '(lane_change and 8.0) or something')
         for command in Path('/proc').glob('[0-9]*/cmdline'):
             with contextlib.suppress(OSError):  # of processes that have just ended
                 self.assertNotIn(str(self.bag(BAD)), command.read_text(errors='replace'))
