@@ -86,26 +86,31 @@ def aligned(words, printed, key):
     """
     lines = [line.split() for line in printed.split('\n')]
     new = [word for line in lines for word in line]
-    line_ends = list(accumulate(len(line) for line in lines))
+    line_ends = [0] + list(accumulate(len(line) for line in lines))
     matcher = SequenceMatcher(None, [key(word) for word in words], [key(word) for word in new], autojunk=False)
-    pieces = []
-    for _, begin, end, new_begin, new_end in matcher.get_opcodes():
-        dots = [k for k in range(begin, end) if DOTS in words[k]]
-        if not dots:
-            pieces.append((new_begin, new_end, None))
-            continue
-        first = min(new_begin + dots[0] - begin, new_end)  # as many words stay as stood before the dots
-        last = max(new_end - (end - 1 - dots[-1]), first)  # and after them
-        if ANY_LINES in words[begin:end]:
-            word = ANY_LINES
-            first = min(stop for stop in [0] + line_ends if stop >= first)
-            last = max([stop for stop in [0] + line_ends if stop <= last] + [first])
-        else:
-            last = min([last] + [stop for stop in line_ends if stop > first])
-            fits = re.fullmatch(pattern_of_line(words[dots[0]]), ' '.join(new[first:last]))
-            word = words[dots[0]] if fits else DOTS
-        pieces += [(new_begin, first, None), (first, last, word), (last, max(last, new_end), None)]
+    pieces = [piece for _, begin, end, new_begin, new_end in matcher.get_opcodes()
+              for piece in with_dots(words[begin:end], new, line_ends, new_begin, new_end)]
     return [piece for piece in pieces if piece[0] < piece[1] or piece[2] == ANY_LINES]
+
+
+def with_dots(words, new, line_ends, begin, end):
+    """The pieces for the printed words [begin, end) of `new`, where the document has `words`."""
+    dots = [k for k, word in enumerate(words) if DOTS in word]
+    if not dots:
+        return [(begin, end, None)]
+    if ANY_LINES not in words:
+        first = min(begin + dots[0], end)                     # as many words stay as stood before the dots,
+        last = max(end - (len(words) - 1 - dots[-1]), first)  # and after them
+        last = min([last] + [stop for stop in line_ends if stop > first])
+        fits = re.fullmatch(pattern_of_line(words[dots[0]]), ' '.join(new[first:last]))
+        return [(begin, first, None), (first, last, words[dots[0]] if fits else DOTS), (last, end, None)]
+    head, tail = words[:words.index(ANY_LINES)], words[len(words) - words[::-1].index(ANY_LINES):]
+    stops = [stop for stop in line_ends if begin <= stop <= end] or [begin]
+    fewest = [sum(DOTS not in word for word in part) for part in (head, tail)]  # words that they stand for
+    first = min([stop for stop in stops if stop >= begin + fewest[0]], default=stops[-1])
+    last = max([stop for stop in stops if first <= stop <= end - fewest[1]], default=first)
+    return (with_dots(head, new, line_ends, begin, first) + [(first, last, ANY_LINES)] +
+            with_dots(tail, new, line_ends, last, end))
 
 
 def masked(word):

@@ -85,6 +85,10 @@ class Rewritten(unittest.TestCase):
         self.check('...\n2 drift: ... after 4.53 s\n...', '...\n2 drift: ... after 4.60 s\n...')
         self.check('A(x=..., z=4)', 'A(x=..., z=5)', 'A(x=1, y=2, z=4)')
 
+    def test_keeps_dots_in_a_line_after_dots_for_lines(self):
+        self.check('first\n...\n... 2 failed in ...', 'first\n...\n... 3 failed in ...',
+                   'first\nmore\n=== 2 failed in 4.31 s ===\n')
+
     def test_has_new_lines_where_there_are_no_dots(self):
         self.check(PRINTED.strip(), PRINTED.replace('reading\n', ''))
 
