@@ -224,8 +224,14 @@ class Document:
         self.path, self.text = path, path.read_text()
         self.count, self.outputs = 0, []  # of what was run; (block, printed) of shown outputs that were not printed
 
+    def parts(self):
+        try:
+            return with_outputs(blocks(self.text))
+        except ValueError as error:
+            raise Failed('{}: {}'.format(self.path, error))
+
     def run(self, shell):
-        for block, shown in with_outputs(blocks(self.text)):
+        for block, shown in self.parts():
             printed = ''
             if block.path:
                 (shell.folder / block.path).parent.mkdir(parents=True, exist_ok=True)

@@ -69,6 +69,9 @@ class RunDocument(unittest.TestCase):
     def test_saves_a_block_that_names_its_file(self):
         self.check_passes(('python', '# folder/program.py\nprint(1)'), ('', 'python3 folder/program.py'), ('text', '1'))
 
+    def test_refuses_an_output_without_commands(self):
+        self.check_fails('page.md: line 4: an output without commands before it', ('text', 'words'))
+
     def test_refuses_an_output_of_a_command_that_is_run_otherwise_or_not_at_all(self):
         for command in ('forge test --tries 100', 'rviz -d rviz/attacked_bag.rviz'):
             self.check_fails('its output is shown', ('', command), ('text', 'words'))
