@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """usage: python_session.py OUTPUT: runs Python as a reader types it into one interpreter.
 
-For each file that a line of the standard input names: runs it, writes what it prints to the file OUTPUT, and prints 0, or
-1 where it raised an exception.
+Reads names of files from the standard input, one a line. Runs each file, writes what it prints to the file OUTPUT, and
+prints 0, or 1 if the file raised an exception.
 """
 import contextlib
 import sys

@@ -2,13 +2,13 @@
 """usage: run_document.py [--rewrite] SOURCE_DIR DOCUMENT...: runs documents as a reader does, and checks what they show.
 
 The commands of a document run in order in one bash, in a temporary folder with links to all of the repository and an
-`out` of its own, after `source scripts/env.bash`. Blocks of Python run in one interpreter. A block whose first line is a
-comment with a path is saved there instead. `roscore` and `roslaunch` go on in the background, without RViz, until the
-next one or the end: a reader has them in a terminal of their own. arrangements.py says what else differs from a reader.
+`out` of its own, after `source scripts/env.bash`. Blocks of Python run in one interpreter. A block whose first line is
+a comment with a path is saved there instead. `roscore` and `roslaunch` go on in the background, without RViz, until the
+next one or the end: a reader has them in a terminal of their own. arrangements.py lists what else differs.
 
-A command ends with exit code 0, or with N where a comment `# exit code N` is at its end. A block ```text after a block of
-commands or of Python is all that the block before prints (shown.py says what `...` stands for). Lines that every terminal
-shows otherwise do not count (UNCOUNTED). With --rewrite the document gets the printed output where it shows another one.
+A command must end with exit code 0, or with N where a comment `# exit code N` is at its end. A block ```text after a
+block of commands or of Python is all that the block before prints (shown.py says what `...` stands for), without lines
+that vary from run to run (UNCOUNTED). --rewrite puts the printed output into the document where it shows another one.
 """
 import argparse
 import json
@@ -35,7 +35,8 @@ SERVICES = {'planner_test.launch': ['/test_planner']}
 ALL_SERVICES = ['/generate_collision', '/list_collisions', '/test_planner', '/reset']
 PYTHON_SESSION = Path(__file__).resolve().parent / 'python_session.py'
 # Progress, which a terminal has in one line that changes; what bash says of a program that the document has ended.
-UNCOUNTED = re.compile(r'^(\S[\w /.-]* \d+ %.* (left|in \d+ \w+)|\S+: line \d+: +\d+ (Terminated|Killed) .*)\n', re.MULTILINE)
+UNCOUNTED = re.compile(r'^(\S[\w /.-]* \d+ %.* (left|in \d+ \w+)|\S+: line \d+: +\d+ (Terminated|Killed) .*)\n',
+                       re.MULTILINE)
 
 
 class Failed(Exception):
@@ -89,8 +90,8 @@ class Shell:
             self.check('coproc PYTHON {{ exec python3 {} {}/.printed; }}'.format(PYTHON_SESSION, self.folder))
             self.has_python = True
         (self.folder / '.block.py').write_text(text + '\n')
-        return self.check('echo {0}/.block.py >&"${{PYTHON[1]}}"; read -r python_code <&"${{PYTHON[0]}}"; cat {0}/.printed; '
-                          '(exit "$python_code")'.format(self.folder))
+        return self.check('echo {0}/.block.py >&"${{PYTHON[1]}}"; read -r python_code <&"${{PYTHON[0]}}"; '
+                          'cat {0}/.printed; (exit "$python_code")'.format(self.folder))
 
     def launch(self, text):
         """Goes on in the background once it answers; what was launched before ends."""
