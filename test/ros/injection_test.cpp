@@ -150,6 +150,16 @@ class InjectIntoBagTest : public testing::Test {
     return messages;
   }
 
+  /// When the messages of a topic of topic_names.h are in the bag, s.
+  std::vector<double> timesOf(const char* topic) const {
+    const rosbag::Bag bag(out_, rosbag::bagmode::Read);
+    std::vector<double> times;
+    for (const auto& instance : rosbag::View(bag, rosbag::TopicQuery(bagTopic(topic)))) {
+      times.push_back(instance.getTime().toSec());
+    }
+    return times;
+  }
+
   std::vector<collision_forge::AgentArray> frames() const {
     return read<collision_forge::AgentArray>(bagTopic(names::kAgents));
   }
@@ -342,7 +352,35 @@ TEST_F(InjectIntoBagTest, MarkersShowEgoAndAttackerWhereTheyAre) {
   }
   const auto transform = read<tf2_msgs::TFMessage>(names::kTf).back().transforms.front().transform;
   EXPECT_NEAR(markerOf(markers.back(), "ego")->pose.position.x, transform.translation.x, 1e-6);
-  EXPECT_EQ(read<visualization_msgs::MarkerArray>(bagTopic(names::kMapMarkers)).size(), 1u);
+}
+
+TEST_F(InjectIntoBagTest, MapMarkersComeEverySecondSoThatEveryRoundOfALoopShowsTheRoad) {
+  inject();
+  const auto markers = read<visualization_msgs::MarkerArray>(bagTopic(names::kMapMarkers));
+  ASSERT_FALSE(markers.empty());
+  for (const auto& array : markers) EXPECT_EQ(array.markers, markers.front().markers);
+  const std::vector<double> expected = {8.5, 9.5, 10.5, 11.5, 14.0};  // none is recorded in the gap
+  EXPECT_EQ(timesOf(names::kMapMarkers), expected);
+}
+
+TEST_F(InjectIntoBagTest, TestedReportIsWrittenAtTheContact) {
+  inject();
+  EXPECT_EQ(timesOf(names::kTestedReport), std::vector<double>{kContact});
+  EXPECT_EQ(timesOf(names::kAttack), std::vector<double>{kNow});
+}
+
+TEST_F(InjectIntoBagTest, TestedReportWithoutContactIsWrittenAtTheTrajectorysEnd) {
+  attack_.tested_report.contact = false;
+  inject();
+  ASSERT_EQ(timesOf(names::kTestedReport).size(), 1u);
+  EXPECT_NEAR(timesOf(names::kTestedReport).front(), 12.0, 1e-6);
+}
+
+TEST_F(InjectIntoBagTest, TestedReportIsWrittenBeforeTheBagEnds) {
+  writeRecording({8.5, 9.0, 9.5, 10.0, 10.5, 11.0});
+  attack_.tested_report.contact = false;
+  inject();
+  EXPECT_EQ(timesOf(names::kTestedReport), std::vector<double>{11.0});
 }
 
 /// From now to the trajectory's end.

@@ -150,10 +150,17 @@ class InjectionTest(road.RoadTest):
             self.assertEqual(time, self.now, topic)
             self.assertEqual(message.header.stamp, self.now, topic)
             self.assertEqual(message.header.frame_id, 'map', topic)
-        for topic in ('/attack', '/tested_report'):
-            message = road.read_one(self.attacked, topic)
-            report = message.report if topic == '/attack' else message
-            self.assertEqual(report.attacker_id, self.attacker, topic)
+        self.assertEqual(road.read_one(self.attacked, '/attack').report.attacker_id, self.attacker)
+
+    def test_the_tested_report_is_recorded_at_the_contact(self):
+        (message, time), = road.read(self.attacked, '/tested_report')
+        self.assertEqual(time, self.contact)
+        self.assertEqual((message.attacker_id, message.header.stamp), (self.attacker, self.now))
+
+    def test_map_markers_come_every_second_to_the_end(self):
+        times = [time.to_sec() for _, time in road.read(self.attacked, '/map_markers')]
+        end = road.read(self.attacked, '/tf')[-1][1].to_sec()
+        self.assertLess(max(later - earlier for earlier, later in zip(times, times[1:] + [end])), 1.2)
 
     def test_paths_go_from_now_to_the_trajectorys_end(self):
         path = road.read_one(self.attacked, '/attack_path')

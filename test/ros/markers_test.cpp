@@ -184,11 +184,31 @@ TEST(MapMarkers, HoldAreaLanesAndConnectorsOnceEach) {
   EXPECT_EQ(array.markers.size(), 5U);
   EXPECT_EQ(inNamespace(array, "drivable_area").size(), 1U);
   EXPECT_EQ(inNamespace(array, "walkways").size(), 1U);
-  // 2 lanes of 2 lines, arrow heads of 2 lines at 7.5 m on both; 2 points a line.
+  // 2 straight lanes of a line, arrow heads of 2 lines at 7.5 m on both; 2 points a line.
   ASSERT_EQ(inNamespace(array, "lanes").size(), 1U);
-  EXPECT_EQ(inNamespace(array, "lanes")[0].points.size(), 2U * (2 * 2 + 2 * 2));
+  EXPECT_EQ(inNamespace(array, "lanes")[0].points.size(), 2U * (2 * 1 + 2 * 2));
   ASSERT_EQ(inNamespace(array, "connectors").size(), 1U);
-  EXPECT_EQ(inNamespace(array, "connectors")[0].points.size(), 2U * 2);
+  EXPECT_EQ(inNamespace(array, "connectors")[0].points.size(), 2U * 1);
+}
+
+TEST(MapMarkers, KeepEveryCentrelineWithinThreeCentimetresWithFewPoints) {
+  constexpr double kRadius = 20.0;  // m
+  collision_forge::LaneMap map = junctionMap();
+  map.lanes = {lane(true, 5)};
+  map.lanes[0].centerline.clear();
+  for (int i = 0; i <= 100; ++i) {
+    map.lanes[0].centerline.push_back(
+        pose2d(kRadius * std::cos(0.01 * i), kRadius * std::sin(0.01 * i), 0.0));
+  }
+  const auto connectors = inNamespace(mapMarkers(map), "connectors");
+  ASSERT_EQ(connectors.size(), 1U);
+  const auto& points = connectors[0].points;
+  EXPECT_LT(points.size(), 2U * 30);
+  for (std::size_t i = 0; i + 2 * 2 < points.size(); i += 2) {  // the last two are an arrow head's
+    const double x = 0.5 * (points[i].x + points[i + 1].x);
+    const double y = 0.5 * (points[i].y + points[i + 1].y);
+    EXPECT_GT(std::hypot(x, y), kRadius - 0.031) << i;
+  }
 }
 
 TEST(MapMarkers, LeaveOutWhatIsNotFinite) {

@@ -24,8 +24,8 @@ CODES = ['OK', 'UNKNOWN_TYPE', 'TTA_OUT_OF_RANGE', 'UNKNOWN_ATTACKER', 'ABSENT_A
          'NODE_UNAVAILABLE', 'LOW_CONFIDENCE', 'NOT_BELIEVABLE', 'ROAD_DOES_NOT_ALLOW',
          'STALE_SCENE']  # GenerateCollision.srv, by number
 
-TOPICS_AT_NOW = ['/attack', '/tested_report', '/attack_request', '/attack_path', '/attack_ego_path']
-ATTACK_TOPICS = TOPICS_AT_NOW + ['/attack_markers', '/map_markers']  # what forge inject adds
+TOPICS_AT_NOW = ['/attack', '/attack_request', '/attack_path', '/attack_ego_path']
+ATTACK_TOPICS = TOPICS_AT_NOW + ['/attack_markers', '/map_markers', '/tested_report']  # what forge inject adds
 ATTACKED_TOPICS = ['/agents', '/annotation_markers', '/agent_objects']  # with further frames in between
 EGO_TOPICS = ['/tf', '/odom']  # rewritten after the contact, unless the ego drives on
 

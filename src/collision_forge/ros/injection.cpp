@@ -32,6 +32,8 @@ constexpr const char* kAttackTopics[] = {names::kAttack,        names::kTestedRe
                                          names::kAttackRequest, names::kAttackPath,
                                          names::kAttackEgoPath, names::kAttackMarkers};
 
+constexpr double kMapInterval = 1.0;  // s between two messages of map_markers
+
 using Header = boost::shared_ptr<ros::M_string>;
 
 /// The connection's header with the mark of frames in between.
@@ -87,11 +89,13 @@ class Injection {
   std::vector<std::string> write(const std::function<void(double)>& on_progress) {
     rosbag::View view(source_);
     const double count = view.size();
+    if (view.size() > 0) report_time_ = std::min(reportTime(), view.getEndTime());
     double done = 0.0;
     for (const rosbag::MessageInstance& instance : view) {
       on_progress(done++ / count);
       if (instance.getTime() > end_) break;
       writeMadeBefore(instance.getTime());
+      writeMapMarkersAt(instance.getTime());
       copy(instance);
     }
     writeMadeBefore(ros::TIME_MAX);
@@ -106,6 +110,12 @@ class Injection {
 
  private:
   bool hasContact() const { return attack_.tested_report.contact; }
+
+  /// When the outcome of the attack is known: at the contact, else at the end of the trajectory.
+  ros::Time reportTime() const {
+    return hasContact() ? attack_.tested_report.contact_time
+                        : attack_.attack.trajectory.points.back().stamp;
+  }
 
   void findCrash() {
     if (attack_.after_contact != AfterContact::kStop || !hasContact()) return;
@@ -163,22 +173,29 @@ class Injection {
     while (next_frame_ != frames_.end() && next_frame_->first < time) {
       const auto& [frame_time, frame] = *next_frame_++;
       writeAttackBefore(frame_time);
+      writeReportBefore(frame_time);
       if (!frame.is_recorded) writeInBetween(frame_time, frame.agents);
       target_.writeLatched(bagTopic(names::kAttackMarkers), frame_time, markersOf(frame.agents));
       target_.write(bagTopic(names::kAgentObjects), frame_time, toObjects(frame.agents));
     }
     writeAttackBefore(time);
+    writeReportBefore(time);
   }
 
   void writeAttackBefore(const ros::Time& time) {
     if (is_attack_written_ || time <= now_) return;
     is_attack_written_ = true;
     target_.writeLatched(bagTopic(names::kAttack), now_, attack_.attack);
-    target_.writeLatched(bagTopic(names::kTestedReport), now_, attack_.tested_report);
     target_.writeLatched(bagTopic(names::kAttackRequest), now_, attack_.request);
     target_.writeLatched(bagTopic(names::kAttackPath), now_, toPath(trajectory_.points));
     target_.writeLatched(bagTopic(names::kAttackEgoPath), now_,
                          toPath(recording_.ego, now_.toSec(), trajectory_.points.back().time));
+  }
+
+  void writeReportBefore(const ros::Time& time) {
+    if (is_report_written_ || time <= report_time_) return;
+    is_report_written_ = true;
+    target_.writeLatched(bagTopic(names::kTestedReport), report_time_, attack_.tested_report);
   }
 
   void writeInBetween(const ros::Time& time, const collision_forge::AgentArray& agents) {
@@ -236,7 +253,7 @@ class Injection {
   /// False for a message that stays as it is.
   bool copyChanged(const rosbag::MessageInstance& instance) {
     const std::string& topic = instance.getTopic();
-    if (topic == bagTopic(names::kLaneMap)) addMapMarkers(instance);
+    if (topic == bagTopic(names::kLaneMap)) makeMapMarkers(instance);
     for (const char* made_anew : {names::kMapMarkers, names::kAgentObjects}) {
       if (topic == bagTopic(made_anew)) return true;
     }
@@ -247,10 +264,20 @@ class Injection {
     return false;
   }
 
-  void addMapMarkers(const rosbag::MessageInstance& instance) {
+  void makeMapMarkers(const rosbag::MessageInstance& instance) {
     const auto map = instance.instantiate<collision_forge::LaneMap>();
     if (!map) return;
-    target_.writeLatched(bagTopic(names::kMapMarkers), instance.getTime(), mapMarkers(*map));
+    map_markers_ = mapMarkers(*map);
+    map_markers_time_ = instance.getTime();
+    writeMapMarkersAt(instance.getTime());
+  }
+
+  /// At most once per kMapInterval. RViz drops its markers where a replay jumps back, and `rosbag
+  /// play --loop` publishes a latched message from before its start once, not in every round.
+  void writeMapMarkersAt(const ros::Time& time) {
+    if (!map_markers_ || time < map_markers_time_) return;
+    target_.writeLatched(bagTopic(names::kMapMarkers), time, *map_markers_);
+    map_markers_time_ = time + ros::Duration(kMapInterval);
   }
 
   bool copyAgents(const rosbag::MessageInstance& instance) {
@@ -317,6 +344,10 @@ class Injection {
   Header agents_header_;
   Header markers_header_;  ///< null until markers of annotations have come
   bool is_attack_written_ = false;
+  bool is_report_written_ = false;
+  ros::Time report_time_;
+  std::optional<visualization_msgs::MarkerArray> map_markers_;
+  ros::Time map_markers_time_;  ///< from when on they are due again
 };
 
 }  // namespace

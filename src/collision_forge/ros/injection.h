@@ -48,14 +48,15 @@ void requireNoAttack(const std::string& path);
 /// Copies the bag at `in`, in which there is no attack, to `out`. In /agents and
 /// /annotation_markers the attacker's recorded future is replaced (one that was added is there from
 /// the first state of its past on); from now on they have frames in between, sent by
-/// names::kInBetween, and one at the contact. Attack, report against the recording, request and the
-/// paths of attacker and recorded ego are added, latched, at the trajectory's start, and markers of
-/// map, ego and attack. /agent_objects comes with every frame of agents, in place of one that is
-/// there. After the contact with the recorded ego, if there is one, the bag goes on as
-/// `after_contact` says; where it rewrites /tf and odom, they have one more message at the contact.
-/// Every other message is copied byte for byte with its connection. What is not finite in agents,
-/// /tf and odom is left out (ros/finite_parts.h); a line a topic is returned of that. `on_progress`
-/// is told the share that is done. Throws BagError.
+/// names::kInBetween, and one at the contact. Attack, request and the paths of attacker and
+/// recorded ego are added, latched, at the trajectory's start, the report against the recording at
+/// the contact (without one at the trajectory's end), and markers of map, ego and attack. The
+/// markers of the map come every second. /agent_objects comes with every frame of agents, in place
+/// of one that is there. After the contact with the recorded ego, if there is one, the bag goes on
+/// as `after_contact` says; where it rewrites /tf and odom, they have one more message at the
+/// contact. Every other message is copied byte for byte with its connection. What is not finite in
+/// agents, /tf and odom is left out (ros/finite_parts.h); a line a topic is returned of that.
+/// `on_progress` is told the share that is done. Throws BagError.
 std::vector<std::string> injectIntoBag(
     const std::string& in, const std::string& out, const BagAttack& attack,
     const RecordingContext& recording,

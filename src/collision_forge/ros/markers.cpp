@@ -1,5 +1,8 @@
 #include "collision_forge/ros/markers.h"
 
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,9 +34,10 @@ constexpr double kDrivenWidth = 0.8;    // m
 constexpr std::size_t kShownPatterns = 5;
 constexpr float kPatternAlpha = 0.5F;  // of the first; each next one has half of it
 
-constexpr double kArrowSpacing = 15.0;  // m along a centreline
-constexpr double kArrowLength = 1.2;    // m
-constexpr double kArrowWidth = 1.0;     // m
+constexpr double kLineTolerance = 0.03;  // m; a quarter of kLaneWidth: nobody sees it
+constexpr double kArrowSpacing = 15.0;   // m along a centreline
+constexpr double kArrowLength = 1.2;     // m
+constexpr double kArrowWidth = 1.0;      // m
 
 constexpr float kTrailAlpha = 0.6F;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -76,13 +80,28 @@ void appendArrowHeads(const std::vector<Vector2>& centerline, std::vector<Vector
   }
 }
 
+/// Drops the points that are within kLineTolerance of the line through the others (Douglas and
+/// Peucker). A line with a point that is not finite is returned as it is.
+std::vector<Vector2> simplified(const std::vector<Vector2>& line) {
+  using Point = boost::geometry::model::d2::point_xy<double>;
+  const auto is_finite = [](const Vector2& point) { return point.allFinite(); };
+  if (!std::all_of(line.begin(), line.end(), is_finite)) return line;
+  boost::geometry::model::linestring<Point> all;
+  boost::geometry::model::linestring<Point> kept;
+  for (const Vector2& point : line) all.emplace_back(point.x(), point.y());
+  boost::geometry::simplify(all, kept, kLineTolerance);
+  std::vector<Vector2> points;
+  for (const Point& point : kept) points.emplace_back(point.x(), point.y());
+  return points;
+}
+
 void addLanes(const collision_forge::LaneMap& map, MarkerList& markers) {
   std::vector<Vector2> lanes;
   std::vector<Vector2> connectors;
   for (const auto& lane : map.lanes) {
     std::vector<Vector2>& lines = lane.is_connector ? connectors : lanes;
     const std::vector<Vector2> centerline = positions(lane.centerline);
-    appendPolyline(centerline, lines);
+    appendPolyline(simplified(centerline), lines);
     appendArrowHeads(centerline, lines);
   }
   markers.addLines("connectors", connectors, kLaneWidth, kConnectorHeight, colors::kConnector);

@@ -13,6 +13,7 @@
 #include "collision_forge/ros/marker_parts.h"
 #include "collision_forge/ros/markers.h"
 #include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/repeated_markers.h"
 #include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/shown_motion.h"
 #include "collision_forge/ros/topic_names.h"
@@ -27,19 +28,18 @@ namespace forge {
 /// agents.
 class SceneVisualizerNodelet : public QueuedNodelet {
  private:
-  static constexpr double kPictureRate = 20.0;  // Hz, of the wall clock
+  static constexpr double kPictureRate = 20.0;    // Hz, of the wall clock
+  static constexpr double kRepeatInterval = 1.0;  // s of the wall clock
 
   void start(ros::NodeHandle node) override {
     const Config config = loadNodeConfig(getPrivateNodeHandle());
     limits_ = config.input_limits;
     drivable_ = config.attack.verification.drivable;
     watch_.emplace(config.ego_vehicle.size, config.live.answerAge(), config.attack.verification);
-    map_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kMapMarkers, 1, true);
+    map_markers_ = RepeatedMarkers(node, names::kMapMarkers);
     scene_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kSceneMarkers, 1);
-    pattern_markers_ =
-        node.advertise<visualization_msgs::MarkerArray>(names::kPatternMarkers, 1, true);
-    attack_markers_ =
-        node.advertise<visualization_msgs::MarkerArray>(names::kAttackMarkers, 1, true);
+    pattern_markers_ = RepeatedMarkers(node, names::kPatternMarkers);
+    attack_markers_ = RepeatedMarkers(node, names::kAttackMarkers);
     view_ = std::make_unique<tf2_ros::StaticTransformBroadcaster>();
     subscribers_ = {
         node.subscribe(names::kLaneMap, 1, &SceneVisualizerNodelet::onMap, this),
@@ -52,6 +52,16 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     // Of the wall clock: whoever comes while the replay is paused sees the picture, too.
     timer_ = node.createWallTimer(ros::WallDuration(1.0 / kPictureRate),
                                   &SceneVisualizerNodelet::show, this);
+    repeat_timer_ =
+        node.createWallTimer(ros::WallDuration(kRepeatInterval),
+                             [this](const ros::WallTimerEvent& /*event*/) { repeat(); });
+  }
+
+  /// For an RViz that has dropped its markers.
+  void repeat() const {
+    for (const auto* markers : {&map_markers_, &pattern_markers_, &attack_markers_}) {
+      markers->repeat();
+    }
   }
 
   /// False, and logged, where `check` throws.
@@ -77,8 +87,10 @@ class SceneVisualizerNodelet : public QueuedNodelet {
       checkSnapshot(snapshot, limits_, names::kEncodedScene);
     };
     if (!isUsable(names::kEncodedScene, check)) return;
+    const bool jumped_back = scene_ && scene->header.stamp < scene_->header.stamp;
     scene_ = scene;
     clearFuturePatterns(*scene);
+    if (jumped_back) repeat();
     if (attack_ && attack_->adaptive) shown_ = Shown::kOutdated;
   }
 
@@ -202,10 +214,10 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   DriveLimitOptions drivable_;
   std::optional<ContactWatch> watch_;
   std::unique_ptr<EgoPoses> ego_poses_;
-  ros::Publisher map_markers_;
+  RepeatedMarkers map_markers_;
   ros::Publisher scene_markers_;
-  ros::Publisher pattern_markers_;
-  ros::Publisher attack_markers_;
+  RepeatedMarkers pattern_markers_;
+  RepeatedMarkers attack_markers_;
   std::unique_ptr<tf2_ros::StaticTransformBroadcaster> view_;
   collision_forge::EncodedSceneConstPtr scene_;
   collision_forge::AttackConstPtr attack_;           ///< null: none
@@ -214,6 +226,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   ros::Time patterns_start_;  ///< "now" of the patterns that are shown; zero: none
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer timer_;
+  ros::WallTimer repeat_timer_;
 };
 
 using ServedSceneVisualizer = Served<SceneVisualizerNodelet>;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <ros/ros.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <optional>
+
+namespace forge {
+
+/// A latched topic of markers whose newest message can be published again. RViz drops all markers
+/// where time jumps back and where its button Reset is pressed, and a latched message reaches a
+/// subscriber once. Not thread-safe.
+class RepeatedMarkers {
+ public:
+  RepeatedMarkers() = default;  ///< no topic: publishes nothing
+  RepeatedMarkers(ros::NodeHandle& node, const char* topic)
+      : publisher_(node.advertise<visualization_msgs::MarkerArray>(topic, 1, true)) {}
+
+  void publish(const visualization_msgs::MarkerArray& markers) {
+    newest_ = markers;
+    publisher_.publish(markers);
+  }
+
+  /// Publishes the newest message again, if there is one.
+  void repeat() const {
+    if (newest_) publisher_.publish(*newest_);
+  }
+
+ private:
+  ros::Publisher publisher_;
+  std::optional<visualization_msgs::MarkerArray> newest_;
+};
+
+}  // namespace forge
