@@ -109,6 +109,25 @@ class JunctionTest(live.WholeRoadTest):
         self.assertGreater(len(late.wait().markers), 1)
         late.close()
 
+    def test_markers_are_published_again_while_time_stands_still(self):
+        """RViz drops all markers where time jumps back, and by its button Reset."""
+        self.play_and_ask('rear_end', 'history', 0)
+        for topic in ('/map_markers', '/pattern_markers', '/attack_markers'):
+            heard = self.heard[topic]
+            shown = heard.wait(lambda markers: len(markers.markers) > 1)
+            heard.clear()
+            until(lambda: len(heard.all()) > 1, 'markers on ' + topic)
+            self.assertEqual([len(markers.markers) for markers in heard.all()[:2]], 2 * [len(shown.markers)], topic)
+
+    def test_rostopic_shows_injected_objects(self):
+        with subprocess.Popen(['/usr/bin/rostopic', 'echo', '-n', '1', '/injected_objects'], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, universal_newlines=True) as echo:
+            def is_over():
+                self.play_to(1.0)
+                return echo.poll() is not None
+            until(is_over, 'the end of rostopic echo')
+            self.assertIn('classification:', echo.stdout.read())
+
     def test_attack_markers_go_when_the_replay_is_restarted(self):
         answer, _ = self.play_and_ask('rear_end', 'history', 0)
         listener = self.heard['/attack_markers']
