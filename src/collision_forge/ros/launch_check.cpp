@@ -1,0 +1,45 @@
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+#include "collision_forge/settings/config.h"
+
+/// usage: launch_check NAME:=PATH...
+///
+/// Checks arguments of a launch file before roslaunch starts a node: a file or folder must be at
+/// each path that is not empty, and `config_dir` must hold a valid configuration. The first wrong
+/// argument is named in one line on stderr, and the exit code is 1.
+namespace forge {
+namespace {
+
+void check(const std::string& argument) {
+  const std::size_t separator = argument.find(":=");
+  if (separator == std::string::npos) throw std::runtime_error("not NAME:=PATH");
+  const std::string path = argument.substr(separator + 2);
+  if (path.empty()) return;
+  if (!std::filesystem::exists(path)) {
+    throw std::runtime_error("no such file or folder");
+  }
+  if (access(path.c_str(), R_OK) != 0) throw std::runtime_error("not readable");
+  if (argument.substr(0, separator) == "config_dir") loadConfig(path);
+}
+
+}  // namespace
+}  // namespace forge
+
+int main(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    try {
+      forge::check(argv[i]);
+    } catch (const std::exception& error) {
+      std::cerr << "launch argument " << argv[i] << ": " << error.what() << "\n";
+      return EXIT_FAILURE;
+    }
+  }
+  std::cout << "ok";
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,59 @@
+#!/usr/bin/python3
+"""What the launch files say of wrong arguments, before they start a node."""
+import subprocess
+
+import live
+import road
+from derived_object_msgs.msg import ObjectArray
+
+TIMEOUT = 60.0  # s
+
+
+class LaunchTest(road.RoadTest):
+    SCENES = ['scene-0007']
+
+    def refusal(self, launch, *arguments):
+        """The line of a launch that ends at once."""
+        result = subprocess.run(['/usr/bin/roslaunch', road.PACKAGE, launch, *arguments], stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, universal_newlines=True,
+                                timeout=TIMEOUT, check=False)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertNotIn('process[', result.stdout, 'a node was started')
+        line, = [line for line in result.stdout.splitlines() if line.startswith('launch argument')]
+        return line
+
+    def test_a_missing_bag_is_named_with_its_absolute_path(self):
+        self.assertEqual(self.refusal('replay.launch', 'bag:=/nowhere.bag', 'rviz:=false'),
+                         'launch argument bag:=/nowhere.bag: no such file or folder')
+
+    def test_a_missing_recording_is_named(self):
+        self.assertIn('recording:=/nowhere.bag: no such file',
+                      self.refusal('collision_forge.launch', 'recording:=/nowhere.bag'))
+
+    def test_a_missing_file_of_scenarios_is_named(self):
+        self.assertIn('scenarios:=/nowhere.jsonl: no such file', self.refusal(
+            'planner_test.launch', 'scenarios:=/nowhere.jsonl', 'source:={}'.format(self.folder), 'rviz:=false'))
+
+    def test_a_missing_source_of_scenes_is_named(self):
+        self.assertIn('source:=/nowhere: no such file', self.refusal(
+            'planner_test.launch', 'scenarios:={}'.format(self.bag('scene-0007')), 'source:=/nowhere', 'rviz:=false'))
+
+    def test_a_missing_folder_of_configuration_is_named(self):
+        for launch, arguments in (('collision_forge.launch', []),
+                                  ('replay.launch', ['bag:={}'.format(self.bag('scene-0007')), 'rviz:=false'])):
+            self.assertIn('config_dir:=/nowhere: no such file',
+                          self.refusal(launch, 'config_dir:=/nowhere', *arguments))
+
+    def test_a_folder_without_configuration_is_named_with_the_file_that_is_missing(self):
+        line = self.refusal('collision_forge.launch', 'config_dir:={}'.format(self.folder))
+        self.assertIn('config_dir:={}: '.format(self.folder), line)
+        self.assertIn('.yaml', line)
+
+
+class MessageClassTest(road.RoadTest):
+    def test_the_class_of_injected_objects_has_the_checksum_of_derived_object_msgs(self):
+        self.assertEqual(ObjectArray._md5sum, '492c83cd255b9a57845d0c197d7977be')
+
+
+if __name__ == '__main__':
+    live.main('launch_test')
