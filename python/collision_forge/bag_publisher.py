@@ -68,6 +68,11 @@ class BagPublisher:
         return self.frames[0][0]
 
     @property
+    def length(self) -> float:
+        """s from the first frame of agents to the last one."""
+        return self.instant_at(self.frames[-1][0])
+
+    @property
     def is_over(self) -> bool:
         """No message is left."""
         return self.now is not None and self._next is None

@@ -22,10 +22,13 @@ SUITE_TIMEOUT = 60.0  # s of the wall clock for the suite to start
 
 
 class PlayerNode:
-    """Plays a bag, `rate` times as fast as the clock on the wall. At its end it pauses, or begins anew with `loop`."""
+    """Plays a bag, `rate` times as fast as the clock on the wall. At its end it pauses, or begins anew with `loop`.
 
-    def __init__(self, source: BagPublisher, rate: float, loop: bool, is_paused: bool) -> None:
+    `start`: s from the first frame of agents; everything before is published at once."""
+
+    def __init__(self, source: BagPublisher, start: float, rate: float, loop: bool, is_paused: bool) -> None:
         self._source = source
+        self._start = start
         self._rate = rate
         self._loop = loop
         self._is_paused = is_paused
@@ -38,13 +41,16 @@ class PlayerNode:
         self._scenes = rospy.Subscriber('encoded_scene', msg.EncodedScene, self._receive_scene)
 
     def run(self) -> None:
-        """Plays until the node is shut down; the first frame of agents is shown even if it begins with a pause."""
+        """Plays until the node is shut down; with a pause at the start, the frame of agents there is shown."""
         with self._lock:
             rospy.Service('~pause', SetBool, self._pause)
             rospy.Service('~step', Trigger, lambda _: self._answer(self._step))
             rospy.Service('~back_to_now', Trigger, lambda _: self._answer(self._go_back_to_now))
-            self._go_to(self._source.start)
+            self._go_to(self._source.start + Duration.from_sec(self._start))
             self._set_paused(self._is_paused)  # whoever hears it can call the services
+            if self._is_paused:
+                rospy.loginfo('%s of %.1f s: ask for a collision now, then play on by the button Play in RViz or by '
+                              'rosservice call /player/pause false', self._state(), self._source.length)
         while not rospy.is_shutdown():
             with self._lock:
                 self._tick()
@@ -127,20 +133,34 @@ class Arguments:
 
     def __init__(self) -> None:
         self.bag = str(rospy.get_param('~bag', ''))
-        self.rate = self._number('rate', 1.0)    # so many times as fast as the clock on the wall
-        self.delay = self._number('delay', 1.0)  # s of the wall clock in which those who hear the bag connect
+        self.rate = self._positive('rate', 1.0)    # so many times as fast as the clock on the wall
+        self.delay = self._positive('delay', 1.0)  # s of the wall clock in which those who hear the bag connect
+        self.start = self._number('start', 0.0)    # s from the bag's first frame of agents
         self.loop = bool(rospy.get_param('~loop', False))
         self.start_paused = bool(rospy.get_param('~start_paused', False))
         self.wait_for_suite = bool(rospy.get_param('~wait_for_suite', False))
         if not self.bag:
             raise ForgeError('the parameter bag is empty: which bag is to be played?')
 
+    @classmethod
+    def _positive(cls, name: str, default: float) -> float:
+        value = cls._number(name, default)
+        if not 0.0 < value < float('inf'):
+            raise ForgeError('the parameter {} is {!r}, not a number greater than 0'.format(name, value))
+        return value
+
     @staticmethod
     def _number(name: str, default: float) -> float:
         value = rospy.get_param('~' + name, default)
-        if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 < value < float('inf'):
-            raise ForgeError('the parameter {} is {!r}, not a number greater than 0'.format(name, value))
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise ForgeError('the parameter {} is {!r}, not a number'.format(name, value))
         return float(value)
+
+    def check_start(self, source: BagPublisher) -> None:
+        """Raises ForgeError where the bag has no such instant."""
+        if not 0.0 <= self.start <= source.length:
+            raise ForgeError('the parameter start is {:g}, not in {}: 0 to {:g}'.format(self.start, source.path,
+                                                                                    source.length))
 
 
 def wait_for_suite(source: BagPublisher) -> None:
@@ -160,11 +180,12 @@ def play() -> int:
     try:
         arguments = Arguments()
         source = BagPublisher(arguments.bag)
+        arguments.check_start(source)
         source.advertise()
         if arguments.wait_for_suite:
             wait_for_suite(source)
         time.sleep(arguments.delay)
-        PlayerNode(source, arguments.rate, arguments.loop, arguments.start_paused).run()
+        PlayerNode(source, arguments.start, arguments.rate, arguments.loop, arguments.start_paused).run()
     except ForgeError as error:
         if not rospy.is_shutdown():
             rospy.logfatal(str(error))

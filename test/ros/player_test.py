@@ -97,7 +97,14 @@ class PlayerTest(road.RoadTest):
 class PlayerAloneTest(PlayerTest):
     def setUp(self):
         rospy.set_param('/use_sim_time', True)
+        self.forget_parameters()
         self.hear()
+
+    @staticmethod
+    def forget_parameters():
+        """Those of the player of another test."""
+        if rospy.has_param('/player'):
+            rospy.delete_param('/player')
 
     def command(self, *arguments):
         return ['/usr/bin/rosrun', road.PACKAGE, 'player', '_delay:=0.5'] + list(arguments)
@@ -105,9 +112,7 @@ class PlayerAloneTest(PlayerTest):
     def refusal(self, *arguments):
         result = subprocess.run(self.command(*arguments), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                 stdin=subprocess.DEVNULL, universal_newlines=True, timeout=START_TIMEOUT, check=False)
-        for name in ('bag', 'rate'):
-            if rospy.has_param('/player/' + name):
-                rospy.delete_param('/player/' + name)
+        self.forget_parameters()
         self.assertEqual(result.returncode, 1, result.stdout)
         self.assertEqual(len(result.stdout.strip().splitlines()), 1, result.stdout)
         return result.stdout
@@ -168,13 +173,40 @@ class PlayerAloneTest(PlayerTest):
                                   if stamp.header.stamp == first]), 1)
 
 
+    def test_a_start_outside_the_bag_is_refused_with_the_bags_length(self):
+        for start in ('-1', '20.5', 'soon'):
+            said = self.refusal('_bag:={}'.format(self.bag(SCENE)), '_start:=' + start)
+            self.assertIn('the parameter start is', said)
+        self.assertIn('0 to 20', self.refusal('_bag:={}'.format(self.bag(SCENE)), '_start:=20.5'))
+
+
+class ReplayStartTest(PlayerTest):
+    """replay.launch with nothing but a bag."""
+
+    def test_waits_at_an_instant_with_history_and_says_how_to_go_on(self):
+        self.hear()
+        start = next(stamp for time_of, stamp in self.frames() if (time_of - self.frames()[0][0]).to_sec() > 4.99)
+        with Program(['roslaunch', road.PACKAGE, 'replay.launch', 'bag:={}'.format(self.relative()), 'rviz:=false'],
+                     self.path('log')) as suite, CollisionForge(START_TIMEOUT) as forge:
+            self.wait_for_state(True)
+            until(lambda: self.agents.all()[-1].header.stamp == start, 'the frame at the start')
+            until(lambda: 'paused at 5.0 s of scene-0007.bag of 20.0 s' in suite.output(), 'a line on the terminal')
+            self.assertIn('rosservice call /player/pause false', suite.output())
+            attack = forge.generate(TYPE, TTA, believable='false')
+            self.assertEqual(attack.now, start)
+
+    def relative(self):
+        """The bag from where the launch is started."""
+        return os.path.relpath(str(self.bag(SCENE)), os.environ.setdefault('PWD', os.getcwd()))
+
+
 class ReplayTest(PlayerTest):
     """replay.launch, as a person uses it."""
 
     def setUp(self):
         self.hear()
         self.suite = Program(['roslaunch', road.PACKAGE, 'replay.launch', 'bag:={}'.format(self.bag(SCENE)),
-                              'start_paused:=true', 'rviz:=false', 'rate:=2'], self.path('log'))
+                              'start:=0', 'rviz:=false', 'rate:=2'], self.path('log'))
         self.addCleanup(self.suite.stop)
         self.wait_for_state(True)
         self.forge = CollisionForge(START_TIMEOUT)

@@ -120,13 +120,16 @@ class JunctionTest(live.WholeRoadTest):
             self.assertEqual([len(markers.markers) for markers in heard.all()[:2]], 2 * [len(shown.markers)], topic)
 
     def test_rostopic_shows_injected_objects(self):
-        with subprocess.Popen(['/usr/bin/rostopic', 'echo', '-n', '1', '/injected_objects'], stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, universal_newlines=True) as echo:
-            def is_over():
-                self.play_to(1.0)
-                return echo.poll() is not None
-            until(is_over, 'the end of rostopic echo')
-            self.assertIn('classification:', echo.stdout.read())
+        echo = subprocess.Popen(['/usr/bin/rostopic', 'echo', '-n', '1', '/injected_objects'], stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, universal_newlines=True)
+        self.addCleanup(echo.communicate)
+        self.addCleanup(echo.kill)
+
+        def is_over():
+            self.play_to(3.0)
+            return echo.poll() is not None
+        until(is_over, 'the end of rostopic echo')
+        self.assertIn('classification:', echo.stdout.read())
 
     def test_attack_markers_go_when_the_replay_is_restarted(self):
         answer, _ = self.play_and_ask('rear_end', 'history', 0)
@@ -168,7 +171,10 @@ class JunctionTest(live.WholeRoadTest):
 
     def test_beyond_recording(self):
         self.play_to(18.0)
-        self.ask_for_code('BEYOND_RECORDING', 'rear_end', 6.0, mode='replay')
+        for controls in ({'mode': 'replay'}, {'mode': 'history'}, {'adaptive': True}, {'choice': 'new'}):
+            answer = self.ask_for_code('BEYOND_RECORDING', 'rear_end', 6.0, **controls)
+            self.assertIn('tta = 6.0 s, but the recording', answer.message)
+            self.assertIn('ends 2.0 s from now', answer.message)
 
     def test_same_seed_same_answer(self):
         first, _ = self.play_and_ask('rear_end', 'history', 9)

@@ -8,6 +8,7 @@
 #include "collision_forge/batch/printable.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/marker_parts.h"
 #include "collision_forge/ros/report_text.h"
 #include "collision_forge/scene/number_words.h"
 
@@ -60,7 +61,8 @@ collision_forge::CollisionAnswer AttackFinder::answer(
   collision_forge::CollisionAnswer answer;
   answer.collision_type = asked.collision_type;
   answer.tta = asked.tta;
-  const Status status = find(method.empty() ? default_method_ : method, scene, asked, answer);
+  Status status = find(method.empty() ? default_method_ : method, scene, asked, answer);
+  if (status.code == StatusCode::kOk) status = checkContact(answer.attack.report);
   answer.code = static_cast<std::uint8_t>(status.code);
   answer.message = status.message;
   if (status.code == StatusCode::kOk) {
@@ -84,10 +86,8 @@ Status AttackFinder::find(const std::string& method, const collision_forge::Scen
   checkSnapshot(moment.snapshot, config_.input_limits, "scene");
   const CollisionRequest request = withFullId(std::get<CollisionRequest>(parsed), moment.snapshot);
   if (request.attacker) asked.attacker_id = *request.attacker;
-  if (request.mode == Mode::kReplay) {
-    const Status status = findRecorded(moment.snapshot.now, moment.recorded);
-    if (status.code != StatusCode::kOk) return status;
-  }
+  const Status recorded = checkRecording(request, moment);
+  if (recorded.code != StatusCode::kOk) return recorded;
   if (!moment.lanes) return {StatusCode::kNoScene, "no usable lane_map has come yet"};
   if (method != default_method_ || request.choice == AttackerChoice::kNew) {
     forgetPatterns();
@@ -142,20 +142,52 @@ Track AttackFinder::egoFuture(const Snapshot& snapshot, const CollisionRequest& 
       .ego;
 }
 
-Status AttackFinder::findRecorded(double now, std::optional<Future>& recorded) const {
-  if (!recording_) {
+/// In replay mode the recorded future becomes part of the moment.
+Status AttackFinder::checkRecording(const CollisionRequest& request, Moment& moment) const {
+  const bool is_needed = request.mode == Mode::kReplay;
+  if (is_needed && !recording_) {
     return {StatusCode::kNoRecording,
             "mode = replay needs the parameter recording, the bag on replay"};
   }
-  constexpr double kFrameTolerance = 1e-3;  // s
-  const auto frame = lastFrameTime(*recording_, now);
-  if (!frame || std::abs(*frame - now) > kFrameTolerance) {
+  const double now = moment.snapshot.now;
+  const auto frame = recordedFrame(now);
+  if (is_needed && !frame) {
     return {StatusCode::kNoRecording, "recording \"" + recording_->name +
                                           "\" has no frame at now = " + numberText(now) +
                                           " s: is another bag playing?"};
   }
-  recorded = recordedFuture(*recording_, *frame);
+  if (!frame) return {};
+  const Status status = checkRequest(request, moment.snapshot, config_.attack.prediction);
+  if (status.code != StatusCode::kOk) return status;
+  const double left = recording_->ego.states.back().time - *frame;
+  if (request.tta > left) {
+    return {StatusCode::kBeyondRecording,
+            formatted("tta = %.1f s, but the recording", request.tta) + " \"" + recording_->name +
+                formatted("\" ends %.1f s from now", left)};
+  }
+  if (is_needed) moment.recorded = recordedFuture(*recording_, *frame);
   return {};
+}
+
+/// A contact may come later than asked for, and then after the end of the recording.
+Status AttackFinder::checkContact(const collision_forge::CollisionReport& report) const {
+  const double now = report.header.stamp.toSec();
+  const auto frame = recordedFrame(now);
+  if (!frame || !report.contact) return {};
+  const double left = recording_->ego.states.back().time - *frame;
+  const double contact = report.contact_time.toSec() - now;
+  if (contact <= left) return {};
+  return {StatusCode::kBeyondRecording,
+          formatted("the contact would come %.1f s from now, but the recording", contact) + " \"" +
+              recording_->name + formatted("\" ends %.1f s from now", left)};
+}
+
+/// Returns nullopt where the scene is not of the recording, or none is known.
+std::optional<double> AttackFinder::recordedFrame(double now) const {
+  constexpr double kFrameTolerance = 1e-3;  // s
+  if (!recording_ || recording_->ego.states.empty()) return std::nullopt;
+  const auto frame = lastFrameTime(*recording_, now);
+  return frame && std::abs(*frame - now) <= kFrameTolerance ? frame : std::nullopt;
 }
 
 }  // namespace forge

@@ -16,8 +16,10 @@
 namespace forge {
 
 /// Answers what is asked of a scene. The default method goes by way of predict_pattern and
-/// realize_trajectory, all others run here, and so do vehicles that are added. Replay mode needs
-/// the private parameter `recording`, the bag on replay. Thread-safe.
+/// realize_trajectory, all others run here, and so do vehicles that are added. The private
+/// parameter `recording` names the bag on replay. Replay mode needs it; in the other modes a
+/// request about one of its frames is declined if the recording ends before the impact.
+/// Thread-safe.
 class AttackFinder {
  public:
   /// `config` must outlive it. Throws what the loading of methods and weights throws.
@@ -54,7 +56,9 @@ class AttackFinder {
   void addAlternatives(const std::string& name, const Moment& moment,
                        const CollisionRequest& request,
                        collision_forge::CollisionAnswer& answer) const;
-  Status findRecorded(double now, std::optional<Future>& recorded) const;
+  Status checkRecording(const CollisionRequest& request, Moment& moment) const;
+  Status checkContact(const collision_forge::CollisionReport& report) const;
+  std::optional<double> recordedFrame(double now) const;
 
   const Config& config_;
   MethodRegistry methods_;
