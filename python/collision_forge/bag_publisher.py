@@ -17,6 +17,8 @@ from collision_forge.waiting import Graph, names
 AGENTS = '/agents'
 CLOCK = '/clock'
 GLOBAL = (CLOCK, '/tf', '/tf_static')  # topics that are the same in every namespace
+MADE_BY_SUITE = ('/attack_markers', '/map_markers', '/tested_report')  # of a bag with an attack: the suite makes these,
+                                                                       # too, from the bag's attack and lane map
 CLOCK_LEAD = 0.5  # s of the wall clock from the first /clock to the first message: whoever keeps transforms drops those
                   # that come before it has seen time jump back
 UNREADABLE = (OSError, RuntimeError, ValueError, struct.error, rosbag.ROSBagException,
@@ -105,8 +107,11 @@ class BagPublisher:
     # What it publishes.
 
     def advertise(self) -> None:
-        """Lets everybody who hears the bag's topics connect."""
+        """Lets everybody who hears the bag's topics connect. What the suite makes, if it is there, is left to it."""
+        graph = Graph()
         for topic, message in self._first_of_topics():
+            if topic in MADE_BY_SUITE and graph.publishers_of(published(topic)) - {rospy.get_name()}:
+                continue
             if topic not in self._publishers:
                 self._publishers[topic] = rospy.Publisher(published(topic), type(message), queue_size=0,
                                                           tcp_nodelay=True, latch=self._is_latched(topic))
@@ -177,5 +182,5 @@ class BagPublisher:
     def _publish(self, stamp: Time, messages: List[Any]) -> None:
         self._publishers[CLOCK].publish(Clock(stamp))
         for topic, message in messages:
-            if topic != CLOCK:
+            if topic != CLOCK and topic in self._publishers:
                 self._publishers[topic].publish(message)

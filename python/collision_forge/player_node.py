@@ -1,7 +1,7 @@
 """The node `player`: plays a bag in real time, and is paused, stepped and put back by services."""
 import threading
 import time
-from typing import Any, List, Optional
+from typing import Any, Callable, List, Optional
 
 import rospy
 from genpy import Duration, Time
@@ -9,7 +9,7 @@ from std_msgs.msg import Bool
 from std_srvs.srv import SetBool, SetBoolResponse, Trigger, TriggerResponse
 
 from collision_forge import msg
-from collision_forge.bag_publisher import BagPublisher
+from collision_forge.bag_publisher import MADE_BY_SUITE, BagPublisher, published
 from collision_forge.client import PUBLISHED
 from collision_forge.errors import ForgeError, NotReady
 from collision_forge.node import run_node
@@ -163,16 +163,19 @@ class Arguments:
                                                                                     source.length))
 
 
-def wait_for_suite(source: BagPublisher) -> None:
-    """Until its nodes are there and hear the bag; a bag is played even if they do not come."""
-    def missing() -> List[str]:
-        graph = Graph()
-        return ['a publisher of ' + topic for topic in PUBLISHED if not graph.publishers_of(topic)
-                ] or source.unconnected()
+def wait_for_suite(missing: Callable[[], List[str]]) -> None:
+    """Until nothing is missing; a bag is played even if the suite does not come."""
     try:
         wait_until(missing, SUITE_TIMEOUT)
     except NotReady as error:
         rospy.logwarn('plays without the suite: %s', error)
+
+
+def missing_nodes() -> List[str]:
+    """What nobody of the suite publishes yet."""
+    graph = Graph()
+    topics = set(PUBLISHED) | {published(topic) for topic in MADE_BY_SUITE}
+    return ['a publisher of ' + topic for topic in sorted(topics) if not graph.publishers_of(topic)]
 
 
 def play() -> int:
@@ -181,9 +184,11 @@ def play() -> int:
         arguments = Arguments()
         source = BagPublisher(arguments.bag)
         arguments.check_start(source)
+        if arguments.wait_for_suite:
+            wait_for_suite(missing_nodes)
         source.advertise()
         if arguments.wait_for_suite:
-            wait_for_suite(source)
+            wait_for_suite(source.unconnected)
         time.sleep(arguments.delay)
         PlayerNode(source, arguments.start, arguments.rate, arguments.loop, arguments.start_paused).run()
     except ForgeError as error:

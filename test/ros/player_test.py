@@ -7,6 +7,7 @@ import threading
 import time
 
 import rosbag
+import rosgraph
 import rospy
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool
@@ -198,6 +199,40 @@ class ReplayStartTest(PlayerTest):
     def relative(self):
         """The bag from where the launch is started."""
         return os.path.relpath(str(self.bag(SCENE)), os.environ.setdefault('PWD', os.getcwd()))
+
+
+class AttackedReplayTest(PlayerTest):
+    """replay.launch with a bag that has an attack."""
+
+    def setUp(self):
+        self.hear()
+        self.attacked = self.path('attacked.bag')
+        result = road.inject(self.bag(SCENE), self.attacked, TYPE, TTA, NOW, '--mode', 'history')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.suite = Program(['roslaunch', road.PACKAGE, 'replay.launch', 'bag:={}'.format(self.attacked),
+                              'rviz:=false', 'rate:=2'], self.path('log'))
+        self.addCleanup(self.suite.stop)
+        self.wait_for_state(True)
+
+    def publishers_of(self, topic):
+        publishers = dict(rosgraph.Master(rospy.get_name()).getSystemState()[0])
+        return publishers[topic]
+
+    def test_the_attack_of_the_bag_is_shown_once_with_its_report_and_stays_the_only_one(self):
+        for topic in ('/attack_markers', '/map_markers', '/tested_report'):
+            self.assertEqual(len(self.publishers_of(topic)), 1, topic)
+        attacks, reports = live.Listener('/attack'), live.Listener('/tested_report')
+        for listener in (attacks, reports):
+            self.addCleanup(listener.close)
+        attack = attacks.wait()
+        self.assert_close(attack, road.read_one(self.attacked, '/attack'))
+        answer = live.ask(TYPE, TTA)
+        self.assertEqual(road.CODES[answer.code], 'NO_RECORDING')
+        self.assertIn('has an attack already', answer.message)
+        self.assertIn('scene-0007.bag', answer.message)
+        rospy.ServiceProxy('/player/pause', SetBool)(False)
+        self.assert_close(reports.wait(), road.read_one(self.attacked, '/tested_report'))
+        self.assertEqual(attacks.all()[-1].trajectory.attacker_id, attack.trajectory.attacker_id)
 
 
 class ReplayTest(PlayerTest):

@@ -9,6 +9,7 @@
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/marker_parts.h"
+#include "collision_forge/ros/recorded_attack.h"
 #include "collision_forge/ros/report_text.h"
 #include "collision_forge/scene/number_words.h"
 
@@ -48,6 +49,8 @@ void AttackFinder::loadRecording(const std::string& path) {
   if (path.empty()) return;
   std::vector<std::string> warnings;
   try {
+    const auto attack = readRecordedAttack(path);
+    if (attack) attack_in_recording_ = refusalOf(*attack, path);
     recording_ = readBag(path, config_, &warnings);
   } catch (const std::exception& error) {
     ROS_ERROR_STREAM("no replay mode: " << printable(error.what()));
@@ -144,6 +147,7 @@ Track AttackFinder::egoFuture(const Snapshot& snapshot, const CollisionRequest& 
 
 /// In replay mode the recorded future becomes part of the moment.
 Status AttackFinder::checkRecording(const CollisionRequest& request, Moment& moment) const {
+  if (isRecordingAttacked()) return {StatusCode::kNoRecording, attack_in_recording_};
   const bool is_needed = request.mode == Mode::kReplay;
   if (is_needed && !recording_) {
     return {StatusCode::kNoRecording,

@@ -18,8 +18,8 @@ namespace forge {
 /// Answers what is asked of a scene. The default method goes by way of predict_pattern and
 /// realize_trajectory, all others run here, and so do vehicles that are added. The private
 /// parameter `recording` names the bag on replay. Replay mode needs it; in the other modes a
-/// request about one of its frames is declined if the recording ends before the impact.
-/// Thread-safe.
+/// request about one of its frames is declined if the recording ends before the impact. If that bag
+/// has an attack already, every request is declined. Thread-safe.
 class AttackFinder {
  public:
   /// `config` must outlive it. Throws what the loading of methods and weights throws.
@@ -41,6 +41,9 @@ class AttackFinder {
   /// What the ego drives in an answer to the request: as recorded in replay mode, else the
   /// likeliest of the futures that the default method foresees.
   Track egoFuture(const Snapshot& snapshot, const CollisionRequest& request) const;
+
+  /// The bag on replay has an attack of its own.
+  bool isRecordingAttacked() const { return !attack_in_recording_.empty(); }
 
   /// Takes the patterns of the last request from predicted_patterns.
   void forgetPatterns() const { search_.forgetPatterns(); }
@@ -65,6 +68,7 @@ class AttackFinder {
   Foresight foresight_;
   std::string default_method_;
   std::optional<Scene> recording_;
+  std::string attack_in_recording_;  // why a bag with an attack is no recording; empty: it has none
   LaneMapSubscriber map_;
   ServiceSearch search_;
 };

@@ -12,6 +12,7 @@
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/ego_poses.h"
 #include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/recorded_attack.h"
 #include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/scene/scene_history.h"
@@ -21,7 +22,8 @@ namespace forge {
 
 /// Verifies the newest attack against the ego as it comes (/tf) and publishes tested_report: at the
 /// contact, or at the end of the attacker's trajectory when there was none. One whose attacker
-/// reacts goes on being tested when it comes again.
+/// reacts goes on being tested when it comes again. For the attack in the bag on replay, named by
+/// the private parameter `recording`, the report in that bag is published: it has the same numbers.
 class AttackVerifierNodelet : public QueuedNodelet {
  private:
   static constexpr double kAhead = 1.0;  // s; agents of a new replay may come before its poses
@@ -34,12 +36,27 @@ class AttackVerifierNodelet : public QueuedNodelet {
   void start(ros::NodeHandle node) override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
     map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
+    loadRecordedAttack(getPrivateNodeHandle().param<std::string>("recording", ""));
     publisher_ = node.advertise<collision_forge::CollisionReport>(names::kTestedReport, 1, true);
     subscribers_ = {
         node.subscribe(names::kAttack, 1, &AttackVerifierNodelet::receiveAttack, this),
         node.subscribe(names::kAgents, kTopicQueue, &AttackVerifierNodelet::receiveAgents, this)};
     ego_poses_ = std::make_unique<EgoPoses>(node, config_.ego_vehicle.center_offset,
                                             [this](const AgentState& ego) { addEgo(ego); });
+  }
+
+  void loadRecordedAttack(const std::string& recording) {
+    if (recording.empty()) return;
+    try {
+      recorded_ = readRecordedAttack(recording);
+    } catch (const std::exception& error) {
+      NODELET_ERROR_STREAM("recording not read: " << printable(error.what()));
+    }
+  }
+
+  bool isOfRecording() const {
+    return recorded_ && recorded_->tested_report.header.stamp == attack_->header.stamp &&
+           recorded_->tested_report.attacker_id == attack_->trajectory.attacker_id;
   }
 
   void receiveAttack(const collision_forge::Attack& message) {
@@ -154,7 +171,7 @@ class AttackVerifierNodelet : public QueuedNodelet {
     collision_forge::CollisionReport message =
         toMessage(*report, attack_->trajectory.attacker_id, attack_->header.stamp.toSec());
     message.decision = attack_->decision;
-    publisher_.publish(message);
+    publisher_.publish(isOfRecording() ? recorded_->tested_report : message);
     test_.reset();
   }
 
@@ -164,6 +181,7 @@ class AttackVerifierNodelet : public QueuedNodelet {
   std::deque<AgentState> egos_;  // the newest, as an answer is later than its "now"
   std::deque<Frame> frames_;     // the same of everybody else
   std::optional<EgoTest> test_;
+  std::optional<RecordedAttack> recorded_;  // in the bag on replay
   ros::Publisher publisher_;
   std::vector<ros::Subscriber> subscribers_;
   std::unique_ptr<EgoPoses> ego_poses_;

@@ -113,11 +113,12 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     return stamp.isZero() ? scenes_->newest(ros::Time::now().toSec()) : scenes_->at(stamp);
   }
 
-  /// What is shown is the answer to the last request: a declined one shows nothing.
+  /// What is shown is the answer to the last request: a declined one shows nothing. The attack of
+  /// the bag on replay goes on.
   bool generate(Request& message, Response& response) {
     answerWith(response, [&] { return generateOne(message, response); });
     if (response.code != Response::OK) {
-      forget();
+      if (!finder_->isRecordingAttacked()) forget();
       NODELET_INFO_STREAM(toString(static_cast<StatusCode>(response.code))
                           << ": " << printable(response.message));
     }
