@@ -67,8 +67,8 @@ enum class StatusCode : std::uint8_t {
   kNoCandidate = 6,           ///< nobody in reach comes from where the type wants it
   kNoAttackWithinLimits = 7,  ///< candidates exist, none can be driven into the ego as asked
   kNoScene = 8,               ///< no agents, map or ego pose received yet
-  kNoRecording = 9,           ///< replay mode without a recording
-  kBeyondRecording = 10,      ///< replay mode and the recording ends before the impact
+  kNoRecording = 9,           ///< replay mode without a recording, or it has an attack
+  kBeyondRecording = 10,      ///< the recording ends before the impact
   kInvalidInput = 11,         ///< unknown mode, a pose that is not a number, a box without size
   kNodeUnavailable = 12,      ///< a node of the suite did not answer
   kLowConfidence = 13,        ///< the best attack promises less than min_confidence
