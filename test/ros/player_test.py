@@ -173,7 +173,6 @@ class PlayerAloneTest(PlayerTest):
             self.assertEqual(len([stamp for stamp in self.agents.all()[:len(self.frames())]
                                   if stamp.header.stamp == first]), 1)
 
-
     def test_a_start_outside_the_bag_is_refused_with_the_bags_length(self):
         for start in ('-1', '20.5', 'soon'):
             said = self.refusal('_bag:={}'.format(self.bag(SCENE)), '_start:=' + start)
