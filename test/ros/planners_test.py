@@ -143,7 +143,7 @@ class TestPlannersTest(road.RoadTest):
         results = {result['name']: result for result in lines_of(out)}
         self.assertEqual(len(results), 28)
         witnesses = [json.loads(line) for line in (out / 'witnesses.jsonl').read_text().splitlines()]
-        self.assertGreater(len(witnesses), 1)
+        self.assertGreater(len(witnesses), 0)
         speeds = []
         for rank, witness in enumerate(witnesses, 1):
             row = results[witness['name']]['planners'][0]

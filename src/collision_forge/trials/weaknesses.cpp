@@ -14,16 +14,18 @@ struct Hit {
   const PlannerContact& contact() const { return *row->outcome.contact; }
 };
 
-/// True if the other vehicle drove into the ego's rear: that is its own fault, not the planner's.
-bool isRunInto(const PlannerContact& contact) {
-  return contact.cause == ContactCause::kRear ||
+/// True if the attacker came from behind and is at fault: it drove into the ego's rear, or it is a
+/// follower that drove into an ego that turns.
+bool isRearEndFault(const PlannerContact& contact, Manoeuvre manoeuvre) {
+  if (contact.at_fault) return false;
+  return manoeuvre == Manoeuvre::kFollowerCloses || contact.cause == ContactCause::kRear ||
          (contact.cause == ContactCause::kStoppedEgo && contact.ego_side == Side::kRear);
 }
 
 bool showsWeakness(const PlannerRow& row, const UntilHitOptions& options) {
   const RolloutOutcome& outcome = row.outcome;
   return outcome.failure == PlannerFailure::kNone && outcome.contact &&
-         outcome.contact->is_attacker && !isRunInto(*outcome.contact) && row.is_fair &&
+         outcome.contact->is_attacker && row.is_fair &&
          row.attacker.phase != AttackerPhase::kDrivingOn && row.attacker.broken_limit.empty() &&
          row.attacker.touched.empty() && outcome.contact->impact_speed >= options.min_impact_speed;
 }
@@ -51,6 +53,7 @@ std::vector<Weakness> findWeaknesses(const std::vector<PlannerTestResult>& resul
   for (const Hit& hit : hardestFirst(results, options)) {
     const PlannerContact& contact = hit.contact();
     const Manoeuvre manoeuvre = manoeuvreOf(hit.result);
+    if (isRearEndFault(contact, manoeuvre)) continue;
     const auto isOf = [&](const Weakness& known) {
       return known.planner == hit.row->planner && known.policy == hit.row->attacker.policy &&
              known.manoeuvre == manoeuvre && known.at_fault == contact.at_fault &&

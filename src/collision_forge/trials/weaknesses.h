@@ -23,9 +23,9 @@ struct Weakness {
 
 /// The weaknesses that results show, that with the hardest impact first. Counted are fair hits
 /// (PlannerRow::is_fair) by attackers that had not given up, kept every limit and touched nobody
-/// else, no softer than `min_impact_speed`. Hits into the ego's rear are left out: they are the
-/// attacker's own fault. `manoeuvreOf`: what was asked for in the case of a
-/// result.
+/// else, no softer than `min_impact_speed`. Hits by attackers from behind are left out unless the
+/// planner is at fault: those into the ego's rear, and all of followers that close. `manoeuvreOf`:
+/// what was asked for in the case of a result.
 std::vector<Weakness> findWeaknesses(const std::vector<PlannerTestResult>& results,
                                      const std::function<Manoeuvre(std::size_t)>& manoeuvreOf,
                                      const UntilHitOptions& options);
