@@ -144,8 +144,7 @@ TEST(JsonLine, MissingUnknownAndDoubleFieldsAreNamed) {
 TEST(JsonLine, WhatIsNoJsonNamesTheByte) {
   EXPECT_THAT(complaintOf(R"({"a":1)", kNothing),
               HasSubstr("list: line 3: invalid JSON at byte 6"));
-  for (const char* text :
-       {"{", "{} {}", R"({"a":NaN})", R"({"a":1e999})", "{\"a\":\"\xff\"}"}) {
+  for (const char* text : {"{", "{} {}", R"({"a":NaN})", R"({"a":1e999})", "{\"a\":\"\xff\"}"}) {
     EXPECT_THAT(complaintOf(text, kNothing), HasSubstr("invalid JSON at byte")) << text;
   }
   EXPECT_THAT(complaintOf("[1]", kNothing), HasSubstr("list: line 3: [...] is not an object"));
