@@ -356,14 +356,15 @@ class InjectionTest(road.RoadTest):
     def test_chosen_attacker_attacks(self):
         attackers = set()
         for collision_type in TYPES:
-            result = road.inject(self.source, self.path('out.bag'), collision_type, 4.0, NOW, '--attacker', 'existing')
+            result = road.inject(self.source, self.path('out.bag'), collision_type, 4.0, NOW, '--attacker', 'existing',
+                                 '--mode', 'history')
             if road.code_of(result) == 'OK':
                 attackers.add((collision_type, road.read_one(self.path('out.bag'), '/attack').report.attacker_id))
         self.assertGreater(len({attacker for _, attacker in attackers}), 1)
         answered = 0
         for collision_type, attacker in attackers:
             out = self.path('chosen.bag')
-            result = road.inject(self.source, out, collision_type, 4.0, NOW, '--attacker', attacker)
+            result = road.inject(self.source, out, collision_type, 4.0, NOW, '--attacker', attacker, '--mode', 'history')
             self.assertIn(road.code_of(result), ('OK', 'LOW_CONFIDENCE'), result.stderr)
             if road.code_of(result) == 'OK':
                 self.assertEqual(road.read_one(out, '/attack').trajectory.attacker_id, attacker)
