@@ -13,7 +13,7 @@ const COLUMNS = [
   {key: 'now_in_recording', title: 'Now', unit: 's', digits: 2, wide: true, width: 4.8},
   {key: 'type', title: 'Type', show: title, width: 10},
   {key: 'tta', title: 'TTA', unit: 's', digits: 1, width: 4.2},
-  {key: 'planner', title: 'Planner', wide: true, width: 10.8, isShown: hasTests},
+  {key: 'planner', title: 'Planner', wide: true, width: 12, isShown: hasTests},
   {key: 'planner', title: 'Method', wide: true, width: 10.8,
     isShown: (rows, list) => !hasTests(rows, list) && list.some((row) => rows.text('planner', row))},
   {key: 'outcome', title: 'Outcome', show: title, width: 12},
