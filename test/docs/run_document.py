@@ -34,9 +34,10 @@ OWN = ('.git', 'out')  # entries of the repository that are not linked
 SERVICES = {'planner_test.launch': ['/test_planner']}
 ALL_SERVICES = ['/generate_collision', '/list_collisions', '/test_planner', '/reset']
 PYTHON_SESSION = Path(__file__).resolve().parent / 'python_session.py'
-# Progress, which a terminal has in one line that changes; what bash says of a program that the document has ended.
-UNCOUNTED = re.compile(r'^(\S[\w /.-]* \d+ %.* (left|in \d+ \w+)|\S+: line \d+: +\d+ (Terminated|Killed) .*)\n',
-                       re.MULTILINE)
+# Progress, which a terminal has in one line that changes; what bash says of a program that the document has ended;
+# warnings of rospy about connections that come too early or too late.
+UNCOUNTED = re.compile(r'^(\S[\w /.-]* \d+ %.* (left|in \d+ \w+)|\S+: line \d+: +\d+ (Terminated|Killed) .*|'
+                       r'\[WARN\] \[[\d.]+\]: .*)\n', re.MULTILINE)
 
 
 class Failed(Exception):

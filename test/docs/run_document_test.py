@@ -39,6 +39,11 @@ class RunDocument(unittest.TestCase):
     def test_passes_a_page_that_shows_what_all_commands_of_a_block_print(self):
         self.check_passes(('', 'echo one\necho two >&2'), ('text', 'one\ntwo'))
 
+    def test_does_not_count_progress_ended_programs_and_warnings_of_ros(self):
+        self.check_passes(('', "echo 'scenes 100 %, 26.1/s, 0 s left'\necho 'planner tests  15 % in 3 s'\n"
+                               "echo '[WARN] [1795861170.3]: late'\nsleep 60 &\nkill $!\nwait; echo one"),
+                          ('text', 'one'))
+
     def test_names_page_line_and_both_texts_of_another_output(self):
         self.check_fails('page.md:8: shows another output', ('', 'echo hit in 4 tests'), ('text', 'hit in 3 tests'))
         self.check_fails('-hit in 3 tests\n+hit in 4 tests', ('', 'echo hit in 4 tests'), ('text', 'hit in 3 tests'))
