@@ -30,7 +30,7 @@ from shown import difference, matches, rewritten
 TIMEOUT = 300.0       # s that a command may take
 READY_TIMEOUT = 60.0  # s until what was launched answers
 SHOWN = 3000          # characters of output in an error
-OWN = ('.git', 'out')  # entries of the repository that are not linked
+OWN = ('.git', '.pytest_cache', 'out')  # entries of the repository that are not linked
 SERVICES = {'planner_test.launch': ['/test_planner']}
 ALL_SERVICES = ['/generate_collision', '/list_collisions', '/test_planner', '/reset']
 PYTHON_SESSION = Path(__file__).resolve().parent / 'python_session.py'
