@@ -30,7 +30,7 @@ refuse_arguments() {
 
 # ---- packages ----
 
-# listed_packages forge|all|interop|sanitize: those of the first part of the list, of the first two, or of these and the
+# listed_packages forge|all|interop|pictures|sanitize: those of the first part of the list, of the first two, or of these and the
 # part of that name.
 listed_packages() {
   local parts=forge
@@ -45,7 +45,7 @@ missing_packages() {
   comm -23 <(listed_packages "$1" | sort -u) <(printf '%s\n' "$installed")
 }
 
-# install_packages forge|all|interop|sanitize
+# install_packages forge|all|interop|pictures|sanitize
 install_packages() {
   { command -v dpkg-query && command -v apt-get; } > /dev/null ||
     die "this is no Debian: install what scripts/packages.txt lists in your system's way"

@@ -47,7 +47,7 @@ class Player:
     @property
     def duration(self) -> float:
         """s from the first frame of agents to the last one."""
-        return self._source.instant_at(self._source.frames[-1][0])
+        return self._source.length
 
     @property
     def is_at_end(self) -> bool:

@@ -5,10 +5,10 @@ from typing import Any, Callable, List, Optional
 
 import rospy
 from genpy import Duration, Time
-from std_msgs.msg import Bool
+from std_msgs.msg import Bool, Float64
 from std_srvs.srv import SetBool, SetBoolResponse, Trigger, TriggerResponse
 
-from collision_forge import msg
+from collision_forge import msg, srv
 from collision_forge.bag_publisher import MADE_BY_SUITE, BagPublisher, published
 from collision_forge.client import PUBLISHED
 from collision_forge.errors import ForgeError, NotReady
@@ -16,7 +16,8 @@ from collision_forge.node import run_node
 from collision_forge.waiting import Graph, wait_until
 
 TICK = 0.02           # s of the wall clock from one /clock to the next
-HISTORY = 4.0         # s before an attack's now that are published again: the frames that a request looks back on
+TICKS_PER_POSITION = 5  # ticks from one ~position to the next
+HISTORY = 4.0         # s before an instant that is gone back to that are published again: a request looks back on them
 SCENE_TIMEOUT = 10.0  # s of the wall clock for the suite to encode the frame that was gone back to
 SUITE_TIMEOUT = 60.0  # s of the wall clock for the suite to start
 
@@ -34,9 +35,12 @@ class PlayerNode:
         self._is_paused = is_paused
         self._lock = threading.Lock()  # of what is published
         self._ticked = 0.0             # s of the wall clock
+        self._ticks = 0
         self._attack = msg.Attack()
         self._encoded: Optional[Time] = None  # stamp of the newest encoded scene
         self._paused = rospy.Publisher('~paused', Bool, queue_size=1, latch=True)
+        self._position = rospy.Publisher('~position', Float64, queue_size=1)
+        self._length = rospy.Publisher('~length', Float64, queue_size=1, latch=True)
         rospy.Subscriber('attack', msg.Attack, self._receive_attack)
         self._scenes = rospy.Subscriber('encoded_scene', msg.EncodedScene, self._receive_scene)
 
@@ -46,6 +50,8 @@ class PlayerNode:
             rospy.Service('~pause', SetBool, self._pause)
             rospy.Service('~step', Trigger, lambda _: self._answer(self._step))
             rospy.Service('~back_to_now', Trigger, lambda _: self._answer(self._go_back_to_now))
+            rospy.Service('~seek', srv.Seek, self._answer_seek)
+            self._length.publish(self._source.length)
             self._go_to(self._source.start + Duration.from_sec(self._start))
             self._set_paused(self._is_paused)  # whoever hears it can call the services
             if self._is_paused:
@@ -59,6 +65,9 @@ class PlayerNode:
     def _tick(self) -> None:
         """As far as the clock on the wall has gone on; /clock comes in a pause, too, for whoever comes then."""
         before, self._ticked = self._ticked, time.monotonic()
+        if self._ticks % TICKS_PER_POSITION == 0:
+            self._position.publish(self._source.instant)
+        self._ticks += 1
         if self._is_paused:
             self._source.publish_until(self._source.now)
             return
@@ -110,10 +119,30 @@ class PlayerNode:
             raise ForgeError('there is no attack to go back to: ask for one with generate_collision')
         now = self._source.time_of_frame(attack.header.stamp)
         self._set_paused(True)
+        self._go_back(now)
+
+    def _go_back(self, end: Time) -> None:
+        """Shows the last HISTORY seconds before a time again, and waits until the suite has encoded the newest frame."""
         self._encoded = None
-        self._go_to(now, Time.from_sec(max(0.0, now.to_sec() - HISTORY)))
-        if self._scenes.get_num_connections() > 0:
-            wait_until(lambda: [] if self._encoded == attack.header.stamp else ['encoded_scene'], SCENE_TIMEOUT)
+        self._go_to(end, Time.from_sec(max(0.0, end.to_sec() - HISTORY)))
+        frames = self._source.frames_until(end)
+        if self._scenes.get_num_connections() > 0 and frames:
+            wait_until(lambda: [] if self._encoded == frames[-1][1] else ['encoded_scene'], SCENE_TIMEOUT)
+
+    def _answer_seek(self, request: srv.SeekRequest) -> srv.SeekResponse:
+        answer = self._answer(lambda: self._seek(request.instant))
+        return srv.SeekResponse(answer.success, answer.message)
+
+    def _seek(self, instant: float) -> None:
+        """Forwards, everything in between is published, so that an attack is tested on the way."""
+        if not 0.0 <= instant <= self._source.length:
+            raise ForgeError('instant = {:g} is outside the bag: 0 to {:g}'.format(instant, self._source.length))
+        end = self._source.start + Duration.from_sec(instant)
+        if end < self._source.now:
+            self._go_back(end)
+        else:
+            self._source.publish_until(end)
+        self._ticked = time.monotonic()
 
     def _state(self) -> str:
         return '{} {:.1f} s of {}'.format('paused at' if self._is_paused else 'plays from',

@@ -19,13 +19,25 @@ TEST(LabelPlaces, GrowWithLinesAndLetters) {
 TEST(LabelPlaces, LieBesideTheirBoxAndOnNoOther) {
   const BoxSize text = textSize("012345", 1.0);
   std::vector<OrientedBox> boxes{kCar};
-  while (const auto place = placeBeside(kCar, text, boxes)) {
-    const OrientedBox label{{place->x(), place->y(), 0.0}, text};
+  for (LabelSide side = freestSide(kCar, text, boxes); side.covered == 0;
+       side = freestSide(kCar, text, boxes)) {
+    const Vector2 place = placeBeside(kCar, text, side);
+    const OrientedBox label{{place.x(), place.y(), 0.0}, text};
     for (const OrientedBox& box : boxes) EXPECT_FALSE(overlaps(label, box));
     boxes.push_back(label);
     ASSERT_LT(boxes.size(), 30U);
   }
   EXPECT_GT(boxes.size(), 4U);
+}
+
+TEST(LabelPlaces, CoverTheFewestWhereNoneIsFree) {
+  const BoxSize text = textSize("0", 1.0);
+  // Everything is covered once, all but what lies above the car twice.
+  const std::vector<OrientedBox> boxes{{{0.0, 0.0, 0.0}, {100.0, 100.0}},
+                                       {{0.0, -48.0, 0.0}, {100.0, 100.0}}};
+  const LabelSide side = freestSide(kCar, text, boxes);
+  EXPECT_EQ(side.covered, 1U);
+  EXPECT_GT(placeBeside(kCar, text, side).y(), 2.0);
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ NODES = {
     'trajectory_realizer': ([], ['/lane_map'], ['/realize_trajectory']),
     'attack_verifier': (['/tested_report'],
                         ['/agents', '/attack', '/lane_map', '/tf', '/tf_static'], []),
-    'planner_tester': (['/planner_markers', '/planner_outcome', '/planner_path', '/planning_state', '/tested_map',
-                        '/tf_static'],
+    'planner_tester': (['/planner_markers', '/planner_outcome', '/planner_path', '/planner_scene_markers',
+                        '/planner_test_shown', '/planning_state', '/shown_area', '/tested_map', '/tf_static'],
                        ['/attack', '/planned_trajectory'], ['/test_planner']),
     'collision_generator': (['/attack', '/attack_ego_path', '/attack_methods', '/attack_path', '/attack_request',
                              '/predicted_patterns'],
@@ -45,9 +45,9 @@ NODES = {
                             ['/generate_collision', '/generate_collisions', '/list_collisions', '/reset']),
     'attacker_injector': (['/injected_agents', '/injected_objects'], ['/agents', '/attack', '/tf', '/tf_static'], []),
     'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers',
-                          '/tf_static'],
-                         ['/attack', '/encoded_scene', '/lane_map', '/predicted_patterns', '/tested_report', '/tf',
-                          '/tf_static'], []),
+                          '/shown_area'],
+                         ['/attack', '/encoded_scene', '/lane_map', '/planner_test_shown', '/predicted_patterns',
+                          '/tested_report'], []),
 }
 MANAGER = 'collision_forge_manager'
 PLAYED = ['/agents', '/lane_map', '/tf']  # what the suite hears of a bag
@@ -58,7 +58,8 @@ TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/injected_objec
          '/attack_path': Path, '/attack_ego_path': Path,
          '/attack_request': AttackRequest, '/tested_report': CollisionReport,
          '/attack_markers': MarkerArray,
-         '/map_markers': MarkerArray, '/pattern_markers': MarkerArray, '/scene_markers': MarkerArray}
+         '/map_markers': MarkerArray, '/pattern_markers': MarkerArray, '/planner_scene_markers': MarkerArray,
+         '/scene_markers': MarkerArray}
 
 
 def until(condition, what, timeout=TIMEOUT, interval=0.05):

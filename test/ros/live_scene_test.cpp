@@ -92,7 +92,7 @@ class LiveSceneTest : public testing::Test {
 TEST_F(LiveSceneTest, MovesBoxesBetweenFrames) {
   ASSERT_EQ(shown("ego").size(), 1U);
   EXPECT_NEAR(shown("ego")[0].pose.position.x, 2.0, 1e-6);
-  EXPECT_NEAR(viewedEgo(live_)->x, 2.0, 1e-6);
+  EXPECT_NEAR(shownArea(live_)->middle().x(), 2.0, 1e-6);
   EXPECT_EQ(shown("agents").size(), 2U);
   EXPECT_EQ(shown("trails").size(), 3U);
 }
@@ -110,7 +110,7 @@ TEST_F(LiveSceneTest, ShowsNobodyWhoLeftOrHasNoExtent) {
   EXPECT_TRUE(shown("agents").empty());
   scene_ = {};
   EXPECT_EQ(liveMarkers(live_).markers.size(), 1U);
-  EXPECT_FALSE(viewedEgo(live_));
+  EXPECT_FALSE(shownArea(live_));
 }
 
 TEST_F(LiveSceneTest, ShowsTheAttackerDriveBesideItsRecordedGhost) {
@@ -159,6 +159,17 @@ TEST_F(LiveSceneTest, TheContactStaysMarkedWhereTheBoxesTouchedAndTheWordsStandS
   EXPECT_EQ(shown("words")[0].pose, words.pose);
 }
 
+TEST_F(LiveSceneTest, ShowsTheAttackerInItsOwnColourOverItsRecordedGhost) {
+  live_.attack = &attack_;
+  const Marker attacker = shown("attacker")[0];
+  const Marker ghost = shown("recorded")[0];
+  const double bottom = attacker.pose.position.z - attacker.scale.z / 2;
+  const double top = attacker.pose.position.z + attacker.scale.z / 2;
+  EXPECT_EQ(attacker.color.a, 1.0F);
+  EXPECT_GT(ghost.pose.position.z, bottom);
+  EXPECT_LT(ghost.pose.position.z, top) << "the ghost would tint the attacker";
+}
+
 TEST_F(LiveSceneTest, WritesTheIdBesideTheWords) {
   live_.attack = &attack_;
   live_.verdict = &tested_;
@@ -172,11 +183,60 @@ TEST_F(LiveSceneTest, WritesTheIdBesideTheWords) {
   EXPECT_FALSE(overlaps(box_of(shown("ids")[0]), box_of(shown("words")[0])));
 }
 
-TEST_F(LiveSceneTest, LooksAtTheCrashedEgoForAWhile) {
+TEST_F(LiveSceneTest, KeepsTheWordsInTheirPlaceWhileOthersPassUnderThem) {
+  live_.attack = &attack_;
+  const auto place_of_words = [this] {
+    const auto position = shown("words")[0].pose.position;
+    return std::pair(position.x, position.y);
+  };
+  const auto before = place_of_words();
+  for (auto& state : scene_.agents[1].states) {
+    state.pose.x = before.first;
+    state.pose.y = before.second;
+    state.velocity_x = 0.0;
+  }
+  EXPECT_EQ(place_of_words(), before);
+}
+
+TEST_F(LiveSceneTest, KeepsAnIdOnItsSideBetweenFrames) {
+  const auto offset = [this] {
+    return shown("ids")[0].pose.position.y - scene_.agents[0].states.back().pose.y;
+  };
+  const double before = offset();
+  scene_.agents[1].states.back().velocity_x = -20.0;
+  scene_.agents[1].states.back().pose.y = scene_.agents[0].states.back().pose.y + before;
+  scene_.agents[1].states.back().pose.x = scene_.agents[0].states.back().pose.x + 15.0;
+  for (double later : {0.0, 0.2, 0.4, 0.6}) {
+    live_.now = scene_.header.stamp + ros::Duration(later);
+    ASSERT_EQ(shown("ids").size(), 1U);
+    EXPECT_DOUBLE_EQ(offset(), before) << later;
+  }
+}
+
+TEST_F(LiveSceneTest, LooksAtEgoAttackerAndContact) {
+  attack_.report.attacker_at_contact.x = 74.0;
+  attack_.report.ego_at_contact.x = 69.0;
+  live_.attack = &attack_;
+  const ShownArea area = *shownArea(live_);
+  for (double x : {2.0, 22.0, 69.0, 74.0}) {
+    EXPECT_GT(x, area.lowest.x());
+    EXPECT_LT(x, area.highest.x());
+  }
+  const Marker words = shown("words")[0];
+  EXPECT_LT(words.pose.position.y + words.scale.z, area.highest.y());
+  EXPECT_GT(words.pose.position.y - words.scale.z, area.lowest.y());
+  const double half = textSize(words.text, words.scale.z).length / 2;
+  EXPECT_LT(words.pose.position.x + half, area.highest.x());
+  EXPECT_GT(words.pose.position.x - half, area.lowest.x());
+}
+
+TEST_F(LiveSceneTest, LooksAtTheContactForAWhile) {
   showCrash(13.0 + kCrashView - 0.1);
-  EXPECT_NEAR(viewedEgo(live_)->x, live_.crash->egoAt(20.0).pose.x, 1e-6);
+  const double between =
+      (live_.crash->egoAt(20.0).pose.x + live_.crash->attackerAt(20.0).pose.x) / 2;
+  EXPECT_NEAR(shownArea(live_)->middle().x(), between, 3.0) << "words beside both";
   live_.now = ros::Time(13.0 + kCrashView + 0.1);
-  EXPECT_NEAR(viewedEgo(live_)->x, 8.0 * 0.6, 1e-6);
+  EXPECT_NEAR(shownArea(live_)->middle().x(), 8.0 * 0.6, 1e-6);
 }
 
 }  // namespace

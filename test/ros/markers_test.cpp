@@ -10,6 +10,7 @@
 
 #include "collision_forge/ros/marker_colors.h"
 #include "collision_forge/ros/marker_fill.h"
+#include "collision_forge/ros/marker_parts.h"
 
 namespace forge {
 namespace {
@@ -305,7 +306,13 @@ TEST(PatternMarkers, ShowTheFirstOnesFainterAndFainter) {
   EXPECT_EQ(inNamespace(array, "predicted_ego").size(), 5U);
   for (std::size_t i = 0; i < attackers.size(); ++i) {
     // Left of an ego that heads along y is towards -x.
-    EXPECT_NEAR(attackers[i].pose.position.x, 10.0 - 5.0 * (static_cast<double>(i) + 1.0), 1e-9);
+    double middle = 0.0;
+    for (const auto& point : attackers[i].points) {
+      middle += point.x / static_cast<double>(attackers[i].points.size());
+      EXPECT_LT(point.z, kVehicleHeight) << "it would cover vehicles";
+    }
+    EXPECT_NEAR(middle, 10.0 - 5.0 * (static_cast<double>(i) + 1.0), 1e-9);
+    EXPECT_EQ(attackers[i].type, Marker::LINE_LIST) << "an outline";
     if (i > 0) {
       EXPECT_LT(attackers[i].color.a, attackers[i - 1].color.a);
     }
@@ -339,6 +346,20 @@ TEST(CrashMarkers, CountDownAndThenTellTheVerdict) {
   EXPECT_EQ(inNamespace(crashMarkers(view), "words")[0].text, "contact in 2.0 s");
   view.header = header(13.0);
   EXPECT_EQ(inNamespace(crashMarkers(view), "words")[0].text.find("contact as asked\n"), 0U);
+}
+
+TEST(CrashMarkers, KeepTheWordsInTheirPlaceWhileTheVehiclesCome) {
+  const collision_forge::Attack shown = attack();
+  CrashView view;
+  view.attack = &shown;
+  std::vector<geometry_msgs::Point> places;
+  for (double time : {10.5, 11.5, 12.5}) {
+    view.header = header(time);
+    view.ego = OrientedBox{{time - 13.0, 3.0, 0.0}, {4.6, 1.9}};
+    places.push_back(inNamespace(crashMarkers(view), "words")[0].pose.position);
+  }
+  EXPECT_EQ(places[1], places[0]);
+  EXPECT_EQ(places[2], places[0]);
 }
 
 TEST(AnnotationMarkers, HoldABoxForEverybodyAndANameForWhatCanAttack) {

@@ -48,7 +48,7 @@ std::string reportOf(const MarkerArray& array) {
 }
 
 TEST(PlannerMarkers, ShowTheDrivenEgoBesideTheRecordedOneAndTheAttackerUpToTheEnd) {
-  const MarkerArray array = plannerMarkers(standing(), scenario(), "idm");
+  const MarkerArray array = plannerMarkers(standing(), scenario());
   EXPECT_EQ(array.markers.front().action, Marker::DELETEALL);
   EXPECT_EQ(array.markers.back().header.frame_id, "map");
   EXPECT_EQ(array.markers.back().header.stamp, ros::Time(kNow));
@@ -64,53 +64,92 @@ TEST(PlannerMarkers, ShowTheDrivenEgoBesideTheRecordedOneAndTheAttackerUpToTheEn
 }
 
 TEST(PlannerMarkers, ShowEveryProposalWithItsEnd) {
-  const MarkerArray array = plannerMarkers(standing(), scenario(), "idm");
+  const MarkerArray array = plannerMarkers(standing(), scenario());
   ASSERT_EQ(inNamespace(array, "proposals").size(), 1U);
   EXPECT_EQ(inNamespace(array, "proposals")[0].points.size(), 4U);  // two lines
   ASSERT_EQ(inNamespace(array, "proposal_ends").size(), 2U);
   EXPECT_EQ(inNamespace(array, "proposal_ends")[1].pose.position.y, 1.0);
 }
 
-TEST(PlannerMarkers, WithoutAContactTellWhatHappenedAtTheEnd) {
+constexpr double kEnd = kNow + 2.0;
+
+TEST(RolloutMarkers, ShowEverybodyAtTheInstantWithoutTheOutcome) {
+  const MarkerArray array = rolloutMarkers(standing(), scenario(), "idm", kNow + 1.0);
+  EXPECT_EQ(array.markers.front().action, Marker::DELETEALL);
+  ASSERT_EQ(inNamespace(array, "ego").size(), 1U);
+  ASSERT_EQ(inNamespace(array, "attacker").size(), 1U);
+  EXPECT_NEAR(inNamespace(array, "attacker")[0].pose.position.x, 35.0, 1e-6);  // 5 m/s from 40 m
+  EXPECT_EQ(inNamespace(array, "attacker")[0].color, colors::toMessage(colors::kAttacker));
+  EXPECT_EQ(inNamespace(array, "agents").size(), 1U);
+  EXPECT_TRUE(inNamespace(array, "contact").empty());
+  EXPECT_EQ(reportOf(array), "idm drives, 1.0 s");
+}
+
+TEST(RolloutMarkers, StandAtTheEndFromThenOn) {
+  const MarkerArray end = rolloutMarkers(standing(), scenario(), "idm", kEnd);
+  const MarkerArray later = rolloutMarkers(standing(), scenario(), "idm", kEnd + 5.0);
+  EXPECT_EQ(inNamespace(later, "attacker")[0].pose.position,
+            inNamespace(end, "attacker")[0].pose.position);
+  EXPECT_EQ(reportOf(later), reportOf(end));
+}
+
+TEST(RolloutMarkers, ShowThoseWhoReactAsTheyDrove) {
   PlannerTrial trial = standing();
-  const MarkerArray array = plannerMarkers(trial, scenario(), "idm");
+  trial.outcome.others = {futureTrack("parked", kCarSize, {50.0, -4.0, 0.0}, 0.0)};
+  const MarkerArray array = rolloutMarkers(trial, scenario(), "idm", kNow);
+  EXPECT_NEAR(inNamespace(array, "agents")[0].pose.position.x, 50.0, 1e-6);
+}
+
+TEST(RolloutMarkers, KeepTheWordsInTheirPlace) {
+  const auto place = [](double time) {
+    return inNamespace(rolloutMarkers(standing(), scenario(), "idm", time), "report")[0].pose;
+  };
+  EXPECT_GT(place(kNow).position.y * place(kEnd).position.y, 0.0) << "the same side of the ego";
+}
+
+TEST(RolloutMarkers, WithoutAContactTellWhatHappenedAtTheEnd) {
+  PlannerTrial trial = standing();
+  const MarkerArray array = rolloutMarkers(trial, scenario(), "idm", kEnd);
   EXPECT_EQ(reportOf(array), "idm: no contact in 2.00 s\nno way to avoid it was found");
   EXPECT_TRUE(inNamespace(array, "contact").empty());
-  EXPECT_EQ(inNamespace(array, "ego_at_end").size(), 1U);
-  EXPECT_EQ(inNamespace(array, "others").size(), 2U);
 
   trial.outcome.failure = PlannerFailure::kTimedOut;
   trial.avoidability.last = Avoidance{EvasiveManoeuvre::kBraking, kNow + 1.5, {}, 0.0};
-  EXPECT_EQ(reportOf(plannerMarkers(trial, scenario(), "external")),
+  EXPECT_EQ(reportOf(rolloutMarkers(trial, scenario(), "external", kEnd)),
             "external: fails, timed_out\nafter 2.00 s\navoidable up to 1.5 s by braking");
 }
 
-TEST(PlannerMarkers, ShowTheContact) {
+TEST(RolloutMarkers, ShowTheContactAtTheEnd) {
   PlannerTrial trial = standing();
   PlannerContact contact;
   contact.other_id = "attacker";
   contact.is_attacker = true;
-  contact.time = kNow + 2.0;
+  contact.time = kEnd;
   contact.impact_speed = 5.0;
   contact.at_fault = false;
   trial.outcome.contact = contact;
-  const MarkerArray array = plannerMarkers(trial, scenario(), "pdm");
+  const MarkerArray array = rolloutMarkers(trial, scenario(), "pdm", kEnd);
   EXPECT_EQ(reportOf(array),
             "pdm: touches the attacker\nafter 2.00 s, impact 5.0 m/s\nnot at fault\n"
             "no way to avoid it was found");
   EXPECT_EQ(inNamespace(array, "contact").size(), 1U);
-  const auto boxes = inNamespace(array, "contact_boxes");
-  ASSERT_EQ(boxes.size(), 2U);
-  EXPECT_NEAR(boxes[1].pose.position.x, 30.0, 1e-6);  // 5 m/s from 40 m
-  EXPECT_EQ(inNamespace(array, "others").size(), 1U);
+  EXPECT_TRUE(inNamespace(rolloutMarkers(trial, scenario(), "pdm", kNow), "contact").empty());
 
   trial.outcome.contact->other_id = "parked";
   trial.outcome.contact->is_attacker = false;
   trial.outcome.contact->at_fault = true;
-  const MarkerArray other = plannerMarkers(trial, scenario(), "pdm");
+  const MarkerArray other = rolloutMarkers(trial, scenario(), "pdm", kEnd);
   EXPECT_NE(reportOf(other).find("touches parked\n"), std::string::npos);
   EXPECT_NE(reportOf(other).find("\nat fault\n"), std::string::npos);
-  EXPECT_NEAR(inNamespace(other, "contact_boxes")[1].pose.position.y, -4.0, 1e-6);
+}
+
+TEST(RolloutArea, HoldsEgoAttackerAndTheEnd) {
+  PlannerTrial trial = standing();
+  for (TrajectoryPoint& point : trial.outcome.driven) point.pose.x = 60.0 * (point.time - kNow);
+  const ShownArea area = rolloutArea(trial, scenario(), kNow);
+  EXPECT_LT(area.lowest.x(), 0.0);
+  EXPECT_GT(area.highest.x(), 120.0);
+  EXPECT_LT(rolloutArea(trial, scenario(), kEnd).size().x(), area.size().x()) << "it comes nearer";
 }
 
 }  // namespace

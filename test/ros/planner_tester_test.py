@@ -16,7 +16,9 @@ from collision_forge.msg import Attack, LaneMap, PlannerOutcome, PlannerParamete
 from collision_forge.srv import TestPlanner, TestPlannerRequest, TestPlannerResponse
 from live import until
 from road import DATAROOT, VERSION
+from geometry_msgs.msg import PolygonStamped
 from nav_msgs.msg import Path as DrivenPath
+from std_msgs.msg import Bool
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
@@ -189,7 +191,7 @@ class PlannerTesterTest(road.RoadTest):
                          [(point.stamp, point.pose.position) for point in outcome.driven])
         markers = self.latched('/planner_markers', MarkerArray).markers
         names = {marker.ns for marker in markers}
-        self.assertLessEqual({'ego_path', 'recorded_ego_path', 'attacker_path', 'proposals', 'report'}, names)
+        self.assertLessEqual({'ego_path', 'recorded_ego_path', 'attacker_path', 'proposals'}, names)
         ends = [marker for marker in markers if marker.ns == 'proposal_ends']
         self.assertEqual(len(ends), 15)
         lane_map = self.latched('/tested_map', LaneMap)
@@ -198,6 +200,21 @@ class PlannerTesterTest(road.RoadTest):
         self.assertEqual(frames[0].child_frame_id, 'tested_ego')
         self.assertLess(math.hypot(frames[0].transform.translation.x - outcome.driven[0].pose.position.x,
                                    frames[0].transform.translation.y - outcome.driven[0].pose.position.y), 1.0)
+
+    def test_the_rollout_is_shown_in_motion_with_its_outcome_at_the_end(self):
+        drawn = live.Listener('/planner_scene_markers')
+        self.addCleanup(drawn.close)
+        outcome = self.outcome(scenario=str(self.tested[0]), planner='idm')
+        self.assertTrue(self.latched('/planner_test_shown', Bool).data)
+        drawn.wait(lambda array: any(marker.ns == 'report' and 'idm: ' in marker.text for marker in array.markers))
+        egos = [(marker.pose.position.x, marker.pose.position.y) for array in drawn.all() for marker in array.markers
+                if marker.ns == 'ego']
+        for shown, driven in ((egos[0], outcome.driven[0]), (egos[-1], outcome.driven[-1])):
+            self.assertLess(math.dist(shown, (driven.pose.position.x, driven.pose.position.y)), 3.0)
+        self.assertGreater(len(set(egos)), 10)
+        area = self.latched('/shown_area', PolygonStamped).polygon.points
+        self.assertLess(min(point.x for point in area), egos[-1][0])
+        self.assertGreater(max(point.x for point in area), egos[-1][0])
 
     @staticmethod
     def latched(topic, message_class):

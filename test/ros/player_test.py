@@ -10,13 +10,14 @@ import rosbag
 import rosgraph
 import rospy
 from rosgraph_msgs.msg import Clock
-from std_msgs.msg import Bool
+from std_msgs.msg import Bool, Float64
 from std_srvs.srv import SetBool, Trigger
 
 import live
 import road
 from collision_forge import CollisionForge
 from collision_forge.msg import AgentArray
+from collision_forge.srv import Seek
 from collision_forge.suite import Program
 from live import until
 
@@ -268,6 +269,26 @@ class ReplayTest(PlayerTest):
         self.assertTrue(self.paused.all()[-1].data)
         time.sleep(0.3)
         self.assertEqual(self.times()[-1], frames[3][0], 'time stands still')
+
+    def test_seeks_forwards_and_back_and_says_where_it_is(self):
+        position = Heard('/player/position', Float64)
+        self.addCleanup(position.subscriber.unregister)
+        seek = rospy.ServiceProxy('/player/seek', Seek)
+        frames = self.frames()
+        length = rospy.wait_for_message('/player/length', Float64, START_TIMEOUT).data
+        self.assertAlmostEqual(length, (frames[-1][0] - frames[0][0]).to_sec(), places=6)
+        for instant in (6.0, 2.25):
+            answer = seek(instant)
+            self.assertTrue(answer.success, answer.message)
+            self.assertIn('paused at', answer.message)
+            until(lambda: position.all() and abs(position.all()[-1].data - instant) < 1e-6, 'the position')
+            self.assertAlmostEqual((self.times()[-1] - frames[0][0]).to_sec(), instant, places=6)
+            shown = [stamp for time_of, stamp in frames if (time_of - frames[0][0]).to_sec() <= instant]
+            until(lambda: self.agents.all()[-1].header.stamp == shown[-1], 'the newest frame')
+        for instant in (-1.0, length + 1.0, math.nan):
+            answer = seek(instant)
+            self.assertFalse(answer.success)
+            self.assertIn('is outside the bag: 0 to', answer.message)
 
     def test_plays_with_a_steady_clock_until_it_is_paused(self):
         self.assertTrue(self.call('pause', False).success)

@@ -13,6 +13,7 @@ import live
 import road
 from collision_forge.srv import TestPlanner, TestPlannerRequest
 from live import Listener, ask, until
+from std_msgs.msg import Bool
 
 
 def is_out_of_sight(place, scene):
@@ -108,6 +109,18 @@ class JunctionTest(live.WholeRoadTest):
         late = Listener('/map_markers')
         self.assertGreater(len(late.wait().markers), 1)
         late.close()
+
+    def test_the_test_of_a_planner_takes_the_place_of_the_scene_while_it_is_shown(self):
+        self.play_to(3.0)
+        scene = self.heard['/scene_markers']
+        scene.wait(lambda array: len(array.markers) > 1)
+        publisher = rospy.Publisher('/planner_test_shown', Bool, queue_size=1, latch=True)
+        self.addCleanup(publisher.unregister)
+        publisher.publish(True)
+        until(lambda: len(scene.all()[-1].markers) == 1, 'the scene to go')
+        scene.clear()
+        publisher.publish(False)
+        scene.wait(lambda array: len(array.markers) > 1)
 
     def test_markers_are_published_again_while_time_stands_still(self):
         """RViz drops all markers where time jumps back, and by its button Reset."""

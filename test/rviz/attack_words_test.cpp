@@ -47,6 +47,38 @@ TEST(AttackText, ShowsIdsAsTheyAreWritten) {
   EXPECT_THAT(attackText(attackAt(10.0)).toStdString(), HasSubstr("a&lt;b"));
 }
 
+TEST(AttackText, NamesTheAttackerByTheIdInThePicture) {
+  collision_forge::Attack attack = attackAt(10.0);
+  attack.trajectory.attacker_id = "626d04ddfb6ad0fbce7bb269ab4d03e5";
+  const std::string text = attackText(attack).toStdString();
+  EXPECT_THAT(text, HasSubstr("car 626d04"));
+  EXPECT_THAT(text, Not(HasSubstr("626d04d")));
+}
+
+TEST(OutcomeText, TellsWhomThePlannerTouchesAndWhoseFaultItIs) {
+  collision_forge::PlannerOutcome outcome;
+  outcome.planner = "idm";
+  outcome.failure = "none";
+  outcome.duration = 6.0;
+  EXPECT_EQ(outcomeText(outcome).toStdString(), "<b>idm</b>: no contact in 6.0 s");
+  outcome.collided = outcome.at_fault = true;
+  outcome.contact_time = ros::Time(2.5);
+  outcome.impact_speed = 4.0;
+  outcome.other_id = "626d04ddfb6ad0fbce7bb269ab4d03e5";
+  EXPECT_EQ(outcomeText(outcome).toStdString(),
+            "<b>idm</b>: touches 626d04 after 2.50 s, 4.0 m/s, at fault");
+  outcome.is_attacker = true;
+  EXPECT_THAT(outcomeText(outcome).toStdString(), HasSubstr("touches the attacker after"));
+}
+
+TEST(OutcomeText, TellsWhyThePlannerFailed) {
+  collision_forge::PlannerOutcome outcome;
+  outcome.planner = "external";
+  outcome.failure = "timed_out";
+  outcome.failure_message = "no answer";
+  EXPECT_THAT(outcomeText(outcome).toStdString(), HasSubstr("fails, timed_out: no answer"));
+}
+
 TEST(AttackText, SaysWhyNobodyWouldDriveSo) {
   collision_forge::Attack attack = attackAt(10.0);
   attack.report.believable = false;

@@ -1,14 +1,19 @@
+#include <collision_forge/Seek.h>
+#include <collision_forge/TestPlanner.h>
 #include <gmock/gmock.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <std_msgs/Bool.h>
+#include <std_msgs/Float64.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSlider>
 
 #include <chrono>
 #include <mutex>
@@ -21,6 +26,8 @@ namespace {
 
 using collision_forge::GenerateCollision;
 using collision_forge::ListCollisions;
+using collision_forge::Seek;
+using collision_forge::TestPlanner;
 using testing::HasSubstr;
 
 constexpr std::chrono::seconds kPatience{20};
@@ -46,6 +53,12 @@ class Suite {
     node_.setCallbackQueue(&queue_);
     attack_ = node_.advertise<collision_forge::Attack>("attack", 1, true);
     paused_ = node_.advertise<std_msgs::Bool>("player/paused", 1, true);
+    position_ = node_.advertise<std_msgs::Float64>("player/position", 1, true);
+    length_ = node_.advertise<std_msgs::Float64>("player/length", 1, true);
+    seek_ = node_.advertiseService("player/seek", &Suite::seek, this);
+    test_planner_ = node_.advertiseService("test_planner", &Suite::testPlanner, this);
+    length_.publish(seconds(20.0));
+    position_.publish(seconds(5.0));
     generate_ = node_.advertiseService("generate_collision", &Suite::generate, this);
     list_ = node_.advertiseService("list_collisions", &Suite::list, this);
     pause_ = node_.advertiseService("player/pause", &Suite::pause, this);
@@ -59,8 +72,41 @@ class Suite {
     const std::lock_guard<std::mutex> guard(lock_);
     return asked_;
   }
+  double sought() {
+    const std::lock_guard<std::mutex> guard(lock_);
+    return sought_;
+  }
+  std::string tested() {
+    const std::lock_guard<std::mutex> guard(lock_);
+    return tested_;
+  }
 
  private:
+  static std_msgs::Float64 seconds(double value) {
+    std_msgs::Float64 message;
+    message.data = value;
+    return message;
+  }
+
+  bool seek(Seek::Request& request, Seek::Response& response) {
+    const std::lock_guard<std::mutex> guard(lock_);
+    sought_ = request.instant;
+    position_.publish(seconds(request.instant));
+    response.success = true;
+    return true;
+  }
+
+  bool testPlanner(TestPlanner::Request& request, TestPlanner::Response& response) {
+    const std::lock_guard<std::mutex> guard(lock_);
+    tested_ = request.planner;
+    response.outcome.planner = request.planner;
+    response.outcome.failure = "none";
+    response.outcome.collided = response.outcome.is_attacker = true;
+    response.outcome.contact_time = response.outcome.header.stamp + ros::Duration(3.5);
+    response.outcome.impact_speed = 7.0;
+    return true;
+  }
+
   bool generate(GenerateCollision::Request& request, GenerateCollision::Response& response) {
     const std::lock_guard<std::mutex> guard(lock_);
     asked_ = request;
@@ -76,6 +122,8 @@ class Suite {
     response.collisions.resize(2);
     response.collisions[0].collision_type = "rear_end";
     response.collisions[0].attacker_id = "a1";
+    response.collisions[0].confidence = 0.5;
+    response.collisions[1].confidence = 0.75;
     response.collisions[1].collision_type = "lane_change";
     response.collisions[1].tta = 3.0;
     response.collisions[1].manoeuvre = "merge";
@@ -104,12 +152,18 @@ class Suite {
   ros::CallbackQueue queue_;
   ros::Publisher attack_;
   ros::Publisher paused_;
+  ros::Publisher position_;
+  ros::Publisher length_;
+  ros::ServiceServer seek_;
+  ros::ServiceServer test_planner_;
   ros::ServiceServer generate_;
   ros::ServiceServer list_;
   ros::ServiceServer pause_;
   ros::ServiceServer step_;
   std::mutex lock_;
   GenerateCollision::Request asked_;
+  double sought_ = 0.0;
+  std::string tested_;
   ros::AsyncSpinner spinner_{2, &queue_};
 };
 
@@ -176,6 +230,63 @@ TEST_F(PanelTest, AsksAboutTheNewestSceneOnceARowIsNoLongerAskedFor) {
   EXPECT_EQ(asked(), kListed);
 }
 
+TEST_F(PanelTest, AsksForTheSurestOfWhatIsPossibleUnlessATypeIsChosen) {
+  ASSERT_TRUE(comes([&] { return button("pause")->isEnabled(); }));
+  button("generate")->click();
+  ASSERT_TRUE(says("status", "2 attacks"));
+  EXPECT_EQ(suite_.asked().collision_type, "lane_change");
+  EXPECT_EQ(suite_.asked().attacker_id, "b2");
+  EXPECT_EQ(suite_.asked().stamp, kListed);
+}
+
+TEST_F(PanelTest, ShowsWhereThePlayerIsAndMovesItToAnotherInstant) {
+  auto* slider = panel_.findChild<QSlider*>("position");
+  ASSERT_TRUE(comes([&] { return slider->value() == 50; }));
+  EXPECT_TRUE(says("clock", "5.0 s of 20.0 s"));
+  slider->setSliderDown(true);
+  slider->setSliderPosition(125);
+  slider->setSliderDown(false);
+  EXPECT_TRUE(comes([&] { return suite_.sought() == 12.5; }));
+  EXPECT_TRUE(says("clock", "12.5 s of 20.0 s"));
+}
+
+TEST_F(PanelTest, TestsAPlannerInTheNewestAttackAndTellsTheOutcome) {
+  EXPECT_FALSE(button("test_planner")->isEnabled()) << "there is no attack yet";
+  button("generate")->click();
+  ASSERT_TRUE(says("attack", "by the recorded car a1"));
+  panel_.findChild<QComboBox*>("planner")->setCurrentText("pdm");
+  button("test_planner")->click();
+  EXPECT_TRUE(says("status", "touches the attacker after 3.50 s, 7.0 m/s, not at fault"))
+      << text("status");
+  EXPECT_EQ(suite_.tested(), "pdm");
+}
+
+TEST_F(PanelTest, KeepsItsButtonsInTheirPlacesWhateverIsSaid) {
+  panel_.resize(300, 900);
+  panel_.show();
+  ASSERT_TRUE(comes([&] { return button("step")->isEnabled(); }));
+  const auto places = [this] {
+    std::vector<QRect> rectangles;
+    for (const QPushButton* one : panel_.findChildren<QPushButton*>()) {
+      rectangles.push_back(one->geometry());
+    }
+    return rectangles;
+  };
+  QApplication::processEvents();
+  const auto before = places();
+  for (const char* name : {"status", "player_says", "crash", "attack"}) {
+    panel_.findChild<QLabel*>(name)->setText(QString("words ").repeated(40));
+  }
+  button("pause")->setText("Play");
+  QApplication::processEvents();
+  const auto after = places();
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_TRUE(after[i] == before[i])
+        << i << ": " << before[i].y() << " and " << before[i].height() << " high -> "
+        << after[i].y() << " and " << after[i].height();
+  }
+}
+
 TEST_F(PanelTest, ShowsTheAttackItsAlternativesAndTheCountdown) {
   button("generate")->click();
   ASSERT_TRUE(says("attack", "by the recorded car a1"));
@@ -199,7 +310,7 @@ TEST_F(PanelTest, PausesStepsAndPlaysWhereThereIsAPlayer) {
   ASSERT_TRUE(says("player_says", "Paused."));
   ASSERT_TRUE(comes([&] { return button("pause")->text() == "Play"; }));
   button("step")->click();
-  ASSERT_TRUE(says("player_says", "nothing left to step to"));
+  ASSERT_TRUE(says("status", "nothing left to step to"));
   button("pause")->click();
   ASSERT_TRUE(comes([&] { return button("pause")->text() == "Pause"; }));
 }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QScrollBar>
+
 #include <optional>
 
 namespace forge {
@@ -31,6 +34,25 @@ TEST(PossibleTable, ShowsACollisionARow) {
   EXPECT_EQ(table.item(1, 2)->text(), "added truck");
   table.setCollisions({});
   EXPECT_EQ(table.rowCount(), 0);
+}
+
+TEST(PossibleTable, HasNoScrollBarsOverEmptySpace) {
+  PossibleTable table;
+  table.resize(250, 120);
+  table.show();
+  QApplication::processEvents();
+  EXPECT_FALSE(table.horizontalScrollBar()->isVisible());
+  EXPECT_FALSE(table.verticalScrollBar()->isVisible());
+}
+
+TEST(PossibleTable, MarksARowWithoutTellingThatItWasChosen) {
+  PossibleTable table;
+  table.setCollisions({possible("lane_change", false), possible("rear_end", true)});
+  bool is_chosen = false;
+  QObject::connect(&table, &PossibleTable::chosen, [&is_chosen] { is_chosen = true; });
+  table.mark(1);
+  EXPECT_EQ(table.selectionModel()->selectedRows().first().row(), 1);
+  EXPECT_FALSE(is_chosen);
 }
 
 TEST(PossibleTable, TellsWhichRowIsChosenAndNothingWhenItIsFilledAnew) {

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLocale>
+
+#include <algorithm>
 
 namespace forge {
 namespace {
@@ -25,6 +29,52 @@ TEST(RequestForm, AsksForWhatWasChosen) {
   EXPECT_EQ(request.attacker_id, "a1");
   EXPECT_EQ(request.manoeuvre, "cut_in");
   EXPECT_EQ(request.choice, "existing");
+}
+
+TEST(RequestForm, AsksForAnyTypeUnlessOneIsChosen) {
+  EXPECT_EQ(RequestForm().request().collision_type, "");
+}
+
+TEST(RequestForm, AsksForACollisionOfTheTableWithoutChangingItsFields) {
+  RequestForm form;
+  const auto request = form.requestOf(cutIn());
+  EXPECT_EQ(request.collision_type, "lane_change");
+  EXPECT_EQ(request.attacker_id, "a1");
+  EXPECT_EQ(request.choice, "existing");
+  EXPECT_EQ(form.request().collision_type, "");
+}
+
+TEST(RequestForm, WritesNumbersWithAPointWhateverTheLanguage) {
+  const QLocale before;
+  QLocale::setDefault(QLocale(QLocale::German));
+  RequestForm form;
+  form.choose(cutIn());
+  EXPECT_EQ(form.findChild<QDoubleSpinBox*>()->text().toStdString(), "3.50 s");
+  QLocale::setDefault(before);
+}
+
+TEST(RequestForm, OffersAttackersByTheIdsInThePictureAndAsksForTheWholeId) {
+  RequestForm form;
+  collision_forge::PossibleCollision collision = cutIn();
+  collision.attacker_id = "626d04ddfb6ad0fbce7bb269ab4d03e5";
+  form.setAttackers({QString::fromStdString(collision.attacker_id)});
+  form.choose(collision);
+  const QList<QComboBox*> boxes = form.findChildren<QComboBox*>();
+  const auto attacker = std::find_if(boxes.begin(), boxes.end(),
+                                     [](const QComboBox* box) { return box->isEditable(); });
+  EXPECT_EQ((*attacker)->currentText().toStdString(), "626d04");
+  EXPECT_EQ(form.request().attacker_id, collision.attacker_id);
+}
+
+TEST(RequestForm, OffersTheWholeIdWhereTwoBeginAlike) {
+  RequestForm form;
+  form.setAttackers({"0123456789", "0123459876"});
+  collision_forge::PossibleCollision collision = cutIn();
+  for (const char* id : {"0123456789", "0123459876"}) {
+    collision.attacker_id = id;
+    form.choose(collision);
+    EXPECT_EQ(form.request().attacker_id, id);
+  }
 }
 
 TEST(RequestForm, AsksForANewVehicleWhereThatWasChosen) {

@@ -5,7 +5,7 @@
 namespace forge {
 namespace {
 
-constexpr double kLetterWidth = 0.62;  // of its height
+constexpr double kLetterWidth = 0.55;  // of its height
 constexpr double kLineHeight = 1.25;   // of a letter's height
 constexpr double kMargin = 0.4;        // m between a text and a box
 constexpr int kRings = 3;              // of places around a box, each further by half a text
@@ -19,9 +19,10 @@ Vector2 halfExtent(const OrientedBox& box) {
   return half;
 }
 
-bool isFree(const OrientedBox& place, const std::vector<OrientedBox>& obstacles) {
-  return std::none_of(obstacles.begin(), obstacles.end(),
-                      [&](const OrientedBox& box) { return overlaps(place, box); });
+std::size_t countCovered(const OrientedBox& place, const std::vector<OrientedBox>& obstacles) {
+  return static_cast<std::size_t>(
+      std::count_if(obstacles.begin(), obstacles.end(),
+                    [&](const OrientedBox& box) { return overlaps(place, box); }));
 }
 
 }  // namespace
@@ -38,20 +39,29 @@ BoxSize textSize(const std::string& text, double letter_height) {
           kLineHeight * letter_height * static_cast<double>(lines)};
 }
 
-std::optional<Vector2> placeBeside(const OrientedBox& box, const BoxSize& text,
-                                   const std::vector<OrientedBox>& obstacles) {
-  const Vector2 half_text(text.length / 2, text.width / 2);
-  const Vector2 offset = halfExtent(box) + half_text + Vector2(kMargin, kMargin) * 1.5;
+LabelSide freestSide(const OrientedBox& box, const BoxSize& text,
+                     const std::vector<OrientedBox>& obstacles) {
   const BoxSize needed{text.length + 2 * kMargin, text.width + 2 * kMargin};
+  LabelSide best;
+  best.covered = obstacles.size() + 1;
   for (int ring = 0; ring < kRings; ++ring) {
-    const Vector2 away = offset + ring * half_text;
-    for (const Vector2& side : {Vector2(0, 1), Vector2(0, -1), Vector2(1, 0), Vector2(-1, 0),
-                                Vector2(1, 1), Vector2(-1, 1), Vector2(1, -1), Vector2(-1, -1)}) {
-      const Vector2 place = box.center.position() + side.cwiseProduct(away);
-      if (isFree({{place.x(), place.y(), 0.0}, needed}, obstacles)) return place;
+    for (const Vector2& direction :
+         {Vector2(0, 1), Vector2(0, -1), Vector2(1, 0), Vector2(-1, 0), Vector2(1, 1),
+          Vector2(-1, 1), Vector2(1, -1), Vector2(-1, -1)}) {
+      LabelSide side{direction, ring, 0};
+      const Vector2 place = placeBeside(box, text, side);
+      side.covered = countCovered({{place.x(), place.y(), 0.0}, needed}, obstacles);
+      if (side.covered < best.covered) best = side;
     }
   }
-  return std::nullopt;
+  return best;
+}
+
+Vector2 placeBeside(const OrientedBox& box, const BoxSize& text, const LabelSide& side) {
+  const Vector2 half_text(text.length / 2, text.width / 2);
+  const Vector2 away =
+      halfExtent(box) + (1 + side.ring) * half_text + Vector2(kMargin, kMargin) * 1.5;
+  return box.center.position() + side.direction.cwiseProduct(away);
 }
 
 }  // namespace forge

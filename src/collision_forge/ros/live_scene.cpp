@@ -34,6 +34,19 @@ OrientedBox egoBox(const LiveScene& live) {
   return {live.ego ? *live.ego : shownPose(ego, live.now), sizeOf(ego.size)};
 }
 
+/// For kCrashView after a contact the picture stays there.
+bool isCrashWatched(const LiveScene& live) {
+  return live.crash && live.now.toSec() - live.crash->contactTime() < kCrashView;
+}
+
+/// The ego's pose in the picture; for kCrashView after a contact the pose of the crashed ego. Empty
+/// if no ego is in the scene.
+std::optional<Pose2> viewedEgo(const LiveScene& live) {
+  if (isCrashWatched(live)) return live.crash->egoAt(live.now.toSec()).pose;
+  if (!isHere(live.scene->ego, live)) return std::nullopt;
+  return egoBox(live).center;
+}
+
 bool isAttacker(const AgentTrack& track, const LiveScene& live) {
   return live.attack && track.id == live.attack->trajectory.attacker_id;
 }
@@ -76,93 +89,117 @@ void addTrack(const std::string& name_space, const AgentTrack& track, const Orie
   markers.addBox(name_space, box, kVehicleHeight, color);
 }
 
-struct Named {
-  std::string id;
-  OrientedBox box;
-};
+/// A pale slab on the road: the box of the scenario, where it stands on the slab, hides it and
+/// keeps its colour.
+void addRecorded(const AgentTrack& track, const OrientedBox& box, const colors::MarkerColor& color,
+                 MarkerList& markers) {
+  addTrail(track, box, color, markers);
+  markers.addSlab("recorded", box, kGhostHeight, colors::withAlpha(color, kRecordedAlpha));
+}
 
-/// Of the attacker; where there is none, of those near the ego that can be one.
-std::vector<Named> namedIn(const LiveScene& live) {
-  std::vector<Named> named;
-  if (const auto attacker = attackerBox(live)) {
-    return {{live.attack->trajectory.attacker_id, *attacker}};
+OrientedBox framedBox(const AgentTrack& track) {
+  return {fromMessage(track.states.back()).pose, sizeOf(track.size)};
+}
+
+/// Of those near the ego that can be an attacker.
+void addIds(const LiveScene& live, double scale, MarkerList& markers) {
+  std::vector<OrientedBox> obstacles;
+  for (const AgentTrack& agent : live.scene->agents) {
+    if (isHere(agent, live)) obstacles.push_back(framedBox(agent));
   }
+  if (isHere(live.scene->ego, live)) obstacles.push_back(framedBox(live.scene->ego));
   for (const AgentTrack& agent : live.scene->agents) {
     if (!isHere(agent, live) || !canAttackClass(agent.agent_class)) continue;
     const OrientedBox box = shownBox(agent, live);
     const auto ego = viewedEgo(live);
     if (ego && (box.center.position() - ego->position()).norm() > kLabelRange) continue;
-    named.push_back({agent.id, box});
+    addId(agent.id, framedBox(agent), box, scale, obstacles, markers);
   }
-  return named;
 }
 
-void addAgents(const LiveScene& live, std::vector<OrientedBox>& boxes, MarkerList& markers) {
+void addAgents(const LiveScene& live, MarkerList& markers) {
   for (const AgentTrack& agent : live.scene->agents) {
     if (!isHere(agent, live)) continue;
     const colors::MarkerColor color = colors::agentColor(agent.agent_class);
-    const bool attacks = isAttacker(agent, live);
-    boxes.push_back(shownBox(agent, live));
-    addTrack(attacks ? "recorded" : "agents", agent, boxes.back(),
-             attacks ? colors::withAlpha(color, kRecordedAlpha) : color, markers);
+    if (isAttacker(agent, live)) {
+      addRecorded(agent, shownBox(agent, live), color, markers);
+    } else {
+      addTrack("agents", agent, shownBox(agent, live), color, markers);
+    }
   }
 }
 
-void addEgo(const LiveScene& live, std::vector<OrientedBox>& boxes, MarkerList& markers) {
+void addEgo(const LiveScene& live, MarkerList& markers) {
   const AgentTrack& ego = live.scene->ego;
   const bool is_crashed = live.attack && live.crash;
   if (isHere(ego, live)) {
-    boxes.push_back(egoBox(live));
-    addTrack(is_crashed ? "recorded" : "ego", ego, boxes.back(),
-             is_crashed ? colors::withAlpha(colors::kEgo, kRecordedAlpha) : colors::kEgo, markers);
+    if (is_crashed) {
+      addRecorded(ego, egoBox(live), colors::kEgo, markers);
+    } else {
+      addTrack("ego", ego, egoBox(live), colors::kEgo, markers);
+    }
   }
   if (!is_crashed) return;
-  boxes.push_back(crashedAt(live.now.toSec(), live).ego);
-  markers.addBox("ego", boxes.back(), kVehicleHeight, colors::kEgo);
+  markers.addBox("ego", crashedAt(live.now.toSec(), live).ego, kVehicleHeight, colors::kEgo);
 }
 
-/// After a contact beside the place where the attacker comes to a stand; before it beside the
-/// predicted contact, or beside the attacker where none is predicted.
-void addWords(const LiveScene& live, const OrientedBox& attacker, std::vector<OrientedBox>& boxes,
+/// After a contact the place where the attacker comes to a stand; before it the predicted contact,
+/// or the attacker if no contact is predicted.
+OrientedBox placeOfWords(const LiveScene& live, const OrientedBox& attacker) {
+  if (live.crash) return crashedAt(live.crash->standTime(), live).attacker;
+  if (live.verdict || !live.attack->report.contact) return attacker;
+  return {fromMessage(live.attack->report.attacker_at_contact), attacker.size};
+}
+
+void addWords(const LiveScene& live, const OrientedBox& attacker, double scale,
               MarkerList& markers) {
-  OrientedBox place = attacker;
   if (live.crash) {
     const auto [ego, attacker_then] = crashedAt(live.crash->contactTime(), live);
     markers.addDisc("contact", touchPoint(ego, attacker_then), kContactDiameter, kContactHeight,
                     colors::kContact);
-    place = crashedAt(live.crash->standTime(), live).attacker;
-  } else if (live.attack->report.contact && !live.verdict) {
-    place.center = fromMessage(live.attack->report.attacker_at_contact);
   }
   const std::string words = live.crash && !live.verdict
                                 ? std::string(kContactWords)
                                 : crashWords(*live.attack, live.verdict, live.now);
-  addWordsBeside(place, words, boxes, markers);
+  addAttackWords(*live.attack, placeOfWords(live, attacker), attacker, words, scale, markers);
 }
 
 }  // namespace
 
 visualization_msgs::MarkerArray liveMarkers(const LiveScene& live) {
   MarkerList markers(live.scene->header);
-  std::vector<OrientedBox> boxes;
-  addAgents(live, boxes, markers);
-  addEgo(live, boxes, markers);
-  const std::optional<OrientedBox> attacker = attackerBox(live);
-  if (attacker) {
-    boxes.push_back(*attacker);
+  addAgents(live, markers);
+  addEgo(live, markers);
+  const auto area = shownArea(live);
+  const double scale = area ? letterScale(*area) : 1.0;
+  if (const auto attacker = attackerBox(live)) {
     markers.addBox("attacker", *attacker, kVehicleHeight, colors::kAttacker);
-    addWords(live, *attacker, boxes, markers);
+    addWords(live, *attacker, scale, markers);
+  } else {
+    addIds(live, scale, markers);
   }
-  for (const Named& named : namedIn(live)) addId(named.id, named.box, boxes, markers);
   return markers.take();
 }
 
-std::optional<Pose2> viewedEgo(const LiveScene& live) {
-  const double now = live.now.toSec();
-  if (live.crash && now - live.crash->contactTime() < kCrashView)
-    return live.crash->egoAt(now).pose;
-  if (!isHere(live.scene->ego, live)) return std::nullopt;
-  return egoBox(live).center;
+std::optional<ShownArea> shownArea(const LiveScene& live) {
+  const std::optional<Pose2> ego = viewedEgo(live);
+  if (!ego) return std::nullopt;
+  const BoxSize size = sizeOf(live.scene->ego.size);
+  const std::optional<OrientedBox> attacker = attackerBox(live);
+  const bool is_over = live.crash ? !isCrashWatched(live) : live.verdict != nullptr;
+  if (!attacker || is_over) return areaAround({{*ego, size}}, kUsualWidth);
+  std::vector<OrientedBox> boxes{{*ego, size}, *attacker};
+  const auto& predicted = live.attack->report;
+  if (live.crash) {
+    const CrashedBoxes standing = crashedAt(live.crash->standTime(), live);
+    boxes.insert(boxes.end(), {standing.ego, standing.attacker});
+  } else if (predicted.contact) {
+    boxes.push_back({fromMessage(predicted.ego_at_contact), size});
+    boxes.push_back({fromMessage(predicted.attacker_at_contact), attacker->size});
+  }
+  const double scale = letterScale(areaAround(boxes, kCrashWidth));
+  boxes.push_back(wordsBox(*live.attack, placeOfWords(live, *attacker), scale));
+  return areaAround(boxes, kCrashWidth);
 }
 
 }  // namespace forge

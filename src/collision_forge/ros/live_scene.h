@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "collision_forge/geometry/pose2.h"
+#include "collision_forge/ros/shown_area.h"
 #include "collision_forge/verify/post_crash_motion.h"
 
 /// The moving picture of a scene and its attack: metres, radians, map frame.
@@ -32,8 +33,9 @@ struct LiveScene {
 /// mark where they touched ("contact"), and the ego as recorded drives on ("recorded").
 visualization_msgs::MarkerArray liveMarkers(const LiveScene& live);
 
-/// Where a view that follows the ego looks: its pose as shown; for kCrashView after a contact that
-/// of the crashed ego. Empty where no ego is in the scene.
-std::optional<Pose2> viewedEgo(const LiveScene& live);
+/// Returns the part of the map that the picture is to show. While an attack is under way it holds
+/// the ego, the attacker and the predicted contact; for kCrashView after a contact both vehicles
+/// up to where they stand; else the ego with its surroundings. Empty where no ego is in the scene.
+std::optional<ShownArea> shownArea(const LiveScene& live);
 
 }  // namespace forge

@@ -31,6 +31,7 @@ inline constexpr MarkerColor kRecordedEgo{0.33F, 0.34F, 0.38F};  ///< beside a p
 inline constexpr MarkerColor kProposal{0.10F, 0.60F, 0.42F, 0.6F};
 
 inline constexpr MarkerColor kText{0.13F, 0.15F, 0.18F};
+inline constexpr MarkerColor kPlate{1.00F, 1.00F, 1.00F, 0.8F};  ///< under words
 inline constexpr MarkerColor kNose{1.00F, 1.00F, 1.00F, 0.75F};  ///< the arrow head on a box
 
 /// In the order of the constants in Agent.msg.

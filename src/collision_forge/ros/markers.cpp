@@ -145,11 +145,11 @@ std::vector<TrajectoryPoint> addDriven(const std::vector<TrajectoryPoint>& point
   return {path.empty() ? point : std::prev(point), points.end()};
 }
 
-void addPatternBox(const OrientedBox& box, const std::string& name_space,
+void addPatternBox(const OrientedBox& box, const std::string& name_space, double height,
                    const colors::MarkerColor& color, MarkerList& markers) {
   std::vector<Vector2> outline;
   appendOutline(box, outline);
-  markers.addLines(name_space, outline, kPatternWidth, kPatternHeight, color);
+  markers.addLines(name_space, outline, kPatternWidth, height, color);
 }
 
 void addArea(const char* name_space, const std::vector<collision_forge::PolygonWithHoles>& polygons,
@@ -174,8 +174,9 @@ void addAttack(const collision_forge::Attack& attack, const ros::Time& now, Mark
   if (attack.adaptive) points = addDriven(points, now.toSec(), end, markers);
   addWay("attacker", points, end, sizeOf(trajectory.size), colors::kAttacker, markers);
   if (!trajectory.past.empty()) addPast(trajectory, markers);
-  addPatternBox(pattern_ego, "pattern_ego", colors::kPatternEgo, markers);
-  addPatternBox(pattern_attacker, "pattern_attacker", colors::kPatternAttacker, markers);
+  addPatternBox(pattern_ego, "pattern_ego", kPatternHeight, colors::kPatternEgo, markers);
+  addPatternBox(pattern_attacker, "pattern_attacker", kPatternHeight, colors::kPatternAttacker,
+                markers);
   if (!report.contact) return;
   addContact({fromMessage(report.ego_at_contact), pattern_ego.size},
              {fromMessage(report.attacker_at_contact), pattern_attacker.size}, colors::kAttacker,
@@ -190,16 +191,18 @@ double heightOf(const collision_forge::Agent& agent) {
   return agent.size.z > 0 ? agent.size.z : kVehicleHeight;
 }
 
-/// Beside the contact, and where none is foreseen beside where the trajectory ends.
-void addWords(const collision_forge::Attack& attack, const ros::Time& now,
-              std::vector<OrientedBox>& boxes, MarkerList& markers) {
+/// Beside the contact; without a contact beside the trajectory's end.
+void addWords(const CrashView& view, MarkerList& markers) {
+  const collision_forge::Attack& attack = *view.attack;
   const auto& points = attack.trajectory.points;
   if (points.empty()) return;
   const auto& report = attack.report;
-  const Pose2 place =
-      report.contact ? fromMessage(report.attacker_at_contact) : fromMessage(points.back().pose);
-  addWordsBeside({place, sizeOf(attack.trajectory.size)},
-                 crashWords(attack, verdictBy(now, attack, &report), now), boxes, markers);
+  const BoxSize size = sizeOf(attack.trajectory.size);
+  const Pose2 end = fromMessage(points.back().pose);
+  const OrientedBox place{report.contact ? fromMessage(report.attacker_at_contact) : end, size};
+  const ros::Time& now = view.header.stamp;
+  addAttackWords(attack, place, view.attacker ? boxOf(*view.attacker) : place,
+                 crashWords(attack, verdictBy(now, attack, &report), now), 1.0, markers);
 }
 
 }  // namespace
@@ -225,10 +228,10 @@ MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
     const OrientedBox ego{fromMessage(pattern.ego), sizeOf(pattern.ego_size)};
     const OrientedBox other{compose(ego.center, fromMessage(pattern.attacker_offset)),
                             sizeOf(attacker->size)};
-    markers.addSlab("predicted_ego", ego, kGhostHeight,
-                    colors::withAlpha(colors::kPatternEgo, alpha));
-    markers.addSlab("predicted_attacker", other, kGhostHeight,
-                    colors::withAlpha(colors::kPatternAttacker, alpha));
+    addPatternBox(ego, "predicted_ego", kGhostHeight, colors::withAlpha(colors::kPatternEgo, alpha),
+                  markers);
+    addPatternBox(other, "predicted_attacker", kGhostHeight,
+                  colors::withAlpha(colors::kPatternAttacker, alpha), markers);
     alpha *= 0.5F;
   }
   return markers.take();
@@ -257,16 +260,11 @@ MarkerArray pastAttackMarkers(const collision_forge::Attack& attack,
 MarkerArray crashMarkers(const CrashView& view) {
   MarkerList markers(view.header);
   if (view.attack) addAttack(*view.attack, view.header.stamp, markers);
-  std::vector<OrientedBox> boxes;
-  if (view.ego) {
-    boxes.push_back(*view.ego);
-    markers.addBox("ego", *view.ego, kVehicleHeight, colors::kEgo);
-  }
+  if (view.ego) markers.addBox("ego", *view.ego, kVehicleHeight, colors::kEgo);
   if (view.attacker) {
-    boxes.push_back(boxOf(*view.attacker));
-    markers.addBox("attacker", boxes.back(), heightOf(*view.attacker), colors::kAttacker);
+    markers.addBox("attacker", boxOf(*view.attacker), heightOf(*view.attacker), colors::kAttacker);
   }
-  if (view.attack) addWords(*view.attack, view.header.stamp, boxes, markers);
+  if (view.attack) addWords(view, markers);
   return markers.take();
 }
 
@@ -275,12 +273,15 @@ MarkerArray annotationMarkers(const collision_forge::AgentArray& agents,
   MarkerList markers(agents.header);
   std::vector<OrientedBox> boxes;
   for (const auto& agent : agents.agents) boxes.push_back(boxOf(agent));
+  std::vector<OrientedBox> obstacles = boxes;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const collision_forge::Agent& agent = agents.agents[i];
     const bool attacks = !attacker_id.empty() && agent.id == attacker_id;
     markers.addBox("agents", boxes[i], heightOf(agent),
                    attacks ? colors::kAttacker : colors::agentColor(agent.agent_class));
-    if (canAttackClass(agent.agent_class)) addId(agent.id, boxes[i], boxes, markers);
+    if (canAttackClass(agent.agent_class)) {
+      addId(agent.id, boxes[i], boxes[i], 1.0, obstacles, markers);
+    }
   }
   return markers.take();
 }

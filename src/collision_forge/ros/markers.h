@@ -20,8 +20,9 @@ namespace forge {
 /// Drivable area, and the centrelines of lanes and connectors with arrow heads along them.
 visualization_msgs::MarkerArray mapMarkers(const collision_forge::LaneMap& map);
 
-/// The first patterns as pairs of ghosts, the ego's and the attacker's box at impact, the fainter
-/// the less promising. Attackers have their size in `scene`; who is not there is left out.
+/// The first patterns as pairs of outlines, the ego's and the attacker's box at impact, the fainter
+/// the less promising. The outlines lie on the road, under the boxes of vehicles. Attackers have
+/// their size in `scene`; patterns of an attacker that is not there are left out.
 visualization_msgs::MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
                                                const collision_forge::SceneSnapshot& scene);
 

@@ -1,6 +1,10 @@
 #include "collision_forge/ros/planner_markers.h"
 
+#include <algorithm>
+
+#include "collision_forge/geometry/touch_point.h"
 #include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/label_places.h"
 #include "collision_forge/ros/marker_parts.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/scene/short_id.h"
@@ -11,7 +15,6 @@ namespace {
 constexpr double kProposalHeight = 4.4;    // m, under the ways
 constexpr double kProposalWidth = 0.12;    // m
 constexpr double kProposalDiameter = 0.5;  // m, of the disc at its end
-constexpr float kOthersAlpha = 0.5F;
 
 std_msgs::Header headerAt(double time) {
   std_msgs::Header header;
@@ -67,45 +70,103 @@ colors::MarkerColor colorOf(const Track& agent, const std::string& attacker_id) 
   return colors::agentColor(static_cast<std::uint8_t>(agent.agent_class));
 }
 
-/// Everybody where the test ended, and the outcome beside the ego's way.
-void addEnd(const PlannerTrial& trial, const CrashScenario& scenario, const std::string& text,
-            MarkerList& markers) {
-  const TrajectoryPoint& end = trial.outcome.driven.back();
-  const OrientedBox ego{end.pose, scenario.ego.size};
-  const auto& contact = trial.outcome.contact;
-  for (const Track& agent : othersFromNow(scenario)) {
-    const auto state = stateAt(agent, end.time);
-    if (!state) continue;
-    const OrientedBox box{state->pose, agent.size};
-    const colors::MarkerColor color = colorOf(agent, scenario.attacker.attacker_id);
-    if (contact && contact->other_id == agent.id) {
-      addContact(ego, box, color, markers);
-    } else {
-      markers.addSlab("others", box, kGhostHeight, colors::withAlpha(color, kOthersAlpha));
+/// The attacker first, then the others: as they drove if they react, else as recorded.
+std::vector<Track> agentsOf(const PlannerTrial& trial, const CrashScenario& scenario) {
+  std::vector<Track> agents = othersFromNow(scenario);
+  for (Track& agent : agents) {
+    for (const Track& driven : trial.outcome.others) {
+      if (driven.id == agent.id) agent = driven;
     }
   }
-  if (!contact) {
-    markers.addSlab("ego_at_end", ego, kPathHeight, colors::withAlpha(colors::kEgo, kContactAlpha));
+  return agents;
+}
+
+Pose2 poseAt(const std::vector<TrajectoryPoint>& points, double time) {
+  return stateAt({"", {}, {}, toStates(points)},
+                 std::clamp(time, points.front().time, points.back().time))
+      ->pose;
+}
+
+double endOf(const PlannerTrial& trial) { return trial.outcome.driven.back().time; }
+
+/// What the outcome in words fills: on the side of the ego's end that leaves both ways free.
+OrientedBox outcomeBox(const PlannerTrial& trial, const CrashScenario& scenario, double scale) {
+  std::vector<OrientedBox> ways;
+  for (const TrajectoryPoint& point : trial.outcome.driven) {
+    ways.push_back({point.pose, scenario.ego.size});
   }
-  addReport(text, end.pose.position(), {-end.pose.heading().y(), end.pose.heading().x()}, markers);
+  for (const TrajectoryPoint& point : scenario.attacker.points) {
+    if (point.time <= endOf(trial)) ways.push_back({point.pose, scenario.attacker.size});
+  }
+  const OrientedBox ego{trial.outcome.driven.back().pose, scenario.ego.size};
+  const std::string text = words(trial, scenario.snapshot.now, "");
+  const LabelSide side = freestSide(ego, textSize(text, kWordsLetterHeight), ways);
+  const BoxSize size = textSize(text, scale * kWordsLetterHeight);
+  const Vector2 middle = placeBeside(ego, size, side);
+  return {{middle.x(), middle.y(), 0.0}, size};
+}
+
+/// At the end of the rollout.
+void addContactOf(const PlannerTrial& trial, const OrientedBox& ego,
+                  const std::vector<Track>& agents, MarkerList& markers) {
+  if (!trial.outcome.contact) return;
+  for (const Track& agent : agents) {
+    const auto state = stateAt(agent, endOf(trial));
+    if (!state || agent.id != trial.outcome.contact->other_id) continue;
+    markers.addDisc("contact", touchPoint(ego, {state->pose, agent.size}), kContactDiameter,
+                    kContactHeight, colors::kContact);
+  }
 }
 
 }  // namespace
 
 visualization_msgs::MarkerArray plannerMarkers(const PlannerTrial& trial,
-                                               const CrashScenario& scenario,
-                                               const std::string& planner) {
-  const double now = scenario.snapshot.now;
-  const double end = trial.outcome.driven.back().time;
-  MarkerList markers(headerAt(now));
+                                               const CrashScenario& scenario) {
+  const double end = endOf(trial);
+  MarkerList markers(headerAt(scenario.snapshot.now));
   addWay("recorded_ego", pointsOf(scenario.recorded.ego), end, scenario.ego.size,
          colors::kRecordedEgo, markers);
   addWay("attacker", scenario.attacker.points, end, scenario.attacker.size, colors::kAttacker,
          markers);
   addProposals(trial.proposals, markers);
   addWay("ego", trial.outcome.driven, end, scenario.ego.size, colors::kEgo, markers);
-  addEnd(trial, scenario, words(trial, now, planner), markers);
   return markers.take();
+}
+
+visualization_msgs::MarkerArray rolloutMarkers(const PlannerTrial& trial,
+                                               const CrashScenario& scenario,
+                                               const std::string& planner, double time) {
+  const double now = scenario.snapshot.now;
+  const double shown = std::min(time, endOf(trial));
+  MarkerList markers(headerAt(shown));
+  const OrientedBox ego{poseAt(trial.outcome.driven, shown), scenario.ego.size};
+  markers.addBox("ego", ego, kVehicleHeight, colors::kEgo);
+  const std::vector<Track> agents = agentsOf(trial, scenario);
+  for (const Track& agent : agents) {
+    const auto state = stateAt(agent, shown);
+    if (!state) continue;
+    const bool attacks = agent.id == scenario.attacker.attacker_id;
+    markers.addBox(attacks ? "attacker" : "agents", {state->pose, agent.size}, kVehicleHeight,
+                   colorOf(agent, scenario.attacker.attacker_id));
+  }
+  const bool is_over = shown == endOf(trial);
+  if (is_over) addContactOf(trial, ego, agents, markers);
+  const double scale = letterScale(rolloutArea(trial, scenario, shown));
+  addWords(
+      "report",
+      is_over ? words(trial, now, planner) : planner + formatted(" drives, %.1f s", shown - now),
+      outcomeBox(trial, scenario, scale).center.position(), scale * kWordsLetterHeight, markers);
+  return markers.take();
+}
+
+ShownArea rolloutArea(const PlannerTrial& trial, const CrashScenario& scenario, double time) {
+  const double shown = std::min(time, endOf(trial));
+  std::vector<OrientedBox> boxes{{trial.outcome.driven.back().pose, scenario.ego.size},
+                                 {poseAt(trial.outcome.driven, shown), scenario.ego.size}};
+  boxes.push_back({poseAt(scenario.attacker.points, shown), scenario.attacker.size});
+  const double scale = letterScale(areaAround(boxes, kCrashWidth));
+  boxes.push_back(outcomeBox(trial, scenario, scale));
+  return areaAround(boxes, kCrashWidth);
 }
 
 }  // namespace forge

@@ -1,5 +1,7 @@
 #include "collision_forge/ros/planner_messages.h"
 
+#include "collision_forge/planners/planner_factory.h"
+
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
@@ -30,6 +32,12 @@ void fillNuplan(const NuplanScore& score, collision_forge::PlannerOutcome& messa
 }
 
 }  // namespace
+
+std::vector<std::string> testablePlanners() {
+  std::vector<std::string> planner_names = plannerNames();
+  planner_names.push_back(kExternalPlanner);
+  return planner_names;
+}
 
 collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
                                          std::uint32_t test, double interval) {

@@ -15,6 +15,12 @@
 /// conversions.h for tests of planners.
 namespace forge {
 
+/// The planner that is a node of its own.
+inline constexpr char kExternalPlanner[] = "external";
+
+/// What `planner` of TestPlanner.srv may be: plannerNames() and kExternalPlanner.
+std::vector<std::string> testablePlanners();
+
 /// What an external planner is told; `test` and `interval` as in the message.
 collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
                                          std::uint32_t test, double interval);

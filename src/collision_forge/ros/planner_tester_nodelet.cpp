@@ -4,7 +4,6 @@
 #include <nav_msgs/Path.h>
 #include <ros/ros.h>
 #include <tf2_ros/static_transform_broadcaster.h>
-#include <visualization_msgs/MarkerArray.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include <filesystem>
@@ -23,8 +22,8 @@
 #include "collision_forge/ros/log_sources.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/paths.h"
-#include "collision_forge/ros/planner_markers.h"
 #include "collision_forge/ros/planner_messages.h"
+#include "collision_forge/ros/planner_playback.h"
 #include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/ros/trial_scenarios.h"
@@ -36,8 +35,6 @@ namespace {
 
 using Request = collision_forge::TestPlanner::Request;
 using Response = collision_forge::TestPlanner::Response;
-
-constexpr char kExternal[] = "external";
 
 [[noreturn]] void refuse(std::uint8_t code, const std::string& message) {
   throw TestRefusal(code, message);
@@ -92,7 +89,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
     external_ =
         std::make_unique<ExternalPlanner>(node, config_.planners.external, config_.input_limits);
     outcomes_ = node.advertise<collision_forge::PlannerOutcome>(names::kPlannerOutcome, 1, true);
-    markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kPlannerMarkers, 1, true);
+    playback_ = std::make_unique<PlannerPlayback>(node);
     paths_ = node.advertise<nav_msgs::Path>(names::kPlannerPath, 1, true);
     maps_ = node.advertise<collision_forge::LaneMap>(names::kTestedMap, 1, true);
     subscribers_ = {node.subscribe(names::kAttack, 1, &PlannerTesterNodelet::receiveAttack, this)};
@@ -128,7 +125,9 @@ class PlannerTesterNodelet : public QueuedNodelet {
     const bool goes_on = attack_ && message->adaptive && message->plans > 1 &&
                          message->header.stamp == attack_->header.stamp &&
                          message->trajectory.attacker_id == attack_->trajectory.attacker_id;
-    if (!goes_on) attack_ = message;
+    if (goes_on) return;
+    attack_ = message;
+    playback_->stop();
   }
 
   bool answer(Request& request, Response& response) {
@@ -165,20 +164,20 @@ class PlannerTesterNodelet : public QueuedNodelet {
     outcomes_.publish(response.outcome);
     paths_.publish(toPath(trial.outcome.driven));
     one.scenario.attacker = trial.outcome.attacker;
-    markers_.publish(plannerMarkers(trial, scenario, request.planner));
+    playback_->play(trial, scenario, request.planner);
   }
 
   /// Without a planner of its own for the external one, which is there all the time.
   PlannerUnderTest makeByName(const std::string& name, const PlannerOptions& options,
                               const std::string& attacker_id) {
-    if (name == kExternal) {
+    if (name == kExternalPlanner) {
       external_->setOptions(options.external);
       return {nullptr, {options.external.interval, false}};
     }
     try {
       return makePlanner(name, options, attacker_id);
     } catch (const std::invalid_argument& error) {
-      refuse(Response::UNKNOWN_PLANNER, std::string(error.what()) + ", " + kExternal);
+      refuse(Response::UNKNOWN_PLANNER, std::string(error.what()) + ", " + kExternalPlanner);
     }
   }
 
@@ -282,9 +281,9 @@ class PlannerTesterNodelet : public QueuedNodelet {
   std::unique_ptr<ExternalPlanner> external_;
   std::mutex mutex_;
   collision_forge::AttackConstPtr attack_;  // the newest, behind the mutex
+  std::unique_ptr<PlannerPlayback> playback_;
   tf2_ros::StaticTransformBroadcaster frames_;
   ros::Publisher outcomes_;
-  ros::Publisher markers_;
   ros::Publisher paths_;
   ros::Publisher maps_;
   std::vector<ros::Subscriber> subscribers_;

@@ -1,6 +1,6 @@
 #include <collision_forge/EncodedScene.h>
 #include <ros/ros.h>
-#include <tf2_ros/static_transform_broadcaster.h>
+#include <std_msgs/Bool.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include <memory>
@@ -40,13 +40,14 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     scene_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kSceneMarkers, 1);
     pattern_markers_ = RepeatedMarkers(node, names::kPatternMarkers);
     attack_markers_ = RepeatedMarkers(node, names::kAttackMarkers);
-    view_ = std::make_unique<tf2_ros::StaticTransformBroadcaster>();
+    areas_ = node.advertise<geometry_msgs::PolygonStamped>(names::kShownArea, 1);
     subscribers_ = {
         node.subscribe(names::kLaneMap, 1, &SceneVisualizerNodelet::onMap, this),
         node.subscribe(names::kEncodedScene, 1, &SceneVisualizerNodelet::onScene, this),
         node.subscribe(names::kPredictedPatterns, 1, &SceneVisualizerNodelet::onPredicted, this),
         node.subscribe(names::kAttack, 1, &SceneVisualizerNodelet::onAttack, this),
-        node.subscribe(names::kTestedReport, 1, &SceneVisualizerNodelet::onTested, this)};
+        node.subscribe(names::kTestedReport, 1, &SceneVisualizerNodelet::onTested, this),
+        node.subscribe(names::kPlannerTestShown, 1, &SceneVisualizerNodelet::onPlannerTest, this)};
     ego_poses_ = std::make_unique<EgoPoses>(node, config.ego_vehicle.center_offset,
                                             [this](const AgentState& ego) { watch_->addEgo(ego); });
     // Of the wall clock: whoever comes while the replay is paused sees the picture, too.
@@ -97,13 +98,32 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   /// Of the newest scene, as requests are.
   void onPredicted(const collision_forge::PredictedPatternsConstPtr& predicted) {
     if (predicted->patterns.empty()) {
-      patterns_start_ = ros::Time();
-      pattern_markers_.publish(noMarkers(predicted->header));
-      return;
+      showPatterns(noMarkers(predicted->header), ros::Time());
+    } else if (scene_) {
+      showPatterns(patternMarkers(*predicted, scene_->snapshot), predicted->header.stamp);
     }
+  }
+
+  void showPatterns(const visualization_msgs::MarkerArray& patterns, const ros::Time& start) {
+    patterns_ = patterns;
+    patterns_start_ = start;
+    if (!is_planner_test_shown_) pattern_markers_.publish(patterns);
+  }
+
+  /// The rollout of a planner's test takes the place of scene and attack: its ego, attacker and
+  /// agents are the same vehicles at other places.
+  void onPlannerTest(const std_msgs::BoolConstPtr& message) {
+    const bool is_shown = message->data != 0;
+    if (is_planner_test_shown_ == is_shown) return;
+    is_planner_test_shown_ = is_shown;
+    shown_ = Shown::kOutdated;
     if (!scene_) return;
-    pattern_markers_.publish(patternMarkers(*predicted, scene_->snapshot));
-    patterns_start_ = predicted->header.stamp;
+    const auto nothing = noMarkers(scene_->snapshot.header);
+    if (is_planner_test_shown_) {
+      scene_markers_.publish(nothing);
+      attack_markers_.publish(nothing);
+    }
+    pattern_markers_.publish(is_planner_test_shown_ ? nothing : patterns_);
   }
 
   void onAttack(const collision_forge::AttackConstPtr& attack) {
@@ -140,7 +160,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   }
 
   void show(const ros::WallTimerEvent& /*event*/) {
-    if (!scene_) return;
+    if (!scene_ || is_planner_test_shown_) return;
     LiveScene live;
     live.scene = &scene_->snapshot;
     live.now = pictureTime();
@@ -153,7 +173,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     }
     scene_markers_.publish(liveMarkers(live));
     showPlan(live);
-    showView(live);
+    if (const auto area = shownArea(live)) areas_.publish(toMessage(*area, live.scene->header));
   }
 
   /// Empty before the contact. A contact that only the verdict knows, as that of a replay that was
@@ -186,26 +206,9 @@ class SceneVisualizerNodelet : public QueuedNodelet {
                                 : pastAttackMarkers(*live.attack, *live.verdict));
   }
 
-  /// Static, so that it has no time that a paused clock or a jump back could make doubtful.
-  void showView(const LiveScene& live) {
-    const std::optional<Pose2> ego = viewedEgo(live);
-    if (!ego) return;
-    const geometry_msgs::Pose pose = toPoseMessage(*ego);
-    geometry_msgs::TransformStamped transform;
-    transform.header.stamp = live.now;
-    transform.header.frame_id = names::kMapFrame;
-    transform.child_frame_id = names::kEgoView;
-    transform.transform.translation.x = pose.position.x;
-    transform.transform.translation.y = pose.position.y;
-    transform.transform.rotation = pose.orientation;
-    view_->sendTransform(transform);
-  }
-
   /// A scene from before they were predicted means that the recording started anew.
   void clearFuturePatterns(const collision_forge::EncodedScene& scene) {
-    if (scene.header.stamp >= patterns_start_) return;
-    pattern_markers_.publish(noMarkers(scene.header));
-    patterns_start_ = ros::Time();
+    if (scene.header.stamp < patterns_start_) showPatterns(noMarkers(scene.header), ros::Time());
   }
 
   enum class Shown { kNothing, kPlan, kPast, kOutdated };
@@ -218,12 +221,14 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   ros::Publisher scene_markers_;
   RepeatedMarkers pattern_markers_;
   RepeatedMarkers attack_markers_;
-  std::unique_ptr<tf2_ros::StaticTransformBroadcaster> view_;
+  ros::Publisher areas_;
   collision_forge::EncodedSceneConstPtr scene_;
   collision_forge::AttackConstPtr attack_;           ///< null: none
   collision_forge::CollisionReportConstPtr tested_;  ///< the newest
   Shown shown_ = Shown::kNothing;                    ///< on attack_markers
-  ros::Time patterns_start_;  ///< "now" of the patterns that are shown; zero: none
+  bool is_planner_test_shown_ = false;
+  visualization_msgs::MarkerArray patterns_;  ///< on pattern_markers
+  ros::Time patterns_start_;                  ///< "now" of the patterns that are shown; zero: none
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer timer_;
   ros::WallTimer repeat_timer_;

@@ -30,11 +30,14 @@ inline constexpr char kAttackMarkers[] = "attack_markers";    // MarkerArray, la
 inline constexpr char kAttackPath[] = "attack_path";          // nav_msgs/Path, latched
 inline constexpr char kAttackEgoPath[] = "attack_ego_path";   // nav_msgs/Path, latched
 inline constexpr char kAttackRequest[] = "attack_request";    // AttackRequest, latched
+inline constexpr char kShownArea[] = "shown_area";            // geometry_msgs/PolygonStamped
 inline constexpr char kPlannerOutcome[] = "planner_outcome";  // PlannerOutcome, latched
 inline constexpr char kPlannerMarkers[] = "planner_markers";  // MarkerArray, latched
-inline constexpr char kPlannerPath[] = "planner_path";        // nav_msgs/Path, latched
-inline constexpr char kTestedMap[] = "tested_map";            // LaneMap, latched
-inline constexpr char kPlanningState[] = "planning_state";    // PlanningState
+inline constexpr char kPlannerSceneMarkers[] = "planner_scene_markers";  // MarkerArray
+inline constexpr char kPlannerTestShown[] = "planner_test_shown";        // std_msgs/Bool, latched
+inline constexpr char kPlannerPath[] = "planner_path";                   // nav_msgs/Path, latched
+inline constexpr char kTestedMap[] = "tested_map";                       // LaneMap, latched
+inline constexpr char kPlanningState[] = "planning_state";               // PlanningState
 
 // In MCAP files, beside what is in their bags.
 inline constexpr char kCrashScene[] = "collision_forge/scene";    // foxglove_msgs/SceneUpdate
@@ -44,9 +47,12 @@ inline constexpr char kAttackerSpeed[] = "collision_forge/attacker_speed";  // t
 
 // Of the node player.
 inline constexpr char kPlayerPaused[] = "player/paused";          // std_msgs/Bool, latched
+inline constexpr char kPlayerPosition[] = "player/position";      // std_msgs/Float64, s
+inline constexpr char kPlayerLength[] = "player/length";          // std_msgs/Float64, s, latched
 inline constexpr char kPlayerPause[] = "player/pause";            // service, std_srvs/SetBool
 inline constexpr char kPlayerStep[] = "player/step";              // service, std_srvs/Trigger
 inline constexpr char kPlayerBackToNow[] = "player/back_to_now";  // as step
+inline constexpr char kPlayerSeek[] = "player/seek";              // service, Seek
 
 // Made by an external planner.
 inline constexpr char kPlannedTrajectory[] = "planned_trajectory";  // PlannedTrajectory
@@ -64,7 +70,6 @@ inline constexpr char kTestPlanner[] = "test_planner";
 inline constexpr char kMapFrame[] = "map";
 inline constexpr char kBaseFrame[] = "base_link";
 inline constexpr char kTestedEgoFrame[] = "tested_ego";  // the ego's box where its test begins
-inline constexpr char kEgoView[] = "ego_view";           // the ego's box as RViz shows it
 
 // Who sends the frames of agents between recorded ones in a bag with an attack.
 inline constexpr char kInBetween[] = "/collision_forge_in_between";

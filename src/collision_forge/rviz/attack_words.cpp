@@ -5,6 +5,7 @@
 #include "collision_forge/ros/crash_words.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/scene/collision_request.h"
+#include "collision_forge/scene/short_id.h"
 #include "collision_forge/scene/track.h"
 
 namespace forge {
@@ -32,7 +33,7 @@ QString titleOf(const collision_forge::Attack& attack) {
   return "<b>" + escaped(attack.pattern.collision_type) + "</b> by " +
          (attacker.added ? "an added " : "the recorded ") +
          toString(static_cast<AgentClass>(attacker.agent_class)) + " " +
-         escaped(attacker.attacker_id);
+         escaped(shortId(attacker.attacker_id));
 }
 
 QString believableText(const collision_forge::CollisionReport& report) {
@@ -50,10 +51,11 @@ QString attackText(const collision_forge::Attack& attack) {
              number((report.contact_time - attack.header.stamp).toSec(), 2, " s")) +
          row("Manoeuvre", escaped(report.manoeuvre)) + row("Believable", believableText(report)) +
          row("Confidence", number(100.0 * report.confidence, 0, " %")) +
-         row("Sides", escaped(report.attacker_side + " to ego's " + report.ego_side)) +
-         row("Relative heading", number(report.relative_heading * kDegrees, 0, " deg")) +
-         row("Impact speed", number(report.impact_speed, 1, " m/s")) +
-         row("Overlap", number(100.0 * report.overlap, 0, " %")) + "</table>";
+         row("Sides", escaped(report.attacker_side + " to ego's " + report.ego_side) +
+                          number(report.relative_heading * kDegrees, 0, " deg").prepend(", ")) +
+         row("Impact", number(report.impact_speed, 1, " m/s, overlap ") +
+                           number(100.0 * report.overlap, 0, " %")) +
+         "</table>";
 }
 
 QString crashText(const collision_forge::Attack& attack,
@@ -63,6 +65,22 @@ QString crashText(const collision_forge::Attack& attack,
   const QString words = escaped(crashWords(attack, verdict, now));
   if (!verdict) return words;
   return QString("<font color=%1>%2</font>").arg(verdict->verified ? kAsAsked : kNotAsAsked, words);
+}
+
+QString outcomeText(const collision_forge::PlannerOutcome& outcome) {
+  QString text = QString("<b>%1</b>: ").arg(escaped(outcome.planner));
+  if (outcome.collided) {
+    text += "touches " +
+            (outcome.is_attacker ? QString("the attacker") : escaped(shortId(outcome.other_id))) +
+            " after " + number((outcome.contact_time - outcome.header.stamp).toSec(), 2, " s, ") +
+            number(outcome.impact_speed, 1, " m/s, ") +
+            (outcome.at_fault ? "at fault" : "not at fault");
+  } else if (outcome.failure != "none") {
+    text += "fails, " + escaped(outcome.failure + ": " + outcome.failure_message);
+  } else {
+    text += "no contact in " + number(outcome.duration, 1, " s");
+  }
+  return text;
 }
 
 QString failureText(std::uint8_t code, const std::string& message) {

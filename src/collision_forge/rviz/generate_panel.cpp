@@ -2,15 +2,22 @@
 
 #include <collision_forge/Agent.h>
 
-#include <QHBoxLayout>
+#include <QComboBox>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <initializer_list>
 
 #include <pluginlib/class_list_macros.hpp>
 
 #include "collision_forge/ros/marker_parts.h"
+#include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/planner_messages.h"
 #include "collision_forge/ros/possible_collisions.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/rviz/attack_words.h"
@@ -24,11 +31,15 @@ namespace {
 
 using collision_forge::GenerateCollision;
 using collision_forge::ListCollisions;
+using collision_forge::TestPlanner;
 
 constexpr int kCountdownPeriod = 100;  // ms
 constexpr int kCrashLines = 3;
-constexpr int kAttackLines = 12;
-constexpr int kTableLines = 11;
+constexpr int kSpacing = 4;  // pixels
+constexpr int kTableLines = 6;
+constexpr int kStatusLines = 2;
+constexpr int kTextLines = 16;             // of all three
+constexpr char kPlannerKey[] = "Planner";  // in the .rviz file
 
 QLabel* label(const char* name, int lines) {
   auto* text = new QLabel;
@@ -73,16 +84,20 @@ std::vector<collision_forge::PossibleCollision> attacksIn(
 GeneratePanel::GeneratePanel(QWidget* parent)
     : rviz::Panel(parent),
       generating_([this](const auto& answer) { showAnswer(answer); }),
-      listing_([this](const auto& answer) { showPossible(answer); }) {
+      listing_([this](const auto& answer) { showPossible(answer); }),
+      testing_([this](const auto& answer) { showOutcome(answer); }) {
   createWidgets();
   createLayout();
   connect(form_, &RequestForm::changed, this, &rviz::Panel::configChanged);
   connect(generate_, &QPushButton::clicked, this, &GeneratePanel::generate);
   connect(list_, &QPushButton::clicked, this, &GeneratePanel::list);
+  connect(test_, &QPushButton::clicked, this, &GeneratePanel::testPlanner);
+  connect(planner_, &QComboBox::currentTextChanged, this, &rviz::Panel::configChanged);
   connect(table_, &PossibleTable::chosen, this, &GeneratePanel::choose);
   const auto forget_row = [this] { is_row_chosen_ = false; };
   connect(form_, &RequestForm::changed, this, forget_row);
   connect(player_, &PlayerButtons::moved, this, forget_row);
+  connect(player_, &PlayerButtons::failed, status_, &QLabel::setText);
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &GeneratePanel::showCrash);
   timer->start(kCountdownPeriod);
@@ -95,32 +110,60 @@ void GeneratePanel::createWidgets() {
   generate_ = button("generate", "Generate");
   list_ = button("list", "What is possible?");
   list_->setToolTip("Pauses the player and lists the collisions that can be asked for there");
+  planner_ = new QComboBox;
+  planner_->setObjectName("planner");
+  for (const std::string& name : testablePlanners()) planner_->addItem(name.c_str());
+  test_ = button("test_planner", "Test planner");
+  test_->setToolTip("Pauses the player and drives the planner through the newest attack");
+  test_->setEnabled(false);
   table_ = new PossibleTable;
   table_->setObjectName("possible");
   table_->setToolTip("Choose a row to ask for it");
   table_->setMinimumHeight(kTableLines * table_->fontMetrics().lineSpacing());
-  status_ = label("status", 1);
-  status_->setText("No collision generated yet.");
+  status_ = label("status", kStatusLines);
+  status_->setText("Choose what to ask for, then Generate.");
   crash_ = label("crash", kCrashLines);
   QFont large = crash_->font();
-  large.setPointSizeF(1.3 * large.pointSizeF());
+  large.setPointSizeF(1.2 * large.pointSizeF());
   large.setBold(true);
   crash_->setFont(large);
-  attack_text_ = label("attack", kAttackLines);
+  crash_->setMinimumHeight(kCrashLines * crash_->fontMetrics().lineSpacing());
+  attack_text_ = label("attack", 1);
 }
 
 void GeneratePanel::createLayout() {
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(generate_);
-  buttons->addWidget(list_);
+  auto* buttons = new QGridLayout;
+  buttons->addWidget(generate_, 0, 0);
+  buttons->addWidget(list_, 0, 1);
+  buttons->addWidget(planner_, 1, 0);
+  buttons->addWidget(test_, 1, 1);
+  for (int column = 0; column < 2; ++column) buttons->setColumnStretch(column, 1);
   auto* column = new QVBoxLayout(this);
+  column->setSpacing(kSpacing);
+  for (QWidget* fixed : std::initializer_list<QWidget*>{player_, form_}) {
+    fixed->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  }
   column->addWidget(player_);
   column->addWidget(form_);
   column->addLayout(buttons);
-  column->addWidget(status_);
   column->addWidget(table_, 1);
-  column->addWidget(crash_);
-  column->addWidget(attack_text_);
+  column->addWidget(createTexts(), 1);
+}
+
+/// What is said, which may be long, scrolls, so that all else stays in its place.
+QWidget* GeneratePanel::createTexts() {
+  auto* texts = new QWidget;
+  auto* column = new QVBoxLayout(texts);
+  column->setContentsMargins(0, 0, 0, 0);
+  for (QLabel* text : {status_, crash_, attack_text_}) column->addWidget(text);
+  column->addStretch(1);
+  auto* area = new QScrollArea;
+  area->setWidget(texts);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setMinimumHeight(kTextLines * fontMetrics().lineSpacing());
+  return area;
 }
 
 /// RViz handles ROS callbacks in the thread of the GUI.
@@ -132,10 +175,18 @@ void GeneratePanel::subscribe() {
 }
 
 void GeneratePanel::generate() {
+  GenerateCollision::Request request = form_->request();
+  if (request.collision_type.empty()) {
+    is_surest_wanted_ = true;
+    return askWhatIsPossible({request.tta});
+  }
+  if (is_row_chosen_) request.stamp = listed_;
+  ask(request);
+}
+
+void GeneratePanel::ask(GenerateCollision::Request request) {
   generate_->setEnabled(false);
   status_->setText("Generating ...");
-  GenerateCollision::Request request = form_->request();
-  if (is_row_chosen_) request.stamp = listed_;
   asked_tta_ = request.tta;
   generating_.start(names::kGenerateCollision, request);
 }
@@ -163,27 +214,68 @@ void GeneratePanel::showAnswer(const ServiceCall<GenerateCollision>::Answer& ans
 }
 
 void GeneratePanel::list() {
+  is_surest_wanted_ = false;
+  askWhatIsPossible({});
+}
+
+void GeneratePanel::askWhatIsPossible(const std::vector<double>& ttas) {
   player_->pause();
-  list_->setEnabled(false);
+  for (QPushButton* button : {list_, generate_}) button->setEnabled(false);
   status_->setText("Looking for what is possible ...");
   ListCollisions::Request request;
+  request.ttas = ttas;
   request.request = form_->anyRequest();
+  if (is_surest_wanted_) {
+    const GenerateCollision::Request wanted = form_->request();
+    request.request.attacker_id = wanted.attacker_id;
+    request.request.choice = wanted.choice;
+  }
   request.method = form_->method();
   listing_.start(names::kListCollisions, request);
 }
 
 void GeneratePanel::showPossible(const ServiceCall<ListCollisions>::Answer& answer) {
-  list_->setEnabled(true);
+  for (QPushButton* button : {list_, generate_}) button->setEnabled(true);
   const QString problem = problemOf(answer, names::kListCollisions);
   status_->setText(problem);
   if (!problem.isEmpty()) return;
   setTable(answer->collisions, answer->now);
   status_->setText(answer->collisions.empty() ? "Nothing is possible at this instant."
                                               : "Possible now; choose one, then Generate.");
+  if (is_surest_wanted_ && !answer->collisions.empty()) askForSurest();
+}
+
+/// Of the table.
+void GeneratePanel::askForSurest() {
+  const auto& collisions = table_->collisions();
+  const auto surest =
+      std::max_element(collisions.begin(), collisions.end(),
+                       [](const auto& a, const auto& b) { return a.confidence < b.confidence; });
+  table_->mark(static_cast<int>(std::distance(collisions.begin(), surest)));
+  GenerateCollision::Request request = form_->requestOf(*surest);
+  request.stamp = listed_;
+  ask(request);
+}
+
+void GeneratePanel::testPlanner() {
+  player_->pause();
+  test_->setEnabled(false);
+  status_->setText("Testing " + planner_->currentText() + " ...");
+  TestPlanner::Request request;
+  request.planner = planner_->currentText().toStdString();
+  request.attacker_policy = attack_->adaptive ? "adaptive" : "fixed";
+  testing_.start(names::kTestPlanner, request);
+}
+
+void GeneratePanel::showOutcome(const ServiceCall<TestPlanner>::Answer& answer) {
+  test_->setEnabled(true);
+  const QString problem = problemOf(answer, names::kTestPlanner);
+  status_->setText(problem.isEmpty() ? outcomeText(answer->outcome) : problem);
 }
 
 void GeneratePanel::showAttack(const collision_forge::AttackConstPtr& attack) {
   attack_ = attack;
+  test_->setEnabled(!isNone(*attack));
   attack_text_->setText(attackText(*attack));
   showCrash();
 }
@@ -216,11 +308,14 @@ void GeneratePanel::showMethods(const collision_forge::AttackMethods& methods) {
 void GeneratePanel::load(const rviz::Config& config) {
   rviz::Panel::load(config);
   form_->load(config);
+  QString planner;
+  if (config.mapGetString(kPlannerKey, &planner)) planner_->setCurrentText(planner);
 }
 
 void GeneratePanel::save(rviz::Config config) const {
   rviz::Panel::save(config);
   form_->save(config);
+  config.mapSetValue(kPlannerKey, planner_->currentText());
 }
 
 }  // namespace forge

@@ -7,10 +7,22 @@
 
 namespace forge {
 
+namespace {
+
+constexpr int kLetters = 58;  // of a row
+
+}  // namespace
+
 PossibleTable::PossibleTable(QWidget* parent) : QTableWidget(parent) {
   setColumnCount(5);
-  setHorizontalHeaderLabels({"collision", "in s", "by", "confidence", "manoeuvre"});
+  setHorizontalHeaderLabels({"collision", "in s", "by", "conf.", "manoeuvre"});
   verticalHeader()->hide();
+  horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  horizontalHeader()->setStretchLastSection(true);
+  horizontalHeader()->setHighlightSections(false);
+  horizontalHeaderItem(3)->setToolTip("Confidence");
+  setMinimumWidth(kLetters * fontMetrics().averageCharWidth());
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setShowGrid(false);
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setSelectionMode(QAbstractItemView::SingleSelection);
@@ -24,8 +36,12 @@ void PossibleTable::setCollisions(std::vector<collision_forge::PossibleCollision
   setRowCount(static_cast<int>(collisions_.size()));
   for (int row = 0; row < rowCount(); ++row) addRow(row, collisions_[row]);
   clearSelection();
-  resizeColumnsToContents();
   resizeRowsToContents();
+}
+
+void PossibleTable::mark(int row) {
+  const QSignalBlocker nothing_is_chosen(this);
+  selectRow(row);
 }
 
 void PossibleTable::addRow(int row, const collision_forge::PossibleCollision& collision) {
@@ -36,10 +52,10 @@ void PossibleTable::addRow(int row, const collision_forge::PossibleCollision& co
                            QString::number(collision.tta, 'f', 1), by,
                            QString::fromStdString(percentText(collision.confidence)),
                            QString::fromStdString(collision.manoeuvre)};
-  const QString more = QString("Contact after %1 s with %2 m/s, attacker %3")
+  const QString more = QString("%4: contact after %1 s with %2 m/s, attacker %3")
                            .arg(collision.contact_after, 0, 'f', 2)
                            .arg(collision.impact_speed, 0, 'f', 1)
-                           .arg(attacker);
+                           .arg(attacker, QString::fromStdString(collision.manoeuvre));
   for (int column = 0; column < columnCount(); ++column) {
     auto* item = new QTableWidgetItem(texts[column]);
     item->setToolTip(more);

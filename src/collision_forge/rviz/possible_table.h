@@ -16,6 +16,9 @@ class PossibleTable : public QTableWidget {
   explicit PossibleTable(QWidget* parent = nullptr);
 
   void setCollisions(std::vector<collision_forge::PossibleCollision> collisions);
+  const std::vector<collision_forge::PossibleCollision>& collisions() const { return collisions_; }
+  /// Marks a row as if it was chosen, without chosen().
+  void mark(int row);
 
  Q_SIGNALS:
   /// By a click or by the keyboard.

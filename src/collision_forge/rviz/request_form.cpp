@@ -7,6 +7,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QSpinBox>
 
 #include <iterator>
@@ -14,6 +15,7 @@
 
 #include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/request_words.h"
+#include "collision_forge/scene/short_id.h"
 
 namespace forge {
 
@@ -21,9 +23,9 @@ namespace {
 
 constexpr char kAny[] = "any";
 constexpr char kDefaultMethod[] = "default";
-constexpr int kShortestAttackerField = 12;  // letters
-constexpr int kMostAlternatives = 16;       // as in GenerateCollision.srv
-constexpr double kShortestTta = 0.5;        // s, as there
+constexpr int kFieldLetters = 12;      // of a field whose items change
+constexpr int kMostAlternatives = 16;  // as in GenerateCollision.srv
+constexpr double kShortestTta = 0.5;   // s, as there
 constexpr double kLongestTta = 9.0;
 
 // Keys in the .rviz file.
@@ -55,6 +57,12 @@ void offer(QComboBox& box, const char* any, const QStringList& items) {
   box.setCurrentText(chosen);
 }
 
+/// Whatever items come.
+void keepWidth(QComboBox& box) {
+  box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box.setMinimumContentsLength(kFieldLetters);
+}
+
 QStringList itemsOf(const QComboBox& box) {
   QStringList items;
   for (int i = 0; i < box.count(); ++i) items.push_back(box.itemText(i));
@@ -72,6 +80,7 @@ QHBoxLayout* besideEachOther(QWidget* left, const char* between, QWidget* right)
 }  // namespace
 
 RequestForm::RequestForm(QWidget* parent) : QWidget(parent) {
+  setLocale(QLocale::c());  // numbers with a point, as everywhere else
   createFields();
   createLayout();
   connectFields();
@@ -79,19 +88,21 @@ RequestForm::RequestForm(QWidget* parent) : QWidget(parent) {
 
 void RequestForm::createFields() {
   type_ = new QComboBox;
+  type_->addItem(kAny);
   for (const CollisionType type : kCollisionTypes) type_->addItem(toString(type));
+  type_->setToolTip("any: the collision that is surest at that time to accident");
   tta_ = new QDoubleSpinBox;
   tta_->setRange(kShortestTta, kLongestTta);
   tta_->setSingleStep(0.5);
   tta_->setValue(4.0);
   tta_->setSuffix(" s");
   manoeuvre_ = new QComboBox;
+  keepWidth(*manoeuvre_);
   offerManoeuvres();
   attacker_ = new QComboBox;
   attacker_->setEditable(true);
   attacker_->setInsertPolicy(QComboBox::NoInsert);
-  attacker_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  attacker_->setMinimumContentsLength(kShortestAttackerField);
+  keepWidth(*attacker_);
   attacker_->addItem(kAny);
   choice_ = new QComboBox;
   for (const AttackerChoice choice :
@@ -105,6 +116,7 @@ void RequestForm::createFields() {
   mode_ = new QComboBox;
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) mode_->addItem(toString(mode));
   method_ = new QComboBox;
+  keepWidth(*method_);
   method_->addItem(kDefaultMethod);
   alternatives_ = new QSpinBox;
   alternatives_->setRange(1, kMostAlternatives);
@@ -157,14 +169,26 @@ void RequestForm::fillDriving(Request& request) const {
 collision_forge::GenerateCollision::Request RequestForm::request() const {
   collision_forge::GenerateCollision::Request request;
   fillDriving(request);
-  request.collision_type = type_->currentText().toStdString();
+  request.collision_type = chosenIn(*type_);
   request.tta = tta_->value();
   request.manoeuvre = chosenIn(*manoeuvre_);
-  request.attacker_id = chosenIn(*attacker_);
+  const QString attacker = QString::fromStdString(chosenIn(*attacker_));
+  request.attacker_id = ids_.value(attacker, attacker).toStdString();
   request.choice = choice_->currentText().toStdString();
   request.adaptive = adaptive_->isChecked();
   request.alternatives = static_cast<std::uint32_t>(alternatives_->value());
   request.method = method();
+  return request;
+}
+
+collision_forge::GenerateCollision::Request RequestForm::requestOf(
+    const collision_forge::PossibleCollision& collision) const {
+  collision_forge::GenerateCollision::Request request = this->request();
+  request.collision_type = collision.collision_type;
+  request.tta = collision.tta;
+  request.manoeuvre = collision.manoeuvre;
+  request.attacker_id = collision.added ? std::string() : collision.attacker_id;
+  request.choice = toString(collision.added ? AttackerChoice::kNew : AttackerChoice::kExisting);
   return request;
 }
 
@@ -181,12 +205,21 @@ void RequestForm::choose(const collision_forge::PossibleCollision& collision) {
   type_->setCurrentText(QString::fromStdString(collision.collision_type));
   tta_->setValue(collision.tta);
   manoeuvre_->setCurrentText(QString::fromStdString(collision.manoeuvre));
-  attacker_->setCurrentText(collision.added ? kAny : QString::fromStdString(collision.attacker_id));
+  attacker_->setCurrentText(
+      collision.added ? kAny : shownId(QString::fromStdString(collision.attacker_id)));
   choice_->setCurrentText(
       toString(collision.added ? AttackerChoice::kNew : AttackerChoice::kExisting));
 }
 
+/// The short form; the whole id where another agent has the same short form.
+QString RequestForm::shownId(const QString& id) {
+  const QString shown = QString::fromStdString(shortId(id.toStdString()));
+  const QString& known = ids_.contains(shown) ? ids_[shown] : ids_[shown] = id;
+  return known == id ? shown : id;
+}
+
 void RequestForm::setAttackers(QStringList ids) {
+  for (QString& id : ids) id = shownId(id);
   ids.sort();
   if (QStringList(kAny) + ids == itemsOf(*attacker_) || attacker_->view()->isVisible()) return;
   offer(*attacker_, kAny, ids);

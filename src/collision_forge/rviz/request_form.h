@@ -5,6 +5,7 @@
 #include <collision_forge/PossibleCollision.h>
 #include <rviz/config.h>
 
+#include <QMap>
 #include <QWidget>
 
 #include <string>
@@ -23,7 +24,11 @@ class RequestForm : public QWidget {
  public:
   explicit RequestForm(QWidget* parent = nullptr);
 
+  /// `collision_type` is empty where any type is asked for.
   collision_forge::GenerateCollision::Request request() const;
+  /// The same with type, time, attacker and manoeuvre of a collision.
+  collision_forge::GenerateCollision::Request requestOf(
+      const collision_forge::PossibleCollision& collision) const;
   /// The same of any type, time, attacker and manoeuvre.
   collision_forge::CollisionRequest anyRequest() const;
   /// Empty: the default one.
@@ -31,7 +36,8 @@ class RequestForm : public QWidget {
 
   /// Sets type, time, attacker and manoeuvre.
   void choose(const collision_forge::PossibleCollision& collision);
-  /// Who and which methods can be asked for; what was chosen stays.
+  /// The attackers and methods that can be asked for; what was chosen stays. Attackers are offered
+  /// by their short ids, as the picture shows them.
   void setAttackers(QStringList ids);
   void setMethods(const QStringList& names);
 
@@ -46,6 +52,7 @@ class RequestForm : public QWidget {
   void createLayout();
   void connectFields();
   void offerManoeuvres();
+  QString shownId(const QString& id);
   template <typename Request>
   void fillDriving(Request& request) const;
 
@@ -53,6 +60,7 @@ class RequestForm : public QWidget {
   QDoubleSpinBox* tta_ = nullptr;
   QComboBox* manoeuvre_ = nullptr;
   QComboBox* attacker_ = nullptr;
+  QMap<QString, QString> ids_;  ///< by what is shown of them
   QComboBox* choice_ = nullptr;
   QCheckBox* believable_ = nullptr;
   QCheckBox* adaptive_ = nullptr;

@@ -1,0 +1,48 @@
+#include "collision_forge/ros/shown_area.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace forge {
+namespace {
+
+const BoxSize kCar{4.6, 1.9};
+
+TEST(ShownArea, AroundOnePlaceHasItsShortestWidthAndThatPlaceInItsMiddle) {
+  const ShownArea area = areaAround({{{7.0, -3.0, 1.0}, kCar}}, kUsualWidth);
+  EXPECT_DOUBLE_EQ(area.size().x(), kUsualWidth);
+  EXPECT_LT(area.size().y(), kUsualWidth);
+  EXPECT_NEAR(area.middle().x(), 7.0, 1e-9);
+  EXPECT_NEAR(area.middle().y(), -3.0, 1e-9);
+}
+
+TEST(ShownArea, HoldsAllBoxesWithAMargin) {
+  const ShownArea area =
+      areaAround({{{0.0, 0.0, 0.0}, kCar}, {{100.0, 150.0, M_PI / 2}, kCar}}, kCrashWidth);
+  EXPECT_LT(area.lowest.x(), -2.3 - 5.0);
+  EXPECT_GT(area.highest.x(), 100.95 + 5.0);
+  EXPECT_LT(area.lowest.y(), -0.95 - 5.0);
+  EXPECT_GT(area.highest.y(), 152.3 + 5.0);
+}
+
+TEST(ShownArea, ScalesLettersSoThatTheirSizeOnTheScreenStays) {
+  const auto letters = [](double width) {
+    return letterScale(areaAround({{{0.0, 0.0, 0.0}, kCar}}, width)) / width;
+  };
+  EXPECT_DOUBLE_EQ(letters(kUsualWidth) * kUsualWidth, 1.0);
+  EXPECT_DOUBLE_EQ(letters(120.0), letters(kUsualWidth));
+}
+
+TEST(ShownArea, IsAPolygonOfItsCorners) {
+  std_msgs::Header header;
+  header.frame_id = "map";
+  const auto message = toMessage({{1.0, 2.0}, {3.0, 5.0}}, header);
+  EXPECT_EQ(message.header.frame_id, "map");
+  ASSERT_EQ(message.polygon.points.size(), 4U);
+  EXPECT_FLOAT_EQ(message.polygon.points[0].x, 1.0F);
+  EXPECT_FLOAT_EQ(message.polygon.points[2].y, 5.0F);
+}
+
+}  // namespace
+}  // namespace forge
