@@ -201,7 +201,7 @@ class OneCrash : public testing::Test {
     scenario.asked = {"scene-0005", now_, request_};
     scenario.answer = answer_;
     const std::string record =
-        attackRecord(scenario, answer_, RecordedAttack{report_, ShownCrash{motion().value(), 3.0}},
+        attackRecord(scenario, answer_, RecordedOutcome{report_, ShownCrash{motion().value(), 3.0}},
                      config_.attack.verification);
     const auto placeOf = [&](const std::string& who) {
       const std::size_t begin = record.find('"' + who + "\":{", record.find("\"crash\":"));

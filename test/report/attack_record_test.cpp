@@ -30,7 +30,7 @@ TEST(AttackRecord, HasWhatTheRecordingSaysWhereThatIsKnown) {
   const Scenario scenario = rearEnd();
   const VerificationOptions options = shippedOptions();
   EXPECT_THAT(attackRecord(scenario, scenario.answer, {}, options), Not(HasSubstr("recorded\":{")));
-  EXPECT_THAT(attackRecord(scenario, scenario.answer, RecordedAttack(), options),
+  EXPECT_THAT(attackRecord(scenario, scenario.answer, RecordedOutcome(), options),
               HasSubstr(R"("recorded":{"verified":false,"contact":false)"));
 }
 
@@ -46,7 +46,7 @@ ShownCrash crash() {
 
 TEST(AttackRecord, HasTheMotionAfterTheContactUpToSomeSecondsAfterTheStand) {
   const Scenario scenario = rearEnd();
-  const auto record = [&](const RecordedAttack& recorded) {
+  const auto record = [&](const RecordedOutcome& recorded) {
     return attackRecord(scenario, scenario.answer, recorded, shippedOptions());
   };
   EXPECT_THAT(record({}), Not(HasSubstr("\"crash\":")));

@@ -107,7 +107,7 @@ void writeDrive(JsonLineWriter& writer, const ShownTest& shown, double now) {
 }  // namespace
 
 std::string attackRecord(const Scenario& scenario, const Realization& attack,
-                         const std::optional<RecordedAttack>& recorded,
+                         const std::optional<RecordedOutcome>& recorded,
                          const VerificationOptions& options) {
   const double now = scenario.asked.now;
   JsonLineWriter writer;

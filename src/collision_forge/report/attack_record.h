@@ -19,7 +19,7 @@ struct ShownCrash {
 };
 
 /// An attack against the recording.
-struct RecordedAttack {
+struct RecordedOutcome {
   CollisionReport report;                ///< of verify()
   std::optional<ShownCrash> crash = {};  ///< with a contact
 };
@@ -27,7 +27,7 @@ struct RecordedAttack {
 /// What the page tells of one attack beyond its row, as JSON. `attack` is the scenario's answer or
 /// one of its alternatives; `recorded` is empty where the recording is not known.
 std::string attackRecord(const Scenario& scenario, const Realization& attack,
-                         const std::optional<RecordedAttack>& recorded,
+                         const std::optional<RecordedOutcome>& recorded,
                          const VerificationOptions& options);
 
 /// A picture of a test, as the page links to it.

@@ -218,8 +218,8 @@ class ReportBuilder {
     row.commands = page_.add(commandsRecord(commandsOfAttack(
         scenario, alternative, now_in_recording, inputs_.logs, settings_.study.crash)));
     if (!is_attack) return;
-    std::optional<RecordedAttack> recorded;
-    if (judgement) recorded = RecordedAttack{judgement->outcome.report, judgement->crash};
+    std::optional<RecordedOutcome> recorded;
+    if (judgement) recorded = RecordedOutcome{judgement->outcome.report, judgement->crash};
     row.attack =
         page_.add(attackRecord(scenario, attack, recorded, settings_.study.attack.verification));
   }

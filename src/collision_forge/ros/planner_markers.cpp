@@ -8,6 +8,7 @@
 #include "collision_forge/ros/marker_parts.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/scene/short_id.h"
+#include "collision_forge/trials/avoidance_words.h"
 
 namespace forge {
 namespace {
@@ -61,8 +62,7 @@ std::string words(const PlannerTrial& trial, double now, const std::string& plan
   const std::optional<Avoidance>& last = trial.avoidability.last;
   if (!last && outcome.failure != PlannerFailure::kNone) return text;
   if (!last) return text + "\nno way to avoid it was found";
-  text += formatted("\navoidable up to %.1f s", last->start - now);
-  return text + " by " + toString(last->manoeuvre);
+  return text + "\navoidable " + avoidanceWords(last->manoeuvre, last->start - now, false);
 }
 
 colors::MarkerColor colorOf(const Track& agent, const std::string& attacker_id) {
