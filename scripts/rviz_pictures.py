@@ -34,10 +34,13 @@ def call(name, kind, **fields):
 
 
 def take_picture(path):
-    time.sleep(SETTLED)
-    subprocess.run(['import', '-window', 'root', '+dither', '-colors', str(COLORS), 'png8:{}'.format(path)], check=True)
-    if path.stat().st_size < LEAST_BYTES:
-        raise SystemExit('{} is empty: RViz shows nothing'.format(path))
+    """Takes the picture once RViz has drawn something: on a busy machine its window comes late."""
+    def missing():
+        time.sleep(SETTLED)
+        subprocess.run(['import', '-window', 'root', '+dither', '-colors', str(COLORS), 'png8:{}'.format(path)],
+                       check=True)
+        return ['a picture in {}: RViz shows nothing'.format(path)] if path.stat().st_size < LEAST_BYTES else []
+    wait_until(missing, TIMEOUT)
     print(path)
 
 

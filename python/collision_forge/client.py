@@ -129,7 +129,8 @@ class CollisionForge:
             own = {'choice': 'new'} if collision.added else {'attacker_id': collision.attacker}
             controls = {**collision.controls, 'manoeuvre': collision.manoeuvre, 'alternatives': 1, **own,
                         **{name: value for name, value in controls.items() if value != control_fields()[name]}}
-            method = method or controls.pop('method')
+            listed = controls.pop('method')
+            method = method or listed
             collision = collision.collision_type
         if tta is None:
             raise TypeError('generate() needs tta, s from now to impact')

@@ -1,6 +1,6 @@
 #include "collision_forge/files/aside_file.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "files/file_size_limit.h"
+#include "files/left_part.h"
 
 namespace forge {
 namespace {
@@ -66,6 +67,14 @@ TEST_F(AsideFileTest, TakesItsPlaceWhenComplete) {
   file.commit();
   EXPECT_EQ(contentOf(path_), std::string("one\0\r\ntwo", 9));
   EXPECT_FALSE(fs::exists(part_));
+}
+
+TEST_F(AsideFileTest, RefusesToReplaceAnUnfinishedRun) {
+  leavePart(path_, "item\n");
+  EXPECT_THAT(complaintOf([&] { writeText(path_, "other"); }),
+              testing::HasSubstr(path_ + ": an unfinished run is in " + part_));
+  EXPECT_EQ(contentOf(part_), "item\n");
+  EXPECT_FALSE(fs::exists(path_));
 }
 
 TEST_F(AsideFileTest, WithoutCommitAllIsAsBefore) {

@@ -254,6 +254,11 @@ class ClientTest(road.RoadTest):
             self.assertEqual((attack.collision_type, attack.attacker_class, attack.added, attack.report.manoeuvre),
                              (collision.collision_type, collision.attacker_class, collision.added, collision.manoeuvre))
 
+    def test_what_is_possible_can_be_generated_by_another_method(self):
+        self.play()
+        possible = self.forge.possible([TYPE], [TTA])
+        self.assertEqual(self.forge.generate(possible[0], method='search').method, 'search')
+
     def test_answers_for_each_type_and_time(self):
         self.play()
         answers = self.forge.generate_all([TYPE, 'ltap'], [3.0, TTA])

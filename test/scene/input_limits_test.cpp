@@ -163,6 +163,20 @@ TEST(InputLimits, SnapshotsAndFutures) {
               StartsWith("future: ego_samples[0]: states[0].time = nan is outside"));
 }
 
+TEST(InputLimits, AFutureWithoutStatesOfTheEgoIsRefused) {
+  Future future{car(kEgoId), {car("a"), car("b")}, {car(kEgoId), car(kEgoId)}};
+  future.agents[0].states.clear();
+  EXPECT_NO_THROW(checkFuture(future, shippedLimits(), "future"));
+  ASSERT_EQ(future.agents.size(), 1u);
+  EXPECT_EQ(future.agents[0].id, "b");
+  future.ego_samples[1].states.clear();
+  EXPECT_EQ(errorOf([&] { checkFuture(future, shippedLimits(), "future"); }),
+            "future: ego_samples[1]: states: there are none");
+  future.ego.states.clear();
+  EXPECT_EQ(errorOf([&] { checkFuture(future, shippedLimits(), "future"); }),
+            "future: ego: states: there are none");
+}
+
 TEST(InputLimits, TrajectoriesNamePointAndField) {
   EXPECT_EQ(errorOfTrajectory([](auto& spoilt) { spoilt.size.length = 1e9; }),
             "attack: attacker \"a\": size.length = 1000000000 is outside 0.1 to 50");

@@ -51,6 +51,11 @@ AsideFile::AsideFile(const std::string& path) : path_(path), stream_(&buffer_) {
   if (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_)) {
     throw std::runtime_error(path_ + ": is there and no file");
   }
+  if (std::filesystem::exists(path_ + ".part") && std::filesystem::exists(path_ + ".part.sums")) {
+    throw std::runtime_error(path_ + ": an unfinished run is in " + path_ +
+                             ".part: run its command again to finish it, delete " + path_ +
+                             ".part, or choose another output");
+  }
   Descriptor part;
   for (int writer = 1; writer <= kWriters && !part.isOpen(); ++writer) {
     part_path_ = path_ + (writer == 1 ? "" : "." + std::to_string(writer)) + ".part";

@@ -15,8 +15,8 @@ namespace forge {
 /// `path`.
 class AsideFile {
  public:
-  /// Makes the file. Throws where it cannot be made, and for a path that is there and no file, as a
-  /// folder or a device.
+  /// Makes the file. Throws if it cannot be made, if `path` is a folder or a device, and if
+  /// PATH.part holds items of an unfinished run (a ResumableFile), which are left as they are.
   explicit AsideFile(const std::string& path);
   ~AsideFile();
   AsideFile(const AsideFile&) = delete;

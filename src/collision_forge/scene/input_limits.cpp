@@ -70,6 +70,12 @@ void checkTrack(const Track& track, const InputLimits& limits, const std::string
   }
 }
 
+/// A predicted or recorded future of the ego has at least one state.
+void checkFutureTrack(const Track& track, const InputLimits& limits, const std::string& name) {
+  if (track.states.empty()) refuse(name, ": states: there are none");
+  checkTrack(track, limits, name);
+}
+
 /// Why an agent of a recording cannot be used; null for one that can.
 const char* problemOf(const Track& agent, const InputLimits& limits) {
   if (!isWithin(agent.size, limits)) return "whose box is beyond the limits of input";
@@ -167,12 +173,15 @@ void checkSnapshot(Snapshot& snapshot, const InputLimits& limits, const std::str
 }
 
 void checkFuture(Future& future, const InputLimits& limits, const std::string& where) {
-  checkTrack(future.ego, limits, where + ": " + kEgoId);
+  checkFutureTrack(future.ego, limits, where + ": " + kEgoId);
   checkCount(future.agents.size(), limits.max_agents, where + ": agents");
   keepWithin(future.agents, limits);
+  future.agents.erase(std::remove_if(future.agents.begin(), future.agents.end(),
+                                     [](const Track& agent) { return agent.states.empty(); }),
+                      future.agents.end());
   checkCount(future.ego_samples.size(), limits.max_agents, where + ": ego_samples");
   for (std::size_t i = 0; i < future.ego_samples.size(); ++i) {
-    checkTrack(future.ego_samples[i], limits, element(where + ": ego_samples", i));
+    checkFutureTrack(future.ego_samples[i], limits, element(where + ": ego_samples", i));
   }
 }
 

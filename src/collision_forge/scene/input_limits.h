@@ -55,6 +55,8 @@ void keepWithin(std::vector<Track>& agents, const InputLimits& limits,
 void checkScene(Scene& scene, const InputLimits& limits, const std::string& where,
                 std::vector<std::string>* warnings = nullptr);
 void checkSnapshot(Snapshot& snapshot, const InputLimits& limits, const std::string& where);
+/// The ego and every one of `ego_samples` must have at least one state; agents without states are
+/// left out.
 void checkFuture(Future& future, const InputLimits& limits, const std::string& where);
 
 /// Box, points and past; times increase, and are near those of the first point.
