@@ -163,7 +163,7 @@ TEST(RequestFile, ProblemsOfAFileNameFileAndLine) {
   EXPECT_THAT(complaintAboutFile(folder.write("absent", good + absent)),
               AllOf(HasSubstr("absent: line 2: field scene"), HasSubstr("scene-0002")));
   EXPECT_THAT(complaintAboutFile(folder.write("gap", good + "\n" + good)),
-              HasSubstr("gap: line 2: invalid JSON"));
+              HasSubstr("gap: line 2: is empty"));
   EXPECT_THAT(complaintAboutFile(folder.write("cut", good + good.substr(0, 40))),
               HasSubstr("cut: line 2: invalid JSON"));
   EXPECT_EQ(complaintAboutFile(folder.write("no_line_end", kLine)), "");

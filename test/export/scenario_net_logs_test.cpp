@@ -173,7 +173,7 @@ TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsTurned) {
   description.length = 2.0;
   description.width = 9.0;
   read(description.bytes());
-  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("taken for each other"), HasSubstr("9.0")));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("taken for each other"), HasSubstr("9 m by 2 m")));
   std::swap(description.length, description.width);
   EXPECT_EQ(read(description.bytes()).recording.frames.at(0).annotations.at(0).category,
             "vehicle.truck");

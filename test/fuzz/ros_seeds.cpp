@@ -134,7 +134,9 @@ std::string realizeSeed() {
   collision_forge::RealizeTrajectory::Request message;
   message.scene = toMessage(busyRoad());
   message.request = request();
-  message.patterns = {toMessage(answer().aim, kNow)};
+  CollisionPattern pattern = answer().aim;
+  pattern.attacker_id = "behind";
+  message.patterns = {toMessage(pattern, kNow)};
   message.future = toMessage(future());
   return told("RealizeTrajectory", message);
 }

@@ -130,7 +130,7 @@ TEST_F(LiveSceneTest, ShowsTheEgoWhereItsNewestPoseIs) {
   live_.ego = Pose2{2.5, 0.5, 0.0};
   EXPECT_NEAR(shown("ego")[0].pose.position.x, 2.5, 1e-6);
   EXPECT_NEAR(shown("ego")[0].pose.position.y, 0.5, 1e-6);
-  EXPECT_NEAR(viewedEgo(live_)->x, 2.5, 1e-6);
+  EXPECT_NEAR(shownArea(live_)->middle().x(), 2.5, 1e-6);
 }
 
 TEST_F(LiveSceneTest, ShowsTheCrashFromTheContactOnBeforeTheVerdictIsThere) {
