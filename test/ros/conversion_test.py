@@ -206,7 +206,7 @@ class ResumeTest(road.RoadTest):
 
         bags[1].unlink()
         third = road.convert(self.folder, '--scene', 'scene-0001', 'scene-0002')
-        self.assertIn('1 scenes to convert, 1 converted before', third.stderr)
+        self.assertIn('1 scene to convert, 1 converted before', third.stderr)
         self.assertEqual(bags[0].stat().st_mtime, 0)
         self.assertTrue(bags[1].exists())
 

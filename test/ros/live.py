@@ -47,7 +47,7 @@ NODES = {
     'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers',
                           '/shown_area'],
                          ['/attack', '/encoded_scene', '/lane_map', '/planner_test_shown', '/predicted_patterns',
-                          '/tested_report'], []),
+                          '/tested_report', '/tf', '/tf_static'], []),
 }
 MANAGER = 'collision_forge_manager'
 PLAYED = ['/agents', '/lane_map', '/tf']  # what the suite hears of a bag

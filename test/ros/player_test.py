@@ -193,6 +193,7 @@ class ReplayStartTest(PlayerTest):
             until(lambda: self.agents.all()[-1].header.stamp == start, 'the frame at the start')
             until(lambda: 'paused at 5.0 s of scene-0007.bag of 20.0 s' in suite.output(), 'a line on the terminal')
             self.assertIn('rosservice call /player/pause false', suite.output())
+            forge.wait_until_ready()
             attack = forge.generate(TYPE, TTA, believable='false')
             self.assertEqual(attack.now, start)
 
