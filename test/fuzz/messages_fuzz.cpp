@@ -17,8 +17,6 @@
 #include <map>
 #include <memory>
 
-#include "attack/test_scenes.h"
-#include "collision_forge/attack/realizer.h"
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/config/section.h"
 #include "collision_forge/data/scenario_file.h"
@@ -144,44 +142,22 @@ void takeAsked(const collision_forge::SceneSnapshot& scene,
   if (status.code != StatusCode::kOk) throw MessageError(status.message);
 }
 
-Future futureIn(const collision_forge::Future& message) {
+void takeFuture(const collision_forge::Future& message) {
   Future future = fromMessage(message);
   checkFuture(future, limits(), "future");
-  return future;
 }
 
 void take(const collision_forge::PredictPattern::Request& message) {
   takeAsked(message.scene, message.request);
-  futureIn(message.recorded_future);
+  takeFuture(message.recorded_future);
 }
 
-/// The lane that the seeds' scenes are on.
-const LaneIndex& fuzzedLanes() {
-  static const LaneIndex lanes = [] {
-    auto map = std::make_shared<LaneMap>();
-    map->location = "embedded-right";
-    map->lanes = {straightLane("east", {-30.0, 0.0}, {90.0, 0.0})};
-    map->drivable_area = {rectangle(-30.0, -1.75, 90.0, 1.75)};
-    return LaneIndex(map);
-  }();
-  return lanes;
-}
-
-/// As the node trajectory_realizer answers it.
 void take(const collision_forge::RealizeTrajectory::Request& message) {
   takeAsked(message.scene, message.request);
-  std::vector<CollisionPattern> patterns;
+  takeFuture(message.future);
   for (const auto& pattern : message.patterns) {
-    patterns.push_back(fromMessage(pattern));
-    checkPattern(patterns.back(), limits(), "patterns");
+    checkPattern(fromMessage(pattern), limits(), "patterns");
   }
-  Snapshot snapshot = fromMessage(message.scene);
-  checkSnapshot(snapshot, limits(), "scene");
-  const auto request =
-      std::get<CollisionRequest>(fromMessage(message.request, configuration().crash));
-  realize(patterns,
-          {snapshot, futureIn(message.future), withFullId(request, snapshot), fuzzedLanes()},
-          configuration().attack, message.exact);
 }
 
 void take(const collision_forge::TestPlanner::Request& message) {

@@ -30,7 +30,7 @@ TEST(PossibleTable, ShowsACollisionARow) {
   EXPECT_EQ(table.item(0, 1)->text(), "3.0");
   EXPECT_EQ(table.item(0, 2)->text(), "truck 012345");
   EXPECT_EQ(table.item(0, 4)->text(), "cut_in");
-  EXPECT_EQ(table.item(0, 3)->text(), "0.88");
+  EXPECT_EQ(table.item(0, 3)->text(), "88 %");
   EXPECT_EQ(table.item(1, 2)->text(), "added truck");
   table.setCollisions({});
   EXPECT_EQ(table.rowCount(), 0);
