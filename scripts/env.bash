@@ -1,4 +1,4 @@
-# usage: source scripts/env.bash      (bash, after scripts/setup)
+# usage: source scripts/env.bash      (bash, after scripts/setup, or after scripts/demo for forge alone)
 #
 # Makes the built package known to this shell: rosrun, roslaunch, rosservice, rviz and forge, whose
 # words are completed.

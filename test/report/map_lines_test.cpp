@@ -17,21 +17,6 @@ double areaOf(const std::vector<Vector2>& ring) {
   return std::abs(twice) / 2.0;
 }
 
-TEST(Simplified, DropsWhatLiesOnTheWay) {
-  EXPECT_EQ(simplified({{0, 0}, {1, 0.05}, {2, 0}, {3, 0}}, 0.1),
-            (std::vector<Vector2>{{0, 0}, {3, 0}}));
-}
-
-TEST(Simplified, KeepsCornersBeyondTheTolerance) {
-  const std::vector<Vector2> corner = {{0, 0}, {5, 0}, {5, 5}};
-  EXPECT_EQ(simplified(corner, 0.1), corner);
-}
-
-TEST(Simplified, KeepsShortLines) {
-  EXPECT_TRUE(simplified({}, 1.0).empty());
-  EXPECT_EQ(simplified({{0, 0}, {0, 0}}, 1.0).size(), 2u);
-}
-
 TEST(ClippedRing, KeepsWhatIsInside) {
   const std::vector<Vector2> ring = {{1, 1}, {3, 1}, {3, 3}};
   EXPECT_EQ(clippedRing(ring, kBox), ring);

@@ -35,7 +35,7 @@ std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation) {
 
 std::string reportTitle(const std::string& title, const StatisticsOptions& statistics) {
   return title + "; rates with " + std::to_string(std::lround(100.0 * statistics.confidence)) +
-         " % intervals over scenes, none below 5 scenes\n";
+         " % intervals over scenes, none below " + std::to_string(kMinScenes) + " scenes\n";
 }
 
 Bar barOf(const Rate& rate) {

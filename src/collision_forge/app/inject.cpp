@@ -272,11 +272,9 @@ void addInject(CommandLine& line) {
   app.add_option("--draw", arguments->draw, "also draw to this name + .png and .gif");
   addConfig(app, arguments->config);
   app.footer(
-      "Exit codes: 0 done, 1 error, 2 wrong command line, 3 no crash as asked: no attack is "
-      "possible, "
-      "or the attack does not crash into the recorded ego as asked; then the bag is written all "
-      "the "
-      "same, and the last line says so.");
+      "Exit codes: 0 done, 1 error, 2 wrong command line, 3 no crash as asked. With 3 either no "
+      "attack is possible, or the bag is written all the same, but its attack does not hit the "
+      "recorded ego as asked; then the last line says so.");
 }
 
 }  // namespace forge

@@ -108,8 +108,8 @@ void addControls(CLI::App& app, RequestControls& controls) {
   addChoice<std::optional<LimitSet>>(
       app, "--limits", controls.limits,
       wordsOf<LimitSet>(std::vector<LimitSet>{LimitSet::kDrivable, LimitSet::kStrict}),
-      "of vehicle_limits.yaml; drivable: by the attacker's class; strict: the same for all, with "
-      "--believable false; default: crash_definition.yaml");
+      "of vehicle_limits.yaml; drivable: by the attacker's class; strict: the same for all, "
+      "requires --believable false; default: crash_definition.yaml");
   addChoice<std::optional<AgentClass>>(app, "--attacker-class", controls.attacker_class,
                                        wordsOf<AgentClass>(kAttackerClasses),
                                        "of the attacker; any by default");

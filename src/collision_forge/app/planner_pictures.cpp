@@ -43,9 +43,6 @@ ScenarioView viewOfHit(const PlannerCase& one, const std::string& planner, Polic
   report.impact_speed = contact.impact_speed;
   report.overlap = sideOverlap({report.ego_at_contact, view.future.ego.size}, report.ego_side,
                                {report.attacker_at_contact, scenario.attacker.size});
-  report.type_kept = contact.type == one.request.type;
-  report.on_time = std::abs(contact.time - scenario.snapshot.now - one.request.tta) <=
-                   one.request.crash.time_tolerance;
   if (contact.is_attacker) {
     view.crash = motionAfterContact(report, outcome.attacker, view.future.ego,
                                     config.attack.verification.drivable);

@@ -42,8 +42,8 @@ std::string titleText(const ScenarioView& view);
 /// the first letters of its id.
 std::string detailsText(const ScenarioView& view);
 
-/// Whether the recording has the crash as asked, and the first condition that fails. Of a test
-/// whether the planner is hit or escapes.
+/// Returns the verdict in words. For an attack: whether the recording has the crash as asked, else
+/// the first condition that fails. For a planner's test: whether the ego is hit or escapes.
 std::string verdictText(const ScenarioView& view);
 
 /// The figures of the report that are known, and how fast ego and attacker are now and at contact

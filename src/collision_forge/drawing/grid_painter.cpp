@@ -48,7 +48,7 @@ double endOf(const std::vector<GridCell>& row) {
     const ScenarioView& view = cell.view;
     const double now = view.snapshot.now;
     end = std::max(end, ScenarioMotion(view).endTime() - now);
-    if (view.report.contact && view.crash) continue;
+    if (hasRest(view)) continue;
     known = std::min(known, view.future.ego.states.back().time - now);
     if (!view.report.contact && cell.refusal.empty()) {
       known = std::min(known, view.trajectory.points.back().time - now);

@@ -33,9 +33,9 @@ struct ScenarioGrid {
 void drawScenarioGridPng(const std::string& path, const ScenarioGrid& grid,
                          const DrawingOptions& options);
 
-/// All cells in step, in a loop, from now to the last end of a cell (ScenarioMotion::endTime()); a
-/// row whose own end comes earlier stands still from then on. What came of an attack is told when
-/// it has come.
+/// Draws all cells in step, in a loop, from now to the latest ScenarioMotion::endTime() of a cell.
+/// A row that ends earlier shows its last instant from then on. The outcome of an attack appears at
+/// its contact.
 void drawScenarioGridGif(const std::string& path, const ScenarioGrid& grid,
                          const DrawingOptions& options, const PictureProgress& on_progress = {});
 

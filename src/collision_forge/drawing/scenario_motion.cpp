@@ -36,7 +36,7 @@ double ScenarioMotion::keyTime() const {
 }
 
 double ScenarioMotion::standTime() const {
-  return view_.report.contact && view_.crash ? view_.crash->standTime() : keyTime();
+  return hasRest(view_) ? view_.crash->standTime() : keyTime();
 }
 
 double ScenarioMotion::endTime() const {

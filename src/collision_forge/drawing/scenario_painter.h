@@ -7,8 +7,8 @@
 
 namespace forge {
 
-/// Paints one scenario at any instant, turned as ScenePainter::rightwards() says. What stands still
-/// is painted once. The view and the options must outlive it.
+/// Paints one scenario at any instant, turned by ScenePainter::rightwards(). The constructor paints
+/// the static parts once. The view and the options must outlive it.
 class ScenarioPainter {
  public:
   /// `size` is the largest size of the picture, which is less high where its map needs no more.

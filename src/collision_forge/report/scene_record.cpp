@@ -1,10 +1,12 @@
 #include "collision_forge/report/scene_record.h"
+#include "collision_forge/geometry/simplified_line.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/data/nuscenes_map.h"
+#include "collision_forge/geometry/simplified_line.h"
 #include "collision_forge/map/lane_map.h"
 #include "collision_forge/report/compact_motion.h"
 #include "collision_forge/report/map_lines.h"

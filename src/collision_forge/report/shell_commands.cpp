@@ -25,7 +25,7 @@ std::string shellWord(const std::string& text) {
 }
 
 /// The shortest text that reads back as the same number.
-std::string numberText(double value) {
+std::string exactText(double value) {
   char text[32];
   const auto end = std::to_chars(std::begin(text), std::end(text), value);
   return {std::begin(text), end.ptr};
@@ -37,7 +37,7 @@ std::string option(const std::string& name, const std::string& value) {
 }
 
 std::string optionOf(const std::string& name, const Range& range) {
-  return " --" + name + " " + numberText(range.min) + " " + numberText(range.max);
+  return " --" + name + " " + exactText(range.min) + " " + exactText(range.max);
 }
 
 std::string sourceOptions(const LogSource& logs) {
@@ -86,7 +86,7 @@ std::string injectLines(const Scenario& scenario, int alternative, double now,
     lines = "forge convert" + sourceOptions(logs) + option("scene", scene) + " --out bags\n";
   }
   lines += "forge inject" + option("bag", bag) + option("type", toString(request.type)) +
-           option("now", numberText(now)) + option("tta", numberText(request.tta)) +
+           option("now", exactText(now)) + option("tta", exactText(request.tta)) +
            option("mode", toString(request.mode)) + option("seed", std::to_string(request.seed)) +
            controlOptions(request, defaults);
   if (alternative > 1) lines += option("alternative", std::to_string(alternative));

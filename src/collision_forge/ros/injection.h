@@ -54,9 +54,10 @@ void requireNoAttack(const std::string& path);
 /// markers of the map come every second. /agent_objects comes with every frame of agents, in place
 /// of one that is there. After the contact with the recorded ego, if there is one, the bag goes on
 /// as `after_contact` says; where it rewrites /tf and odom, they have one more message at the
-/// contact. Every other message is copied byte for byte with its connection. What is not finite in
-/// agents, /tf and odom is left out (ros/finite_parts.h); a line a topic is returned of that.
-/// `on_progress` is told the share that is done. Throws BagError.
+/// contact. Every other message is copied byte for byte with its connection. Agents, transforms and
+/// odometry with values that are not finite are left out (ros/finite_parts.h); the function returns
+/// a line for each topic with such values. `on_progress` receives the share that is done. Throws
+/// BagError.
 std::vector<std::string> injectIntoBag(
     const std::string& in, const std::string& out, const BagAttack& attack,
     const RecordingContext& recording,

@@ -1,12 +1,10 @@
 #include "collision_forge/ros/markers.h"
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "collision_forge/geometry/simplified_line.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/crash_words.h"
 #include "collision_forge/ros/marker_fill.h"
@@ -80,28 +78,13 @@ void appendArrowHeads(const std::vector<Vector2>& centerline, std::vector<Vector
   }
 }
 
-/// Drops the points that are within kLineTolerance of the line through the others (Douglas and
-/// Peucker). A line with a point that is not finite is returned as it is.
-std::vector<Vector2> simplified(const std::vector<Vector2>& line) {
-  using Point = boost::geometry::model::d2::point_xy<double>;
-  const auto is_finite = [](const Vector2& point) { return point.allFinite(); };
-  if (!std::all_of(line.begin(), line.end(), is_finite)) return line;
-  boost::geometry::model::linestring<Point> all;
-  boost::geometry::model::linestring<Point> kept;
-  for (const Vector2& point : line) all.emplace_back(point.x(), point.y());
-  boost::geometry::simplify(all, kept, kLineTolerance);
-  std::vector<Vector2> points;
-  for (const Point& point : kept) points.emplace_back(point.x(), point.y());
-  return points;
-}
-
 void addLanes(const collision_forge::LaneMap& map, MarkerList& markers) {
   std::vector<Vector2> lanes;
   std::vector<Vector2> connectors;
   for (const auto& lane : map.lanes) {
     std::vector<Vector2>& lines = lane.is_connector ? connectors : lanes;
     const std::vector<Vector2> centerline = positions(lane.centerline);
-    appendPolyline(simplified(centerline), lines);
+    appendPolyline(simplified(centerline, kLineTolerance), lines);
     appendArrowHeads(centerline, lines);
   }
   markers.addLines("connectors", connectors, kLaneWidth, kConnectorHeight, colors::kConnector);

@@ -1,7 +1,6 @@
 #include "collision_forge/ros/planner_messages.h"
 
 #include "collision_forge/planners/planner_factory.h"
-
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {

@@ -8,8 +8,6 @@
 namespace forge {
 namespace {
 
-constexpr std::size_t kMinScenes = 5;  // fewer say too little about other scenes for an interval
-
 struct Sum {
   double values = 0.0;
   int trials = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,11 +23,14 @@ struct Interval {
   double high = 0.0;
 };
 
+/// Scenes that an interval needs: fewer say too little about other scenes.
+inline constexpr std::size_t kMinScenes = 5;
+
 /// Successes over trials, all trials weighing the same ("pooled"); the mean of other values.
 struct Rate {
   int trials = 0;
   double value = 0.0;                ///< valid with trials
-  std::optional<Interval> interval;  ///< empty below five scenes: they say too little about others
+  std::optional<Interval> interval;  ///< empty below kMinScenes scenes
 };
 
 /// With a bootstrap interval by scenes: as many scenes as there are, drawn with replacement, give

@@ -239,7 +239,8 @@ export class Detail {
     this.timelines = new Timelines(find('plots'), (time) => this.seek(time));
     this.speed.append(...SPEEDS.map((speed) => element('option', {value: speed, selected: speed === 1}, speed + '×')));
     this.slider.addEventListener('input', () => this.seek(Number(this.slider.value)));
-    const onClick = {play: () => this.play(!this.isPlaying), 'to-contact': () => this.seekContact(), follow: () => this.follow(!this.view.isFollowing),
+    const onClick = {play: () => this.play(!this.isPlaying), 'to-contact': () => this.seekContact(),
+      follow: () => this.follow(!this.view.isFollowing),
       'zoom-in': () => this.view.zoom(1.3), 'zoom-out': () => this.view.zoom(1 / 1.3), fit: () => this.fit(),
       previous: () => this.onStep(-1), next: () => this.onStep(1), close: () => dialog.close()};
     for (const [name, action] of Object.entries(onClick)) find(name).addEventListener('click', action);
