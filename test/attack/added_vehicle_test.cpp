@@ -6,6 +6,7 @@
 #include <string>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/attack/judge.h"
 #include "collision_forge/attack/realizer.h"
 
 namespace forge {
@@ -46,7 +47,8 @@ struct Case {
     const Snapshot now = snapshot();
     const LaneIndex lanes(map);
     const AddedVehicleInput input{now, live ? nullptr : &all, known, request, lanes};
-    return realizeByAdded(addVehicles(input, options), input, options, motion);
+    return realizeByAdded(addVehicles(input, options), input, options, SearchRealizer(options),
+                          motion);
   }
   Realization result() const { return resultIn(future()); }
 };

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/attack/judge.h"
 #include "collision_forge/attack/request_check.h"
 
 namespace forge {

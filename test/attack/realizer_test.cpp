@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/attack/judge.h"
 #include "collision_forge/attack/placement.h"
 #include "collision_forge/forecast/kinematic_prediction.h"
 #include "collision_forge/verify/limits.h"
@@ -40,7 +41,7 @@ struct Case {
     }
   }
   Realization result() const {
-    return realize({pattern}, {snapshot, future, request, LaneIndex(map)}, options, exact);
+    return realize({{pattern}, {snapshot, future, request, LaneIndex(map)}, exact}, options);
   }
   void expectRefusal(StatusCode code, const std::string& reason) const {
     const Status status = result().status;
@@ -161,6 +162,24 @@ TEST(Realize, DeclinesAnAttackThatPromisesTooLittle) {
   EXPECT_TRUE(attack.result().trajectory.points.empty());
 }
 
+TEST(Realize, PassesOverAnAttackOfLowConfidenceForASurerOne) {
+  Case attack;
+  attack.options.search.confidence_curve = {0.0, 1.0};
+  attack.snapshot.agents.push_back(pastTrack("faster", kCarSize, {-14.0, 0.5, 0.0}, 16.0));
+  CollisionPattern other = attack.pattern;
+  other.attacker_id = "faster";
+  other.ego.center.x = 56.0;
+  other.attacker_speed = 18.0;
+  attack.sampleEgo({10.0, 14.0, 14.0, 14.0, 10.0, 14.0, 14.0, 14.0});
+  attack.request.crash.min_confidence = 0.5;
+  const LaneIndex lanes(attack.map);
+  const Realization result =
+      realize({{attack.pattern, other}, {attack.snapshot, attack.future, attack.request, lanes}},
+              attack.options);
+  ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
+  EXPECT_GE(result.report.confidence, 0.5);
+}
+
 TEST(Realize, ReportsTheFutureThatTheAttackWasVerifiedAgainst) {
   Case attack;
   attack.future.ego = futureTrack(kEgoId, kEgoSize, {}, 30.0);
@@ -195,7 +214,7 @@ TEST(Realize, TakesAnotherAttackerWhereTheFirstIsHopeless) {
   hopeless.attacker_id = "far";
   const LaneIndex lanes(attack.map);
   const Realization result =
-      realize({hopeless, attack.pattern}, {attack.snapshot, attack.future, attack.request, lanes},
+      realize({{hopeless, attack.pattern}, {attack.snapshot, attack.future, attack.request, lanes}},
               attack.options);
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
   EXPECT_EQ(result.trajectory.attacker_id, "attacker");
@@ -230,7 +249,7 @@ TEST(Realize, RefusesNoPatterns) {
   const Case attack;
   const LaneIndex lanes(attack.map);
   const VerificationInput input{attack.snapshot, attack.future, attack.request, lanes};
-  EXPECT_EQ(realize({}, input, attack.options).status.code, StatusCode::kNoAttackWithinLimits);
+  EXPECT_EQ(realize({{}, input}, attack.options).status.code, StatusCode::kNoAttackWithinLimits);
 }
 
 TEST(Realize, RefusesPatternsThatMakeNoSense) {

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/attack/judge.h"
 #include "collision_forge/attack/realizer.h"
 #include "collision_forge/forecast/kinematic_prediction.h"
 

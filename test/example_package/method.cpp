@@ -27,8 +27,9 @@ struct FirstPattern : forge::AttackMethod {
     auto prediction = predictor.predict(moment.snapshot, *moment.lanes, request,
                                         moment.recorded ? &*moment.recorded : nullptr);
     if (prediction.patterns.size() > 1) prediction.patterns.resize(1);
-    return forge::realize(prediction.patterns,
-                          {moment.snapshot, prediction.future, request, *moment.lanes}, options);
+    return forge::realize(
+        {prediction.patterns, {moment.snapshot, prediction.future, request, *moment.lanes}},
+        options);
   }
 };
 

@@ -119,10 +119,10 @@ void take(const collision_forge::GenerateCollision::Request& message) { take(req
 template <typename Asked>
 void takeEach(const Asked& message) {
   const auto requests = requestsForEach(message.request, message.collision_types, message.ttas,
-                                        configuration().requests.ttas);
+                                        configuration().requests.ttas, configuration().crash);
   if (const auto* refusal = std::get_if<Status>(&requests)) throw MessageError(refusal->message);
-  for (const auto& request : std::get<std::vector<collision_forge::CollisionRequest>>(requests)) {
-    take(request);
+  for (const auto& request : std::get<std::vector<CollisionRequest>>(requests)) {
+    take(toMessage(request));
   }
 }
 

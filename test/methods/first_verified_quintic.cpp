@@ -2,6 +2,7 @@
 // leads that verify() bears out. Named in methods.yaml, the live node, forge and the panel have it.
 #include "collision_forge/attack/baselines.h"
 #include "collision_forge/attack/method_registry.h"
+#include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {

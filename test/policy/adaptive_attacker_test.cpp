@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "collision_forge/attack/judge.h"
 #include "collision_forge/verify/drive_check.h"
 #include "policy/policy_scenes.h"
 

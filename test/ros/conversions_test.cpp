@@ -1,5 +1,6 @@
 #include "collision_forge/ros/conversions.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -17,10 +18,37 @@ TEST(StampOf, GivesStampsOfWholeMicrosecondsBack) {
   }
 }
 
-TEST(StampOf, TakesOthersToTheNearestMicrosecond) {
-  EXPECT_EQ(stampOf(1.0000014), ros::Time(1, 1000));
-  EXPECT_EQ(stampOf(1.9999996), ros::Time(2, 0));
+TEST(StampOf, GivesEveryTimeOfTodayBack) {
+  const double first = 1532402927.647951;  // s
+  for (int i = 0; i < 10000; ++i) {
+    const double time = first + 0.1 * i / 7.0;
+    ASSERT_EQ(stampOf(time).toSec(), time);
+  }
+}
+
+TEST(StampOf, TakesTheMicrosecondAmongStampsOfOneTime) {
+  EXPECT_EQ(stampOf(1.000001), ros::Time(1, 1000));
+  EXPECT_EQ(stampOf(1.0000014), ros::Time(1, 1400));
   EXPECT_EQ(stampOf(0.0), ros::Time(0, 0));
+}
+
+TEST(AttackerWay, ComesBackAsItWas) {
+  const ReferencePath way(Polyline({{0.0, 0.0}, {10.0, 0.0}, {20.0, 3.0}}));
+  const ReferencePath back = fromMessage(toMessage(way, "added-1"));
+  ASSERT_EQ(back.length(), way.length());
+  for (double along = 0.0; along < way.length(); along += 0.7) {
+    ASSERT_EQ(back.at(along).pose.x, way.at(along).pose.x);
+    ASSERT_EQ(back.at(along).curvature, way.at(along).curvature);
+  }
+}
+
+TEST(AttackerWay, WithTooFewPointsIsRefusedWithItsAttacker) {
+  collision_forge::AttackerWay message;
+  message.attacker_id = "added-1";
+  message.spacing = 1.0;
+  message.points.resize(3);
+  EXPECT_THAT([&] { fromMessage(message); },
+              testing::ThrowsMessage<MessageError>(testing::HasSubstr("\"added-1\": a way of 3")));
 }
 
 collision_forge::AttackerTrajectory drivenFor(int points) {

@@ -35,7 +35,7 @@ NODES = {
     'pattern_predictor': ([], ['/lane_map'], ['/predict_pattern']),
     'trajectory_realizer': ([], ['/lane_map'], ['/realize_trajectory']),
     'attack_verifier': (['/tested_report'],
-                        ['/agents', '/attack', '/lane_map', '/tf', '/tf_static'], []),
+                        ['/agents', '/attack', '/attack_request', '/lane_map', '/tf', '/tf_static'], []),
     'planner_tester': (['/planner_markers', '/planner_outcome', '/planner_path', '/planner_scene_markers',
                         '/planner_test_shown', '/planning_state', '/shown_area', '/tested_map', '/tf_static'],
                        ['/attack', '/planned_trajectory'], ['/test_planner']),
@@ -110,7 +110,9 @@ class Suite:
 
     def __init__(self, folder, **arguments):
         self.nodelets = arguments.get('nodelets', 'true') == 'true'
-        self.nodes = [node for node in NODES if node != 'pattern_predictor' or arguments.get('predictor') != 'false']
+        foreign = {node for argument, node in (('predictor', 'pattern_predictor'), ('realizer', 'trajectory_realizer'))
+                   if arguments.get(argument) == 'false'}
+        self.nodes = [node for node in NODES if node not in foreign]
         self.log = folder / 'roslaunch.log'
         with open(str(self.log), 'w') as log:
             self.process = subprocess.Popen(

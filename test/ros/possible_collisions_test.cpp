@@ -2,34 +2,37 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 namespace forge {
 namespace {
 
 using collision_forge::Attack;
 using collision_forge::CollisionAnswer;
-using collision_forge::CollisionRequest;
 using collision_forge::PossibleCollision;
+using Message = collision_forge::CollisionRequest;
 
 const std::vector<double> kUsual = {2.0, 4.0};  // s
 
-std::vector<std::pair<std::string, double>> askedFor(const CollisionRequest& request,
+std::vector<std::pair<std::string, double>> askedFor(const Message& request,
                                                      const std::vector<std::string>& types,
                                                      const std::vector<double>& ttas) {
   std::vector<std::pair<std::string, double>> asked;
-  const auto requests = requestsForEach(request, types, ttas, kUsual);
+  const auto requests = requestsForEach(request, types, ttas, kUsual, {});
   for (const CollisionRequest& one : std::get<std::vector<CollisionRequest>>(requests)) {
     EXPECT_EQ(one.seed, request.seed);
-    asked.emplace_back(one.collision_type, one.tta);
+    asked.emplace_back(toString(one.type), one.tta);
   }
   return asked;
 }
 
-Status refusalOf(const CollisionRequest& request, const std::vector<std::string>& types) {
-  return std::get<Status>(requestsForEach(request, types, {}, kUsual));
+Status refusalOf(const Message& request, const std::vector<std::string>& types) {
+  return std::get<Status>(requestsForEach(request, types, {}, kUsual, {}));
 }
 
 TEST(RequestsForEach, AreByTypeThenTime) {
-  CollisionRequest request;
+  Message request;
   request.seed = 7;
   const std::vector<std::pair<std::string, double>> expected = {
       {"ltap", 3.0}, {"ltap", 5.0}, {"rear_end", 3.0}, {"rear_end", 5.0}};
@@ -45,7 +48,7 @@ TEST(RequestsForEach, AreForAllTypesAndTheUsualTimesWhereNoneIsNamed) {
 }
 
 TEST(RequestsForEach, AManoeuvreNamesItsType) {
-  CollisionRequest request;
+  Message request;
   request.manoeuvre = "cut_in";
   const std::vector<std::pair<std::string, double>> expected = {{"lane_change", 2.0},
                                                                 {"lane_change", 4.0}};
@@ -53,12 +56,15 @@ TEST(RequestsForEach, AManoeuvreNamesItsType) {
 }
 
 TEST(RequestsForEach, RefuseWhatContradictsItself) {
-  CollisionRequest typed;
+  Message typed;
   typed.collision_type = "ltap";
   EXPECT_EQ(refusalOf(typed, {}).code, StatusCode::kInvalidInput);
-  CollisionRequest timed;
+  Message timed;
   timed.tta = 4.0;
   EXPECT_EQ(refusalOf(timed, {}).code, StatusCode::kInvalidInput);
+  Message odd;
+  odd.ego_side = "roof";
+  EXPECT_EQ(refusalOf(odd, {}).code, StatusCode::kInvalidInput);
   const Status unknown = refusalOf({}, {"ltap", "sideswipe"});
   EXPECT_EQ(unknown.code, StatusCode::kUnknownType);
   EXPECT_NE(unknown.message.find("\"sideswipe\""), std::string::npos);
@@ -117,6 +123,22 @@ TEST(ListPossible, LeavesOutWhatTheSceneDoesNotAllowAndNamesWhatIsWrongWithTheRe
       {answerOf(StatusCode::kNoCandidate), answerOf(StatusCode::kUnknownAttacker)}, found);
   EXPECT_EQ(wrong.code, StatusCode::kUnknownAttacker);
   EXPECT_EQ(wrong.message, "UNKNOWN_ATTACKER");
+}
+
+TEST(AnswerMessage, HoldsAnAttackWithOkAlone) {
+  CollisionRequest request;
+  request.type = CollisionType::kLaneChange;
+  Realization answer;
+  answer.trajectory.attacker_id = "a";
+  const CollisionAnswer attack = toMessage(request, answer, "search", 100.0);
+  EXPECT_EQ(attack.code, 0);
+  EXPECT_EQ(attack.attack.method, "search");
+  EXPECT_FALSE(attack.summary.empty());
+  const CollisionAnswer refusal =
+      toMessage(request, declined({StatusCode::kNoCandidate, "nobody"}), "search", 100.0);
+  EXPECT_EQ(refusal.collision_type, "lane_change");
+  EXPECT_EQ(refusal.message, "nobody");
+  EXPECT_TRUE(refusal.attack.trajectory.attacker_id.empty());
 }
 
 }  // namespace

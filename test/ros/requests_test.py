@@ -146,6 +146,15 @@ class RequestsTest(AttackedTest):
         self.heard['/attack'].wait()
         self.assertEqual([attack.trajectory for attack in self.heard['/attack'].all()], [answer.attack.trajectory])
 
+    def test_lists_leave_the_patterns_of_the_attack(self):
+        self.attacked()
+        list_collisions()
+        generate_collisions(collision_types=['rear_end'], ttas=[3.0])
+        shown = self.heard['/pattern_markers']
+        shown.clear()
+        until(lambda: len(shown.all()) > 2, 'the markers, which come again every second')
+        self.assertNotIn(1, [len(array.markers) for array in shown.all()])
+
     def test_lists_name_what_is_wrong(self):
         self.attacked()
         for fields, code, words in (
@@ -192,8 +201,17 @@ class RequestsTest(AttackedTest):
 
     def test_a_declined_request_shows_nothing_of_the_attack_before(self):
         self.attacked()
-        self.ask_for_code('UNKNOWN_ATTACKER', attacker='nobody')
+        self.ask_for_code('ROAD_DOES_NOT_ALLOW', 'ltap', believable='true')
         self.assert_forgotten()
+
+    def test_a_request_that_is_wrong_in_itself_leaves_the_attack(self):
+        self.attacked()
+        self.ask_for_code('UNKNOWN_TYPE', 'rear_ned')
+        self.ask_for_code('UNKNOWN_ATTACKER', attacker='nobody')
+        self.ask_for_code('INVALID_INPUT', mode='hystory')
+        self.assertIn('forgotten', rospy.ServiceProxy('/reset', Trigger)().message)
+        self.assert_forgotten()  # by the reset alone
+        self.assertEqual(len(self.heard['/attack'].all()), 1)
 
     def test_a_new_replay_begins_without_the_attack(self):
         self.attacked()

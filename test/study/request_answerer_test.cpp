@@ -4,6 +4,7 @@
 
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/settings/config.h"
+#include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {

@@ -24,6 +24,7 @@
 #include "collision_forge/ros/report_text.h"
 #include "collision_forge/settings/config.h"
 #include "collision_forge/settings/config_fingerprint.h"
+#include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {
@@ -116,11 +117,9 @@ Realization alternativeOf(const Realization& first, int number) {
   const std::size_t others = first.alternatives.size();
   const auto place = static_cast<std::size_t>(number) - 2;
   if (place < others) return first.alternatives[place];
-  Realization declined;
-  declined.status = {StatusCode::kNoAttackWithinLimits,
-                     "--alternative " + std::to_string(number) + ": there are " +
-                         std::to_string(others + 1) + " distinct attacks only"};
-  return declined;
+  return declined({StatusCode::kNoAttackWithinLimits,
+                   "--alternative " + std::to_string(number) + ": there are " +
+                       std::to_string(others + 1) + " distinct attacks only"});
 }
 
 /// Without plans where the attacker does not react.

@@ -9,6 +9,7 @@
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/output_lock.h"
 #include "collision_forge/settings/config.h"
+#include "collision_forge/verify/verification.h"
 
 namespace forge {
 namespace {

@@ -9,8 +9,8 @@
 #include "collision_forge/attack/added_drives.h"
 #include "collision_forge/attack/added_past.h"
 #include "collision_forge/attack/arrival_sampler.h"
+#include "collision_forge/attack/judge.h"
 #include "collision_forge/attack/placement.h"
-#include "collision_forge/attack/realizer.h"
 #include "collision_forge/forecast/random.h"
 #include "collision_forge/verify/believability.h"
 
@@ -311,7 +311,7 @@ Track within(const Track& track, const Snapshot& snapshot) {
 
 /// realize() by all of these vehicles.
 Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehicleInput& input,
-                      const AttackOptions& options, SearchedMotion motion) {
+                      const TrajectoryRealizer& realizer, SearchedMotion motion) {
   Snapshot snapshot = input.snapshot;
   std::vector<CollisionPattern> patterns;
   AttackerWays ways;
@@ -320,8 +320,8 @@ Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehi
     patterns.insert(patterns.end(), vehicle.patterns.begin(), vehicle.patterns.end());
     ways.emplace(vehicle.track.id, vehicle.way);
   }
-  Realization answer = realize(patterns, {snapshot, input.future, input.request, input.lanes},
-                               options, false, ways, motion);
+  Realization answer = realizer.realize(
+      {patterns, {snapshot, input.future, input.request, input.lanes}, false, ways, motion});
   if (answer.status.code != StatusCode::kOk) return answer;
   const auto vehicle = std::find_if(
       vehicles.begin(), vehicles.end(),
@@ -337,7 +337,8 @@ AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& o
 }
 
 Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
-                           const AttackOptions& options, SearchedMotion motion) {
+                           const AttackOptions& options, const TrajectoryRealizer& realizer,
+                           SearchedMotion motion) {
   Realization best;
   best.status = vehicles.status;
   bool is_found = false;
@@ -350,7 +351,7 @@ Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInpu
   for (auto from = first; from != end; from = next) {
     const bool is_together = !input.isFutureKnown() || motion == SearchedMotion::kAny;
     next = is_together ? (from < motorcycles ? motorcycles : end) : std::next(from);
-    Realization answer = realizeBy({from, next}, input, options, motion);
+    Realization answer = realizeBy({from, next}, input, realizer, motion);
     if (answer.status.code != StatusCode::kOk) {
       if (from == first) best.status = answer.status;
       continue;

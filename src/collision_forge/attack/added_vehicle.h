@@ -5,6 +5,7 @@
 #include "collision_forge/attack/added_ways.h"
 #include "collision_forge/attack/attack_search.h"
 #include "collision_forge/attack/options.h"
+#include "collision_forge/attack/realizer.h"
 #include "collision_forge/map/reference_path.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/scene.h"
@@ -34,10 +35,10 @@ struct AddedVehicles {
 /// from the request's seed.
 AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& options);
 
-/// realize() by the vehicles that addVehicles() found for this input, of which the answer's
+/// The best attack of the vehicles that addVehicles() found for this input, of which the answer's
 /// trajectory tells the past. `input` is without them, its request names no attacker.
 Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
-                           const AttackOptions& options,
-                           SearchedMotion motion = SearchedMotion::kByRoutes);
+                           const AttackOptions& options, const TrajectoryRealizer& realizer,
+                           SearchedMotion motion);
 
 }  // namespace forge

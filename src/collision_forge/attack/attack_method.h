@@ -1,7 +1,7 @@
 #pragma once
 
-#include "collision_forge/attack/realizer.h"
 #include "collision_forge/forecast/options.h"
+#include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/moment.h"
 
 namespace forge {

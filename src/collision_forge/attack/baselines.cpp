@@ -118,7 +118,7 @@ Realization PatternQuinticMethod::answer(const Moment& moment,
                                          const CollisionRequest& request) const {
   const PatternPrediction prediction =
       predictor_->predict(moment.snapshot, *moment.lanes, request, recordedOf(moment));
-  if (prediction.status.code != StatusCode::kOk) return refusalOf(prediction.status);
+  if (prediction.status.code != StatusCode::kOk) return declined(prediction.status);
   const CollisionPattern& pattern = prediction.patterns.front();
   return drivenAnswer(patternAttacker(pattern, moment.snapshot, request.tta, options_), moment,
                       request, options_, &pattern);

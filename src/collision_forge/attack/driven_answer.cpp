@@ -54,12 +54,6 @@ Realization drivenAnswer(AttackerTrajectory trajectory, const Moment& moment,
   return answer;
 }
 
-Realization refusalOf(const Status& status) {
-  Realization refused;
-  refused.status = status;
-  return refused;
-}
-
 Realization bestOfCandidates(const Moment& moment, const CollisionRequest& request,
                              const PredictionOptions& options,
                              const std::function<Realization(const std::string&)>& answer_of) {
@@ -75,8 +69,8 @@ Realization bestOfCandidates(const Moment& moment, const CollisionRequest& reque
     if (!best || rank(answer) > rank(*best)) best = std::move(answer);
   }
   if (best) return std::move(*best);
-  return refusalOf({StatusCode::kNoCandidate,
-                    "no vehicle within candidate_radius, seen now and in the frame before"});
+  return declined({StatusCode::kNoCandidate,
+                   "no vehicle within candidate_radius, seen now and in the frame before"});
 }
 
 }  // namespace forge

@@ -3,8 +3,8 @@
 #include <functional>
 #include <string>
 
+#include "collision_forge/attack/judge.h"
 #include "collision_forge/attack/options.h"
-#include "collision_forge/attack/realizer.h"
 #include "collision_forge/scene/moment.h"
 
 /// Answers of methods that drive somewhere without a search, for baselines and learned generators.
@@ -21,9 +21,6 @@ void goStraightOn(AttackerTrajectory& trajectory, double duration, double step);
 Realization drivenAnswer(AttackerTrajectory trajectory, const Moment& moment,
                          CollisionRequest request, const AttackOptions& options,
                          const CollisionPattern* aim = nullptr);
-
-/// No attack, for this reason.
-Realization refusalOf(const Status& status);
 
 /// The answer of the attacker asked for. Without one that of the first candidate (isCandidate())
 /// with the best answer: verified, else touching the ego, else any.

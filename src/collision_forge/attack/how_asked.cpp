@@ -1,6 +1,6 @@
 #include "collision_forge/attack/how_asked.h"
 
-#include "collision_forge/attack/realizer.h"
+#include "collision_forge/attack/judge.h"
 #include "collision_forge/verify/verification.h"
 
 namespace forge {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "collision_forge/attack/added_vehicle.h"
-#include "collision_forge/attack/realizer.h"
+#include "collision_forge/attack/judge.h"
 
 namespace forge {
 namespace {
@@ -44,11 +44,17 @@ bool isPreferred(const Realization& added, const Realization& existing, bool may
 
 SearchMethod::SearchMethod(const AttackOptions& options,
                            std::shared_ptr<const PatternPredictor> predictor)
-    : options_(options), predictor_(std::move(predictor)) {}
+    : SearchMethod(options, std::move(predictor), std::make_shared<SearchRealizer>(options)) {}
+
+SearchMethod::SearchMethod(const AttackOptions& options,
+                           std::shared_ptr<const PatternPredictor> predictor,
+                           std::shared_ptr<const TrajectoryRealizer> realizer)
+    : options_(options), predictor_(std::move(predictor)), realizer_(std::move(realizer)) {}
 
 Realization SearchMethod::answer(const Moment& moment, const CollisionRequest& request) const {
   const PatternPrediction prediction = predictor_->predict(
       moment.snapshot, *moment.lanes, request, moment.recorded ? &*moment.recorded : nullptr);
+  if (prediction.future.ego.states.empty()) return declined(prediction.status);
   const VerificationInput input{moment.snapshot, prediction.future, request, *moment.lanes};
   const AddedVehicleInput added_input{moment.snapshot, moment.past.get(), prediction.future,
                                       request, *moment.lanes};
@@ -56,22 +62,18 @@ Realization SearchMethod::answer(const Moment& moment, const CollisionRequest& r
   const bool has_patterns = may_exist && prediction.status.code == StatusCode::kOk;
   std::optional<AddedVehicles> vehicles;
   const auto answerBy = [&](SearchedMotion motion) {
-    Realization existing;
-    existing.status = prediction.status;
-    if (has_patterns) {
-      existing = realize(prediction.patterns, input, options_, false, kNoWays, motion);
-    }
+    const Realization existing =
+        has_patterns ? realizer_->realize({prediction.patterns, input, false, kNoWays, motion})
+                     : declined(prediction.status);
     if (!mayBeAdded(existing, moment, request, options_)) return existing;
     if (!vehicles) vehicles = addVehicles(added_input, options_);
-    const Realization added = realizeByAdded(*vehicles, added_input, options_, motion);
+    const Realization added = realizeByAdded(*vehicles, added_input, options_, *realizer_, motion);
     return isPreferred(added, existing, may_exist, options_.added) ? added : existing;
   };
 
   if (!may_exist && (!request.crash.believable || moment.lanes->map().lanes.empty())) {
-    Realization refused;
-    refused.status = {StatusCode::kNoCandidate,
-                      "vehicles are added to maps with lanes, and believable, alone"};
-    return refused;
+    return declined(
+        {StatusCode::kNoCandidate, "vehicles are added to maps with lanes, and believable, alone"});
   }
   const Realization answer = answerBy(SearchedMotion::kByRoutes);
   if (answer.status.code == StatusCode::kOk || !request.crash.believable) return answer;

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/attack/realizer.h"
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/policy/attacker_policy.h"
+#include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/input_limits.h"
 #include "collision_forge/scene/scene.h"

@@ -146,9 +146,7 @@ Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
   if (scenario.answer.status.code != StatusCode::kOk) return scenario.answer;
   const std::string problem = objection(scenario, indexed, moment, study, options);
   if (problem.empty()) return scenario.answer;
-  Realization refused;
-  refused.status = {StatusCode::kNoAttackWithinLimits, problem};
-  return refused;
+  return declined({StatusCode::kNoAttackWithinLimits, problem});
 }
 
 }  // namespace forge

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "collision_forge/attack/realizer.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/dataset/options.h"
+#include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/crash_definition.h"
 #include "collision_forge/study/options.h"

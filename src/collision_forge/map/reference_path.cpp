@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace forge {
 namespace {
@@ -78,6 +81,19 @@ class Walk {
 };
 
 }  // namespace
+
+ReferencePath::ReferencePath(double spacing, std::vector<Vector2> controls)
+    : spacing_(spacing), controls_(std::move(controls)) {
+  const bool is_usable = controls_.size() >= kMinControls && std::isfinite(spacing_) &&
+                         spacing_ > 0.0 &&
+                         std::all_of(controls_.begin(), controls_.end(),
+                                     [](const Vector2& p) { return p.allFinite(); });
+  if (!is_usable) {
+    throw std::invalid_argument(
+        "a way of " + std::to_string(controls_.size()) + " points, " + std::to_string(spacing_) +
+        " m apart, is none: it needs 4 points or more, finite ones, and a distance above 0");
+  }
+}
 
 ReferencePath::ReferencePath(const Polyline& line) {
   std::vector<Vector2> points = spread(line);

@@ -29,10 +29,18 @@ class ReferencePath {
   /// A centreline (or several, joined), smoothed over a few metres: recorded centrelines have kinks
   /// that nobody drives.
   explicit ReferencePath(const Polyline& line);
+  /// The path with these control points, `spacing` metres apart, as of the accessors below. Throws
+  /// std::invalid_argument for fewer than kMinControls points, and for a spacing or a point that is
+  /// not finite or, of the spacing, not positive.
+  ReferencePath(double spacing, std::vector<Vector2> controls);
 
   /// The path so many metres to its left; it cuts bends that are tighter than that.
   ReferencePath beside(double across) const;
 
+  static constexpr std::size_t kMinControls = 4;
+
+  double spacing() const { return spacing_; }
+  const std::vector<Vector2>& controls() const { return controls_; }
   double length() const { return spacing_ * static_cast<double>(controls_.size() - 3); }
   /// Beyond either end the path goes straight on.
   Place at(double arc_length) const;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "collision_forge/attack/judge.h"
 #include "collision_forge/policy/recorded_drive.h"
 
 namespace forge {
@@ -44,11 +45,11 @@ AdaptiveAnswer withoutMisses(AdaptiveAnswer answer, const CollisionRequest& requ
   if (answer.attack.status.code != StatusCode::kOk) return answer;
   const std::string shortcoming = shortcomingOf(answer.attack.report, request);
   if (shortcoming.empty()) return answer;
-  AdaptiveAnswer declined;
-  declined.attack.status = {
-      StatusCode::kNoAttackWithinLimits,
-      "the attacker " + shortcoming + "; its last decision: " + answer.plans.back().reason};
-  return declined;
+  return {declined({StatusCode::kNoAttackWithinLimits,
+                    "the attacker " + shortcoming +
+                        "; its last decision: " + answer.plans.back().reason}),
+          {},
+          {}};
 }
 
 }  // namespace forge

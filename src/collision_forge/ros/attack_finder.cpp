@@ -2,37 +2,17 @@
 
 #include <cmath>
 
-#include "collision_forge/attack/alternatives.h"
-#include "collision_forge/attack/pattern_predictor.h"
 #include "collision_forge/attack/request_check.h"
+#include "collision_forge/attack/search_method.h"
 #include "collision_forge/batch/printable.h"
 #include "collision_forge/ros/bag_reader.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/marker_parts.h"
 #include "collision_forge/ros/recorded_attack.h"
-#include "collision_forge/ros/report_text.h"
+#include "collision_forge/ros/topic_names.h"
 #include "collision_forge/scene/number_words.h"
 
 namespace forge {
-namespace {
-
-/// Nobody who is there attacks as asked along a route, and the services know of no others: a new
-/// vehicle may, or somebody by any other motion.
-bool mayBeAnsweredHere(const Status& status, const CollisionRequest& request) {
-  if (!request.crash.believable) return false;
-  return status.code == StatusCode::kNoCandidate ||
-         status.code == StatusCode::kNoAttackWithinLimits ||
-         status.code == StatusCode::kNotBelievable || status.code == StatusCode::kLowConfidence;
-}
-
-void setAlternatives(const std::vector<Realization>& found, const std::string& method, double now,
-                     collision_forge::CollisionAnswer& answer) {
-  for (const Realization& alternative : found) {
-    answer.alternatives.push_back(toMessage(alternative, method, now));
-  }
-}
-
-}  // namespace
 
 AttackFinder::AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private_node,
                            const Config& config)
@@ -41,7 +21,8 @@ AttackFinder::AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private
       foresight_(loadForesight(config)),
       default_method_(forge::defaultMethod(foresight_.network != nullptr)),
       map_(node, config.input_limits),
-      search_(node, config.live.answer_within) {
+      predict_(node.resolveName(names::kPredictPattern), config.live.answer_within),
+      realize_(node.resolveName(names::kRealizeTrajectory), config.live.answer_within) {
   loadRecording(private_node.param<std::string>("recording", ""));
 }
 
@@ -51,147 +32,108 @@ void AttackFinder::loadRecording(const std::string& path) {
   try {
     const auto attack = readRecordedAttack(path);
     if (attack) attack_in_recording_ = refusalOf(*attack, path);
-    recording_ = readBag(path, config_, &warnings);
+    recording_ = IndexedScene{readBag(path, config_, &warnings), nullptr};
+    recording_->lanes = std::make_shared<const LaneIndex>(recording_->scene.map);
   } catch (const std::exception& error) {
     ROS_ERROR_STREAM("no replay mode: " << printable(error.what()));
   }
   for (const std::string& warning : warnings) ROS_WARN_STREAM(printable(path + ": " + warning));
 }
 
-collision_forge::CollisionAnswer AttackFinder::answer(
-    const collision_forge::SceneSnapshot& scene, const collision_forge::CollisionRequest& asked,
-    const std::string& method) const {
-  collision_forge::CollisionAnswer answer;
-  answer.collision_type = asked.collision_type;
-  answer.tta = asked.tta;
-  Status status = find(method.empty() ? default_method_ : method, scene, asked, answer);
-  if (status.code == StatusCode::kOk) status = checkContact(answer.attack.report);
-  answer.code = static_cast<std::uint8_t>(status.code);
-  answer.message = status.message;
-  if (status.code == StatusCode::kOk) {
-    answer.summary = summaryOf(answer.attack);
-  } else {
-    answer.attack = {};
+std::variant<Moment, Status> AttackFinder::momentOf(
+    const collision_forge::SceneSnapshot& scene) const {
+  Snapshot snapshot = fromMessage(scene);
+  checkSnapshot(snapshot, config_.input_limits, "scene");
+  if (const auto frame = recordedFrame(snapshot)) {
+    return momentAt(*recording_, *frame, config_.attack.prediction.history_frames);
   }
-  return answer;
+  Moment moment{std::move(snapshot), std::nullopt, map_.lanesOfScene()};
+  if (!moment.lanes) return Status{StatusCode::kNoScene, "no usable lane_map has come yet"};
+  return moment;
 }
 
-Status AttackFinder::find(const std::string& method, const collision_forge::SceneSnapshot& scene,
-                          collision_forge::CollisionRequest asked,
-                          collision_forge::CollisionAnswer& answer) const {
-  const auto parsed = fromMessage(asked, config_.crash);
-  if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
-  if (!methods_.has(method)) {
-    return {StatusCode::kInvalidInput,
-            "method = \"" + method + "\" is none of the topic attack_methods"};
+Realization AttackFinder::answer(const Moment& moment, const CollisionRequest& request,
+                                 const std::string& method,
+                                 const PatternPredictorService::OnPrediction& on_prediction) const {
+  if (!method.empty() && !methods_.has(method)) {
+    return declined({StatusCode::kInvalidInput,
+                     "method = \"" + method + "\" is none of the topic attack_methods"});
   }
-  Moment moment{fromMessage(scene), std::nullopt, map_.lanesOfScene()};
-  checkSnapshot(moment.snapshot, config_.input_limits, "scene");
-  const CollisionRequest request = withFullId(std::get<CollisionRequest>(parsed), moment.snapshot);
-  if (request.attacker) asked.attacker_id = *request.attacker;
-  const Status recorded = checkRecording(request, moment);
-  if (recorded.code != StatusCode::kOk) return recorded;
-  if (!moment.lanes) return {StatusCode::kNoScene, "no usable lane_map has come yet"};
-  if (method != default_method_ || request.choice == AttackerChoice::kNew) {
-    forgetPatterns();
-    return generateHere(method, moment, request, answer);
-  }
-  Status status = search_.generate(scene, asked, moment.recorded, answer.attack);
-  answer.attack.method = method;
-  if (status.code == StatusCode::kOk) {
-    checkTrajectory(fromMessage(answer.attack.trajectory), config_.input_limits, "answer");
-  }
-  if (mayBeAnsweredHere(status, request)) {
-    CollisionRequest again = request;
-    again.alternatives = 1;
-    const Status here = generateHere(method, moment, again, answer);
-    if (here.code == StatusCode::kOk) status = here;
-  }
-  if (status.code == StatusCode::kOk && request.alternatives > 1) {
-    addAlternatives(method, moment, request, answer);
-  }
-  return status;
+  const Status recorded = checkRecording(moment, request);
+  if (recorded.code != StatusCode::kOk) return declined(recorded);
+  Realization answer = find(moment, request, method, on_prediction);
+  if (answer.status.code != StatusCode::kOk) return answer;
+  const Status contact = checkContact(moment, answer.report);
+  return contact.code == StatusCode::kOk ? answer : declined(contact);
 }
 
-Status AttackFinder::generateHere(const std::string& name, const Moment& moment,
-                                  const CollisionRequest& request,
-                                  collision_forge::CollisionAnswer& answer) const {
-  const auto method = MethodMaker(name, methods_, config_.attack, foresight_).make();
-  const Realization found = generateCollision(*method, moment, request, config_.attack.prediction);
-  if (found.status.code != StatusCode::kOk) return found.status;
-  answer.attack = toMessage(found, name, moment.snapshot.now);
-  setAlternatives(found.alternatives, name, moment.snapshot.now, answer);
-  return found.status;
-}
-
-/// Further attacks beside that of the answer.
-void AttackFinder::addAlternatives(const std::string& name, const Moment& moment,
-                                   const CollisionRequest& request,
-                                   collision_forge::CollisionAnswer& answer) const {
-  const auto method = MethodMaker(name, methods_, config_.attack, foresight_).make();
-  Realization first;
-  first.trajectory = fromMessage(answer.attack.trajectory);
-  first.report.manoeuvre = manoeuvreFromString(answer.attack.report.manoeuvre).value();
-  setAlternatives(findAlternatives(first, *method, moment, request, config_.attack.prediction),
-                  name, moment.snapshot.now, answer);
-}
-
-Track AttackFinder::egoFuture(const Snapshot& snapshot, const CollisionRequest& request) const {
-  if (request.mode == Mode::kReplay) return recording_->ego;
+Realization AttackFinder::find(const Moment& moment, const CollisionRequest& request,
+                               const std::string& method,
+                               const PatternPredictorService::OnPrediction& on_prediction) const {
   const PredictionOptions& prediction = config_.attack.prediction;
-  const auto ego_futures = foresight_.egoFutures(config_.attack.ego_futures);
-  return foreseenFuture(snapshot, *map_.lanes(), *ego_futures, request.tta + prediction.tail,
-                        request.tta, prediction.ego_samples, request.seed, prediction)
-      .ego;
+  if (!method.empty() && method != default_method_) {
+    const MethodMaker maker(method, methods_, config_.attack, foresight_);
+    return generateCollision(*maker.make(), moment, request, prediction);
+  }
+  const SearchMethod search(
+      config_.attack,
+      std::make_shared<PatternPredictorService>(predict_, config_.input_limits, on_prediction),
+      std::make_shared<TrajectoryRealizerService>(realize_, config_.input_limits, config_.attack));
+  return generateCollision(search, moment, request, prediction);
 }
 
-/// In replay mode the recorded future becomes part of the moment.
-Status AttackFinder::checkRecording(const CollisionRequest& request, Moment& moment) const {
+Status AttackFinder::checkRecording(const Moment& moment, const CollisionRequest& request) const {
   if (isRecordingAttacked()) return {StatusCode::kNoRecording, attack_in_recording_};
   const bool is_needed = request.mode == Mode::kReplay;
   if (is_needed && !recording_) {
     return {StatusCode::kNoRecording,
             "mode = replay needs the parameter recording, the bag on replay"};
   }
-  const double now = moment.snapshot.now;
-  const auto frame = recordedFrame(now);
-  if (is_needed && !frame) {
-    return {StatusCode::kNoRecording, "recording \"" + recording_->name +
-                                          "\" has no frame at now = " + numberText(now) +
-                                          " s: is another bag playing?"};
+  if (is_needed && !moment.recorded) {
+    return {StatusCode::kNoRecording,
+            "recording \"" + recording_->scene.name + "\" has no such frame at now = " +
+                numberText(moment.snapshot.now) + " s: is another bag playing?"};
   }
-  if (!frame) return {};
-  const Status status = checkRequest(request, moment.snapshot, config_.attack.prediction);
+  if (!moment.recorded) return {};
+  const Status status = checkRequest(withFullId(request, moment.snapshot), moment.snapshot,
+                                     config_.attack.prediction);
   if (status.code != StatusCode::kOk) return status;
-  const double left = recording_->ego.states.back().time - *frame;
-  if (request.tta > left) {
-    return {StatusCode::kBeyondRecording,
-            formatted("tta = %.1f s, but the recording", request.tta) + " \"" + recording_->name +
-                formatted("\" ends %.1f s from now", left)};
-  }
-  if (is_needed) moment.recorded = recordedFuture(*recording_, *frame);
-  return {};
+  const double left = secondsLeft(moment);
+  if (request.tta <= left) return {};
+  return {StatusCode::kBeyondRecording, formatted("tta = %.1f s, but the recording", request.tta) +
+                                            " \"" + recording_->scene.name +
+                                            formatted("\" ends %.1f s from now", left)};
 }
 
 /// A contact may come later than asked for, and then after the end of the recording.
-Status AttackFinder::checkContact(const collision_forge::CollisionReport& report) const {
-  const double now = report.header.stamp.toSec();
-  const auto frame = recordedFrame(now);
-  if (!frame || !report.contact) return {};
-  const double left = recording_->ego.states.back().time - *frame;
-  const double contact = report.contact_time.toSec() - now;
+Status AttackFinder::checkContact(const Moment& moment, const CollisionReport& report) const {
+  if (!moment.recorded || !report.contact) return {};
+  const double left = secondsLeft(moment);
+  const double contact = report.contact_time - moment.snapshot.now;
   if (contact <= left) return {};
   return {StatusCode::kBeyondRecording,
           formatted("the contact would come %.1f s from now, but the recording", contact) + " \"" +
-              recording_->name + formatted("\" ends %.1f s from now", left)};
+              recording_->scene.name + formatted("\" ends %.1f s from now", left)};
 }
 
-/// Returns nullopt where the scene is not of the recording, or none is known.
-std::optional<double> AttackFinder::recordedFrame(double now) const {
+/// Returns the recording's frame that the snapshot is of. Returns nullopt where no recording is
+/// known, or the recording has no such frame with the ego at that place.
+std::optional<double> AttackFinder::recordedFrame(const Snapshot& snapshot) const {
   constexpr double kFrameTolerance = 1e-3;  // s
-  if (!recording_ || recording_->ego.states.empty()) return std::nullopt;
-  const auto frame = lastFrameTime(*recording_, now);
-  return frame && std::abs(*frame - now) <= kFrameTolerance ? frame : std::nullopt;
+  constexpr double kPlaceTolerance = 0.1;   // m; /tf comes at other instants than the frames
+  if (!recording_ || recording_->scene.ego.states.empty()) return std::nullopt;
+  if (snapshot.ego.states.empty()) return std::nullopt;
+  const auto frame = lastFrameTime(recording_->scene, snapshot.now);
+  if (!frame || std::abs(*frame - snapshot.now) > kFrameTolerance) return std::nullopt;
+  const auto recorded = stateAt(recording_->scene.ego, *frame);
+  if (!recorded) return std::nullopt;
+  const Vector2 apart = recorded->pose.position() - snapshot.ego.states.back().pose.position();
+  return apart.norm() <= kPlaceTolerance ? frame : std::nullopt;
+}
+
+/// From now to the end of the recording.
+double AttackFinder::secondsLeft(const Moment& moment) const {
+  return recording_->scene.ego.states.back().time - moment.snapshot.now;
 }
 
 }  // namespace forge

@@ -1,5 +1,6 @@
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/Attack.h>
+#include <collision_forge/AttackRequest.h>
 #include <collision_forge/CollisionReport.h>
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -40,6 +41,7 @@ class AttackVerifierNodelet : public QueuedNodelet {
     publisher_ = node.advertise<collision_forge::CollisionReport>(names::kTestedReport, 1, true);
     subscribers_ = {
         node.subscribe(names::kAttack, 1, &AttackVerifierNodelet::receiveAttack, this),
+        node.subscribe(names::kAttackRequest, 1, &AttackVerifierNodelet::receiveRequest, this),
         node.subscribe(names::kAgents, kTopicQueue, &AttackVerifierNodelet::receiveAgents, this)};
     ego_poses_ = std::make_unique<EgoPoses>(node, config_.ego_vehicle.center_offset,
                                             [this](const AgentState& ego) { addEgo(ego); });
@@ -95,20 +97,34 @@ class AttackVerifierNodelet : public QueuedNodelet {
     }
   }
 
+  /// That the attack is judged by: its own, or, until that comes and for attacks without one, what
+  /// the attack tells and the configuration's crash definition.
+  CollisionRequest request() const {
+    if (request_ && request_->header.stamp == attack_->header.stamp) {
+      const auto own = fromMessage(request_->request, config_.crash);
+      if (const auto* request = std::get_if<CollisionRequest>(&own)) return *request;
+    }
+    CollisionRequest request;
+    request.type = fromMessage(attack_->pattern).type;
+    request.tta = attack_->pattern.tta;
+    request.crash = config_.crash;
+    // Believable attackers come the wrong way only where that is asked for.
+    if (attack_->report.manoeuvre == toString(Manoeuvre::kWrongWay)) {
+      request.manoeuvre = Manoeuvre::kWrongWay;
+    }
+    return request;
+  }
+
+  /// It comes by another connection than its attack, before or after it.
+  void receiveRequest(const collision_forge::AttackRequest& message) {
+    request_ = message;
+    if (test_) test_->changeRequest(request());
+  }
+
   void startTest() {
     test_.reset();
     try {
-      CollisionRequest request;
-      request.type = fromMessage(attack_->pattern).type;
-      request.tta = attack_->pattern.tta;
-      request.mode = Mode::kReplay;
-      request.crash = config_.crash;
-      // Judged as in the request, which the message does not tell: believable attackers come the
-      // wrong way only where that is asked for.
-      if (attack_->report.manoeuvre == toString(Manoeuvre::kWrongWay)) {
-        request.manoeuvre = Manoeuvre::kWrongWay;
-      }
-      test_.emplace(trajectory(), request, config_.ego_vehicle);
+      test_.emplace(trajectory(), request(), config_.ego_vehicle);
       for (const AgentState& ego : egos_) test_->addEgo(ego);
       for (const Frame& frame : frames_) test_->addAgents(frame.agents);
     } catch (const std::exception& error) {
@@ -178,6 +194,7 @@ class AttackVerifierNodelet : public QueuedNodelet {
   Config config_;
   std::unique_ptr<LaneMapSubscriber> map_;
   std::optional<collision_forge::Attack> attack_;
+  std::optional<collision_forge::AttackRequest> request_;  // the newest
   std::deque<AgentState> egos_;  // the newest, as an answer is later than its "now"
   std::deque<Frame> frames_;     // the same of everybody else
   std::optional<EgoTest> test_;

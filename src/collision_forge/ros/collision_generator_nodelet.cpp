@@ -3,6 +3,7 @@
 #include <collision_forge/GenerateCollision.h>
 #include <collision_forge/GenerateCollisions.h>
 #include <collision_forge/ListCollisions.h>
+#include <collision_forge/PredictedPatterns.h>
 #include <nav_msgs/Path.h>
 #include <std_srvs/Trigger.h>
 #include <boost/make_shared.hpp>
@@ -11,6 +12,9 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <variant>
 
 #include "collision_forge/batch/printable.h"
 #include "collision_forge/ros/attack_finder.h"
@@ -47,6 +51,8 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     });
     configuration_ = fingerprintOfAll(config_, nodeConfigFolder(getPrivateNodeHandle()));
     scenes_ = std::make_unique<SceneMemory>(config_.live);
+    patterns_ =
+        node.advertise<collision_forge::PredictedPatterns>(names::kPredictedPatterns, 1, true);
     attacks_ = node.advertise<collision_forge::Attack>(names::kAttack, 1, true);
     attacker_paths_ = node.advertise<nav_msgs::Path>(names::kAttackPath, 1, true);
     ego_paths_ = node.advertise<nav_msgs::Path>(names::kAttackEgoPath, 1, true);
@@ -109,64 +115,91 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     }
   }
 
-  std::variant<SceneMemory::Scene, Status> sceneAt(const ros::Time& stamp) const {
-    return stamp.isZero() ? scenes_->newest(ros::Time::now().toSec()) : scenes_->at(stamp);
+  /// The moment of the newest scene, or of that of a stamp.
+  std::variant<Moment, Status> momentAt(const ros::Time& stamp) const {
+    const auto scene =
+        stamp.isZero() ? scenes_->newest(ros::Time::now().toSec()) : scenes_->at(stamp);
+    if (const Status* none = std::get_if<Status>(&scene)) return *none;
+    return finder_->momentOf(*std::get<SceneMemory::Scene>(scene));
   }
 
-  /// What is shown is the answer to the last request: a declined one shows nothing. The attack of
-  /// the bag on replay goes on.
+  /// What is shown is the answer to the last request: one that the scene does not allow shows
+  /// nothing. A request that is wrong in itself changes nothing, nor does any where the bag on
+  /// replay has an attack.
   bool generate(Request& message, Response& response) {
+    const std::lock_guard<std::mutex> lock(shown_);
     answerWith(response, [&] { return generateOne(message, response); });
-    if (response.code != Response::OK) {
-      if (!finder_->isRecordingAttacked()) forget();
-      NODELET_INFO_STREAM(toString(static_cast<StatusCode>(response.code))
-                          << ": " << printable(response.message));
+    const auto code = static_cast<StatusCode>(response.code);
+    if (code != StatusCode::kOk) {
+      if (isOfTheScene(code) && !finder_->isRecordingAttacked()) forget();
+      NODELET_INFO_STREAM(toString(code) << ": " << printable(response.message));
     }
     return true;
   }
 
   Status generateOne(const Request& message, Response& response) {
-    const collision_forge::CollisionRequest asked = requestIn(message);
-    const auto parsed = fromMessage(asked, config_.crash);
+    const auto parsed = fromMessage(requestIn(message), config_.crash);
     if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
     const CollisionRequest& request = std::get<CollisionRequest>(parsed);
     if (message.adaptive && request.mode == Mode::kReplay) {
       return {StatusCode::kInvalidInput,
               "adaptive = true is not for mode = replay, which knows what comes"};
     }
-    const auto scene = sceneAt(message.stamp);
-    if (const Status* none = std::get_if<Status>(&scene)) return *none;
-    const collision_forge::SceneSnapshot& snapshot = *std::get<SceneMemory::Scene>(scene);
-    collision_forge::CollisionAnswer answer = finder_->answer(snapshot, asked, message.method);
-    const Status status = statusOf(answer);
-    if (status.code != StatusCode::kOk) return status;
-    response.attack = std::move(answer.attack);
-    response.alternatives = std::move(answer.alternatives);
-    showEgoPath(snapshot, request, response.attack);
-    setOut(snapshot, request, response.attack);
+    const auto found = momentAt(message.stamp);
+    if (const Status* none = std::get_if<Status>(&found)) return *none;
+    const Moment& moment = std::get<Moment>(found);
+    std::optional<PatternPrediction> first;  // alternatives are predicted for, too
+    const Realization answer =
+        finder_->answer(moment, request, message.method, [&](const PatternPrediction& prediction) {
+          if (!first) first = prediction;
+        });
+    if (answer.status.code != StatusCode::kOk) return answer.status;
+    if (first) showPatterns(*first, moment.snapshot.now);
+    collision_forge::CollisionAnswer shown =
+        toMessage(request, answer, nameOf(message.method), moment.snapshot.now);
+    showEgoPath(moment, first ? &first->future.ego : nullptr, answer.trajectory);
+    requests_.publish(attackRequest(request, shown.attack, configuration_));
+    setOut(moment, request, answer, shown.attack);
+    response.attack = std::move(shown.attack);
+    response.alternatives = std::move(shown.alternatives);
     response.summary = summaryOf(response.attack);
-    requests_.publish(attackRequest(request, response.attack, configuration_));
-    return status;
+    return answer.status;
   }
 
-  /// What the ego is to drive while the attack lasts.
-  void showEgoPath(const collision_forge::SceneSnapshot& scene, const CollisionRequest& request,
-                   const collision_forge::Attack& attack) {
-    const double now = scene.header.stamp.toSec();
-    const double end = attack.trajectory.points.back().stamp.toSec();
-    ego_paths_.publish(toPath(finder_->egoFuture(fromMessage(scene), request), now, end));
+  const std::string& nameOf(const std::string& method) const {
+    return method.empty() ? finder_->defaultMethod() : method;
+  }
+
+  void showPatterns(const PatternPrediction& prediction, double now) {
+    collision_forge::PredictedPatterns message;
+    message.header.stamp = stampOf(now);
+    message.header.frame_id = names::kMapFrame;
+    for (const CollisionPattern& pattern : prediction.patterns) {
+      message.patterns.push_back(toMessage(pattern, now));
+    }
+    patterns_.publish(message);
+    has_patterns_ = !message.patterns.empty();
+  }
+
+  /// What the ego is to drive while the attack lasts: as the default method expects, else as
+  /// recorded, where that is known.
+  void showEgoPath(const Moment& moment, const Track* expected,
+                   const AttackerTrajectory& attacker) {
+    if (!expected && moment.recorded) expected = &moment.recorded->ego;
+    ego_paths_.publish(
+        toPath(expected ? *expected : Track{}, moment.snapshot.now, attacker.points.back().time));
   }
 
   /// Publishes the attack.
-  void setOut(const collision_forge::SceneSnapshot& scene, const CollisionRequest& request,
+  void setOut(const Moment& moment, const CollisionRequest& request, const Realization& answer,
               collision_forge::Attack& attack) {
     if (request.mode != Mode::kAdaptive) {
       live_->setOut(attack);
       return;
     }
     attack = live_->setOut(attack,
-                           {fromMessage(scene), finder_->lanes(), config_.ego_vehicle, request,
-                            fromMessage(attack.pattern), fromMessage(attack.trajectory)},
+                           {moment.snapshot, moment.lanes, config_.ego_vehicle, request, answer.aim,
+                            answer.trajectory},
                            {finder_->foresight().egoFutures(config_.attack.ego_futures),
                             config_.attack, config_.adaptive});
   }
@@ -198,20 +231,23 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
   Status askForEach(const Asked& message, Response& response,
                     std::vector<collision_forge::CollisionAnswer>& answers) const {
     const auto requests = requestsForEach(message.request, message.collision_types, message.ttas,
-                                          config_.requests.ttas);
+                                          config_.requests.ttas, config_.crash);
     if (const Status* refusal = std::get_if<Status>(&requests)) return *refusal;
-    const auto scene = sceneAt(message.stamp);
-    if (const Status* none = std::get_if<Status>(&scene)) return *none;
-    const collision_forge::SceneSnapshot& snapshot = *std::get<SceneMemory::Scene>(scene);
-    response.now = snapshot.header.stamp;
-    for (const auto& request : std::get<std::vector<collision_forge::CollisionRequest>>(requests)) {
-      answers.push_back(finder_->answer(snapshot, request, message.method));
+    const auto found = momentAt(message.stamp);
+    if (const Status* none = std::get_if<Status>(&found)) return *none;
+    const Moment& moment = std::get<Moment>(found);
+    const double now = moment.snapshot.now;
+    response.now = stampOf(now);
+    for (const CollisionRequest& request : std::get<std::vector<CollisionRequest>>(requests)) {
+      answers.push_back(toMessage(request, finder_->answer(moment, request, message.method),
+                                  nameOf(message.method), now));
     }
-    finder_->forgetPatterns();
     return {};
   }
 
+  /// After the answer to a request that is being searched for.
   bool reset(std_srvs::Trigger::Request& /*message*/, std_srvs::Trigger::Response& response) {
+    const std::lock_guard<std::mutex> lock(shown_);
     response.success = static_cast<std::uint8_t>(true);
     response.message = forget() ? "the attack is forgotten" : "there was no attack";
     return true;
@@ -219,14 +255,17 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
 
   /// True when there was an attack of its own.
   bool forget() {
-    finder_->forgetPatterns();
+    if (has_patterns_) showPatterns({}, 0.0);
     return live_->forget();
   }
 
   Config config_;
   std::string configuration_;  // its fingerprint
+  std::mutex shown_;           // of what is shown: one request or reset after the other
+  bool has_patterns_ = false;  // published, and not forgotten since
   std::unique_ptr<AttackFinder> finder_;
   std::unique_ptr<SceneMemory> scenes_;
+  ros::Publisher patterns_;
   ros::Publisher attacks_;
   ros::Publisher attacker_paths_;
   ros::Publisher ego_paths_;

@@ -160,8 +160,10 @@ void requireMapFrame(const std_msgs::Header& header, const char* topic) {
 
 ros::Time stampOf(double time) {
   constexpr std::uint64_t kMicrosecond = 1000;  // ns
-  const std::uint64_t nanoseconds = ros::Time(time).toNSec();
-  return ros::Time().fromNSec((nanoseconds + kMicrosecond / 2) / kMicrosecond * kMicrosecond);
+  const ros::Time nearest(time);
+  const ros::Time rounded =
+      ros::Time().fromNSec((nearest.toNSec() + kMicrosecond / 2) / kMicrosecond * kMicrosecond);
+  return rounded.toSec() == time ? rounded : nearest;
 }
 
 Pose2 fromMessage(const geometry_msgs::Pose& message) {
@@ -451,6 +453,28 @@ collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, dou
   message.attacker_offset = toPose2dMessage(pattern.attacker_offset);
   message.attacker_speed = pattern.attacker_speed;
   message.tolerance = pattern.tolerance;
+  return message;
+}
+
+ReferencePath fromMessage(const collision_forge::AttackerWay& message) {
+  std::vector<Vector2> controls;
+  for (const auto& point : message.points) controls.emplace_back(point.x, point.y);
+  try {
+    return {message.spacing, std::move(controls)};
+  } catch (const std::invalid_argument& error) {
+    throw MessageError("ways of \"" + message.attacker_id + "\": " + error.what());
+  }
+}
+
+collision_forge::AttackerWay toMessage(const ReferencePath& way, const std::string& attacker_id) {
+  collision_forge::AttackerWay message;
+  message.attacker_id = attacker_id;
+  message.spacing = way.spacing();
+  for (const Vector2& control : way.controls()) {
+    geometry_msgs::Point& point = message.points.emplace_back();
+    point.x = control.x();
+    point.y = control.y();
+  }
   return message;
 }
 

@@ -4,6 +4,7 @@
 #include <collision_forge/AgentTrack.h>
 #include <collision_forge/Attack.h>
 #include <collision_forge/AttackerTrajectory.h>
+#include <collision_forge/AttackerWay.h>
 #include <collision_forge/CollisionPattern.h>
 #include <collision_forge/CollisionReport.h>
 #include <collision_forge/CollisionRequest.h>
@@ -22,7 +23,7 @@
 #include <variant>
 #include <vector>
 
-#include "collision_forge/attack/realizer.h"
+#include "collision_forge/map/reference_path.h"
 #include "collision_forge/network/scene_encoding.h"
 #include "collision_forge/policy/attacker_policy.h"
 #include "collision_forge/scene/attack.h"
@@ -41,8 +42,9 @@ struct MessageError : std::runtime_error {
 /// frame is taken to be in it.
 void requireMapFrame(const std_msgs::Header& header, const char* topic);
 
-/// The stamp of a time in seconds. A double does not tell the nanoseconds of today's times: it is
-/// taken to the nearest microsecond, which gives the stamps of nuScenes back as they were.
+/// The stamp of a time in seconds, whose toSec() is that time again. A double does not tell the
+/// nanoseconds of today's times: of the stamps with the same toSec() that of a whole microsecond is
+/// taken, which gives the stamps of nuScenes back as they were.
 ros::Time stampOf(double time);
 
 Pose2 fromMessage(const geometry_msgs::Pose& message);
@@ -91,6 +93,10 @@ collision_forge::CollisionRequest requestIn(
 
 CollisionPattern fromMessage(const collision_forge::CollisionPattern& message);
 collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, double now);
+
+/// Throws MessageError for a way that is none.
+ReferencePath fromMessage(const collision_forge::AttackerWay& message);
+collision_forge::AttackerWay toMessage(const ReferencePath& way, const std::string& attacker_id);
 
 /// Throws MessageError for an agent class that does not exist, a size that is not positive, points
 /// or past states that are not finite, times that do not grow, and a past that does not fit

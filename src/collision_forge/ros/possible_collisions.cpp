@@ -2,24 +2,29 @@
 
 #include <algorithm>
 
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/report_text.h"
 #include "collision_forge/scene/request_words.h"
 
 namespace forge {
 namespace {
 
-/// The scene does not allow it; another scene may.
-bool isOfTheScene(StatusCode code) {
-  switch (code) {
-    case StatusCode::kNoCandidate:
-    case StatusCode::kNoAttackWithinLimits:
-    case StatusCode::kBeyondRecording:
-    case StatusCode::kLowConfidence:
-    case StatusCode::kNotBelievable:
-    case StatusCode::kRoadDoesNotAllow:
-      return true;
-    default:
-      return false;
+/// The types with these names; without names that of the manoeuvre, without it all.
+std::variant<std::vector<CollisionType>, Status> typesNamed(const std::vector<std::string>& names,
+                                                            const std::string& manoeuvre) {
+  std::vector<CollisionType> types;
+  for (const std::string& name : names) {
+    const auto type = collisionTypeFromString(name);
+    if (!type) {
+      return Status{StatusCode::kUnknownType,
+                    "collision_types: \"" + name + "\" is no collision type"};
+    }
+    types.push_back(*type);
   }
+  if (!types.empty()) return types;
+  if (const auto known = manoeuvreFromString(manoeuvre)) return std::vector{typeOf(*known)};
+  types.assign(std::begin(kCollisionTypes), std::end(kCollisionTypes));
+  return types;
 }
 
 collision_forge::PossibleCollision inShort(const collision_forge::CollisionAnswer& answer,
@@ -39,49 +44,53 @@ collision_forge::PossibleCollision inShort(const collision_forge::CollisionAnswe
 
 }  // namespace
 
-Status statusOf(const collision_forge::CollisionAnswer& answer) {
-  return {static_cast<StatusCode>(answer.code), answer.message};
-}
-
-std::variant<std::vector<collision_forge::CollisionRequest>, Status> requestsForEach(
-    const collision_forge::CollisionRequest& request, std::vector<std::string> types,
-    std::vector<double> ttas, const std::vector<double>& usual_ttas) {
+std::variant<std::vector<CollisionRequest>, Status> requestsForEach(
+    collision_forge::CollisionRequest request, const std::vector<std::string>& names,
+    std::vector<double> ttas, const std::vector<double>& usual_ttas, const CrashDefinition& crash) {
   if (!request.collision_type.empty() || request.tta != 0.0) {
     return Status{StatusCode::kInvalidInput,
                   "request.collision_type and request.tta are left empty and 0: collision_types "
                   "and ttas say what is asked for"};
   }
-  const auto manoeuvre = manoeuvreFromString(request.manoeuvre);
-  if (types.empty() && manoeuvre) types = {toString(typeOf(*manoeuvre))};
-  if (types.empty()) {
-    for (const CollisionType type : kCollisionTypes) types.emplace_back(toString(type));
-  }
-  for (std::string& name : types) {
-    const auto type = collisionTypeFromString(name);
-    if (!type) {
-      return Status{StatusCode::kUnknownType,
-                    "collision_types: \"" + name + "\" is no collision type"};
-    }
-    name = toString(*type);
-  }
+  const auto types = typesNamed(names, request.manoeuvre);
+  if (const Status* unknown = std::get_if<Status>(&types)) return *unknown;
   if (ttas.empty()) ttas = usual_ttas;
-  std::vector<collision_forge::CollisionRequest> requests;
-  for (const std::string& type : types) {
+  std::vector<CollisionRequest> requests;
+  for (const CollisionType type : std::get<std::vector<CollisionType>>(types)) {
+    request.collision_type = toString(type);
+    const auto parsed = fromMessage(request, crash);
+    if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
     for (const double tta : ttas) {
-      requests.push_back(request);
-      requests.back().collision_type = type;
+      requests.push_back(std::get<CollisionRequest>(parsed));
       requests.back().tta = tta;
     }
   }
   return requests;
 }
 
+collision_forge::CollisionAnswer toMessage(const CollisionRequest& request,
+                                           const Realization& answer, const std::string& method,
+                                           double now) {
+  collision_forge::CollisionAnswer message;
+  message.collision_type = toString(request.type);
+  message.tta = request.tta;
+  message.code = static_cast<std::uint8_t>(answer.status.code);
+  message.message = answer.status.message;
+  if (answer.status.code != StatusCode::kOk) return message;
+  message.attack = toMessage(answer, method, now);
+  for (const Realization& alternative : answer.alternatives) {
+    message.alternatives.push_back(toMessage(alternative, method, now));
+  }
+  message.summary = summaryOf(message.attack);
+  return message;
+}
+
 Status listPossible(const std::vector<collision_forge::CollisionAnswer>& answers,
                     std::vector<collision_forge::PossibleCollision>& collisions) {
   for (const collision_forge::CollisionAnswer& answer : answers) {
-    const Status status = statusOf(answer);
-    if (isOfTheScene(status.code)) continue;
-    if (status.code != StatusCode::kOk) return status;
+    const auto code = static_cast<StatusCode>(answer.code);
+    if (isOfTheScene(code)) continue;
+    if (code != StatusCode::kOk) return {code, answer.message};
     const auto first = static_cast<std::ptrdiff_t>(collisions.size());
     collisions.push_back(inShort(answer, answer.attack));
     for (const auto& attack : answer.alternatives) collisions.push_back(inShort(answer, attack));

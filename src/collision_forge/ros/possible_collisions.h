@@ -8,19 +8,24 @@
 #include <variant>
 #include <vector>
 
+#include "collision_forge/scene/attack.h"
 #include "collision_forge/scene/collision_request.h"
 
 namespace forge {
 
-/// Code and message of an answer.
-Status statusOf(const collision_forge::CollisionAnswer& answer);
-
 /// The request for each of these types and times: by type, then time. No types: all five, or that
 /// of its manoeuvre; no ttas: those given as usual. kInvalidInput where the request names a type or
-/// a time itself, kUnknownType for a type that there is not.
-std::variant<std::vector<collision_forge::CollisionRequest>, Status> requestsForEach(
-    const collision_forge::CollisionRequest& request, std::vector<std::string> types,
-    std::vector<double> ttas, const std::vector<double>& usual_ttas);
+/// a time itself, kUnknownType for a type that there is not, and what the conversion of the request
+/// declines. `crash` is what counts as the crash where the request does not say.
+std::variant<std::vector<CollisionRequest>, Status> requestsForEach(
+    collision_forge::CollisionRequest request, const std::vector<std::string>& types,
+    std::vector<double> ttas, const std::vector<double>& usual_ttas, const CrashDefinition& crash);
+
+/// Attack, alternatives and summary are filled in with kOk alone. `method` made the attacks, `now`
+/// is the moment's, s.
+collision_forge::CollisionAnswer toMessage(const CollisionRequest& request,
+                                           const Realization& answer, const std::string& method,
+                                           double now);
 
 /// The attacks of these answers in short, those of each answer as sure as they are. What the scene
 /// does not allow is left out; an answer that says something against the request itself is

@@ -36,10 +36,18 @@ class TrajectoryRealizerNodelet : public QueuedNodelet {
       patterns.push_back(fromMessage(pattern));
       checkPattern(patterns.back(), config_.input_limits, "patterns");
     }
+    AttackerWays ways;
+    for (const auto& way : message.ways) ways.emplace(way.attacker_id, fromMessage(way));
     const Realization realization =
-        realize(patterns, {snapshot, future, request, *lanes}, config_.attack, message.exact);
+        realize({patterns,
+                 {snapshot, future, request, *lanes},
+                 static_cast<bool>(message.exact),
+                 ways,
+                 message.any_motion ? SearchedMotion::kAny : SearchedMotion::kByRoutes},
+                config_.attack);
     if (realization.status.code != StatusCode::kOk) return realization.status;
     response.attack = toMessage(realization, "", snapshot.now);
+    response.effort = realization.effort;
     return realization.status;
   }
 

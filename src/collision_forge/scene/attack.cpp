@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace forge {
 
@@ -32,6 +33,12 @@ Pose2 poseAt(const AttackerTrajectory& trajectory, double time) {
   if (after == points.end()) return points.back().pose;
   const TrajectoryPoint& before = *std::prev(after);
   return interpolate(before.pose, after->pose, (time - before.time) / (after->time - before.time));
+}
+
+Realization declined(Status status) {
+  Realization answer;
+  answer.status = std::move(status);
+  return answer;
 }
 
 }  // namespace forge

@@ -117,4 +117,7 @@ struct Realization {
   std::vector<Realization> alternatives = {};
 };
 
+/// No attack, for this reason.
+Realization declined(Status status);
+
 }  // namespace forge

@@ -84,6 +84,20 @@ const char* toString(StatusCode code) {
   return "UNKNOWN";
 }
 
+bool isOfTheScene(StatusCode code) {
+  switch (code) {
+    case StatusCode::kNoCandidate:
+    case StatusCode::kNoAttackWithinLimits:
+    case StatusCode::kBeyondRecording:
+    case StatusCode::kLowConfidence:
+    case StatusCode::kNotBelievable:
+    case StatusCode::kRoadDoesNotAllow:
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::optional<StatusCode> statusCodeFromString(const std::string& name) {
   for (auto number = static_cast<int>(StatusCode::kOk);
        number <= static_cast<int>(StatusCode::kStaleScene); ++number) {

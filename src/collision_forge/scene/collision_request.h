@@ -77,6 +77,8 @@ enum class StatusCode : std::uint8_t {
   kStaleScene = 16,           ///< no scene has come for longer than allowed
 };
 const char* toString(StatusCode code);
+/// The scene does not allow it, or not at that instant; another may.
+bool isOfTheScene(StatusCode code);
 /// Empty for an unknown name; names are those of toString(), in capitals.
 std::optional<StatusCode> statusCodeFromString(const std::string& name);
 

@@ -47,9 +47,8 @@ Realization ClipQuestion::ask(const AttackMethod& method, std::uint64_t seed) co
 
 Realization ClipQuestion::answer(const MethodMaker& maker, const AttackMethod& method,
                                  std::uint64_t seed) const {
-  Realization refused;
-  refused.status = check(maker);
-  return refused.status.code == StatusCode::kOk ? ask(method, seed) : refused;
+  const Status status = check(maker);
+  return status.code == StatusCode::kOk ? ask(method, seed) : declined(status);
 }
 
 }  // namespace forge

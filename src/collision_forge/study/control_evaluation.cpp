@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "collision_forge/attack/realizer.h"
+#include "collision_forge/attack/judge.h"
 #include "collision_forge/study/request_answerer.h"
 
 namespace forge {

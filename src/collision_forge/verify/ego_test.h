@@ -18,6 +18,9 @@ class EgoTest {
   /// constructor.
   void changeTrajectory(AttackerTrajectory trajectory);
 
+  /// What counts as the crash, where that is told later than the trajectory.
+  void changeRequest(const CollisionRequest& request) { request_ = request; }
+
   /// Middle of the ego's box; its poses tell its velocity. States from before the trajectory's
   /// start may be given.
   void addEgo(const AgentState& state);
