@@ -17,6 +17,7 @@
 #include "collision_forge/files/file_fingerprint.h"
 #include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/study/clip_methods.h"
+#include "collision_forge/study/row_rates.h"
 
 namespace forge {
 namespace {

@@ -11,8 +11,8 @@
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/settings/config.h"
+#include "collision_forge/statistics/statistics.h"
 #include "collision_forge/study/clip_question.h"
-#include "collision_forge/study/statistics.h"
 
 namespace forge {
 namespace {

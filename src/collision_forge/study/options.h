@@ -7,6 +7,7 @@
 #include "collision_forge/data/options.h"
 #include "collision_forge/geometry/oriented_box.h"
 #include "collision_forge/policy/options.h"
+#include "collision_forge/statistics/options.h"
 
 namespace forge {
 
@@ -28,12 +29,6 @@ struct PublishedSearchOptions {
   double max_speed = 0.0;
   int kept = 0;
   int futures = 0;
-};
-
-struct StatisticsOptions {
-  int resamples = 0;
-  double confidence = 0.0;
-  std::uint64_t seed = 0;
 };
 
 /// How windows of motion are cut out and what is read from them.

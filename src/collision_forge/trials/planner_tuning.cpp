@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "collision_forge/config/section.h"
-#include "collision_forge/study/rate_table.h"
+#include "collision_forge/statistics/rate_table.h"
 
 namespace forge {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/study/rate_table.h"
-#include "collision_forge/study/statistics.h"
+#include "collision_forge/statistics/rate_table.h"
+#include "collision_forge/statistics/statistics.h"
 #include "collision_forge/trials/planner_grid.h"
 #include "collision_forge/trials/planner_result.h"
 
