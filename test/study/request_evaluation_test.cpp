@@ -10,8 +10,8 @@
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/settings/config.h"
 #include "collision_forge/study/request_answerer.h"
-#include "collision_forge/study/strict.h"
 #include "collision_forge/verify/believability.h"
+#include "collision_forge/verify/strict_outcome.h"
 
 namespace forge {
 namespace {

@@ -16,7 +16,7 @@
 #include "collision_forge/study/clip_aftermath.h"
 #include "collision_forge/study/clip_choice.h"
 #include "collision_forge/study/clip_question.h"
-#include "collision_forge/study/strict.h"
+#include "collision_forge/verify/strict_outcome.h"
 
 namespace forge {
 namespace {

@@ -8,8 +8,8 @@
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/study/result_row.h"
-#include "collision_forge/study/strict.h"
 #include "collision_forge/trials/planner_result.h"
+#include "collision_forge/verify/strict_outcome.h"
 
 namespace forge {
 

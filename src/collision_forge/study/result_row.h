@@ -11,7 +11,7 @@
 
 namespace forge {
 
-/// How a clip is judged: study/published.h or study/strict.h.
+/// How a clip is judged: study/published.h or verify/strict_outcome.h.
 enum class Protocol { kPublished, kStrict };
 const char* toString(Protocol protocol);
 

@@ -5,7 +5,6 @@
 #include "collision_forge/data/collide_scene.h"
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/clip_question.h"
-#include "collision_forge/study/strict.h"
 #include "collision_forge/trials/published_planner.h"
 
 namespace forge {

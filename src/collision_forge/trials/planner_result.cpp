@@ -9,8 +9,8 @@
 #include "collision_forge/policy/adaptive_attacker.h"
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published.h"
-#include "collision_forge/study/strict.h"
 #include "collision_forge/trials/published_planner.h"
+#include "collision_forge/verify/strict_outcome.h"
 
 namespace forge {
 namespace {
