@@ -1,8 +1,8 @@
 #include "properties/random_scenes.h"
 
+#include "collision_forge/answers/request_answerer.h"
 #include "collision_forge/attack/attack_method.h"
 #include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/study/request_answerer.h"
 #include "collision_forge/verify/verification.h"
 
 namespace forge {

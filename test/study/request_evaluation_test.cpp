@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/answers/request_answerer.h"
 #include "collision_forge/attack/request_list.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/settings/config.h"
-#include "collision_forge/study/request_answerer.h"
 #include "collision_forge/verify/believability.h"
 #include "collision_forge/verify/strict_outcome.h"
 

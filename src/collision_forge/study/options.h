@@ -3,10 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision_forge/attack/options.h"
+#include "collision_forge/answers/options.h"
 #include "collision_forge/data/options.h"
 #include "collision_forge/geometry/oriented_box.h"
-#include "collision_forge/policy/options.h"
 #include "collision_forge/statistics/options.h"
 
 namespace forge {
@@ -79,10 +78,7 @@ struct EvaluationOptions {
 };
 
 /// What attacks are made by and judged by in a study.
-struct StudyOptions : DataOptions, ModelOptions {
-  CrashDefinition crash;
-  AttackOptions attack;
-  AdaptiveOptions adaptive;
+struct StudyOptions : AnswerOptions {
   EvaluationOptions evaluation;
 };
 

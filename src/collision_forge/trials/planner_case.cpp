@@ -44,7 +44,7 @@ Realization answerTo(const PlannerCase& one, const MethodMaker& method, const St
 }  // namespace
 
 PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed,
-                           const StudyOptions& study) {
+                           const AnswerOptions& options) {
   PlannerCase one;
   one.scene = scenario.asked.scene;
   one.request = scenario.asked.request;
@@ -52,10 +52,10 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
   one.status = scenario.answer.status;
   if (one.status.code != StatusCode::kOk) return one;
   const CrashDefinition& asked = scenario.asked.request.crash;
-  one.request.crash = study.crash;
+  one.request.crash = options.crash;
   one.request.crash.believable = asked.believable;
   one.request.crash.limits = asked.limits;
-  auto found = momentAt(indexed, scenario.asked.now, study.attack.prediction.history_frames);
+  auto found = momentAt(indexed, scenario.asked.now, options.attack.prediction.history_frames);
   if (const Status* status = std::get_if<Status>(&found)) {
     one.status = *status;
     return one;

@@ -28,7 +28,7 @@ struct PlannerCase {
 /// A line of a scenario file over its scene. Declined answers keep their status; kNoScene where
 /// the scene has no frame at its time.
 PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed,
-                           const StudyOptions& study);
+                           const AnswerOptions& options);
 
 /// Who attacks in a clip of COLLIDE: the set's own attacker, or ours on the set's request.
 enum class ClipAttacker { kRecorded, kHistory, kReplay };
