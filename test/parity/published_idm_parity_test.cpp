@@ -7,7 +7,7 @@
 #include "collision_forge/planners/idm.h"
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published.h"
-#include "collision_forge/trials/published_planner.h"
+#include "collision_forge/study/published_planner.h"
 #include "parity/parity_fixture.h"
 #include "planners/planner_scenes.h"
 #include "scene/shipped_limits.h"

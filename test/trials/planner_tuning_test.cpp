@@ -7,6 +7,7 @@
 
 #include "attack/test_scenes.h"
 #include "collision_forge/config/config_error.h"
+#include "collision_forge/study/clip_cases.h"
 #include "data/collide_fixture.h"
 
 namespace forge {
@@ -71,7 +72,7 @@ PlannerCase rearEnd() {
   PlannerCase one =
       caseOfClip(clip, ClipAttacker::kRecorded, std::make_shared<const LaneIndex>(twoLaneRoad()),
                  MethodMaker("search", builtInMethods(), config().attack, {}), config());
-  one.clip.reset();
+  one.published.reset();
   return one;
 }
 

@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/settings/config.h"
+#include "collision_forge/study/clip_cases.h"
 #include "collision_forge/trials/planner_result.h"
 #include "data/collide_fixture.h"
 

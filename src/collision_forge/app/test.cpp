@@ -24,6 +24,7 @@
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/scene/number_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
+#include "collision_forge/study/clip_cases.h"
 #include "collision_forge/trials/planner_cases.h"
 #include "collision_forge/trials/planner_report.h"
 #include "collision_forge/trials/planner_result_file.h"
