@@ -3,14 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "attack/test_scenes.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "data/collide_fixture.h"
 
 namespace forge {
 namespace {
 
-const Config& config() {
-  static const Config loaded = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+const StudyConfig& config() {
+  static const StudyConfig loaded = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   return loaded;
 }
 

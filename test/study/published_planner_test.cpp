@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "data/collide_fixture.h"
 
 namespace forge {
@@ -14,13 +14,13 @@ namespace {
 
 const PublishedIdmOptions& idm() {
   static const PublishedIdmOptions options =
-      loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").planners.published_idm;
+      loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config").planners.published_idm;
   return options;
 }
 
 const PublishedOptions& protocol() {
   static const PublishedOptions options =
-      loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").evaluation.published;
+      loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config").evaluation.published;
   return options;
 }
 

@@ -8,6 +8,7 @@
 #include "attack/test_scenes.h"
 #include "collision_forge/config/config_error.h"
 #include "collision_forge/study/clip_cases.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "data/collide_fixture.h"
 
 namespace forge {
@@ -16,8 +17,8 @@ namespace {
 const StatisticsOptions kStatistics{100, 0.95, 1};
 const std::string kConfig = COLLISION_FORGE_SOURCE_DIR "/config";
 
-const Config& config() {
-  static const Config loaded = loadConfig(kConfig);
+const StudyConfig& config() {
+  static const StudyConfig loaded = loadStudyConfig(kConfig);
   return loaded;
 }
 

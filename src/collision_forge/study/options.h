@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision_forge/answers/options.h"
 #include "collision_forge/data/options.h"
 #include "collision_forge/geometry/oriented_box.h"
+#include "collision_forge/settings/config.h"
 #include "collision_forge/statistics/options.h"
 
 namespace forge {
@@ -78,7 +78,7 @@ struct EvaluationOptions {
 };
 
 /// What attacks are made by and judged by in a study.
-struct StudyOptions : AnswerOptions {
+struct StudyOptions : Config {
   EvaluationOptions evaluation;
 };
 
