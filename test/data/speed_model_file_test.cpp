@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "collision_forge/forecast/speed_model_fit.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
@@ -25,7 +25,7 @@ SpeedModel smallModel() {
       rows.push_back({"scene-" + std::to_string(scene), frame, speed, {}});
     }
   }
-  SpeedModelFitOptions options = loadConfig(kSource + "/config").speed_model_fit;
+  SpeedModelFitOptions options = loadStudyConfig(kSource + "/config").speed_model_fit;
   options.centers = 5;
   options.profiles = 6;
   options.standing_profiles = 2;

@@ -10,6 +10,7 @@
 #include "collision_forge/data/collide_export.h"
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/scene/track.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
@@ -60,7 +61,7 @@ class ClipSearch : public testing::Test {
     EXPECT_TRUE(answer.trajectory.points.empty());
   }
 
-  Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  StudyConfig config_ = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   IndexedScene indexed_;
 };
 

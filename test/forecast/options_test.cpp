@@ -4,6 +4,7 @@
 
 #include "attack/test_scenes.h"
 #include "collision_forge/forecast/speed_forecaster.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
@@ -25,12 +26,12 @@ TEST(ForecastOptions, AllFuturesHaveTheSameSteps) {
 }
 
 TEST(ForecastOptions, AFittedModelReachesTheLongestRequest) {
-  const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  const StudyConfig config = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   EXPECT_GE(config.speed_model_fit.intervals * kProfileStep, config.attack.prediction.max_tta);
 }
 
 TEST(ForecastOptions, ModelsAreComparedByEveryFeature) {
-  const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  const StudyConfig config = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   for (const double weight : config.speed_model_fit.feature_weights) EXPECT_GT(weight, 0.0);
 }
 

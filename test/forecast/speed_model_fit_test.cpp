@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "collision_forge/forecast/speed_forecast_check.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
@@ -17,7 +17,8 @@ constexpr double kFastest = 100.0;  // m/s, faster than anyone
 
 /// As shipped, but with fewer centers: the tests' drivers are simple.
 SpeedModelFitOptions fewCenters() {
-  SpeedModelFitOptions options = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").speed_model_fit;
+  SpeedModelFitOptions options =
+      loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config").speed_model_fit;
   options.centers = 30;
   return options;
 }

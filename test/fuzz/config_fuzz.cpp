@@ -133,7 +133,7 @@ bool fuzzConfig(const std::string& input) {
   if (reader != readers().end()) return copy.with(name, text, reader->second);
   if (!copy.has(name)) return false;
   return copy.with(name, text,
-                   [](const auto& folder, const auto& /*name*/) { loadConfig(folder); });
+                   [](const auto& folder, const auto& /*name*/) { loadStudyConfig(folder); });
 }
 
 }  // namespace forge

@@ -139,8 +139,8 @@ std::pair<std::string, std::string> firstLineOf(const std::string& input) {
   return {input.substr(0, end), input.substr(end + 1)};
 }
 
-const Config& configuration() {
-  static const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+const StudyConfig& configuration() {
+  static const StudyConfig config = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   return config;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 
 /// What the targets share.
 namespace forge {
@@ -65,6 +65,6 @@ Parts partsOf(const std::string& input);
 std::pair<std::string, std::string> firstLineOf(const std::string& input);
 
 /// What config/ says.
-const Config& configuration();
+const StudyConfig& configuration();
 
 }  // namespace forge

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "collision_forge/generators/traffic_generator.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "data/collide_fixture.h"
 
 namespace forge {
 
-inline Config shippedConfig() { return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config"); }
+inline StudyConfig shippedConfig() { return loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config"); }
 
 /// What a model that sees no lanes is told.
 inline TrafficOptions withoutLanes(TrafficOptions options) {

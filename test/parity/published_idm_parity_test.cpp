@@ -7,10 +7,11 @@
 #include "collision_forge/planners/idm.h"
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published.h"
-#include "collision_forge/trials/published_planner.h"
+#include "collision_forge/study/published_planner.h"
 #include "parity/parity_fixture.h"
 #include "planners/planner_scenes.h"
 #include "scene/shipped_limits.h"
+#include "study_settings/shipped_study.h"
 
 // The clips are not in the repository: FORGE_COLLIDE_DIR names the folder of the data set
 // (docs/protocols.md).
@@ -39,14 +40,14 @@ std::map<std::string, std::string> clipPaths() {
 }
 
 std::vector<PublishedIdmStep> driveOf(const CollideClip& clip) {
-  return publishedIdmDrive(clip, shippedConfig().planners.published_idm,
-                           shippedConfig().evaluation.published);
+  return publishedIdmDrive(clip, shippedStudy().planners.published_idm,
+                           shippedStudy().evaluation.published);
 }
 
 PublishedOutcome outcomeOf(const CollideClip& clip) {
   std::vector<Pose2> ego;
   for (const PublishedIdmStep& step : driveOf(clip)) ego.push_back(step.pose);
-  return publishedOutcome(clip, recordedFrames(clip), ego, shippedConfig().evaluation.published);
+  return publishedOutcome(clip, recordedFrames(clip), ego, shippedStudy().evaluation.published);
 }
 
 TEST(PublishedIdmParity, StepsAreThePublishedOnes) {
@@ -55,7 +56,7 @@ TEST(PublishedIdmParity, StepsAreThePublishedOnes) {
   for (const Value* one : fixture.cases("steps")) {
     const Value& in = memberOf(*one, "in");
     const double speed =
-        publishedIdmSpeed(shippedConfig().planners.published_idm, numberOf(in, "speed"),
+        publishedIdmSpeed(shippedStudy().planners.published_idm, numberOf(in, "speed"),
                           numberOf(in, "lead_speed"), numberOf(in, "distance"));
     EXPECT_NEAR(speed, numberOf(memberOf(*one, "out"), "next_speed"), kTolerance)
         << numberOf(in, "speed") << " behind " << numberOf(in, "lead_speed") << " at "

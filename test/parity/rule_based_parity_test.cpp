@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "collision_forge/planners/rule_based_choice.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "parity/parity_fixture.h"
 
 namespace forge {
@@ -19,7 +19,7 @@ const ParityFixture& fixture() {
 }
 
 const TrialOptions& shipped() {
-  static const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  static const StudyConfig config = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   return config.planners;
 }
 

@@ -1,8 +1,8 @@
 #include "properties/random_scenes.h"
 
+#include "collision_forge/answers/request_answerer.h"
 #include "collision_forge/attack/attack_method.h"
 #include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/study/request_answerer.h"
 #include "collision_forge/verify/verification.h"
 
 namespace forge {
@@ -22,8 +22,8 @@ const MethodMaker& searchMaker() {
 
 }  // namespace
 
-const Config& embeddedConfig() {
-  static const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+const StudyConfig& embeddedConfig() {
+  static const StudyConfig config = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   return config;
 }
 
@@ -56,7 +56,7 @@ Realization answerTo(const AskedMoment& asked) {
 }
 
 Scenario answered(const SceneRequest& asked) {
-  const Config& config = embeddedConfig();
+  const StudyConfig& config = embeddedConfig();
   return RequestAnswerer(embeddedScenes(), searchMaker(), asked.request.crash, config.ego_vehicle,
                          config.adaptive)
       .answer(asked);

@@ -6,13 +6,13 @@
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/scene/moment.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "properties/random_cases.h"
 
 /// Requests at random moments of the recordings of data/embedded, and the suite's answers.
 namespace forge {
 
-const Config& embeddedConfig();
+const StudyConfig& embeddedConfig();
 
 LogSource embeddedLogs();
 

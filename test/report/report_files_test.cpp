@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "collision_forge/data/json_line.h"
-#include "collision_forge/study/result_row.h"
 #include "data/nuscenes_fixture.h"
 #include "report/report_scenes.h"
 #include "scene/shipped_limits.h"
@@ -13,15 +12,33 @@ namespace {
 
 using testing::HasSubstr;
 
+const std::string kHeader = "name,outcome";
+
+/// Rows with a text that the page shows as message; lines without a comma are no rows.
+std::vector<RowFormat> formats() {
+  const auto row_of = [](const std::string& line) -> std::optional<ReportRow> {
+    if (line.find(',') == std::string::npos) return std::nullopt;
+    ReportRow row;
+    row.message = line;
+    return row;
+  };
+  return {{kHeader, row_of}};
+}
+
+ReportFile opened(const std::string& path, const InputLimits& limits = shippedLimits()) {
+  return openReportFile(path, formats(), limits);
+}
+
 TEST(OpenReportFile, KnowsWhatAFileHolds) {
   const TemporaryFolder folder;
   folder.write("a", scenarioLine(rearEnd()) + "\n");
   folder.write("b", R"({"format":"collision_forge/planner_test"})");
-  folder.write("c", csvHeader(Protocol::kStrict, RowsOf::kRequests) + "\n");
-  EXPECT_EQ(openReportFile(folder.path() + "/a", shippedLimits()).kind, ReportFileKind::kScenarios);
-  EXPECT_EQ(openReportFile(folder.path() + "/b", shippedLimits()).kind,
-            ReportFileKind::kPlannerTests);
-  EXPECT_EQ(openReportFile(folder.path() + "/c", shippedLimits()).kind, ReportFileKind::kRequests);
+  folder.write("c", kHeader + "\n");
+  EXPECT_EQ(opened(folder.path() + "/a").kind, ReportFileKind::kScenarios);
+  EXPECT_EQ(opened(folder.path() + "/b").kind, ReportFileKind::kPlannerTests);
+  const ReportFile rows = opened(folder.path() + "/c");
+  EXPECT_EQ(rows.kind, ReportFileKind::kRows);
+  EXPECT_EQ(rows.format.rowOf("a,b")->message, "a,b");
 }
 
 TEST(OpenReportFile, NamesFileAndLineOfAnythingElse) {
@@ -30,7 +47,7 @@ TEST(OpenReportFile, NamesFileAndLineOfAnythingElse) {
   folder.write("other", R"({"format":"x"})");
   for (const char* name : {"text", "other", "absent"}) {
     try {
-      openReportFile(folder.path() + "/" + name, shippedLimits());
+      opened(folder.path() + "/" + name);
       FAIL() << name;
     } catch (const std::runtime_error& error) {
       EXPECT_THAT(error.what(), HasSubstr(folder.path() + "/" + name));
@@ -40,10 +57,10 @@ TEST(OpenReportFile, NamesFileAndLineOfAnythingElse) {
 
 TEST(ReadReportLines, LeaveTheHeaderOut) {
   const TemporaryFolder folder;
-  folder.write("rows.csv", csvHeader(Protocol::kStrict, RowsOf::kRequests) + "\none\ntwo\n");
+  folder.write("rows.csv", kHeader + "\none\ntwo\n");
   std::vector<std::string> lines;
   double read = 0.0;
-  readReportLines(openReportFile(folder.path() + "/rows.csv", shippedLimits()), shippedLimits(),
+  readReportLines(opened(folder.path() + "/rows.csv"), shippedLimits(),
                   [&](const std::string&, std::size_t line, const std::string& text, double share) {
                     lines.push_back(std::to_string(line) + text);
                     read = share;
@@ -54,11 +71,10 @@ TEST(ReadReportLines, LeaveTheHeaderOut) {
 
 TEST(ReadReportLines, AreNoLongerThanTheLimit) {
   const TemporaryFolder folder;
-  const std::string header = csvHeader(Protocol::kStrict, RowsOf::kRequests);
-  folder.write("rows.csv", header + "\n" + header + ",\n");
+  folder.write("rows.csv", kHeader + "\n" + kHeader + ",\n");
   InputLimits limits;
-  limits.max_line = static_cast<int>(header.size());
-  const ReportFile file = openReportFile(folder.path() + "/rows.csv", limits);
+  limits.max_line = static_cast<int>(kHeader.size());
+  const ReportFile file = opened(folder.path() + "/rows.csv", limits);
   try {
     readReportLines(file, limits,
                     [](const std::string&, std::size_t, const std::string&, double) {});
@@ -67,7 +83,7 @@ TEST(ReadReportLines, AreNoLongerThanTheLimit) {
     EXPECT_THAT(error.what(), HasSubstr("rows.csv: line 2: length = "));
   }
   --limits.max_line;
-  EXPECT_THROW(openReportFile(folder.path() + "/rows.csv", limits), InputError);
+  EXPECT_THROW(opened(folder.path() + "/rows.csv", limits), InputError);
 }
 
 TEST(LinkTo, IsRelativeAndQuoted) {

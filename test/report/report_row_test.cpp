@@ -101,18 +101,6 @@ TEST(RowOfTest, OfACaseThatCannotBeReadTellsWhy) {
   EXPECT_FALSE(row.tta);
 }
 
-TEST(RowOfResult, IsAsAskedByFullDefinitions) {
-  ResultRow result;
-  result.status = "OK";
-  result.meets = {true, false};
-  result.contact_after = 1.0;
-  EXPECT_EQ(rowOfResult(result).outcome, "otherwise");
-  result.meets = {true, true};
-  EXPECT_EQ(rowOfResult(result).outcome, "as_asked");
-  result.status = "NO_CANDIDATE";
-  EXPECT_EQ(rowOfResult(result).outcome, "declined");
-}
-
 TEST(WriteColumns, NameEveryWordOnce) {
   ReportRow row;
   row.scene = "s";

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "collision_forge/study_settings/study_config.h"
+
 namespace forge {
 namespace {
 
@@ -49,7 +51,7 @@ class SpoiltConfig : public testing::Test {
   /// What loading says; empty when it succeeds.
   std::string complaint() const {
     try {
-      loadConfig(directory_.string());
+      loadStudyConfig(directory_.string());
     } catch (const ConfigError& error) {
       return error.what();
     }
@@ -71,6 +73,16 @@ class SpoiltConfig : public testing::Test {
 };
 
 TEST_F(SpoiltConfig, UnspoiltCopyLoads) { EXPECT_EQ(complaint(), ""); }
+
+TEST_F(SpoiltConfig, TheProductNeedsNoFileOfTheStudy) {
+  for (const char* file :
+       {"dataset.yaml", "evaluation.yaml", "generators.yaml", "network_published.yaml",
+        "planner_training.yaml", "speed_model_fit.yaml", "training.yaml"}) {
+    ASSERT_TRUE(fs::remove(directory_ / file)) << file;
+  }
+  EXPECT_NO_THROW(loadConfig(directory_.string()));
+  EXPECT_NE(complaint(), "");
+}
 
 TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
   for (const auto& [file, section] :
@@ -229,7 +241,7 @@ TEST_F(SpoiltConfig, WrongTypesAreRefused) {
 
 TEST_F(SpoiltConfig, TypeRulesAreReadByName) {
   replace("crash_definition.yaml", "rules: full", "rules: angle");
-  EXPECT_EQ(loadConfig(directory_.string()).crash.rules, TypeRules::kAngle);
+  EXPECT_EQ(loadStudyConfig(directory_.string()).crash.rules, TypeRules::kAngle);
 }
 
 TEST_F(SpoiltConfig, ColorsAreThreeSharesOfOne) {

@@ -6,13 +6,13 @@
 #include <cmath>
 
 #include "attack/test_scenes.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
 
-const Config& shipped() {
-  static const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+const StudyConfig& shipped() {
+  static const StudyConfig config = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   return config;
 }
 

@@ -6,8 +6,8 @@
 
 #include "attack/test_scenes.h"
 #include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/settings/config.h"
 #include "collision_forge/study/clip_methods.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "data/collide_fixture.h"
 
 namespace forge {
@@ -16,7 +16,7 @@ namespace {
 const std::string kConfig = std::string(COLLISION_FORGE_SOURCE_DIR) + "/config";
 
 struct Evaluation {
-  Config config = loadConfig(kConfig);
+  StudyConfig config = loadStudyConfig(kConfig);
   std::shared_ptr<const LaneIndex> lanes =
       std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>());
   EvaluationPlan plan;

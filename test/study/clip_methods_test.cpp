@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "collision_forge/data/collide_scene.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "data/collide_fixture.h"
 
 namespace forge {
@@ -48,7 +48,7 @@ struct Lookahead {
     return registry.at("published_network_lookahead").make(setup)->answer(moment, request);
   }
 
-  Config config = loadConfig(std::string(COLLISION_FORGE_SOURCE_DIR) + "/config");
+  StudyConfig config = loadStudyConfig(std::string(COLLISION_FORGE_SOURCE_DIR) + "/config");
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-14.7, 0.0, 0.0}, 10.0);
   MethodRegistry registry;
 };

@@ -3,13 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "data/collide_fixture.h"
 
 namespace forge {
 namespace {
 
-Config someConfig() { return loadConfig(std::string(COLLISION_FORGE_SOURCE_DIR) + "/config"); }
+StudyConfig someConfig() {
+  return loadStudyConfig(std::string(COLLISION_FORGE_SOURCE_DIR) + "/config");
+}
 
 std::shared_ptr<const LaneIndex> noLanes() {
   return std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>());
@@ -21,7 +23,7 @@ CollideClip rearEnd() {
 }
 
 TEST(ClipQuestion, AsksForWhatTheClipIsAndDeclinesNothing) {
-  Config config = someConfig();
+  StudyConfig config = someConfig();
   config.crash.min_confidence = 0.9;
   config.crash.limits = LimitSet::kDrivable;
   const ClipQuestion question(rearEnd(), noLanes(), Mode::kReplay, config);
@@ -50,7 +52,7 @@ class Listener : public AttackMethod {
 };
 
 TEST(ClipQuestion, GivesTheSeedAndInHistoryModeHidesWhatCame) {
-  const Config config = someConfig();
+  const StudyConfig config = someConfig();
   const Listener listener;
   ClipQuestion(rearEnd(), noLanes(), Mode::kHistory, config).ask(listener, 7);
   EXPECT_EQ(listener.seed, 7u);
@@ -61,7 +63,7 @@ TEST(ClipQuestion, GivesTheSeedAndInHistoryModeHidesWhatCame) {
 }
 
 TEST(ClipQuestion, WhatCannotBeAskedIsRefusedForSeededMethodsAlone) {
-  const Config config = someConfig();
+  const StudyConfig config = someConfig();
   const int too_late =
       kCollideNowFrame + static_cast<int>(config.attack.prediction.max_tta / 0.5) + 2;
   const CollideClip clip =
@@ -79,7 +81,7 @@ TEST(ClipQuestion, WhatCannotBeAskedIsRefusedForSeededMethodsAlone) {
 }
 
 TEST(ClipMethod, KnowsTheSceneOnlyWhereScenesAreSeen) {
-  const Config config = someConfig();
+  const StudyConfig config = someConfig();
   const Foresight foresight = loadForesight(config);
   const MethodRegistry methods = builtInMethods();
   const ClipEvaluationSetup setup{methods, foresight, config};

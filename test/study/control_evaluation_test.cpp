@@ -5,7 +5,7 @@
 #include <map>
 
 #include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
@@ -23,7 +23,7 @@ class ControlEvaluatorTest : public testing::Test {
     return controlQuestions("1", listed, config_.evaluation.controls);
   }
 
-  const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  const StudyConfig config_ = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   SceneSource scenes_{{kDataroot, "v1.0-embedded"}, {"scene-0001"}, config_, 1};
   const ControlEvaluator evaluator_{scenes_, loadMethod("search", config_, config_.attack), config_,
                                     config_.ego_vehicle};

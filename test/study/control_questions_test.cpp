@@ -6,12 +6,12 @@
 #include <set>
 
 #include "collision_forge/attack/request_check.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
 
-const Config kConfig = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+const StudyConfig kConfig = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
 
 /// A request of a list that names controls of its own.
 SceneRequest listed(CollisionType type) {

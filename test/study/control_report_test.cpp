@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 
 const StatisticsOptions kStatistics =
-    loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").evaluation.statistics;
+    loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config").evaluation.statistics;
 
 AnsweredQuestion answered(CollisionType type, const std::string& control, const std::string& value,
                           StatusCode status, bool kept = true) {

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "collision_forge/settings/config.h"
 #include "collision_forge/study/motion_windows.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
 
-const Config kShipped = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+const StudyConfig kShipped = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
 const EvaluationOptions& kOptions = kShipped.evaluation;
 
 TEST(EvaluationOptions, ClipsAreJudgedWithTheBoxesThatTheyAreReadWith) {

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/answers/request_answerer.h"
 #include "collision_forge/attack/request_list.h"
 #include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/settings/config.h"
-#include "collision_forge/study/request_answerer.h"
-#include "collision_forge/study/strict.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "collision_forge/verify/believability.h"
+#include "collision_forge/verify/strict_outcome.h"
 
 namespace forge {
 namespace {
@@ -75,7 +75,7 @@ class RequestEvaluationTest : public testing::Test {
                          config_.attack.verification);
   }
 
-  Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  StudyConfig config_ = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   SceneSource scenes_{{kDataroot, "v1.0-embedded"}, {"scene-0001", "scene-0007"}, config_, 1};
   std::shared_ptr<const IndexedScene> held_;
   EvaluationPlan plan_;

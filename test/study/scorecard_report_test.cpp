@@ -6,6 +6,7 @@
 #include <random>
 #include <sstream>
 
+#include "collision_forge/study_settings/study_config.h"
 #include "study/test_windows.h"
 
 namespace forge {
@@ -15,8 +16,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-const Config& shipped() {
-  static const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+const StudyConfig& shipped() {
+  static const StudyConfig config = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   return config;
 }
 

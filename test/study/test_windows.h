@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/settings/config.h"
 #include "collision_forge/study/motion_windows.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 
 /// What config/ says.
 inline ScorecardOptions shippedScorecardOptions() {
   static const ScorecardOptions options =
-      loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").evaluation.scorecard;
+      loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config").evaluation.scorecard;
   return options;
 }
 

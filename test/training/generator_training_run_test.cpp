@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "collision_forge/files/aside_file.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "collision_forge/training/run_folder.h"
 #include "data/collide_fixture.h"
 #include "data/nuscenes_fixture.h"
@@ -30,7 +30,7 @@ class GeneratorTrainingRun : public testing::Test {
 
   TrainingRun runTo(const std::string& name, int stop_after) const {
     const std::string config = COLLISION_FORGE_SOURCE_DIR "/config";
-    const Config read = loadConfig(config);
+    const StudyConfig read = loadStudyConfig(config);
     TrainingRun run;
     run.sources.logs.path = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
     run.sources.collide = folder_.path();

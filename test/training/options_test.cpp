@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
@@ -10,13 +10,13 @@ namespace {
 const char* const kShipped = COLLISION_FORGE_SOURCE_DIR "/config";
 
 TEST(TrainingOptions, NetworksLearnWhatRequestsAskFor) {
-  const Config config = loadConfig(kShipped);
+  const StudyConfig config = loadStudyConfig(kShipped);
   EXPECT_EQ(config.training.max_tta, config.attack.prediction.max_tta);
   EXPECT_EQ(config.pattern_features.history_frames, config.attack.prediction.history_frames);
 }
 
 TEST(TrainingOptions, AnchorsReachAsFarAsACityEgoDrives) {
-  const PatternFeatureOptions features = loadConfig(kShipped).pattern_features;
+  const PatternFeatureOptions features = loadStudyConfig(kShipped).pattern_features;
   EXPECT_GT(features.way_anchors * (features.spacing_floor + features.spacing_rate), 5.0);
   EXPECT_LE(features.agent_frames, features.history_frames);
 }

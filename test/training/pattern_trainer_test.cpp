@@ -10,6 +10,7 @@
 
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/network/pattern_network.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "data/nuscenes_fixture.h"
 #include "network/sample_network.h"
 
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 TrainingOptions quickTraining() {
-  TrainingOptions options = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").training;
+  TrainingOptions options = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config").training;
   options.epochs = 4;
   options.batch = 4;
   options.times = 2;

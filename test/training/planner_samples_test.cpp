@@ -4,6 +4,7 @@
 
 #include "collision_forge/planners/planner_contract.h"
 #include "planners/planner_scenes.h"
+#include "study_settings/shipped_study.h"
 
 namespace forge {
 namespace {
@@ -26,13 +27,12 @@ Scene straightScene() {
 }
 
 std::vector<PlannerSample> straightSamples() {
-  return plannerSamples(straightScene(), threeLaneRoad(), shippedConfig(),
-                        shippedConfig().planners);
+  return plannerSamples(straightScene(), threeLaneRoad(), shippedStudy(), shippedStudy().planners);
 }
 
 TEST(PlannerSamples, AreOfEveryFrameWithEnoughPastAndFuture) {
   const auto samples = straightSamples();
-  const double min_future = shippedConfig().planner_training.min_future;
+  const double min_future = shippedStudy().planner_training.min_future;
   ASSERT_EQ(samples.size(),
             kFrames - kFirst - static_cast<std::size_t>(std::ceil(2.0 * min_future)));
   for (const PlannerSample& sample : samples) EXPECT_EQ(sample.scene, "straight");

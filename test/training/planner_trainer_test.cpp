@@ -10,6 +10,7 @@
 #include "data/nuscenes_fixture.h"
 #include "files/file_size_limit.h"
 #include "planners/planner_scenes.h"
+#include "study_settings/shipped_study.h"
 
 namespace forge {
 namespace {
@@ -49,7 +50,7 @@ Learning smallLearning() {
         acceleratingSample(0.2 * static_cast<double>(i), i % 2 == 0 ? kContractPoses : 30));
     learning.all.push_back(i);
   }
-  learning.options = shippedConfig().planner_training;
+  learning.options = shippedStudy().planner_training;
   learning.options.hidden = 16;
   learning.options.batch = 16;
   learning.options.epochs = 40;
@@ -99,7 +100,7 @@ TEST(PlannerTrainer, SavesWhatItHasLearntAsAFileOfTheContract) {
   const Learning learning = smallLearning();
   PlannerTrainer trainer(learning.options, 1, 0);
   trainer.trainEpoch(learning.samples, learning.all);
-  TorchscriptFileOptions options = shippedConfig().planners.torchscript;
+  TorchscriptFileOptions options = shippedStudy().planners.torchscript;
   options.file = folder.path() + "/planner.pt";
   options.device = "cpu";
   trainer.save(options.file, {"scene-0001"});

@@ -3,12 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <vector>
 
 #include "collision_forge/trials/planner_result_file.h"
 #include "trials/rear_end_case.h"
 
 namespace forge {
 namespace {
+
+/// The attacker hits the ego of idm_published alone.
+class HitOfIdm : public PublishedProtocol {
+ public:
+  bool isHit(const std::vector<TrajectoryPoint>&) const override { return false; }
+  bool isIdmHit(const PublishedIdmOptions&) const override { return true; }
+};
 
 TEST(PlannerResult, EveryPlannerHasARow) {
   const PlannerTestResult result = tested();
@@ -82,7 +91,7 @@ TEST(PlannerResult, AnAttackerThatTouchesTheEgoAlreadyIsUnfit) {
 TEST(PlannerResult, OfAnUnfitClipThePublishedHitOfThePublishedIdmIsKnown) {
   PlannerCase one = rearEnd();
   one.scenario.attacker.points.front().pose = {-3.0, 0.0, 0.0};
-  one.clip = straightClip(CollisionType::kRearEnd, 0.0, 12, 8.0, {-3.0, 0.0, 0.0}, 8.0);
+  one.published = std::make_shared<HitOfIdm>();
   const PlannerTestResult result =
       testPlanners(one, {{"idm", "idm_published"}}, config(), config().planners);
   EXPECT_EQ(result.status, "UNFIT");

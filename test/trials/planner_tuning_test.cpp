@@ -7,6 +7,8 @@
 
 #include "attack/test_scenes.h"
 #include "collision_forge/config/config_error.h"
+#include "collision_forge/study/clip_cases.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "data/collide_fixture.h"
 
 namespace forge {
@@ -15,8 +17,8 @@ namespace {
 const StatisticsOptions kStatistics{100, 0.95, 1};
 const std::string kConfig = COLLISION_FORGE_SOURCE_DIR "/config";
 
-const Config& config() {
-  static const Config loaded = loadConfig(kConfig);
+const StudyConfig& config() {
+  static const StudyConfig loaded = loadStudyConfig(kConfig);
   return loaded;
 }
 
@@ -71,7 +73,7 @@ PlannerCase rearEnd() {
   PlannerCase one =
       caseOfClip(clip, ClipAttacker::kRecorded, std::make_shared<const LaneIndex>(twoLaneRoad()),
                  MethodMaker("search", builtInMethods(), config().attack, {}), config());
-  one.clip.reset();
+  one.published.reset();
   return one;
 }
 

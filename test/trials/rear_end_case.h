@@ -3,13 +3,15 @@
 #include <memory>
 
 #include "attack/test_scenes.h"
+#include "collision_forge/study/clip_cases.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "collision_forge/trials/planner_result.h"
 #include "data/collide_fixture.h"
 
 namespace forge {
 
-inline const Config& config() {
-  static const Config loaded = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+inline const StudyConfig& config() {
+  static const StudyConfig loaded = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   return loaded;
 }
 

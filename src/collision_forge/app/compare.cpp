@@ -12,11 +12,11 @@
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/drawing/scenario_grid.h"
 #include "collision_forge/files/output_lock.h"
-#include "collision_forge/settings/config.h"
 #include "collision_forge/study/clip_aftermath.h"
 #include "collision_forge/study/clip_choice.h"
 #include "collision_forge/study/clip_question.h"
-#include "collision_forge/study/strict.h"
+#include "collision_forge/study_settings/study_config.h"
+#include "collision_forge/verify/strict_outcome.h"
 
 namespace forge {
 namespace {
@@ -96,7 +96,7 @@ GridCell cellOf(const CollideClip& clip, const ClipQuestion& question, const Met
 
 /// A row a clip, a column a method.
 ScenarioGrid gridOf(const std::vector<std::string>& paths, const Arguments& arguments,
-                    const Config& config) {
+                    const StudyConfig& config) {
   CityMaps maps(arguments.dataroot, config);
   const Foresight foresight = loadForesight(config);
   const MethodRegistry methods = loadMethods(config);
@@ -121,7 +121,7 @@ ScenarioGrid gridOf(const std::vector<std::string>& paths, const Arguments& argu
 int compare(const Arguments& arguments) {
   checkOut(arguments.out);
   const OutputLock lock = OutputLock::ofFile(arguments.out + ".png");
-  const Config config = loadConfig(arguments.config);
+  const StudyConfig config = loadStudyConfig(arguments.config);
   const std::vector<std::string> paths = pathsOf(arguments);
   const ScenarioGrid grid = gridOf(paths, arguments, config);
   drawScenarioGridPng(arguments.out + ".png", grid, config.drawing);

@@ -37,7 +37,7 @@ struct Arguments {
 
 std::vector<SceneRequest> listRequests(const Arguments& arguments,
                                        const std::vector<std::string>& scenes,
-                                       const Config& config) {
+                                       const StudyConfig& config) {
   SceneSource source(arguments.logs, scenes, config, 1);
   std::vector<SceneRequest> requests;
   for (const std::string& name : source.names()) {
@@ -55,7 +55,7 @@ std::vector<SceneRequest> listRequests(const Arguments& arguments,
   return requests;
 }
 
-ResumableFile::Options runOptions(const Arguments& arguments, const Config& config,
+ResumableFile::Options runOptions(const Arguments& arguments, const StudyConfig& config,
                                   const std::vector<SceneRequest>& requests) {
   ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
   options["seed"] = std::to_string(arguments.seed);
@@ -93,7 +93,7 @@ void warnOfMissingTypes(const std::vector<Attempt>& attempts) {
 }
 
 int buildDataset(const Arguments& arguments) {
-  const Config config = loadRunConfig(arguments.config);
+  const StudyConfig config = loadStudyRunConfig(arguments.config);
   const bool is_master = isMaster();
   const std::vector<std::string> names = wantedScenes(arguments.logs, arguments.scenes);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});

@@ -6,8 +6,8 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
 #include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/settings/config.h"
 #include "collision_forge/study/clip_methods.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
@@ -62,7 +62,7 @@ void completePlan(const CLI::App& app, const std::string& directory, bool is_of_
                                              ": adaptive needs another --method");
   }
   try {
-    const Config config = loadConfig(directory);
+    const StudyConfig config = loadStudyConfig(directory);
     MethodRegistry methods = loadMethods(config);
     if (is_of_clips) methods = clipMethods(methods, nullptr, config.evaluation);
     plan.is_seeded = methods.at(plan.method).is_seeded;

@@ -17,11 +17,13 @@
 #include "collision_forge/files/file_fingerprint.h"
 #include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/study/clip_methods.h"
+#include "collision_forge/study/row_rates.h"
 
 namespace forge {
 namespace {
 
-std::vector<std::string> listClips(const EvaluationArguments& arguments, const Config& config) {
+std::vector<std::string> listClips(const EvaluationArguments& arguments,
+                                   const StudyConfig& config) {
   std::vector<std::string> paths =
       arguments.by_scene ? listCollideClipsByScene(arguments.collide, arguments.split,
                                                    config.evaluation.collide.held_out_share)
@@ -30,7 +32,7 @@ std::vector<std::string> listClips(const EvaluationArguments& arguments, const C
   return paths;
 }
 
-ResumableFile::Options runOptions(const EvaluationArguments& arguments, const Config& config,
+ResumableFile::Options runOptions(const EvaluationArguments& arguments, const StudyConfig& config,
                                   const std::vector<std::string>& paths) {
   ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
   options["collide"] = std::filesystem::canonical(arguments.collide).string();
@@ -68,7 +70,7 @@ std::string headline(const EvaluationArguments& arguments, std::size_t clips) {
 }  // namespace
 
 int evaluateClips(const EvaluationArguments& arguments) {
-  const Config config = loadRunConfig(arguments.config);
+  const StudyConfig config = loadStudyRunConfig(arguments.config);
   const bool is_master = isMaster();
   const std::vector<std::string> paths = listClips(arguments, config);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});

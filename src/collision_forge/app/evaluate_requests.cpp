@@ -34,7 +34,7 @@ struct WantedRequests {
   std::vector<std::string> scenes;
 };
 
-WantedRequests readWanted(const EvaluationArguments& arguments, const Config& config) {
+WantedRequests readWanted(const EvaluationArguments& arguments, const StudyConfig& config) {
   const auto names = readSceneNames(arguments.logs);
   const std::set<std::string> known(names.begin(), names.end());
   const auto chosen = wantedScenes(arguments.logs, arguments.scenes);
@@ -57,14 +57,14 @@ WantedRequests readWanted(const EvaluationArguments& arguments, const Config& co
 }
 
 /// The plan with what the configuration decides where the command line does not.
-EvaluationPlan planOf(const EvaluationArguments& arguments, const Config& config) {
+EvaluationPlan planOf(const EvaluationArguments& arguments, const StudyConfig& config) {
   EvaluationPlan plan = arguments.plan;
   plan.limits = arguments.limits.value_or(config.crash.limits);
   plan.believable = arguments.believable.value_or(config.crash.believable);
   return plan;
 }
 
-ResumableFile::Options runOptions(const EvaluationArguments& arguments, const Config& config,
+ResumableFile::Options runOptions(const EvaluationArguments& arguments, const StudyConfig& config,
                                   const EvaluationPlan& plan, const WantedRequests& wanted) {
   ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
   options["requests"] = fingerprintOf(wanted.requests);
@@ -128,8 +128,9 @@ std::string headline(const std::string& logs, const EvaluationPlan& plan,
          std::to_string(wanted.scenes.size()) + " scenes";
 }
 
-void report(const EvaluationArguments& arguments, const EvaluationPlan& plan, const Config& config,
-            const std::vector<ResultRow>& rows, const WantedRequests& wanted) {
+void report(const EvaluationArguments& arguments, const EvaluationPlan& plan,
+            const StudyConfig& config, const std::vector<ResultRow>& rows,
+            const WantedRequests& wanted) {
   const StatisticsOptions& statistics = config.evaluation.statistics;
   const std::string title = headline(arguments.logs.title(), plan, wanted);
   const std::string short_title = headline(arguments.logs.title(), wanted);
@@ -173,7 +174,7 @@ BarChart chartOf(const std::vector<RateTable>& shares, const std::string& title,
 
 /// Attackers against the recorded vehicles of the same scenes.
 void writeScorecard(const EvaluationArguments& arguments, const EvaluationPlan& plan,
-                    const Config& config, const std::vector<ResultRow>& rows,
+                    const StudyConfig& config, const std::vector<ResultRow>& rows,
                     const WantedRequests& wanted, SceneSource& scenes) {
   const std::vector<std::string> methods = attackingRowMethods(plan);
   if (methods.empty()) return;
@@ -197,7 +198,7 @@ void writeScorecard(const EvaluationArguments& arguments, const EvaluationPlan& 
 }  // namespace
 
 int evaluateRequests(const EvaluationArguments& arguments) {
-  const Config config = loadRunConfig(arguments.config);
+  const StudyConfig config = loadStudyRunConfig(arguments.config);
   const bool is_master = isMaster();
   const EvaluationPlan plan = planOf(arguments, config);
   const WantedRequests wanted = readWanted(arguments, config);

@@ -10,8 +10,8 @@
 #include "collision_forge/drawing/options.h"
 #include "collision_forge/files/resumable_file.h"
 #include "collision_forge/scene/request_words.h"
+#include "collision_forge/statistics/rate_table.h"
 #include "collision_forge/study/clip_evaluation.h"
-#include "collision_forge/study/rate_table.h"
 #include "collision_forge/study/result_row.h"
 
 /// What evaluate does, in both its forms: over clips of COLLIDE and over requests on logs.

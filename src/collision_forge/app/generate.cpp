@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 
+#include "collision_forge/answers/request_answerer.h"
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
@@ -18,7 +19,6 @@
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/scene/number_words.h"
-#include "collision_forge/study/request_answerer.h"
 
 namespace forge {
 namespace {

@@ -33,7 +33,7 @@ struct QuestionsOfList {
   std::vector<std::string> scenes;
 };
 
-QuestionsOfList readQuestions(const Arguments& arguments, const Config& config) {
+QuestionsOfList readQuestions(const Arguments& arguments, const StudyConfig& config) {
   const auto names = readSceneNames(arguments.logs);
   const std::vector<SceneRequest> requests = readRequests(
       arguments.requests, {names.begin(), names.end()}, config.input_limits, config.crash);
@@ -50,7 +50,7 @@ QuestionsOfList readQuestions(const Arguments& arguments, const Config& config) 
   return list;
 }
 
-std::vector<AnsweredQuestion> answerAll(const Arguments& arguments, const Config& config,
+std::vector<AnsweredQuestion> answerAll(const Arguments& arguments, const StudyConfig& config,
                                         const QuestionsOfList& list) {
   SceneSource scenes(arguments.logs, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1,
@@ -83,7 +83,7 @@ std::vector<AnsweredQuestion> answerAll(const Arguments& arguments, const Config
 }
 
 int measure(const Arguments& arguments) {
-  const Config config = loadRunConfig(arguments.config);
+  const StudyConfig config = loadStudyRunConfig(arguments.config);
   const QuestionsOfList list = readQuestions(arguments, config);
   const OutputLocks locks = lockFolders({arguments.out});
   const std::vector<AnsweredQuestion> answered = answerAll(arguments, config, list);

@@ -20,7 +20,7 @@
 #include "collision_forge/forecast/kinematic_prediction.h"
 #include "collision_forge/network/network_ego_futures.h"
 #include "collision_forge/settings/config.h"
-#include "collision_forge/study/statistics.h"
+#include "collision_forge/statistics/statistics.h"
 
 namespace forge {
 namespace {

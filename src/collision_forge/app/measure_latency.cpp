@@ -10,7 +10,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/batch/progress_line.h"
 #include "collision_forge/ros/topic_names.h"
-#include "collision_forge/study/statistics.h"
+#include "collision_forge/statistics/statistics.h"
 
 namespace forge {
 namespace {

@@ -10,9 +10,9 @@
 #include "collision_forge/data/city_maps.h"
 #include "collision_forge/data/collide_set.h"
 #include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/statistics/statistics.h"
 #include "collision_forge/study/clip_question.h"
-#include "collision_forge/study/statistics.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
@@ -67,7 +67,7 @@ void print(const std::vector<Measurement>& measurements) {
 }
 
 int measure(const Arguments& arguments) {
-  const Config config = loadConfig(arguments.config);
+  const StudyConfig config = loadStudyConfig(arguments.config);
   std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
   if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
   CityMaps maps(arguments.dataroot, config);

@@ -17,7 +17,7 @@
 #include "collision_forge/forecast/ego_futures.h"
 #include "collision_forge/network/network_ego_futures.h"
 #include "collision_forge/network/predicted_scene.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
@@ -84,7 +84,7 @@ int rankOf(std::size_t which, const std::vector<double>& scores) {
 }
 
 void judgeCandidates(const PredictedScene& scene, const CollideClip& clip, const Snapshot& snapshot,
-                     const Config& config, const Pose2& expected, const Pose2& truth,
+                     const StudyConfig& config, const Pose2& expected, const Pose2& truth,
                      ClipResult& result) {
   std::vector<const Track*> candidates;
   std::vector<double> nearness;
@@ -113,7 +113,7 @@ void judgeCandidates(const PredictedScene& scene, const CollideClip& clip, const
 
 void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternNetwork& network,
                  const EgoFutureSampler& kinematic, const EgoFutureSampler& sampler,
-                 const Config& config, const Arguments& arguments, Totals& totals) {
+                 const StudyConfig& config, const Arguments& arguments, Totals& totals) {
   const Scene recorded = toScene(clip, config.evaluation.collide, nullptr);
   const Snapshot snapshot =
       snapshotAt(recorded, clip.now(), network.weights().features.history_frames);
@@ -213,7 +213,7 @@ void print(const Totals& totals) {
 }
 
 int measure(const Arguments& arguments) {
-  Config config = loadConfig(arguments.config);
+  StudyConfig config = loadStudyConfig(arguments.config);
   if (!arguments.networks.empty()) config.pattern_network = arguments.networks;
   const Foresight foresight = loadForesight(config);
   if (!foresight.network) {

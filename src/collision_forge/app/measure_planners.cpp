@@ -9,7 +9,7 @@
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/settings/config.h"
-#include "collision_forge/study/statistics.h"
+#include "collision_forge/statistics/statistics.h"
 
 namespace forge {
 namespace {

@@ -12,6 +12,7 @@
 #include "collision_forge/scene/request_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/study/clip_methods.h"
+#include "collision_forge/study_settings/study_config.h"
 
 #ifndef COLLISION_FORGE_WITHOUT_ROS
 #include <ros/package.h>
@@ -215,7 +216,7 @@ void checkMethod(const std::string& option, const std::string& method, const std
 
 void checkClipMethods(const std::vector<std::string>& methods, const std::string& config) {
   try {
-    const Config read = loadConfig(config);
+    const StudyConfig read = loadStudyConfig(config);
     const MethodRegistry known = clipMethods(loadMethods(read), nullptr, read.evaluation);
     for (const std::string& method : methods) known.at(method);
   } catch (const std::invalid_argument& error) {

@@ -8,6 +8,7 @@
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/files/output_lock.h"
 #include "collision_forge/scene/number_words.h"
+#include "collision_forge/study/report_rows.h"
 
 namespace forge {
 namespace {
@@ -30,9 +31,10 @@ int report(const Arguments& arguments) {
 }  // namespace
 
 void writeReport(const ReportInputs& inputs, const std::string& folder, const Config& config) {
-  const std::size_t rows = writeReportPage(inputs, folder,
-                                           {config.report, config.drawing, config, config.planners,
-                                            config.attacked_bag.seconds_after_stand});
+  const std::size_t rows =
+      writeReportPage(inputs, folder,
+                      {config.report, config.drawing, config, config.planners,
+                       config.attacked_bag.seconds_after_stand, evaluationFormats()});
   std::cout << counted(rows, "row") << " in " << folder << "/index.html\n";
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "collision_forge/answers/allowed_requests.h"
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/attack/request_check.h"
@@ -16,7 +17,6 @@
 #include "collision_forge/files/output_lock.h"
 #include "collision_forge/scene/number_words.h"
 #include "collision_forge/settings/config.h"
-#include "collision_forge/study/allowed_requests.h"
 
 namespace forge {
 namespace {

@@ -10,4 +10,9 @@ Config loadRunConfig(const std::string& directory) {
   return loadConfig(directory);
 }
 
+StudyConfig loadStudyRunConfig(const std::string& directory) {
+  Ranks::watch(loadRankOptions(directory));
+  return loadStudyConfig(directory);
+}
+
 }  // namespace forge

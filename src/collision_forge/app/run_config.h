@@ -3,6 +3,7 @@
 #include <string>
 
 #include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 
@@ -10,5 +11,8 @@ namespace forge {
 /// are silent end the run, as ranks.yaml there says. To be called before anything asks for the
 /// ranks. Throws ConfigError.
 Config loadRunConfig(const std::string& directory);
+
+/// The same for a command that needs the study's numbers, too.
+StudyConfig loadStudyRunConfig(const std::string& directory);
 
 }  // namespace forge

@@ -11,7 +11,7 @@
 #include "collision_forge/files/output_lock.h"
 #include "collision_forge/forecast/speed_forecast_check.h"
 #include "collision_forge/forecast/speed_model_fit.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
@@ -55,7 +55,7 @@ void compare(const SpeedSituations& recorded, const SpeedForecaster& model,
 
 /// Names the file in what is wrong.
 SpeedModel fitTo(const SpeedSituations& recorded, const Arguments& arguments,
-                 const Config& config) {
+                 const StudyConfig& config) {
   ProgressLine progress("models");
   try {
     return fitSpeedModelWithFolds(
@@ -67,7 +67,7 @@ SpeedModel fitTo(const SpeedSituations& recorded, const Arguments& arguments,
 }
 
 int fit(const Arguments& arguments) {
-  const Config config = loadConfig(arguments.config);
+  const StudyConfig config = loadStudyConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFile(arguments.out);
   const SpeedSituations recorded = readSpeedSituations(arguments.profiles);
   const SpeedModel fitted = fitTo(recorded, arguments, config);

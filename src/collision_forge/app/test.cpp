@@ -24,6 +24,7 @@
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/scene/number_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
+#include "collision_forge/study/clip_cases.h"
 #include "collision_forge/trials/planner_cases.h"
 #include "collision_forge/trials/planner_report.h"
 #include "collision_forge/trials/planner_result_file.h"
@@ -64,7 +65,7 @@ struct Arguments {
 struct DrawnCases {
   static constexpr std::size_t kScenesKept = 64;
 
-  DrawnCases(const Arguments& arguments, const Config& config)
+  DrawnCases(const Arguments& arguments, const StudyConfig& config)
       : scenes(arguments.logs, arguments.scenes, config, kScenesKept, {}, showReading()),
         requests(scenes, loadMethod(arguments.method, config, config.attack), config,
                  {config.requests, arguments.tries.value_or(config.planners.until_hit.tries),
@@ -77,7 +78,7 @@ struct DrawnCases {
   RequestCases requests;
 };
 
-std::unique_ptr<PlannerCases> openCases(const Arguments& arguments, const Config& config) {
+std::unique_ptr<PlannerCases> openCases(const Arguments& arguments, const StudyConfig& config) {
   if (arguments.collide.empty()) {
     return openScenarioCases(arguments.scenarios, arguments.logs,
                              static_cast<std::size_t>(arguments.jobs) + 1, config, showReading());
@@ -96,7 +97,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 /// What the results depend on.
 ResumableFile::Options runOptions(const Arguments& arguments, const PlannerCases& cases,
-                                  const Config& config) {
+                                  const StudyConfig& config) {
   ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
   options["cases"] = cases.fingerprint();
   options["planners"] = joined(arguments.planners);
@@ -144,7 +145,7 @@ std::string csvOf(const std::vector<PlannerTestResult>& results) {
   return text;
 }
 
-TestPlan planOf(const Arguments& arguments, const Config& config) {
+TestPlan planOf(const Arguments& arguments, const StudyConfig& config) {
   TestPlan plan{arguments.planners, arguments.background, {}, {}};
   for (const std::string& name : arguments.policies) {
     plan.policies.push_back(*policyKindFromString(name));
@@ -155,7 +156,7 @@ TestPlan planOf(const Arguments& arguments, const Config& config) {
 
 /// Writes what the results say into files.
 void writeTables(const std::vector<PlannerTestResult>& results, const Arguments& arguments,
-                 const TestPlan& plan, const Config& config) {
+                 const TestPlan& plan, const StudyConfig& config) {
   const StatisticsOptions& statistics = config.evaluation.statistics;
   std::string text =
       reportTitle("Planners in closed loop", statistics) + "\n" + describeCases(results);
@@ -185,7 +186,7 @@ void printSummary(const std::vector<PlannerTestResult>& results, const PlanningT
 }
 
 void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& results,
-               const Arguments& arguments, const TestPlan& plan, const Config& config) {
+               const Arguments& arguments, const TestPlan& plan, const StudyConfig& config) {
   const fs::path folder = fs::path(arguments.out) / "worst";
   fs::remove_all(folder);
   fs::create_directories(folder);
@@ -231,7 +232,7 @@ int drive(Arguments arguments) {
   if (arguments.policies.empty()) {
     arguments.policies = {arguments.until_hit ? "adaptive" : "fixed"};
   }
-  Config config = loadRunConfig(arguments.config);
+  StudyConfig config = loadStudyRunConfig(arguments.config);
   usePlannerFile(arguments.planner_file, arguments.planners, config.planners);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   std::optional<DrawnCases> drawn;

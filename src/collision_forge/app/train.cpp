@@ -8,15 +8,15 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/settings/config.h"
 #include "collision_forge/settings/config_fingerprint.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "collision_forge/training/training_run.h"
 
 namespace forge {
 namespace {
 
 int train(TrainingRun& run) {
-  const Config config = loadConfig(run.config);
+  const StudyConfig config = loadStudyConfig(run.config);
   run.config_files = configFingerprints(run.config);
   run.options = config;
   run.drawing = config.drawing;

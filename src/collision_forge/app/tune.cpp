@@ -19,6 +19,7 @@
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/scene/number_words.h"
 #include "collision_forge/settings/config_fingerprint.h"
+#include "collision_forge/study/clip_cases.h"
 #include "collision_forge/trials/planner_cases.h"
 #include "collision_forge/trials/planner_report.h"
 #include "collision_forge/trials/planner_run.h"
@@ -66,7 +67,7 @@ PlannersFile readPlannersFile(const std::string& config) {
 /// Everything that every rank works with.
 struct Tuning {
   const Arguments& arguments;
-  const Config& config;
+  const StudyConfig& config;
   const PlannersFile file;
   const std::vector<PlannerVariant> variants;
   const std::unique_ptr<PlannerCases> train;
@@ -79,7 +80,7 @@ struct BothCases {
   std::unique_ptr<PlannerCases> test;
 };
 
-BothCases openScenarios(const Arguments& arguments, const Config& config) {
+BothCases openScenarios(const Arguments& arguments, const StudyConfig& config) {
   const InputLimits& limits = config.input_limits;
   checkHeldOut(readScenes(arguments.train, limits), readScenes(arguments.test, limits));
   const auto open = [&](const std::vector<std::string>& paths) {
@@ -90,7 +91,7 @@ BothCases openScenarios(const Arguments& arguments, const Config& config) {
 }
 
 /// All attackers, hit or miss: most of a learned generator's are not as asked.
-BothCases openClips(const Arguments& arguments, const Config& config) {
+BothCases openClips(const Arguments& arguments, const StudyConfig& config) {
   const ClipHalves halves = halvesByScene(listCollideClips(arguments.collide, arguments.split));
   const auto open = [&](const std::vector<std::string>& paths, const std::string& method) {
     return openClipCases(paths, arguments.logs.path, ClipAttacker::kHistory, method,
@@ -99,7 +100,7 @@ BothCases openClips(const Arguments& arguments, const Config& config) {
   return {open(halves.first, arguments.train_method), open(halves.second, arguments.test_method)};
 }
 
-Tuning openTuning(const Arguments& arguments, const Config& config) {
+Tuning openTuning(const Arguments& arguments, const StudyConfig& config) {
   const PlannersFile file = readPlannersFile(arguments.config);
   const PlannerGrid grid = readPlannerGrid(arguments.grid, arguments.planner);
   std::vector<PlannerVariant> variants =
@@ -226,7 +227,7 @@ ReportInputs reportInputs(const Tuning& tuning, std::size_t best) {
 }
 
 int tune(const Arguments& arguments) {
-  Config config = loadRunConfig(arguments.config);
+  StudyConfig config = loadStudyRunConfig(arguments.config);
   usePlannerFile(arguments.planner_file, {arguments.planner}, config.planners);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   const Tuning tuning = openTuning(arguments, config);

@@ -10,7 +10,7 @@
 #include "collision_forge/data/collide_export.h"
 #include "collision_forge/dataset/seeds.h"
 #include "collision_forge/study/clip_evaluation.h"
-#include "collision_forge/study/strict.h"
+#include "collision_forge/verify/strict_outcome.h"
 
 namespace forge {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "collision_forge/data/input_line.h"
 #include "collision_forge/data/json_line.h"
-#include "collision_forge/study/result_row.h"
 
 namespace forge {
 namespace {
@@ -20,9 +19,8 @@ std::ifstream openToRead(const std::string& path) {
   return file;
 }
 
+/// Of a file whose first line is of no RowFormat.
 ReportFileKind kindOf(const std::string& where, const std::string& line) {
-  if (line == csvHeader(Protocol::kStrict, RowsOf::kRequests)) return ReportFileKind::kRequests;
-  if (line == csvHeader(Protocol::kStrict, RowsOf::kClips)) return ReportFileKind::kClips;
   if (!line.empty() && line.front() == '{') {
     const JsonLine parsed(where, line);
     const std::string format = parsed.root().text("format");
@@ -38,11 +36,15 @@ ReportFileKind kindOf(const std::string& where, const std::string& line) {
 
 }  // namespace
 
-ReportFile openReportFile(const std::string& path, const InputLimits& limits) {
+ReportFile openReportFile(const std::string& path, const std::vector<RowFormat>& formats,
+                          const InputLimits& limits) {
   std::ifstream file = openToRead(path);
   const std::string where = path + ": line 1";
   std::string line;
   readInputLine(file, line, where, limits);
+  for (const RowFormat& format : formats) {
+    if (line == format.header) return {path, ReportFileKind::kRows, format};
+  }
   return {path, kindOf(where, line)};
 }
 
@@ -50,14 +52,12 @@ void readReportLines(const ReportFile& file, const InputLimits& limits,
                      const OnReportLine& on_line) {
   std::ifstream stream = openToRead(file.path);
   const auto size = static_cast<double>(fs::file_size(file.path));
-  const bool has_header =
-      file.kind == ReportFileKind::kRequests || file.kind == ReportFileKind::kClips;
   double read = 0.0;
   std::size_t number = 1;
   const auto where = [&] { return file.path + ": line " + std::to_string(number); };
   for (std::string text; readInputLine(stream, text, where(), limits); ++number) {
     read += static_cast<double>(text.size()) + 1.0;
-    if (has_header && number == 1) continue;
+    if (file.kind == ReportFileKind::kRows && number == 1) continue;
     on_line(where(), number, text, read / size);
   }
 }

@@ -181,28 +181,6 @@ ReportRow rowOfTest(const PlannerTestResult& result, const PlannerRow* row,
   return found;
 }
 
-ReportRow rowOfResult(const ResultRow& result) {
-  ReportRow row;
-  row.scene = result.scene;
-  row.type = toString(result.type);
-  row.tta = result.tta;
-  row.planner = result.method;
-  row.status = result.status;
-  row.message = result.note;
-  row.contact_t = result.contact_after;
-  row.heading = result.relative_heading;
-  row.confidence = result.confidence;
-  const bool is_met = result.meets.size() > 1 && result.meets[1];
-  row.outcome = result.status != "OK" ? "declined"
-                : is_met              ? "as_asked"
-                : row.contact_t       ? "otherwise"
-                                      : "missed";
-  if (!result.request) return row;
-  if (result.request->believable) row.believable = yesOrNo(*result.request->believable);
-  if (result.request->attack) row.attacker_class = toString(result.request->attack->agent_class);
-  return row;
-}
-
 void writeColumns(JsonLineWriter& writer, const std::vector<ReportRow>& rows) {
   writer.beginObject("columns");
   writePlaces(writer, "file", &ReportRow::file, rows);

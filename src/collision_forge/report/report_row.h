@@ -7,9 +7,8 @@
 
 #include "collision_forge/data/json_line.h"
 #include "collision_forge/data/scenario_file.h"
-#include "collision_forge/study/result_row.h"
-#include "collision_forge/study/strict.h"
 #include "collision_forge/trials/planner_result.h"
+#include "collision_forge/verify/strict_outcome.h"
 
 namespace forge {
 
@@ -58,9 +57,6 @@ ReportRow rowOfAttack(const Scenario& scenario, const Realization& attack,
 /// the attack itself is that of `attack`, where there is one.
 ReportRow rowOfTest(const PlannerTestResult& result, const PlannerRow* row,
                     const ReportRow* attack);
-
-/// The row of a line of results.csv of forge evaluate.
-ReportRow rowOfResult(const ResultRow& result);
 
 /// The object "columns": of every field of the rows a column, of texts as words and their places,
 /// of numbers as whole units.

@@ -102,7 +102,7 @@ class ReportBuilder {
         settings_(settings),
         page_((fs::path(folder) / "index.html").string()) {
     for (const std::string& path : inputs.files) {
-      files_.push_back(openReportFile(path, settings.study.input_limits));
+      files_.push_back(openReportFile(path, settings.formats, settings.options.input_limits));
     }
     for (const std::string& path : scenarioPaths()) nameWeaknesses(path);
     if (!inputs.logs.path.empty()) openScenes();
@@ -136,7 +136,7 @@ class ReportBuilder {
     if (path.filename() != "weaknesses.jsonl") return;
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
     std::size_t line = 0;
-    for (const std::string& name : weaknessCases(folder, settings_.study.input_limits)) {
+    for (const std::string& name : weaknessCases(folder, settings_.options.input_limits)) {
       lines_[name] = "weaknesses:" + std::to_string(++line);
     }
   }
@@ -151,11 +151,11 @@ class ReportBuilder {
     const auto known = readSceneNames(inputs_.logs);
     known_.insert(known.begin(), known.end());
     std::vector<std::string> wanted;
-    for (const std::string& scene : readScenes(scenarioPaths(), settings_.study.input_limits)) {
+    for (const std::string& scene : readScenes(scenarioPaths(), settings_.options.input_limits)) {
       if (known_.count(scene) > 0) wanted.push_back(scene);
     }
     if (wanted.empty()) return;
-    scenes_ = std::make_unique<SceneSource>(inputs_.logs, wanted, settings_.study, 2);
+    scenes_ = std::make_unique<SceneSource>(inputs_.logs, wanted, settings_.options, 2);
   }
 
   void read(std::size_t place) {
@@ -171,8 +171,8 @@ class ReportBuilder {
         case ReportFileKind::kPlannerTests:
           addPlannerTest(where, text);
           break;
-        default:
-          addResult(where, text);
+        case ReportFileKind::kRows:
+          addRow(file.format, where, text);
       }
       for (std::size_t i = first; i < rows_.size(); ++i) {
         rows_[i].file = place;
@@ -180,12 +180,12 @@ class ReportBuilder {
       }
       progress.show(share);
     };
-    readReportLines(file, settings_.study.input_limits, take);
+    readReportLines(file, settings_.options.input_limits, take);
   }
 
   void addScenario(const std::string& where, const std::string& text, const std::string& source,
                    std::size_t line) {
-    const Scenario scenario = readScenarioLine(where, text, settings_.study.input_limits);
+    const Scenario scenario = readScenarioLine(where, text, settings_.options.input_limits);
     const std::string& scene = scenario.asked.scene;
     if (!inputs_.logs.path.empty() && known_.count(scene) == 0) {
       throw std::runtime_error(where + ": scene = \"" + scene + "\" is not in " +
@@ -216,12 +216,12 @@ class ReportBuilder {
         scenario, attack, judgement ? std::optional(judgement->outcome) : std::nullopt));
     row.now_in_recording = now_in_recording;
     row.commands = page_.add(commandsRecord(commandsOfAttack(
-        scenario, alternative, now_in_recording, inputs_.logs, settings_.study.crash)));
+        scenario, alternative, now_in_recording, inputs_.logs, settings_.options.crash)));
     if (!is_attack) return;
     std::optional<RecordedOutcome> recorded;
     if (judgement) recorded = RecordedOutcome{judgement->outcome.report, judgement->crash};
     row.attack =
-        page_.add(attackRecord(scenario, attack, recorded, settings_.study.attack.verification));
+        page_.add(attackRecord(scenario, attack, recorded, settings_.options.attack.verification));
   }
 
   /// In what is shown of its scene.
@@ -244,10 +244,10 @@ class ReportBuilder {
   std::optional<Judgement> judge(const Scenario& scenario, const Realization& attack) {
     Scenario judged{scenario.asked, scenario.ego, attack};
     const PlannerCase one =
-        caseOfScenario(judged, *scenes_->at(scenario.asked.scene), settings_.study);
+        caseOfScenario(judged, *scenes_->at(scenario.asked.scene), settings_.options);
     if (one.status.code != StatusCode::kOk) return std::nullopt;
     const CrashScenario& crash = one.scenario;
-    const VerificationOptions& options = settings_.study.attack.verification;
+    const VerificationOptions& options = settings_.options.attack.verification;
     const StrictOutcome outcome = strictOutcome(
         crash.attacker, {crash.snapshot, crash.recorded, one.request, *crash.lanes}, options);
     return Judgement{outcome, shownCrash(motionAfterContact(outcome.report, crash.attacker,
@@ -272,10 +272,10 @@ class ReportBuilder {
     }
   }
 
-  void addResult(const std::string& where, const std::string& text) {
-    const auto result = rowFromCsv(text, Protocol::kStrict);
-    if (!result) throw std::runtime_error(where + ": \"" + text + "\" is no row of results.csv");
-    rows_.push_back(rowOfResult(*result));
+  void addRow(const RowFormat& format, const std::string& where, const std::string& text) {
+    const std::optional<ReportRow> row = format.rowOf(text);
+    if (!row) throw std::runtime_error(where + ": \"" + text + "\" is no row of results.csv");
+    rows_.push_back(*row);
   }
 
   std::vector<PictureLink> picturesOf(const ListedTest& test) const {
@@ -300,7 +300,7 @@ class ReportBuilder {
       if (test.planner == 0) of.push_back(test.result);
     }
     for (const auto& [file, of] : results) {
-      pictures_[file] = picturesBeside(files_[file].path, of, settings_.study.input_limits);
+      pictures_[file] = picturesBeside(files_[file].path, of, settings_.options.input_limits);
     }
   }
 
@@ -320,7 +320,7 @@ class ReportBuilder {
     const Track ego{kEgoId, AgentClass::kCar, one.scenario.recorded.ego.size,
                     toStates(driven.driven)};
     return motionAfterContact(driven.contact->time, driven.attacker, ego,
-                              settings_.study.attack.verification.drivable);
+                              settings_.options.attack.verification.drivable);
   }
 
   /// The records of all tests, of as many as may be with the motions.
@@ -332,10 +332,10 @@ class ReportBuilder {
     std::map<std::string, std::size_t> places;
     if (scenes_ && !tests_.empty()) {
       cases = openScenarioCases(scenarioPaths(), inputs_.logs,
-                                static_cast<std::size_t>(inputs_.jobs) + 1, settings_.study);
+                                static_cast<std::size_t>(inputs_.jobs) + 1, settings_.options);
       for (const std::string& name : cases->names()) places.emplace(name, places.size());
     }
-    TestPlan plan{{}, inputs_.background, {}, loadForesight(settings_.study)};
+    TestPlan plan{{}, inputs_.background, {}, loadForesight(settings_.options)};
     const auto driven = [&](std::size_t index) {
       const ListedTest& test = tests_[index];
       const auto place = places.find(lineOf(test.result.name));
@@ -347,11 +347,11 @@ class ReportBuilder {
       const PlannerCase one = cases->at(place->second);
       const PolicyKind policy = test.tested().attacker.policy;
       RolloutOutcome outcome =
-          driveAgain(one, planner->name, policy, plan, settings_.study, *planner->options);
+          driveAgain(one, planner->name, policy, plan, settings_.options, *planner->options);
       if (isSame(outcome, test.tested().outcome)) {
         if (test.tested().escape && test.tested().escape->is_avoidable) {
           shown.escape =
-              escapeAgain(one, outcome, policy, plan, settings_.study, *planner->options);
+              escapeAgain(one, outcome, policy, plan, settings_.options, *planner->options);
         }
         shown.crash = shownCrash(crashOf(one, outcome));
         shown.driven = std::move(outcome);

@@ -3,10 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/answers/options.h"
 #include "collision_forge/data/log_source.h"
 #include "collision_forge/drawing/options.h"
 #include "collision_forge/report/options.h"
-#include "collision_forge/study/options.h"
+#include "collision_forge/report/report_files.h"
 #include "collision_forge/trials/options.h"
 #include "collision_forge/trials/planner_tuning.h"
 #include "collision_forge/trials/traffic.h"
@@ -26,9 +27,10 @@ struct ReportInputs {
 struct ReportSettings {
   const ReportOptions& report;
   const DrawingOptions& drawing;
-  const StudyOptions& study;
+  const AnswerOptions& options;
   const TrialOptions& trials;
-  double seconds_after_stand = 0.0;  ///< of AttackedBagOptions: how long a crash is shown
+  double seconds_after_stand = 0.0;     ///< of AttackedBagOptions: how long a crash is shown
+  std::vector<RowFormat> formats = {};  ///< files of rows that the page shows beside ours
 };
 
 /// Writes FOLDER/index.html, a page of all that is in the files, with progress on stderr. With a

@@ -19,15 +19,7 @@ Config loadConfig(const std::string& directory) {
   readConfigFile(directory, "adaptive", config.adaptive);
   readConfigFile(directory, "crash_definition", config.crash, config.attack.search.time_margin);
   readMethods(openConfigFile(directory, "methods.yaml"), config);
-  readConfigFile(directory, "speed_model_fit", config.speed_model_fit);
   readConfigFile(directory, "models", static_cast<ModelOptions&>(config));
-  readConfigFile(openConfigFile(directory, "training.yaml"), static_cast<LearningOptions&>(config));
-  readConfigFile(directory, "planner_training", config.planner_training);
-  const int history_frames = config.attack.prediction.history_frames;
-  readConfigFile(openConfigFile(directory, "generators.yaml"), config.generators,
-                 sectionsOfGenerators(), history_frames);
-  readConfigFile(openConfigFile(directory, "network_published.yaml"), config.published_network,
-                 sectionsOf("published_network"), history_frames);
   readConfigFile(directory, "ego_vehicle", config.ego_vehicle);
   readConfigFile(directory, "encoding", config.encoding);
   readConfigFile(directory, "live", config.live);
@@ -37,10 +29,8 @@ Config loadConfig(const std::string& directory) {
   readConfigFile(directory, "attacked_bag", config.attacked_bag);
   readConfigFile(directory, "drawing", config.drawing);
   readConfigFile(directory, "requests", config.requests);
-  readConfigFile(directory, "evaluation", config.evaluation);
   readConfigFile(directory, "report", config.report);
   readConfigFile(openConfigFile(directory, "export.yaml"), config.exports);
-  readConfigFile(directory, "dataset", config.dataset, config.attack.search.time_margin);
   readConfigFile(openConfigFile(directory, "planners.yaml"), config.planners,
                  config.attack.verification.limits);
   return config;

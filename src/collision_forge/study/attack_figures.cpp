@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "collision_forge/study/csv_text.h"
+#include "collision_forge/statistics/csv_text.h"
 #include "collision_forge/verify/believability.h"
 
 namespace forge {

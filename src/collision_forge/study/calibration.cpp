@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "collision_forge/study/rate_table.h"
+#include "collision_forge/statistics/rate_table.h"
 
 namespace forge {
 namespace {

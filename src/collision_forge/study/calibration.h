@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/statistics/statistics.h"
 #include "collision_forge/study/options.h"
-#include "collision_forge/study/statistics.h"
 
 namespace forge {
 

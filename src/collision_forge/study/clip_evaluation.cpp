@@ -7,8 +7,9 @@
 #include "collision_forge/network/method_maker.h"
 #include "collision_forge/policy/adaptive_answer.h"
 #include "collision_forge/study/clip_attackers.h"
+#include "collision_forge/study/outcome_row.h"
 #include "collision_forge/study/published.h"
-#include "collision_forge/study/strict.h"
+#include "collision_forge/verify/strict_outcome.h"
 
 namespace forge {
 namespace {

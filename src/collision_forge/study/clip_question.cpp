@@ -6,7 +6,6 @@
 #include "collision_forge/data/collide_scene.h"
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/clip_methods.h"
-#include "collision_forge/study/strict.h"
 
 namespace forge {
 namespace {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/answers/request_answerer.h"
 #include "collision_forge/attack/judge.h"
-#include "collision_forge/study/request_answerer.h"
 
 namespace forge {
 namespace {

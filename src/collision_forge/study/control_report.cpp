@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "collision_forge/study/rate_table.h"
+#include "collision_forge/statistics/rate_table.h"
 
 namespace forge {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "collision_forge/statistics/statistics.h"
 #include "collision_forge/study/control_evaluation.h"
-#include "collision_forge/study/statistics.h"
 
 namespace forge {
 

@@ -6,8 +6,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "collision_forge/statistics/statistics.h"
 #include "collision_forge/study/scene_halves.h"
-#include "collision_forge/study/statistics.h"
 
 namespace forge {
 namespace {

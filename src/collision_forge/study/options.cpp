@@ -24,12 +24,6 @@ static void readOptions(Section& section, PublishedSearchOptions& options) {
   options.futures = section.count("futures", 1);
 }
 
-static void readOptions(Section& section, StatisticsOptions& options) {
-  options.resamples = section.count("resamples", 1);
-  options.confidence = section.share("confidence");
-  options.seed = static_cast<std::uint64_t>(section.count("seed", 0));
-}
-
 static void readOptions(Section& section, MotionOptions& options) {
   options.min_speed = section.positive("min_speed");
   options.min_steering_speed = section.positive("min_steering_speed");

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision_forge/attack/options.h"
 #include "collision_forge/data/options.h"
 #include "collision_forge/geometry/oriented_box.h"
-#include "collision_forge/policy/options.h"
+#include "collision_forge/settings/config.h"
+#include "collision_forge/statistics/options.h"
 
 namespace forge {
 
@@ -28,12 +28,6 @@ struct PublishedSearchOptions {
   double max_speed = 0.0;
   int kept = 0;
   int futures = 0;
-};
-
-struct StatisticsOptions {
-  int resamples = 0;
-  double confidence = 0.0;
-  std::uint64_t seed = 0;
 };
 
 /// How windows of motion are cut out and what is read from them.
@@ -84,10 +78,7 @@ struct EvaluationOptions {
 };
 
 /// What attacks are made by and judged by in a study.
-struct StudyOptions : DataOptions, ModelOptions {
-  CrashDefinition crash;
-  AttackOptions attack;
-  AdaptiveOptions adaptive;
+struct StudyOptions : Config {
   EvaluationOptions evaluation;
 };
 

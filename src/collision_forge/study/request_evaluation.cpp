@@ -4,10 +4,11 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "collision_forge/answers/allowed_requests.h"
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/policy/adaptive_answer.h"
-#include "collision_forge/study/allowed_requests.h"
-#include "collision_forge/study/strict.h"
+#include "collision_forge/study/outcome_row.h"
+#include "collision_forge/verify/strict_outcome.h"
 
 namespace forge {
 namespace {

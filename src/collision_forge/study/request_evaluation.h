@@ -10,7 +10,8 @@
 
 namespace forge {
 
-// Requests over logs, judged by the strict protocol (study/strict.h) against the recording.
+// Requests over logs, judged by the strict protocol (verify/strict_outcome.h) against the
+// recording.
 
 /// What one row a request (of seeded methods one a seed) is of: the baselines "constant_velocity"
 /// and "nominal", which every plan measures beside its method, then the method; of a seeded one a

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "collision_forge/study/request_evaluation.h"
+#include "collision_forge/study/row_rates.h"
 
 namespace forge {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "collision_forge/statistics/rate_table.h"
 #include "collision_forge/study/calibration.h"
 #include "collision_forge/study/clip_evaluation.h"
 #include "collision_forge/study/options.h"
-#include "collision_forge/study/rate_table.h"
 
 namespace forge {
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "collision_forge/study/csv_text.h"
+#include "collision_forge/statistics/csv_text.h"
 
 namespace forge {
 namespace {

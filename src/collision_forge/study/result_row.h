@@ -6,21 +6,14 @@
 #include <vector>
 
 #include "collision_forge/scene/collision_request.h"
+#include "collision_forge/statistics/rate_table.h"
 #include "collision_forge/study/attack_figures.h"
 
 namespace forge {
 
-/// How a clip is judged: study/published.h or study/strict.h.
+/// How a clip is judged: study/published.h or verify/strict_outcome.h.
 enum class Protocol { kPublished, kStrict };
 const char* toString(Protocol protocol);
-
-/// Something that one attack meets or does not, and that the tables have a rate of.
-struct Measure {
-  std::string name;  ///< column in results.csv
-  std::string title;
-  std::optional<std::size_t> given;  ///< rate among the rows that meet this measure; all if empty
-  bool is_headline = false;          ///< drawn as a chart
-};
 
 /// Published: collision, similar. Strict: all conditions by angle bands and by full definitions,
 /// then each condition.

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "collision_forge/study/statistics.h"
+#include "collision_forge/statistics/statistics.h"
 
 namespace forge {
 namespace {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/statistics/rate_table.h"
 #include "collision_forge/study/attack_figures.h"
 #include "collision_forge/study/options.h"
-#include "collision_forge/study/rate_table.h"
 #include "collision_forge/study/result_row.h"
 #include "collision_forge/study/scorecard.h"
 

@@ -6,10 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "collision_forge/data/collide_clip.h"
 #include "collision_forge/data/input_line.h"
-#include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/files/file_fingerprint.h"
 #include "collision_forge/files/fingerprint.h"
 
 namespace forge {
@@ -50,9 +47,9 @@ struct ScenarioTexts {
 class ScenarioCases : public PlannerCases {
  public:
   ScenarioCases(const std::vector<std::string>& paths, const LogSource& logs,
-                std::size_t scenes_kept, const StudyOptions& study,
+                std::size_t scenes_kept, const AnswerOptions& options,
                 const NuScenesProgress& on_progress)
-      : study_(study) {
+      : options_(options) {
     std::set<std::string> sources;
     for (const std::string& path : paths) {
       const std::string source = fs::path(path).stem().string();
@@ -60,7 +57,7 @@ class ScenarioCases : public PlannerCases {
         throw std::runtime_error("two scenario files have the same name, " + source);
       }
       const std::size_t before = texts_.lines.size();
-      texts_.add(path, study.input_limits);
+      texts_.add(path, options.input_limits);
       for (std::size_t i = before; i < texts_.lines.size(); ++i) {
         names_.push_back(source + ":" + std::to_string(i - before + 1));
         sources_.push_back(source);
@@ -70,7 +67,7 @@ class ScenarioCases : public PlannerCases {
     known_.insert(known.begin(), known.end());
     const std::vector<std::string> wanted = wantedScenes();
     if (!wanted.empty()) {
-      scenes_ = std::make_unique<SceneSource>(logs, wanted, study, scenes_kept, OnWarnings(),
+      scenes_ = std::make_unique<SceneSource>(logs, wanted, options, scenes_kept, OnWarnings(),
                                               on_progress);
     }
   }
@@ -84,12 +81,12 @@ class ScenarioCases : public PlannerCases {
   PlannerCase at(std::size_t index) const override {
     const ScenarioText& line = texts_.lines[index];
     if (line.text.empty()) throw std::runtime_error(line.error);
-    const Scenario scenario = readScenarioLine(line.where, line.text, study_.input_limits);
+    const Scenario scenario = readScenarioLine(line.where, line.text, options_.input_limits);
     if (known_.count(scenario.asked.scene) == 0) {
       throw std::runtime_error(line.where + ": scene = \"" + scenario.asked.scene +
                                "\" is not in the data");
     }
-    PlannerCase one = caseOfScenario(scenario, *scenes_->at(scenario.asked.scene), study_);
+    PlannerCase one = caseOfScenario(scenario, *scenes_->at(scenario.asked.scene), options_);
     one.name = names_[index];
     one.source = sources_[index];
     return one;
@@ -107,62 +104,12 @@ class ScenarioCases : public PlannerCases {
     return wanted;
   }
 
-  const StudyOptions& study_;
+  const AnswerOptions& options_;
   ScenarioTexts texts_;
   std::vector<std::string> names_;
   std::vector<std::string> sources_;
   std::set<std::string> known_;
   std::unique_ptr<SceneSource> scenes_;
-};
-
-const char* toString(ClipAttacker attacker) {
-  switch (attacker) {
-    case ClipAttacker::kRecorded:
-      return "recorded";
-    case ClipAttacker::kHistory:
-      return "history";
-    case ClipAttacker::kReplay:
-      break;
-  }
-  return "replay";
-}
-
-class ClipCases : public PlannerCases {
- public:
-  ClipCases(std::vector<std::string> paths, const std::string& dataroot, ClipAttacker attacker,
-            const std::string& method, ClipAnswers answers, const StudyOptions& study)
-      : paths_(std::move(paths)),
-        attacker_(attacker),
-        answers_(answers),
-        study_(study),
-        maps_(dataroot, study),
-        method_(loadMethod(method, study, study.attack)) {
-    for (const std::string& path : paths_) names_.push_back(fs::path(path).stem().string());
-  }
-
-  const std::vector<std::string>& names() const override { return names_; }
-
-  std::string fingerprint() const override {
-    return "clips, attacker " + std::string(toString(attacker_)) + " by " + method_.name() +
-           (answers_ == ClipAnswers::kAll ? ", unverified" : "") + ", " +
-           fingerprintOfFiles(paths_);
-  }
-
-  PlannerCase at(std::size_t index) const override {
-    const CollideClip clip = readCollideClip(paths_[index], study_.input_limits);
-    PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), method_, study_, answers_);
-    one.source = toString(attacker_);
-    return one;
-  }
-
- private:
-  std::vector<std::string> paths_;
-  std::vector<std::string> names_;
-  ClipAttacker attacker_;
-  ClipAnswers answers_;
-  const StudyOptions& study_;
-  mutable CityMaps maps_;
-  MethodMaker method_;
 };
 
 }  // namespace
@@ -179,16 +126,9 @@ std::set<std::string> readScenes(const std::vector<std::string>& paths, const In
 
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
                                                 const LogSource& logs, std::size_t scenes_kept,
-                                                const StudyOptions& study,
+                                                const AnswerOptions& options,
                                                 const NuScenesProgress& on_progress) {
-  return std::make_unique<ScenarioCases>(paths, logs, scenes_kept, study, on_progress);
-}
-
-std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
-                                            const std::string& dataroot, ClipAttacker attacker,
-                                            const std::string& method, ClipAnswers answers,
-                                            const StudyOptions& study) {
-  return std::make_unique<ClipCases>(paths, dataroot, attacker, method, answers, study);
+  return std::make_unique<ScenarioCases>(paths, logs, scenes_kept, options, on_progress);
 }
 
 }  // namespace forge

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/data/city_maps.h"
+#include "collision_forge/answers/options.h"
 #include "collision_forge/data/scene_source.h"
-#include "collision_forge/study/options.h"
 #include "collision_forge/trials/planner_case.h"
 
 namespace forge {
@@ -33,14 +32,7 @@ std::set<std::string> readScenes(const std::vector<std::string>& paths, const In
 /// is a case that cannot be read.
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
                                                 const LogSource& logs, std::size_t scenes_kept,
-                                                const StudyOptions& study,
+                                                const AnswerOptions& options,
                                                 const NuScenesProgress& on_progress = {});
-
-/// Clips of COLLIDE, named as their files; the source is the attacker's: "recorded", "history" or
-/// "replay".
-std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
-                                            const std::string& dataroot, ClipAttacker attacker,
-                                            const std::string& method, ClipAnswers answers,
-                                            const StudyOptions& study);
 
 }  // namespace forge

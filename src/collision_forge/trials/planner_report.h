@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/study/options.h"
-#include "collision_forge/study/rate_table.h"
+#include "collision_forge/statistics/options.h"
+#include "collision_forge/statistics/rate_table.h"
 #include "collision_forge/trials/planner_result.h"
 
 namespace forge {

@@ -7,10 +7,7 @@
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/planners/planner_factory.h"
 #include "collision_forge/policy/adaptive_attacker.h"
-#include "collision_forge/study/clip_attackers.h"
-#include "collision_forge/study/published.h"
-#include "collision_forge/study/strict.h"
-#include "collision_forge/trials/published_planner.h"
+#include "collision_forge/verify/strict_outcome.h"
 
 namespace forge {
 namespace {
@@ -46,7 +43,7 @@ RolloutOutcome drive(const PlannerCase& one, const std::string& planner,
 
 /// What the attacker did, held against the ego as it was driven and the others as recorded.
 AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, Background background,
-                          const RolloutOutcome& outcome, const StudyOptions& study) {
+                          const RolloutOutcome& outcome, const AnswerOptions& options) {
   AttackerSummary summary;
   summary.policy = policy;
   summary.phase = outcome.phase;
@@ -65,37 +62,26 @@ AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, Background 
   CollisionRequest request = one.request;
   if (policy == PolicyKind::kAdaptive) request.crash.limits = kAdaptiveLimits;
   const CollisionReport report = verifyDrive(
-      attacker, {scenario.snapshot, driven, request, *scenario.lanes}, study.attack.verification);
+      attacker, {scenario.snapshot, driven, request, *scenario.lanes}, options.attack.verification);
   summary.broken_limit = report.broken_limit;
   summary.touched = report.first_other_id;
   if (outcome.contact && outcome.contact->is_attacker) {
     const double off = outcome.contact->time - scenario.snapshot.now - one.request.tta;
     summary.as_asked =
-        outcome.contact->type == one.request.type && std::abs(off) <= study.crash.time_tolerance;
+        outcome.contact->type == one.request.type && std::abs(off) <= options.crash.time_tolerance;
   }
   return summary;
 }
 
-bool isPublishedIdmHit(const CollideClip& clip, const StudyOptions& study,
-                       const TrialOptions& trials) {
-  const PublishedOptions& protocol = study.evaluation.published;
-  std::vector<Pose2> ego;
-  for (const auto& step : publishedIdmDrive(clip, trials.published_idm, protocol)) {
-    ego.push_back(step.pose);
-  }
-  return publishedOutcome(clip, recordedFrames(clip), ego, protocol).isHit();
-}
-
-/// Empty where a failure ends the drive that goes on after a contact.
+/// Empty where a failure ends the drive that goes on after a contact. `one.published` must be set.
 std::optional<bool> isPublishedHit(const PlannerCase& one, const std::string& planner,
-                                   Background background, const StudyOptions& study,
+                                   Background background, const AnswerOptions& options,
                                    const TrialOptions& trials) {
-  if (planner == kPublishedIdm) return isPublishedIdmHit(*one.clip, study, trials);
+  if (planner == kPublishedIdm) return one.published->isIdmHit(trials.published_idm);
   const RolloutOutcome outcome =
-      drive(one, planner, {trials, study.attack, study.crash.types, background, false});
+      drive(one, planner, {trials, options.attack, options.crash.types, background, false});
   if (outcome.failure != PlannerFailure::kNone) return std::nullopt;
-  const CollideClip driven = withEgo(*one.clip, outcome.driven);
-  return publishedOutcome(driven, recordedFrames(driven), study.evaluation.published).isHit();
+  return one.published->isHit(outcome.driven);
 }
 
 }  // namespace
@@ -114,7 +100,7 @@ PlannerTestResult untested(const PlannerCase& one, const std::string& status,
   return result;
 }
 
-PlannerTestResult judgeCase(const PlannerCase& one, const StudyOptions& study,
+PlannerTestResult judgeCase(const PlannerCase& one, const AnswerOptions& options,
                             const TrialOptions& trials) {
   PlannerTestResult result = untested(one, toString(one.status.code), one.status.message);
   if (one.status.code != StatusCode::kOk) return result;
@@ -127,10 +113,10 @@ PlannerTestResult judgeCase(const PlannerCase& one, const StudyOptions& study,
   result.is_strict =
       strictOutcome(scenario.attacker,
                     {scenario.snapshot, scenario.recorded, one.request, *scenario.lanes},
-                    study.attack.verification)
+                    options.attack.verification)
           .meetsFullDefinitions();
   result.avoidability = summaryOf(
-      findAvoidability(scenario, trials.avoidability, trials.planning.route, study.attack),
+      findAvoidability(scenario, trials.avoidability, trials.planning.route, options.attack),
       scenario.snapshot.now);
   return result;
 }
@@ -149,72 +135,75 @@ std::vector<std::string> rowNames(const TestPlan& plan) {
 
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
                                              const Foresight& foresight,
-                                             const StudyOptions& study) {
+                                             const AnswerOptions& options) {
   if (policy == PolicyKind::kFixed) return nullptr;
   const CrashScenario& scenario = one.scenario;
   return std::make_unique<AdaptiveAttacker>(
       AttackerTask{scenario.snapshot, scenario.lanes, scenario.ego, one.request, one.pattern,
                    scenario.attacker},
-      AttackerSetup{foresight.withoutScene(one.scene).egoFutures(study.attack.ego_futures),
-                    study.attack, study.adaptive});
+      AttackerSetup{foresight.withoutScene(one.scene).egoFutures(options.attack.ego_futures),
+                    options.attack, options.adaptive});
 }
 
 PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                       const TestPlan& plan, const StudyOptions& study,
+                       const TestPlan& plan, const AnswerOptions& options,
                        const TrialOptions& trials) {
-  const auto attacker = makeAttacker(one, policy, plan.foresight, study);
-  const RolloutSetup setup{trials,          study.attack, study.crash.types,
-                           plan.background, true,         attacker.get()};
+  const auto attacker = makeAttacker(one, policy, plan.foresight, options);
+  const RolloutSetup setup{trials,          options.attack, options.crash.types,
+                           plan.background, true,           attacker.get()};
   PlannerRow row;
   row.planner = planner;
   row.outcome = drive(one, planner, setup);
-  row.attacker = summaryOf(one, policy, plan.background, row.outcome, study);
+  row.attacker = summaryOf(one, policy, plan.background, row.outcome, options);
   if (row.outcome.contact && row.outcome.contact->is_attacker) {
     row.escape =
         summaryOf(findEscape(one.scenario, row.outcome.driven, setup), one.scenario.snapshot.now);
-    row.is_fair =
-        row.escape->is_avoidable && row.escape->last_after >= study.adaptive.fairness.avoidable_for;
+    row.is_fair = row.escape->is_avoidable &&
+                  row.escape->last_after >= options.adaptive.fairness.avoidable_for;
   }
   row.outcome.driven.clear();
   row.outcome.others.clear();
   row.outcome.attacker = {};
   row.outcome.attacker_plans.clear();
-  if (one.clip && policy == PolicyKind::kFixed && row.outcome.failure == PlannerFailure::kNone) {
-    row.published_hit = isPublishedHit(one, planner, plan.background, study, trials);
+  if (one.published && policy == PolicyKind::kFixed &&
+      row.outcome.failure == PlannerFailure::kNone) {
+    row.published_hit = isPublishedHit(one, planner, plan.background, options, trials);
   }
   return row;
 }
 
 RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                          const TestPlan& plan, const StudyOptions& study,
+                          const TestPlan& plan, const AnswerOptions& options,
                           const TrialOptions& trials) {
-  const auto attacker = makeAttacker(one, policy, plan.foresight, study);
-  return drive(one, planner,
-               {trials, study.attack, study.crash.types, plan.background, true, attacker.get()});
+  const auto attacker = makeAttacker(one, policy, plan.foresight, options);
+  return drive(
+      one, planner,
+      {trials, options.attack, options.crash.types, plan.background, true, attacker.get()});
 }
 
 std::optional<Escape> escapeAgain(const PlannerCase& one, const RolloutOutcome& outcome,
                                   PolicyKind policy, const TestPlan& plan,
-                                  const StudyOptions& study, const TrialOptions& trials) {
+                                  const AnswerOptions& options, const TrialOptions& trials) {
   if (!outcome.contact || !outcome.contact->is_attacker) return std::nullopt;
-  const auto attacker = makeAttacker(one, policy, plan.foresight, study);
+  const auto attacker = makeAttacker(one, policy, plan.foresight, options);
   return findEscape(
       one.scenario, outcome.driven,
-      {trials, study.attack, study.crash.types, plan.background, true, attacker.get()});
+      {trials, options.attack, options.crash.types, plan.background, true, attacker.get()});
 }
 
 PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
-                               const StudyOptions& study, const TrialOptions& trials) {
-  PlannerTestResult result = judgeCase(one, study, trials);
+                               const AnswerOptions& options, const TrialOptions& trials) {
+  PlannerTestResult result = judgeCase(one, options, trials);
   for (const std::string& name : plan.planners) {
-    if (result.status == kUnfit && one.clip && name == kPublishedIdm) {
-      result.rows.push_back({name, {}, {}, {}, true, isPublishedIdmHit(*one.clip, study, trials)});
+    if (result.status == kUnfit && one.published && name == kPublishedIdm) {
+      result.rows.push_back(
+          {name, {}, {}, {}, true, one.published->isIdmHit(trials.published_idm)});
     }
   }
   if (!result.isTested()) return result;
   for (const std::string& name : plan.planners) {
     for (const PolicyKind policy : plan.policies) {
-      result.rows.push_back(testPlanner(one, name, policy, plan, study, trials));
+      result.rows.push_back(testPlanner(one, name, policy, plan, options, trials));
     }
   }
   return result;

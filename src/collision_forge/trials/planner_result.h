@@ -63,8 +63,7 @@ struct PlannerRow {
   /// FairnessOptions::avoidable_for.
   bool is_fair = true;
   /// In a clip of COLLIDE: the published protocol sees the attacker hit the ego that the planner
-  /// drives to the last frame, through whom it may touch: from now on, with idm_published as
-  /// publishedIdmDrive() has it.
+  /// drives to the last frame, through whom it may touch (PublishedProtocol).
   std::optional<bool> published_hit = {};
 };
 
@@ -100,32 +99,34 @@ PlannerTestResult untested(const PlannerCase& one, const std::string& status,
 
 /// Tells what a case is without a planner: its status and, with OK, whether it is strict and
 /// avoidable. A case that checkScenario() refuses is kUnfit.
-PlannerTestResult judgeCase(const PlannerCase& one, const StudyOptions& study,
+PlannerTestResult judgeCase(const PlannerCase& one, const AnswerOptions& options,
                             const TrialOptions& trials);
 
 /// Who drives the attacker of a case; null for PolicyKind::kFixed.
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
-                                             const Foresight& foresight, const StudyOptions& study);
+                                             const Foresight& foresight,
+                                             const AnswerOptions& options);
 
 /// Drives a planner through a case that judgeCase() finds OK; of the plan the background and the
 /// foresight count. Throws std::invalid_argument for an unknown planner.
 PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                       const TestPlan& plan, const StudyOptions& study, const TrialOptions& trials);
+                       const TestPlan& plan, const AnswerOptions& options,
+                       const TrialOptions& trials);
 
 /// The rollout of testPlanner() once more, with its motions.
 RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                          const TestPlan& plan, const StudyOptions& study,
+                          const TestPlan& plan, const AnswerOptions& options,
                           const TrialOptions& trials);
 
 /// The escape of testPlanner() once more, with its motions; `outcome`: of driveAgain(). Empty where
 /// the attacker did not hit the ego, and as findEscape().
 std::optional<Escape> escapeAgain(const PlannerCase& one, const RolloutOutcome& outcome,
                                   PolicyKind policy, const TestPlan& plan,
-                                  const StudyOptions& study, const TrialOptions& trials);
+                                  const AnswerOptions& options, const TrialOptions& trials);
 
 /// Drives every planner of the plan through the case as judgeCase() finds it, against an attacker
 /// of each policy; rows as PlannerTestResult has them. Throws as testPlanner().
 PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
-                               const StudyOptions& study, const TrialOptions& trials);
+                               const AnswerOptions& options, const TrialOptions& trials);
 
 }  // namespace forge

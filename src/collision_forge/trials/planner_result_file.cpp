@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "collision_forge/data/scenario_file.h"
-#include "collision_forge/study/csv_text.h"
+#include "collision_forge/statistics/csv_text.h"
 
 namespace forge {
 namespace {

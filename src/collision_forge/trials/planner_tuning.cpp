@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "collision_forge/config/section.h"
-#include "collision_forge/study/rate_table.h"
+#include "collision_forge/statistics/rate_table.h"
 
 namespace forge {
 namespace {
@@ -104,15 +104,15 @@ void checkHeldOut(const std::set<std::string>& train, const std::set<std::string
 
 PlannerTestResult testVariants(const PlannerCase& one, const std::string& planner,
                                const std::vector<PlannerVariant>& variants, bool only_avoidable,
-                               Background background, const StudyOptions& study,
+                               Background background, const AnswerOptions& options,
                                const TrialOptions& trials) {
-  PlannerTestResult result = judgeCase(one, study, trials);
+  PlannerTestResult result = judgeCase(one, options, trials);
   if (!result.isTested() || (only_avoidable && !result.avoidability.is_avoidable)) return result;
   TestPlan plan;
   plan.background = background;
   for (const PlannerVariant& variant : variants) {
     result.rows.push_back(
-        testPlanner(one, planner, PolicyKind::kFixed, plan, study, variant.options));
+        testPlanner(one, planner, PolicyKind::kFixed, plan, options, variant.options));
     result.rows.back().planner = variant.name;
   }
   return result;

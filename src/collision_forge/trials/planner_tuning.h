@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/study/rate_table.h"
-#include "collision_forge/study/statistics.h"
+#include "collision_forge/statistics/rate_table.h"
+#include "collision_forge/statistics/statistics.h"
 #include "collision_forge/trials/planner_grid.h"
 #include "collision_forge/trials/planner_result.h"
 
@@ -36,7 +36,7 @@ void checkHeldOut(const std::set<std::string>& train, const std::set<std::string
 /// `only_avoidable` no rows where the crash is not avoidable: nobody is tuned on it.
 PlannerTestResult testVariants(const PlannerCase& one, const std::string& planner,
                                const std::vector<PlannerVariant>& variants, bool only_avoidable,
-                               Background background, const StudyOptions& study,
+                               Background background, const AnswerOptions& options,
                                const TrialOptions& trials);
 
 /// What tuning makes rare: a contact with the attacker, a first contact with somebody else that the

@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/answers/allowed_requests.h"
 #include "collision_forge/attack/request_list.h"
 #include "collision_forge/data/request_file.h"
 #include "collision_forge/files/fingerprint.h"
 #include "collision_forge/forecast/random.h"
-#include "collision_forge/study/allowed_requests.h"
 
 namespace forge {
 namespace {
@@ -21,17 +21,17 @@ CrashDefinition withoutThreshold(CrashDefinition crash) {
 
 /// Every request of a scene: each manoeuvre of each type, by a recorded vehicle or a new one.
 std::vector<SceneRequest> everyRequestOf(const Scene& scene, const RequestListOptions& list,
-                                         const StudyOptions& study) {
+                                         const AnswerOptions& options) {
   std::vector<SceneRequest> requests;
   CollisionRequest asked;
-  asked.crash = withoutThreshold(study.crash);
+  asked.crash = withoutThreshold(options.crash);
   asked.crash.types = {};  // the same for all, and large
   for (const Manoeuvre manoeuvre : kManoeuvres) {
     for (const AttackerChoice choice : {AttackerChoice::kExisting, AttackerChoice::kNew}) {
       asked.manoeuvre = manoeuvre;
       asked.choice = choice;
-      for (SceneRequest& request :
-           listRequests(scene, list, study.attack.prediction, study.crash.time_tolerance, asked)) {
+      for (SceneRequest& request : listRequests(scene, list, options.attack.prediction,
+                                                options.crash.time_tolerance, asked)) {
         requests.push_back(std::move(request));
       }
     }
@@ -51,10 +51,11 @@ std::string nameOf(const SceneRequest& asked, double start) {
 }  // namespace
 
 RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
-                           const StudyOptions& study, const RequestDraw& draw)
+                           const AnswerOptions& options, const RequestDraw& draw)
     : scenes_(scenes),
-      study_(study),
-      answerer_(scenes, method, withoutThreshold(study.crash), study.ego_vehicle, study.adaptive),
+      options_(options),
+      answerer_(scenes, method, withoutThreshold(options.crash), options.ego_vehicle,
+                options.adaptive),
       method_(method.name()) {
   std::vector<SceneRequest> all;
   std::map<std::string, double> starts;
@@ -62,8 +63,8 @@ RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
   for (const std::string& name : names) {
     const auto recording = scenes.at(name);
     starts[name] = recording->scene.frame_times.front();
-    for (SceneRequest& request : everyRequestOf(recording->scene, draw.list, study)) {
-      if (roadAllowsAsked(request, *recording, study)) all.push_back(std::move(request));
+    for (SceneRequest& request : everyRequestOf(recording->scene, draw.list, options)) {
+      if (roadAllowsAsked(request, *recording, options)) all.push_back(std::move(request));
     }
     if (draw.on_scene) draw.on_scene(starts.size(), names.size());
   }
@@ -92,11 +93,11 @@ std::string RequestCases::fingerprint() const {
 
 Scenario RequestCases::scenario(std::size_t index) const {
   return readScenarioLine(names_[index], scenarioLine(answerer_.answer(requests_[index])),
-                          study_.input_limits);
+                          options_.input_limits);
 }
 
 PlannerCase RequestCases::at(std::size_t index) const {
-  PlannerCase one = caseOfScenario(scenario(index), *scenes_.at(requests_[index].scene), study_);
+  PlannerCase one = caseOfScenario(scenario(index), *scenes_.at(requests_[index].scene), options_);
   one.name = names_[index];
   one.source = "until_hit";
   return one;

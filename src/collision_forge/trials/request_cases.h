@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/answers/request_answerer.h"
 #include "collision_forge/attack/options.h"
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/network/method_maker.h"
-#include "collision_forge/study/request_answerer.h"
 #include "collision_forge/trials/planner_cases.h"
 
 namespace forge {
@@ -30,9 +30,9 @@ struct RequestDraw {
 /// scene's first frame.
 class RequestCases : public PlannerCases {
  public:
-  /// `scenes` and `study` must outlive it. Throws std::runtime_error where nothing can be asked
+  /// `scenes` and `options` must outlive it. Throws std::runtime_error where nothing can be asked
   /// for.
-  RequestCases(SceneSource& scenes, const MethodMaker& method, const StudyOptions& study,
+  RequestCases(SceneSource& scenes, const MethodMaker& method, const AnswerOptions& options,
                const RequestDraw& draw);
 
   const std::vector<std::string>& names() const override { return names_; }
@@ -45,7 +45,7 @@ class RequestCases : public PlannerCases {
 
  private:
   SceneSource& scenes_;
-  const StudyOptions& study_;
+  const AnswerOptions& options_;
   RequestAnswerer answerer_;
   std::string method_;
   std::vector<SceneRequest> requests_;

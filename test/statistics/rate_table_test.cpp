@@ -1,54 +1,9 @@
-#include "collision_forge/study/rate_table.h"
+#include "collision_forge/statistics/rate_table.h"
 
 #include <gtest/gtest.h>
 
 namespace forge {
 namespace {
-
-const StatisticsOptions kOptions{100, 0.95, 1};
-
-ResultRow row(const std::string& method, const std::string& scene, bool collision, bool similar) {
-  ResultRow row;
-  row.method = method;
-  row.scene = scene;
-  row.type = CollisionType::kRearEnd;
-  row.tta = 2.0;
-  row.meets = {collision, similar};
-  return row;
-}
-
-std::vector<ResultRow> sampleRows() {
-  return {row("a", "s", true, true), row("a", "s", true, false), row("a", "s", false, false),
-          row("a", "s", false, false), row("b", "s", false, false)};
-}
-
-TEST(RateTable, RateIsOfAllRowsOrOfThoseThatMeetTheGivenMeasure) {
-  const auto tables = tabulate(sampleRows(), Protocol::kPublished, {"a", "b"}, kOptions);
-  ASSERT_EQ(tables.size(), 2u);
-  EXPECT_EQ(tables[0].measure.name, "collision");
-  EXPECT_EQ(tables[0].groups.back(), "all");
-  EXPECT_EQ(tables[0].rates[0].back().trials, 4);
-  EXPECT_EQ(tables[0].rates[0].back().value, 0.5);
-  EXPECT_EQ(tables[0].rates[1].back().value, 0.0);
-  EXPECT_EQ(tables[1].rates[0].back().trials, 2);
-  EXPECT_EQ(tables[1].rates[0].back().value, 0.5);
-  EXPECT_EQ(tables[1].rates[1].back().trials, 0);
-}
-
-TEST(RateTable, RowsStandInTheirTypesAndTtasColumns) {
-  const auto tables = tabulate(sampleRows(), Protocol::kPublished, {"a"}, kOptions);
-  for (std::size_t i = 0; i < tables[0].groups.size(); ++i) {
-    const std::string& group = tables[0].groups[i];
-    const bool expected = group == "RE" || group == "1.5-2.5 s" || group == "all";
-    EXPECT_EQ(tables[0].rates[0][i].trials, expected ? 4 : 0) << group;
-  }
-}
-
-TEST(RateTable, MethodsNotAskedForAreLeftOut) {
-  const auto tables = tabulate(sampleRows(), Protocol::kPublished, {"b"}, kOptions);
-  ASSERT_EQ(tables[0].rates.size(), 1u);
-  EXPECT_EQ(tables[0].rates[0].back().trials, 1);
-}
 
 TEST(RateTable, MarkdownHasPercentIntervalsAndTrials) {
   RateTable table;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "collision_forge/scene/collision_request.h"
-#include "collision_forge/study/options.h"
+#include "collision_forge/statistics/options.h"
 
 namespace forge {
 

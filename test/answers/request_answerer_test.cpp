@@ -1,4 +1,4 @@
-#include "collision_forge/study/request_answerer.h"
+#include "collision_forge/answers/request_answerer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,23 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "collision_forge/study/options.h"
-#include "collision_forge/study/result_row.h"
-#include "collision_forge/study/statistics.h"
+#include "collision_forge/statistics/options.h"
+#include "collision_forge/statistics/statistics.h"
 
 namespace forge {
+
+/// Something that one attack meets or does not, and that the tables have a rate of.
+struct Measure {
+  std::string name;  ///< column in results.csv
+  std::string title;
+  std::optional<std::size_t> given;  ///< rate among the rows that meet this measure; all if empty
+  bool is_headline = false;          ///< drawn as a chart
+};
 
 /// The rates of one measure: a row a method, a column a group (groupTrials()).
 struct RateTable {
@@ -25,15 +33,6 @@ using MethodTrials = std::vector<std::pair<std::string, std::vector<Trial>>>;
 /// The table of these trials.
 RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials,
                          const StatisticsOptions& options);
-
-/// The rows of one method as trials of the measure at an index; all, or those that meet `given`.
-std::vector<Trial> trialsOf(const std::vector<ResultRow>& rows, const std::string& method,
-                            std::size_t measure, const std::optional<std::size_t>& given = {});
-
-/// One table a measure of the protocol. Methods in the order given; rows of others are left out.
-std::vector<RateTable> tabulate(const std::vector<ResultRow>& rows, Protocol protocol,
-                                const std::vector<std::string>& methods,
-                                const StatisticsOptions& options);
 
 /// What a table's values are shown in.
 struct TableUnit {

@@ -1,4 +1,4 @@
-#include "collision_forge/study/strict.h"
+#include "collision_forge/verify/strict_outcome.h"
 
 #include <gtest/gtest.h>
 
@@ -128,9 +128,6 @@ TEST(Strict, BelievabilityCountsWhereTheRequestAsksForIt) {
   outcome = c.outcome();
   EXPECT_FALSE(outcome.meetsAngleBands());
   EXPECT_FALSE(outcome.meetsFullDefinitions());
-  ResultRow row;
-  describeOutcome(outcome, kNow, row);
-  EXPECT_EQ(row.note, outcome.report.unbelievable);
 }
 
 TEST(Strict, ContactBeforeNowAloneIsNone) {
@@ -144,27 +141,6 @@ TEST(Strict, NoAttackMeetsNothing) {
   const StrictOutcome outcome;
   EXPECT_FALSE(outcome.meetsAngleBands());
   EXPECT_FALSE(outcome.meetsFullDefinitions());
-}
-
-TEST(Strict, RowSaysWhatTheOutcomeSays) {
-  Case c = meeting(CollisionType::kLtap, M_PI_2);
-  c.trajectory.points[10].curvature = 0.21;
-  c.recorded.agents.push_back(futureTrack("wall", kCarSize, {40.0, -20.0, 0.0}, 0.0));
-  StrictOutcome outcome = c.outcome();
-  outcome.report.off_road_share = 0.25;
-  ResultRow row;
-  describeOutcome(outcome, kNow, row);
-  EXPECT_EQ(row.meets, (std::vector<bool>{false, false, true, true, false, true, false, false}));
-  EXPECT_EQ(row.contact_after, outcome.report.contact_time - kNow);
-  EXPECT_EQ(row.relative_heading, outcome.report.relative_heading);
-  EXPECT_EQ(row.off_road_share, 0.25);
-  EXPECT_EQ(row.note, "max_total_acceleration 21.000 > 8.000; touches wall");
-  ResultRow missed;
-  describeOutcome({}, kNow, missed);
-  EXPECT_FALSE(missed.contact_after);
-  EXPECT_FALSE(missed.off_road_share);
-  EXPECT_EQ(missed.meets,
-            (std::vector<bool>{false, false, false, false, false, false, false, true}));
 }
 
 TEST(Strict, AngleRulesChangeTheRulesAlone) {

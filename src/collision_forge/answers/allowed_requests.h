@@ -1,13 +1,13 @@
 #pragma once
 
+#include "collision_forge/answers/options.h"
 #include "collision_forge/scene/collision_request.h"
 #include "collision_forge/scene/moment.h"
-#include "collision_forge/study/options.h"
 
 namespace forge {
 
 /// roadAllows() on the ego as it was recorded, for a request of this recording.
 bool roadAllowsAsked(const SceneRequest& asked, const IndexedScene& recording,
-                     const StudyOptions& options);
+                     const AnswerOptions& options);
 
 }  // namespace forge

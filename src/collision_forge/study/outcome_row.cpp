@@ -1,19 +1,6 @@
-#include "collision_forge/study/strict.h"
+#include "collision_forge/study/outcome_row.h"
 
 namespace forge {
-
-StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const VerificationInput& input,
-                            const VerificationOptions& options) {
-  CollisionRequest request = input.request;
-  const VerificationInput asked{input.snapshot, input.future, request, input.lanes};
-  StrictOutcome outcome;
-  request.crash.rules = TypeRules::kAngle;
-  outcome.report = verify(trajectory, asked, options);
-  outcome.is_believed = !request.crash.believable || outcome.report.believable();
-  request.crash.rules = TypeRules::kFull;
-  outcome.full_type_kept = verifyMotion(trajectory, asked, options).type_kept;
-  return outcome;
-}
 
 void describeOutcome(const StrictOutcome& outcome, double now, ResultRow& row) {
   const CollisionReport& report = outcome.report;

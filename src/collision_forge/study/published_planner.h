@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "collision_forge/data/collide_clip.h"
 #include "collision_forge/planners/idm.h"
 #include "collision_forge/scene/attack.h"
 #include "collision_forge/study/options.h"
+#include "collision_forge/trials/planner_case.h"
 
 namespace forge {
 
@@ -40,5 +42,9 @@ struct PublishedIdmStep {
 std::vector<PublishedIdmStep> publishedIdmDrive(const CollideClip& clip,
                                                 const PublishedIdmOptions& idm,
                                                 const PublishedOptions& protocol);
+
+/// publishedOutcome() on `clip`, whose attacker drives as in the case.
+std::shared_ptr<const PublishedProtocol> publishedProtocol(CollideClip clip,
+                                                           const PublishedOptions& options);
 
 }  // namespace forge

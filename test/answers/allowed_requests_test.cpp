@@ -1,4 +1,4 @@
-#include "collision_forge/study/allowed_requests.h"
+#include "collision_forge/answers/allowed_requests.h"
 
 #include <gtest/gtest.h>
 

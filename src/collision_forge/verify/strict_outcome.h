@@ -1,6 +1,5 @@
 #pragma once
 
-#include "collision_forge/study/result_row.h"
 #include "collision_forge/verify/verification.h"
 
 namespace forge {
@@ -24,10 +23,5 @@ struct StrictOutcome {
 /// Headings are interpolated and contact is continuous, as in verify(), which decides all of it.
 StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const VerificationInput& input,
                             const VerificationOptions& options);
-
-/// Fills in what the outcome says: which measures are met, when and how the boxes touch, the share
-/// off the road, and as a note the broken limit, whom the attacker touches before and what no
-/// driver would do.
-void describeOutcome(const StrictOutcome& outcome, double now, ResultRow& row);
 
 }  // namespace forge

@@ -1,12 +1,39 @@
-#include "collision_forge/trials/published_planner.h"
+#include "collision_forge/study/published_planner.h"
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "collision_forge/study/clip_attackers.h"
 #include "collision_forge/study/published.h"
 
 namespace forge {
+namespace {
+
+class ClipProtocol : public PublishedProtocol {
+ public:
+  ClipProtocol(CollideClip clip, const PublishedOptions& options)
+      : clip_(std::move(clip)), options_(options) {}
+
+  bool isHit(const std::vector<TrajectoryPoint>& ego) const override {
+    const CollideClip driven = withEgo(clip_, ego);
+    return publishedOutcome(driven, recordedFrames(driven), options_).isHit();
+  }
+
+  bool isIdmHit(const PublishedIdmOptions& idm) const override {
+    std::vector<Pose2> ego;
+    for (const PublishedIdmStep& step : publishedIdmDrive(clip_, idm, options_)) {
+      ego.push_back(step.pose);
+    }
+    return publishedOutcome(clip_, recordedFrames(clip_), ego, options_).isHit();
+  }
+
+ private:
+  CollideClip clip_;
+  PublishedOptions options_;
+};
+
+}  // namespace
 
 CollideClip withEgo(CollideClip clip, const std::vector<TrajectoryPoint>& driven) {
   if (driven.empty()) throw std::invalid_argument("the ego of " + clip.name + " has no motion");
@@ -58,6 +85,11 @@ std::vector<PublishedIdmStep> publishedIdmDrive(const CollideClip& clip,
     driven.push_back(next);
   }
   return driven;
+}
+
+std::shared_ptr<const PublishedProtocol> publishedProtocol(CollideClip clip,
+                                                           const PublishedOptions& options) {
+  return std::make_shared<ClipProtocol>(std::move(clip), options);
 }
 
 }  // namespace forge

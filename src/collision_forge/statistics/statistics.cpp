@@ -1,4 +1,4 @@
-#include "collision_forge/study/statistics.h"
+#include "collision_forge/statistics/statistics.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "collision_forge/trials/published_planner.h"
+#include "collision_forge/study/published_planner.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 #include "data/collide_fixture.h"
 
 namespace forge {
@@ -14,13 +14,13 @@ namespace {
 
 const PublishedIdmOptions& idm() {
   static const PublishedIdmOptions options =
-      loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").planners.published_idm;
+      loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config").planners.published_idm;
   return options;
 }
 
 const PublishedOptions& protocol() {
   static const PublishedOptions options =
-      loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").evaluation.published;
+      loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config").evaluation.published;
   return options;
 }
 
@@ -97,6 +97,22 @@ TEST(PublishedPlanner, WhereTheRecordedEgoStandsTheDrivenOneStaysToo) {
   const auto driven = drivenIn(clip);
   EXPECT_EQ(driven.back().pose.x, egoIn(clip, 0).pose.x);
   EXPECT_GT(driven.back().speed, 1.0);
+}
+
+TEST(PublishedPlanner, TheProtocolOfACaseSeesTheAttackerHitAnEgoThatStandsStill) {
+  const CollideClip clip =
+      straightClip(CollisionType::kRearEnd, 0.0, 12, 8.0, {-14.7, 0.0, 0.0}, 8.0);
+  const auto published = publishedProtocol(clip, protocol());
+  EXPECT_TRUE(published->isHit({{clip.now(), {}, 0.0, 0.0, 0.0}}));
+  EXPECT_FALSE(published->isHit(
+      {{clip.now(), {}, 8.0, 0.0, 0.0}, {clip.times.back(), {20.0, 0.0, 0.0}, 8.0, 0.0, 0.0}}));
+}
+
+TEST(PublishedPlanner, TheProtocolOfACaseSeesTheAttackerHitTheEgoOfIdm) {
+  EXPECT_TRUE(
+      publishedProtocol(straightClip(CollisionType::kRearEnd, 0.0, 12, 8.0, {-3.0, 0.0, 0.0}, 8.0),
+                        protocol())
+          ->isIdmHit(idm()));
 }
 
 }  // namespace

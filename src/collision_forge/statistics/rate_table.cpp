@@ -1,4 +1,4 @@
-#include "collision_forge/study/rate_table.h"
+#include "collision_forge/statistics/rate_table.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -22,16 +22,6 @@ bool sameTrials(const std::vector<Rate>& a, const std::vector<Rate>& b) {
 
 }  // namespace
 
-std::vector<Trial> trialsOf(const std::vector<ResultRow>& rows, const std::string& method,
-                            std::size_t measure, const std::optional<std::size_t>& given) {
-  std::vector<Trial> trials;
-  for (const ResultRow& row : rows) {
-    if (row.method != method || (given && !row.meets[*given])) continue;
-    trials.push_back({row.scene, row.type, row.tta, row.meets[measure] ? 1.0 : 0.0});
-  }
-  return trials;
-}
-
 RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials,
                          const StatisticsOptions& options) {
   RateTable table{measure, {}, {}, {}};
@@ -45,21 +35,6 @@ RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials,
     }
   }
   return table;
-}
-
-std::vector<RateTable> tabulate(const std::vector<ResultRow>& rows, Protocol protocol,
-                                const std::vector<std::string>& methods,
-                                const StatisticsOptions& options) {
-  std::vector<RateTable> tables;
-  const std::vector<Measure>& measures = measuresOf(protocol);
-  for (std::size_t measure = 0; measure < measures.size(); ++measure) {
-    MethodTrials trials;
-    for (const std::string& method : methods) {
-      trials.emplace_back(method, trialsOf(rows, method, measure, measures[measure].given));
-    }
-    tables.push_back(tabulateTrials(measures[measure], trials, options));
-  }
-  return tables;
 }
 
 std::string toText(const Rate& rate, double scale) {
