@@ -11,15 +11,16 @@
 namespace forge {
 namespace {
 
-/// Where the two stand to each other in the recording at the time asked for; the set has no
-/// pattern.
-CollisionPattern patternOf(const PlannerCase& one) {
+/// Where the two stand to each other in the recording at the time asked for, with the tolerance of
+/// kinematic patterns; the set has no pattern.
+CollisionPattern patternOf(const PlannerCase& one, const PredictionOptions& prediction) {
   const CrashScenario& scenario = one.scenario;
   const double time = scenario.snapshot.now + one.request.tta;
   CollisionPattern pattern;
   pattern.type = one.request.type;
   pattern.attacker_id = scenario.attacker.attacker_id;
   pattern.time = time;
+  pattern.tolerance = prediction.pattern_tolerance;
   const auto ego = stateAt(scenario.recorded.ego, time);
   const auto attacker = stateAt(attackerTrack(scenario), time);
   if (!ego || !attacker) return pattern;
@@ -70,6 +71,7 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
                   indexed.lanes};
   showPast(one.scenario);
   one.pattern = scenario.answer.aim;
+  one.effort = scenario.answer.effort;
   return one;
 }
 
@@ -92,7 +94,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                   std::move(lanes)};
   if (attacker == ClipAttacker::kRecorded) {
     one.scenario.attacker = recordedAttacker(clip, box, study.attack.search);
-    one.pattern = patternOf(one);
+    one.pattern = patternOf(one, study.attack.prediction);
     return one;
   }
   Realization answer = answerTo(one, method, study, answers);
@@ -100,6 +102,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
   one.scenario.attacker = std::move(answer.trajectory);
   if (one.status.code == StatusCode::kOk) one.clip = withAttacker(clip, one.scenario.attacker);
   one.pattern = answer.aim;
+  one.effort = answer.effort;
   return one;
 }
 

@@ -22,6 +22,7 @@ struct PlannerCase {
   Status status;                    ///< why there is nothing to test on, where there is not
   CrashScenario scenario;           ///< with kOk only, but snapshot.now always
   CollisionPattern pattern;         ///< aimed at; with kOk only
+  double effort = 0.0;              ///< Realization::effort
   std::optional<CollideClip> clip;  ///< that it is of, its attacker as it drives here
 };
 
