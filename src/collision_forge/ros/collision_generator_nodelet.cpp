@@ -164,11 +164,12 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
       live_->setOut(attack);
       return;
     }
-    attack = live_->setOut(attack,
-                           {fromMessage(scene), finder_->lanes(), config_.ego_vehicle, request,
-                            fromMessage(attack.pattern), fromMessage(attack.trajectory)},
-                           {finder_->foresight().egoFutures(config_.attack.ego_futures),
-                            config_.attack, config_.adaptive});
+    attack =
+        live_->setOut(attack,
+                      {fromMessage(scene), finder_->lanes(), config_.ego_vehicle, request,
+                       fromMessage(attack.pattern), fromMessage(attack.trajectory), attack.effort},
+                      {finder_->foresight().egoFutures(config_.attack.ego_futures), config_.attack,
+                       config_.adaptive});
   }
 
   bool generateEach(collision_forge::GenerateCollisions::Request& message,
