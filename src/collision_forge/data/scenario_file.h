@@ -28,9 +28,9 @@ struct Scenario {
 std::string scenarioLine(const Scenario& scenario);
 
 /// The opposite of scenarioLine(): the same line again gives the same bytes. A line of version 5
-/// has no tolerance, which is 4 m then, and neither effort, first_other_t nor off_road, which are 0.
-/// Throws JsonLineError, naming `where`, for a line that is not of this format or of a version that
-/// is neither 5 nor 6, and for a number beyond the limits; InputError as checkLineLength().
+/// has no tolerance, which is 4 m then, and neither effort, first_other_t nor off_road, which are
+/// 0. Throws JsonLineError, naming `where`, for a line that is not of this format or of a version
+/// that is neither 5 nor 6, and for a number beyond the limits; InputError as checkLineLength().
 Scenario readScenarioLine(const std::string& where, const std::string& line,
                           const InputLimits& limits);
 
