@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 CONFIG = Path(__file__).resolve().parent.parent / 'config'
-VERSION = 5
+VERSIONS = (5, 6)
 
 STRICT = ('max_forward_acceleration', 'max_braking', 'max_total_acceleration', 'max_curvature', 'max_speed',
           'curvature_min_speed', 'heading_slack', 'heading_per_metre')
@@ -122,7 +122,7 @@ def read_scenarios(path):
             where = '{}: line {}'.format(path, number)
             try:
                 scenario = json.loads(line, parse_constant=refuse_constant)
-                if scenario['format'] != 'collision_forge/scenario' or scenario['version'] != VERSION:
+                if scenario['format'] != 'collision_forge/scenario' or scenario['version'] not in VERSIONS:
                     raise ValueError('another format or version')
             except (ValueError, KeyError, TypeError) as error:
                 raise BadInput('{}: no scenario: {}'.format(where, error)) from None

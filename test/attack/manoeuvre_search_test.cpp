@@ -177,6 +177,17 @@ TEST_F(ManoeuvreSearchTest, OneThatIsUnderwayGoesOnFromItsStateOrFindsBetter) {
   EXPECT_GT(changed.front().score.share, 0.0);
   EXPECT_FALSE(findBrokenDrive(changed.front().points, underway.state, kNow + 4.0, limits));
   EXPECT_TRUE(changed.back().is_underway) << "what it means to do comes last";
+  // The plan underway pays for how it drives as other plans do.
+  const auto objectiveOf = [&] { return searched(slower).back().objective; };
+  const double calm = objectiveOf();
+  underway.effort = 0.1;
+  EXPECT_NEAR(objectiveOf(), calm - 0.1, 1e-9);
+  underway.draft = changed.front().drafted->draft;
+  underway.draft->departure = 0.0;
+  const double with_draft = objectiveOf();
+  underway.style = options_.route.styles.size() - 1;
+  EXPECT_NEAR(objectiveOf(), with_draft - options_.route.styles.back().cost, 1e-9);
+  underway.style = changed.front().drafted->style;
   // With the draft of the better plan, and the manoeuvre named, which the whole drive tells.
   underway.way = changed.front().drafted->way;
   underway.draft = changed.front().drafted->draft;

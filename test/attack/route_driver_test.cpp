@@ -75,6 +75,19 @@ TEST_F(RouteTest, ArrivesInTimeAtTheOffsetAndTheHeadingAskedFor) {
   }
 }
 
+TEST_F(RouteTest, StartsWhereItIsIfTheArrivalIsLessThanAStepAway) {
+  const RouteDriver route = routeAt(2.0, 0.3, 8.0);
+  RoutePlan wanted;
+  wanted.arrival = 0.5 * kStep;
+  wanted.at = {2.4, 1.0, 0.0};
+  for (const double departure : {0.25 * kStep, 0.5 * kStep, 20.0 * kStep}) {
+    wanted.departure = departure;
+    std::vector<PlannedStep> planned;
+    ASSERT_TRUE(plan(route, wanted, planned));
+    EXPECT_NEAR(planned[0].middle.y, 0.3, 1e-9) << departure;
+  }
+}
+
 TEST_F(RouteTest, DrivesByTheTamestStyleThatArrives) {
   const RouteDriver route = routeAt(2.0, 0.0, 8.0);
   std::vector<PlannedStep> planned;

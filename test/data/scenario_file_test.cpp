@@ -9,6 +9,7 @@
 #include "collision_forge/attack/request_check.h"
 #include "data/nuscenes_fixture.h"
 #include "scene/shipped_limits.h"
+#include "scene/whole_attack.h"
 
 namespace forge {
 namespace {
@@ -34,7 +35,7 @@ Scenario attack() {
   scenario.ego = {{4.084, 1.73}, 1.385};
   Realization& answer = scenario.answer;
   answer.aim = {CollisionType::kRearEnd, "a1", kNow + 4.0, {{40.0, 1.0, 0.5}, {4.084, 1.73}},
-                {-4.3, 0.25, 0.125},     12.5};
+                {-4.3, 0.25, 0.125},     12.5, 1.5};
   answer.miss = {0.25, 0.0625};
   answer.trajectory = {"a1", AgentClass::kTruck, {4.6, 1.9}, {}};
   answer.trajectory.points = {{kNow, {1.0, 2.0, 0.25}, 9.0, 0.5, 0.01},
@@ -49,15 +50,16 @@ Scenario attack() {
   report.overlap = 0.375;
   report.off_road_share = 0.75;
   report.manoeuvre_begin = kNow + 1.5;
-  report.road = {0.5, 0.25, 0.0, 0.125, 0.0625};
+  report.road = {0.5, 0.25, 0.03, 0.125, 0.0625};
   report.unbelievable = "is on a walkway for 12 %";
   report.confidence = 0.6;
+  answer.effort = 0.03125;
   return scenario;
 }
 
 // Derived by hand from attack() and docs/scenarios.md.
 const char* const kAttackLine =
-    R"({"format":"collision_forge/scenario","version":5,"scene":"scene-0001","now":1531883530.949817,)"
+    R"({"format":"collision_forge/scenario","version":6,"scene":"scene-0001","now":1531883530.949817,)"
     R"("request":{"type":"rear_end","tta":4,"attacker":"a1","choice":"any","believable":false,)"
     R"("limits":"strict","attacker_class":"truck","manoeuvre":null,"ego_side":"rear","impact_speed":null,"overlap":null,"alternatives":1,)"
     R"("mode":"replay","seed":7},)"
@@ -66,12 +68,13 @@ const char* const kAttackLine =
     R"({"t":0,"x":1,"y":2,"yaw":0.25,"v":9,"a":0.5,"kappa":0.01},)"
     R"({"t":0.1,"x":1.9,"y":2,"yaw":0.3,"v":9.05,"a":-0.5,"kappa":-0.02}]},)"
     R"("pattern":{"t":4,"ego":{"x":40,"y":1,"yaw":0.5},"attacker_offset":{"x":-4.3,"y":0.25,"yaw":0.125},)"
-    R"("attacker_speed":12.5,"miss_distance":0.25,"miss_heading":0.0625},"confidence":0.6,"report":{"verified":true,"contact":true,"contact_t":3.875,)"
+    R"("attacker_speed":12.5,"tolerance":1.5,"miss_distance":0.25,"miss_heading":0.0625},)"
+    R"("confidence":0.6,"effort":0.03125,"report":{"verified":true,"contact":true,"contact_t":3.875,)"
     R"("relative_heading":0.0625,"ego_at_contact":{"x":39,"y":1,"yaw":0.5},)"
     R"("attacker_at_contact":{"x":34.5,"y":1.25,"yaw":0.5625},"ego_side":"rear","attacker_side":"front",)"
     R"("impact_speed":4.5,"overlap":0.375,"type_kept":true,)"
-    R"("on_time":true,"limits_kept":true,"broken_limit":null,"first_other":null,"off_road_share":0.75,"manoeuvre":"follower_closes",)"
-    R"("manoeuvre_begin_t":1.5,"on_lane":0.5,"wrong_way":0.25,"on_walkway":0.125,"on_island":0.0625,)"
+    R"("on_time":true,"limits_kept":true,"broken_limit":null,"first_other":null,"first_other_t":null,"off_road_share":0.75,"manoeuvre":"follower_closes",)"
+    R"("manoeuvre_begin_t":1.5,"on_lane":0.5,"wrong_way":0.25,"off_road":0.03,"on_walkway":0.125,"on_island":0.0625,)"
     R"("believable":false,"unbelievable":"is on a walkway for 12 %"},"alternatives":[],"plans":[],)"
     R"("ego":{"length":4.084,"width":1.73,"center_offset":1.385}})";
 
@@ -163,7 +166,7 @@ TEST(ScenarioFile, ARefusalHasNullsAndItsMessage) {
           HasSubstr(R"("attacker":null,"choice":"any")"),
           HasSubstr(
               R"("status":{"code":"NO_CANDIDATE","message":"nobody \"near\""},"attacker":null,)"
-              R"("pattern":null,"confidence":null,"report":null,"alternatives":[],"plans":[],"ego":{)")));
+              R"("pattern":null,"confidence":null,"effort":null,"report":null,"alternatives":[],"plans":[],"ego":{)")));
 }
 
 TEST(ScenarioFile, LinesAreReadAsTheyWereWritten) {
@@ -225,6 +228,65 @@ TEST(ScenarioFile, AnAddedVehicleHasAPastAndItsClass) {
   EXPECT_FALSE(readScenarioLine("", kAttackLine, shippedLimits()).answer.trajectory.isAdded());
 }
 
+TEST(ScenarioFile, AWholeAttackIsReadBack) {
+  Scenario scenario = attack();
+  scenario.asked.request.type = CollisionType::kLaneChange;
+  scenario.answer = wholeAttack(kNow);
+  scenario.answer.status.message = "a word on it";
+  Realization another = wholeAttack(kNow);
+  another.aim.tolerance = 2.25;
+  another.effort = 0.0625;
+  scenario.answer.alternatives = {another};
+  const Realization read = readScenarioLine("", scenarioLine(scenario), shippedLimits()).answer;
+  expectSame(read, scenario.answer);
+  ASSERT_EQ(read.alternatives.size(), 1u);
+  expectSame(read.alternatives.front(), another);
+}
+
+TEST(ScenarioFile, EveryFieldOfAWholeAttackIsFilled) {
+  const AttackFields filled = fieldsOf(wholeAttack(kNow));
+  for (const auto& [name, value] : fieldsOf(Realization())) {
+    if (name.rfind("status.", 0) == 0) continue;
+    EXPECT_NE(filled.at(name), value) << name;
+  }
+}
+
+TEST(ScenarioFile, TheTimeOfAnothersTouchIsThereWithTheOther) {
+  Scenario scenario = attack();
+  scenario.answer = wholeAttack(kNow);
+  const std::string line = scenarioLine(scenario);
+  EXPECT_THAT(complaintAbout(line, R"("first_other_t":3.25)", R"("first_other_t":null)"),
+              HasSubstr("file: line 9: field report.first_other_t"));
+  EXPECT_THAT(complaintAbout(line, R"("first_other":"b7")", R"("first_other":null)"),
+              HasSubstr("file: line 9: field report.first_other_t"));
+  EXPECT_THAT(complaintAbout(line, R"("first_other_t":3.25)", R"("first_other_t":1e300)"),
+              HasSubstr("file: line 9: field report.first_other_t"));
+}
+
+/// A line without the fields that version 5 did not have.
+std::string asOfVersion5(std::string line) {
+  for (const char* field : {R"("tolerance":1.5,)", R"("effort":0.03125,)",
+                            R"("first_other_t":null,)", R"("off_road":0.03,)"}) {
+    replaceIn(line, field, "");
+  }
+  replaceIn(line, R"("version":6)", R"("version":5)");
+  return line;
+}
+
+TEST(ScenarioFile, AFileOfVersion5IsReadWithTheToleranceOfItsSearch) {
+  const Realization read = readScenarioLine("", asOfVersion5(kAttackLine), shippedLimits()).answer;
+  Realization expected = attack().answer;
+  expected.aim.tolerance = 4.0;
+  expected.effort = 0.0;
+  expected.report.road.off_road = 0.0;
+  expectSame(read, expected);
+}
+
+TEST(ScenarioFile, AFieldOfVersion6InAFileOfVersion5IsRefused) {
+  EXPECT_THAT(complaintAbout(kAttackLine, R"("version":6)", R"("version":5)"),
+              HasSubstr("file: line 9: field "));
+}
+
 TEST(ScenarioFile, WhatTheAttackerDoesIsReadBack) {
   const CollisionReport read = readScenarioLine("", kAttackLine, shippedLimits()).answer.report;
   EXPECT_EQ(read.manoeuvre, Manoeuvre::kFollowerCloses);
@@ -238,8 +300,8 @@ TEST(ScenarioFile, WhatTheAttackerDoesIsReadBack) {
 
 TEST(ScenarioFile, OlderVersionsAreToBeGeneratedAnew) {
   for (const char* old : {"1", "2", "3", "4"}) {
-    EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":5", std::string("\"version\":") + old),
-                AllOf(HasSubstr(std::string("version = ") + old + " is not 5"),
+    EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":6", std::string("\"version\":") + old),
+                AllOf(HasSubstr(std::string("version = ") + old + " is neither 5 nor 6"),
                       HasSubstr("generate the file anew")));
   }
 }
@@ -317,6 +379,7 @@ TEST(ScenarioFile, NumbersBeyondTheLimitsNameFieldValueAndLimit) {
       {"\"t\":0.1,", "\"t\":0,", "attacker.trajectory[1].t = 0 is not after the one before"},
       {"\"v\":9.05", "\"v\":1e3", "attacker.trajectory[1].v = 1000.0 is outside -150 to 150"},
       {"{\"x\":40,", "{\"x\":-4e5,", "pattern.ego.x = -400000.0 is outside"},
+      {"\"tolerance\":1.5", "\"tolerance\":-1", "pattern.tolerance = -1 is outside 0 to"},
       {"\"attacker_speed\":12.5", "\"attacker_speed\":1e300", "pattern.attacker_speed = 1e300"},
       {"\"contact_t\":3.875", "\"contact_t\":1e300", "report.contact_t = 1e300 is outside"},
       {"\"now\":1531883530.949817", "\"now\":1e300", "now = 1e300 is outside 0 to 4.29497e+09"},

@@ -3,6 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <stdexcept>
 #include <thread>
 
 #include "collision_forge/config/config_error.h"
@@ -66,6 +71,59 @@ TEST(SceneSource, MayBeAskedByManyThreads) {
     });
   }
   for (std::thread& thread : threads) thread.join();
+}
+
+/// Scenes without anything in them. Reading one ends when as many scenes are being read as wanted.
+struct SlowReader : SceneReader {
+  static inline std::mutex mutex;
+  static inline std::condition_variable changed;
+  static inline std::map<std::string, int> reads;
+  static inline std::size_t together = 1;
+  static inline int failures = 0;
+
+  std::vector<std::string> names() const override { return {"a", "b"}; }
+  LoggedScene recording(const std::string& /*name*/) override { return {}; }
+  IndexedScene read(const std::string& name) override {
+    std::unique_lock<std::mutex> lock(mutex);
+    ++reads[name];
+    changed.notify_all();
+    const bool are_together =
+        changed.wait_for(lock, std::chrono::seconds(20), [] { return reads.size() >= together; });
+    if (!are_together) throw std::runtime_error("the scenes are read one after the other");
+    if (failures-- > 0) throw std::runtime_error("cannot be read");
+    IndexedScene scene;
+    scene.scene.name = name;
+    return scene;
+  }
+};
+
+std::unique_ptr<SceneReader> openSlow(const LogSource& /*source*/, const SceneReading& /*how*/) {
+  return std::make_unique<SlowReader>();
+}
+
+SceneSource slowSource(std::size_t together, int failures) {
+  static const LogFormat format{"slow", nullptr, nullptr, openSlow};
+  SlowReader::reads.clear();
+  SlowReader::together = together;
+  SlowReader::failures = failures;
+  return {{"", "", &format}, {}, config(), 2};
+}
+
+TEST(SceneSource, ReadsDifferentScenesAtTheSameTimeAndEachOnce) {
+  SceneSource scenes = slowSource(2, 0);
+  std::vector<std::thread> threads;
+  for (const std::string name : {"a", "b", "a", "b"}) {
+    threads.emplace_back([&scenes, name] { EXPECT_EQ(scenes.at(name)->scene.name, name); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(SlowReader::reads, (std::map<std::string, int>{{"a", 1}, {"b", 1}}));
+}
+
+TEST(SceneSource, ASceneThatCouldNotBeReadIsReadAgain) {
+  SceneSource scenes = slowSource(1, 1);
+  EXPECT_THROW(scenes.at("a"), std::runtime_error);
+  EXPECT_EQ(scenes.at("a")->scene.name, "a");
+  EXPECT_EQ(SlowReader::reads.at("a"), 2);
 }
 
 TEST(SceneSource, RefusesUnknownScenes) {

@@ -23,11 +23,11 @@
 #include "collision_forge/map/lane_queries.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/finite_parts.h"
-#include "collision_forge/ros/message_fields.h"
 #include "collision_forge/ros/planner_messages.h"
 #include "collision_forge/ros/possible_collisions.h"
 #include "collision_forge/ros/ros_bytes.h"
 #include "collision_forge/trials/planner_grid.h"
+#include "fuzz/message_in.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 
@@ -35,20 +35,6 @@ namespace forge {
 namespace {
 
 const InputLimits& limits() { return configuration().input_limits; }
-
-/// Throws BagError for bytes that are too few or too many.
-template <typename Message>
-Message messageIn(const std::string& bytes) {
-  namespace traits = ros::message_traits;
-  static const MessageFields fields(traits::datatype<Message>(), traits::definition<Message>(), {});
-  std::string copy = bytes;  // roscpp takes no constant ones
-  auto* const begin = reinterpret_cast<std::uint8_t*>(copy.data());
-  fields.read(begin, copy.size());
-  Message message;
-  ros::serialization::IStream stream(begin, static_cast<std::uint32_t>(copy.size()));
-  ros::serialization::deserialize(stream, message);
-  return message;
-}
 
 /// What is told of what was taken is the same when it was taken again.
 template <typename Message>

@@ -130,7 +130,7 @@ std::string predictSeed() {
   return told("PredictPattern", message);
 }
 
-std::string realizeSeed() {
+collision_forge::RealizeTrajectory::Request realizeRequest() {
   collision_forge::RealizeTrajectory::Request message;
   message.scene = toMessage(busyRoad());
   message.request = request();
@@ -138,7 +138,7 @@ std::string realizeSeed() {
   pattern.attacker_id = "behind";
   message.patterns = {toMessage(pattern, kNow)};
   message.future = toMessage(future());
-  return told("RealizeTrajectory", message);
+  return message;
 }
 
 std::string testSeed() {
@@ -212,9 +212,27 @@ std::vector<std::string> messageSeeds() {
           told("Odometry", odometry()),
           told("PlannedTrajectory", planned),
           predictSeed(),
-          realizeSeed(),
+          told("RealizeTrajectory", realizeRequest()),
           told("TFMessage", egoAt(kNow)),
           testSeed()};
+}
+
+std::vector<std::string> realizeSeeds() {
+  collision_forge::RealizeTrajectory::Request known = realizeRequest();
+  known.request = toMessage(believableRequestFor(CollisionType::kRearEnd));
+  collision_forge::RealizeTrajectory::Request sampled = known;
+  for (const double speed : {6.0, 8.0, 10.0, 12.0}) {
+    sampled.future.ego_samples.push_back(toMessage(futureTrack(kEgoId, kEgoSize, {}, speed)));
+  }
+  collision_forge::RealizeTrajectory::Request strict = sampled;
+  strict.request.believable = "false";
+  strict.request.limits = "strict";
+  strict.exact = 1;
+  std::vector<std::string> seeds;
+  for (const auto& message : {known, sampled, strict}) {
+    appendRosBytes(seeds.emplace_back(), message);
+  }
+  return seeds;
 }
 
 }  // namespace forge

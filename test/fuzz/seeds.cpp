@@ -237,19 +237,13 @@ Seeds definitionSeeds() {
 }  // namespace
 
 const SeedMakers& seedMakers() {
-  static const SeedMakers makers = {{"bags", bagSeeds},
-                                    {"clips", clipSeeds},
-                                    {"config", configSeeds},
-                                    {"definitions", definitionSeeds},
-                                    {"map", mapSeeds},
-                                    {"messages", messageSeeds},
-                                    {"numbers", numberSeeds},
-                                    {"pickles", pickleSeeds},
-                                    {"requests", requestSeeds},
-                                    {"runs", runSeeds},
-                                    {"scenarios", scenarioSeeds},
-                                    {"speeds", speedSeeds},
-                                    {"tables", tableSeeds},
+  static const SeedMakers makers = {{"bags", bagSeeds},        {"clips", clipSeeds},
+                                    {"config", configSeeds},   {"definitions", definitionSeeds},
+                                    {"map", mapSeeds},         {"messages", messageSeeds},
+                                    {"numbers", numberSeeds},  {"pickles", pickleSeeds},
+                                    {"realize", realizeSeeds}, {"requests", requestSeeds},
+                                    {"runs", runSeeds},        {"scenarios", scenarioSeeds},
+                                    {"speeds", speedSeeds},    {"tables", tableSeeds},
                                     {"weights", weightSeeds}};
   return makers;
 }

@@ -22,6 +22,7 @@ bool fuzzMap(const std::string& input);
 bool fuzzMessages(const std::string& input);
 bool fuzzNumbers(const std::string& input);
 bool fuzzPickles(const std::string& input);
+bool fuzzRealize(const std::string& input);
 bool fuzzRequests(const std::string& input);
 bool fuzzRuns(const std::string& input);
 bool fuzzScenarios(const std::string& input);
@@ -30,19 +31,13 @@ bool fuzzTables(const std::string& input);
 bool fuzzWeights(const std::string& input);
 
 inline constexpr FuzzTarget kFuzzTargets[] = {
-    {"bags", fuzzBags},
-    {"clips", fuzzClips},
-    {"config", fuzzConfig},
-    {"definitions", fuzzDefinitions},
-    {"map", fuzzMap},
-    {"messages", fuzzMessages},
-    {"numbers", fuzzNumbers},
-    {"pickles", fuzzPickles},
-    {"requests", fuzzRequests},
-    {"runs", fuzzRuns},
-    {"scenarios", fuzzScenarios},
-    {"speeds", fuzzSpeeds},
-    {"tables", fuzzTables},
+    {"bags", fuzzBags},       {"clips", fuzzClips},
+    {"config", fuzzConfig},   {"definitions", fuzzDefinitions},
+    {"map", fuzzMap},         {"messages", fuzzMessages},
+    {"numbers", fuzzNumbers}, {"pickles", fuzzPickles},
+    {"realize", fuzzRealize}, {"requests", fuzzRequests},
+    {"runs", fuzzRuns},       {"scenarios", fuzzScenarios},
+    {"speeds", fuzzSpeeds},   {"tables", fuzzTables},
     {"weights", fuzzWeights},
 };
 
@@ -54,6 +49,7 @@ const SeedMakers& seedMakers();
 
 std::vector<std::string> bagSeeds();
 std::vector<std::string> messageSeeds();
+std::vector<std::string> realizeSeeds();
 std::vector<std::string> runSeeds();
 
 }  // namespace forge

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "collision_forge/attack/judge.h"
+#include "collision_forge/scene/clock.h"
 #include "collision_forge/verify/drive_check.h"
 #include "policy/policy_scenes.h"
 
@@ -71,6 +72,23 @@ TEST(AdaptiveAttacker, ChangesNothingBeforeItsReactionTimeIsOver) {
     }
   }
   EXPECT_GT(changes, 0);
+}
+
+TEST(AdaptiveAttacker, WithoutReactionTimeItLooksUntilLessThanAStepBeforeItsPlanEnds) {
+  const Chase chase;
+  AttackerSetup setup = shippedSetupOfAttackers();
+  setup.adaptive.fairness.reaction_time = 0.0;
+  const Realization first = chase.firstAttack();
+  AdaptiveAttacker attacker(
+      {chase.snapshot, chase.lanes, chase.ego, chase.request, first.aim, first.trajectory}, setup);
+  const Track ego = egoAt(steady);
+  const double end = attacker.trajectory().points.back().time;
+  watch(attacker, ego, end - kNow - 0.15);
+  // Within the resolution of times of the last point but one.
+  attacker.observe(frameOf(ego, end - 0.1 + 0.5 * kTimeEpsilon));
+  for (const TrajectoryPoint& point : attacker.trajectory().points) {
+    EXPECT_TRUE(point.pose.isFinite()) << point.time;
+  }
 }
 
 TEST(AdaptiveAttacker, KnowsNothingOfWhatComes) {

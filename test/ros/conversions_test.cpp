@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "collision_forge/scene/request_words.h"
+#include "scene/whole_attack.h"
 
 namespace forge {
 namespace {
@@ -310,6 +311,24 @@ TEST(CollisionRequestMessage, AnAdaptiveAttackerSetsOutHoweverLittleItPromises) 
   EXPECT_EQ(std::get<CollisionRequest>(fromMessage(message, configured)).crash.min_confidence, 0.3);
   message.mode = "adaptive";
   EXPECT_EQ(std::get<CollisionRequest>(fromMessage(message, configured)).crash.min_confidence, 0.0);
+}
+
+TEST(AttackMessage, AWholeAttackIsReadBack) {
+  const double now = 1531883530.949817;
+  const Realization attack = wholeAttack(now);
+  expectSame(fromMessage(toMessage(attack, "search", now)), attack);
+}
+
+TEST(AttackMessage, NamesAWordThatMeansNothing) {
+  const double now = 1531883530.949817;
+  collision_forge::Attack message = toMessage(wholeAttack(now), "search", now);
+  message.report.ego_side = "top";
+  try {
+    static_cast<void>(fromMessage(message));
+    FAIL();
+  } catch (const MessageError& error) {
+    EXPECT_STREQ(error.what(), "ego_side = \"top\" is unknown");
+  }
 }
 
 TEST(AttackMessage, TellsWhatTheAttackerDecidedLast) {

@@ -473,6 +473,29 @@ TEST_F(ForeignBagTest, StampsThatGoBackOrAreNotSetAreLeftOut) {
                           "1 frames of agents whose stamp is not set left out"));
 }
 
+TEST_F(ForeignBagTest, OfPosesAndFramesOfOneInstantTheFirstIsKept) {
+  for (const unsigned nanoseconds : {400u, 1000u}) {
+    ego_.push_back(odometryAt(1.2));
+    ego_.back().header.stamp += ros::Duration(0, static_cast<int>(nanoseconds));
+    ego_.back().pose.pose.position.x += 0.1;
+    objects_.push_back(objectsAt(1.2));
+    objects_.back().header.stamp += ros::Duration(0, static_cast<int>(nanoseconds));
+  }
+  write();
+  const NuScenesRecording recording = read();
+  EXPECT_EQ(recording.ego_poses.size(), 3U);
+  EXPECT_DOUBLE_EQ(recording.ego_poses.back().translation.x(), 1.2);
+  EXPECT_EQ(recording.frames.size(), 3U);
+}
+
+TEST_F(ForeignBagTest, PosesOfOneInstantThatContradictEachOtherNameTopicAndTime) {
+  ego_.push_back(odometryAt(1.2));
+  ego_.back().pose.pose.position.x += 4.0;
+  write();
+  EXPECT_THAT(complaint(),
+              HasSubstr("/odom: two poses of the ego at 1.200000 s are 4.000000 m apart"));
+}
+
 TEST_F(ForeignBagTest, WhatIsNotAsTheMappingSaysIsAnError) {
   objects_[2].header.frame_id = "base_link";
   write();

@@ -14,6 +14,10 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/bag_reader.h"
@@ -116,18 +120,23 @@ class InjectIntoBagTest : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
+  /// When a message with that header stamp is recorded.
+  ros::Time recordedAt(double stamp) const {
+    return ros::Time(record_rate_ * stamp) + ros::Duration(record_offset_);
+  }
+
   void writeRecording(const std::vector<double>& times) {
     NewBag bag(in_);
     collision_forge::LaneMap map;
     map.header.frame_id = names::kMapFrame;
-    bag.writeLatched(bagTopic(names::kLaneMap), ros::Time(times.front()), map);
+    bag.writeLatched(bagTopic(names::kLaneMap), recordedAt(times.front()), map);
     ego_.states.clear();
     for (const double time : times) {
-      const ros::Time stamp(time);
-      bag.write(bagTopic(names::kAgents), stamp, frame(time));
-      bag.write(bagTopic(names::kAnnotationMarkers), stamp, visualization_msgs::MarkerArray());
-      bag.write(names::kTf, stamp, transformAt(time));
-      bag.write(bagTopic(names::kOdometry), stamp, odometryAt(time));
+      const ros::Time recorded = recordedAt(time);
+      bag.write(bagTopic(names::kAgents), recorded, frame(time));
+      bag.write(bagTopic(names::kAnnotationMarkers), recorded, visualization_msgs::MarkerArray());
+      bag.write(names::kTf, recorded, transformAt(time));
+      bag.write(bagTopic(names::kOdometry), recorded, odometryAt(time));
       ego_.states.push_back({time, {egoAt(time), 0.0, 0.0}, {kEgoSpeed, 0.0}});
     }
     bag.commit();
@@ -160,6 +169,31 @@ class InjectIntoBagTest : public testing::Test {
     return times;
   }
 
+  /// One message of the new bag, without its record time.
+  struct Written {
+    std::string topic;
+    std::string type;
+    std::string bytes;
+    bool operator==(const Written& other) const {
+      return std::tie(topic, type, bytes) == std::tie(other.topic, other.type, other.bytes);
+    }
+  };
+
+  /// All messages of the new bag, by record time in s.
+  std::multimap<double, Written> written() const {
+    const rosbag::Bag bag(out_, rosbag::bagmode::Read);
+    std::multimap<double, Written> messages;
+    for (const rosbag::MessageInstance& instance : rosbag::View(bag)) {
+      std::string bytes(instance.size(), '\0');
+      ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()),
+                                         static_cast<std::uint32_t>(bytes.size()));
+      instance.write(stream);
+      messages.emplace(instance.getTime().toSec(),
+                       Written{instance.getTopic(), instance.getDataType(), bytes});
+    }
+    return messages;
+  }
+
   std::vector<collision_forge::AgentArray> frames() const {
     return read<collision_forge::AgentArray>(bagTopic(names::kAgents));
   }
@@ -171,6 +205,8 @@ class InjectIntoBagTest : public testing::Test {
   Track ego_;
   BagAttack attack_;
   double seconds_after_stand_;  ///< longer than the recording, if no test sets it
+  double record_rate_ = 1.0;    ///< seconds of the record clock in a second of header stamps
+  double record_offset_ = 0.0;  ///< s
 };
 
 const collision_forge::Agent& attackerIn(const collision_forge::AgentArray& frame) {
@@ -381,6 +417,45 @@ TEST_F(InjectIntoBagTest, TestedReportIsWrittenBeforeTheBagEnds) {
   attack_.tested_report.contact = false;
   inject();
   EXPECT_EQ(timesOf(names::kTestedReport), std::vector<double>{11.0});
+}
+
+TEST_F(InjectIntoBagTest, AnotherRecordClockChangesNothingButTheRecordTimes) {
+  for (const AfterContact after : {AfterContact::kStop, AfterContact::kEnd}) {
+    attack_.after_contact = after;
+    seconds_after_stand_ = 0.0;
+    record_offset_ = 0.0;
+    writeRecording({8.5, 9.0, 9.5, 10.0, 10.5, 11.0, 11.5, 12.0, 12.5, 13.0, 13.5, 14.0});
+    inject();
+    const auto expected = written();
+    for (const double offset : {-5.0, 60.0, 1.6e9}) {
+      record_offset_ = offset;
+      writeRecording({8.5, 9.0, 9.5, 10.0, 10.5, 11.0, 11.5, 12.0, 12.5, 13.0, 13.5, 14.0});
+      inject();
+      const auto shifted = written();
+      ASSERT_EQ(shifted.size(), expected.size()) << offset;
+      for (auto message = shifted.begin(), like = expected.begin(); message != shifted.end();
+           ++message, ++like) {
+        EXPECT_NEAR(message->first - offset, like->first, 1e-6);
+        EXPECT_TRUE(message->second == like->second) << message->second.topic << like->first;
+      }
+    }
+  }
+}
+
+TEST_F(InjectIntoBagTest, ARecordingOfASlowReplayHasTheAttackAtItsStamps) {
+  inject();
+  const auto expected = frames();
+  record_rate_ = 2.0;
+  record_offset_ = 1000.0;
+  writeRecording({8.5, 9.0, 9.5, 10.0, 10.5, 11.0, 11.5, 12.0, 14.0});
+  inject();
+  EXPECT_EQ(frames(), expected);
+  const std::vector<double> times = timesOf(names::kAgents);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_NEAR(times[i], recordedAt(expected[i].header.stamp.toSec()).toSec(), 1e-6);
+  }
+  EXPECT_EQ(timesOf(names::kAttack), std::vector<double>{recordedAt(kNow).toSec()});
+  EXPECT_NEAR(timesOf(names::kTestedReport).front(), recordedAt(kContact).toSec(), 1e-6);
 }
 
 /// From now to the trajectory's end.

@@ -210,7 +210,7 @@ class TestPlannersTest(road.RoadTest):
         ego = next(result for result in lines_of(self.expected) if result['status'] == 'OK')
         touching['attacker']['trajectory'][0].update(self.ego_pose(parsed))
         scenarios.write_text('\n'.join([
-            attack.replace('"version":5', '"version":7'),
+            attack.replace('"version":6', '"version":7'),
             attack.replace(parsed['scene'], 'scene-9999'),
             attack.replace('"now":16', '"now":17'),
             json.dumps(touching),

@@ -22,7 +22,7 @@ TIMEOUT = 120.0  # s; a command takes less than one
 CODES = ['OK', 'UNKNOWN_TYPE', 'TTA_OUT_OF_RANGE', 'UNKNOWN_ATTACKER', 'ABSENT_ATTACKER', 'TOO_LITTLE_HISTORY',
          'NO_CANDIDATE', 'NO_ATTACK_WITHIN_LIMITS', 'NO_SCENE', 'NO_RECORDING', 'BEYOND_RECORDING', 'INVALID_INPUT',
          'NODE_UNAVAILABLE', 'LOW_CONFIDENCE', 'NOT_BELIEVABLE', 'ROAD_DOES_NOT_ALLOW',
-         'STALE_SCENE']  # GenerateCollision.srv, by number
+         'STALE_SCENE', 'INTERNAL_ERROR']  # GenerateCollision.srv, by number
 
 TOPICS_AT_NOW = ['/attack', '/attack_request', '/attack_path', '/attack_ego_path']
 ATTACK_TOPICS = TOPICS_AT_NOW + ['/attack_markers', '/map_markers', '/tested_report']  # what forge inject adds

@@ -65,6 +65,6 @@ def scenario(points, agent_class='car', length=None):
     """A line of a scenario file, without attacker for no points."""
     attacker = {'id': 'a', 'class': agent_class, 'length': length or LENGTHS[agent_class], 'width': 2.0,
                 'trajectory': points}
-    return {'format': 'collision_forge/scenario', 'version': 5, 'scene': 'scene-0001', 'now': 100.5,
+    return {'format': 'collision_forge/scenario', 'version': 6, 'scene': 'scene-0001', 'now': 100.5,
             'request': {'type': 'ltap', 'tta': 3, 'attacker': None, 'mode': 'replay', 'seed': 7},
             'attacker': points and attacker, 'report': points and {'contact_t': CONTACT}}

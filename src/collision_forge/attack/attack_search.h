@@ -35,6 +35,7 @@ struct RouteDraft {
 struct DraftedWay {
   ReferencePath way;
   RouteDraft draft;
+  std::size_t style = 0;  ///< of RouteDriverOptions::styles, by which it is driven
 };
 
 /// One attack that the search found; drivable within the limits.
@@ -76,6 +77,8 @@ struct Underway {
   std::vector<TrajectoryPoint> planned;  ///< from now on, as it means to; as long as others
   ReferencePath way;                     ///< beside those of its lanes
   std::optional<RouteDraft> draft;       ///< of the plan, along the way
+  std::size_t style = 0;                 ///< of the plan, as DraftedWay::style; used with a draft
+  double effort = 0.0;                   ///< of the plan when it was made; used without a draft
 };
 
 /// What the search is given.

@@ -79,6 +79,7 @@ class ManoeuvreSearch {
     candidate.contender = contenders_.front().get();
     candidate.route = &contenders_.front()->routes.front();
     candidate.is_underway = true;
+    candidate.style = input_.underway->style;
     candidate.draft = input_.underway->draft.value_or(RouteDraft{});
     if (!input_.underway->draft) candidate.draft.contact = input_.request.tta;
     points_ = input_.underway->planned;
@@ -333,10 +334,21 @@ class ManoeuvreSearch {
     return miss / (miss + search_.near_pattern);
   }
 
-  double effortOf(const Candidate& candidate) const {
-    const double departure = std::min(candidate.draft.departure, candidate.draft.contact);
+  /// Of a lane that is left `departure` seconds before the contact.
+  double departureCost(double departure) const {
     const double early = departure - options_.verification.believability.before_contact;
-    return route_.styles[candidate.style].cost + route_.departure_weight * std::max(0.0, early);
+    return route_.departure_weight * std::max(0.0, early);
+  }
+
+  /// Of a plan underway without a draft the effort that it was made with is known as a sum alone:
+  /// it counts for at most what leaving the lane now costs.
+  double effortOf(const Candidate& candidate) const {
+    const double contact = candidate.draft.contact;
+    if (candidate.is_underway && !input_.underway->draft) {
+      return std::min(input_.underway->effort, departureCost(contact));
+    }
+    return route_.styles[candidate.style].cost +
+           departureCost(std::min(candidate.draft.departure, contact));
   }
 
   static bool better(const Candidate& a, const Candidate& b) { return a.objective > b.objective; }
@@ -395,7 +407,7 @@ class ManoeuvreSearch {
     }
     found.score = candidate.score;
     found.off_road = candidate.road.off_road;
-    found.drafted = DraftedWay{candidate.route->path(), candidate.draft};
+    found.drafted = DraftedWay{candidate.route->path(), candidate.draft, candidate.style};
     found.objective = candidate.objective;
     found.effort = effortOf(candidate);
     found.aim = candidate.aim->pattern;

@@ -145,7 +145,8 @@ void RouteDriver::plan(const RoutePlan& wanted, const RouteSpeed& speed, double 
   const double last_speed = std::max(0.0, (end - alongs.back()) / std::max(1e-6, before));
   // Across the path: as kept so far, then in a fifth-order polynomial to the arrival.
   const double waits = now_.speed > 0.0 ? 0.0 : std::min(wanted.wait, wanted.arrival - step);
-  const double departure = std::clamp(wanted.departure, step, wanted.arrival - waits);
+  // A step at least, and not before now, even if the arrival is less than a step away.
+  const double departure = std::min(std::max(wanted.departure, step), wanted.arrival - waits);
   const double from = wanted.arrival - departure;
   const double moving = std::max(step, departure - wanted.lead);
   const auto from_step = std::min(static_cast<std::size_t>(from / step), alongs.size() - 1);

@@ -19,7 +19,7 @@ struct LoggedScene {
   std::shared_ptr<const LaneIndex> lanes;
 };
 
-/// The wanted scenes of a log source, each read when it is asked for.
+/// The wanted scenes of a log source, each read when it is asked for. Thread-safe.
 class SceneReader {
  public:
   virtual ~SceneReader() = default;

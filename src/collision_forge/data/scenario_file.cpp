@@ -12,8 +12,13 @@ namespace {
 
 constexpr const char* kFormat = "collision_forge/scenario";
 // 1: pattern was the contact, not what was aimed at; 2: nothing of classes, added vehicles,
-// controls and believability; 3: no alternatives; 4: nothing of adaptive attackers.
-constexpr int kVersion = 5;
+// controls and believability; 3: no alternatives; 4: nothing of adaptive attackers; 5: as 6,
+// without tolerance, effort, first_other_t and off_road.
+constexpr int kVersion = 6;
+constexpr int kOldestVersion = 5;
+// m, of a line of version 5: the tolerance of all patterns but a network's own (prediction.yaml)
+// when such files were written.
+constexpr double kToleranceOfVersion5 = 4.0;
 constexpr double kMicroseconds = 1e6;  // in a second
 constexpr const char* kRecorded = "recorded";
 constexpr const char* kAdded = "added";
@@ -106,6 +111,7 @@ void writePattern(JsonLineWriter& writer, const CollisionPattern& pattern, const
   writePose(writer, "ego", pattern.ego.center);
   writePose(writer, "attacker_offset", pattern.attacker_offset);
   writer.number("attacker_speed", pattern.attacker_speed);
+  writer.number("tolerance", pattern.tolerance);
   writer.number("miss_distance", miss.distance);
   writer.number("miss_heading", miss.heading);
   writer.endObject();
@@ -115,6 +121,7 @@ void writeAttack(JsonLineWriter& writer, const Realization& answer, double now) 
   writeAttacker(writer, answer.trajectory, now);
   writePattern(writer, answer.aim, answer.miss, now);
   writer.number("confidence", answer.report.confidence);
+  writer.number("effort", answer.effort);
   writeCollisionReport(writer, "report", answer.report, now);
 }
 
@@ -122,7 +129,9 @@ void writeAnswer(JsonLineWriter& writer, const Realization& answer, double now) 
   if (answer.status.code == StatusCode::kOk) {
     writeAttack(writer, answer, now);
   } else {
-    for (const char* key : {"attacker", "pattern", "confidence", "report"}) writer.null(key);
+    for (const char* key : {"attacker", "pattern", "confidence", "effort", "report"}) {
+      writer.null(key);
+    }
   }
   writer.beginArray("alternatives");
   for (const Realization& alternative : answer.alternatives) {
@@ -136,7 +145,10 @@ void writeAnswer(JsonLineWriter& writer, const Realization& answer, double now) 
 /// What the numbers of a line are read with.
 struct LineContext {
   const InputLimits& limits;
+  int version = kVersion;
   double now = 0.0;  ///< s, the scene's clock
+
+  bool isOld() const { return version < kVersion; }
 };
 
 /// s on the scene's clock.
@@ -283,6 +295,8 @@ CollisionPattern readPattern(JsonObject object, const LineContext& line, Pattern
   pattern.ego.center = readPose(object.object("ego"), line);
   pattern.attacker_offset = readPose(object.object("attacker_offset"), line);
   pattern.attacker_speed = readSpeed(object, "attacker_speed", line);
+  pattern.tolerance = line.isOld() ? kToleranceOfVersion5
+                                   : object.within("tolerance", 0.0, line.limits.max_coordinate);
   miss = {object.number("miss_distance"), object.number("miss_heading")};
   object.finish();
   return pattern;
@@ -293,6 +307,19 @@ Side readSide(JsonObject& object, const char* key) {
   const auto side = sideFromString(name);
   if (!side) object.fail(key, "\"" + name + "\" is no side of a box");
   return *side;
+}
+
+void readFirstOtherTime(JsonObject& object, const LineContext& line, CollisionReport& report) {
+  constexpr const char* kField = "first_other_t";
+  const auto time = object.numberOrNull(kField);
+  if (time.has_value() == report.first_other_id.empty()) {
+    object.fail(kField, "does not fit the field first_other");
+  }
+  if (!time) return;
+  if (*time < -line.limits.max_past || *time > line.limits.max_trajectory) {
+    object.fail(kField, "is beyond the limits of times");
+  }
+  report.first_other_time = line.now + *time;
 }
 
 CollisionReport readReport(JsonObject object, const LineContext& line) {
@@ -312,13 +339,17 @@ CollisionReport readReport(JsonObject object, const LineContext& line) {
   report.limits_kept = object.flag("limits_kept");
   report.broken_limit = object.textOrNull("broken_limit").value_or("");
   report.first_other_id = object.textOrNull("first_other").value_or("");
+  if (!line.isOld()) readFirstOtherTime(object, line, report);
   report.off_road_share = object.number("off_road_share");
   const auto manoeuvre = manoeuvreFromString(object.text("manoeuvre"));
   if (!manoeuvre) object.fail("manoeuvre", "is no manoeuvre");
   report.manoeuvre = *manoeuvre;
   report.manoeuvre_begin = readTime(object, "manoeuvre_begin_t", line);
-  report.road = {object.number("on_lane"), object.number("wrong_way"), 0.0,
-                 object.number("on_walkway"), object.number("on_island")};
+  report.road.on_lane = object.number("on_lane");
+  report.road.wrong_way = object.number("wrong_way");
+  if (!line.isOld()) report.road.off_road = object.number("off_road");
+  report.road.on_walkway = object.number("on_walkway");
+  report.road.on_island = object.number("on_island");
   const bool is_believable = object.flag("believable");
   report.unbelievable = object.textOrNull("unbelievable").value_or("");
   if (is_believable != report.believable()) {
@@ -338,13 +369,17 @@ EgoVehicle readEgo(JsonObject object, const InputLimits& limits) {
   return ego;
 }
 
-void checkFormat(JsonObject& object) {
+/// Returns the version.
+int readFormat(JsonObject& object) {
   if (object.text("format") != kFormat) {
     object.fail("format", std::string("is not ") + kFormat);
   }
-  if (object.number("version") != kVersion) {
-    object.fail("version", "is not " + std::to_string(kVersion) + "; generate the file anew");
+  const double version = object.number("version");
+  if (version != kVersion && version != kOldestVersion) {
+    object.fail("version", "is neither " + std::to_string(kOldestVersion) + " nor " +
+                               std::to_string(kVersion) + "; generate the file anew");
   }
+  return static_cast<int>(version);
 }
 
 void readAttack(JsonObject& object, const Scenario& scenario, const LineContext& line,
@@ -356,6 +391,7 @@ void readAttack(JsonObject& object, const Scenario& scenario, const LineContext&
   answer.aim.ego.size = scenario.ego.size;
   answer.report = readReport(object.object("report"), line);
   answer.report.confidence = object.number("confidence");
+  if (!line.isOld()) answer.effort = object.number("effort");
 }
 
 /// The attack is null unless the answer is OK.
@@ -369,6 +405,9 @@ void readAnswer(JsonObject& object, const Scenario& scenario, const LineContext&
       if (object.objectOrNull(key)) object.fail(key, "is there without an attack");
     }
     if (object.numberOrNull("confidence")) object.fail("confidence", "is there without an attack");
+    if (!line.isOld() && object.numberOrNull("effort")) {
+      object.fail("effort", "is there without an attack");
+    }
   }
   for (JsonObject& entry : object.objects("alternatives", kMaxAlternatives)) {
     if (!is_attack) object.fail("alternatives", "are there without an attack");
@@ -408,11 +447,17 @@ void writeCollisionReport(JsonLineWriter& writer, const char* key, const Collisi
   writer.flag("limits_kept", report.limits_kept);
   writeTextOrNull(writer, "broken_limit", report.broken_limit);
   writeTextOrNull(writer, "first_other", report.first_other_id);
+  if (report.first_other_id.empty()) {
+    writer.null("first_other_t");
+  } else {
+    writer.number("first_other_t", fromNow(report.first_other_time, now));
+  }
   writer.number("off_road_share", report.off_road_share);
   writer.text("manoeuvre", toString(report.manoeuvre));
   writer.number("manoeuvre_begin_t", fromNow(report.manoeuvre_begin, now));
   writer.number("on_lane", report.road.on_lane);
   writer.number("wrong_way", report.road.wrong_way);
+  writer.number("off_road", report.road.off_road);
   writer.number("on_walkway", report.road.on_walkway);
   writer.number("on_island", report.road.on_island);
   writer.flag("believable", report.believable());
@@ -461,11 +506,11 @@ Scenario readScenarioLine(const std::string& where, const std::string& text,
   checkLineLength(where, text.size(), limits);
   const JsonLine parsed(where, text);
   JsonObject object = parsed.root();
-  checkFormat(object);
+  const int version = readFormat(object);
   Scenario scenario;
   scenario.asked.scene = object.text("scene");
   scenario.asked.now = object.within("now", 0.0, limits.max_time);
-  const LineContext line{limits, scenario.asked.now};
+  const LineContext line{limits, version, scenario.asked.now};
   scenario.asked.request = readRequest(object.object("request"));
   scenario.ego = readEgo(object.object("ego"), limits);
   scenario.answer.status = readStatus(object.object("status"));

@@ -27,10 +27,10 @@ struct Scenario {
 /// global map frame. Throws std::invalid_argument for a number that is not finite.
 std::string scenarioLine(const Scenario& scenario);
 
-/// The opposite of scenarioLine(): the same line again gives the same bytes. Not in
-/// the file: the report's time of another's touch and its road.off_road. Throws JsonLineError,
-/// naming `where`, for a line that is not of this format and version, and for a number beyond the
-/// limits; InputError as checkLineLength().
+/// The opposite of scenarioLine(): the same line again gives the same bytes. A line of version 5
+/// has no tolerance, which is 4 m then, and neither effort, first_other_t nor off_road, which are
+/// 0. Throws JsonLineError, naming `where`, for a line that is not of this format or of a version
+/// that is neither 5 nor 6, and for a number beyond the limits; InputError as checkLineLength().
 Scenario readScenarioLine(const std::string& where, const std::string& line,
                           const InputLimits& limits);
 

@@ -21,9 +21,9 @@ AdaptiveAnswer driveAdaptively(Realization first, const Moment& moment, const Sc
                                const EgoVehicle& ego, const CollisionRequest& request,
                                const AttackerSetup& setup) {
   AdaptiveAnswer answer{std::move(first), {}, {}};
-  AdaptiveAttacker attacker(
-      {moment.snapshot, moment.lanes, ego, request, answer.attack.aim, answer.attack.trajectory},
-      setup);
+  AdaptiveAttacker attacker({moment.snapshot, moment.lanes, ego, request, answer.attack.aim,
+                             answer.attack.trajectory, answer.attack.effort},
+                            setup);
   answer.milliseconds = driveOverRecording(attacker, recording, moment.snapshot.now);
   answer.plans = attacker.plans();
   Realization& driven = answer.attack;

@@ -145,7 +145,8 @@ Future AdaptiveAttacker::outlook() const {
 Future AdaptiveAttacker::foresee(const Snapshot& snapshot) const {
   const PredictionOptions& prediction = setup_.attack.prediction;
   const double end = task_.plan.points.back().time - snapshot.now;
-  const double central = std::clamp(impact_ - snapshot.now, prediction.step, end);
+  // The plan may end less than a step from now.
+  const double central = std::min(std::max(impact_ - snapshot.now, prediction.step), end);
   return foreseenFuture(snapshot, *task_.lanes, *setup_.ego_futures, end, central,
                         setup_.adaptive.ego_samples, task_.request.seed, prediction);
 }
@@ -187,8 +188,10 @@ Underway AdaptiveAttacker::underwayFrom(std::size_t from) const {
   Underway underway{task_.snapshot,        seen_ego_,           driveStateOf(*now, limits_),
                     {points.begin(), now}, {now, points.end()}, drafted_ ? drafted_->way : ownWay(),
                     std::nullopt};
+  underway.effort = task_.effort;
   if (drafted_) {
     underway.draft = drafted_->draft;
+    underway.style = drafted_->style;
     underway.draft->contact -= now->time;
     if (underway.draft->wait > 0.0) {
       underway.draft->wait = std::max(0.0, underway.draft->wait - now->time);

@@ -21,6 +21,7 @@ struct AttackerTask {
   CollisionRequest request;  ///< with what counts as the crash
   CollisionPattern aim;      ///< that the first plan came from
   AttackerTrajectory plan;   ///< the first one, from now on; at least two points
+  double effort = 0.0;       ///< of the first plan, Realization::effort
 };
 
 /// What adaptive attackers know and are tuned by.

@@ -15,10 +15,15 @@
 
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/read_opened.h"
+#include "collision_forge/ros/same_instant.h"
 #include "collision_forge/ros/topic_names.h"
 
 namespace forge {
 namespace {
+
+constexpr double kMicroseconds = 1e6;  // in a second
+
+std::int64_t microseconds(double time) { return std::llround(time * kMicroseconds); }
 
 /// Collects a scene message by message.
 class SceneBuilder {
@@ -38,15 +43,15 @@ class SceneBuilder {
         ++skipped_["ego poses that are not a number"];
         continue;
       }
-      append(scene_.ego, {transform.header.stamp.toSec(), compose(base, {center_offset_, 0.0, 0.0}),
-                          Vector2::Zero()});
+      addEgo({transform.header.stamp.toSec(), compose(base, {center_offset_, 0.0, 0.0}),
+              Vector2::Zero()});
     }
   }
 
   void add(const collision_forge::AgentArray& message) {
     requireMapFrame(message.header, names::kAgents);
     const double time = message.header.stamp.toSec();
-    if (!scene_.frame_times.empty() && time <= scene_.frame_times.back()) {
+    if (!scene_.frame_times.empty() && !isLater(time, scene_.frame_times.back())) {
       ++skipped_["frames of agents whose stamp is not after the one before"];
       return;
     }
@@ -88,10 +93,31 @@ class SceneBuilder {
                        [](const AgentState& state) { return state.velocity == Vector2::Zero(); });
   }
 
+  /// By more than one instant.
+  static bool isLater(double time, double before) {
+    const std::int64_t time_us = microseconds(time);
+    const std::int64_t before_us = microseconds(before);
+    return time_us > before_us && !isSameInstant(time_us, before_us);
+  }
+
+  /// Throws MessageError for a pose that contradicts the one before.
+  void addEgo(const AgentState& state) {
+    if (!scene_.ego.states.empty()) {
+      const AgentState& last = scene_.ego.states.back();
+      const std::int64_t time_us = microseconds(state.time);
+      const double distance = (state.pose.position() - last.pose.position()).norm();
+      if (isSameInstant(time_us, microseconds(last.time)) && distance > kSamePlace) {
+        throw MessageError(std::string(names::kTf) + ": " + contradiction(distance, time_us));
+      }
+    }
+    append(scene_.ego, state);
+  }
+
+  /// Of states at one instant the first is kept.
   void append(Track& track, const AgentState& state) {
-    if (track.states.empty() || state.time > track.states.back().time) {
+    if (track.states.empty() || isLater(state.time, track.states.back().time)) {
       track.states.push_back(state);
-    } else if (state.time < track.states.back().time) {
+    } else if (isLater(track.states.back().time, state.time)) {
       ++skipped_["poses whose stamp is before the last one's"];
     }
   }
@@ -129,25 +155,10 @@ Message requiredOn(const rosbag::Bag& bag, const char* name, const std::string& 
   return *last;
 }
 
-Realization realizationIn(const collision_forge::Attack& message, const std::string& path) {
-  Realization answer;
-  answer.aim = fromMessage(message.pattern);
-  answer.trajectory = fromMessage(message.trajectory);
-  const auto manoeuvre = manoeuvreFromString(message.report.manoeuvre);
-  if (!manoeuvre) {
-    throw BagError(path + ": manoeuvre \"" + message.report.manoeuvre + "\" of " +
-                   bagTopic(names::kAttack) + " is not known");
-  }
-  answer.report.manoeuvre = *manoeuvre;
-  return answer;
-}
-
 /// Stamps are of nanoseconds, times of nuScenes of microseconds. Makes the scene's times the very
 /// numbers that its tables give.
 void roundToMicroseconds(Scene& scene) {
-  const auto round = [](double& time) {
-    time = static_cast<double>(std::llround(time * 1e6)) * 1e-6;
-  };
+  const auto round = [](double& time) { time = static_cast<double>(microseconds(time)) * 1e-6; };
   for (double& time : scene.frame_times) round(time);
   for (AgentState& state : scene.ego.states) round(state.time);
   deriveVelocities(scene.ego);
@@ -219,7 +230,7 @@ Scenario readAttack(const std::string& path, const DataOptions& options,
     }
     scenario.asked.request = std::get<CollisionRequest>(request);
     scenario.asked.now = attack.header.stamp.toSec();
-    scenario.answer = realizationIn(attack, path);
+    scenario.answer = fromMessage(attack);
     return 0;
   });
   checkTrajectory(scenario.answer.trajectory, options.input_limits, path);

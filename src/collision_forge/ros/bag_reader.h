@@ -30,9 +30,9 @@ Scene readBagAsWritten(const std::string& path, const DataOptions& options,
 /// checkMap().
 std::shared_ptr<const LaneMap> readLaneMap(const std::string& path, const InputLimits& limits);
 
-/// The attack in a bag of forge inject: what was asked for, aim and trajectory, and of the report
-/// its manoeuvre. The scene is named after the file. Throws BagError as above, and for a bag
-/// without an attack, and InputError as checkTrajectory() and checkPattern().
+/// The attack in a bag of forge inject: what was asked for, and the attack without alternatives.
+/// The scene is named after the file. Throws BagError as above, and for a bag without an attack,
+/// and InputError as checkTrajectory() and checkPattern().
 Scenario readAttack(const std::string& path, const DataOptions& options,
                     const CrashDefinition& crash);
 

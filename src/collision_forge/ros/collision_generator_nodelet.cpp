@@ -199,7 +199,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     }
     attack = live_->setOut(attack,
                            {moment.snapshot, moment.lanes, config_.ego_vehicle, request, answer.aim,
-                            answer.trajectory},
+                            answer.trajectory, answer.effort},
                            {finder_->foresight().egoFutures(config_.attack.ego_futures),
                             config_.attack, config_.adaptive});
   }

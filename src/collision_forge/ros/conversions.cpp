@@ -92,6 +92,14 @@ bool readWord(const std::string& word, FromString from_string, Value& value) {
   return meaning.has_value();
 }
 
+/// What the word of a field of a report means. Throws MessageError if it means nothing.
+template <typename FromString>
+auto wordIn(const std::string& word, const char* field, FromString from_string) {
+  const auto meaning = from_string(word);
+  if (!meaning) throw MessageError(std::string(field) + " = \"" + word + "\" is unknown");
+  return *meaning;
+}
+
 /// What is asked for beyond type, time and attacker; returns what is wrong with it, or nothing.
 std::string readControls(const collision_forge::CollisionRequest& message,
                          CollisionRequest& request) {
@@ -522,6 +530,16 @@ collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajecto
   return message;
 }
 
+Realization fromMessage(const collision_forge::Attack& message) {
+  Realization answer;
+  answer.aim = fromMessage(message.pattern);
+  answer.miss = {message.miss_distance, message.miss_heading};
+  answer.trajectory = fromMessage(message.trajectory);
+  answer.effort = message.effort;
+  answer.report = fromMessage(message.report);
+  return answer;
+}
+
 collision_forge::Attack toMessage(const Realization& answer, const std::string& method,
                                   double now) {
   collision_forge::Attack message;
@@ -532,6 +550,7 @@ collision_forge::Attack toMessage(const Realization& answer, const std::string& 
   message.miss_distance = answer.miss.distance;
   message.miss_heading = answer.miss.heading;
   message.trajectory = toMessage(answer.trajectory);
+  message.effort = answer.effort;
   message.report = toMessage(answer.report, answer.trajectory.attacker_id, now);
   return message;
 }
@@ -544,6 +563,35 @@ void setPlans(const std::vector<AttackerPlan>& plans, collision_forge::Attack& m
   message.decided = stampOf(last.from);
   message.plans = static_cast<std::uint32_t>(plans.size());
   message.report.decision = last.reason;
+}
+
+CollisionReport fromMessage(const collision_forge::CollisionReport& message) {
+  CollisionReport report;
+  report.contact = message.contact;
+  if (message.contact) {
+    report.contact_time = message.contact_time.toSec();
+    report.relative_heading = message.relative_heading;
+    report.ego_at_contact = fromMessage(message.ego_at_contact);
+    report.attacker_at_contact = fromMessage(message.attacker_at_contact);
+    report.ego_side = wordIn(message.ego_side, "ego_side", sideFromString);
+    report.attacker_side = wordIn(message.attacker_side, "attacker_side", sideFromString);
+    report.impact_speed = message.impact_speed;
+    report.overlap = message.overlap;
+    report.manoeuvre = wordIn(message.manoeuvre, "manoeuvre", manoeuvreFromString);
+    report.manoeuvre_begin = message.manoeuvre_begin.toSec();
+  }
+  report.type_kept = message.type_kept;
+  report.on_time = message.on_time;
+  report.limits_kept = message.limits_kept;
+  report.broken_limit = message.broken_limit;
+  report.first_other_id = message.first_other_id;
+  report.first_other_time = message.first_other_time.toSec();
+  report.off_road_share = message.off_road_share;
+  report.road = {message.on_lane, message.wrong_way, message.off_road, message.on_walkway,
+                 message.on_island};
+  report.unbelievable = message.unbelievable;
+  report.confidence = message.confidence;
+  return report;
 }
 
 collision_forge::CollisionReport toMessage(const CollisionReport& report,
@@ -575,6 +623,7 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
   message.off_road_share = report.off_road_share;
   message.on_lane = report.road.on_lane;
   message.wrong_way = report.road.wrong_way;
+  message.off_road = report.road.off_road;
   message.on_walkway = report.road.on_walkway;
   message.on_island = report.road.on_island;
   message.believable = report.believable();

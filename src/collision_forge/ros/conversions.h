@@ -107,6 +107,13 @@ collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajecto
 collision_forge::CollisionReport toMessage(const CollisionReport& report,
                                            const std::string& attacker_id, double now);
 
+/// Throws MessageError for a word that is no side of a box or no manoeuvre. `verified` and
+/// `believable` of the message are ignored: they follow from the other fields.
+CollisionReport fromMessage(const collision_forge::CollisionReport& message);
+
+/// An answer with kOk and without alternatives. Throws as fromMessage() of pattern, trajectory and
+/// report.
+Realization fromMessage(const collision_forge::Attack& message);
 /// An answer with kOk. `now`: of the snapshot.
 collision_forge::Attack toMessage(const Realization& answer, const std::string& method, double now);
 

@@ -13,6 +13,7 @@
 
 #include "collision_forge/ros/message_fields.h"
 #include "collision_forge/ros/read_opened.h"
+#include "collision_forge/ros/same_instant.h"
 
 namespace forge {
 namespace {
@@ -179,9 +180,12 @@ class RecordingBuilder {
       ++left_out_["ego poses that are not a number"];
     } else if (pose.timestamp_us == 0) {
       ++left_out_["ego poses whose stamp is not set"];
+    } else if (!poses.empty() && isSameInstant(pose.timestamp_us, last)) {
+      const double distance = (pose.translation - poses.back().translation).norm();
+      if (distance > kSamePlace) throw BagError(contradiction(distance, pose.timestamp_us));
     } else if (pose.timestamp_us > last) {
       poses.push_back(pose);
-    } else if (pose.timestamp_us < last) {
+    } else {
       ++left_out_["ego poses whose stamp is before the last one's"];
     }
   }
@@ -196,7 +200,8 @@ class RecordingBuilder {
       ++left_out_["frames of agents whose stamp is not set"];
       return;
     }
-    if (!frames.empty() && frame.timestamp_us <= frames.back().timestamp_us) {
+    if (!frames.empty() && (frame.timestamp_us <= frames.back().timestamp_us ||
+                            isSameInstant(frame.timestamp_us, frames.back().timestamp_us))) {
       ++left_out_["frames of agents whose stamp is not after the one before"];
       return;
     }

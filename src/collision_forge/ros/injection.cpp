@@ -20,6 +20,7 @@
 #include "collision_forge/ros/markers.h"
 #include "collision_forge/ros/object_array.h"
 #include "collision_forge/ros/paths.h"
+#include "collision_forge/ros/record_clock.h"
 #include "collision_forge/ros/sliding_ego.h"
 #include "collision_forge/ros/topic_names.h"
 #include "collision_forge/verify/post_crash_motion.h"
@@ -45,11 +46,13 @@ Header markedInBetween(const Header& recorded) {
 
 /// A frame of agents with the attack in it.
 struct AttackedFrame {
+  ros::Time recorded;  ///< when it is in the bag
   collision_forge::AgentArray agents;
   bool is_recorded = true;
   bool is_mended = false;  ///< something that was not finite is gone
 };
-using AttackedFrames = std::map<ros::Time, AttackedFrame>;  // by when they are in the bag
+/// By stamp, and of several with one stamp by when they were recorded.
+using AttackedFrames = std::map<std::pair<ros::Time, ros::Time>, AttackedFrame>;
 
 /// The shares of the time between two frames at which there are frames in between: evenly, and at
 /// the contact, which is at `contact_share` if that is between the frames.
@@ -89,14 +92,17 @@ class Injection {
   std::vector<std::string> write(const std::function<void(double)>& on_progress) {
     rosbag::View view(source_);
     const double count = view.size();
-    if (view.size() > 0) report_time_ = std::min(reportTime(), view.getEndTime());
+    if (view.size() > 0) {
+      report_time_ = std::min(clock_.recordedAt(reportTime()), view.getEndTime());
+    }
     double done = 0.0;
     for (const rosbag::MessageInstance& instance : view) {
       on_progress(done++ / count);
-      if (instance.getTime() > end_) break;
+      const ros::Time stamp = stampIn(instance);
+      if (stamp > end_) continue;
       writeMadeBefore(instance.getTime());
       writeMapMarkersAt(instance.getTime());
-      copy(instance);
+      copy(instance, stamp);
     }
     writeMadeBefore(ros::TIME_MAX);
     on_progress(1.0);
@@ -111,7 +117,8 @@ class Injection {
  private:
   bool hasContact() const { return attack_.tested_report.contact; }
 
-  /// When the outcome of the attack is known: at the contact, else at the end of the trajectory.
+  /// Header stamp at which the outcome of the attack is known: at the contact, else at the end of
+  /// the trajectory.
   ros::Time reportTime() const {
     return hasContact() ? attack_.tested_report.contact_time
                         : attack_.attack.trajectory.points.back().stamp;
@@ -135,7 +142,6 @@ class Injection {
     AttackerInjector injector(attack_.attack.trajectory, recording_.limits);
     injector.setCrash(crash_);
     collision_forge::AgentArray::Ptr before;
-    ros::Time time_before;
     const rosbag::TopicQuery topic(bagTopic(names::kAgents));
     for (const rosbag::MessageInstance& instance : rosbag::View(source_, topic)) {
       const auto agents = instance.instantiate<collision_forge::AgentArray>();
@@ -143,52 +149,55 @@ class Injection {
       const int left_out = keepFinite(*agents);
       if (left_out > 0) left_out_[instance.getTopic()] += left_out;
       agents_header_ = instance.getConnectionHeader();
-      frames_[instance.getTime()] = {injector.inject(*agents), true, left_out > 0};
-      if (before && before->header.stamp >= now_) {
-        addFramesBetween(*before, *agents, time_before, instance.getTime(), injector);
-      }
+      clock_.add(agents->header.stamp, instance.getTime());
+      addFrame({instance.getTime(), injector.inject(*agents), true, left_out > 0});
+      if (before && before->header.stamp >= now_) addFramesBetween(*before, *agents, injector);
       before = agents;
-      time_before = instance.getTime();
     }
-    frames_.erase(frames_.upper_bound(end_), frames_.end());
+    frames_.erase(frames_.upper_bound({end_, ros::TIME_MAX}), frames_.end());
+  }
+
+  void addFrame(const AttackedFrame& frame) {
+    frames_[{frame.agents.header.stamp, frame.recorded}] = frame;
   }
 
   /// None in a gap in which nobody knows how the others moved.
   void addFramesBetween(const collision_forge::AgentArray& before,
-                        const collision_forge::AgentArray& after, const ros::Time& time_before,
-                        const ros::Time& time_after, AttackerInjector& injector) {
+                        const collision_forge::AgentArray& after, AttackerInjector& injector) {
     const double gap = (after.header.stamp - before.header.stamp).toSec();
     if (gap <= 0.0 || gap > kMaxGap) return;
     const auto& report = attack_.tested_report;
     const double contact =
         report.contact ? (report.contact_time - before.header.stamp).toSec() / gap : -1.0;
     for (const double share : sharesBetween(gap, recording_.options.frame_rate, contact)) {
-      const ros::Time time = time_before + (time_after - time_before) * share;
-      frames_[time] = {injector.inject(frameBetween(before, after, share)), false};
+      const auto frame = injector.inject(frameBetween(before, after, share));
+      addFrame({clock_.recordedAt(frame.header.stamp), frame, false, false});
     }
   }
 
   /// What is new in the bag and recorded before `time`: an attack at now, and with every frame.
   void writeMadeBefore(const ros::Time& time) {
-    while (next_frame_ != frames_.end() && next_frame_->first < time) {
-      const auto& [frame_time, frame] = *next_frame_++;
-      writeAttackBefore(frame_time);
-      writeReportBefore(frame_time);
-      if (!frame.is_recorded) writeInBetween(frame_time, frame.agents);
-      target_.writeLatched(bagTopic(names::kAttackMarkers), frame_time, markersOf(frame.agents));
-      target_.write(bagTopic(names::kAgentObjects), frame_time, toObjects(frame.agents));
+    while (next_frame_ != frames_.end() && next_frame_->second.recorded < time) {
+      const AttackedFrame& frame = (next_frame_++)->second;
+      writeAttackBefore(frame.recorded);
+      writeReportBefore(frame.recorded);
+      if (!frame.is_recorded) writeInBetween(frame);
+      target_.writeLatched(bagTopic(names::kAttackMarkers), frame.recorded,
+                           markersOf(frame.agents));
+      target_.write(bagTopic(names::kAgentObjects), frame.recorded, toObjects(frame.agents));
     }
     writeAttackBefore(time);
     writeReportBefore(time);
   }
 
   void writeAttackBefore(const ros::Time& time) {
-    if (is_attack_written_ || time <= now_) return;
+    const ros::Time recorded = clock_.recordedAt(now_);
+    if (is_attack_written_ || time <= recorded) return;
     is_attack_written_ = true;
-    target_.writeLatched(bagTopic(names::kAttack), now_, attack_.attack);
-    target_.writeLatched(bagTopic(names::kAttackRequest), now_, attack_.request);
-    target_.writeLatched(bagTopic(names::kAttackPath), now_, toPath(trajectory_.points));
-    target_.writeLatched(bagTopic(names::kAttackEgoPath), now_,
+    target_.writeLatched(bagTopic(names::kAttack), recorded, attack_.attack);
+    target_.writeLatched(bagTopic(names::kAttackRequest), recorded, attack_.request);
+    target_.writeLatched(bagTopic(names::kAttackPath), recorded, toPath(trajectory_.points));
+    target_.writeLatched(bagTopic(names::kAttackEgoPath), recorded,
                          toPath(recording_.ego, now_.toSec(), trajectory_.points.back().time));
   }
 
@@ -198,10 +207,12 @@ class Injection {
     target_.writeLatched(bagTopic(names::kTestedReport), report_time_, attack_.tested_report);
   }
 
-  void writeInBetween(const ros::Time& time, const collision_forge::AgentArray& agents) {
-    target_.write(bagTopic(names::kAgents), time, agents, markedInBetween(agents_header_));
+  void writeInBetween(const AttackedFrame& frame) {
+    target_.write(bagTopic(names::kAgents), frame.recorded, frame.agents,
+                  markedInBetween(agents_header_));
     if (!markers_header_) return;
-    target_.write(bagTopic(names::kAnnotationMarkers), time, shownAgents(agents), markers_header_);
+    target_.write(bagTopic(names::kAnnotationMarkers), frame.recorded, shownAgents(frame.agents),
+                  markers_header_);
   }
 
   /// The attacker is red from now on.
@@ -238,27 +249,65 @@ class Injection {
     return crashMarkers(view);
   }
 
-  /// From when on the bag is another with the attack in it.
-  bool isChangedAt(const ros::Time& time) const {
+  /// Whether the attack changes messages with this stamp.
+  bool isChangedAt(const ros::Time& stamp) const {
     const auto& past = attack_.attack.trajectory.past;
-    return past.empty() ? time > now_ : time >= past.front().stamp;
+    return past.empty() ? stamp > now_ : stamp >= past.front().stamp;
   }
 
-  void copy(const rosbag::MessageInstance& instance) {
-    if (copyChanged(instance)) return;
+  static std::optional<ros::Time> headerStamp(const collision_forge::AgentArray& message) {
+    return message.header.stamp;
+  }
+  static std::optional<ros::Time> headerStamp(const nav_msgs::Odometry& message) {
+    return message.header.stamp;
+  }
+  static std::optional<ros::Time> headerStamp(const visualization_msgs::MarkerArray& message) {
+    if (message.markers.empty()) return std::nullopt;
+    return message.markers.front().header.stamp;
+  }
+  static std::optional<ros::Time> headerStamp(const tf2_msgs::TFMessage& message) {
+    const auto ego =
+        std::find_if(message.transforms.begin(), message.transforms.end(), SlidingEgo::isEgo);
+    if (ego == message.transforms.end()) return std::nullopt;
+    return ego->header.stamp;
+  }
+
+  template <typename Message>
+  static std::optional<ros::Time> headerStamp(const rosbag::MessageInstance& instance) {
+    const auto message = instance.instantiate<Message>();
+    return message ? headerStamp(*message) : std::nullopt;
+  }
+
+  /// The header stamp of a message that shows agents or the ego, else the stamp that messages
+  /// recorded at that time have.
+  ros::Time stampIn(const rosbag::MessageInstance& instance) const {
+    const std::string& topic = instance.getTopic();
+    std::optional<ros::Time> stamp;
+    if (topic == bagTopic(names::kAgents))
+      stamp = headerStamp<collision_forge::AgentArray>(instance);
+    if (topic == names::kTf) stamp = headerStamp<tf2_msgs::TFMessage>(instance);
+    if (topic == bagTopic(names::kOdometry)) stamp = headerStamp<nav_msgs::Odometry>(instance);
+    if (topic == bagTopic(names::kAnnotationMarkers)) {
+      stamp = headerStamp<visualization_msgs::MarkerArray>(instance);
+    }
+    return stamp ? *stamp : clock_.stampAt(instance.getTime());
+  }
+
+  void copy(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
+    if (copyChanged(instance, stamp)) return;
     target_.write(instance.getTopic(), instance.getTime(), instance,
                   instance.getConnectionHeader());
   }
 
   /// False for a message that stays as it is.
-  bool copyChanged(const rosbag::MessageInstance& instance) {
+  bool copyChanged(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
     const std::string& topic = instance.getTopic();
     if (topic == bagTopic(names::kLaneMap)) makeMapMarkers(instance);
     for (const char* made_anew : {names::kMapMarkers, names::kAgentObjects}) {
       if (topic == bagTopic(made_anew)) return true;
     }
-    if (topic == bagTopic(names::kAgents)) return copyAgents(instance);
-    if (topic == bagTopic(names::kAnnotationMarkers)) return copyAnnotationMarkers(instance);
+    if (topic == bagTopic(names::kAgents)) return copyAgents(instance, stamp);
+    if (topic == bagTopic(names::kAnnotationMarkers)) return copyAnnotationMarkers(instance, stamp);
     if (topic == names::kTf) return copyEgo<tf2_msgs::TFMessage>(instance);
     if (topic == bagTopic(names::kOdometry)) return copyEgo<nav_msgs::Odometry>(instance);
     return false;
@@ -280,20 +329,20 @@ class Injection {
     map_markers_time_ = time + ros::Duration(kMapInterval);
   }
 
-  bool copyAgents(const rosbag::MessageInstance& instance) {
-    const auto frame = frames_.find(instance.getTime());
+  bool copyAgents(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
+    const auto frame = frames_.find({stamp, instance.getTime()});
     if (frame == frames_.end()) return false;
-    if (!isChangedAt(instance.getTime()) && !frame->second.is_mended) return false;
+    if (!isChangedAt(stamp) && !frame->second.is_mended) return false;
     target_.write(instance.getTopic(), instance.getTime(), frame->second.agents,
                   instance.getConnectionHeader());
     return true;
   }
 
   /// Those of the newest frame: messages of one time come in any order.
-  bool copyAnnotationMarkers(const rosbag::MessageInstance& instance) {
+  bool copyAnnotationMarkers(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
     markers_header_ = instance.getConnectionHeader();
-    const auto after = frames_.upper_bound(instance.getTime());
-    if (after == frames_.begin() || !isChangedAt(instance.getTime())) return false;
+    const auto after = frames_.upper_bound({stamp, ros::TIME_MAX});
+    if (after == frames_.begin() || !isChangedAt(stamp)) return false;
     target_.write(instance.getTopic(), instance.getTime(),
                   shownAgents(std::prev(after)->second.agents), markers_header_);
     return true;
@@ -333,8 +382,9 @@ class Injection {
   collision_forge::Attack shown_;  ///< with the report against the recording
   AttackerTrajectory trajectory_;
   const RecordingContext& recording_;
-  ros::Time now_;
-  ros::Time end_ = ros::TIME_MAX;
+  ros::Time now_;                               ///< header stamp
+  ros::Time end_ = ros::TIME_MAX;               ///< greatest header stamp in the new bag
+  RecordClock clock_;                           ///< of the frames of agents
   std::optional<PostCrashMotion> crash_;        ///< with AfterContact::kStop and a contact
   std::optional<SlidingEgo> ego_;               ///< the same
   std::map<std::string, ros::Time> ego_times_;  ///< by topic: when its last message was recorded
@@ -345,9 +395,9 @@ class Injection {
   Header markers_header_;  ///< null until markers of annotations have come
   bool is_attack_written_ = false;
   bool is_report_written_ = false;
-  ros::Time report_time_;
+  ros::Time report_time_;  ///< when the report is recorded
   std::optional<visualization_msgs::MarkerArray> map_markers_;
-  ros::Time map_markers_time_;  ///< from when on they are due again
+  ros::Time map_markers_time_;  ///< record time from which on they are due again
 };
 
 }  // namespace

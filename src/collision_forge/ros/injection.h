@@ -58,6 +58,11 @@ void requireNoAttack(const std::string& path);
 /// odometry with values that are not finite are left out (ros/finite_parts.h); the function returns
 /// a line for each topic with such values. `on_progress` receives the share that is done. Throws
 /// BagError.
+///
+/// All times are header stamps; the record times of the bag may be of another clock. A new message
+/// is recorded when a frame of agents with its stamp would be (RecordClock). A copied message keeps
+/// its record time. Messages that do not show agents or the ego end with the frames of agents that
+/// are recorded at the same time.
 std::vector<std::string> injectIntoBag(
     const std::string& in, const std::string& out, const BagAttack& attack,
     const RecordingContext& recording,

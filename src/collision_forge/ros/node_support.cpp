@@ -53,6 +53,14 @@ void LaneMapSubscriber::receive(const collision_forge::LaneMap& message) {
   on_map_();
 }
 
+Status statusOf(const std::exception& error) {
+  const bool is_input = dynamic_cast<const InputError*>(&error) != nullptr ||
+                        dynamic_cast<const MessageError*>(&error) != nullptr;
+  if (is_input) return {StatusCode::kInvalidInput, error.what()};
+  ROS_ERROR_STREAM("internal error: " << printable(error.what()));
+  return {StatusCode::kInternalError, error.what()};
+}
+
 std::variant<CheckedRequest, Status> checkedRequest(
     const LaneMapSubscriber& map, const collision_forge::SceneSnapshot& scene,
     const collision_forge::CollisionRequest& request, const Config& config) {

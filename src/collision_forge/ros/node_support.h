@@ -87,14 +87,18 @@ std::variant<CheckedRequest, Status> checkedRequest(
     const LaneMapSubscriber& map, const collision_forge::SceneSnapshot& scene,
     const collision_forge::CollisionRequest& request, const Config& config);
 
-/// Answers a service with what `work` returns, code and message; an exception is INVALID_INPUT.
+/// What a service answers when its work ends with an exception: INVALID_INPUT for an InputError and
+/// a MessageError, and INTERNAL_ERROR, which is logged, for any other one.
+Status statusOf(const std::exception& error);
+
+/// Answers a service with the code and message that `work` returns, or statusOf() its exception.
 template <typename Response, typename Work>
 bool answerWith(Response& response, Work work) {
   Status status;
   try {
     status = work();
   } catch (const std::exception& error) {
-    status = {StatusCode::kInvalidInput, error.what()};
+    status = statusOf(error);
   }
   response.code = static_cast<std::uint8_t>(status.code);
   response.message = status.message;

@@ -17,6 +17,7 @@
 #include "collision_forge/data/nuscenes_map.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/planners/planner_factory.h"
+#include "collision_forge/planners/planner_worker.h"
 #include "collision_forge/ros/bag_file.h"
 #include "collision_forge/ros/external_planner.h"
 #include "collision_forge/ros/log_sources.h"
@@ -137,9 +138,13 @@ class PlannerTesterNodelet : public QueuedNodelet {
     } catch (const TestRefusal& refusal) {
       response.code = refusal.code;
       response.message = refusal.what();
-    } catch (const std::exception& error) {
+    } catch (const PlannerFileError& error) {
       response.code = Response::INVALID_INPUT;
       response.message = error.what();
+    } catch (const std::exception& error) {
+      const Status status = statusOf(error);
+      response.code = static_cast<std::uint8_t>(status.code);
+      response.message = status.message;
     }
     if (response.code != Response::OK) {
       NODELET_INFO_STREAM("no test (" << int{response.code}
@@ -244,6 +249,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
     if (!is_given) {
       one.request.tta = newest->pattern.tta;
       one.pattern = fromMessage(newest->pattern);
+      one.effort = newest->effort;
     }
     return one;
   }

@@ -18,12 +18,12 @@ geometry_msgs::Pose poseOf(const geometry_msgs::Transform& transform) {
   return pose;
 }
 
-bool isEgo(const geometry_msgs::TransformStamped& transform) {
+}  // namespace
+
+bool SlidingEgo::isEgo(const geometry_msgs::TransformStamped& transform) {
   return transform.header.frame_id == names::kMapFrame &&
          transform.child_frame_id == names::kBaseFrame;
 }
-
-}  // namespace
 
 SlidingEgo::SlidingEgo(const PostCrashMotion& crash, double center_offset)
     : crash_(crash), center_offset_(center_offset) {}

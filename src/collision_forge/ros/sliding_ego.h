@@ -23,6 +23,9 @@ struct EgoBetween {
 /// stay those of the newest message up to then. Messages come in the order of time.
 class SlidingEgo {
  public:
+  /// Whether the transform is map -> base_link.
+  static bool isEgo(const geometry_msgs::TransformStamped& transform);
+
   /// `center_offset` as of EgoVehicle.
   SlidingEgo(const PostCrashMotion& crash, double center_offset);
 

@@ -79,7 +79,7 @@ Realization TrajectoryRealizerService::realize(const RealizationTask& task) cons
   attack.aim = fromMessage(answer.pattern);
   attack.trajectory = fromMessage(answer.trajectory);
   checkTrajectory(attack.trajectory, limits_, "attack of realize_trajectory");
-  attack.effort = service.response.effort;
+  attack.effort = answer.effort;
   if (!(attack.effort >= 0.0 && std::isfinite(attack.effort))) {
     throw MessageError("effort of realize_trajectory = " + numberText(attack.effort) +
                        " is no number from 0 on");

@@ -1,13 +1,32 @@
 #include <collision_forge/RealizeTrajectory.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <algorithm>
+
 #include "collision_forge/attack/realizer.h"
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/node_support.h"
 #include "collision_forge/ros/served_nodelet.h"
 #include "collision_forge/ros/topic_names.h"
+#include "collision_forge/scene/number_words.h"
 
 namespace forge {
+
+/// Throws InputError for a pattern of somebody who is not in the snapshot, or of a past time.
+void checkAgainst(const CollisionPattern& pattern, const Snapshot& snapshot) {
+  const auto& agents = snapshot.agents;
+  const bool is_there = std::any_of(agents.begin(), agents.end(), [&](const Track& agent) {
+    return agent.id == pattern.attacker_id;
+  });
+  if (!is_there) {
+    throw InputError("patterns: attacker_id = \"" + pattern.attacker_id +
+                     "\" is nobody in the scene");
+  }
+  if (!(pattern.time > snapshot.now)) {
+    throw InputError("patterns: tta = " + numberText(pattern.time - snapshot.now) +
+                     " of the pattern of " + pattern.attacker_id + " is not above 0");
+  }
+}
 
 /// Answers realize_trajectory.
 class TrajectoryRealizerNodelet : public QueuedNodelet {
@@ -35,6 +54,7 @@ class TrajectoryRealizerNodelet : public QueuedNodelet {
     for (const auto& pattern : message.patterns) {
       patterns.push_back(fromMessage(pattern));
       checkPattern(patterns.back(), config_.input_limits, "patterns");
+      checkAgainst(patterns.back(), snapshot);
     }
     AttackerWays ways;
     for (const auto& way : message.ways) ways.emplace(way.attacker_id, fromMessage(way));
@@ -47,7 +67,6 @@ class TrajectoryRealizerNodelet : public QueuedNodelet {
                 config_.attack);
     if (realization.status.code != StatusCode::kOk) return realization.status;
     response.attack = toMessage(realization, "", snapshot.now);
-    response.effort = realization.effort;
     return realization.status;
   }
 

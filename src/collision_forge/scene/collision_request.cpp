@@ -80,6 +80,8 @@ const char* toString(StatusCode code) {
       return "ROAD_DOES_NOT_ALLOW";
     case StatusCode::kStaleScene:
       return "STALE_SCENE";
+    case StatusCode::kInternalError:
+      return "INTERNAL_ERROR";
   }
   return "UNKNOWN";
 }
@@ -100,7 +102,7 @@ bool isOfTheScene(StatusCode code) {
 
 std::optional<StatusCode> statusCodeFromString(const std::string& name) {
   for (auto number = static_cast<int>(StatusCode::kOk);
-       number <= static_cast<int>(StatusCode::kStaleScene); ++number) {
+       number <= static_cast<int>(StatusCode::kInternalError); ++number) {
     const auto code = static_cast<StatusCode>(number);
     if (name == toString(code)) return code;
   }

@@ -75,6 +75,7 @@ enum class StatusCode : std::uint8_t {
   kNotBelievable = 14,        ///< attacks exist, but no driver would drive so
   kRoadDoesNotAllow = 15,     ///< no lane of the type's direction passes the ego's place then
   kStaleScene = 16,           ///< no scene has come for longer than allowed
+  kInternalError = 17,        ///< a fault of this package, whatever was asked
 };
 const char* toString(StatusCode code);
 /// The scene does not allow it, or not at that instant; another may.

@@ -18,13 +18,14 @@ namespace fs = std::filesystem;
 
 /// Where the two stand to each other in the recording at the time asked for; the set has no
 /// pattern.
-CollisionPattern patternOf(const PlannerCase& one) {
+CollisionPattern patternOf(const PlannerCase& one, const PredictionOptions& prediction) {
   const CrashScenario& scenario = one.scenario;
   const double time = scenario.snapshot.now + one.request.tta;
   CollisionPattern pattern;
   pattern.type = one.request.type;
   pattern.attacker_id = scenario.attacker.attacker_id;
   pattern.time = time;
+  pattern.tolerance = prediction.pattern_tolerance;
   const auto ego = stateAt(scenario.recorded.ego, time);
   const auto attacker = stateAt(attackerTrack(scenario), time);
   if (!ego || !attacker) return pattern;
@@ -117,7 +118,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                   std::move(lanes)};
   if (attacker == ClipAttacker::kRecorded) {
     one.scenario.attacker = recordedAttacker(clip, box, study.attack.search);
-    one.pattern = patternOf(one);
+    one.pattern = patternOf(one, study.attack.prediction);
     one.published = publishedProtocol(clip, study.evaluation.published);
     return one;
   }
@@ -129,6 +130,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
         publishedProtocol(withAttacker(clip, one.scenario.attacker), study.evaluation.published);
   }
   one.pattern = answer.aim;
+  one.effort = answer.effort;
   return one;
 }
 

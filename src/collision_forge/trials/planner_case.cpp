@@ -30,6 +30,7 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
                   indexed.lanes};
   showPast(one.scenario);
   one.pattern = scenario.answer.aim;
+  one.effort = scenario.answer.effort;
   return one;
 }
 

@@ -34,6 +34,7 @@ struct PlannerCase {
   Status status;             ///< why there is nothing to test on, where there is not
   CrashScenario scenario;    ///< with kOk only, but snapshot.now always
   CollisionPattern pattern;  ///< aimed at; with kOk only
+  double effort = 0.0;       ///< Realization::effort
   std::shared_ptr<const PublishedProtocol> published;  ///< of a clip of COLLIDE, else null
 };
 

@@ -140,7 +140,7 @@ std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind 
   const CrashScenario& scenario = one.scenario;
   return std::make_unique<AdaptiveAttacker>(
       AttackerTask{scenario.snapshot, scenario.lanes, scenario.ego, one.request, one.pattern,
-                   scenario.attacker},
+                   scenario.attacker, one.effort},
       AttackerSetup{foresight.withoutScene(one.scene).egoFutures(options.attack.ego_futures),
                     options.attack, options.adaptive});
 }

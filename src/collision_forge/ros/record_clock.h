@@ -1,0 +1,37 @@
+#pragma once
+
+#include <ros/time.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace forge {
+
+/// Converts between the two clocks of a bag: header stamps, and the times at which the messages
+/// were recorded. The clocks differ by latency, and by much more in a bag that was recorded while
+/// another bag was replayed.
+class RecordClock {
+ public:
+  /// Adds a message. One whose stamp or record time is not after the one before is ignored.
+  void add(const ros::Time& stamp, const ros::Time& recorded);
+
+  /// The record time of a message with this stamp. The offset between the clocks is interpolated
+  /// linearly between the two messages around it; before the first and after the last one it is
+  /// theirs. Without any message both clocks are equal.
+  ros::Time recordedAt(const ros::Time& stamp) const;
+
+  /// The inverse of recordedAt().
+  ros::Time stampAt(const ros::Time& recorded) const;
+
+ private:
+  struct Message {
+    std::int64_t stamp;     // ns
+    std::int64_t recorded;  // ns
+  };
+  ros::Time converted(const ros::Time& time, std::int64_t Message::*from,
+                      std::int64_t Message::*to) const;
+
+  std::vector<Message> messages_;  // both times ascend
+};
+
+}  // namespace forge

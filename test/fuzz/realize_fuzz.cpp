@@ -1,0 +1,95 @@
+#include <collision_forge/RealizeTrajectory.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "attack/test_scenes.h"
+#include "collision_forge/attack/realizer.h"
+#include "collision_forge/attack/request_check.h"
+#include "collision_forge/map/lane_queries.h"
+#include "collision_forge/ros/conversions.h"
+#include "collision_forge/scene/input_limits.h"
+#include "fuzz/message_in.h"
+#include "fuzz/reading.h"
+#include "fuzz/targets.h"
+
+namespace forge {
+namespace {
+
+/// More of any list only takes longer.
+constexpr std::size_t kMost = 8;
+constexpr std::size_t kMostStates = 200;
+
+/// The search with few candidates: the same code, in a hundredth of the time.
+const AttackOptions& quickOptions() {
+  static const AttackOptions options = [] {
+    AttackOptions quick = configuration().attack;
+    quick.search.draws = quick.search.homed = quick.search.kept = 4;
+    quick.search.ego_poses = 2;
+    quick.search.corrections = quick.search.rounds = quick.search.perturbations = 1;
+    quick.search.bicycle_targets = quick.search.bicycle_rounds = 1;
+    quick.search.bicycle_perturbations = 1;
+    quick.route.rounds = quick.route.perturbations = quick.route.drafted = 1;
+    quick.route.ways = 2;
+    return quick;
+  }();
+  return options;
+}
+
+/// The lane that the seeds' scenes are on.
+const LaneIndex& fuzzedLanes() {
+  static const LaneIndex lanes = [] {
+    auto map = std::make_shared<LaneMap>();
+    map->location = "embedded-right";
+    map->lanes = {straightLane("east", {-30.0, 0.0}, {90.0, 0.0})};
+    map->drivable_area = {rectangle(-30.0, -1.75, 90.0, 1.75)};
+    return LaneIndex(map);
+  }();
+  return lanes;
+}
+
+void checkSize(const std::vector<Track>& tracks) {
+  if (tracks.size() > kMost) throw InputError("too many tracks to fuzz with");
+  for (const Track& track : tracks) {
+    if (track.states.size() > kMostStates) throw InputError("too many states to fuzz with");
+  }
+}
+
+/// As the node trajectory_realizer answers.
+void answer(const collision_forge::RealizeTrajectory::Request& message) {
+  const Config& config = configuration();
+  const auto parsed = fromMessage(message.request, config.crash);
+  if (const Status* refusal = std::get_if<Status>(&parsed)) throw MessageError(refusal->message);
+  Snapshot snapshot = fromMessage(message.scene);
+  checkSnapshot(snapshot, config.input_limits, "scene");
+  checkSize(snapshot.agents);
+  const CollisionRequest request = withFullId(std::get<CollisionRequest>(parsed), snapshot);
+  const Status status = checkRequest(request, snapshot, config.attack.prediction);
+  if (status.code != StatusCode::kOk) throw MessageError(status.message);
+  Future future = fromMessage(message.future);
+  checkFuture(future, config.input_limits, "future");
+  checkSize({future.ego});
+  checkSize(future.agents);
+  checkSize(future.ego_samples);
+  if (message.patterns.size() > kMost) throw InputError("too many patterns to fuzz with");
+  std::vector<CollisionPattern> patterns;
+  for (const auto& pattern : message.patterns) {
+    patterns.push_back(fromMessage(pattern));
+    checkPattern(patterns.back(), config.input_limits, "patterns");
+  }
+  const Realization found =
+      realize(patterns, {snapshot, future, request, fuzzedLanes()}, quickOptions(), message.exact);
+  if (found.status.code != StatusCode::kOk) return;
+  require(found.report.verified(), "the attack is not verified");
+  checkTrajectory(found.trajectory, config.input_limits, "attack");
+}
+
+}  // namespace
+
+/// A request of realize_trajectory: mutated scenes, futures and patterns.
+bool fuzzRealize(const std::string& input) {
+  return isTaken("",
+                 [&] { answer(messageIn<collision_forge::RealizeTrajectory::Request>(input)); });
+}
+
+}  // namespace forge

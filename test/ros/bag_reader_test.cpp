@@ -1,0 +1,85 @@
+#include "collision_forge/ros/bag_reader.h"
+
+#include <collision_forge/AgentArray.h>
+#include <collision_forge/LaneMap.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <string>
+#include <vector>
+
+#include "collision_forge/ros/bag_file.h"
+#include "collision_forge/ros/topic_names.h"
+#include "collision_forge/settings/config.h"
+#include "data/nuscenes_fixture.h"
+
+namespace forge {
+namespace {
+
+constexpr double kSpeed = 8.0;  // m/s of the ego along x, from x = 0 at 100 s
+
+/// The ego's pose, `aside` metres from its way.
+tf2_msgs::TFMessage poseAt(const ros::Time& stamp, double aside = 0.0) {
+  tf2_msgs::TFMessage message;
+  message.transforms.emplace_back();
+  auto& transform = message.transforms.back();
+  transform.header.stamp = stamp;
+  transform.header.frame_id = names::kMapFrame;
+  transform.child_frame_id = names::kBaseFrame;
+  transform.transform.translation.x = kSpeed * (stamp.toSec() - 100.0);
+  transform.transform.translation.y = aside;
+  transform.transform.rotation.w = 1.0;
+  return message;
+}
+
+class BagReaderTest : public testing::Test {
+ protected:
+  /// A pose of the ego every 0.1 s, frames of agents every 0.5 s; `more`: poses and frames too.
+  void write(const std::vector<tf2_msgs::TFMessage>& more, const ros::Time& more_agents) {
+    NewBag bag(path_);
+    bag.write(bagTopic(names::kLaneMap), ros::Time(100), collision_forge::LaneMap());
+    for (unsigned i = 0; i <= 20; ++i) {
+      const ros::Time time(100 + i / 10, i % 10 * 100000000);
+      bag.write(names::kTf, time, poseAt(time));
+      if (i % 5 == 0) writeAgents(bag, time);
+      for (const auto& message : more) {
+        const ros::Time& extra = message.transforms.front().header.stamp;
+        if (i == 10) bag.write(names::kTf, extra, message);
+      }
+    }
+    if (!more_agents.isZero()) writeAgents(bag, more_agents);
+    bag.commit();
+  }
+
+  static void writeAgents(NewBag& bag, const ros::Time& time) {
+    collision_forge::AgentArray agents;
+    agents.header.stamp = time;
+    bag.write(bagTopic(names::kAgents), time, agents);
+  }
+
+  const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  const TemporaryFolder folder_;
+  const std::string path_ = folder_.path() + "/drive.bag";
+};
+
+TEST_F(BagReaderTest, OfPosesAndFramesOfOneInstantTheFirstIsKept) {
+  // Half a metre in a microsecond would be more than any vehicle drives.
+  const ros::Time twin(101, 400);
+  write({poseAt(twin, 0.4), poseAt(ros::Time(101, 1000), 0.4)}, twin);
+  for (const auto& read : {readBag, readBagAsWritten}) {
+    const Scene scene = read(path_, config_, nullptr);
+    EXPECT_EQ(scene.ego.states.size(), 21u);
+    EXPECT_EQ(scene.frame_times.size(), 5u);
+    for (const AgentState& state : scene.ego.states) EXPECT_EQ(state.pose.y, 0.0);
+  }
+}
+
+TEST_F(BagReaderTest, PosesOfOneInstantThatContradictEachOtherNameTopicAndTime) {
+  write({poseAt(ros::Time(101, 400), 3.0)}, {});
+  EXPECT_THAT(errorOf<BagError>([&] { readBag(path_, config_); }),
+              testing::HasSubstr("drive.bag: /tf: two poses of the ego at 101.000000 s are"));
+}
+
+}  // namespace
+}  // namespace forge
