@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "collision_forge/files/aside_file.h"
-#include "export/pickle_items.h"
+#include "export/inlined.h"
 
 namespace forge {
 namespace {
@@ -19,8 +17,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// Three rows in a square place of 40 m by 40 m.
-std::string scenarioNamed(const std::string& name, std::optional<double> step = 0.1,
-                          double radius = 60.0) {
+PickleContent scenarioNamed(const std::string& name, std::optional<double> step = 0.1,
+                            double radius = 60.0) {
   LaneMap map;
   map.location = "a-town";
   map.drivable_area = {{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, {}}};
@@ -28,12 +26,11 @@ std::string scenarioNamed(const std::string& name, std::optional<double> step = 
   for (const double time : table.times) {
     table.tracks[0].states.push_back({time, {10.0 * time, 0.0, 0.0}, {10.0, 0.0}});
   }
-  PickleWriter own;
-  own.text("scene", name);
+  const auto write_own = [&](PickleWriter& own) { own.text("scene", name); };
   ExportOptions options;
   options.radius = radius;
   options.heights[AgentClass::kCar] = 1.5;
-  return pickledScenario({name, table, step, 1, map, own}, {{0.0, 0.0}}, options);
+  return describe({name, table, step, 1, map, write_own}, {{0.0, 0.0}}, options);
 }
 
 class ScenarioNetSummary : public testing::Test {
@@ -43,12 +40,8 @@ class ScenarioNetSummary : public testing::Test {
 
   std::string pathOf(const std::string& name) const { return folder_ + "/" + name; }
 
-  std::string read(const std::string& name) const {
-    std::ifstream file(pathOf(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
   const std::string folder_ = testing::TempDir() + "scenario_net_description_test";
+  PickleWorkers workers_;
 };
 
 TEST(ScenarioNetDescription, FilesAreNamedAsTheFormatWants) {
@@ -56,54 +49,38 @@ TEST(ScenarioNetDescription, FilesAreNamedAsTheFormatWants) {
 }
 
 TEST(ScenarioNetDescription, MetadataTellRowsPlaceAndWhoDrivesItself) {
-  const std::string bytes = scenarioNamed("s1");
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::count, "length", 3)));
-  EXPECT_THAT(bytes, HasSubstr(textItem("map", "a-town")));
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::numbers, "ts", {0.0, 0.1, 0.2}, 0) +
-                               item(&PickleWriter::count, "current_time_index", 1) +
-                               textItem("sdc_id", "ego")));
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::count, "num_map_features", 1)));
+  const std::string json = inlined(scenarioNamed("s1"));
+  EXPECT_THAT(json, HasSubstr(R"("length":3,)"));
+  EXPECT_THAT(json, HasSubstr(R"("map":"a-town")"));
+  EXPECT_THAT(json, HasSubstr(R"("ts":[0,0.1,0.2],"current_time_index":1,"sdc_id":"ego")"));
+  EXPECT_THAT(json, HasSubstr(R"("num_map_features":1)"));
 }
 
 TEST(ScenarioNetDescription, RowsThatAreNotEvenHaveNoRate) {
-  EXPECT_THAT(scenarioNamed("s1"), HasSubstr(item(&PickleWriter::number, "sample_rate", 0.1)));
-  EXPECT_THAT(scenarioNamed("s1", std::nullopt), Not(HasSubstr(pickledText("sample_rate"))));
+  EXPECT_THAT(inlined(scenarioNamed("s1")), HasSubstr(R"("sample_rate":0.1)"));
+  EXPECT_THAT(inlined(scenarioNamed("s1", std::nullopt)), Not(HasSubstr("sample_rate")));
 }
 
 TEST(ScenarioNetDescription, WhatTheFormatHasNoWordForIsAddedToTheOwn) {
-  PickleWriter rings;
-  rings.numbers("exterior", {-20, -20, 20, -20, 20, 20, -20, 20}, 2);
-  rings.matrices("interiors", {}, 2);
-  PickleWriter own;
-  own.text("scene", "s1");
-  own.text("driving_side", "right");
-  own.values("drivable_area", {rings.dict()});
-  EXPECT_THAT(scenarioNamed("s1"),
-              HasSubstr(item(&PickleWriter::value, "collision_forge", own.dict())));
+  EXPECT_THAT(inlined(scenarioNamed("s1")),
+              HasSubstr(R"("collision_forge":{"scene":"s1","driving_side":"right",)"
+                        R"("drivable_area":[{"exterior":[[-20,-20],[20,-20],[20,20],[-20,20]],)"
+                        R"("interiors":[]}]})"));
 }
 
 TEST(ScenarioNetDescription, TheEdgeOfTheRoadIsToldNearTheWays) {
-  EXPECT_THAT(scenarioNamed("s1"),
-              HasSubstr(item(&PickleWriter::numbers, "polyline",
-                             {-20, -20, 20, -20, 20, 20, -20, 20, -20, -20}, 2)));
-  EXPECT_THAT(scenarioNamed("s1", 0.1, 10.0), Not(HasSubstr(pickledText("ROAD_EDGE_BOUNDARY"))));
+  EXPECT_THAT(inlined(scenarioNamed("s1")),
+              HasSubstr(R"("polyline":[[-20,-20],[20,-20],[20,20],[-20,20],[-20,-20]])"));
+  EXPECT_THAT(inlined(scenarioNamed("s1", 0.1, 10.0)), Not(HasSubstr("ROAD_EDGE_BOUNDARY")));
 }
 
-TEST_F(ScenarioNetSummary, OfAllHoldsTheMetadataOfEach) {
-  PickleWriter summary;
-  PickleWriter mapping;
+TEST_F(ScenarioNetSummary, OfAllHasItsFiles) {
   for (const std::string name : {"s1", "s2"}) {
-    const std::string file = scenarioNetFile(name);
-    const std::string bytes = scenarioNamed(name);
-    writeText(pathOf(file), bytes);
-    const std::string key = pickledText("metadata");
-    const std::size_t begin = bytes.rfind(key) + key.size();
-    summary.value(file, bytes.substr(begin, bytes.size() - 2 - begin));
-    mapping.text(file, "");
+    writeText(pathOf(scenarioNetFile(name)), workers_.write(scenarioNamed(name)));
   }
-  writeScenarioNetSummary(folder_, {"s1", "s2"});
-  EXPECT_EQ(read("dataset_summary.pkl"), summary.pickle());
-  EXPECT_EQ(read("dataset_mapping.pkl"), mapping.pickle());
+  writeScenarioNetSummary(folder_, {"s1", "s2"}, workers_);
+  EXPECT_TRUE(std::filesystem::exists(pathOf("dataset_summary.pkl")));
+  EXPECT_TRUE(std::filesystem::exists(pathOf("dataset_mapping.pkl")));
 }
 
 TEST_F(ScenarioNetSummary, TheNamesOfAFolderAreThoseOfItsScenarios) {
@@ -117,10 +94,10 @@ TEST_F(ScenarioNetSummary, TheNamesOfAFolderAreThoseOfItsScenarios) {
 
 TEST_F(ScenarioNetSummary, AFileThatIsGoneIsNamed) {
   try {
-    writeScenarioNetSummary(folder_, {"gone_1"});
+    writeScenarioNetSummary(folder_, {"gone_1"}, workers_);
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("sd_collision_forge_v1_gone_1.pkl: is no scenario"));
+    EXPECT_THAT(error.what(), HasSubstr("sd_collision_forge_v1_gone_1.pkl: cannot be read"));
   }
 }
 

@@ -5,7 +5,6 @@
 
 #include <stdexcept>
 
-#include "collision_forge/data/pickle_reader.h"
 #include "collision_forge/data/scene_source.h"
 #include "collision_forge/export/pickle_writer.h"
 #include "collision_forge/export/scenario_net_scene.h"
@@ -23,47 +22,43 @@ const std::string kEmbedded = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
 
 /// A description in the words of ScenarioNet alone, as its converters of other data sets write it.
 struct Description {
-  PickleWriter state() const {
-    PickleWriter writer;
-    writer.numbers("position", {0.0, 0.0, 0.0, 1.0, 0.0, 0.0}, 3);
-    writer.numbers("heading", {0.0, 0.0});
-    writer.numbers("length", {length, length});
-    writer.numbers("width", {width, width});
-    writer.flags("valid", {true, true});
-    return writer;
-  }
-
-  PickleWriter track(const char* type) const {
-    PickleWriter writer;
+  void writeTrack(PickleWriter& writer, const char* id, const char* type) const {
+    writer.beginObject(id);
     writer.text("type", type);
-    writer.value("state", state().dict());
-    return writer;
+    writer.beginObject("state");
+    writer.array("position", {0.0, 0.0, 0.0, 1.0, 0.0, 0.0}, 3);
+    writer.array("heading", {0.0, 0.0});
+    writer.array("length", {length, length});
+    writer.array("width", {width, width});
+    writer.flags("valid", {true, true});
+    writer.endObject();
+    writer.endObject();
   }
 
-  std::string bytes() const {
+  PickleContent content() const {
     PickleWriter writer;
-    writer.beginDict("tracks");
-    writer.value("7", track("VEHICLE").dict());
-    writer.value("8", track("VEHICLE").dict());
-    writer.value("9", track("TRAFFIC_CONE").dict());
-    writer.endDict();
-    writer.beginDict("map_features");
-    writer.beginDict("12");
+    writer.beginObject("tracks");
+    writeTrack(writer, "7", "VEHICLE");
+    writeTrack(writer, "8", "VEHICLE");
+    writeTrack(writer, "9", "TRAFFIC_CONE");
+    writer.endObject();
+    writer.beginObject("map_features");
+    writer.beginObject("12");
     writer.text("type", "LANE_SURFACE_STREET");
-    writer.numbers("polyline", {0.0, 0.0, 10.0, 0.0}, 2);
+    writer.array("polyline", {0.0, 0.0, 10.0, 0.0}, 2);
     writer.texts("exit_lanes", {"13", "nowhere"});
     writer.number("speed_limit_kmh", 36.0);
-    writer.endDict();
-    writer.beginDict("13");
+    writer.endObject();
+    writer.beginObject("13");
     writer.text("type", lane_type);
-    writer.numbers("polyline", {10.0, 0.0, lane_end, 0.0}, 2);
-    writer.endDict();
-    writer.endDict();
-    writer.beginDict("metadata");
+    writer.array("polyline", {10.0, 0.0, lane_end, 0.0}, 2);
+    writer.endObject();
+    writer.endObject();
+    writer.beginObject("metadata");
     writer.text("sdc_id", ego);
-    writer.numbers("ts", times);
-    writer.endDict();
-    return writer.pickle();
+    writer.array("ts", times);
+    writer.endObject();
+    return writer.content();
   }
 
   double length = 4.6;
@@ -76,14 +71,17 @@ struct Description {
 
 class ScenarioNetLogsTest : public testing::Test {
  protected:
-  LoggedScene read(const std::string& bytes) {
+  LoggedScene read(const PickleContent& content) { return readBytes(workers_.write(content)); }
+
+  LoggedScene readBytes(const std::string& bytes) {
     warnings_.clear();
-    return readScenarioNet(folder_.write("sd_waymo_v1_a.pkl", bytes), shippedConfig(), &warnings_);
+    return readScenarioNet(folder_.write("sd_waymo_v1_a.pkl", bytes), workers_, shippedConfig(),
+                           &warnings_);
   }
 
   std::string problemOf(const Description& description) {
     try {
-      read(description.bytes());
+      read(description.content());
       return "";
     } catch (const std::runtime_error& error) {
       return error.what();
@@ -91,14 +89,16 @@ class ScenarioNetLogsTest : public testing::Test {
   }
 
   const TemporaryFolder folder_;
+  PickleWorkers workers_;
   std::vector<std::string> warnings_;
 };
 
 TEST_F(ScenarioNetLogsTest, WhatWasRecordedComesBack) {
   SceneSource tables({kEmbedded, ""}, {"scene-0001"}, shippedConfig(), 1);
   const auto told = tables.at("scene-0001");
-  folder_.write("deep/sd_collision_forge_v1_scene-0001.pkl",
-                scenarioNetOf(told->scene, RowTimes::kAsRecorded, shippedConfig().exports));
+  folder_.write(
+      "deep/sd_collision_forge_v1_scene-0001.pkl",
+      workers_.write(scenarioNetOf(told->scene, RowTimes::kAsRecorded, shippedConfig().exports)));
   ASSERT_TRUE(scenarioNetFormat().accepts(folder_.path()));
   SceneSource source({folder_.path(), "", &scenarioNetFormat()}, {}, shippedConfig(), 1);
   EXPECT_THAT(source.names(), ElementsAre("scene-0001"));
@@ -146,7 +146,7 @@ TEST_F(ScenarioNetLogsTest, AFileOfEvenStepsHasTheFramesThatWereRecorded) {
 }
 
 TEST_F(ScenarioNetLogsTest, ReadsWhatOthersConvert) {
-  const LoggedScene logged = read(Description().bytes());
+  const LoggedScene logged = read(Description().content());
   EXPECT_EQ(logged.recording.name, "sd_waymo_v1_a");
   EXPECT_EQ(logged.recording.ego_poses.at(0).timestamp_us, 1000000);
   EXPECT_NEAR(logged.recording.ego_poses.at(1).translation.x(),
@@ -168,21 +168,49 @@ TEST_F(ScenarioNetLogsTest, ReadsWhatOthersConvert) {
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("the box of ego_vehicle.yaml is taken")));
 }
 
+TEST_F(ScenarioNetLogsTest, APolylineMayBeAListOfPoints) {
+  PickleContent content = Description().content();
+  const std::string array = R"({"ndarray":[2,2],"dtype":"f8","at":)";
+  const std::size_t begin = content.json.find(array);
+  content.json.replace(begin, content.json.find('}', begin) + 1 - begin,
+                       "[[0, 0.5], [10, 0.5, 3]]");
+  const Lane lane = read(content).lanes->map().lanes.at(0);
+  ASSERT_EQ(lane.centerline.size(), 2U);
+  EXPECT_EQ(lane.centerline[1].x, 10.0);
+  EXPECT_EQ(lane.centerline[1].y, 0.5);
+}
+
+TEST_F(ScenarioNetLogsTest, NumbersOfLanesAreKeptExactly) {
+  const std::int64_t id = (std::int64_t{1} << 53) + 1;  // no double
+  PickleContent content = Description().content();
+  const std::string list = R"(["13","nowhere"])";
+  content.json.replace(content.json.find(R"("13":{)"), 4, '"' + std::to_string(id) + '"');
+  const std::string at = std::to_string(content.items.size() / sizeof(id));
+  content.items.append(reinterpret_cast<const char*>(&id), sizeof(id));
+  for (const std::string& links :
+       {'[' + std::to_string(id) + ']', R"({"ndarray":[1],"dtype":"i8","at":)" + at + '}'}) {
+    PickleContent changed = content;
+    changed.json.replace(changed.json.find(list), list.size(), links);
+    EXPECT_THAT(read(changed).lanes->map().lanes.at(0).outgoing, ElementsAre(std::to_string(id)))
+        << links;
+  }
+}
+
 TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsTurned) {
   Description description;
   description.length = 2.0;
   description.width = 9.0;
-  read(description.bytes());
+  read(description.content());
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("taken for each other"), HasSubstr("9 m by 2 m")));
   std::swap(description.length, description.width);
-  EXPECT_EQ(read(description.bytes()).recording.frames.at(0).annotations.at(0).category,
+  EXPECT_EQ(read(description.content()).recording.frames.at(0).annotations.at(0).category,
             "vehicle.truck");
 }
 
 TEST_F(ScenarioNetLogsTest, ALaneWithoutLengthHasNoCenterline) {
   Description short_lane;
   short_lane.lane_end = 10.0 + 1e-8;
-  EXPECT_TRUE(read(short_lane.bytes()).lanes->map().lanes[1].centerline.empty());
+  EXPECT_TRUE(read(short_lane.content()).lanes->map().lanes[1].centerline.empty());
 }
 
 TEST_F(ScenarioNetLogsTest, NamesWhatIsWrong) {
@@ -195,14 +223,19 @@ TEST_F(ScenarioNetLogsTest, NamesWhatIsWrong) {
   Description longer;
   longer.times = {0.0, 0.1, 0.2};
   EXPECT_THAT(problemOf(longer), HasSubstr("tracks.7.state.position: has 2 rows, not 3"));
-  PickleWriter empty;
-  EXPECT_THROW(read(empty.pickle()), std::runtime_error);
-  EXPECT_THROW(read("cos\nsystem\n."), PickleError);
+  EXPECT_THROW(read({R"({"metadata": {}})", ""}), std::runtime_error);
+  PickleContent no_number = Description().content();
+  const std::size_t begin = no_number.json.find(R"("speed_limit_kmh":)") + 18;
+  no_number.json.replace(begin, no_number.json.find('}', begin) + 1 - begin, "NaN");
+  EXPECT_THAT([&] { read(no_number); },
+              testing::ThrowsMessage<std::runtime_error>(
+                  HasSubstr("map_features.12.speed_limit_kmh: is no finite number")));
+  EXPECT_THROW(readBytes("cos\nsystem\n."), PickleError);
 }
 
 TEST_F(ScenarioNetLogsTest, TwoFilesOfOneNameAreRefused) {
-  folder_.write("a/sd_x_v1_1.pkl", Description().bytes());
-  folder_.write("b/sd_x_v1_1.pkl", Description().bytes());
+  folder_.write("a/sd_x_v1_1.pkl", "");
+  folder_.write("b/sd_x_v1_1.pkl", "");
   EXPECT_THROW(readSceneNames({folder_.path(), "", &scenarioNetFormat()}), std::runtime_error);
 }
 

@@ -8,7 +8,7 @@
 
 #include "collision_forge/export/scenario_net_map.h"
 #include "export/crash_fixture.h"
-#include "export/pickle_items.h"
+#include "export/inlined.h"
 
 namespace forge {
 namespace {
@@ -24,7 +24,18 @@ Scene sampleScene() {
 }
 
 std::string told(const Scene& scene, RowTimes rows) {
-  return scenarioNetOf(scene, rows, shippedConfig().exports);
+  return inlined(scenarioNetOf(scene, rows, shippedConfig().exports));
+}
+
+std::string arrayItem(const char* key, const std::vector<double>& values, std::size_t columns = 0) {
+  const std::string dict =
+      inlined([&](PickleWriter& writer) { writer.array(key, values, columns); });
+  return dict.substr(1, dict.size() - 2);
+}
+
+std::string validItem(const std::vector<bool>& values) {
+  const std::string dict = inlined([&](PickleWriter& writer) { writer.flags("valid", values); });
+  return dict.substr(1, dict.size() - 2);
 }
 
 /// The arrays of a track of which `state` tells each row's state.
@@ -38,12 +49,10 @@ std::string statesItem(const Track& track, std::size_t rows, const StateOfRow& s
     headings.push_back(state.pose.yaw);
     velocities.insert(velocities.end(), {state.velocity.x(), state.velocity.y()});
   }
-  return pickledText(track.id) + PickleWriter().dict().substr(0, 2) +
-         textItem("type", track.agent_class == AgentClass::kBicycle ? "CYCLIST" : "VEHICLE") +
-         pickledText("state") + PickleWriter().dict().substr(0, 2) +
-         item(&PickleWriter::numbers, "position", positions, 3) +
-         item(&PickleWriter::numbers, "heading", headings, 0) +
-         item(&PickleWriter::numbers, "velocity", velocities, 2);
+  const std::string type = track.agent_class == AgentClass::kBicycle ? "CYCLIST" : "VEHICLE";
+  return '"' + track.id + R"(":{"type":")" + type + R"(","state":{)" +
+         arrayItem("position", positions, 3) + ',' + arrayItem("heading", headings) + ',' +
+         arrayItem("velocity", velocities, 2);
 }
 
 TEST(ScenarioNetScene, RowsAsRecordedAreTheFramesToTheLastBit) {
@@ -58,26 +67,25 @@ TEST(ScenarioNetScene, RowsAsRecordedAreTheFramesToTheLastBit) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     EXPECT_EQ(scene.frame_times[0] + times[i], scene.frame_times[i]);
   }
-  const std::string bytes = told(scene, RowTimes::kAsRecorded);
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::numbers, "ts", times, 0)));
-  EXPECT_THAT(bytes, HasSubstr(statesItem(scene.ego, times.size(), [&](std::size_t row) {
+  const std::string json = told(scene, RowTimes::kAsRecorded);
+  EXPECT_THAT(json, HasSubstr(arrayItem("ts", times)));
+  EXPECT_THAT(json, HasSubstr(statesItem(scene.ego, times.size(), [&](std::size_t row) {
                 return std::optional(scene.ego.states[row]);
               })));
-  EXPECT_THAT(bytes, Not(HasSubstr(pickledText("sample_rate"))));
+  EXPECT_THAT(json, Not(HasSubstr("sample_rate")));
 }
 
 TEST(ScenarioNetScene, RowsEveryStepAreBetweenTheFrames) {
   const Scene scene = sampleScene();
   std::vector<double> times;
   for (int i = 0; i <= 90; ++i) times.push_back(i / 10.0);
-  const std::string bytes = told(scene, RowTimes::kEveryStep);
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::number, "sample_rate", 0.1) +
-                               item(&PickleWriter::numbers, "ts", times, 0)));
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::count, "length", 91)));
+  const std::string json = told(scene, RowTimes::kEveryStep);
+  EXPECT_THAT(json, HasSubstr(R"("sample_rate":0.1,)" + arrayItem("ts", times)));
+  EXPECT_THAT(json, HasSubstr(R"("length":91,)"));
   // Seen from 2 s before now, the 20th row, on: its first and last frame are rows of its own.
   std::vector<bool> seen(91, true);
   std::fill(seen.begin(), seen.begin() + 20, false);
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::flags, "valid", seen)));
+  EXPECT_THAT(json, HasSubstr(validItem(seen)));
 }
 
 TEST(ScenarioNetScene, AStepAtAFrameIsOfThatFrameWhateverTheRounding) {
@@ -88,7 +96,7 @@ TEST(ScenarioNetScene, AStepAtAFrameIsOfThatFrameWhateverTheRounding) {
       const double time = scene.frame_times[frame] + shift;
       shifted.frame_times[frame] = shifted.ego.states[frame].time = time;
       shifted.agents = {{"once", AgentClass::kCar, {4.0, 2.0}, {{time, {3.0, 3.0, 0.0}, {}}}}};
-      EXPECT_THAT(told(shifted, RowTimes::kEveryStep), HasSubstr(textItem("object_id", "once")))
+      EXPECT_THAT(told(shifted, RowTimes::kEveryStep), HasSubstr(R"("object_id":"once")"))
           << frame << " " << shift;
     }
   }
@@ -116,12 +124,12 @@ TEST(ScenarioNetScene, AFrameAtWhichSomebodyWasNotAnnotatedIsFilledAtStepsAlone)
   walker.states.erase(walker.states.begin() + 3);
   std::vector<bool> seen(scene.frame_times.size(), true);
   seen[3] = false;
-  const std::string gap = item(&PickleWriter::flags, "valid", seen);
+  const std::string gap = validItem(seen);
   EXPECT_THAT(told(scene, RowTimes::kAsRecorded), HasSubstr(gap));
   scene.agents = {walker};
-  const std::string always = item(&PickleWriter::flags, "valid", std::vector<bool>(91, true));
-  const std::string bytes = told(scene, RowTimes::kEveryStep);
-  EXPECT_NE(bytes.find(always), bytes.rfind(always));  // of the ego and the walker
+  const std::string always = validItem(std::vector<bool>(91, true));
+  const std::string json = told(scene, RowTimes::kEveryStep);
+  EXPECT_NE(json.find(always), json.rfind(always));  // of the ego and the walker
 }
 
 TEST(ScenarioNetScene, EverybodyIsToldHoweverFarAndWhoIsNeverSeenIsNot) {
@@ -129,17 +137,17 @@ TEST(ScenarioNetScene, EverybodyIsToldHoweverFarAndWhoIsNeverSeenIsNot) {
   scene.agents.push_back({"before", AgentClass::kCar, {4.0, 2.0}, {{kNow - 20.0, {}, {}}}});
   scene.agents.push_back({"between", AgentClass::kCar, {4.0, 2.0}, {{kNow + 0.25, {}, {}}}});
   for (const RowTimes rows : {RowTimes::kEveryStep, RowTimes::kAsRecorded}) {
-    const std::string bytes = told(scene, rows);
+    const std::string json = told(scene, rows);
     for (const char* id : {kEgoId, "a", "walker", "bus", "bicycle"}) {
-      EXPECT_THAT(bytes, HasSubstr(textItem("object_id", id)));
+      EXPECT_THAT(json, HasSubstr(R"("object_id":")" + std::string(id) + '"'));
     }
-    EXPECT_THAT(bytes, Not(HasSubstr(pickledText("before"))));
-    EXPECT_THAT(bytes, Not(HasSubstr(pickledText("between"))));
+    EXPECT_THAT(json, Not(HasSubstr(R"("before")")));
+    EXPECT_THAT(json, Not(HasSubstr(R"("between")")));
   }
 }
 
 TEST(ScenarioNetScene, TheMapIsWhole) {
-  EXPECT_THAT(told(sampleScene(), RowTimes::kEveryStep), HasSubstr(pickledText("far")));
+  EXPECT_THAT(told(sampleScene(), RowTimes::kEveryStep), HasSubstr(R"("far":{)"));
 }
 
 TEST(ScenarioNetScene, TheMetadataTellClockFramesAndGround) {
@@ -148,19 +156,19 @@ TEST(ScenarioNetScene, TheMetadataTellClockFramesAndGround) {
   map->driving_side = DrivingSide::kLeft;
   map->drivable_area = {{{{-50, -4}, {90, -4}, {90, 4}, {-50, 4}}, {}}};
   scene.map = map;
-  PickleWriter own;
-  own.text("scene", "scene-0001");
-  own.number("start", kNow - 3.0);
   std::vector<double> frames;
   for (const double time : scene.frame_times) frames.push_back(time - scene.frame_times[0]);
-  own.numbers("frame_times", frames);
-  writeGround(own, *map);
+  const std::string own = inlined([&](PickleWriter& writer) {
+    writer.text("scene", "scene-0001");
+    writer.number("start", kNow - 3.0);
+    writer.array("frame_times", frames);
+    writeGround(writer, *map);
+  });
   for (const RowTimes rows : {RowTimes::kEveryStep, RowTimes::kAsRecorded}) {
-    const std::string bytes = told(scene, rows);
-    EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::value, "collision_forge", own.dict())));
-    EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::count, "current_time_index", 0) +
-                                 textItem("sdc_id", kEgoId)));
-    EXPECT_THAT(bytes, HasSubstr(pickledText("ROAD_EDGE_BOUNDARY")));
+    const std::string json = told(scene, rows);
+    EXPECT_THAT(json, HasSubstr(R"("collision_forge":)" + own));
+    EXPECT_THAT(json, HasSubstr(R"("current_time_index":0,"sdc_id":"ego")"));
+    EXPECT_THAT(json, HasSubstr("ROAD_EDGE_BOUNDARY"));
   }
 }
 
@@ -168,18 +176,16 @@ TEST(ScenarioNetScene, FramesWithoutTheEgoAreLeftOut) {
   Scene scene = sampleScene();
   scene.ego.states.erase(scene.ego.states.begin());
   scene.ego.states.pop_back();
-  const std::string bytes = told(scene, RowTimes::kAsRecorded);
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::number, "start", kNow - 2.5)));
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::count, "length", 17)));
-  EXPECT_THAT(told(scene, RowTimes::kEveryStep),
-              HasSubstr(item(&PickleWriter::count, "length", 81)));
+  const std::string json = told(scene, RowTimes::kAsRecorded);
+  EXPECT_THAT(json, HasSubstr(R"("start":1533153455.9,)"));
+  EXPECT_THAT(json, HasSubstr(R"("length":17,)"));
+  EXPECT_THAT(told(scene, RowTimes::kEveryStep), HasSubstr(R"("length":81,)"));
 }
 
 TEST(ScenarioNetScene, AnEgoThatIsLostBetweenFramesHasNoSteps) {
   Scene scene = sampleScene();
   scene.ego.states.erase(scene.ego.states.begin() + 4, scene.ego.states.begin() + 7);
-  EXPECT_THAT(told(scene, RowTimes::kAsRecorded),
-              HasSubstr(item(&PickleWriter::count, "length", 16)));
+  EXPECT_THAT(told(scene, RowTimes::kAsRecorded), HasSubstr(R"("length":16,)"));
   try {
     told(scene, RowTimes::kEveryStep);
     FAIL();

@@ -8,7 +8,8 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "export/pickle_items.h"
+#include "collision_forge/files/plain_name.h"
+#include "export/inlined.h"
 
 namespace forge {
 namespace {
@@ -59,11 +60,14 @@ class ScenarioNet : public testing::Test {
   void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// The bytes of the record's file.
+  /// The path of the record's file.
+  std::string fileOf(const CrashRecord& record) const {
+    return pathIn(folder_, makeScenarioNetWriter(planIn(folder_))->write(record).at(0));
+  }
+
+  /// What the record's file holds, as JSON.
   std::string written(const CrashRecord& record) const {
-    const std::string name = makeScenarioNetWriter(planIn(folder_))->write(record).at(0);
-    std::ifstream file(std::filesystem::path(folder_) / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return inlined(PickleWorkers().read(fileOf(record)));
   }
 
   const std::string folder_ = testing::TempDir() + "scenario_net_test";
@@ -75,26 +79,28 @@ TEST_F(ScenarioNet, AFileIsNamedAsItsCrash) {
 }
 
 TEST_F(ScenarioNet, TheSameRecordGivesTheSameBytes) {
-  const std::string once = written(sampleRecord());
+  const auto bytes = [&] {
+    std::ifstream file(fileOf(sampleRecord()), std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  const std::string once = bytes();
   EXPECT_GT(once.size(), 1000u);
-  EXPECT_EQ(written(sampleRecord()), once);
+  EXPECT_EQ(bytes(), once);
 }
 
 TEST_F(ScenarioNet, EgoAttackerAndOthersHaveARowAStep) {
-  const std::string bytes = written(sampleRecord());
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::count, "length", 4)));
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::numbers, "ts",
-                                    {0 * kStep, 1 * kStep, 2 * kStep, 3 * kStep}, 0)));
-  for (const char* id : {kEgoId, "a1", "b1"}) {
-    EXPECT_THAT(bytes, HasSubstr(textItem("object_id", id)));
+  const std::string json = written(sampleRecord());
+  EXPECT_THAT(json, HasSubstr(R"("ts":[0,0.1,0.2,0.30000000000000004],)"));
+  for (const char* id : {R"("object_id":"ego")", R"("object_id":"a1")", R"("object_id":"b1")"}) {
+    EXPECT_THAT(json, HasSubstr(id));
   }
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::flags, "valid", {false, true, true, true})));
-  EXPECT_THAT(bytes, HasSubstr(textItem("sdc_id", kEgoId)));
+  EXPECT_THAT(json, HasSubstr(R"("valid":[false,true,true,true])"));
+  EXPECT_THAT(json, HasSubstr(R"("sdc_id":"ego")"));
 }
 
 TEST_F(ScenarioNet, TheEdgeOfTheRoadIsToldAlongTheWaysOfEgoAndAttacker) {
   CrashRecord record = sampleRecord();
-  const std::string edge = pickledText("ROAD_EDGE_BOUNDARY");
+  const std::string edge = "ROAD_EDGE_BOUNDARY";
   record.lanes.drivable_area = {{{{500, 0}, {540, 0}, {540, 40}}, {}}};
   EXPECT_EQ(written(record).find(edge), std::string::npos);
   record.attacker.states.back().pose.x = 520.0;
@@ -102,28 +108,19 @@ TEST_F(ScenarioNet, TheEdgeOfTheRoadIsToldAlongTheWaysOfEgoAndAttacker) {
 }
 
 TEST_F(ScenarioNet, TheMetadataTellWhatWasAskedForAndAnswered) {
-  const std::string bytes = written(sampleRecord());
-  PickleWriter crash;
-  crash.text("scene", "scene-0001");
-  crash.text("type", "rear_end");
-  crash.text("mode", "history");
-  crash.number("tta", 4.0);
-  crash.count("seed", 3000000000U);
-  crash.text("manoeuvre", "cut_in");
-  crash.text("attacker", "a1");
-  crash.flag("attacker_is_added", false);
-  crash.number("now", 0.2);
-  crash.number("contact_time", 0.35);
-  crash.text("driving_side", "right");
-  crash.values("drivable_area", {});
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::value, "collision_forge", crash.dict())));
-  EXPECT_THAT(bytes, HasSubstr(item(&PickleWriter::count, "current_time_index", 2)));
+  const std::string json = written(sampleRecord());
+  EXPECT_THAT(json, HasSubstr(R"("collision_forge":{"scene":"scene-0001","type":"rear_end",)"
+                              R"("mode":"history","tta":4.0,"seed":3000000000,)"
+                              R"("manoeuvre":"cut_in","attacker":"a1","attacker_is_added":false,)"
+                              R"("now":0.2,"contact_time":0.35,"driving_side":"right",)"
+                              R"("drivable_area":[]})"));
+  EXPECT_THAT(json, HasSubstr(R"("current_time_index":2)"));
 }
 
 TEST_F(ScenarioNet, AnAttackerThatMissesHasNoContactTime) {
   CrashRecord record = sampleRecord();
   record.contact.reset();
-  EXPECT_THAT(written(record), HasSubstr(item(&PickleWriter::none, "contact_time")));
+  EXPECT_THAT(written(record), HasSubstr(R"("contact_time":null)"));
 }
 
 TEST_F(ScenarioNet, TheSummaryIsOfAllCrashes) {

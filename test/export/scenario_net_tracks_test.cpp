@@ -5,7 +5,7 @@
 
 #include <tuple>
 
-#include "export/pickle_items.h"
+#include "export/inlined.h"
 
 namespace forge {
 namespace {
@@ -25,35 +25,22 @@ Track trackAt(const std::string& id, AgentClass agent_class, const BoxSize& size
 }
 
 std::string tracksOf(const std::vector<Track>& tracks) {
-  PickleWriter writer;
   std::map<AgentClass, double> heights;
   for (const Track& track : tracks) heights[track.agent_class] = 1.5;
-  writeTracks(writer, {kTimes, tracks}, heights);
-  return itemsOf(writer);
-}
-
-std::string summaryOf(const std::vector<Track>& tracks) {
-  PickleWriter writer;
-  writeObjectSummary(writer, {kTimes, tracks});
-  return itemsOf(writer);
+  return inlined([&](PickleWriter& writer) { writeTracks(writer, {kTimes, tracks}, heights); });
 }
 
 TEST(ScenarioNetTracks, HaveARowATimeAndZerosWhereNobodyIsSeen) {
-  PickleWriter state;
-  state.numbers("position", {0, 0, 0, 1, 4, 0, 2.5, 4, 0, 3, 4, 0}, 3);
-  state.numbers("heading", {0, 0.25, 0.25, 0.25});
-  state.numbers("velocity", {0, 0, 10, 0, 10, 0, 10, 0}, 2);
-  state.numbers("length", {0, 8, 8, 8});
-  state.numbers("width", {0, 2.5, 2.5, 2.5});
-  state.numbers("height", {0, 1.5, 1.5, 1.5});
-  state.flags("valid", {false, true, true, true});
   EXPECT_THAT(tracksOf({trackAt("a1", AgentClass::kTruck, {8.0, 2.5}, {1, 2, 3})}),
-              HasSubstr(item(&PickleWriter::value, "state", state.dict())));
+              HasSubstr(R"("state":{"position":[[0,0,0],[1,4,0],[2.5,4,0],[3,4,0]],)"
+                        R"("heading":[0,0.25,0.25,0.25],"velocity":[[0,0],[10,0],[10,0],[10,0]],)"
+                        R"("length":[0,8,8,8],"width":[0,2.5,2.5,2.5],"height":[0,1.5,1.5,1.5],)"
+                        R"("valid":[false,true,true,true]})"));
 }
 
 TEST(ScenarioNetTracks, OutOfSightForATimeAreZerosThere) {
   EXPECT_THAT(tracksOf({trackAt("b1", AgentClass::kPedestrian, {0.5, 0.75}, {0, 3})}),
-              HasSubstr(item(&PickleWriter::flags, "valid", {true, false, false, true})));
+              HasSubstr(R"("valid":[true,false,false,true])"));
 }
 
 TEST(ScenarioNetTracks, EveryClassHasATypeOfTheFormat) {
@@ -67,48 +54,38 @@ TEST(ScenarioNetTracks, EveryClassHasATypeOfTheFormat) {
         std::tuple(AgentClass::kStaticObject, BoxSize{2.5, 0.5}, "TRAFFIC_BARRIER"),
         std::tuple(AgentClass::kStaticObject, BoxSize{0.5, 2.5}, "TRAFFIC_BARRIER")}) {
     EXPECT_THAT(tracksOf({trackAt("b1", agent_class, size, {0, 3})}),
-                HasSubstr(textItem("type", type) + textItem("class", toString(agent_class)) +
-                          textItem("object_id", "b1")));
+                HasSubstr(std::string(R"("metadata":{"type":")") + type + R"(","class":")" +
+                          toString(agent_class) + R"(","object_id":"b1")"));
   }
 }
 
 TEST(ScenarioNetTracks, TheSummaryTellsWayAndRowsUpToTheFirstGap) {
-  for (const auto& [rows, distance, valid, continuous] :
-       {std::tuple(std::vector<std::size_t>{0, 1, 3}, 3.0, 3u, 2u),
-        std::tuple(std::vector<std::size_t>{1, 2, 3}, 2.0, 3u, 3u),
-        std::tuple(std::vector<std::size_t>{3}, 0.0, 1u, 1u)}) {
-    PickleWriter summary;
-    summary.text("type", "PEDESTRIAN");
-    summary.text("object_id", "b1");
-    summary.count("track_length", 4);
-    summary.number("moving_distance", distance);
-    summary.count("valid_length", valid);
-    summary.count("continuous_valid_length", continuous);
-    EXPECT_THAT(summaryOf({trackAt("b1", AgentClass::kPedestrian, {0.5, 0.75}, rows)}),
-                HasSubstr(item(&PickleWriter::value, "b1", summary.dict())));
+  for (const auto& [rows, told] :
+       {std::pair(std::vector<std::size_t>{0, 1, 3},
+                  R"("moving_distance":3,"valid_length":3,"continuous_valid_length":2})"),
+        std::pair(std::vector<std::size_t>{1, 2, 3},
+                  R"("moving_distance":2,"valid_length":3,"continuous_valid_length":3})"),
+        std::pair(std::vector<std::size_t>{3},
+                  R"("moving_distance":0,"valid_length":1,"continuous_valid_length":1})")}) {
+    const Track track = trackAt("b1", AgentClass::kPedestrian, {0.5, 0.75}, rows);
+    EXPECT_THAT(inlined([&](PickleWriter& writer) {
+                  writeObjectSummary(writer, {kTimes, {track}});
+                }),
+                HasSubstr(R"("b1":{"type":"PEDESTRIAN","object_id":"b1","track_length":4,)" +
+                          std::string(told)));
   }
 }
 
 TEST(ScenarioNetTracks, NumbersAreCountedByTypeAndWhoDrivesAMetreMoves) {
-  PickleWriter numbers;
-  writeObjectNumbers(numbers,
-                     {kTimes,
-                      {trackAt("ego", AgentClass::kCar, {4.0, 2.0}, {0, 1, 2, 3}),
-                       trackAt("b1", AgentClass::kPedestrian, {0.5, 0.75}, {0, 3}),
-                       trackAt("a1", AgentClass::kTruck, {8.0, 2.5}, {2, 3})}});  // half a metre
-  PickleWriter expected;
-  expected.texts("object_types", {"VEHICLE", "PEDESTRIAN"});
-  expected.beginDict("num_objects_each_type");
-  expected.count("PEDESTRIAN", 1);
-  expected.count("VEHICLE", 2);
-  expected.endDict();
-  expected.count("num_objects", 3);
-  expected.beginDict("num_moving_objects_each_type");
-  expected.count("PEDESTRIAN", 1);
-  expected.count("VEHICLE", 1);
-  expected.endDict();
-  expected.count("num_moving_objects", 2);
-  EXPECT_EQ(itemsOf(numbers), itemsOf(expected));
+  const TrackTable table{kTimes,
+                         {trackAt("ego", AgentClass::kCar, {4.0, 2.0}, {0, 1, 2, 3}),
+                          trackAt("b1", AgentClass::kPedestrian, {0.5, 0.75}, {0, 3}),
+                          trackAt("a1", AgentClass::kTruck, {8.0, 2.5}, {2, 3})}};  // half a metre
+  EXPECT_EQ(inlined([&](PickleWriter& writer) { writeObjectNumbers(writer, table); }),
+            R"({"object_types":["VEHICLE","PEDESTRIAN"],)"
+            R"("num_objects_each_type":{"PEDESTRIAN":1,"VEHICLE":2},"num_objects":3,)"
+            R"("num_moving_objects_each_type":{"PEDESTRIAN":1,"VEHICLE":1},)"
+            R"("num_moving_objects":2})");
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 
 #include "collision_forge/data/log_source.h"
 #include "collision_forge/data/nuscenes_map.h"
-#include "collision_forge/export/scenario_net_scene.h"
 #include "collision_forge/ros/bag_writer.h"
 #include "fuzz/reading.h"
 
@@ -165,14 +164,6 @@ std::string embeddedBag() {
   const std::string path = folder.path() + "/" + kScene + ".bag";
   writeBag(path, logged.recording, mapAround(logged));
   return bytesOf(path);
-}
-
-std::string embeddedDescription() {
-  const LoggedScene logged = firstFrames();
-  const Config& config = configuration();
-  return scenarioNetOf(toScene(logged.recording, config.ego_vehicle,
-                               std::make_shared<const LaneMap>(mapAround(logged))),
-                       RowTimes::kAsRecorded, config.exports);
 }
 
 }  // namespace forge

@@ -15,7 +15,4 @@ std::string embeddedMap();
 
 std::string embeddedBag();
 
-/// A file of ScenarioNet.
-std::string embeddedDescription();
-
 }  // namespace forge

@@ -9,8 +9,6 @@
 #include "collision_forge/data/scenario_file.h"
 #include "collision_forge/data/speed_model_file.h"
 #include "collision_forge/data/speed_profiles_file.h"
-#include "collision_forge/export/pickle_writer.h"
-#include "collision_forge/export/scenario_net_scene.h"
 #include "collision_forge/forecast/speed_model_fit.h"
 #include "data/collide_fixture.h"
 #include "data/map_fixture.h"
@@ -152,57 +150,6 @@ Seeds speedSeeds() {
           writtenBy([](const std::string& path) { writeSpeedProfiles(steadyRows(), path); })};
 }
 
-/// A description in the words of ScenarioNet alone, as its converters of other data sets write it.
-std::string foreignDescription() {
-  PickleWriter writer;
-  writer.beginDict("tracks");
-  for (const char* id : {"7", "8"}) {
-    writer.beginDict(id);
-    writer.text("type", "VEHICLE");
-    writer.beginDict("state");
-    writer.numbers("position", {0.0, 0.0, 0.0, 1.0, 0.0, 0.0}, 3);
-    writer.numbers("heading", {0.0, 0.0});
-    writer.numbers("length", {4.6, 4.6});
-    writer.numbers("width", {2.0, 2.0});
-    writer.flags("valid", {true, true});
-    writer.endDict();
-    writer.endDict();
-  }
-  writer.endDict();
-  writer.beginDict("map_features");
-  writer.beginDict("12");
-  writer.text("type", "LANE_SURFACE_STREET");
-  writer.numbers("polyline", {0.0, 0.0, 10.0, 0.0}, 2);
-  writer.texts("exit_lanes", {"13", "nowhere"});
-  writer.number("speed_limit_kmh", 36.0);
-  writer.endDict();
-  writer.endDict();
-  writer.beginDict("metadata");
-  writer.text("sdc_id", "7");
-  writer.numbers("ts", {0.0, 0.1});
-  writer.endDict();
-  return writer.pickle();
-}
-
-Scene smallScene() {
-  Scene scene;
-  scene.name = "scene-0001";
-  scene.ego = pastTrack(kEgoId, kEgoSize, {}, 8.0);
-  scene.agents = {pastTrack("ahead", kCarSize, {25.0, 0.0, 0.0}, 6.0)};
-  for (const AgentState& state : scene.ego.states) scene.frame_times.push_back(state.time);
-  auto map = emptyMap();
-  map->lanes = {straightLane("east", {-30.0, 0.0}, {60.0, 0.0})};
-  map->drivable_area = {rectangle(-30.0, -1.75, 60.0, 1.75)};
-  scene.map = map;
-  return scene;
-}
-
-Seeds pickleSeeds() {
-  return {foreignDescription(),
-          scenarioNetOf(smallScene(), RowTimes::kAsRecorded, configuration().exports),
-          embeddedDescription()};
-}
-
 Seeds tableSeeds() { return {joined(tinyTables()), joined(embeddedTables())}; }
 
 Seeds weightSeeds() {
@@ -237,13 +184,19 @@ Seeds definitionSeeds() {
 }  // namespace
 
 const SeedMakers& seedMakers() {
-  static const SeedMakers makers = {{"bags", bagSeeds},        {"clips", clipSeeds},
-                                    {"config", configSeeds},   {"definitions", definitionSeeds},
-                                    {"map", mapSeeds},         {"messages", messageSeeds},
-                                    {"numbers", numberSeeds},  {"pickles", pickleSeeds},
-                                    {"realize", realizeSeeds}, {"requests", requestSeeds},
-                                    {"runs", runSeeds},        {"scenarios", scenarioSeeds},
-                                    {"speeds", speedSeeds},    {"tables", tableSeeds},
+  static const SeedMakers makers = {{"bags", bagSeeds},
+                                    {"clips", clipSeeds},
+                                    {"config", configSeeds},
+                                    {"definitions", definitionSeeds},
+                                    {"map", mapSeeds},
+                                    {"messages", messageSeeds},
+                                    {"numbers", numberSeeds},
+                                    {"realize", realizeSeeds},
+                                    {"requests", requestSeeds},
+                                    {"runs", runSeeds},
+                                    {"scenarios", scenarioSeeds},
+                                    {"speeds", speedSeeds},
+                                    {"tables", tableSeeds},
                                     {"weights", weightSeeds}};
   return makers;
 }

@@ -21,7 +21,6 @@ bool fuzzDefinitions(const std::string& input);
 bool fuzzMap(const std::string& input);
 bool fuzzMessages(const std::string& input);
 bool fuzzNumbers(const std::string& input);
-bool fuzzPickles(const std::string& input);
 bool fuzzRealize(const std::string& input);
 bool fuzzRequests(const std::string& input);
 bool fuzzRuns(const std::string& input);
@@ -31,13 +30,19 @@ bool fuzzTables(const std::string& input);
 bool fuzzWeights(const std::string& input);
 
 inline constexpr FuzzTarget kFuzzTargets[] = {
-    {"bags", fuzzBags},       {"clips", fuzzClips},
-    {"config", fuzzConfig},   {"definitions", fuzzDefinitions},
-    {"map", fuzzMap},         {"messages", fuzzMessages},
-    {"numbers", fuzzNumbers}, {"pickles", fuzzPickles},
-    {"realize", fuzzRealize}, {"requests", fuzzRequests},
-    {"runs", fuzzRuns},       {"scenarios", fuzzScenarios},
-    {"speeds", fuzzSpeeds},   {"tables", fuzzTables},
+    {"bags", fuzzBags},
+    {"clips", fuzzClips},
+    {"config", fuzzConfig},
+    {"definitions", fuzzDefinitions},
+    {"map", fuzzMap},
+    {"messages", fuzzMessages},
+    {"numbers", fuzzNumbers},
+    {"realize", fuzzRealize},
+    {"requests", fuzzRequests},
+    {"runs", fuzzRuns},
+    {"scenarios", fuzzScenarios},
+    {"speeds", fuzzSpeeds},
+    {"tables", fuzzTables},
     {"weights", fuzzWeights},
 };
 

@@ -20,7 +20,8 @@ void move(Track& track, double later) {
 
 ReadCrash readOfScenarioNet(const std::string& path, const CrashRecord& written) {
   const Config& config = embeddedConfig();
-  const Scene scene = flattened(readScenarioNet(path, config), {{}, config, {}, {}}).scene;
+  static PickleWorkers workers;
+  const Scene scene = flattened(readScenarioNet(path, workers, config), {{}, config, {}, {}}).scene;
   ReadCrash read{scene.ego,
                  *std::find_if(scene.agents.begin(), scene.agents.end(), [&](const Track& agent) {
                    return agent.id == written.attacker.id;

@@ -57,7 +57,8 @@ LaneMap mapAround(const NuScenesRecording& recording, const LaneMap& map, double
   return cropped(map, points, radius);
 }
 
-void convertScene(const Arguments& arguments, const LoggedScene& logged, const Config& config) {
+void convertScene(const Arguments& arguments, const LoggedScene& logged, const Config& config,
+                  PickleWorkers& workers) {
   const std::string& name = logged.recording.name;
   LaneMap map = mapAround(logged.recording, logged.lanes->map(), config.conversion.map_radius);
   if (!arguments.to_scenario_net) {
@@ -66,7 +67,8 @@ void convertScene(const Arguments& arguments, const LoggedScene& logged, const C
   }
   const Scene scene = toScene(logged.recording, config.ego_vehicle,
                               std::make_shared<const LaneMap>(std::move(map)));
-  writeText(resultPath(arguments, name), scenarioNetOf(scene, arguments.rows, config.exports));
+  writeText(resultPath(arguments, name),
+            workers.write(scenarioNetOf(scene, arguments.rows, config.exports)));
 }
 
 std::unique_ptr<SceneReader> openLogs(const Arguments& arguments, const Config& config) {
@@ -96,11 +98,12 @@ int convert(const Arguments& arguments) {
     std::cerr << counted(scenes.size() - before, "scene") << " to convert, " << before
               << " converted before\n";
   }
+  PickleWorkers workers;
   const auto convertOne = [&](std::size_t index) -> std::string {
     const std::string& scene = scenes[index];
     if (isConverted(arguments, scene)) return "";
     try {
-      convertScene(arguments, logs->recording(scene), config);
+      convertScene(arguments, logs->recording(scene), config, workers);
       return "";
     } catch (const std::exception& error) {
       return scene + ": " + error.what();
@@ -117,7 +120,7 @@ int convert(const Arguments& arguments) {
   dispatch(scenes.size(), convertOne, take, {arguments.jobs, 0});
   if (!isMaster()) return kExitOk;
   if (arguments.to_scenario_net) {
-    writeScenarioNetSummary(arguments.out, scenarioNetNames(arguments.out));
+    writeScenarioNetSummary(arguments.out, scenarioNetNames(arguments.out), workers);
   }
   std::cerr << counted(scenes.size() - before - failures, "scene") << " written to "
             << arguments.out << "\n";

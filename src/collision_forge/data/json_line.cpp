@@ -264,7 +264,7 @@ void JsonLineWriter::write(const char* key, double value) {
 }
 
 void JsonLineWriter::count(const char* key, std::uint64_t value) {
-  output_->writer.Key(key);
+  if (key != nullptr) output_->writer.Key(key);
   output_->writer.Uint64(value);
 }
 

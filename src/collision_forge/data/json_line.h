@@ -89,6 +89,7 @@ class JsonLineWriter {
   /// An array; throws as number().
   void numbers(const char* key, const std::vector<double>& values);
   void texts(const char* key, const std::vector<std::string>& values);
+  /// Without a key an element of an array.
   void count(const char* key, std::uint64_t value);
   void flag(const char* key, bool value);
   void null(const char* key);

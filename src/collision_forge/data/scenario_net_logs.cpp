@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -10,7 +11,7 @@
 #include <utility>
 
 #include "collision_forge/config/section.h"
-#include "collision_forge/data/pickle_reader.h"
+#include "collision_forge/data/pickle_field.h"
 #include "collision_forge/geometry/polyline.h"
 #include "collision_forge/scene/input_limits.h"
 #include "collision_forge/scene/number_words.h"
@@ -20,7 +21,6 @@ namespace forge {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = PickledValue::Kind;
 
 constexpr double kEarliest = 1.0;          // s
 constexpr double kMicroseconds = 1e6;      // in a second
@@ -28,138 +28,14 @@ constexpr double kKilometresAnHour = 3.6;  // in a metre a second
 constexpr double kLongestCar = 6.5;        // m; longer vehicles are trucks
 constexpr double kSameSize = 0.01;         // m
 
-/// A value with its place, for messages.
-class Field {
- public:
-  Field(std::string where, const PickledValue& value) : where_(std::move(where)), value_(&value) {}
-
-  const PickledValue& value() const { return *value_; }
-
-  /// A value within this one.
-  Field of(const PickledValue& value) const { return {where_, value}; }
-
-  [[noreturn]] void fail(const std::string& problem) const {
-    throw std::runtime_error(where_ + ": " + problem);
-  }
-
-  std::optional<Field> find(const std::string& key) const {
-    const PickledValue* found = value_->find(key);
-    if (found == nullptr || found->kind == Kind::kNone) return std::nullopt;
-    return Field(where_ + "." + key, *found);
-  }
-
-  Field at(const std::string& key) const {
-    if (value_->kind != Kind::kDict) fail("is no dict");
-    const auto found = find(key);
-    if (!found) fail("lacks \"" + key + "\"");
-    return *found;
-  }
-
-  /// Of a dict: every value, with its key as a text.
-  std::vector<std::pair<std::string, Field>> items() const {
-    if (value_->kind != Kind::kDict) fail("is no dict");
-    std::vector<std::pair<std::string, Field>> found;
-    for (const auto& [key, item] : value_->items) {
-      const std::string name = wordOf(*key);
-      found.emplace_back(name, Field(where_ + "." + name, *item));
-    }
-    return found;
-  }
-
-  std::string text() const {
-    if (value_->kind != Kind::kText) fail("is no text");
-    return value_->text;
-  }
-
-  double number() const {
-    const bool is_number = value_->kind == Kind::kNumber && std::isfinite(value_->number);
-    if (is_number) return value_->number;
-    if (value_->kind != Kind::kInteger) fail("is no finite number");
-    return static_cast<double>(value_->integer);
-  }
-
-  bool flag() const {
-    if (value_->kind != Kind::kFlag) fail("is neither True nor False");
-    return value_->integer != 0;
-  }
-
-  /// Texts or whole numbers, as texts.
-  std::vector<std::string> words() const {
-    std::vector<std::string> found;
-    if (value_->kind == Kind::kArray) {
-      for (const double number : value_->numbers) {
-        found.push_back(std::to_string(std::llround(number)));
-      }
-      return found;
-    }
-    if (value_->kind != Kind::kSequence) fail("is no list");
-    for (const PickledValue* word : value_->values) found.push_back(wordOf(*word));
-    return found;
-  }
-
-  /// An array, of one dimension or of two with one column.
-  const std::vector<double>& column(std::optional<std::size_t> rows = std::nullopt) const {
-    const std::size_t dimensions = value_->shape.size();
-    if (value_->kind != Kind::kArray || dimensions < 1 || dimensions > 2 ||
-        (dimensions == 2 && value_->shape[1] != 1)) {
-      fail("is no array of one dimension");
-    }
-    requireRows(rows);
-    return value_->numbers;
-  }
-
-  /// The first two columns of an array of two dimensions, or as many pairs in a list.
-  std::vector<Vector2> points(std::optional<std::size_t> rows = std::nullopt) const {
-    std::vector<Vector2> found;
-    if (value_->kind == Kind::kArray && value_->numbers.empty()) return found;
-    if (value_->kind != Kind::kArray || value_->shape.size() != 2 || value_->shape[1] < 2) {
-      fail("is no array of points");
-    }
-    requireRows(rows);
-    for (std::size_t row = 0; row < value_->shape[0]; ++row) {
-      const std::size_t first = row * value_->shape[1];
-      found.emplace_back(value_->numbers[first], value_->numbers[first + 1]);
-      if (!found.back().allFinite()) fail("row " + std::to_string(row) + " is not finite");
-    }
-    return found;
-  }
-
-  /// Of a dict: the outlines below "interiors".
-  std::vector<std::vector<Vector2>> holes() const {
-    std::vector<std::vector<Vector2>> found;
-    const auto interiors = find("interiors");
-    if (!interiors) return found;
-    if (interiors->value_->kind != Kind::kSequence) interiors->fail("is no list");
-    for (const PickledValue* hole : interiors->value_->values) {
-      found.push_back(Field(interiors->where_, *hole).points());
-    }
-    return found;
-  }
-
- private:
-  void requireRows(std::optional<std::size_t> rows) const {
-    if (rows && value_->shape[0] != *rows) {
-      fail("has " + std::to_string(value_->shape[0]) + " rows, not " + std::to_string(*rows));
-    }
-  }
-
-  std::string wordOf(const PickledValue& value) const {
-    if (value.kind == Kind::kText) return value.text;
-    if (value.kind == Kind::kInteger) return std::to_string(value.integer);
-    fail("holds what is neither a text nor a whole number");
-  }
-
-  std::string where_;
-  const PickledValue* value_;
-};
-
 std::int64_t microseconds(double seconds) { return std::llround(seconds * kMicroseconds); }
 
 Eigen::Quaterniond turned(double yaw) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
 }
 
-AgentClass classOf(const std::string& type, const std::optional<Field>& metadata, double length) {
+AgentClass classOf(const std::string& type, const std::optional<PickleField>& metadata,
+                   double length) {
   if (const auto given = metadata ? metadata->find("class") : std::nullopt) {
     if (const auto known = agentClassFromString(given->text())) return *known;
     given->fail("\"" + given->text() + "\" is no class of this suite");
@@ -172,22 +48,22 @@ AgentClass classOf(const std::string& type, const std::optional<Field>& metadata
 
 /// A track of the file, a state where it is valid; its box is the first one's.
 struct RecordedTrack {
-  RecordedTrack(const std::string& id, const Field& field, const std::vector<double>& times);
+  RecordedTrack(const std::string& id, const PickleField& field, const std::vector<double>& times);
 
   Track track;
   double height = 0.0;
 };
 
-RecordedTrack::RecordedTrack(const std::string& id, const Field& field,
+RecordedTrack::RecordedTrack(const std::string& id, const PickleField& field,
                              const std::vector<double>& times) {
   const std::size_t rows = times.size();
-  const Field state = field.at("state");
-  const Field headings = state.at("heading");
+  const PickleField state = field.at("state");
+  const PickleField headings = state.at("heading");
   const std::vector<Vector2> positions = state.at("position").points(rows);
-  const std::vector<double>& yaws = headings.column(rows);
-  const std::vector<double>& lengths = state.at("length").column(rows);
-  const std::vector<double>& widths = state.at("width").column(rows);
-  const std::vector<double>& valid = state.at("valid").column(rows);
+  const std::vector<double> yaws = headings.column(rows);
+  const std::vector<double> lengths = state.at("length").column(rows);
+  const std::vector<double> widths = state.at("width").column(rows);
+  const std::vector<double> valid = state.at("valid").column(rows);
   const auto heights = state.find("height");
   const auto velocities = state.find("velocity");
   const auto speeds = velocities ? velocities->points(rows) : std::vector<Vector2>();
@@ -207,13 +83,22 @@ RecordedTrack::RecordedTrack(const std::string& id, const Field& field,
   track.agent_class = classOf(field.at("type").text(), field.find("metadata"), track.size.length);
 }
 
+/// Of a dict: the outlines below "interiors".
+std::vector<std::vector<Vector2>> holesOf(const PickleField& polygon) {
+  std::vector<std::vector<Vector2>> holes;
+  const auto interiors = polygon.find("interiors");
+  if (!interiors) return holes;
+  for (const PickleField& hole : interiors->list()) holes.push_back(hole.points());
+  return holes;
+}
+
 /// Lanes, walkways and ground of map_features.
 class MapReader {
  public:
   explicit MapReader(double lane_width) : lane_width_(lane_width) {}
 
-  LaneMap read(const Field& features) {
-    for (const auto& [id, feature] : features.items()) {
+  LaneMap read(const PickleField& features) {
+    for (const auto& [id, feature] : features.entries()) {
       const std::string type = feature.at("type").text();
       if (type.rfind("LANE_", 0) == 0) addLane(id, type, feature);
       if (type == "ROAD_EDGE_SIDEWALK") addWalkway(feature);
@@ -223,7 +108,7 @@ class MapReader {
   }
 
  private:
-  void addLane(const std::string& id, const std::string& type, const Field& feature) {
+  void addLane(const std::string& id, const std::string& type, const PickleField& feature) {
     Lane lane;
     lane.id = id;
     lane.is_connector = type == "LANE_SURFACE_UNSTRUCTURE";
@@ -240,10 +125,10 @@ class MapReader {
     map_.lanes.push_back(std::move(lane));
   }
 
-  void addWalkway(const Field& feature) {
+  void addWalkway(const PickleField& feature) {
     const auto outline = feature.find("polygon");
     if (!outline || outline->points().size() < 3) return;
-    map_.walkways.push_back({outline->points(), feature.holes()});
+    map_.walkways.push_back({outline->points(), holesOf(feature)});
   }
 
   /// Empty for a line without length.
@@ -293,17 +178,15 @@ class MapReader {
   LaneMap map_;
 };
 
-std::vector<Polygon> areasOf(const Field& areas) {
-  if (areas.value().kind != Kind::kSequence) areas.fail("is no list");
+std::vector<Polygon> areasOf(const PickleField& areas) {
   std::vector<Polygon> polygons;
-  for (const PickledValue* value : areas.value().values) {
-    const Field area = areas.of(*value);
-    polygons.push_back({area.at("exterior").points(), area.holes()});
+  for (const PickleField& area : areas.list()) {
+    polygons.push_back({area.at("exterior").points(), holesOf(area)});
   }
   return polygons;
 }
 
-DrivingSide sideOf(const std::optional<Field>& own, const std::string& location,
+DrivingSide sideOf(const std::optional<PickleField>& own, const std::string& location,
                    const DataOptions& options) {
   if (const auto side = own ? own->find("driving_side") : std::nullopt) {
     return side->text() == "left" ? DrivingSide::kLeft : DrivingSide::kRight;
@@ -323,13 +206,12 @@ std::string nameOf(const fs::path& file) {
 
 class DescriptionReader {
  public:
-  DescriptionReader(const std::string& path, const DataOptions& options,
+  DescriptionReader(const std::string& path, PickleWorkers& workers, const DataOptions& options,
                     std::vector<std::string>* warnings)
       : options_(options),
         warnings_(warnings),
         path_(path),
-        pickle_(path),
-        root_(path, pickle_.root()),
+        root_(path, workers.read(path)),
         metadata_(root_.at("metadata")),
         own_(metadata_.find("collision_forge")) {}
 
@@ -339,7 +221,7 @@ class DescriptionReader {
     NuScenesRecording& recording = logged.recording;
     recording.name = nameOf(path_);
     const auto place = metadata_.find("map");
-    if (place && place->value().kind == Kind::kText) recording.location = place->text();
+    if (place && place->isText()) recording.location = place->text();
     readTracks(recording);
     logged.lanes = std::make_shared<const LaneIndex>(
         std::make_shared<const LaneMap>(readMap(recording.location)));
@@ -348,7 +230,7 @@ class DescriptionReader {
 
  private:
   void readTimes() {
-    const Field field = metadata_.at("ts");
+    const PickleField field = metadata_.at("ts");
     times_ = field.column();
     for (std::size_t i = 0; i < times_.size(); ++i) {
       if (std::isfinite(times_[i]) && (i == 0 || times_[i] > times_[i - 1])) continue;
@@ -372,7 +254,7 @@ class DescriptionReader {
     }
     const std::string ego = metadata_.at("sdc_id").text();
     bool has_ego = false;
-    for (const auto& [id, field] : root_.at("tracks").items()) {
+    for (const auto& [id, field] : root_.at("tracks").entries()) {
       RecordedTrack recorded(id, field, times_);
       if (id == ego) {
         has_ego = true;
@@ -442,11 +324,10 @@ class DescriptionReader {
   const DataOptions& options_;
   std::vector<std::string>* warnings_;
   std::string path_;
-  Pickle pickle_;
-  Field root_;
-  Field metadata_;
-  std::optional<Field> own_;   // what the format has no word for, in files of this suite
-  std::vector<double> times_;  // of the rows
+  PickleField root_;
+  PickleField metadata_;
+  std::optional<PickleField> own_;  // what the format has no word for, in files of this suite
+  std::vector<double> times_;       // of the rows
   std::vector<double> frame_times_;
 };
 
@@ -491,7 +372,7 @@ class ScenarioNetLogs : public SceneReader {
 
   LoggedScene recording(const std::string& name) override {
     std::vector<std::string> warnings;
-    LoggedScene logged = readScenarioNet(paths_.at(name), reading_.options, &warnings);
+    LoggedScene logged = readScenarioNet(paths_.at(name), workers_, reading_.options, &warnings);
     if (reading_.on_warnings && !warnings.empty()) reading_.on_warnings(name, warnings);
     return logged;
   }
@@ -504,6 +385,7 @@ class ScenarioNetLogs : public SceneReader {
   SceneReading reading_;
   std::vector<std::string> names_;
   std::map<std::string, std::string> paths_;
+  PickleWorkers workers_;
 };
 
 std::unique_ptr<SceneReader> openScenarioNet(const LogSource& source, const SceneReading& reading) {
@@ -517,9 +399,9 @@ const LogFormat& scenarioNetFormat() {
   return format;
 }
 
-LoggedScene readScenarioNet(const std::string& path, const DataOptions& options,
-                            std::vector<std::string>* warnings) {
-  LoggedScene logged = DescriptionReader(path, options, warnings).read();
+LoggedScene readScenarioNet(const std::string& path, PickleWorkers& workers,
+                            const DataOptions& options, std::vector<std::string>* warnings) {
+  LoggedScene logged = DescriptionReader(path, workers, options, warnings).read();
   keepWithin(logged.recording, options, warnings);
   return logged;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "collision_forge/data/log_source.h"
+#include "collision_forge/data/pickle_workers.h"
 
 namespace forge {
 
@@ -26,7 +27,8 @@ const LogFormat& scenarioNetFormat();
 ///
 /// Throws PickleError, and std::runtime_error naming file and field for a description that lacks
 /// what is needed, or has it in another shape; InputError for what is beyond the limits.
-LoggedScene readScenarioNet(const std::string& path, const DataOptions& options,
+LoggedScene readScenarioNet(const std::string& path, PickleWorkers& workers,
+                            const DataOptions& options,
                             std::vector<std::string>* warnings = nullptr);
 
 }  // namespace forge

@@ -10,10 +10,9 @@
 namespace forge {
 namespace {
 
-PickleWriter ownOf(const CrashRecord& record) {
+void writeOwn(PickleWriter& own, const CrashRecord& record) {
   const SceneRequest& asked = record.scenario.asked;
   const Realization& answer = record.scenario.answer;
-  PickleWriter own;
   own.text("scene", asked.scene);
   own.text("type", toString(asked.request.type));
   own.text("mode", toString(asked.request.mode));
@@ -26,12 +25,11 @@ PickleWriter ownOf(const CrashRecord& record) {
   if (record.contact) {
     own.number("contact_time", *record.contact);
   } else {
-    own.none("contact_time");
+    own.null("contact_time");
   }
-  return own;
 }
 
-std::string scenarioOf(const CrashRecord& record, const ExportOptions& options) {
+PickleContent scenarioOf(const CrashRecord& record, const ExportOptions& options) {
   TrackTable table{{}, {record.ego, record.attacker}};
   for (const AgentState& state : record.ego.states) table.times.push_back(state.time);
   std::vector<Vector2> ways;
@@ -40,9 +38,9 @@ std::string scenarioOf(const CrashRecord& record, const ExportOptions& options) 
   }
   table.tracks.insert(table.tracks.end(), record.others.begin(), record.others.end());
   const auto now = static_cast<std::size_t>(std::lround(record.now / record.step));
-  return pickledScenario(
-      {record.name, std::move(table), record.step, now, record.lanes, ownOf(record)}, ways,
-      options);
+  return describe({record.name, std::move(table), record.step, now, record.lanes,
+                   [&](PickleWriter& own) { writeOwn(own, record); }},
+                  ways, options);
 }
 
 class ScenarioNetWriter : public CrashWriter {
@@ -51,18 +49,19 @@ class ScenarioNetWriter : public CrashWriter {
 
   std::vector<std::string> write(const CrashRecord& record) const override {
     const std::string file = scenarioNetFile(record.name);
-    writeText(pathIn(plan_.folder, file), scenarioOf(record, plan_.options));
+    writeText(pathIn(plan_.folder, file), workers_.write(scenarioOf(record, plan_.options)));
     return {file};
   }
 
   void finish(const std::vector<ExportedCrash>& crashes) const override {
     std::vector<std::string> names;
     for (const ExportedCrash& crash : crashes) names.push_back(crash.name);
-    writeScenarioNetSummary(plan_.folder, names);
+    writeScenarioNetSummary(plan_.folder, names, workers_);
   }
 
  private:
   ExportPlan plan_;
+  mutable PickleWorkers workers_;
 };
 
 }  // namespace

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
+#include <utility>
 
 #include "collision_forge/export/drivable_edge.h"
 #include "collision_forge/export/scenario_net_map.h"
@@ -19,77 +17,57 @@ constexpr const char* kDataset = "collision_forge";
 constexpr const char* kVersion = "v1";
 constexpr const char* kEnding = ".pkl";
 
-constexpr const char* kMetadata = "metadata";
-constexpr std::size_t kAfterMetadata = 2;  // bytes of a file: the end of its dict, and its own
-
 std::string beginOfFiles() { return std::string("sd_") + kDataset + "_" + kVersion + "_"; }
 
-/// What a scenario's metadata begin with.
-PickleWriter begunMetadata() {
-  PickleWriter metadata;
-  metadata.text("dataset", kDataset);
-  return metadata;
-}
-
 void writeNumberSummary(PickleWriter& metadata, const TrackTable& table, std::size_t features) {
-  metadata.beginDict("number_summary");
+  metadata.beginObject("number_summary");
   writeObjectNumbers(metadata, table);
   metadata.count("num_traffic_lights", 0);
   metadata.texts("num_traffic_light_types", {});
-  metadata.beginDict("num_traffic_light_each_step");
-  metadata.endDict();
+  metadata.beginObject("num_traffic_light_each_step");
+  metadata.endObject();
   metadata.count("num_map_features", features);
   metadata.number("map_height_diff", 0.0);
-  metadata.endDict();
+  metadata.endObject();
 }
 
-PickleWriter metadataOf(const ScenarioDescription& scenario, std::size_t features) {
-  PickleWriter metadata = begunMetadata();
+void writeMetadata(PickleWriter& metadata, const ScenarioDescription& scenario,
+                   std::size_t features) {
+  metadata.beginObject("metadata");
+  metadata.text("dataset", kDataset);
   metadata.text("id", scenario.name);
   metadata.text("scenario_id", scenario.name);
   metadata.text("map", scenario.map.location);
   metadata.text("coordinate", "metadrive");
   metadata.flag("metadrive_processed", false);
   if (scenario.step) metadata.number("sample_rate", *scenario.step);
-  metadata.numbers("ts", scenario.table.times);
+  metadata.array("ts", scenario.table.times);
   metadata.count("current_time_index", scenario.current_row);
   metadata.text("sdc_id", scenario.table.tracks.front().id);
   writeObjectSummary(metadata, scenario.table);
   writeNumberSummary(metadata, scenario.table, features);
-  PickleWriter own = scenario.own;
-  writeGround(own, scenario.map);
-  metadata.value("collision_forge", own.dict());
-  return metadata;
-}
-
-/// The metadata of a scenario's file as its bytes, which are the file's last.
-std::string metadataIn(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  const std::string key = pickledText(kMetadata);
-  std::string begin = key + begunMetadata().dict();
-  begin.pop_back();  // where the dict ends
-  const std::size_t place = bytes.rfind(begin);
-  if (place == std::string::npos) throw std::runtime_error(path + ": is no scenario of this suite");
-  const std::size_t from = place + key.size();
-  return bytes.substr(from, bytes.size() - kAfterMetadata - from);
+  metadata.beginObject("collision_forge");
+  scenario.write_own(metadata);
+  writeGround(metadata, scenario.map);
+  metadata.endObject();
+  metadata.endObject();
 }
 
 }  // namespace
 
-std::string pickledScenario(const ScenarioDescription& scenario, const std::vector<Vector2>& ways,
-                            const ExportOptions& options) {
+PickleContent describe(const ScenarioDescription& scenario, const std::vector<Vector2>& ways,
+                       const ExportOptions& options) {
   PickleWriter writer;
   writer.text("id", scenario.name);
   writer.text("version", kVersion);
   writer.count("length", scenario.table.times.size());
   writeTracks(writer, scenario.table, options.heights);
-  writer.beginDict("dynamic_map_states");
-  writer.endDict();
+  writer.beginObject("dynamic_map_states");
+  writer.endObject();
   const std::size_t features = writeMapFeatures(
       writer, scenario.map, drivableEdges(scenario.map.drivable_area, ways, options.radius));
-  writer.value(kMetadata, metadataOf(scenario, features).dict());
-  return writer.pickle();
+  writeMetadata(writer, scenario, features);
+  return writer.content();
 }
 
 std::string scenarioNetFile(const std::string& name) { return beginOfFiles() + name + kEnding; }
@@ -106,16 +84,17 @@ std::vector<std::string> scenarioNetNames(const std::string& folder) {
   return names;
 }
 
-void writeScenarioNetSummary(const std::string& folder, const std::vector<std::string>& names) {
-  PickleWriter summary;
+void writeScenarioNetSummary(const std::string& folder, const std::vector<std::string>& names,
+                             PickleWorkers& workers) {
+  std::vector<std::pair<std::string, std::string>> files;
   PickleWriter folders;
   for (const std::string& name : names) {
     const std::string file = scenarioNetFile(name);
-    summary.value(file, metadataIn(pathIn(folder, file)));
-    folders.text(file, "");
+    files.emplace_back(file, pathIn(folder, file));
+    folders.text(file.c_str(), "");
   }
-  writeText(pathIn(folder, "dataset_summary.pkl"), summary.pickle());
-  writeText(pathIn(folder, "dataset_mapping.pkl"), folders.pickle());
+  writeText(pathIn(folder, "dataset_summary.pkl"), workers.summarize(files));
+  writeText(pathIn(folder, "dataset_mapping.pkl"), workers.write(folders.content()));
 }
 
 }  // namespace forge

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,13 +21,14 @@ struct ScenarioDescription {
   std::optional<double> step;   ///< s between rows, where they are even
   std::size_t current_row = 0;  ///< what is before it is history
   const LaneMap& map;
-  PickleWriter own;  ///< the metadata's "collision_forge", to which writeGround() adds
+  /// Writes the metadata's "collision_forge", to which writeGround() adds.
+  std::function<void(PickleWriter&)> write_own;
 };
 
-/// The bytes of a scenario's file. Lines where drivable ground ends are told within
+/// What a scenario's file holds. Lines where drivable ground ends are told within
 /// `options.radius` of `ways`.
-std::string pickledScenario(const ScenarioDescription& scenario, const std::vector<Vector2>& ways,
-                            const ExportOptions& options);
+PickleContent describe(const ScenarioDescription& scenario, const std::vector<Vector2>& ways,
+                       const ExportOptions& options);
 
 /// The name of a scenario's file: sd_collision_forge_v1_NAME.pkl.
 std::string scenarioNetFile(const std::string& name);
@@ -35,8 +37,9 @@ std::string scenarioNetFile(const std::string& name);
 std::vector<std::string> scenarioNetNames(const std::string& folder);
 
 /// Writes what the format wants of all scenarios of a folder: dataset_summary.pkl, from the
-/// metadata in their files, and dataset_mapping.pkl. Throws std::runtime_error naming a file that
-/// is missing or no scenario of this suite.
-void writeScenarioNetSummary(const std::string& folder, const std::vector<std::string>& names);
+/// metadata in their files, and dataset_mapping.pkl. Throws PickleError naming a file that is
+/// missing or no scenario description.
+void writeScenarioNetSummary(const std::string& folder, const std::vector<std::string>& names,
+                             PickleWorkers& workers);
 
 }  // namespace forge

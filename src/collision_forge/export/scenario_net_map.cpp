@@ -22,9 +22,9 @@ Vector2 middleOf(const std::vector<Vector2>& points) {
 }
 
 void writeInteriors(PickleWriter& writer, const Polygon& polygon) {
-  std::vector<std::vector<double>> interiors;
-  for (const std::vector<Vector2>& hole : polygon.holes) interiors.push_back(flat(hole));
-  writer.matrices("interiors", interiors, 2);
+  writer.beginArray("interiors");
+  for (const std::vector<Vector2>& hole : polygon.holes) writer.array(nullptr, flat(hole), 2);
+  writer.endArray();
 }
 
 /// Writes the features of one map.
@@ -40,13 +40,13 @@ class FeatureWriter {
     if (lanes_.count(lane.id) == 0) return;
     std::vector<Vector2> line;
     for (const Pose2& pose : lane.centerline) line.push_back(pose.position());
-    writer_.beginDict(lane.id);
+    writer_.beginObject(lane.id.c_str());
     writer_.text("type", lane.is_connector ? "LANE_SURFACE_UNSTRUCTURE" : "LANE_SURFACE_STREET");
     writer_.flag("is_intersection", lane.is_intersection);
-    writer_.numbers("polyline", flat(line), 2);
+    writer_.array("polyline", flat(line), 2);
     const bool is_outlined = !lane.polygon.empty();
     if (is_outlined && (middleOf(line) - middleOf(lane.polygon)).norm() < kMostApart) {
-      writer_.numbers("polygon", flat(lane.polygon), 2);
+      writer_.array("polygon", flat(lane.polygon), 2);
     }
     writer_.texts("entry_lanes", known(lane.incoming));
     writer_.texts("exit_lanes", known(lane.outgoing));
@@ -55,27 +55,27 @@ class FeatureWriter {
     if (lane.speed_limit) {
       writer_.number("speed_limit_kmh", kKilometresAnHour * *lane.speed_limit);
     }
-    writer_.endDict();
+    writer_.endObject();
   }
 
   void writeWalkway(const Polygon& walkway) {
     beginFeature("walkway_", "ROAD_EDGE_SIDEWALK");
-    writer_.numbers("polygon", flat(walkway.exterior), 2);
+    writer_.array("polygon", flat(walkway.exterior), 2);
     if (!walkway.holes.empty()) writeInteriors(writer_, walkway);
-    writer_.endDict();
+    writer_.endObject();
   }
 
   void writeRoadEdge(const std::vector<Vector2>& line) {
     beginFeature("edge_", "ROAD_EDGE_BOUNDARY");
-    writer_.numbers("polyline", flat(line), 2);
-    writer_.endDict();
+    writer_.array("polyline", flat(line), 2);
+    writer_.endObject();
   }
 
   std::size_t count() const { return lanes_.size() + others_; }
 
  private:
   void beginFeature(const char* kind, const char* type) {
-    writer_.beginDict(kind + std::to_string(others_++));
+    writer_.beginObject((kind + std::to_string(others_++)).c_str());
     writer_.text("type", type);
   }
 
@@ -97,24 +97,24 @@ class FeatureWriter {
 std::size_t writeMapFeatures(PickleWriter& scenario, const LaneMap& map,
                              const std::vector<std::vector<Vector2>>& road_edges) {
   FeatureWriter features(scenario, map);
-  scenario.beginDict("map_features");
+  scenario.beginObject("map_features");
   for (const Lane& lane : map.lanes) features.writeLane(lane);
   for (const Polygon& walkway : map.walkways) features.writeWalkway(walkway);
   for (const std::vector<Vector2>& line : road_edges) features.writeRoadEdge(line);
-  scenario.endDict();
+  scenario.endObject();
   return features.count();
 }
 
 void writeGround(PickleWriter& writer, const LaneMap& map) {
   writer.text("driving_side", map.driving_side == DrivingSide::kRight ? "right" : "left");
-  std::vector<std::string> polygons;
+  writer.beginArray("drivable_area");
   for (const Polygon& polygon : map.drivable_area) {
-    PickleWriter rings;
-    rings.numbers("exterior", flat(polygon.exterior), 2);
-    writeInteriors(rings, polygon);
-    polygons.push_back(rings.dict());
+    writer.beginObject();
+    writer.array("exterior", flat(polygon.exterior), 2);
+    writeInteriors(writer, polygon);
+    writer.endObject();
   }
-  writer.values("drivable_area", polygons);
+  writer.endArray();
 }
 
 }  // namespace forge

@@ -90,19 +90,18 @@ TrackTable tableOf(const Scene& scene, const std::vector<RowTime>& rows, double 
   return table;
 }
 
-PickleWriter ownOf(const Scene& scene, double start, const std::vector<double>& frames) {
-  PickleWriter own;
+void writeOwn(PickleWriter& own, const Scene& scene, double start,
+              const std::vector<double>& frames) {
   own.text("scene", scene.name);
   own.number("start", start);
   std::vector<double> times;
   for (const double time : frames) times.push_back(time - start);
-  own.numbers("frame_times", times);
-  return own;
+  own.array("frame_times", times);
 }
 
 }  // namespace
 
-std::string scenarioNetOf(const Scene& scene, RowTimes rows, const ExportOptions& options) {
+PickleContent scenarioNetOf(const Scene& scene, RowTimes rows, const ExportOptions& options) {
   const std::vector<double> frames = framesWithEgo(scene);
   const bool is_even = rows == RowTimes::kEveryStep;
   const std::vector<RowTime> times =
@@ -113,9 +112,10 @@ std::string scenarioNetOf(const Scene& scene, RowTimes rows, const ExportOptions
     ways.push_back(state.pose.position());
   }
   const auto step = is_even ? std::optional(options.step) : std::nullopt;
-  return pickledScenario({scene.name, std::move(table), step, 0, *scene.map,
-                          ownOf(scene, times.front().of_scene, frames)},
-                         ways, options);
+  const auto write_own = [&](PickleWriter& own) {
+    writeOwn(own, scene, times.front().of_scene, frames);
+  };
+  return describe({scene.name, std::move(table), step, 0, *scene.map, write_own}, ways, options);
 }
 
 }  // namespace forge

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-
+#include "collision_forge/data/pickle_workers.h"
 #include "collision_forge/export/options.h"
 #include "collision_forge/scene/scene.h"
 
@@ -15,7 +14,7 @@ enum class RowTimes {
   kAsRecorded,
 };
 
-/// A recording, without an attack, as the bytes of a scenario description of ScenarioNet; its name
+/// A recording, without an attack, as a scenario description of ScenarioNet; its name
 /// is the scene's (scenarioNetFile()). It goes from the first to the last frame at which the ego is
 /// known; frames without it are left out. States are those of stateAt(), the map is whole, and
 /// lines where drivable ground ends are told within `options.radius` of the ego's way.
@@ -26,6 +25,6 @@ enum class RowTimes {
 ///
 /// Throws std::runtime_error for a scene without such a frame, and where the ego is lost for a time
 /// that has steps.
-std::string scenarioNetOf(const Scene& scene, RowTimes rows, const ExportOptions& options);
+PickleContent scenarioNetOf(const Scene& scene, RowTimes rows, const ExportOptions& options);
 
 }  // namespace forge

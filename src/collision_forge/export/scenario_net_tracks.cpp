@@ -66,24 +66,24 @@ void writeTrack(PickleWriter& writer, const Track& track, const std::vector<doub
     for (const bool is_seen : rows.seen) values.push_back(is_seen ? value : 0.0);
     return values;
   };
-  writer.beginDict(track.id);
+  writer.beginObject(track.id.c_str());
   writer.text("type", typeOf(track));
-  writer.beginDict("state");
-  writer.numbers("position", rows.positions, 3);
-  writer.numbers("heading", rows.headings);
-  writer.numbers("velocity", rows.velocities, 2);
-  writer.numbers("length", whereSeen(track.size.length));
-  writer.numbers("width", whereSeen(track.size.width));
-  writer.numbers("height", whereSeen(height));
+  writer.beginObject("state");
+  writer.array("position", rows.positions, 3);
+  writer.array("heading", rows.headings);
+  writer.array("velocity", rows.velocities, 2);
+  writer.array("length", whereSeen(track.size.length));
+  writer.array("width", whereSeen(track.size.width));
+  writer.array("height", whereSeen(height));
   writer.flags("valid", rows.seen);
-  writer.endDict();
-  writer.beginDict("metadata");
+  writer.endObject();
+  writer.beginObject("metadata");
   writer.text("type", typeOf(track));
   writer.text("class", toString(track.agent_class));
   writer.text("object_id", track.id);
   writer.count("track_length", rows.seen.size());
-  writer.endDict();
-  writer.endDict();
+  writer.endObject();
+  writer.endObject();
 }
 
 /// m, from each state to the next.
@@ -110,39 +110,39 @@ using TypeCounts = std::map<std::string, std::size_t>;
 
 void writeCounts(PickleWriter& metadata, const std::string& of_all, const TypeCounts& counts) {
   std::size_t sum = 0;
-  metadata.beginDict(of_all + "_each_type");
+  metadata.beginObject((of_all + "_each_type").c_str());
   for (const auto& [type, count] : counts) {
-    metadata.count(type, count);
+    metadata.count(type.c_str(), count);
     sum += count;
   }
-  metadata.endDict();
-  metadata.count(of_all, sum);
+  metadata.endObject();
+  metadata.count(of_all.c_str(), sum);
 }
 
 }  // namespace
 
 void writeTracks(PickleWriter& scenario, const TrackTable& table,
                  const std::map<AgentClass, double>& heights) {
-  scenario.beginDict("tracks");
+  scenario.beginObject("tracks");
   for (const Track& track : table.tracks) {
     writeTrack(scenario, track, table.times, heights.at(track.agent_class));
   }
-  scenario.endDict();
+  scenario.endObject();
 }
 
 void writeObjectSummary(PickleWriter& metadata, const TrackTable& table) {
-  metadata.beginDict("object_summary");
+  metadata.beginObject("object_summary");
   for (const Track& track : table.tracks) {
-    metadata.beginDict(track.id);
+    metadata.beginObject(track.id.c_str());
     metadata.text("type", typeOf(track));
     metadata.text("object_id", track.id);
     metadata.count("track_length", table.times.size());
     metadata.number("moving_distance", distanceOf(track));
     metadata.count("valid_length", track.states.size());
     metadata.count("continuous_valid_length", firstStretch(track, table.times));
-    metadata.endDict();
+    metadata.endObject();
   }
-  metadata.endDict();
+  metadata.endObject();
 }
 
 void writeObjectNumbers(PickleWriter& metadata, const TrackTable& table) {

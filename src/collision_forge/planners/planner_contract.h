@@ -74,7 +74,5 @@ inline constexpr char kRequestPlan = 'p';
 inline constexpr char kAnswerOk = 'k';
 /// An answer: this, then the length of a text (32 bits) and the text, which says what is wrong.
 inline constexpr char kAnswerError = 'e';
-/// The file descriptor of the stream in the process.
-inline constexpr int kWorkerStream = 3;
 
 }  // namespace forge

@@ -1,7 +1,5 @@
 #include "collision_forge/planners/planner_worker.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -17,15 +15,8 @@ namespace fs = std::filesystem;
 
 constexpr std::uint32_t kLongestText = 1 << 20;  // bytes
 
-/// The program lies in a folder beside this library, built and installed.
-std::string workerProgram() {
-  Dl_info library;
-  if (dladdr(reinterpret_cast<void*>(&workerProgram), &library) == 0) return "";
-  return fs::absolute(library.dli_fname).parent_path() / "collision_forge" / "planner_worker";
-}
-
 std::vector<std::string> commandOf(const TorchscriptFileOptions& options) {
-  const std::string program = workerProgram();
+  const std::string program = packageProgram("planner_worker");
   if (options.file.empty()) {
     throw PlannerFileError("torchscript.file of planners.yaml names no file");
   }

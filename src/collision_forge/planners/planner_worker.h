@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/planners/worker_process.h"
+#include "collision_forge/files/worker_process.h"
 
 namespace forge {
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/files/worker_process.h"
 #include "collision_forge/planners/planner_contract.h"
 #include "collision_forge/worker/planner_module.h"
 

@@ -1,5 +1,6 @@
-#include "collision_forge/planners/worker_process.h"
+#include "collision_forge/files/worker_process.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -14,9 +15,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-
-#include "collision_forge/planners/planner_contract.h"
-#include "collision_forge/scene/number_words.h"
+#include <filesystem>
+#include <sstream>
 
 extern char** environ;
 
@@ -51,6 +51,12 @@ int spawn(const std::vector<std::string>& command, int stream, pid_t& pid) {
 }
 
 }  // namespace
+
+std::string packageProgram(const std::string& name) {
+  Dl_info library;
+  if (dladdr(reinterpret_cast<void*>(&packageProgram), &library) == 0) return name;
+  return std::filesystem::absolute(library.dli_fname).parent_path() / "collision_forge" / name;
+}
 
 WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   int ends[2];
@@ -92,7 +98,10 @@ void WorkerProcess::await(short events) {
         poll(&wanted, 1, static_cast<int>(std::ceil(1e3 * std::clamp(left, 0.0, 1e5))));
     if (found > 0) return;
     if (found < 0 && errno != EINTR) throw std::runtime_error(std::strerror(errno));
-    if (found == 0) throw WorkerTimeout("no answer within " + numberText(timeout_) + " s");
+    if (found != 0) continue;
+    std::ostringstream problem;
+    problem << "no answer within " << timeout_ << " s";
+    throw WorkerTimeout(problem.str());
   }
 }
 

@@ -1,4 +1,4 @@
-#include "collision_forge/planners/worker_process.h"
+#include "collision_forge/files/worker_process.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -9,6 +9,13 @@
 
 namespace forge {
 
+/// The file descriptor of a process's stream, in that process.
+inline constexpr int kWorkerStream = 3;
+
+/// The path of a program of this package. It lies in a folder beside the package's libraries, built
+/// and installed.
+std::string packageProgram(const std::string& name);
+
 /// A process that does not answer in time.
 struct WorkerTimeout : std::runtime_error {
   using std::runtime_error::runtime_error;
