@@ -139,9 +139,7 @@ TEST_F(EpochTableTest, KeepsTheRowsOfEpochsThatAreDone) {
             "epoch,loss,validation\n1,3.000000,2.000000\n2,2.000000,2.500000\n"
             "3,1.000000,2.000000\n");
   EXPECT_EQ(again.lastRow(), "3,1.000000,2.000000");
-  const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
-  again.drawCurves(folder_.path() + "/curves.png", "A training",
-                   {{"loss", "training"}, {"validation", "validation"}}, config.drawing);
+  drawCurves(run_, "A training", {"loss", "validation"});
   EXPECT_TRUE(std::filesystem::exists(folder_.path() + "/curves.png"));
 }
 
