@@ -146,8 +146,7 @@ def add_driving(report: Report, drives: Dict[str, Drives]) -> None:
 
 def add_comparisons(report: Report, drives: Dict[str, Drives]) -> None:
     """Classifiers of all methods by class and by type, then the distances of each method."""
-    recorded_drives = drives[RECORDED].of(moves(drives[RECORDED]))
-    recorded = motion_of(recorded_drives)
+    recorded = motion_of(drives[RECORDED])
     classifiers: List[List[str]] = []
     tables = []
     for method, found in drives.items():
@@ -159,7 +158,7 @@ def add_comparisons(report: Report, drives: Dict[str, Drives]) -> None:
                                 'recorded windows'.format(method, len(found.scene), len(counted.scene),
                                                           len(windows.scene) - len(counted.scene), len(recorded.scene))]
         attacks = motion_of(counted)
-        noisy = motion_of(with_recorded_noise(counted, recorded_drives, np.random.default_rng(SEED)))
+        noisy = motion_of(with_recorded_noise(counted, drives[RECORDED], np.random.default_rng(SEED)))
         noisy = noisy._replace(band=attacks.band)
         of_class = [(name, in_group(attacks, name), in_group(recorded, name)) for name in VEHICLES]
         of_type = [(name, counted.type == name, in_group(recorded, 'all')) for name in TYPES]
@@ -227,6 +226,7 @@ def add_distances(report: Report, method: str, group: str, band: str, attacks: M
 def write_scorecard(folder: Path, heading: str, title: str, statistics: Statistics) -> None:
     """Writes the three files."""
     drives = read_drives(str(folder / 'motion.csv'))
+    drives[RECORDED] = drives[RECORDED].of(moves(drives[RECORDED]))
     report = Report()
     for name, share_title, _, share in SHARES:
         shares = {driver: share(found.values) for driver, found in drives.items()}

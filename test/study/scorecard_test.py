@@ -173,7 +173,7 @@ class ProgramTest(unittest.TestCase):
             folder = Path(path)
             attacks = drives(101, rng.normal(8.0, 1.0, 101))
             attacks.windows[0] = np.nan
-            self.write(folder, attacks, drives(400, rng.normal(8.0, 1.0, 400)))
+            self.write(folder, attacks, drives(401, np.append(rng.normal(8.0, 1.0, 400), 0.9)))
             names = ('scorecard.md', 'scorecard.csv', 'scorecard.png')
             found = []
             for _ in range(2):
@@ -185,6 +185,7 @@ class ProgramTest(unittest.TestCase):
                 lines = {(row['measure'], row['method'], row['group']): row for row in csv.DictReader(file)}
             self.assertEqual(lines['on_lane', 'search', 'RE']['value'], '1.0000')
             self.assertEqual(lines['on_lane', 'recorded', 'RE']['trials'], '0')
+            self.assertEqual(lines['on_lane', 'recorded', 'all']['trials'], '400', 'slow ones are left out')
             self.assertEqual(lines['peak_steering_rate_quantile_50', 'search', 'all']['value'], '0.5000')
             self.assertFalse(('peak_steering_rate_quantile_50', 'recorded', 'all') in lines)
             self.assertAlmostEqual(float(lines['area', 'search', 'car']['value']), 0.5, delta=0.15)
