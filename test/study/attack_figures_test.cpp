@@ -145,21 +145,5 @@ TEST(RecordedMotion, IsOfEveryWindowWithItsRoadAndGap) {
   EXPECT_NEAR(*motions[31 - kWindowSamples].least_gap, 35.0 - reach, 1e-6);
 }
 
-TEST(Peaks, AreOfTheInnerSamplesAndTheClass) {
-  MotionWindow window{"scene", "id", AgentClass::kCar, kCarSize, {}, 0};
-  for (std::size_t i = 0; i < kWindowSamples; ++i) {
-    const double t = kWindowStep * (static_cast<double>(i) - 3.0);
-    window.samples[i] = {t, {8.0 * t + 0.2 * t * t * t, 0.0, 0.1 * t}};
-  }
-  const DrivePeaks peaks = peaksOf(window, shipped().evaluation.scorecard.motion);
-  EXPECT_NEAR(peaks.jerk, 1.2, 1e-6);
-  EXPECT_NEAR(peaks.lateral_acceleration, (8.0 + 0.6 * 0.25) * 0.1, 1e-6);
-  const auto& drivable = shipped().attack.verification.drivable;
-  EXPECT_EQ(peakLimits(AgentClass::kCar, kCarSize, drivable).jerk,
-            driveLimitsOf(AgentClass::kCar, kCarSize, drivable).max_jerk);
-  EXPECT_LT(peakLimits(AgentClass::kBus, {12.0, 2.9}, drivable).lateral_acceleration,
-            peakLimits(AgentClass::kCar, kCarSize, drivable).lateral_acceleration);
-}
-
 }  // namespace
 }  // namespace forge

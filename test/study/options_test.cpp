@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "collision_forge/study/motion_windows.h"
 #include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
@@ -37,21 +36,6 @@ TEST(ControlOptions, BandsHaveAWidth) {
     ASSERT_GE(ends.size(), 2u);
     for (std::size_t i = 1; i < ends.size(); ++i) EXPECT_GT(ends[i], ends[i - 1]);
   }
-}
-
-TEST(ScorecardOptions, AnAttacksWindowReachesIntoWhatIsGenerated) {
-  // The time to accident that the least generated samples need is one that requests have.
-  const ScorecardOptions& scorecard = kOptions.scorecard;
-  EXPECT_LE(scorecard.motion.before_contact + scorecard.min_generated * kWindowStep, 3.0);
-}
-
-TEST(ScorecardOptions, NoSteeringIsReadOfWhoIsTooSlowToBeJudged) {
-  EXPECT_GE(kOptions.scorecard.motion.min_steering_speed, kOptions.scorecard.motion.min_speed);
-}
-
-TEST(ScorecardOptions, ALeafIsSmallerThanTheSmallestSample) {
-  // Half of the scenes train, and both sides of a split need a leaf.
-  EXPECT_LE(2 * kOptions.scorecard.classifier.forest.min_leaf, kOptions.scorecard.min_windows);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "collision_forge/files/aside_file.h"
-#include "collision_forge/study_settings/study_config.h"
 #include "data/nuscenes_fixture.h"
 #include "files/file_size_limit.h"
 
@@ -139,9 +138,7 @@ TEST_F(EpochTableTest, KeepsTheRowsOfEpochsThatAreDone) {
             "epoch,loss,validation\n1,3.000000,2.000000\n2,2.000000,2.500000\n"
             "3,1.000000,2.000000\n");
   EXPECT_EQ(again.lastRow(), "3,1.000000,2.000000");
-  const StudyConfig config = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
-  again.drawCurves(folder_.path() + "/curves.png", "A training",
-                   {{"loss", "training"}, {"validation", "validation"}}, config.drawing);
+  drawCurves(run_, "A training", {"loss", "validation"});
   EXPECT_TRUE(std::filesystem::exists(folder_.path() + "/curves.png"));
 }
 

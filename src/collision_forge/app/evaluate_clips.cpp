@@ -18,6 +18,7 @@
 #include "collision_forge/settings/config_fingerprint.h"
 #include "collision_forge/study/clip_methods.h"
 #include "collision_forge/study/row_rates.h"
+#include "collision_forge/study/study_program.h"
 
 namespace forge {
 namespace {
@@ -91,12 +92,11 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const StatisticsOptions& statistics = config.evaluation.statistics;
   const std::string title = headline(arguments, paths.size());
   std::string text = reportTitle(title, statistics);
-  for (const RateTable& table :
-       tabulate(rows, arguments.plan.protocol, methodsOf(arguments.plan), statistics)) {
-    text += "\n" + toMarkdown(table);
-    if (table.measure.is_headline) drawTable(table, title, arguments.out, config.drawing);
-  }
+  const std::vector<RateTable> tables =
+      tabulate(rows, arguments.plan.protocol, methodsOf(arguments.plan), statistics);
+  for (const RateTable& table : tables) text += "\n" + toMarkdown(table);
   writeText(arguments.out + "/table.md", text);
+  runStudyProgram("charts.py", writeRates(tables, title, arguments.out));
   std::cout << text;
   if (!arguments.report.empty()) {
     writeReport({{arguments.out + "/results.csv"}, {}}, arguments.report, config);

@@ -17,12 +17,12 @@
 #include "collision_forge/batch/output.h"
 #include "collision_forge/data/pattern_network_file.h"
 #include "collision_forge/data/request_file.h"
-#include "collision_forge/drawing/reliability_plot.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/settings/config_fingerprint.h"
+#include "collision_forge/study/motion_table.h"
 #include "collision_forge/study/request_evaluation.h"
 #include "collision_forge/study/request_report.h"
-#include "collision_forge/study/scorecard_report.h"
+#include "collision_forge/study/study_program.h"
 
 namespace forge {
 namespace {
@@ -100,20 +100,6 @@ class SearchTimes {
   std::map<std::string, std::vector<double>> times_;
 };
 
-ReliabilityPlot plotOf(const std::vector<Calibration>& calibrations, const std::string& title,
-                       const DrawingOptions& drawing) {
-  const std::vector<Color> colors = {drawing.ego_color, drawing.pattern_attacker_color};
-  ReliabilityPlot plot{title, {}};
-  for (const Calibration& calibration : calibrations) {
-    ReliabilitySeries series{calibration.column, colors[plot.series.size() % colors.size()], {}};
-    for (const CalibrationGroup& decile : calibration.deciles) {
-      series.points.push_back({decile.promised, barOf(decile.kept)});
-    }
-    plot.series.push_back(std::move(series));
-  }
-  return plot;
-}
-
 /// Of what, for a chart.
 std::string headline(const std::string& logs, const WantedRequests& wanted) {
   return logs + ", " + std::to_string(wanted.requests.size()) + " requests";
@@ -135,41 +121,19 @@ void report(const EvaluationArguments& arguments, const EvaluationPlan& plan,
   const std::string title = headline(arguments.logs.title(), plan, wanted);
   const std::string short_title = headline(arguments.logs.title(), wanted);
   std::string text = reportTitle(title, statistics);
-  for (const RateTable& table : requestTables(rows, plan, statistics)) {
-    text += "\n" + toMarkdown(table);
-    if (table.measure.is_headline) drawTable(table, short_title, arguments.out, config.drawing);
-  }
+  const std::vector<RateTable> tables = requestTables(rows, plan, statistics);
+  for (const RateTable& table : tables) text += "\n" + toMarkdown(table);
+  std::vector<std::string> charts = writeRates(tables, short_title, arguments.out);
   const auto calibrations = requestCalibrations(rows, plan, statistics);
   for (const Calibration& calibration : calibrations) text += "\n" + toMarkdown(calibration);
   if (!calibrations.empty()) {
-    drawReliabilityPlot(arguments.out + "/calibration.png",
-                        plotOf(calibrations, "Confidence: " + short_title, config.drawing),
-                        config.drawing);
+    const std::string path = arguments.out + "/calibration.csv";
+    writeText(path, toCsv(calibrations));
+    charts.insert(charts.end(), {"--calibration", path});
   }
   writeText(arguments.out + "/table.md", text);
   std::cout << text << std::endl;
-}
-
-/// Shares of the attacks and of recorded vehicles side by side.
-BarChart chartOf(const std::vector<RateTable>& shares, const std::string& title,
-                 const DrawingOptions& drawing) {
-  const std::vector<Color> colors = {drawing.pattern_attacker_color, drawing.ego_color,
-                                     drawing.pattern_ego_color, drawing.agent_color};
-  BarChart chart{"Where attackers drive: " + title, {}, {}};
-  for (std::size_t i = 0; i < shares.front().methods.size(); ++i) {
-    chart.series.push_back({shares.front().methods[i], colors[i % colors.size()], {}});
-  }
-  for (const RateTable& table : shares) {
-    std::string group = table.measure.name;
-    std::replace(group.begin(), group.end(), '_', ' ');
-    chart.groups.push_back(group);
-    for (std::size_t i = 0; i < chart.series.size(); ++i) {
-      const Rate& rate = table.rates[i].back();  // of all
-      chart.series[i].bars.push_back(rate.trials > 0 ? std::optional<Bar>(barOf(rate))
-                                                     : std::nullopt);
-    }
-  }
-  return chart;
+  runStudyProgram("charts.py", charts);
 }
 
 /// Attackers against the recorded vehicles of the same scenes.
@@ -184,15 +148,14 @@ void writeScorecard(const EvaluationArguments& arguments, const EvaluationPlan& 
       recorded.push_back(std::move(motion));
     }
   }
-  const ScorecardReport card = reportScorecard(rows, methods, recorded, config);
-  writeText(
-      arguments.out + "/scorecard.md",
-      reportTitle(headline(arguments.logs.title(), plan, wanted), config.evaluation.statistics) +
-          card.markdown);
-  writeText(arguments.out + "/scorecard.csv", card.csv);
-  drawBarChart(arguments.out + "/scorecard.png",
-               chartOf(card.shares, headline(arguments.logs.title(), wanted), config.drawing),
-               config.drawing);
+  const StatisticsOptions& statistics = config.evaluation.statistics;
+  writeText(arguments.out + "/motion.csv", motionTable(rows, methods, recorded, config));
+  const std::string title = headline(arguments.logs.title(), plan, wanted);
+  runStudyProgram("scorecard.py", {arguments.out, "--heading", reportTitle(title, statistics),
+                                   "--title", headline(arguments.logs.title(), wanted),
+                                   "--resamples", std::to_string(statistics.resamples),
+                                   "--confidence", std::to_string(statistics.confidence), "--seed",
+                                   std::to_string(statistics.seed)});
 }
 
 }  // namespace

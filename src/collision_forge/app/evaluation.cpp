@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "collision_forge/batch/run.h"
+#include "collision_forge/files/aside_file.h"
 
 namespace forge {
 
@@ -38,24 +39,17 @@ std::string reportTitle(const std::string& title, const StatisticsOptions& stati
          " % intervals over scenes, none below " + std::to_string(kMinScenes) + " scenes\n";
 }
 
-Bar barOf(const Rate& rate) {
-  const Interval interval = rate.interval.value_or(Interval{rate.value, rate.value});
-  return {rate.value, interval.low, interval.high};
-}
-
-void drawTable(const RateTable& table, const std::string& title, const std::string& folder,
-               const DrawingOptions& drawing) {
-  const std::vector<Color> colors = {drawing.agent_color, drawing.pattern_ego_color,
-                                     drawing.pattern_attacker_color, drawing.ego_color};
-  BarChart chart{table.measure.title + ": " + title, table.groups, {}};
-  for (std::size_t i = 0; i < table.methods.size(); ++i) {
-    BarSeries series{table.methods[i], colors[i % colors.size()], {}};
-    for (const Rate& rate : table.rates[i]) {
-      series.bars.push_back(rate.trials > 0 ? std::optional<Bar>(barOf(rate)) : std::nullopt);
-    }
-    chart.series.push_back(std::move(series));
+std::vector<std::string> writeRates(const std::vector<RateTable>& tables, const std::string& title,
+                                    const std::string& folder) {
+  std::vector<std::string> arguments = {"--title", title, "--rates", folder + "/table.csv",
+                                        "--measures"};
+  std::string csv = rateCsvHeader() + "\n";
+  for (const RateTable& table : tables) {
+    csv += toCsv(table);
+    if (table.measure.is_headline) arguments.push_back(table.measure.name);
   }
-  drawBarChart(folder + "/" + table.measure.name + ".png", chart, drawing);
+  writeText(folder + "/table.csv", csv);
+  return arguments;
 }
 
 }  // namespace forge

@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "collision_forge/data/log_source.h"
-#include "collision_forge/drawing/bar_chart.h"
-#include "collision_forge/drawing/options.h"
 #include "collision_forge/files/resumable_file.h"
 #include "collision_forge/scene/request_words.h"
 #include "collision_forge/statistics/rate_table.h"
@@ -34,9 +32,9 @@ struct EvaluationArguments {
   int jobs = 1;
 };
 
-// Both print tables and write OUT/results.csv, OUT/table.md and charts, of requests also
-// OUT/scorecard.md and OUT/scorecard.csv, on the master alone, and return an exit code. They go on
-// with the results of an interrupted run.
+// Both print tables and write OUT/results.csv, OUT/table.md, OUT/table.csv and charts, of
+// requests also OUT/motion.csv, OUT/scorecard.md and OUT/scorecard.csv, on the master alone, and
+// return an exit code. They go on with the results of an interrupted run.
 int evaluateClips(const EvaluationArguments& arguments);
 int evaluateRequests(const EvaluationArguments& arguments);
 
@@ -59,11 +57,9 @@ std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation);
 /// The first line of a report.
 std::string reportTitle(const std::string& title, const StatisticsOptions& statistics);
 
-/// A rate in a chart; without an interval the whisker has no length.
-Bar barOf(const Rate& rate);
-
-/// A chart of a table as OUT/NAME.png; `title` says what was measured.
-void drawTable(const RateTable& table, const std::string& title, const std::string& folder,
-               const DrawingOptions& drawing);
+/// Writes the tables to OUT/table.csv, and returns the arguments of charts.py that draw its
+/// headline measures; `title` says what was measured.
+std::vector<std::string> writeRates(const std::vector<RateTable>& tables, const std::string& title,
+                                    const std::string& folder);
 
 }  // namespace forge

@@ -164,9 +164,6 @@ void writeTables(const std::vector<PlannerTestResult>& results, const Arguments&
   for (const PlannerTable& entry : plannerTables(results, rowNames(plan), statistics)) {
     text += "\n" + toMarkdown(entry.table, entry.unit);
     csv += toCsv(entry.table);
-    if (entry.table.measure.is_headline) {
-      drawTable(entry.table, "closed loop", arguments.out, config.drawing);
-    }
   }
   writeText(arguments.out + "/results.csv", csvOf(results));
   writeText(arguments.out + "/table.csv", csv);

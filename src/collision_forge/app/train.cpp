@@ -19,7 +19,6 @@ int train(TrainingRun& run) {
   const StudyConfig config = loadStudyConfig(run.config);
   run.config_files = configFingerprints(run.config);
   run.options = config;
-  run.drawing = config.drawing;
   run.planners = config.planners;
   run.generators =
       configFileOf(run.generator) == "generators" ? config.generators : config.published_network;

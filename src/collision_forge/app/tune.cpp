@@ -178,15 +178,6 @@ std::size_t chooseBest(const Tuning& tuning, const std::vector<PlannerTestResult
   return *best;
 }
 
-/// Default beside tuned; their difference, which may be negative, is no bar.
-void drawComparison(RateTable comparison, const Tuning& tuning) {
-  comparison.methods.pop_back();
-  comparison.rates.pop_back();
-  comparison.measure.title = "Collisions in avoidable crashes";
-  drawTable(comparison, tuning.arguments.planner + " before and after tuning", tuning.arguments.out,
-            tuning.config.drawing);
-}
-
 void report(const Tuning& tuning, std::size_t best, const std::vector<PlannerTestResult>& train,
             const std::vector<PlannerTestResult>& test) {
   const Arguments& arguments = tuning.arguments;
@@ -210,7 +201,6 @@ void report(const Tuning& tuning, std::size_t best, const std::vector<PlannerTes
             withPlannerValues(tuning.file.path, tuning.file.text, after));
   writeText(arguments.out + "/table.csv", csv);
   writeText(arguments.out + "/table.md", text);
-  drawComparison(comparison, tuning);
   std::cout << outcome << "\nin " << arguments.out
             << ": planners.yaml (with the best values), table.md, variants.csv\n";
 }

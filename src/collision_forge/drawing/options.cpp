@@ -11,9 +11,6 @@ void readDrawingSizes(Section& section, DrawingOptions& options) {
   options.png_width = section.count("png_width", kMinPixels, kMaxPixels);
   options.png_height = section.count("png_height", kMinPixels, kMaxPixels);
   options.png_font_size = section.positive("png_font_size");
-  options.chart_width = section.count("chart_width", kMinPixels, kMaxPixels);
-  options.chart_height = section.count("chart_height", kMinPixels, kMaxPixels);
-  options.plot_size = section.count("plot_size", kMinPixels, kMaxPixels);
   options.gif_width = section.count("gif_width", kMinPixels, kMaxPixels);
   options.gif_height = section.count("gif_height", kMinPixels, kMaxPixels);
   options.gif_font_size = section.positive("gif_font_size");

@@ -17,10 +17,6 @@ struct DrawingOptions {
   int png_height = 0;
   double png_font_size = 0.0;
 
-  int chart_width = 0;
-  int chart_height = 0;
-  int plot_size = 0;
-
   int gif_width = 0;
   int gif_height = 0;
   double gif_font_size = 0.0;

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "collision_forge/statistics/csv_text.h"
+
 namespace forge {
 namespace {
 
@@ -86,8 +88,8 @@ std::string toCsv(const RateTable& table) {
       const Rate& rate = table.rates[i][group];
       char value[32] = "";
       if (rate.trials > 0) std::snprintf(value, sizeof(value), "%.4f", rate.value);
-      text += table.measure.name + ',' + table.methods[i] + ',' + table.groups[group] + ',' +
-              std::to_string(rate.trials) + ',' + value + ',' + intervalCsv(rate) + '\n';
+      text += table.measure.name + ',' + csvText(table.methods[i]) + ',' + table.groups[group] +
+              ',' + std::to_string(rate.trials) + ',' + value + ',' + intervalCsv(rate) + '\n';
     }
   }
   return text;

@@ -144,7 +144,7 @@ AttackFigures attackFigures(const Realization& answer, const Scene& recording,
   }
   figures.least_gap = gap.found();
   figures.window = attackWindow(recording.name, pastOf(trajectory, recording), trajectory, contact,
-                                options.evaluation.scorecard.motion);
+                                options.attack.verification.believability.before_contact);
   return figures;
 }
 
@@ -153,8 +153,7 @@ std::vector<RecordedMotion> recordedMotion(const IndexedScene& recording,
   std::vector<RecordedMotion> found;
   const Scene& scene = recording.scene;
   for (const Track& agent : scene.agents) {
-    for (MotionWindow& window :
-         recordedWindows(scene.name, agent, options.evaluation.scorecard.motion)) {
+    for (MotionWindow& window : recordedWindows(scene.name, agent)) {
       std::vector<TrajectoryPoint> points;
       LeastGap gap(scene.agents, agent.id);
       for (const WindowSample& sample : window.samples) {
@@ -168,25 +167,6 @@ std::vector<RecordedMotion> recordedMotion(const IndexedScene& recording,
     }
   }
   return found;
-}
-
-DrivePeaks peaksOf(const MotionWindow& window, const MotionOptions& options) {
-  DrivePeaks peaks;
-  const WindowMotion motion = motionOf(window, options);
-  for (std::size_t i = kFirstInner; i <= kLastInner; ++i) {
-    peaks.jerk = std::max(peaks.jerk, std::abs(motion[i].jerk));
-    peaks.lateral_acceleration =
-        std::max(peaks.lateral_acceleration, std::abs(motion[i].lateral_acceleration));
-    if (!motion[i].steering) continue;
-    peaks.steering_rate = std::max(peaks.steering_rate, std::abs(motion[i].steering->rate));
-  }
-  return peaks;
-}
-
-DrivePeaks peakLimits(AgentClass agent_class, const BoxSize& size,
-                      const DriveLimitOptions& options) {
-  const DriveLimits limits = driveLimitsOf(agent_class, size, options);
-  return {limits.max_steering_rate, limits.max_jerk, limits.max_lateral_acceleration};
 }
 
 std::string attackHeader() {

@@ -45,13 +45,6 @@ struct RecordedMotion {
 std::vector<RecordedMotion> recordedMotion(const IndexedScene& recording,
                                            const StudyOptions& options);
 
-/// The greatest values at the inner samples of a window; a slow vehicle has no steering rate.
-DrivePeaks peaksOf(const MotionWindow& window, const MotionOptions& options);
-
-/// The limits of these quantities for a vehicle of config/vehicle_limits.yaml, drivable.
-DrivePeaks peakLimits(AgentClass agent_class, const BoxSize& size,
-                      const DriveLimitOptions& options);
-
 /// "attacker,class,length,width,on_lane,...,window": the columns of attackColumns(), without a line
 /// end. `window` is empty or holds the number of generated samples and of each sample time, x, y
 /// and yaw, apart by spaces.

@@ -38,4 +38,7 @@ Calibration calibrate(const std::string& column, std::vector<Promise> promises,
 /// As Markdown: title, a row a decile in percent, and the largest difference.
 std::string toMarkdown(const Calibration& calibration);
 
+/// "column,decile,attacks,promised,kept,low,high" and a line a decile; shares in [0, 1].
+std::string toCsv(const std::vector<Calibration>& calibrations);
+
 }  // namespace forge

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "collision_forge/config/section.h"
-#include "collision_forge/study/motion_windows.h"
 
 namespace forge {
 
@@ -24,36 +23,6 @@ static void readOptions(Section& section, PublishedSearchOptions& options) {
   options.futures = section.count("futures", 1);
 }
 
-static void readOptions(Section& section, MotionOptions& options) {
-  options.min_speed = section.positive("min_speed");
-  options.min_steering_speed = section.positive("min_steering_speed");
-  options.wheelbase_share = section.positive("wheelbase_share");
-  options.before_contact = section.nonNegative("before_contact");
-}
-
-static void readOptions(Section& section, ForestOptions& options) {
-  options.rounds = section.count("rounds", 1);
-  options.learning_rate = section.positive("learning_rate");
-  options.min_leaf = section.count("min_leaf", 1);
-  options.leaf_ridge = section.positive("leaf_ridge");
-}
-
-static void readOptions(Section& section, ClassifierOptions& options) {
-  options.ridge = section.positive("ridge");
-  section.read("forest", options.forest);
-}
-
-static void readOptions(Section& section, ScorecardOptions& options) {
-  section.read("motion", options.motion);
-  section.read("classifier", options.classifier);
-  options.min_generated = section.count("min_generated", 1, static_cast<int>(kWindowSamples));
-  options.min_windows = section.count("min_windows", 2);
-  options.quantiles = section.count("quantiles", 1);
-  options.matched = section.count("matched", 1);
-  options.draws = section.count("draws", 1);
-  options.seed = static_cast<std::uint64_t>(section.count("seed", 0));
-}
-
 static void readOptions(Section& section, ControlOptions& options) {
   options.impact_speeds = section.numbers("impact_speeds", 0.0, 100.0);
   if (!std::is_sorted(options.impact_speeds.begin(), options.impact_speeds.end())) {
@@ -68,7 +37,6 @@ void readOptions(Section& section, EvaluationOptions& options) {
   options.published.box = options.collide.box;
   section.read("published_search", options.published_search);
   section.read("statistics", options.statistics);
-  section.read("scorecard", options.scorecard);
   section.read("controls", options.controls);
 }
 

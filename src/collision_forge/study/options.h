@@ -30,38 +30,6 @@ struct PublishedSearchOptions {
   int futures = 0;
 };
 
-/// How windows of motion are cut out and what is read from them.
-struct MotionOptions {
-  double min_speed = 0.0;
-  double min_steering_speed = 0.0;
-  double wheelbase_share = 0.0;
-  double before_contact = 0.0;
-};
-
-struct ForestOptions {
-  int rounds = 0;
-  double learning_rate = 0.0;
-  int min_leaf = 0;
-  double leaf_ridge = 0.0;
-};
-
-struct ClassifierOptions {
-  double ridge = 0.0;
-  ForestOptions forest;
-};
-
-/// How alike attackers are to recorded vehicles.
-struct ScorecardOptions {
-  MotionOptions motion;
-  ClassifierOptions classifier;
-  int min_generated = 0;
-  int min_windows = 0;
-  int quantiles = 0;
-  int matched = 0;
-  int draws = 0;
-  std::uint64_t seed = 0;
-};
-
 /// The ends of the bands that are asked for, rising: each number but the last begins a band.
 struct ControlOptions {
   std::vector<double> impact_speeds;
@@ -73,7 +41,6 @@ struct EvaluationOptions {
   PublishedOptions published;
   PublishedSearchOptions published_search;
   StatisticsOptions statistics;
-  ScorecardOptions scorecard;
   ControlOptions controls;
 };
 

@@ -85,12 +85,11 @@ class GeneratorTrainer {
       if (table.add(row)) {
         writeText(run_.out + "/weights.pt", generatorBytes(header_, *model_, false));
       }
-      table.drawCurves(run_.out + "/curves.png", "Training of " + run_.generator + ": validation",
-                       curves(), run_.drawing);
       table.keep(generatorBytes(header_, *model_, true));
       clearLine();
       std::cout << table.lastRow() << '\n' << std::flush;
     }
+    drawCurves(run_, "Training of " + run_.generator + ": validation", curves());
   }
 
  private:
@@ -100,16 +99,14 @@ class GeneratorTrainer {
 
   std::vector<std::string> columns() const {
     std::vector<std::string> names = model_->lossNames();
-    for (const auto& curve : curves()) names.push_back(curve.first);
+    for (const std::string& curve : curves()) names.push_back(curve);
     return names;
   }
 
-  /// Columns of the errors on validation, and what they are called.
-  std::vector<std::pair<std::string, std::string>> curves() const {
-    std::vector<std::pair<std::string, std::string>> found;
-    for (const std::string& name : model_->errorNames()) {
-      found.emplace_back("validation_" + name, name);
-    }
+  /// Columns of the errors on validation.
+  std::vector<std::string> curves() const {
+    std::vector<std::string> found;
+    for (const std::string& name : model_->errorNames()) found.push_back("validation_" + name);
     return found;
   }
 

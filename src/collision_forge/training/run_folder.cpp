@@ -12,10 +12,10 @@
 #include <system_error>
 
 #include "collision_forge/data/log_fingerprints.h"
-#include "collision_forge/drawing/line_chart.h"
 #include "collision_forge/files/aside_file.h"
 #include "collision_forge/files/file_fingerprint.h"
 #include "collision_forge/files/fingerprint.h"
+#include "collision_forge/study/study_program.h"
 
 namespace forge {
 namespace {
@@ -190,7 +190,6 @@ void EpochTable::append(const std::string& row) {
     numbers.push_back(*number);
   }
   best_ = std::min(best_, numbers.back());
-  numbers_.push_back(std::move(numbers));
   rows_.push_back(row);
   rows_sum_ = fingerprint(row + "\n", rows_sum_);
 }
@@ -218,23 +217,12 @@ void EpochTable::keep(const std::string& state) {
   writeText(state_path_, state);
 }
 
-std::vector<double> EpochTable::column(const std::string& name) const {
-  const auto found = std::find(columns_.begin(), columns_.end(), name);
-  const auto index = static_cast<std::size_t>(found - columns_.begin());
-  std::vector<double> values;
-  for (const std::vector<double>& numbers : numbers_) values.push_back(numbers.at(index));
-  return values;
-}
-
-void EpochTable::drawCurves(const std::string& path, const std::string& title,
-                            const std::vector<std::pair<std::string, std::string>>& columns,
-                            const DrawingOptions& options) const {
-  LineChart chart{title, "epoch", {}};
-  for (const auto& [name, label] : columns) {
-    const Color color = chart.series.empty() ? options.attacker_color : options.ego_color;
-    chart.series.push_back({label, color, column(name)});
-  }
-  drawLineChart(path, chart, options);
+void drawCurves(const TrainingRun& run, const std::string& title,
+                const std::vector<std::string>& columns) {
+  std::vector<std::string> arguments = {"--title", title, "--curves", run.out + "/metrics.csv",
+                                        "--columns"};
+  arguments.insert(arguments.end(), columns.begin(), columns.end());
+  runStudyProgram("charts.py", arguments);
 }
 
 }  // namespace forge

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "collision_forge/drawing/options.h"
 #include "collision_forge/files/output_lock.h"
 #include "collision_forge/training/training_run.h"
 
@@ -68,24 +67,22 @@ class EpochTable {
 
   const std::string& lastRow() const { return rows_.back(); }
 
-  /// A line for each of these columns, named as told, beside a title.
-  void drawCurves(const std::string& path, const std::string& title,
-                  const std::vector<std::pair<std::string, std::string>>& columns,
-                  const DrawingOptions& options) const;
-
  private:
   std::string header() const;
   void append(const std::string& row);
-  std::vector<double> column(const std::string& name) const;
 
   std::string path_;
   std::string state_path_;
   std::vector<std::string> columns_;
   std::vector<std::string> rows_;
-  std::vector<std::vector<double>> numbers_;  // of the rows
   std::string rows_sum_;
   std::vector<EpochSums> sums_;
   double best_;
 };
+
+/// Draws columns of the run's metrics.csv as curves.png, by charts.py of the study. Throws as
+/// runStudyProgram().
+void drawCurves(const TrainingRun& run, const std::string& title,
+                const std::vector<std::string>& columns);
 
 }  // namespace forge

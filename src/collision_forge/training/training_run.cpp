@@ -44,7 +44,7 @@ std::vector<double> numbersOf(const TrainingLosses& training, const TrainingLoss
           validation.selection, validation.total};
 }
 
-/// Writes what an epoch gave: metrics, curves, the weights of the best, the state.
+/// Writes what an epoch gave: metrics, the weights of the best, the state.
 void record(const PatternTrainer& trainer, const std::set<std::string>& left_out,
             const TrainingRun& run, bool is_chosen, EpochTable& table,
             const std::vector<double>& numbers) {
@@ -53,8 +53,6 @@ void record(const PatternTrainer& trainer, const std::set<std::string>& left_out
     weights.left_out_scenes.assign(left_out.begin(), left_out.end());
     writePatternWeights({weights}, run.out + "/weights.bin");
   }
-  table.drawCurves(run.out + "/curves.png", "Training: negative log density of the ego's place",
-                   {{"ego", "training"}, {"validation_ego", "validation"}}, run.drawing);
   table.keep(trainer.state());
   clearLine();
   std::cout << table.lastRow() << '\n' << std::flush;
@@ -91,6 +89,9 @@ void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::str
     const TrainingLosses validation =
         is_chosen ? trainer.losses(samples, split.validation) : training;
     record(trainer, left_out, run, is_chosen, table, numbersOf(training, validation));
+  }
+  if (is_first) {
+    drawCurves(run, "Training: negative log density of the ego's place", {"ego", "validation_ego"});
   }
 }
 

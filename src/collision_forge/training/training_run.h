@@ -5,7 +5,6 @@
 #include <set>
 #include <string>
 
-#include "collision_forge/drawing/options.h"
 #include "collision_forge/generators/options.h"
 #include "collision_forge/planners/options.h"
 #include "collision_forge/training/training_data.h"
@@ -24,7 +23,6 @@ struct TrainingRun {
   bool is_planner = false;      ///< train a planner, not the network
   std::string generator;        ///< train the generator of this name; empty: none
   GeneratorOptions generators;  ///< of a generator, from the file that its numbers stand in
-  DrawingOptions drawing;
   std::string device = "cpu";
   int fold = 0;  ///< part of the scenes that is left out, from 1; 0: none
   int folds = 5;

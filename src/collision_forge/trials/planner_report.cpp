@@ -117,8 +117,8 @@ std::vector<RolloutMeasure> nuplanMeasures() {
 std::vector<RolloutMeasure> rolloutMeasures() {
   const auto collides = [](const RolloutOutcome& outcome) { return hitsAttacker(outcome); };
   std::vector<RolloutMeasure> measures = {
-      {{"collision", "Collisions with the attacker", {}, true}, kShare, shareOf(isAny, collides)},
-      {{"collision_avoidable", "Collisions with the attacker, of avoidable crashes", {}, true},
+      {{"collision", "Collisions with the attacker", {}, false}, kShare, shareOf(isAny, collides)},
+      {{"collision_avoidable", "Collisions with the attacker, of avoidable crashes", {}, false},
        kShare,
        shareOf(isAvoidable, collides)},
       {{"collision_strict", "Collisions with the attacker, of strict crashes", {}, false},
@@ -130,7 +130,7 @@ std::vector<RolloutMeasure> rolloutMeasures() {
         false},
        kShare,
        shareOf(isStrictAvoidable, collides)},
-      {{"collision_fair", "Collisions with the attacker, without unfair ones", {}, true},
+      {{"collision_fair", "Collisions with the attacker, without unfair ones", {}, false},
        kShare,
        fairCollision},
       {{"escape",
@@ -139,7 +139,10 @@ std::vector<RolloutMeasure> rolloutMeasures() {
         false},
        kShare,
        canEscape},
-      {{"as_asked", "Collisions with the attacker of the type and at the time asked for", {}, true},
+      {{"as_asked",
+        "Collisions with the attacker of the type and at the time asked for",
+        {},
+        false},
        kShare,
        ofAttackers([](const AttackerSummary& attacker) { return attacker.as_asked; })},
       {{"gave_up", "Attackers that gave up, or were done, before the end", {}, false},
@@ -271,7 +274,7 @@ std::vector<PlannerTable> avoidabilityTables(const std::vector<PlannerTestResult
   }
   return {caseTable({"strict", "Crashes that meet the strict protocol", {}, false},
                     {{"strict", isStrict}}, isAny, results, options),
-          caseTable({"avoidable", "Avoidable crashes", {}, true}, {{"avoidable", isAvoidable}},
+          caseTable({"avoidable", "Avoidable crashes", {}, false}, {{"avoidable", isAvoidable}},
                     isAny, results, options),
           caseTable({"avoidable_strict", "Avoidable crashes, of strict ones", {}, false},
                     {{"avoidable", isAvoidable}}, isStrict, results, options),

@@ -1,0 +1,67 @@
+#!/usr/bin/python3
+"""The charts of the study: what they read, and that they are pictures of the same bytes every time."""
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAMS = Path(__file__).resolve().parents[2] / 'python' / 'collision_forge_study'
+sys.path.insert(0, str(PROGRAMS))
+import charts  # noqa: E402
+
+TABLE = '''measure,method,group,trials,value,low,high
+hit,a,RE,0,,,
+hit,a,all,200,0.8125,0.7760,0.8440
+hit,b,RE,20,0.8500,,
+fair,a,all,10,0.5000,,
+'''
+CALIBRATION = 'column,decile,attacks,promised,kept,low,high\nfull,1,20,0.2500,0.3000,,\nfull,2,20,0.7500,0.7000,0.6,0.9\n'
+METRICS = 'epoch,loss,validation\n1,2.0,3.0\n2,nan,2.5\n'
+
+
+class ChartsTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        for name, text in (('table.csv', TABLE), ('calibration.csv', CALIBRATION), ('metrics.csv', METRICS)):
+            (self.folder / name).write_text(text)
+
+    def draw(self, *arguments):
+        subprocess.run(['/usr/bin/python3', str(PROGRAMS / 'charts.py'), '--title', 'A title', *map(str, arguments)],
+                       check=True)
+        return {path.name: path.read_bytes() for path in self.folder.glob('*.png')}
+
+    def test_rates_without_trials_are_left_out_and_intervals_may_be_unknown(self):
+        self.assertEqual(charts.read_rates(self.folder / 'table.csv'),
+                         [('hit', 'a', 'all', 0.8125, (0.776, 0.844)), ('hit', 'b', 'RE', 0.85, None),
+                          ('fair', 'a', 'all', 0.5, None)])
+
+    def test_whiskers_reach_from_the_value_to_the_ends_in_percent(self):
+        below, above = charts.whiskers([0.5, 0.2], [(0.25, 1.0), None])
+        self.assertEqual((below, above), ([25.0, 0.0], [50.0, 0.0]))
+
+    def test_every_file_has_its_chart_and_it_is_the_same_again(self):
+        arguments = ('--rates', self.folder / 'table.csv', '--measures', 'hit', '--calibration',
+                     self.folder / 'calibration.csv', '--curves', self.folder / 'metrics.csv', '--columns', 'loss',
+                     'validation')
+        drawn = self.draw(*arguments)
+        self.assertEqual(set(drawn), {'hit.png', 'calibration.png', 'curves.png'})
+        for picture in drawn.values():
+            self.assertEqual(picture[:4], b'\x89PNG')
+        self.assertEqual(self.draw(*arguments), drawn)
+
+    def test_a_file_that_cannot_be_read_is_named_and_nothing_is_drawn(self):
+        result = subprocess.run(['/usr/bin/python3', str(PROGRAMS / 'charts.py'), '--rates', str(self.folder / 'none.csv')],
+                                stderr=subprocess.PIPE, universal_newlines=True, check=False)
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, "^charts.py: FileNotFoundError: .*none.csv'\n$")
+        self.assertEqual(list(self.folder.glob('*.png')), [])
+
+    def test_without_measures_all_are_drawn(self):
+        self.assertEqual(set(self.draw('--rates', self.folder / 'table.csv')), {'hit.png', 'fair.png'})
+
+
+if __name__ == '__main__':
+    unittest.main()
