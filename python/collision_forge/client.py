@@ -8,7 +8,7 @@ from genpy import SerializationError, Time
 from std_srvs.srv import Trigger
 
 from collision_forge import msg, srv
-from collision_forge.controls import control_fields
+from collision_forge.controls import control_fields, fields_of
 from collision_forge.errors import Code, Declined, ForgeError, NotReady, Unavailable
 from collision_forge.player import Player
 from collision_forge.results import Answer, Attack, PlannerOutcome, PossibleCollision, Report, Scene
@@ -112,13 +112,13 @@ class CollisionForge:
 
         at: stamp of the frame of agents that is now; controls: as of `control_fields()`. Raises Declined.
         """
-        return self._generate(collision, tta, at, method, control_fields(**controls), False)
+        return self._generate(collision, tta, at, method, fields_of(controls), False)
 
     def adaptive(self, collision: Collision, tta: Optional[float] = None, *, at: Optional[Time] = None,
                  method: str = '', **controls: Any) -> 'AdaptiveAttack':
         """As `generate()`, by an attacker that sees and reacts. Iterate over what becomes of it."""
         mark = self._attacks.mark()
-        first = self._generate(collision, tta, at, method, control_fields(**controls), True)
+        first = self._generate(collision, tta, at, method, fields_of(controls), True)
         is_first = [same_attack(message, first.message) for message in self._attacks.since(mark)]
         return AdaptiveAttack(self, first, mark + is_first.index(True))  # those before it end an earlier attack
 
@@ -144,9 +144,12 @@ class CollisionForge:
 
     def possible(self, collision_types: Sequence[str] = (), ttas: Sequence[float] = (), *, at: Optional[Time] = None,
                  method: str = '', **controls: Any) -> List[PossibleCollision]:
-        """The collisions that can be asked for now, by type, then tta; by default of all types, at the usual ttas."""
-        fields = control_fields(**controls)
+        """The collisions that can be asked for now, by type, then tta; by default of all types, at the usual ttas.
+        Where there is none, a warning says why."""
+        fields = fields_of(controls)
         answer = self._call('list_collisions', **self._each(collision_types, ttas, at, method, fields))
+        if not answer.collisions:
+            rospy.logwarn(answer.message)
         asked = {**fields, 'method': method}
         return [PossibleCollision.of(message, answer.now, asked) for message in answer.collisions]
 
@@ -154,7 +157,7 @@ class CollisionForge:
                      at: Optional[Time] = None, method: str = '', **controls: Any) -> List[Answer]:
         """An answer for each type and tta, at one instant; nothing is published, and nobody is injected."""
         answer = self._call('generate_collisions',
-                            **self._each(collision_types, ttas, at, method, control_fields(**controls)))
+                            **self._each(collision_types, ttas, at, method, fields_of(controls)))
         return [Answer.of(message) for message in answer.answers]
 
     def requests(self, every: float, collision_types: Sequence[str] = (), ttas: Sequence[float] = (),
@@ -189,8 +192,9 @@ class CollisionForge:
         """How the attack of the last `generate()` turned out; plays on until that is known, where there is a player."""
         player = self.player
         if player is not None and not self._tested(attack):
-            end = player.instant_of(attack.now) + attack.trajectory[-1].t
-            player.until(max(player.now or 0.0, min(end, player.duration)))
+            end = min(player.instant_of(attack.now) + attack.trajectory[-1].t, player.duration)
+            if player.now is None or end > player.now:
+                player.until(end)
             time.sleep(LOOK)
         while True:
             report = self._tested(attack)

@@ -1,5 +1,7 @@
 """What a request may ask for beside type and time."""
-from typing import Any, Dict, Optional, Tuple
+import difflib
+import inspect
+from typing import Any, Dict, Mapping, Optional, Tuple
 
 Band = Optional[Tuple[float, float]]
 
@@ -21,10 +23,31 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
     overlap: (least, greatest) share of the ego's touched side that the attacker covers, [0, 1]
     alternatives: attacks asked for, which differ in attacker or manoeuvre, at most 16
     """
-    slowest, fastest = impact_speed or (0.0, 0.0)
-    narrowest, widest = overlap or (0.0, 0.0)
+    slowest, fastest = _pair('impact_speed', impact_speed)
+    narrowest, widest = _pair('overlap', overlap)
     return {'attacker_id': attacker, 'choice': choice, 'mode': mode, 'seed': seed,
             'believable': '' if believable is None else str(believable).lower(), 'limits': limits,
             'attacker_class': attacker_class, 'manoeuvre': manoeuvre, 'ego_side': ego_side,
             'min_impact_speed': slowest, 'max_impact_speed': fastest, 'min_overlap': narrowest, 'max_overlap': widest,
             'alternatives': alternatives}
+
+
+def fields_of(controls: Mapping[str, Any]) -> Dict[str, Any]:
+    """`control_fields()` of keywords that a caller gave; TypeError names one that is unknown, and those that are known."""
+    known = list(inspect.signature(control_fields).parameters)
+    for name in controls:
+        if name not in known:
+            near = difflib.get_close_matches(name, known, 1)
+            raise TypeError('no control is called {!r}{}; the controls are {}'.format(
+                name, '; did you mean {}?'.format(near[0]) if near else '', ', '.join(known)))
+    return control_fields(**controls)
+
+
+def _pair(name: str, band: Band) -> Tuple[float, float]:
+    if band is None:
+        return 0.0, 0.0
+    try:
+        least, greatest = band
+    except (TypeError, ValueError):
+        raise TypeError('{} = {!r} is no pair (least, greatest), as (1.0, 10.0)'.format(name, band)) from None
+    return least, greatest

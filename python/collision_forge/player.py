@@ -5,8 +5,11 @@ from typing import Iterator, List, Optional, Union
 from genpy import Duration, Time
 
 from collision_forge.bag_publisher import BagPublisher
+from collision_forge.errors import ForgeError
 from collision_forge.stamps import is_same
 from collision_forge.waiting import Inbox, wait_until
+
+SHOWN_TO = 0.05  # s: a player's length, as it is printed, is an instant of the bag
 
 
 class Player:
@@ -57,7 +60,10 @@ class Player:
     # Going on.
 
     def until(self, instant: float) -> 'Player':
-        """Goes on to an instant; starts the bag anew if that is past."""
+        """Goes on to an instant; starts the bag anew if that is past. ForgeError for one after the bag's end."""
+        if instant > self.duration + SHOWN_TO:
+            raise ForgeError('until({}): the last frame of agents of {} is at {:.1f} s'.format(
+                instant, self.path.name, self.duration))
         return self._play(self._source.start + Duration.from_sec(instant))
 
     def step(self, frames: int = 1) -> 'Player':

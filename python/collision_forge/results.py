@@ -284,8 +284,9 @@ class PlannerOutcome:
             return 'not known to be avoidable'
         at_once = self.last_moment < 1e-6  # s
         if self.last_manoeuvre != 'keeping':
-            when = 'at once' if at_once else 'until {:.1f} s'.format(self.last_moment)
-            return 'avoidable by {} {}'.format(self.last_manoeuvre, when)
+            when = 'at once' if at_once else 'up to {:.1f} s'.format(self.last_moment)
+            how = 'steering and braking' if self.last_manoeuvre == 'both' else self.last_manoeuvre
+            return 'avoidable {} by {}'.format(when, how)
         if self.message.attacker_policy != 'adaptive':
             return 'avoidable by driving as recorded'
         return 'avoidable by keeping its speed' + ('' if at_once else ' from {:.1f} s on'.format(self.last_moment))

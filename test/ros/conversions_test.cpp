@@ -205,6 +205,18 @@ TEST(CollisionRequestMessage, NamesFieldAndValueOfAWordThatMeansNothing) {
   }
 }
 
+TEST(CollisionRequestMessage, ARefusalListsTheManoeuvresAndTheClassesOfAttackers) {
+  auto message = leadBrakes();
+  message.manoeuvre = "odd";
+  auto read = fromMessage(message, {});
+  EXPECT_THAT(std::get<Status>(read).message,
+              testing::HasSubstr("none of lead_stopped, lead_brak"));
+  message = leadBrakes();
+  message.attacker_class = "odd";
+  read = fromMessage(message, {});
+  EXPECT_THAT(std::get<Status>(read).message, testing::HasSubstr("none of car, truck, "));
+}
+
 TEST(CollisionRequestMessage, WordsMayBeInCapitals) {
   auto message = leadBrakes();
   message.collision_type = "Rear_End";

@@ -116,7 +116,7 @@ TEST(RolloutMarkers, WithoutAContactTellWhatHappenedAtTheEnd) {
   trial.outcome.failure = PlannerFailure::kTimedOut;
   trial.avoidability.last = Avoidance{EvasiveManoeuvre::kBraking, kNow + 1.5, {}, 0.0};
   EXPECT_EQ(reportOf(rolloutMarkers(trial, scenario(), "external", kEnd)),
-            "external: fails, timed_out\nafter 2.00 s\navoidable by braking until 1.5 s");
+            "external: fails, timed_out\nafter 2.00 s\navoidable up to 1.5 s by braking");
 }
 
 TEST(RolloutMarkers, ShowTheContactAtTheEnd) {

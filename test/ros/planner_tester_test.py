@@ -201,6 +201,13 @@ class PlannerTesterTest(road.RoadTest):
         self.assertLess(math.hypot(frames[0].transform.translation.x - outcome.driven[0].pose.position.x,
                                    frames[0].transform.translation.y - outcome.driven[0].pose.position.y), 1.0)
 
+    def test_the_ways_are_published_again_for_an_rviz_that_was_reset(self):
+        self.outcome(scenario=str(self.tested[0]), planner='pdm')
+        drawn = live.Listener('/planner_markers')
+        self.addCleanup(drawn.close)
+        until(lambda: len(drawn.all()) > 2, 'the ways again and again')
+        self.assertEqual({len(array.markers) for array in drawn.all()}, {len(drawn.last().markers)})
+
     def test_the_rollout_is_shown_in_motion_with_its_outcome_at_the_end(self):
         drawn = live.Listener('/planner_scene_markers')
         self.addCleanup(drawn.close)

@@ -125,6 +125,17 @@ TEST(ListPossible, LeavesOutWhatTheSceneDoesNotAllowAndNamesWhatIsWrongWithTheRe
   EXPECT_EQ(wrong.message, "UNKNOWN_ATTACKER");
 }
 
+TEST(ListPossible, NamesTheCommonestReasonWhereNothingIsPossible) {
+  std::vector<PossibleCollision> found;
+  const Status status =
+      listPossible({answerOf(StatusCode::kNoCandidate), answerOf(StatusCode::kBeyondRecording),
+                    answerOf(StatusCode::kBeyondRecording)},
+                   found);
+  EXPECT_EQ(status.code, StatusCode::kOk);
+  EXPECT_NE(status.message.find("2 of 3 requests: BEYOND_RECORDING"), std::string::npos)
+      << status.message;
+}
+
 TEST(AnswerMessage, HoldsAnAttackWithOkAlone) {
   CollisionRequest request;
   request.type = CollisionType::kLaneChange;

@@ -6,12 +6,13 @@ namespace forge {
 namespace {
 
 TEST(AvoidanceWords, TellUntilWhenAManoeuvreWorks) {
-  EXPECT_EQ(avoidanceWords(EvasiveManoeuvre::kBraking, 2.0, false), "by braking until 2.0 s");
-  EXPECT_EQ(avoidanceWords(EvasiveManoeuvre::kBoth, 3.5, true), "by both until 3.5 s");
+  EXPECT_EQ(avoidanceWords(EvasiveManoeuvre::kBraking, 2.0, false), "up to 2.0 s by braking");
+  EXPECT_EQ(avoidanceWords(EvasiveManoeuvre::kBoth, 3.5, true),
+            "up to 3.5 s by steering and braking");
 }
 
 TEST(AvoidanceWords, CallAManoeuvreThatWorksFromNowOnAloneOneAtOnce) {
-  EXPECT_EQ(avoidanceWords(EvasiveManoeuvre::kSteering, 0.0, false), "by steering at once");
+  EXPECT_EQ(avoidanceWords(EvasiveManoeuvre::kSteering, 0.0, false), "at once by steering");
 }
 
 TEST(AvoidanceWords, CallKeepingInAnAvoidanceTheRecordedDrive) {

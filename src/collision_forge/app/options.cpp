@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "collision_forge/attack/method_registry.h"
 #include "collision_forge/attack/request_check.h"
 #include "collision_forge/batch/dispatch.h"
 #include "collision_forge/batch/progress_line.h"
@@ -116,7 +117,9 @@ void addControls(CLI::App& app, RequestControls& controls) {
                                        "of the attacker; any by default");
   addChoice<std::optional<Manoeuvre>>(
       app, "--manoeuvre", controls.manoeuvre, wordsOf<Manoeuvre>(kManoeuvres),
-      "what the attacker does, any by default; " + manoeuvresByType());
+      "what the attacker does, any by default; " + manoeuvresByType())
+      ->get_validator()
+      ->description("");
   addChoice<std::optional<Side>>(
       app, "--ego-side", controls.ego_side,
       wordsOf<Side>(std::vector<Side>{Side::kFront, Side::kRear, Side::kLeft, Side::kRight}),
@@ -201,7 +204,12 @@ CLI::Option* addMethod(CLI::App& app, std::string& method, const std::string& co
   app.parse_complete_callback([&method, &config] {
     if (!method.empty()) checkMethod("--method", method, config);
   });
-  return app.add_option("--method", method, "how attacks are made; by default the suite's own way");
+  std::string known;
+  for (const std::string& name : builtInMethods().names()) known += name + ", ";
+  return app.add_option(
+      "--method", method,
+      "how attacks are made: " + known +
+          "or one of the libraries in methods.yaml; by default the suite's own way");
 }
 
 void checkMethod(const std::string& option, const std::string& method, const std::string& config) {

@@ -44,10 +44,11 @@ class AttackerInjectorNodelet : public QueuedNodelet {
 
   AfterContact afterContact() {
     const auto word = getPrivateNodeHandle().param<std::string>("after_contact", "stop");
-    for (const AfterContact after : {AfterContact::kStop, AfterContact::kDriveOn}) {
-      if (word == toString(after)) return after;
+    try {
+      return liveAfterContact(word);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("after_contact = \"" + word + "\" is " + error.what());
     }
-    throw std::invalid_argument("after_contact = \"" + word + "\", not stop or drive_on");
   }
 
   void receiveAttack(const collision_forge::Attack& message) {

@@ -100,10 +100,19 @@ auto wordIn(const std::string& word, const char* field, FromString from_string) 
   return *meaning;
 }
 
+/// "none of A, B, ...", of the words that name these values.
+template <typename Values>
+std::string noneOf(const Values& values) {
+  std::string words;
+  for (const auto value : values)
+    words += (words.empty() ? "" : ", ") + std::string(toString(value));
+  return "none of " + words;
+}
+
 /// What is asked for beyond type, time and attacker; returns what is wrong with it, or nothing.
 std::string readControls(const collision_forge::CollisionRequest& message,
                          CollisionRequest& request) {
-  const auto unknown = [](const char* field, const std::string& value, const char* problem) {
+  const auto unknown = [](const char* field, const std::string& value, const std::string& problem) {
     return std::string(field) + " = \"" + value + "\" is " + problem;
   };
   if (!readWord(message.choice, attackerChoiceFromString, request.choice)) {
@@ -116,10 +125,10 @@ std::string readControls(const collision_forge::CollisionRequest& message,
     return unknown("limits", message.limits, "neither drivable nor strict");
   }
   if (!readWord(message.attacker_class, agentClassFromString, request.attacker_class)) {
-    return unknown("attacker_class", message.attacker_class, "no class of agents");
+    return unknown("attacker_class", message.attacker_class, noneOf(kAttackerClasses));
   }
   if (!readWord(message.manoeuvre, manoeuvreFromString, request.manoeuvre)) {
-    return unknown("manoeuvre", message.manoeuvre, "no manoeuvre");
+    return unknown("manoeuvre", message.manoeuvre, noneOf(kManoeuvres));
   }
   if (!readWord(message.ego_side, sideFromString, request.ego_side)) {
     return unknown("ego_side", message.ego_side, "none of front, rear, left and right");

@@ -414,6 +414,13 @@ const char* toString(AfterContact after) {
   return "drive_on";
 }
 
+AfterContact liveAfterContact(const std::string& word) {
+  for (const AfterContact after : {AfterContact::kStop, AfterContact::kDriveOn}) {
+    if (word == toString(after)) return after;
+  }
+  throw std::invalid_argument("neither stop nor drive_on");
+}
+
 void requireNoAttack(const std::string& path) {
   try {
     const OpenedBag opened(path);

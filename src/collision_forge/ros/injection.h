@@ -26,6 +26,10 @@ enum class AfterContact {
 /// "stop", "end", "drive_on".
 const char* toString(AfterContact after);
 
+/// What a replay, which has no end to set, takes: kStop or kDriveOn. Throws std::invalid_argument
+/// for another word, naming both.
+AfterContact liveAfterContact(const std::string& word);
+
 /// What is put into a bag.
 struct BagAttack {
   collision_forge::Attack attack;

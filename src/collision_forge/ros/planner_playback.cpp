@@ -24,13 +24,15 @@ std_msgs::Header mapHeader() {
 }  // namespace
 
 PlannerPlayback::PlannerPlayback(ros::NodeHandle node)
-    : ways_(node.advertise<visualization_msgs::MarkerArray>(names::kPlannerMarkers, 1, true)),
+    : ways_(node, names::kPlannerMarkers),
       scenes_(node.advertise<visualization_msgs::MarkerArray>(names::kPlannerSceneMarkers, 1)),
       areas_(node.advertise<geometry_msgs::PolygonStamped>(names::kShownArea, 1)),
       is_shown_(node.advertise<std_msgs::Bool>(names::kPlannerTestShown, 1, true)) {
   publishWhetherShown();
   timer_ =
       node.createWallTimer(ros::WallDuration(1.0 / kPictureRate), &PlannerPlayback::show, this);
+  repeat_timer_ = node.createWallTimer(ros::WallDuration(RepeatedMarkers::kInterval),
+                                       &PlannerPlayback::repeat, this);
 }
 
 void PlannerPlayback::play(const PlannerTrial& trial, const CrashScenario& scenario,
@@ -62,6 +64,11 @@ void PlannerPlayback::show(const ros::WallTimerEvent& /*event*/) {
   areas_.publish(toMessage(rolloutArea(shown_->trial, shown_->scenario, time), mapHeader()));
 }
 
+void PlannerPlayback::repeat(const ros::WallTimerEvent& /*event*/) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ways_.repeat();
+}
+
 /// By a replay that goes on.
 bool PlannerPlayback::isReplaceable(double since, double duration) {
   const ros::Time clock = ros::Time::now();
@@ -78,7 +85,8 @@ bool PlannerPlayback::isReplaceable(double since, double duration) {
 
 void PlannerPlayback::clear() {
   shown_.reset();
-  for (ros::Publisher* publisher : {&ways_, &scenes_}) publisher->publish(noMarkers(mapHeader()));
+  ways_.publish(noMarkers(mapHeader()));
+  scenes_.publish(noMarkers(mapHeader()));
   publishWhetherShown();
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "collision_forge/ros/repeated_markers.h"
 #include "collision_forge/trials/planner_trial.h"
 
 namespace forge {
@@ -32,11 +33,12 @@ class PlannerPlayback {
   };
 
   void show(const ros::WallTimerEvent& event);
+  void repeat(const ros::WallTimerEvent& event);
   bool isReplaceable(double since, double duration);
   void clear();
   void publishWhetherShown();
 
-  ros::Publisher ways_;
+  RepeatedMarkers ways_;
   ros::Publisher scenes_;
   ros::Publisher areas_;
   ros::Publisher is_shown_;
@@ -46,6 +48,7 @@ class PlannerPlayback {
   ros::WallTime moved_;     ///< when the replay's clock was last seen to move
   bool was_still_ = false;  ///< the replay, since the test is shown
   ros::WallTimer timer_;
+  ros::WallTimer repeat_timer_;
 };
 
 }  // namespace forge

@@ -1,6 +1,7 @@
 #include "collision_forge/ros/possible_collisions.h"
 
 #include <algorithm>
+#include <map>
 
 #include "collision_forge/ros/conversions.h"
 #include "collision_forge/ros/report_text.h"
@@ -85,6 +86,25 @@ collision_forge::CollisionAnswer toMessage(const CollisionRequest& request,
   return message;
 }
 
+namespace {
+
+/// Of answers that all decline: the commonest reason, with the message of its first answer.
+std::string whyNothing(const std::vector<collision_forge::CollisionAnswer>& answers) {
+  std::map<std::uint8_t, std::size_t> counts;
+  for (const auto& answer : answers) ++counts[answer.code];
+  const auto is_commonest = [&](const auto& answer) {
+    return std::all_of(counts.begin(), counts.end(),
+                       [&](const auto& other) { return other.second <= counts.at(answer.code); });
+  };
+  const auto first = std::find_if(answers.begin(), answers.end(), is_commonest);
+  if (first == answers.end()) return {};
+  return "nothing is possible; " + std::to_string(counts[first->code]) + " of " +
+         std::to_string(answers.size()) +
+         " requests: " + toString(static_cast<StatusCode>(first->code)) + ", as " + first->message;
+}
+
+}  // namespace
+
 Status listPossible(const std::vector<collision_forge::CollisionAnswer>& answers,
                     std::vector<collision_forge::PossibleCollision>& collisions) {
   for (const collision_forge::CollisionAnswer& answer : answers) {
@@ -97,7 +117,7 @@ Status listPossible(const std::vector<collision_forge::CollisionAnswer>& answers
     std::stable_sort(collisions.begin() + first, collisions.end(),
                      [](const auto& a, const auto& b) { return a.confidence > b.confidence; });
   }
-  return {};
+  return {StatusCode::kOk, collisions.empty() ? whyNothing(answers) : ""};
 }
 
 }  // namespace forge

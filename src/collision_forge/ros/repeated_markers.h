@@ -12,6 +12,8 @@ namespace forge {
 /// subscriber once. Not thread-safe.
 class RepeatedMarkers {
  public:
+  static constexpr double kInterval = 1.0;  ///< s of the wall clock between two repeat()
+
   RepeatedMarkers() = default;  ///< no topic: publishes nothing
   RepeatedMarkers(ros::NodeHandle& node, const char* topic)
       : publisher_(node.advertise<visualization_msgs::MarkerArray>(topic, 1, true)) {}

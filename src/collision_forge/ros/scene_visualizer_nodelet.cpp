@@ -28,8 +28,7 @@ namespace forge {
 /// agents.
 class SceneVisualizerNodelet : public QueuedNodelet {
  private:
-  static constexpr double kPictureRate = 20.0;    // Hz, of the wall clock
-  static constexpr double kRepeatInterval = 1.0;  // s of the wall clock
+  static constexpr double kPictureRate = 20.0;  // Hz, of the wall clock
 
   void start(ros::NodeHandle node) override {
     const Config config = loadNodeConfig(getPrivateNodeHandle());
@@ -54,7 +53,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     timer_ = node.createWallTimer(ros::WallDuration(1.0 / kPictureRate),
                                   &SceneVisualizerNodelet::show, this);
     repeat_timer_ =
-        node.createWallTimer(ros::WallDuration(kRepeatInterval),
+        node.createWallTimer(ros::WallDuration(RepeatedMarkers::kInterval),
                              [this](const ros::WallTimerEvent& /*event*/) { repeat(); });
   }
 

@@ -45,8 +45,8 @@ QString believableText(const collision_forge::CollisionReport& report) {
 QString attackText(const collision_forge::Attack& attack) {
   if (isNone(attack)) return {};
   const auto& report = attack.report;
-  if (!report.contact) return titleOf(attack) + "<br>No contact is foreseen.";
-  return titleOf(attack) + "<table>" +
+  if (!report.contact) return titleOf(attack) + "<br>No contact is predicted.";
+  return titleOf(attack) + "<br><i>Predicted</i><table>" +
          row("Contact after",
              number((report.contact_time - attack.header.stamp).toSec(), 2, " s")) +
          row("Manoeuvre", escaped(report.manoeuvre)) + row("Believable", believableText(report)) +
@@ -64,7 +64,8 @@ QString crashText(const collision_forge::Attack& attack,
   const collision_forge::CollisionReport* verdict = verdictBy(now, attack, tested);
   const QString words = escaped(crashWords(attack, verdict, now));
   if (!verdict) return words;
-  return QString("<font color=%1>%2</font>").arg(verdict->verified ? kAsAsked : kNotAsAsked, words);
+  return QString("<font color=%1>Measured: %2</font>")
+      .arg(verdict->verified ? kAsAsked : kNotAsAsked, words);
 }
 
 QString outcomeText(const collision_forge::PlannerOutcome& outcome) {

@@ -22,8 +22,9 @@ std::string avoidanceWords(EvasiveManoeuvre manoeuvre, double start, bool is_esc
     return is_at_once ? "by keeping its speed"
                       : "by keeping its speed from " + secondsText(start) + " on";
   }
-  return std::string("by ") + toString(manoeuvre) +
-         (is_at_once ? " at once" : " until " + secondsText(start));
+  const bool is_both = manoeuvre == EvasiveManoeuvre::kBoth;
+  return (is_at_once ? "at once" : "up to " + secondsText(start)) + " by " +
+         (is_both ? "steering and braking" : toString(manoeuvre));
 }
 
 }  // namespace forge
