@@ -112,6 +112,8 @@ class ClientTest(road.RoadTest):
         player.until(8.0)
         self.assertGreater(self.forge.scene.now, first.now)
         player.until(NOW)
+        with self.assertRaisesRegex(ForgeError, r'until\(25\.0\): the last frame .* is at 20\.0 s'):
+            player.until(25.0)
         self.assert_close(self.forge.scene.message, first.message, tolerance=1e-9)
 
     def test_stamps_may_be_finer_than_those_of_the_suite(self):

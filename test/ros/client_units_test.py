@@ -10,7 +10,7 @@ from pathlib import Path
 import road
 from collision_forge import (Answer, Attack, Code, Declined, ForgeError, NotReady, PlannerOutcome, PossibleCollision,
                              Report, Scene, msg, srv)
-from collision_forge.controls import control_fields
+from collision_forge.controls import control_fields, fields_of
 from collision_forge.results import Pose
 from collision_forge.suite import Program
 from collision_forge.waiting import wait_until
@@ -175,6 +175,14 @@ class ResultsTest(unittest.TestCase):
                                          attacker_policy=policy, last_manoeuvre=manoeuvre, last_moment=at(moment))
             message.header.stamp = NOW
             self.assertTrue(PlannerOutcome.of(message).summary().endswith(', ' + words), words)
+
+    def test_a_mistyped_control_is_named_with_those_that_are_known(self):
+        with self.assertRaisesRegex(TypeError, "'manoeuver'; did you mean manoeuvre.*ego_side"):
+            fields_of({'manoeuver': 'drift'})
+
+    def test_a_band_that_is_no_pair_is_named_with_its_value(self):
+        with self.assertRaisesRegex(TypeError, r'impact_speed = 5.0 is no pair \(least, greatest\)'):
+            fields_of({'impact_speed': 5.0})
 
     def test_an_outcome_with_somebody_else_is_no_hit(self):
         message = msg.PlannerOutcome(failure='none', collided=True, is_attacker=False)
