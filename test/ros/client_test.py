@@ -112,9 +112,11 @@ class ClientTest(road.RoadTest):
         player.until(8.0)
         self.assertGreater(self.forge.scene.now, first.now)
         player.until(NOW)
-        with self.assertRaisesRegex(ForgeError, r'until\(25\.0\): the last frame .* is at 20\.0 s'):
-            player.until(25.0)
         self.assert_close(self.forge.scene.message, first.message, tolerance=1e-9)
+
+    def test_an_instant_after_the_end_of_the_bag_is_refused(self):
+        with self.assertRaisesRegex(ForgeError, r'until\(25\.0\): the last frame .* is at 20\.0 s'):
+            self.play().until(25.0)
 
     def test_stamps_may_be_finer_than_those_of_the_suite(self):
         fine = self.path('fine.bag')
