@@ -23,7 +23,7 @@ bool fuzzClips(const std::string& input) {
   const InputFolder folder;
   const auto [line, rows] = firstLineOf(input);
   const std::string path = folder.write(plainName(line), rows);
-  const Config& config = configuration();
+  const StudyConfig& config = configuration();
   return isTaken(folder.path(), [&] {
     const CollideClip clip = readCollideClip(path, config.input_limits);
     const InputFolder copies;

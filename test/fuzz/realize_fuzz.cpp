@@ -77,8 +77,19 @@ void answer(const collision_forge::RealizeTrajectory::Request& message) {
     patterns.push_back(fromMessage(pattern));
     checkPattern(patterns.back(), config.input_limits, "patterns");
   }
+  if (message.ways.size() > kMost) throw InputError("too many ways to fuzz with");
+  AttackerWays ways;
+  for (const auto& way : message.ways) {
+    if (way.points.size() > 10 * kMost) throw InputError("too long a way to fuzz with");
+    ways.emplace(way.attacker_id, fromMessage(way));
+  }
   const Realization found =
-      realize(patterns, {snapshot, future, request, fuzzedLanes()}, quickOptions(), message.exact);
+      realize({patterns,
+               {snapshot, future, request, fuzzedLanes()},
+               static_cast<bool>(message.exact),
+               ways,
+               message.any_motion ? SearchedMotion::kAny : SearchedMotion::kByRoutes},
+              quickOptions());
   if (found.status.code != StatusCode::kOk) return;
   require(found.report.verified(), "the attack is not verified");
   checkTrajectory(found.trajectory, config.input_limits, "attack");

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "attack/test_scenes.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/study_settings/study_config.h"
 
 namespace forge {
 namespace {
@@ -23,7 +23,7 @@ std::vector<std::vector<std::string>> cellsOf(const std::string& table) {
 }
 
 TEST(MotionTable, HasARowPerAttackOfTheMethodsAndPerRecordedWindow) {
-  const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  const StudyConfig config = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   ResultRow row;
   row.scene = "scene";
   row.tta = 3.0;

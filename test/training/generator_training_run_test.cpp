@@ -38,7 +38,6 @@ class GeneratorTrainingRun : public testing::Test {
     run.out = folder_.path() + "/" + name;
     run.config = config;
     run.options = read;
-    run.drawing = read.drawing;
     run.generators = read.generators;
     run.generators.c_sgan.epochs = 2;
     run.generators.c_sgan.batch = 2;
