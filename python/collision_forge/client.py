@@ -144,12 +144,9 @@ class CollisionForge:
 
     def possible(self, collision_types: Sequence[str] = (), ttas: Sequence[float] = (), *, at: Optional[Time] = None,
                  method: str = '', **controls: Any) -> List[PossibleCollision]:
-        """The collisions that can be asked for now, by type, then tta; by default of all types, at the usual ttas.
-        Where there is none, a warning says why."""
+        """The collisions that can be asked for now, by type, then tta; by default of all types, at the usual ttas."""
         fields = fields_of(controls)
         answer = self._call('list_collisions', **self._each(collision_types, ttas, at, method, fields))
-        if not answer.collisions:
-            rospy.logwarn(answer.message)
         asked = {**fields, 'method': method}
         return [PossibleCollision.of(message, answer.now, asked) for message in answer.collisions]
 

@@ -28,15 +28,15 @@ TEST(CollisionRequest, ChoicesAreReadBack) {
 
 TEST(CollisionRequest, StatusNamesAreDistinct) {
   std::set<std::string> names;
-  for (int code = 0; code <= 16; ++code) names.insert(toString(static_cast<StatusCode>(code)));
-  EXPECT_EQ(names.size(), 17u);
+  for (int code = 0; code <= 17; ++code) names.insert(toString(static_cast<StatusCode>(code)));
+  EXPECT_EQ(names.size(), 18u);
   EXPECT_EQ(names.count("UNKNOWN"), 0u);
-  EXPECT_STREQ(toString(static_cast<StatusCode>(17)), "UNKNOWN");
+  EXPECT_STREQ(toString(static_cast<StatusCode>(18)), "UNKNOWN");
   EXPECT_STREQ(toString(StatusCode::kTtaOutOfRange), "TTA_OUT_OF_RANGE");
 }
 
 TEST(CollisionRequest, StatusNamesAreReadBack) {
-  for (int code = 0; code <= 16; ++code) {
+  for (int code = 0; code <= 17; ++code) {
     const auto status = static_cast<StatusCode>(code);
     EXPECT_EQ(statusCodeFromString(toString(status)), status);
   }
