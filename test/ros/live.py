@@ -58,7 +58,8 @@ TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/injected_objec
          '/attack_path': Path, '/attack_ego_path': Path,
          '/attack_request': AttackRequest, '/tested_report': CollisionReport,
          '/attack_markers': MarkerArray,
-         '/map_markers': MarkerArray, '/pattern_markers': MarkerArray, '/planner_scene_markers': MarkerArray,
+         '/map_markers': MarkerArray, '/pattern_markers': MarkerArray, '/planner_markers': MarkerArray,
+         '/planner_scene_markers': MarkerArray,
          '/scene_markers': MarkerArray}
 
 
