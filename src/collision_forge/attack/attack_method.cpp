@@ -5,6 +5,7 @@
 #include "collision_forge/attack/request_check.h"
 
 namespace forge {
+
 Realization attempt(const AttackMethod& method, const Moment& moment,
                     const CollisionRequest& request) {
   if (request.mode == Mode::kReplay || !moment.recorded) return method.answer(moment, request);

@@ -69,7 +69,7 @@ class AttackJudge {
   Future tried_;                           // the one whose ego is being tried
   std::optional<FutureScorer> held_out_;   // made when the first confidence is asked for
   std::map<std::string, int> rejections_;  // by shortcoming
-  std::string unbelievable_;            // why the last attack that holds would be driven by nobody
+  std::string unbelievable_;  // why no driver would drive the last attack that is else as asked
   std::optional<PatternMiss> nearest_;  // of the attacks that hold and miss their aim
   std::optional<double> surest_;        // confidence of those that promise too little
 };

@@ -15,8 +15,8 @@
 
 namespace forge {
 
-/// A value of a pickle with its place, "FILE.KEY.KEY", which messages begin with. What reads it
-/// throws std::runtime_error for a value of another kind.
+/// A value of a pickle with its place, "FILE.KEY.KEY", with which error messages begin. Each
+/// accessor throws std::runtime_error for a value of another kind.
 class PickleField {
  public:
   /// The whole pickle of the file `path`.

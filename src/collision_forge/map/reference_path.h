@@ -25,19 +25,18 @@ class ReferencePath {
   };
 
   static constexpr double kBendSpacing = 1.0;  ///< m between bends()
+  static constexpr std::size_t kMinControls = 4;
 
   /// A centreline (or several, joined), smoothed over a few metres: recorded centrelines have kinks
   /// that nobody drives.
   explicit ReferencePath(const Polyline& line);
-  /// The path with these control points, `spacing` metres apart, as of the accessors below. Throws
-  /// std::invalid_argument for fewer than kMinControls points, and for a spacing or a point that is
-  /// not finite or, of the spacing, not positive.
+  /// The path with the spacing() and controls() of another one, in metres. Throws
+  /// std::invalid_argument for fewer than kMinControls points, a point that is not finite, and a
+  /// spacing that is not finite or not positive.
   ReferencePath(double spacing, std::vector<Vector2> controls);
 
   /// The path so many metres to its left; it cuts bends that are tighter than that.
   ReferencePath beside(double across) const;
-
-  static constexpr std::size_t kMinControls = 4;
 
   double spacing() const { return spacing_; }
   const std::vector<Vector2>& controls() const { return controls_; }

@@ -43,6 +43,22 @@ collision_forge::PossibleCollision inShort(const collision_forge::CollisionAnswe
   return collision;
 }
 
+/// The commonest reason why these answers decline, with the message of the first of them; empty
+/// without answers.
+std::string whyNothing(const std::vector<collision_forge::CollisionAnswer>& answers) {
+  std::map<std::uint8_t, std::size_t> counts;
+  for (const auto& answer : answers) ++counts[answer.code];
+  const auto is_commonest = [&](const auto& answer) {
+    return std::all_of(counts.begin(), counts.end(),
+                       [&](const auto& other) { return other.second <= counts.at(answer.code); });
+  };
+  const auto first = std::find_if(answers.begin(), answers.end(), is_commonest);
+  if (first == answers.end()) return {};
+  return "nothing is possible; " + std::to_string(counts[first->code]) + " of " +
+         std::to_string(answers.size()) +
+         " requests: " + toString(static_cast<StatusCode>(first->code)) + ", as " + first->message;
+}
+
 }  // namespace
 
 std::variant<std::vector<CollisionRequest>, Status> requestsForEach(
@@ -85,25 +101,6 @@ collision_forge::CollisionAnswer toMessage(const CollisionRequest& request,
   message.summary = summaryOf(message.attack);
   return message;
 }
-
-namespace {
-
-/// Of answers that all decline: the commonest reason, with the message of its first answer.
-std::string whyNothing(const std::vector<collision_forge::CollisionAnswer>& answers) {
-  std::map<std::uint8_t, std::size_t> counts;
-  for (const auto& answer : answers) ++counts[answer.code];
-  const auto is_commonest = [&](const auto& answer) {
-    return std::all_of(counts.begin(), counts.end(),
-                       [&](const auto& other) { return other.second <= counts.at(answer.code); });
-  };
-  const auto first = std::find_if(answers.begin(), answers.end(), is_commonest);
-  if (first == answers.end()) return {};
-  return "nothing is possible; " + std::to_string(counts[first->code]) + " of " +
-         std::to_string(answers.size()) +
-         " requests: " + toString(static_cast<StatusCode>(first->code)) + ", as " + first->message;
-}
-
-}  // namespace
 
 Status listPossible(const std::vector<collision_forge::CollisionAnswer>& answers,
                     std::vector<collision_forge::PossibleCollision>& collisions) {

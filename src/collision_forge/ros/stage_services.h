@@ -33,8 +33,8 @@ class PatternPredictorService : public PatternPredictor {
   OnPrediction on_prediction_;
 };
 
-/// Asks the service realize_trajectory, and judges its attack (AttackJudge) as any other. Of the
-/// answer the trajectory, the pattern, the effort and the place of the contact are believed.
+/// Asks the service realize_trajectory, and judges its attack (AttackJudge) as any other. The class
+/// takes the trajectory, the pattern, the effort and the place of the contact from the answer.
 class TrajectoryRealizerService : public TrajectoryRealizer {
  public:
   /// All must outlive it.

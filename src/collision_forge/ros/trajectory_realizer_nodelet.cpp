@@ -11,6 +11,7 @@
 #include "collision_forge/scene/number_words.h"
 
 namespace forge {
+namespace {
 
 /// Throws InputError for a pattern of somebody who is not in the snapshot, or of a past time.
 void checkAgainst(const CollisionPattern& pattern, const Snapshot& snapshot) {
@@ -27,6 +28,8 @@ void checkAgainst(const CollisionPattern& pattern, const Snapshot& snapshot) {
                      " of the pattern of " + pattern.attacker_id + " is not above 0");
   }
 }
+
+}  // namespace
 
 /// Answers realize_trajectory.
 class TrajectoryRealizerNodelet : public QueuedNodelet {

@@ -1,30 +1,21 @@
 #include "collision_forge/study/study_program.h"
 
-#include <dlfcn.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
+
+#include "collision_forge/files/worker_process.h"
 
 extern char** environ;
 
 namespace forge {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* kPython = "/usr/bin/python3";
-
-/// The programs lie in a folder beside this library, built and installed.
-std::string programPath(const std::string& name) {
-  Dl_info library;
-  if (dladdr(reinterpret_cast<void*>(&programPath), &library) == 0) return name;
-  return fs::absolute(library.dli_fname).parent_path() / "collision_forge" / "study" / name;
-}
 
 int runToEnd(const std::vector<std::string>& command) {
   std::vector<char*> words;
@@ -48,7 +39,7 @@ int runToEnd(const std::vector<std::string>& command) {
 }  // namespace
 
 void runStudyProgram(const std::string& name, const std::vector<std::string>& arguments) {
-  std::vector<std::string> command = {kPython, programPath(name)};
+  std::vector<std::string> command = {kPython, packageProgram("study/" + name)};
   command.insert(command.end(), arguments.begin(), arguments.end());
   const int status = runToEnd(command);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
