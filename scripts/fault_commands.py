@@ -18,7 +18,7 @@ GRID = 'idm:\n  idm.standard.min_gap: [1.0, 4.0]\n'
 
 def inputs(folder):
     """The words that make what commands read, by its path."""
-    made = {folder / 'clips': ['dataset', *LOGS, '--scene', *SCENES],
+    made = {folder / 'clips': ['study', 'dataset', *LOGS, '--scene', *SCENES],
             folder / 'bags': ['convert', *LOGS, '--scene', SCENES[0]]}
     asked = [('both', SCENES, '4'), ('few', SCENES[:1], '16'), *((scene, [scene], '8') for scene in SCENES)]
     for name, scenes, stride in asked:
@@ -35,31 +35,31 @@ def commands(folder):
     return {
         'convert': ['convert', *LOGS],
         'convert-scenarionet': ['convert', *LOGS, '--to', 'scenarionet'],
-        'compare': ['compare', *clips, '--count', '1', '--methods', 'constant_velocity'],
-        'controls': ['measure', 'controls', *LOGS, '--requests', folder / 'few_requests.jsonl'],
-        'coverage': ['measure', 'coverage', *LOGS, '--now', '8', '--tta', '4'],
+        'compare': ['study', 'compare', *clips, '--count', '1', '--methods', 'constant_velocity'],
+        'controls': ['study', 'measure', 'controls', *LOGS, '--requests', folder / 'few_requests.jsonl'],
+        'coverage': ['study', 'measure', 'coverage', *LOGS, '--now', '8', '--tta', '4'],
         'dataset': inputs(folder)[folder / 'clips'],
-        'evaluate': ['evaluate', *LOGS, *asked],
-        'evaluate-clips': ['evaluate', *clips, '--limit', '4'],
+        'evaluate': ['study', 'evaluate', *LOGS, *asked],
+        'evaluate-clips': ['study', 'evaluate', *clips, '--limit', '4'],
         'export': ['export', '--to', 'openscenario', *LOGS, '--scenarios', answered],
         'export-commonroad': ['export', '--to', 'commonroad', *LOGS, '--scenarios', answered],
         'export-mcap': ['export', '--to', 'mcap', '--bag', folder / 'bags' / (SCENES[0] + '.bag')],
         'export-scenarionet': ['export', '--to', 'scenarionet', *LOGS, '--scenarios', answered],
-        'futures': ['measure', 'ego-futures', *LOGS, '--profiles', PROFILES],
+        'futures': ['study', 'measure', 'ego-futures', *LOGS, '--profiles', PROFILES],
         'generate': ['generate', *LOGS, *asked],
         'generate-clips': ['generate', *LOGS, *asked, '--format', 'csv-collide'],
         'inject': ['inject', '--bag', folder / 'bags' / (SCENES[0] + '.bag'), '--type', 'lane_change', '--tta', '3',
                    '--now', '5'],
         'report': ['report', answered, *LOGS],
         'requests': inputs(folder)[folder / 'both_requests.jsonl'],
-        'speeds': ['speeds', 'fit', '--profiles', PROFILES],
-        'speeds-collect': ['speeds', 'collect', *LOGS],
+        'speeds': ['study', 'speeds', 'fit', '--profiles', PROFILES],
+        'speeds-collect': ['study', 'speeds', 'collect', *LOGS],
         'test': ['test', *LOGS, '--scenarios', answered, '--planners', 'idm'],
-        'test-clips': ['test', *clips, '--planners', 'idm'],
+        'test-clips': ['study', 'test', *clips, '--planners', 'idm'],
         'test-until-hit': ['test', *LOGS, '--until-hit', '--tries', '2', '--scene', *SCENES, '--planners', 'idm'],
-        'train': ['train', *LOGS],
-        'train-generator': ['train', '--generator', 'c_sgan', '--dataroot', DATA, '--collide', folder / 'clips'],
-        'train-planner': ['train', '--planner', *LOGS],
+        'train': ['study', 'train', *LOGS],
+        'train-generator': ['study', 'train', '--generator', 'c_sgan', '--dataroot', DATA, '--collide', folder / 'clips'],
+        'train-planner': ['study', 'train', '--planner', *LOGS],
         'tune': ['tune', *LOGS, '--planner', 'idm', '--grid', folder / 'grid.yaml', '--train',
                  folder / (SCENES[0] + '.jsonl'), '--test', folder / (SCENES[1] + '.jsonl')]}
 

@@ -1,4 +1,4 @@
-"""Vehicle motion in windows of 3 s: how it is read from a file of forge evaluate, derived and described."""
+"""Vehicle motion in windows of 3 s: how it is read from a file of forge study evaluate, derived and described."""
 import csv
 from collections import defaultdict
 from typing import Dict, List, NamedTuple

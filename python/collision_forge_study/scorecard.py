@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The scorecard of forge evaluate: how much attackers drive like the recorded vehicles of the same scenes.
+"""The scorecard of forge study evaluate: how much attackers drive like the recorded vehicles of the same scenes.
 
 Reads FOLDER/motion.csv; writes FOLDER/scorecard.md, scorecard.csv and scorecard.png. docs/protocols.md describes them."""
 import argparse

@@ -31,7 +31,10 @@ struct Reading {
 /// A full command line, which has read `words`.
 class Forge {
  public:
-  Forge() { addCommands(line_); }
+  Forge() {
+    addCommands(line_);
+    addStudyCommands(line_);
+  }
 
   Reading read(const std::string& words) {
     std::istringstream stream(words);
@@ -65,46 +68,63 @@ const std::map<std::string, std::string> kComplete = {
     {"requests", kLogs + " --out requests.jsonl"},
     {"generate", kLogs + " --requests requests.jsonl --out scenarios.jsonl"},
     {"export", kLogs + " --to openscenario --scenarios " + kFile + " --out out"},
-    {"evaluate", kLogs + " --requests " + kFile + " --out out"},
-    {"compare", " --collide " + kDataroot + " --dataroot " + kDataroot + " --config " + kConfig +
-                    " --methods recorded --out figure"},
+    {"study evaluate", kLogs + " --requests " + kFile + " --out out"},
+    {"study compare", " --collide " + kDataroot + " --dataroot " + kDataroot + " --config " +
+                          kConfig + " --methods recorded --out figure"},
     {"report", " " + kFile + " --out page --config " + kConfig},
     {"test", kLogs + " --scenarios scenarios.jsonl --out out"},
     {"tune", kLogs + " --train a.jsonl --test b.jsonl --out out"},
-    {"dataset", kLogs + " --out out"},
-    {"train", kLogs + " --out out"},
-    {"speeds collect", kLogs + " --out profiles.csv"},
-    {"speeds fit", " --profiles profiles.csv --out model.jsonl --config " + kConfig},
-    {"measure attackers", kLogs + " --scenarios " + kFile},
-    {"measure controls", kLogs + " --requests " + kFile + " --out controls"},
-    {"measure coverage", kLogs + " --out coverage.csv"},
-    {"measure ego-futures", kLogs},
-    {"measure latency", ""},
-    {"measure methods", " --methods search,recorded --collide " + kDataroot + " --dataroot " +
-                            kDataroot + " --config " + kConfig},
-    {"measure patterns",
+    {"study dataset", kLogs + " --out out"},
+    {"study train", kLogs + " --out out"},
+    {"study speeds collect", kLogs + " --out profiles.csv"},
+    {"study speeds fit", " --profiles profiles.csv --out model.jsonl --config " + kConfig},
+    {"study measure attackers", kLogs + " --scenarios " + kFile},
+    {"study measure controls", kLogs + " --requests " + kFile + " --out controls"},
+    {"study measure coverage", kLogs + " --out coverage.csv"},
+    {"study measure ego-futures", kLogs},
+    {"study measure latency", ""},
+    {"study measure methods", " --methods search,recorded --collide " + kDataroot + " --dataroot " +
+                                  kDataroot + " --config " + kConfig},
+    {"study measure patterns",
      " --collide " + kDataroot + " --dataroot " + kDataroot + " --config " + kConfig},
-    {"measure planners", kLogs},
+    {"study measure planners", kLogs},
+    {"study report", " " + kFile + " --out page --config " + kConfig},
+    {"study test",
+     " --collide " + kDataroot + " --dataroot " + kDataroot + " --out out --config " + kConfig},
+    {"study tune",
+     " --collide " + kDataroot + " --dataroot " + kDataroot + " --out out --config " + kConfig},
     {"completion bash", ""},
 };
 
-TEST(CommandLine, HelpHasALineForEveryCommand) {
-  const Reading help = read("--help");
-  EXPECT_EQ(help.exit_code, kExitOk);
-  for (const auto& [name, options] : kComplete) {
-    EXPECT_THAT(help.out, HasSubstr("\n  " + name + " ")) << name;
+/// The commands that are listed below the headings of a help text.
+std::vector<std::string> listedIn(const std::string& help) {
+  std::vector<std::string> names;
+  std::istringstream lines(help.substr(help.find("\n\n", help.find("--help,")) + 1));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("  ", 0) != 0 || line[2] == ' ') continue;
+    names.push_back(line.substr(2, line.find("  ", 2) - 2));
   }
+  return names;
 }
 
-TEST(CommandLine, HelpNamesNoCommandThatIsNot) {
-  const std::string out = read("--help").out;
-  const std::string contents = out.substr(out.find("Make collisions:"));
-  std::istringstream lines(contents);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.empty() || line.front() != ' ') continue;
-    const std::string name = line.substr(2, line.find("  ", 2) - 2);
-    EXPECT_EQ(kComplete.count(name), 1u) << line;
+TEST(CommandLine, HelpListsEveryCommandAndNoOther) {
+  std::vector<std::string> product = listedIn(read("--help").out);
+  std::vector<std::string> listed;
+  for (const std::string& name : product) {
+    if (name != "study") listed.push_back(name);
   }
+  EXPECT_LT(listed.size(), product.size());
+  for (const std::string& name : listedIn(read("study --help").out))
+    listed.push_back("study " + name);
+  std::vector<std::string> all;
+  for (const auto& [name, options] : kComplete) all.push_back(name);
+  EXPECT_THAT(listed, testing::UnorderedElementsAreArray(all));
+}
+
+TEST(CommandLine, FormerNamesOfTheCommandsOfTheStudyEndWithTheNewOnes) {
+  const Reading reading = read("measure coverage" + kComplete.at("study measure coverage"));
+  EXPECT_EQ(reading.exit_code, kExitUsage);
+  EXPECT_THAT(reading.err, HasSubstr("forge: measure is now forge study measure\n"));
 }
 
 TEST(CommandLine, EveryCommandHasHelpOfItsOwn) {
@@ -136,7 +156,7 @@ TEST(CommandLine, WhatIsRequiredIsMissed) {
 
 TEST(CommandLine, ALineWithoutACommandIsWrong) {
   EXPECT_EQ(read("").exit_code, kExitUsage);
-  EXPECT_EQ(read("measure").exit_code, kExitUsage);
+  EXPECT_EQ(read("study measure").exit_code, kExitUsage);
   const Reading unknown = read("fabricate");
   EXPECT_EQ(unknown.exit_code, kExitUsage);
   EXPECT_THAT(unknown.err, HasSubstr("fabricate"));
@@ -153,13 +173,15 @@ TEST(CommandLine, WrongValuesAreNamedWithTheirOption) {
            {"requests" + kComplete.at("requests") + " --types drift", "--types"},
            {"test" + kComplete.at("test") + " --background still", "--background"},
            {"test" + kComplete.at("test") + " --planners idm,none", "--planners"},
-           {"evaluate" + kComplete.at("evaluate") + " --seeds 0", "--seeds"},
-           {"train" + kComplete.at("train") + " --fold 6", "--fold"},
-           {"train" + kComplete.at("train") + " --collide " + kConfig + " --generator none",
+           {"study evaluate" + kComplete.at("study evaluate") + " --seeds 0", "--seeds"},
+           {"study train" + kComplete.at("study train") + " --fold 6", "--fold"},
+           {"study train" + kComplete.at("study train") + " --collide " + kConfig +
+                " --generator none",
             "--generator"},
-           {"train" + kComplete.at("train") + " --generator c_sgan", "--collide"},
+           {"study train" + kComplete.at("study train") + " --generator c_sgan", "--collide"},
            {"convert --dataroot /nowhere --version v --out bags", "/nowhere"},
-           {"measure methods --collide " + kDataroot + " --dataroot " + kDataroot, "--methods"},
+           {"study measure methods --collide " + kDataroot + " --dataroot " + kDataroot,
+            "--methods"},
            {"inject" + kComplete.at("inject") + " --nonsense", "--nonsense"}}) {
     const Reading reading = read(line);
     EXPECT_EQ(reading.exit_code, kExitUsage) << line;
@@ -168,28 +190,27 @@ TEST(CommandLine, WrongValuesAreNamedWithTheirOption) {
 }
 
 TEST(CommandLine, OptionsOfClipsAndOfLogsExcludeEachOther) {
-  const std::string clips = "evaluate --dataroot " + kDataroot + " --config " + kConfig +
+  const std::string clips = "study evaluate --dataroot " + kDataroot + " --config " + kConfig +
                             " --out out --collide " + kDataroot;
   EXPECT_EQ(read(clips).exit_code, std::nullopt);
   EXPECT_EQ(read(clips + " --requests " + kFile + " --version v").exit_code, kExitUsage);
   EXPECT_EQ(read(clips + " --scene scene-0001").exit_code, kExitUsage);
-  EXPECT_EQ(read("evaluate" + kComplete.at("evaluate") + " --by-scene").exit_code, kExitUsage);
-  EXPECT_EQ(read("evaluate" + kComplete.at("evaluate") + " --split val").exit_code, kExitUsage);
-  EXPECT_EQ(read("test" + kComplete.at("test") + " --collide " + kDataroot).exit_code, kExitUsage);
-  EXPECT_EQ(read("test" + kComplete.at("test") + " --drive replay").exit_code, kExitUsage);
-  EXPECT_EQ(read("test" + kComplete.at("test") + " --unverified").exit_code, kExitUsage);
+  EXPECT_EQ(read("study evaluate" + kComplete.at("study evaluate") + " --by-scene").exit_code,
+            kExitUsage);
+  EXPECT_EQ(read("study evaluate" + kComplete.at("study evaluate") + " --split val").exit_code,
+            kExitUsage);
   EXPECT_EQ(read("test" + kLogs + " --out out").exit_code, kExitUsage);
 }
 
 TEST(CommandLine, MethodsAndProtocolsOfClipsAreRefusedForRequests) {
-  const std::string line = "evaluate" + kComplete.at("evaluate");
+  const std::string line = "study evaluate" + kComplete.at("study evaluate");
   EXPECT_EQ(read(line + " --method search").exit_code, std::nullopt);
   EXPECT_THAT(read(line + " --method recorded").err, HasSubstr("\"recorded\" is none of search,"));
   EXPECT_THAT(read(line + " --protocol published").err, HasSubstr("published is of clips alone"));
 }
 
 TEST(CommandLine, AnUnknownMethodIsRefusedWithTheKnownOnes) {
-  for (const std::string command : {"generate", "inject", "possible", "measure controls"}) {
+  for (const std::string command : {"generate", "inject", "possible", "study measure controls"}) {
     const std::string line = command + kComplete.at(command) + " --method ";
     EXPECT_EQ(read(line + "nominal").exit_code, std::nullopt) << command;
     const Reading reading = read(line + "magic");
@@ -199,7 +220,8 @@ TEST(CommandLine, AnUnknownMethodIsRefusedWithTheKnownOnes) {
   const std::string draw = "test" + kLogs + " --out out --until-hit --method ";
   EXPECT_EQ(read(draw + "search").exit_code, std::nullopt);
   EXPECT_EQ(read(draw + "magic").exit_code, kExitUsage);
-  const std::string line = "measure methods" + kComplete.at("measure methods") + " --methods ";
+  const std::string line =
+      "study measure methods" + kComplete.at("study measure methods") + " --methods ";
   EXPECT_EQ(read(line + "nominal").exit_code, std::nullopt);
   const Reading methods = read(line + "nominal,magic");
   EXPECT_EQ(methods.exit_code, kExitUsage);
@@ -216,9 +238,9 @@ TEST(CommandLine, WordsInCapitalsAreHandedOnAsTheyAreKnown) {
 TEST(CommandLine, HelpTellsDefaults) {
   EXPECT_THAT(read("generate --help").out, AllOf(HasSubstr("{history,replay,adaptive}=replay"),
                                                  HasSubstr("{jsonl,csv-collide}=jsonl")));
-  EXPECT_THAT(read("test --help").out,
-              AllOf(HasSubstr("{replay,idm}=replay"),
-                    HasSubstr("{recorded,history,replay}=recorded"), HasSubstr("=val")));
+  EXPECT_THAT(read("test --help").out, HasSubstr("{replay,idm}=replay"));
+  EXPECT_THAT(read("study test --help").out,
+              AllOf(HasSubstr("{recorded,history,replay}=recorded"), HasSubstr("=val")));
   EXPECT_THAT(read("requests --help").out, HasSubstr("{any,existing,new,each}=any"));
 }
 
@@ -226,7 +248,8 @@ TEST(CommandLine, CollisionsOfRecordingsAreMadeInReplayModeAndMethodsMeasuredInH
   for (const std::string command : {"inject", "possible", "generate"}) {
     EXPECT_THAT(read(command + " --help").out, HasSubstr("}=replay")) << command;
   }
-  for (const std::string command : {"evaluate", "compare", "measure methods", "measure latency"}) {
+  for (const std::string command :
+       {"study evaluate", "study compare", "study measure methods", "study measure latency"}) {
     EXPECT_THAT(read(command + " --help").out, HasSubstr("}=history")) << command;
   }
 }
@@ -250,7 +273,8 @@ TEST(CommandLine, HelpOfEveryCommandEndsWithTheExitCodes) {
 TEST(CommandLine, MistypedWordsAreAnsweredWithTheNearest) {
   for (const auto& [line, named] : std::map<std::string, std::string>{
            {"genrate --jobs 2", "forge: genrate is no command; did you mean generate?"},
-           {"measure covrage", "forge measure: covrage is no command; did you mean coverage?"},
+           {"study measure covrage",
+            "forge study measure: covrage is no command; did you mean coverage?"},
            {"inject --bagg a.bag", "forge inject: --bagg is no option; did you mean --bag?"},
            {"inject --output=b.bag", "forge inject: --output is no option; did you mean --out?"},
            {"inject" + kComplete.at("inject") + " --mode repaly", "did you mean replay?"},
@@ -300,7 +324,8 @@ TEST(CommandLine, AVersionNeedsASourceWhoseOlderNameIsDataroot) {
 }
 
 TEST(CommandLine, BulkCommandsEndWithAPageWhereOneIsAskedFor) {
-  for (const std::string command : {"generate", "evaluate", "test", "tune", "dataset"}) {
+  for (const std::string command :
+       {"generate", "study evaluate", "test", "tune", "study dataset"}) {
     const std::string line = command + kComplete.at(command);
     EXPECT_EQ(read(line + " --report page").exit_code, std::nullopt) << command;
   }
@@ -308,8 +333,8 @@ TEST(CommandLine, BulkCommandsEndWithAPageWhereOneIsAskedFor) {
   const std::string clips = " --dataroot " + kDataroot + " --collide " + kDataroot +
                             " --out out --report page --config " + kConfig;
   EXPECT_EQ(read("test" + clips).exit_code, std::nullopt);
-  EXPECT_EQ(read("evaluate" + clips).exit_code, std::nullopt);
-  const Reading published = read("evaluate" + clips + " --protocol published");
+  EXPECT_EQ(read("study evaluate" + clips).exit_code, std::nullopt);
+  const Reading published = read("study evaluate" + clips + " --protocol published");
   EXPECT_EQ(published.exit_code, kExitUsage);
   EXPECT_THAT(published.err, HasSubstr("--report: a page is of the strict protocol alone"));
 }
@@ -379,7 +404,7 @@ TEST(BashCompletion, KnowsCommandsOptionsAndValues) {
   EXPECT_THAT(script, HasSubstr("complete -o default -F _forge_complete forge\n"));
   EXPECT_THAT(script, HasSubstr("'forge generate --mode') words='history replay adaptive'"));
   EXPECT_THAT(script, HasSubstr("'forge generate --requests') words=''"));
-  EXPECT_THAT(script, HasSubstr("'forge measure') words='controls coverage "));
+  EXPECT_THAT(script, HasSubstr("'forge study measure') words='controls coverage "));
   EXPECT_THAT(script, HasSubstr("--scenarios"));
   EXPECT_THAT(script, Not(HasSubstr("'forge convert --force')")));
   EXPECT_THAT(script, HasSubstr("'forge report --dataroot') words=''"));
@@ -396,7 +421,7 @@ TEST(Commands, WordsMayBeInCapitals) {
   for (const std::string& words : std::vector<std::string>{
            "test" + kComplete.at("test") + " --planners IDM,Pdm --attacker-policy Fixed,ADAPTIVE",
            "tune" + kComplete.at("tune") + " --planner PDM",
-           "measure planners" + kComplete.at("measure planners") + " --planners Idm",
+           "study measure planners" + kComplete.at("study measure planners") + " --planners Idm",
            "requests" + kComplete.at("requests") + " --attackers New"}) {
     const Reading reading = read(words);
     EXPECT_EQ(reading.exit_code, std::nullopt) << reading.err;

@@ -9,8 +9,8 @@
 #include <iterator>
 
 #include "collision_forge/app/command_line.h"
-#include "collision_forge/ros/bag_file.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/ros/bags/bag_file.h"
 #include "std_msgs/Float64.h"
 
 namespace forge {

@@ -7,22 +7,22 @@
 #include <algorithm>
 #include <boost/make_shared.hpp>
 
-#include "collision_forge/data/log_source.h"
-#include "collision_forge/drawing/scenario_motion.h"
-#include "collision_forge/export/crash_record.h"
-#include "collision_forge/report/attack_record.h"
-#include "collision_forge/ros/bag_file.h"
-#include "collision_forge/ros/bag_reader.h"
-#include "collision_forge/ros/bag_writer.h"
-#include "collision_forge/ros/conversions.h"
-#include "collision_forge/ros/injection.h"
-#include "collision_forge/ros/live_injector.h"
-#include "collision_forge/ros/live_scene.h"
-#include "collision_forge/ros/topic_names.h"
-#include "collision_forge/settings/config.h"
-#include "collision_forge/verify/contact_watch.h"
-#include "data/nuscenes_fixture.h"
-#include "report/decoded_motion.h"
+#include "collision_forge/attack/verify/contact_watch.h"
+#include "collision_forge/io/drawing/scenario_motion.h"
+#include "collision_forge/io/export/crash_record.h"
+#include "collision_forge/io/logs/log_source.h"
+#include "collision_forge/planner_test/report/attack_record.h"
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/bags/bag_reader.h"
+#include "collision_forge/ros/bags/bag_writer.h"
+#include "collision_forge/ros/injection/injection.h"
+#include "collision_forge/ros/injection/live_injector.h"
+#include "collision_forge/ros/markers/live_scene.h"
+#include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/ros/messages/topic_names.h"
+#include "io/logs/nuscenes_fixture.h"
+#include "planner_test/report/decoded_motion.h"
 
 namespace forge {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "collision_forge/attack/method_registry.h"
-#include "collision_forge/attack/search_method.h"
+#include "collision_forge/attack/search/method_registry.h"
+#include "collision_forge/attack/search/search_method.h"
 
 /// The patterns of another predictor, those of fast attackers first.
 struct FastestFirst : forge::PatternPredictor {

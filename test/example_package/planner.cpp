@@ -1,4 +1,4 @@
-#include "collision_forge/planners/planner.h"
+#include "collision_forge/planner_test/planners/planner.h"
 
 #include <iostream>
 

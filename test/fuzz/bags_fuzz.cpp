@@ -1,9 +1,9 @@
 #include <vector>
 
-#include "collision_forge/ros/bag_reader.h"
-#include "collision_forge/ros/foreign_bag.h"
-#include "collision_forge/ros/log_sources.h"
-#include "collision_forge/ros/mcap_export.h"
+#include "collision_forge/ros/bags/bag_reader.h"
+#include "collision_forge/ros/bags/foreign_bag.h"
+#include "collision_forge/ros/bags/log_sources.h"
+#include "collision_forge/ros/bags/mcap_export.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 

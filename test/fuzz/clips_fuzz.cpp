@@ -1,7 +1,7 @@
 #include <memory>
 
-#include "collision_forge/data/collide_clip.h"
-#include "collision_forge/data/collide_scene.h"
+#include "collision_forge/io/collide/collide_clip.h"
+#include "collision_forge/io/collide/collide_scene.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 

@@ -3,9 +3,9 @@
 #include <map>
 #include <set>
 
-#include "collision_forge/config/section.h"
-#include "collision_forge/ros/topic_mapping.h"
-#include "collision_forge/trials/planner_grid.h"
+#include "collision_forge/base/config/section.h"
+#include "collision_forge/planner_test/trials/planner_grid.h"
+#include "collision_forge/ros/bags/topic_mapping.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 

@@ -1,7 +1,7 @@
 #include <sstream>
 #include <vector>
 
-#include "collision_forge/ros/message_fields.h"
+#include "collision_forge/ros/bags/message_fields.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 

@@ -11,9 +11,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "collision_forge/data/log_source.h"
-#include "collision_forge/data/nuscenes_map.h"
-#include "collision_forge/ros/bag_writer.h"
+#include "collision_forge/io/logs/log_source.h"
+#include "collision_forge/io/logs/nuscenes_map.h"
+#include "collision_forge/ros/bags/bag_writer.h"
 #include "fuzz/reading.h"
 
 namespace forge {

@@ -12,9 +12,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/data/request_file.h"
-#include "collision_forge/data/scenario_file.h"
+#include "collision_forge/io/scenarios/request_file.h"
+#include "collision_forge/io/scenarios/scenario_file.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
 #include "fuzz/mutation.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"

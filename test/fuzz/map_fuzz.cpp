@@ -1,8 +1,8 @@
 #include <memory>
 #include <vector>
 
-#include "collision_forge/data/nuscenes_map.h"
-#include "collision_forge/map/lane_queries.h"
+#include "collision_forge/base/map/lane_queries.h"
+#include "collision_forge/io/logs/nuscenes_map.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "collision_forge/ros/message_fields.h"
+#include "collision_forge/ros/bags/message_fields.h"
 
 namespace forge {
 

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <optional>
 
-#include "collision_forge/data/json_line.h"
-#include "collision_forge/data/json_numbers.h"
+#include "collision_forge/io/json/json_line.h"
+#include "collision_forge/io/json/json_numbers.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 

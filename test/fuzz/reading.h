@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "collision_forge/study_settings/study_config.h"
+#include "collision_forge/study/settings/study_config.h"
 
 /// What the targets share.
 namespace forge {

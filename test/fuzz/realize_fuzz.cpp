@@ -3,12 +3,12 @@
 #include <memory>
 #include <stdexcept>
 
-#include "attack/test_scenes.h"
-#include "collision_forge/attack/realizer.h"
-#include "collision_forge/attack/request_check.h"
-#include "collision_forge/map/lane_queries.h"
-#include "collision_forge/ros/conversions.h"
-#include "collision_forge/scene/input_limits.h"
+#include "attack/search/test_scenes.h"
+#include "collision_forge/attack/search/realizer.h"
+#include "collision_forge/attack/search/request_check.h"
+#include "collision_forge/base/map/lane_queries.h"
+#include "collision_forge/base/scene/input_limits.h"
+#include "collision_forge/ros/messages/conversions.h"
 #include "fuzz/message_in.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"

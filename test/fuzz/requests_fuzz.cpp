@@ -1,4 +1,4 @@
-#include "collision_forge/data/request_file.h"
+#include "collision_forge/io/scenarios/request_file.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 

@@ -10,13 +10,13 @@
 #include <rosbag/bag.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "attack/test_scenes.h"
-#include "collision_forge/ros/attack_request.h"
-#include "collision_forge/ros/bag_file.h"
-#include "collision_forge/ros/conversions.h"
-#include "collision_forge/ros/object_array.h"
-#include "collision_forge/ros/ros_bytes.h"
-#include "collision_forge/ros/topic_names.h"
+#include "attack/search/test_scenes.h"
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/messages/attack_request.h"
+#include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/ros/messages/object_array.h"
+#include "collision_forge/ros/messages/ros_bytes.h"
+#include "collision_forge/ros/messages/topic_names.h"
 #include "fuzz/embedded_seeds.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"

@@ -1,9 +1,9 @@
-#include "collision_forge/files/resumable_file.h"
-#include "collision_forge/study/result_row.h"
-#include "collision_forge/trials/planner_result_file.h"
+#include "collision_forge/base/files/resumable_file.h"
+#include "collision_forge/planner_test/trials/planner_result_file.h"
+#include "collision_forge/study/evaluation/result_row.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
-#include "trials/rear_end_case.h"
+#include "planner_test/trials/rear_end_case.h"
 
 namespace forge {
 namespace {

@@ -1,7 +1,7 @@
-#include "collision_forge/files/resumable_file.h"
-#include "collision_forge/report/weakness_files.h"
-#include "collision_forge/study/result_row.h"
-#include "collision_forge/trials/planner_result_file.h"
+#include "collision_forge/base/files/resumable_file.h"
+#include "collision_forge/planner_test/report/weakness_files.h"
+#include "collision_forge/planner_test/trials/planner_result_file.h"
+#include "collision_forge/study/evaluation/result_row.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 

@@ -1,4 +1,4 @@
-#include "collision_forge/data/scenario_file.h"
+#include "collision_forge/io/scenarios/scenario_file.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 

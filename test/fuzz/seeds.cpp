@@ -3,20 +3,20 @@
 #include <functional>
 #include <map>
 
-#include "collision_forge/data/collide_clip.h"
-#include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/data/request_file.h"
-#include "collision_forge/data/scenario_file.h"
-#include "collision_forge/data/speed_model_file.h"
-#include "collision_forge/data/speed_profiles_file.h"
-#include "collision_forge/forecast/speed_model_fit.h"
-#include "data/collide_fixture.h"
-#include "data/map_fixture.h"
-#include "data/nuscenes_fixture.h"
+#include "attack/network/sample_network.h"
+#include "collision_forge/attack/forecast/speed_model_fit.h"
+#include "collision_forge/io/collide/collide_clip.h"
+#include "collision_forge/io/scenarios/request_file.h"
+#include "collision_forge/io/scenarios/scenario_file.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
+#include "collision_forge/io/weights/speed_model_file.h"
+#include "collision_forge/io/weights/speed_profiles_file.h"
 #include "fuzz/embedded_seeds.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
-#include "network/sample_network.h"
+#include "io/collide/collide_fixture.h"
+#include "io/logs/map_fixture.h"
+#include "io/logs/nuscenes_fixture.h"
 
 namespace forge {
 namespace {

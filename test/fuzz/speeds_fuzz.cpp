@@ -1,5 +1,5 @@
-#include "collision_forge/data/speed_model_file.h"
-#include "collision_forge/data/speed_profiles_file.h"
+#include "collision_forge/io/weights/speed_model_file.h"
+#include "collision_forge/io/weights/speed_profiles_file.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 

@@ -1,8 +1,8 @@
 #include <memory>
 #include <utility>
 
-#include "collision_forge/data/log_source.h"
-#include "collision_forge/data/nuscenes_tables.h"
+#include "collision_forge/io/logs/log_source.h"
+#include "collision_forge/io/logs/nuscenes_tables.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 

@@ -1,9 +1,9 @@
 #include <memory>
 
-#include "collision_forge/data/pattern_network_file.h"
+#include "attack/network/sample_network.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
-#include "network/sample_network.h"
 
 namespace forge {
 namespace {

@@ -1,8 +1,8 @@
 // A method that another package could add: of all predicted patterns the first to which one quintic
 // leads that verify() bears out. Named in methods.yaml, the live node, forge and the panel have it.
-#include "collision_forge/attack/baselines.h"
-#include "collision_forge/attack/method_registry.h"
-#include "collision_forge/verify/verification.h"
+#include "collision_forge/attack/search/baselines.h"
+#include "collision_forge/attack/search/method_registry.h"
+#include "collision_forge/attack/verify/verification.h"
 
 namespace forge {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include "collision_forge/trials/contact_judgement.h"
+#include "collision_forge/planner_test/trials/contact_judgement.h"
 #include "parity/parity_fixture.h"
-#include "planners/planner_scenes.h"
+#include "planner_test/planners/planner_scenes.h"
 
 namespace forge {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "collision_forge/planners/idm.h"
+#include "collision_forge/planner_test/planners/idm.h"
 #include "parity/parity_fixture.h"
-#include "planners/planner_scenes.h"
+#include "planner_test/planners/planner_scenes.h"
 
 namespace forge {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/geometry/pose2.h"
-#include "collision_forge/scene/scene.h"
+#include "collision_forge/base/geometry/pose2.h"
+#include "collision_forge/base/scene/scene.h"
 
 namespace forge {
 

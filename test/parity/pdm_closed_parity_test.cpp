@@ -3,9 +3,9 @@
 #include <iostream>
 #include <limits>
 
-#include "collision_forge/planners/pdm_planner.h"
+#include "collision_forge/planner_test/planners/pdm_planner.h"
 #include "parity/pdm_world.h"
-#include "planners/planner_scenes.h"
+#include "planner_test/planners/planner_scenes.h"
 
 namespace forge {
 namespace {

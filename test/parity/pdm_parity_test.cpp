@@ -3,9 +3,9 @@
 #include <cmath>
 #include <set>
 
-#include "collision_forge/planners/pdm_closed.h"
+#include "collision_forge/planner_test/planners/pdm_closed.h"
 #include "parity/pdm_world.h"
-#include "planners/planner_scenes.h"
+#include "planner_test/planners/planner_scenes.h"
 
 namespace forge {
 namespace {

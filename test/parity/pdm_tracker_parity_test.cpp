@@ -1,8 +1,8 @@
 #include <limits>
 
-#include "collision_forge/planners/lqr_tracker.h"
+#include "collision_forge/planner_test/planners/lqr_tracker.h"
 #include "parity/parity_fixture.h"
-#include "planners/planner_scenes.h"
+#include "planner_test/planners/planner_scenes.h"
 
 namespace forge {
 namespace {

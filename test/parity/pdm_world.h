@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/map/lane_queries.h"
-#include "collision_forge/planners/pdm_map.h"
-#include "collision_forge/planners/pdm_path.h"
+#include "collision_forge/base/map/lane_queries.h"
+#include "collision_forge/planner_test/planners/pdm_map.h"
+#include "collision_forge/planner_test/planners/pdm_path.h"
 #include "parity/parity_fixture.h"
 
 namespace forge {

@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <map>
 
-#include "collision_forge/planners/idm.h"
-#include "collision_forge/study/clip_attackers.h"
-#include "collision_forge/study/published.h"
-#include "collision_forge/study/published_planner.h"
+#include "base/scene/shipped_limits.h"
+#include "collision_forge/planner_test/planners/idm.h"
+#include "collision_forge/study/evaluation/clip_attackers.h"
+#include "collision_forge/study/evaluation/published.h"
+#include "collision_forge/study/evaluation/published_planner.h"
 #include "parity/parity_fixture.h"
-#include "planners/planner_scenes.h"
-#include "scene/shipped_limits.h"
-#include "study_settings/shipped_study.h"
+#include "planner_test/planners/planner_scenes.h"
+#include "study/settings/shipped_study.h"
 
 // The clips are not in the repository: FORGE_COLLIDE_DIR names the folder of the data set
 // (docs/protocols.md).

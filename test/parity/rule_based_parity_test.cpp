@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "collision_forge/planners/rule_based_choice.h"
-#include "collision_forge/study_settings/study_config.h"
+#include "collision_forge/planner_test/planners/rule_based_choice.h"
+#include "collision_forge/study/settings/study_config.h"
 #include "parity/parity_fixture.h"
 
 namespace forge {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "collision_forge/data/collide_export.h"
-#include "collision_forge/data/request_file.h"
-#include "collision_forge/ros/conversions.h"
-#include "collision_forge/study/published.h"
-#include "data/nuscenes_fixture.h"
+#include "collision_forge/io/collide/collide_export.h"
+#include "collision_forge/io/scenarios/request_file.h"
+#include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/study/evaluation/published.h"
+#include "io/logs/nuscenes_fixture.h"
 #include "properties/plane_change.h"
 #include "properties/same_verdict.h"
 

@@ -5,15 +5,15 @@
 
 #include <filesystem>
 
-#include "collision_forge/data/request_file.h"
-#include "collision_forge/ros/attack_request.h"
-#include "collision_forge/ros/bag_reader.h"
-#include "collision_forge/ros/bag_writer.h"
-#include "collision_forge/ros/conversions.h"
-#include "collision_forge/ros/injection.h"
-#include "collision_forge/ros/mcap_export.h"
-#include "collision_forge/ros/topic_names.h"
-#include "data/nuscenes_fixture.h"
+#include "collision_forge/io/scenarios/request_file.h"
+#include "collision_forge/ros/bags/bag_reader.h"
+#include "collision_forge/ros/bags/bag_writer.h"
+#include "collision_forge/ros/bags/mcap_export.h"
+#include "collision_forge/ros/injection/injection.h"
+#include "collision_forge/ros/messages/attack_request.h"
+#include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/ros/messages/topic_names.h"
+#include "io/logs/nuscenes_fixture.h"
 #include "properties/same_verdict.h"
 #include "ros/mcap_contents.h"
 

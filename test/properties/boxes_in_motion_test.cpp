@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "collision_forge/geometry/swept_contact.h"
-#include "collision_forge/verify/verification.h"
-#include "geometry/reference_geometry.h"
+#include "base/geometry/reference_geometry.h"
+#include "collision_forge/attack/verify/verification.h"
+#include "collision_forge/base/geometry/swept_contact.h"
 #include "properties/random_cases.h"
 
 namespace forge {

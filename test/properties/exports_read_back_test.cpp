@@ -5,9 +5,9 @@
 #include <pugixml.hpp>
 #include <string>
 
-#include "collision_forge/data/scenario_net_logs.h"
-#include "collision_forge/export/crash_writer.h"
-#include "data/nuscenes_fixture.h"
+#include "collision_forge/io/export/crash_writer.h"
+#include "collision_forge/io/logs/scenario_net_logs.h"
+#include "io/logs/nuscenes_fixture.h"
 #include "properties/plane_change.h"
 #include "properties/same_verdict.h"
 

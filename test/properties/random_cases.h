@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-#include "collision_forge/forecast/random.h"
+#include "collision_forge/attack/forecast/random.h"
 
 namespace forge {
 

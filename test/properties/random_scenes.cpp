@@ -1,9 +1,9 @@
 #include "properties/random_scenes.h"
 
-#include "collision_forge/answers/request_answerer.h"
-#include "collision_forge/attack/attack_method.h"
-#include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/verify/verification.h"
+#include "collision_forge/attack/search/attack_method.h"
+#include "collision_forge/attack/verify/verification.h"
+#include "collision_forge/io/answers/request_answerer.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
 
 namespace forge {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <memory>
 
-#include "collision_forge/attack/realizer.h"
-#include "collision_forge/data/scenario_file.h"
-#include "collision_forge/data/scene_source.h"
-#include "collision_forge/scene/moment.h"
-#include "collision_forge/study_settings/study_config.h"
+#include "collision_forge/attack/search/realizer.h"
+#include "collision_forge/base/scene/moment.h"
+#include "collision_forge/io/logs/scene_source.h"
+#include "collision_forge/io/scenarios/scenario_file.h"
+#include "collision_forge/study/settings/study_config.h"
 #include "properties/random_cases.h"
 
 /// Requests at random moments of the recordings of data/embedded, and the suite's answers.

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "collision_forge/batch/dispatch.h"
-#include "collision_forge/batch/run.h"
-#include "data/nuscenes_fixture.h"
+#include "collision_forge/io/batch/dispatch.h"
+#include "collision_forge/io/batch/run.h"
+#include "io/logs/nuscenes_fixture.h"
 #include "properties/random_scenes.h"
 
 namespace forge {

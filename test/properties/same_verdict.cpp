@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "collision_forge/verify/verification.h"
+#include "collision_forge/attack/verify/verification.h"
 
 namespace forge {
 namespace {

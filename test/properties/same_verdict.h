@@ -1,6 +1,6 @@
 #pragma once
 
-#include "collision_forge/export/crash_record.h"
+#include "collision_forge/io/export/crash_record.h"
 #include "properties/random_scenes.h"
 
 /// Attacks that were written and read again, held against what was written.

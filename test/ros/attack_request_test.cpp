@@ -1,4 +1,4 @@
-#include "collision_forge/ros/attack_request.h"
+#include "collision_forge/ros/messages/attack_request.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "collision_forge/ros/attacker_injector.h"
+#include "collision_forge/ros/injection/attacker_injector.h"
 
 #include <gtest/gtest.h>
 
-#include "collision_forge/settings/config.h"
+#include "collision_forge/planner_test/settings/config.h"
 
 namespace forge {
 namespace {

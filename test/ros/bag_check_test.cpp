@@ -1,4 +1,4 @@
-#include "collision_forge/ros/bag_check.h"
+#include "collision_forge/ros/bags/bag_check.h"
 
 #include <collision_forge/AgentArray.h>
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@
 #include <iterator>
 #include <random>
 
-#include "collision_forge/ros/bag_file.h"
+#include "collision_forge/ros/bags/bag_file.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/bag_reader.h"
+#include "collision_forge/ros/bags/bag_reader.h"
 
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/LaneMap.h>
@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/ros/bag_file.h"
-#include "collision_forge/ros/topic_names.h"
-#include "collision_forge/settings/config.h"
-#include "data/nuscenes_fixture.h"
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/messages/topic_names.h"
+#include "io/logs/nuscenes_fixture.h"
 
 namespace forge {
 namespace {

@@ -1,12 +1,12 @@
-#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/messages/conversions.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "collision_forge/scene/request_words.h"
-#include "scene/whole_attack.h"
+#include "base/scene/whole_attack.h"
+#include "collision_forge/base/scene/request_words.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/crash_scene.h"
+#include "collision_forge/ros/markers/crash_scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

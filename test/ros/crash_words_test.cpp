@@ -1,4 +1,4 @@
-#include "collision_forge/ros/crash_words.h"
+#include "collision_forge/ros/markers/crash_words.h"
 
 #include <gtest/gtest.h>
 

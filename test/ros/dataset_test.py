@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""forge dataset: what its folder holds, that evaluate reads it, how a run goes on, threads and ranks alike."""
+"""forge study dataset: what its folder holds, that evaluate reads it, how a run goes on, threads and ranks alike."""
 import csv
 import json
 import math
@@ -23,7 +23,7 @@ SPLITS = ['train', 'val', 'test']
 
 
 def command(out, *arguments):
-    return [str(word) for word in ('forge', 'dataset', '--dataroot', DATAROOT, '--version', VERSION,
+    return [str(word) for word in ('forge', 'study', 'dataset', '--dataroot', DATAROOT, '--version', VERSION,
                                    '--scene', *SCENES, '--out', out, *arguments)]
 
 
@@ -113,7 +113,7 @@ class BuildDatasetTest(road.RoadTest):
     def test_evaluate_reads_it_and_finds_the_hits(self):
         for protocol, column in (('published', 'collision'), ('strict', 'contact')):
             out = self.path(protocol)
-            result = road.run('evaluate', '--collide', self.out, '--dataroot', DATAROOT, '--split', 'val',
+            result = road.run('study', 'evaluate', '--collide', self.out, '--dataroot', DATAROOT, '--split', 'val',
                               '--protocol', protocol, '--method', 'recorded', '--out', out)
             self.assertEqual(result.returncode, 0, result.stderr)
             with open(out / 'results.csv') as file:
@@ -174,7 +174,7 @@ class BuildDatasetTest(road.RoadTest):
             self.assertIn(complaint, result.stderr)
         self.assertEqual(content(full), {'notes.txt': b'mine'})
         self.assertEqual(run(command(self.path('c'), '--jobs', '0')).returncode, 2)
-        self.assertEqual(road.run('dataset', '--dataroot', self.path('none'), '--version', VERSION,
+        self.assertEqual(road.run('study', 'dataset', '--dataroot', self.path('none'), '--version', VERSION,
                                   '--out', self.path('d')).returncode, 2)
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import road
 from road import DATAROOT, VERSION
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / 'study'))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / 'study' / 'evaluation'))
 import collide_clips  # noqa: E402
 import published_reference  # noqa: E402
 
@@ -20,12 +20,12 @@ PNG = b'\x89PNG'
 
 
 def evaluate(collide, out, *arguments):
-    return road.run('evaluate', '--collide', collide, '--dataroot', DATAROOT, '--split', 'val', '--out', out, *arguments)
+    return road.run('study', 'evaluate', '--collide', collide, '--dataroot', DATAROOT, '--split', 'val', '--out', out, *arguments)
 
 
 def run_ranks(ranks, *arguments):
     """evaluate over ranks; Open MPI refuses to run for root unless it is told twice."""
-    command = ['mpirun', '--oversubscribe', '-np', ranks, 'forge', 'evaluate', *arguments]
+    command = ['mpirun', '--oversubscribe', '-np', ranks, 'forge', 'study', 'evaluate', *arguments]
     return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           stdin=subprocess.DEVNULL, universal_newlines=True, timeout=road.TIMEOUT, check=False,
                           env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'))
@@ -69,7 +69,7 @@ class EvaluateTest(road.RoadTest):
         self.assertFalse((out / 'results.csv.part').exists())
 
     def test_times_are_of_every_method_and_clip(self):
-        result = road.run('measure', 'methods', '--collide', self.collide, '--dataroot', DATAROOT, '--methods',
+        result = road.run('study', 'measure', 'methods', '--collide', self.collide, '--dataroot', DATAROOT, '--methods',
                           'search,recorded')
         self.assertEqual(result.returncode, 0, result.stderr)
         head, _, *rows = [[cell.strip() for cell in line.strip('|').split('|')] for line in result.stdout.splitlines()]
@@ -177,12 +177,12 @@ class EvaluateTest(road.RoadTest):
         found = {}
         for split in ('train', 'val'):
             out = self.path(split)
-            result = road.run('evaluate', '--collide', collide, '--dataroot', DATAROOT, '--out', out, '--split', split,
+            result = road.run('study', 'evaluate', '--collide', collide, '--dataroot', DATAROOT, '--out', out, '--split', split,
                               '--by-scene', '--protocol', 'published')
             self.assertEqual(result.returncode, 0, result.stderr)
             found[split] = rows_of(out)
         self.assertEqual(sum(len(rows) for rows in found.values()), 3 * 176)
-        self.assertFalse({row['scene'] for row in found['train']} & {row['scene'] for row in found['val']})
+        self.assertFalse({row['scene'] for row in found['study', 'train']} & {row['scene'] for row in found['val']})
 
     def test_split_by_scene_without_clips_is_an_error(self):
         collide, out = self.path('collide'), self.path('out')
@@ -250,7 +250,7 @@ class EvaluateRequestsTest(road.RoadTest):
 
     @classmethod
     def run_on(cls, *arguments):
-        return road.run('evaluate', *cls.command(*arguments))
+        return road.run('study', 'evaluate', *cls.command(*arguments))
 
     def assert_as_expected(self, out):
         names = sorted(path.name for path in self.expected.iterdir())
@@ -284,7 +284,7 @@ class EvaluateRequestsTest(road.RoadTest):
 
     def test_scorecard_holds_attacks_against_recorded_vehicles(self):
         with open(str(self.expected / 'scorecard.csv')) as file:
-            lines = {(row['measure'], row['method'], row['group']): row for row in csv.DictReader(file)}
+            lines = {(row['study', 'measure'], row['method'], row['group']): row for row in csv.DictReader(file)}
         answered = [row for row in rows_of(self.expected) if row['method'] == 'replay_full_definitions' and row['attacker']]
         counted = lines['on_lane', 'replay_full_definitions', 'all']
         self.assertEqual(int(counted['trials']), len(answered))
@@ -372,12 +372,12 @@ class EvaluateRequestsTest(road.RoadTest):
                                  (self.command('--method', 'recorded'), '"recorded" is none of search,'),
                                  (self.command('--protocol', 'published'), 'published is of clips alone'),
                                  (collide + ['--scene', 'scene-0001'], '--scene requires --requests')):
-            result = road.run('evaluate', '--out', out, *arguments)
+            result = road.run('study', 'evaluate', '--out', out, *arguments)
             self.assertEqual(result.returncode, 2, arguments)
             self.assertIn(named, result.stderr)
         for arguments, named in ((self.command('--scene', 'scene-0099'), 'no scene "scene-0099"'),
                                  (self.command('--scene', 'scene-0002'), 'no request is of the scenes asked for')):
-            result = road.run('evaluate', '--out', out, *arguments)
+            result = road.run('study', 'evaluate', '--out', out, *arguments)
             self.assertEqual(result.returncode, 1)
             self.assertIn(named, result.stderr)
         self.assertFalse(out.exists())
@@ -386,7 +386,7 @@ class EvaluateRequestsTest(road.RoadTest):
         out, again = self.path('controls'), self.path('again')
         few = self.path('few.jsonl')
         few.write_text(''.join(json.dumps(request) + '\n' for request in self.listed[:2]))
-        command = ['measure', 'controls', '--dataroot', DATAROOT, '--version', VERSION, '--requests', few]
+        command = ['study', 'measure', 'controls', '--dataroot', DATAROOT, '--version', VERSION, '--requests', few]
         result = road.run(*command, '--out', out, '--jobs', 2)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual((out / 'table.md').read_text(), result.stdout)

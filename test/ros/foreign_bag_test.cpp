@@ -1,4 +1,4 @@
-#include "collision_forge/ros/foreign_bag.h"
+#include "collision_forge/ros/bags/foreign_bag.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,12 +6,12 @@
 #include <std_msgs/String.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "collision_forge/ros/bag_reader.h"
-#include "collision_forge/ros/bag_writer.h"
-#include "collision_forge/ros/object_array.h"
-#include "collision_forge/ros/ros_bytes.h"
-#include "collision_forge/settings/config.h"
-#include "data/nuscenes_fixture.h"
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/ros/bags/bag_reader.h"
+#include "collision_forge/ros/bags/bag_writer.h"
+#include "collision_forge/ros/messages/object_array.h"
+#include "collision_forge/ros/messages/ros_bytes.h"
+#include "io/logs/nuscenes_fixture.h"
 
 namespace forge {
 namespace {

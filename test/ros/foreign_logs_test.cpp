@@ -1,14 +1,14 @@
-#include "collision_forge/ros/foreign_logs.h"
+#include "collision_forge/ros/bags/foreign_logs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rosbag/view.h>
 
-#include "collision_forge/config/config_error.h"
-#include "collision_forge/ros/bag_file.h"
-#include "collision_forge/ros/bag_writer.h"
-#include "data/nuscenes_fixture.h"
-#include "scene/shipped_limits.h"
+#include "base/scene/shipped_limits.h"
+#include "collision_forge/base/config/config_error.h"
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/bags/bag_writer.h"
+#include "io/logs/nuscenes_fixture.h"
 
 namespace forge {
 namespace {

@@ -1,10 +1,10 @@
-#include "collision_forge/ros/foxglove_layout.h"
+#include "collision_forge/ros/bags/foxglove_layout.h"
 
 #include <gtest/gtest.h>
 
-#include "collision_forge/data/json_line.h"
-#include "collision_forge/ros/bag_file.h"
-#include "collision_forge/ros/topic_names.h"
+#include "collision_forge/io/json/json_line.h"
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/messages/topic_names.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/frame_between.h"
+#include "collision_forge/ros/injection/frame_between.h"
 
 #include <gtest/gtest.h>
 

@@ -621,7 +621,7 @@ class CollideFormatTest(road.RoadTest):
         self.assert_like_expected(out)
 
     def test_clips_can_be_evaluated(self):
-        result = road.run('evaluate', '--collide', self.expected, '--dataroot', DATAROOT, '--split', 'val',
+        result = road.run('study', 'evaluate', '--collide', self.expected, '--dataroot', DATAROOT, '--split', 'val',
                           '--protocol', 'published', '--mode', 'replay', '--out', self.out)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn('{} clips'.format(len(self.clips)), result.stdout)

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/injection.h"
+#include "collision_forge/ros/injection/injection.h"
 
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/LaneMap.h>
@@ -19,13 +19,13 @@
 #include <tuple>
 #include <vector>
 
-#include "collision_forge/ros/bag_file.h"
-#include "collision_forge/ros/bag_reader.h"
-#include "collision_forge/ros/conversions.h"
-#include "collision_forge/ros/object_array.h"
-#include "collision_forge/ros/topic_names.h"
-#include "collision_forge/settings/config.h"
-#include "collision_forge/verify/post_crash_motion.h"
+#include "collision_forge/attack/verify/post_crash_motion.h"
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/bags/bag_reader.h"
+#include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/ros/messages/object_array.h"
+#include "collision_forge/ros/messages/topic_names.h"
 
 namespace forge {
 namespace {

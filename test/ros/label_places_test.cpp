@@ -1,4 +1,4 @@
-#include "collision_forge/ros/label_places.h"
+#include "collision_forge/ros/markers/label_places.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "collision_forge/ros/live_attacker.h"
+#include "collision_forge/ros/injection/live_attacker.h"
 
 #include <gtest/gtest.h>
 
-#include "collision_forge/ros/conversions.h"
-#include "policy/policy_scenes.h"
+#include "attack/policy/policy_scenes.h"
+#include "collision_forge/ros/messages/conversions.h"
 
 namespace forge {
 namespace {

@@ -1,10 +1,10 @@
-#include "collision_forge/ros/live_injector.h"
+#include "collision_forge/ros/injection/live_injector.h"
 
 #include <gtest/gtest.h>
 
 #include <boost/make_shared.hpp>
 
-#include "collision_forge/settings/config.h"
+#include "collision_forge/planner_test/settings/config.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/live_scene.h"
+#include "collision_forge/ros/markers/live_scene.h"
 
 #include <collision_forge/Agent.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <limits>
 #include <string>
 
-#include "collision_forge/ros/label_places.h"
-#include "collision_forge/ros/marker_colors.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/ros/markers/label_places.h"
+#include "collision_forge/ros/markers/marker_colors.h"
 
 namespace forge {
 namespace {

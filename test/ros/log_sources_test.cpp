@@ -1,16 +1,16 @@
-#include "collision_forge/ros/log_sources.h"
+#include "collision_forge/ros/bags/log_sources.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "collision_forge/data/scenario_net_logs.h"
-#include "collision_forge/data/scene_source.h"
-#include "collision_forge/ros/bag_file.h"
-#include "collision_forge/ros/bag_writer.h"
-#include "collision_forge/settings/config.h"
-#include "data/nuscenes_fixture.h"
+#include "collision_forge/io/logs/scenario_net_logs.h"
+#include "collision_forge/io/logs/scene_source.h"
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/bags/bag_writer.h"
+#include "io/logs/nuscenes_fixture.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/markers.h"
+#include "collision_forge/ros/markers/markers.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <set>
 #include <tuple>
 
-#include "collision_forge/ros/marker_colors.h"
-#include "collision_forge/ros/marker_fill.h"
-#include "collision_forge/ros/marker_parts.h"
+#include "collision_forge/ros/markers/marker_colors.h"
+#include "collision_forge/ros/markers/marker_fill.h"
+#include "collision_forge/ros/markers/marker_parts.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/mcap_export.h"
+#include "collision_forge/ros/bags/mcap_export.h"
 
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/Attack.h>
@@ -16,12 +16,12 @@
 #include <iterator>
 #include <limits>
 
-#include "collision_forge/ros/bag_file.h"
-#include "collision_forge/ros/scene_update.h"
-#include "collision_forge/ros/topic_names.h"
+#include "base/scene/shipped_limits.h"
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/markers/scene_update.h"
+#include "collision_forge/ros/messages/topic_names.h"
 #include "ros/mcap_contents.h"
 #include "ros/ros_decoder.h"
-#include "scene/shipped_limits.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/mcap_writer.h"
+#include "collision_forge/ros/bags/mcap_writer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

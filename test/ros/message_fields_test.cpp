@@ -1,12 +1,12 @@
-#include "collision_forge/ros/message_fields.h"
+#include "collision_forge/ros/bags/message_fields.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <std_msgs/Header.h>
 
-#include "collision_forge/ros/bag_file.h"
-#include "collision_forge/ros/object_array.h"
-#include "collision_forge/ros/ros_bytes.h"
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/messages/object_array.h"
+#include "collision_forge/ros/messages/ros_bytes.h"
 
 namespace forge {
 namespace {

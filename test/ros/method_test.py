@@ -59,7 +59,7 @@ class MethodOfALibraryTest(road.RoadTest):
 
     def test_evaluate_measures_it_on_logs(self):
         out = self.path('logs')
-        self.run_all('evaluate', *ROOT, '--config', self.config, '--method', METHOD, '--requests', self.requests,
+        self.run_all('study', 'evaluate', *ROOT, '--config', self.config, '--method', METHOD, '--requests', self.requests,
                      '--out', out)
         self.assertIn(METHOD, self.methods_in(out))
 
@@ -67,7 +67,7 @@ class MethodOfALibraryTest(road.RoadTest):
         clips, out = self.path('clips'), self.path('rates')
         self.run_all('generate', *ROOT, '--config', self.config, '--method', METHOD, '--mode', 'replay',
                      '--requests', self.requests, '--format', 'csv-collide', '--out', clips)
-        self.run_all('evaluate', '--dataroot', DATAROOT, '--config', self.config, '--method', METHOD,
+        self.run_all('study', 'evaluate', '--dataroot', DATAROOT, '--config', self.config, '--method', METHOD,
                      '--collide', clips, '--out', out)
         self.assertIn(METHOD, self.methods_in(out))
 
@@ -88,7 +88,7 @@ class MethodOfALibraryTest(road.RoadTest):
         self.assertEqual(road.read_one(self.path('out.bag'), '/attack').method, METHOD)
 
     def test_an_unknown_method_is_a_wrong_command_line(self):
-        result = road.run('evaluate', *ROOT, '--method', METHOD, '--requests', self.requests, '--out', self.path('no'))
+        result = road.run('study', 'evaluate', *ROOT, '--method', METHOD, '--requests', self.requests, '--out', self.path('no'))
         self.assertEqual(result.returncode, 2)
         self.assertIn('network+search', result.stderr)
 

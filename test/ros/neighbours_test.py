@@ -128,10 +128,10 @@ class NeighboursTest(road.RoadTest):
         self.assert_neighbours('report', 'report', self.scenarios, *LOGS)
 
     def test_evaluate(self):
-        self.assert_neighbours('evaluate', 'evaluate', *LOGS, '--requests', self.requests)
+        self.assert_neighbours('study evaluate', 'study', 'evaluate', *LOGS, '--requests', self.requests)
 
     def test_measure_controls(self):
-        self.assert_neighbours('measure controls', 'measure', 'controls', *LOGS, '--requests', self.requests)
+        self.assert_neighbours('study measure controls', 'study', 'measure', 'controls', *LOGS, '--requests', self.requests)
 
     def test_test(self):
         self.assert_neighbours('test', 'test', *LOGS, '--scenarios', self.scenarios, '--planners', 'idm')
@@ -141,10 +141,10 @@ class NeighboursTest(road.RoadTest):
                                self.scenarios, '--test', self.other)
 
     def test_dataset(self):
-        self.assert_neighbours('dataset', 'dataset', *LOGS, *SCENE, '--config', self.config)
+        self.assert_neighbours('study dataset', 'study', 'dataset', *LOGS, *SCENE, '--config', self.config)
 
     def test_train(self):
-        self.assert_neighbours('train', 'train', *LOGS, '--config', self.config, '--fold', 1, '--folds', 2)
+        self.assert_neighbours('study train', 'study', 'train', *LOGS, '--config', self.config, '--fold', 1, '--folds', 2)
 
     def test_two_files_of_one_folder_are_written_at_once(self):
         words = ('generate', *LOGS, '--requests', self.requests)

@@ -1,11 +1,11 @@
-#include "collision_forge/ros/node_support.h"
+#include "collision_forge/ros/nodes/node_support.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "collision_forge/ros/conversions.h"
-#include "collision_forge/scene/input_limits.h"
+#include "collision_forge/base/scene/input_limits.h"
+#include "collision_forge/ros/messages/conversions.h"
 
 namespace forge {
 namespace {

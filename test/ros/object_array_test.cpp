@@ -1,8 +1,8 @@
-#include "collision_forge/ros/object_array.h"
+#include "collision_forge/ros/messages/object_array.h"
 
 #include <gtest/gtest.h>
 
-#include "collision_forge/ros/ros_bytes.h"
+#include "collision_forge/ros/messages/ros_bytes.h"
 #include "ros/ros_decoder.h"
 
 namespace forge {

@@ -1,10 +1,10 @@
-#include "collision_forge/ros/paths.h"
+#include "collision_forge/ros/messages/paths.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/messages/conversions.h"
 
 namespace forge {
 namespace {

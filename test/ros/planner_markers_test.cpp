@@ -1,12 +1,12 @@
-#include "collision_forge/ros/planner_markers.h"
+#include "collision_forge/ros/markers/planner_markers.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "attack/test_scenes.h"
-#include "collision_forge/ros/marker_colors.h"
+#include "attack/search/test_scenes.h"
+#include "collision_forge/ros/markers/marker_colors.h"
 
 namespace forge {
 namespace {

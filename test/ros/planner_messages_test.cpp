@@ -1,4 +1,4 @@
-#include "collision_forge/ros/planner_messages.h"
+#include "collision_forge/ros/messages/planner_messages.h"
 
 #include <gtest/gtest.h>
 

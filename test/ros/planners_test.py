@@ -12,7 +12,7 @@ from pathlib import Path
 import road
 from road import DATAROOT, VERSION
 
-sys.path += [str(Path(__file__).resolve().parent.parent / room) for room in ('study', 'trials')]
+sys.path += [str(Path(__file__).resolve().parent.parent / folder) for folder in ('study/evaluation', 'planner_test/trials')]
 import collide_clips  # noqa: E402
 import published_idm_parity  # noqa: E402
 
@@ -291,7 +291,7 @@ class TestPlannersTest(road.RoadTest):
 
 class TestPlannersOnClipsTest(road.RoadTest):
     def run_on(self, collide, out, *arguments):
-        return road.run('test', '--dataroot', DATAROOT, '--collide', collide, '--out', out, '--worst', 0,
+        return road.run('study', 'test', '--dataroot', DATAROOT, '--collide', collide, '--out', out, '--worst', 0,
                         *arguments)
 
     def test_embedded_clips_with_every_attacker(self):

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/posed_frames.h"
+#include "collision_forge/ros/messages/posed_frames.h"
 
 #include <collision_forge/AgentArray.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/possible_collisions.h"
+#include "collision_forge/ros/messages/possible_collisions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/record_clock.h"
+#include "collision_forge/ros/injection/record_clock.h"
 
 #include <gtest/gtest.h>
 

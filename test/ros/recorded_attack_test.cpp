@@ -1,4 +1,4 @@
-#include "collision_forge/ros/recorded_attack.h"
+#include "collision_forge/ros/bags/recorded_attack.h"
 
 #include <collision_forge/AttackRequest.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 
 #include <filesystem>
 
-#include "collision_forge/ros/bag_file.h"
-#include "collision_forge/ros/topic_names.h"
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/messages/topic_names.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/report_text.h"
+#include "collision_forge/ros/messages/report_text.h"
 
 #include <collision_forge/Agent.h>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/scene_memory.h"
+#include "collision_forge/ros/nodes/scene_memory.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "collision_forge/ros/conversions.h"
+#include "collision_forge/ros/messages/conversions.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/scene_update.h"
+#include "collision_forge/ros/markers/scene_update.h"
 
 #include <gtest/gtest.h>
 

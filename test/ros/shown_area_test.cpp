@@ -1,4 +1,4 @@
-#include "collision_forge/ros/shown_area.h"
+#include "collision_forge/ros/markers/shown_area.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "collision_forge/ros/shown_motion.h"
+#include "collision_forge/ros/markers/shown_motion.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "collision_forge/scene/scene.h"
+#include "collision_forge/base/scene/scene.h"
 
 namespace forge {
 namespace {

@@ -1,11 +1,11 @@
-#include "collision_forge/ros/sliding_ego.h"
+#include "collision_forge/ros/injection/sliding_ego.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "collision_forge/ros/topic_names.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/ros/messages/topic_names.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/topic_mapping.h"
+#include "collision_forge/ros/bags/topic_mapping.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "collision_forge/config/config_error.h"
-#include "data/nuscenes_fixture.h"
+#include "collision_forge/base/config/config_error.h"
+#include "io/logs/nuscenes_fixture.h"
 
 namespace forge {
 namespace {

@@ -28,7 +28,7 @@ class TrainTest(road.RoadTest):
 
     def train(self, out, *arguments, ranks=1, room=None):
         """Where `room` is given, files grow no larger, as on a full disk, bytes."""
-        command = ['forge', 'train', '--config', self.config, '--dataroot', DATAROOT, '--version', VERSION,
+        command = ['forge', 'study', 'train', '--config', self.config, '--dataroot', DATAROOT, '--version', VERSION,
                    '--out', out, *arguments]
         if ranks > 1:
             command = ['mpirun', '--oversubscribe', '-np', ranks, *command]
@@ -91,7 +91,7 @@ class TrainTest(road.RoadTest):
             logs, out = self.folder / kind, self.folder / ('of_' + kind)
             result = road.run('convert', '--source', DATAROOT, '--to', kind, '--out', logs)
             self.assertEqual(result.returncode, 0, result.stderr)
-            result = road.run('train', '--config', self.config, '--source', logs, '--out', out, '--stop-after', 1)
+            result = road.run('study', 'train', '--config', self.config, '--source', logs, '--out', out, '--stop-after', 1)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual((whole / 'weights.bin').read_bytes(), (out / 'weights.bin').read_bytes(), kind)
 
@@ -128,17 +128,17 @@ class TrainTest(road.RoadTest):
 
     def test_speeds_that_no_model_fits_are_told(self):
         profiles = self.folder / 'profiles.csv'
-        result = road.run('speeds', 'collect', '--source', DATAROOT, '--out', profiles)
+        result = road.run('study', 'speeds', 'collect', '--source', DATAROOT, '--out', profiles)
         self.assertEqual(result.returncode, 0, result.stderr)
         lines = profiles.read_text().splitlines()
         cells = lines[49].split(',')
         cells[2] = '149'
         profiles.write_text('\n'.join(lines[:49] + [','.join(cells)] + lines[50:]) + '\n')
-        result = road.run('speeds', 'fit', '--profiles', profiles, '--out', self.folder / 'speeds.jsonl')
-        self.assert_refused(result, '{}: no model can be fitted: '.format(profiles), 'speeds fit')
+        result = road.run('study', 'speeds', 'fit', '--profiles', profiles, '--out', self.folder / 'speeds.jsonl')
+        self.assert_refused(result, '{}: no model can be fitted: '.format(profiles), 'study speeds fit')
         self.assertFalse((self.folder / 'speeds.jsonl').exists())
 
-    def assert_refused(self, result, message, command='train'):
+    def assert_refused(self, result, message, command='study train'):
         self.assertEqual(result.returncode, 1, result.stderr)
         complaints = [line for line in result.stderr.splitlines() if line.startswith('forge {}: '.format(command))]
         self.assertEqual(result.stderr.splitlines()[-1:], complaints, result.stderr)

@@ -1,10 +1,10 @@
-#include "collision_forge/ros/trial_scenarios.h"
+#include "collision_forge/ros/nodes/trial_scenarios.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "collision_forge/data/scenario_file.h"
-#include "data/nuscenes_fixture.h"
+#include "collision_forge/io/scenarios/scenario_file.h"
+#include "io/logs/nuscenes_fixture.h"
 
 namespace forge {
 namespace {

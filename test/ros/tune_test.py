@@ -173,8 +173,8 @@ class TunePlannerTest(road.RoadTest):
         return folder
 
     def tune_on(self, clips, out, *arguments):
-        return road.run('tune', '--dataroot', DATAROOT, '--planner', 'idm', '--grid', self.grid, '--collide', clips,
-                        '--out', out, *arguments)
+        return road.run('study', 'tune', '--dataroot', DATAROOT, '--planner', 'idm', '--grid', self.grid, '--collide',
+                        clips, '--out', out, *arguments)
 
     def test_clips_of_one_scene_are_tuned_on_and_those_of_the_other_compared_on(self):
         out, clips = self.path('out'), self.clips()
@@ -191,7 +191,7 @@ class TunePlannerTest(road.RoadTest):
     def test_wrong_words_about_clips_are_refused(self):
         out, clips = self.path('out'), self.clips()
         for words, told in ((('--train-method', 'magic'), '--train-method: method "magic" is none of'),
-                            (('--version', VERSION, '--train', self.train, '--test', self.test), '--collide')):
+                            (('--version', VERSION, '--train', self.train, '--test', self.test), '--train')):
             result = self.tune_on(clips, out, *words)
             self.assertEqual(result.returncode, 2)
             self.assertIn(told, result.stderr)

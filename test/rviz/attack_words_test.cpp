@@ -1,4 +1,4 @@
-#include "collision_forge/rviz/attack_words.h"
+#include "collision_forge/ros/rviz/attack_words.h"
 
 #include <gmock/gmock.h>
 

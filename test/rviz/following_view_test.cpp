@@ -1,4 +1,4 @@
-#include "collision_forge/rviz/following_view.h"
+#include "collision_forge/ros/rviz/following_view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "collision_forge/rviz/legend_display.h"
+#include "collision_forge/ros/rviz/legend_display.h"
 
 #include <gmock/gmock.h>
 
-#include "collision_forge/ros/marker_colors.h"
-#include "collision_forge/scene/track.h"
+#include "collision_forge/base/scene/track.h"
+#include "collision_forge/ros/markers/marker_colors.h"
 
 namespace forge {
 namespace {

@@ -18,8 +18,8 @@
 #include <chrono>
 #include <mutex>
 
-#include "collision_forge/rviz/generate_panel.h"
-#include "collision_forge/rviz/possible_table.h"
+#include "collision_forge/ros/rviz/generate_panel.h"
+#include "collision_forge/ros/rviz/possible_table.h"
 
 namespace forge {
 namespace {

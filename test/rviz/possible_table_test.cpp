@@ -1,4 +1,4 @@
-#include "collision_forge/rviz/possible_table.h"
+#include "collision_forge/ros/rviz/possible_table.h"
 
 #include <gtest/gtest.h>
 

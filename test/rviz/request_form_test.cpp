@@ -1,4 +1,4 @@
-#include "collision_forge/rviz/request_form.h"
+#include "collision_forge/ros/rviz/request_form.h"
 
 #include <gtest/gtest.h>
 

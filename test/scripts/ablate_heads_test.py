@@ -11,7 +11,7 @@ PACKAGE = Path(__file__).resolve().parent.parent.parent
 
 STAND_IN = '''#!/usr/bin/python3
 import json, pathlib, sys
-words = sys.argv[1:]
+words = [word for word in sys.argv[1:] if word != 'study']
 value = lambda name: words[words.index(name) + 1]
 open({calls!r}, 'a').write(' '.join(words) + '\\n')
 config = pathlib.Path(value('--config'))

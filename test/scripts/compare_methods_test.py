@@ -14,13 +14,13 @@ HEAD = '| method | LC | OD | RE | JC | LTAP | 0.5-1 s | all |\n|---|---|---|---|
 # Every rate tells what it is of: the method's place among the known ones, then what is asked.
 STAND_IN = '''#!/usr/bin/python3
 import json, os, pathlib, sys
-words = sys.argv[1:]
+words = [word for word in sys.argv[1:] if word != 'study']
 value = lambda name: words[words.index(name) + 1]
 known = ['recorded', 'constant_velocity', 'c_strive', 'strive_optimised', 'network', 'network+search']
 if '--requests' in words:
     known.remove('recorded')
 if '--method' in words and value('--method') == '?':
-    sys.exit('forge evaluate: --method: method "?" is none of ' + ', '.join(known))
+    sys.exit('forge study evaluate: --method: method "?" is none of ' + ', '.join(known))
 open({calls!r}, 'a').write(' '.join(words) + '\\n')
 if pathlib.Path({stop!r}).exists() and pathlib.Path({stop!r}).read_text() in words:
     print('one\\n\\nno luck', file=sys.stderr)

@@ -1,20 +1,19 @@
 #!/usr/bin/python3
-"""usage: check_layering.py SOURCE_DIR: do the includes keep to the table of rooms in docs/architecture.md?
+"""usage: check_layering.py SOURCE_DIR: do the includes keep to the table of folders in docs/architecture.md?
 
-The table is the first one under the heading HEADING. Of its columns `room`, `includes` and `libraries` are read.
-1. Every C++ file under src/ is src/collision_forge/ROOM/NAME, and ROOM is in the table.
-2. A room includes itself and the rooms that its row names, and every room that its row names.
-3. A row names rows above it only, so that there is no cycle.
-4. A library of LIBRARIES is included only by rooms whose row names it, and no header of ours carries it further.
+The table is the first one under the heading HEADING. Of its columns `folder` and `libraries` are read.
+1. Every C++ file under src/ is src/collision_forge/FOLDER/NAME, and FOLDER (as base/map) is in the table.
+2. A file includes files of its own folder and of folders above it in the table, and no others.
+3. A library of LIBRARIES is included only by folders whose row names it, and no header of ours carries it further.
 """
 import itertools
 import re
 import sys
-from pathlib import Path
+from pathlib import Path, PurePath
 
 DOCUMENT = 'docs/architecture.md'
-HEADING = '## The rooms of src/collision_forge'
-NOTHING = 'nothing'
+HEADING = '## The folders of the modules'
+ROOT = 'collision_forge/'
 LIBRARIES = {
     'ROS': r'(ros|rosbag|rosconsole|nodelet|pluginlib|rviz|tf2?|tf2_\w+|std_srvs|\w+_msgs)/|collision_forge/[A-Z]\w*\.h$',
     'torch': r'(torch|ATen|c10|caffe2)/',
@@ -36,20 +35,16 @@ def cells(line):
     return [cell.strip() for cell in line.strip()[1:-1].split('|')]
 
 
-def names(cell):
-    return [name for name in re.split(r'[,\s]+', cell.replace('`', '').replace('/', '')) if name and name != NOTHING]
-
-
 def read_table(text):
-    """{room: (rooms it may include, libraries it may include)}, in the order of the table."""
+    """{folder: libraries that it may include}, in the order of the table."""
     section = text.partition(HEADING + '\n')[2].partition('\n## ')[0]
     table = itertools.takewhile(lambda line: line.startswith('|'),
                                 itertools.dropwhile(lambda line: not line.startswith('|'), section.splitlines()))
     rows = [cells(line) for line in table]
     if not rows:
         return {}
-    room, includes, libraries = (rows[0].index(title) for title in ('room', 'includes', 'libraries'))
-    return {names(row[room])[0]: (names(row[includes]), names(row[libraries])) for row in rows[2:]}
+    folder, libraries = (rows[0].index(title) for title in ('folder', 'libraries'))
+    return {row[folder].strip('`/'): re.findall(r'[\w-]+', row[libraries]) for row in rows[2:]}
 
 
 def read_includes(src):
@@ -58,22 +53,9 @@ def read_includes(src):
             for path in sorted(src.rglob('*')) if path.suffix in ('.cpp', '.h')}
 
 
-def room_of(file):
-    """None for a file that lies in no room."""
-    parts = Path(file).parts
-    return parts[1] if len(parts) == 3 and parts[0] == 'collision_forge' else None
-
-
-def table_violations(table):
-    known = []
-    for room, (rooms, libraries) in table.items():
-        for other in rooms:
-            if other not in known:
-                yield '{}: row {} names {}, which is no row above it'.format(DOCUMENT, room, other)
-        for library in libraries:
-            if library not in LIBRARIES:
-                yield '{}: row {} names {}, which is none of {}'.format(DOCUMENT, room, library, ', '.join(LIBRARIES))
-        known.append(room)
+def folder_of(file):
+    """None for a file outside of ROOT."""
+    return str(PurePath(file[len(ROOT):]).parent) if file.startswith(ROOT) else None
 
 
 def brings(included, library, includes, seen):
@@ -87,29 +69,32 @@ def brings(included, library, includes, seen):
 
 
 def file_violations(file, includes, table):
-    room = room_of(file)
-    if room not in table:
-        yield 'lies in no room of ' + DOCUMENT
+    folder, order = folder_of(file), list(table)
+    if folder not in table:
+        yield 'lies in no folder of ' + DOCUMENT
         return
-    rooms, libraries = table[room]
     for included in includes[file]:
-        if included in includes and room_of(included) not in [room] + rooms:
-            yield '{}: {} may not include {}'.format(included, room, room_of(included))
+        of = folder_of(included)
+        if included in includes and (of not in order or order.index(of) > order.index(folder)):
+            yield '{}: {} is below {} in {}'.format(included, of, folder, DOCUMENT)
         for library in LIBRARIES:
-            if library not in libraries and brings(included, library, includes, set()):
-                yield '{}: {} has no place in {}'.format(included, library, room)
+            if library not in table[folder] and brings(included, library, includes, set()):
+                yield '{}: {} has no place in {}'.format(included, library, folder)
 
 
-def unused(includes, table):
-    """What rows name and no file of their room includes."""
-    used = {(room_of(file), room_of(included)) for file in includes for included in includes[file]
-            if included in includes}
-    used |= {(room_of(file), library) for file in includes for included in includes[file]
-             for library in LIBRARIES if included not in includes and re.match(LIBRARIES[library], included)}
-    for room, (rooms, libraries) in table.items():
-        for name in rooms + libraries:
-            if (room, name) not in used:
-                yield '{}: row {} names {}, which it does not include'.format(DOCUMENT, room, name)
+def table_violations(includes, table):
+    """Libraries and folders that rows name and that are not there."""
+    used = {(folder_of(file), library) for file in includes for included in includes[file]
+            for library in LIBRARIES if included not in includes and re.match(LIBRARIES[library], included)}
+    folders = {folder_of(file) for file in includes}
+    for folder, libraries in table.items():
+        if folder not in folders:
+            yield '{}: row {} has no file'.format(DOCUMENT, folder)
+        for library in libraries:
+            if library not in LIBRARIES:
+                yield '{}: row {} names {}, which is none of {}'.format(DOCUMENT, folder, library, ', '.join(LIBRARIES))
+            elif (folder, library) not in used:
+                yield '{}: row {} names {}, which it does not include'.format(DOCUMENT, folder, library)
 
 
 def violations(source_dir):
@@ -119,10 +104,10 @@ def violations(source_dir):
     includes = read_includes(Path(source_dir, 'src'))
     if not includes:
         return ['no C++ file in {}/src'.format(source_dir)]
-    found = list(table_violations(table))
+    found = list(table_violations(includes, table))
     for file in includes:
         found += ['src/{}: {}'.format(file, violation) for violation in file_violations(file, includes, table)]
-    return found + list(unused(includes, table))
+    return found
 
 
 def main(source_dir):

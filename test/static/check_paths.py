@@ -1,25 +1,25 @@
 #!/usr/bin/python3
 """usage: check_paths.py SOURCE_DIR: is every source file that a document or a comment names there?
 
-A name is a path from the root (src/collision_forge/ROOM/NAME.h) or from the rooms (ROOM/NAME.h).
+A name is a path from the root (src/collision_forge/MODULE/FOLDER/NAME.h) or from the modules (MODULE/FOLDER/NAME.h).
 """
 import re
 import sys
 from pathlib import Path
 
-ROOMS = Path('src', 'collision_forge')
+MODULES = Path('src', 'collision_forge')
 NAMED = re.compile(r'(?<![\w/.-])(?:[a-z_]+/)+[a-z_0-9]+\.(?:h|cpp)\b')
 
 
 def violations(source_dir):
     root = Path(source_dir)
-    rooms = [room.name for room in (root / ROOMS).iterdir() if room.is_dir()]
+    folders = {folder.name for folder in (root / MODULES).rglob('*') if folder.is_dir()}
     patterns = ['*.md', 'docs/*.md', 'config/*.yaml', 'src/**/*.h', 'src/**/*.cpp']
     for document in [path for pattern in patterns for path in sorted(root.glob(pattern))]:
         for number, line in enumerate(document.read_text().splitlines(), 1):
             for name in [] if line.startswith('#include') else NAMED.findall(line):
-                is_ours = name.startswith(('src/', 'test/')) or name.split('/')[0] in rooms
-                if is_ours and not (root / name).exists() and not (root / ROOMS / name).exists():
+                is_ours = name.startswith(('src/', 'test/')) or name.split('/')[0] in folders
+                if is_ours and not (root / name).exists() and not (root / MODULES / name).exists():
                     yield '{}:{}: {} is not there'.format(document.relative_to(root), number, name)
 
 

@@ -7,15 +7,15 @@
 #include <stdexcept>
 
 #include "collision_forge/app/options.h"
-#include "collision_forge/batch/dispatch.h"
-#include "collision_forge/data/input_line.h"
-#include "collision_forge/data/nuscenes_map_layers.h"
-#include "collision_forge/data/scene_source.h"
-#include "collision_forge/files/fingerprint.h"
-#include "collision_forge/files/plain_name.h"
-#include "collision_forge/ros/bag_reader.h"
-#include "collision_forge/scene/number_words.h"
-#include "collision_forge/settings/config_fingerprint.h"
+#include "collision_forge/base/files/fingerprint.h"
+#include "collision_forge/base/files/plain_name.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/io/batch/dispatch.h"
+#include "collision_forge/io/json/input_line.h"
+#include "collision_forge/io/logs/nuscenes_map_layers.h"
+#include "collision_forge/io/logs/scene_source.h"
+#include "collision_forge/planner_test/settings/config_fingerprint.h"
+#include "collision_forge/ros/bags/bag_reader.h"
 
 namespace forge {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/data/log_source.h"
-#include "collision_forge/export/crash_record.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/io/export/crash_record.h"
+#include "collision_forge/io/logs/log_source.h"
+#include "collision_forge/planner_test/settings/config.h"
 
 namespace forge {
 

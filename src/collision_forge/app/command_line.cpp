@@ -1,12 +1,14 @@
 #include "collision_forge/app/command_line.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <utility>
 
-#include "collision_forge/batch/printable.h"
-#include "collision_forge/scene/nearest_names.h"
+#include "collision_forge/base/scene/nearest_names.h"
+#include "collision_forge/io/batch/printable.h"
 
 namespace forge {
 namespace {
@@ -19,12 +21,13 @@ constexpr char kVersion[] =
 constexpr char kExitCodes[] =
     "Exit codes: 0 done, 1 error, 2 wrong command line, 3 no crash as asked.";
 
-/// Help in which a command of two words has a line of its own.
+/// Help in which a command of two words has a line of its own, save those of a group that has one.
 class ContentsFormatter : public CLI::Formatter {
  public:
   std::string make_subcommand(const CLI::App* command) const override {
     const std::vector<const CLI::App*> parts = partsOf(*command);
-    if (parts.empty()) return CLI::Formatter::make_subcommand(command);
+    const bool is_listed = !command->get_description().empty();
+    if (is_listed) return CLI::Formatter::make_subcommand(command);
     std::stringstream text;
     for (const CLI::App* part : parts) {
       CLI::detail::format_help(text, command->get_name() + " " + part->get_name(),
@@ -33,6 +36,13 @@ class ContentsFormatter : public CLI::Formatter {
     return text.str();
   }
 };
+
+/// True for the former names of commands of the study.
+bool isOfTheStudy(const std::string& word) {
+  const std::vector<std::string> words = {"compare", "dataset", "evaluate",
+                                          "measure", "speeds",  "train"};
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 /// The complaint about a word that a command does not know.
 std::string complaintOfWord(const std::string& word, const CLI::App& command) {
@@ -44,7 +54,12 @@ std::string complaintOfWord(const std::string& word, const CLI::App& command) {
     }
     return name + " is no option" + nearestNameHint(name, names);
   }
-  for (const CLI::App* part : partsOf(command)) names.push_back(part->get_name());
+  for (const CLI::App* part : partsOf(command)) {
+    if (part->get_name() == "study" && isOfTheStudy(word)) {
+      return word + " is now forge study " + word;
+    }
+    names.push_back(part->get_name());
+  }
   return word + (names.empty() ? " is not expected" : " is no command") +
          nearestNameHint(word, names);
 }
@@ -70,7 +85,6 @@ CommandLine::CommandLine()
           "forge COMMAND --help lists the options of a command.",
           "forge") {
   app_.formatter(std::make_shared<ContentsFormatter>());
-  app_.require_subcommand(0, 1);  // parse() asks for one, after words that are none
   app_.set_version_flag("--version", kVersion, "Print version and licences");
   app_.footer(kExitCodes);
   app_.failure_message([this](const CLI::App*, const CLI::Error& error) {
@@ -89,19 +103,28 @@ std::string CommandLine::complaintOf(const CLI::Error& error) const {
   return complaintOfWord(unknown.front(), *chosen());
 }
 
+CLI::App* CommandLine::child(CLI::App& parent, const std::string& name,
+                             const std::string& heading) {
+  const auto is_named = [&](const CLI::App* app) { return app->get_name() == name; };
+  const std::vector<CLI::App*> found = parent.get_subcommands(is_named);
+  if (!found.empty()) return found.front();
+  parent.require_subcommand(0, 1);  // parse() asks for one, after words that are none
+  CLI::App* added = parent.add_subcommand(name);
+  if (!heading.empty()) added->group(heading);
+  return added;
+}
+
+void CommandLine::addGroup(const std::string& heading, const std::string& name,
+                           const std::string& text) {
+  child(app_, name, heading)->description(text);
+}
+
 CLI::App& CommandLine::add(const std::string& heading, const std::string& name,
                            const std::string& text, Run run) {
-  CLI::App* parent = &app_;
-  const std::size_t space = name.find(' ');
-  if (space != std::string::npos) {
-    const std::string first = name.substr(0, space);
-    const auto found =
-        app_.get_subcommands([&](CLI::App* app) { return app->get_name() == first; });
-    parent = found.empty() ? app_.add_subcommand(first)->group(heading) : found.front();
-    parent->require_subcommand(0, 1);
-  }
-  CLI::App* command = parent->add_subcommand(name.substr(space + 1), text);
-  if (parent == &app_) command->group(heading);
+  CLI::App* command = &app_;
+  std::istringstream words(name);
+  for (std::string word; words >> word;) command = child(*command, word, heading);
+  command->description(text);
   runs_[command] = std::move(run);
   return *command;
 }

@@ -22,11 +22,14 @@ class CommandLine {
 
   CommandLine();
 
-  /// A command with its line in the table of contents, under `heading`. `name` is a word, or two,
-  /// as "measure coverage". The options that are added to what is returned are read before `run` is
-  /// called.
+  /// A command with its line in the table of contents, under `heading`. `name` is one or more
+  /// words, as "completion bash"; the last one is the command's own. The options that are added to
+  /// what is returned are read before `run` is called.
   CLI::App& add(const std::string& heading, const std::string& name, const std::string& text,
                 Run run);
+
+  /// A command that only holds others, which add() adds as "NAME ...".
+  void addGroup(const std::string& heading, const std::string& name, const std::string& text);
 
   /// Reads a line. Empty when a command is to be run, which run() then does; else what is asked for
   /// has been printed, or what is wrong, and this is the exit code.
@@ -34,11 +37,13 @@ class CommandLine {
   /// Runs the command that was read. An exception becomes a message and kExitError.
   int run() const;
 
-  /// The name of the command that was read, as "forge measure coverage".
+  /// The name of the command that was read, as "forge study measure coverage".
   std::string name() const;
   const CLI::App& app() const { return app_; }
 
  private:
+  /// The command `name` of `parent`, which is added under `heading` where it is not there.
+  static CLI::App* child(CLI::App& parent, const std::string& name, const std::string& heading);
   /// The innermost command that was read.
   const CLI::App* chosen() const;
   /// What is wrong with a line that was refused.
@@ -48,7 +53,7 @@ class CommandLine {
   std::map<const CLI::App*, Run> runs_;
 };
 
-/// All commands of a full build.
+/// The commands of the product.
 void addCommands(CommandLine& line);
 
 /// The commands of a command: "coverage" of "measure". CLI11 has groups of options among them.
@@ -60,37 +65,25 @@ std::vector<const CLI::Option*> optionsOf(const CLI::App& command);
 /// A script for bash that completes the words of the command line.
 std::string bashCompletion(const CLI::App& app);
 
-// Each adds a command, or a few of one name.
+// Each adds a command.
 void addConvert(CommandLine& line);
 void addInject(CommandLine& line);
 void addPossible(CommandLine& line);
 void addRequests(CommandLine& line);
 void addGenerate(CommandLine& line);
 void addExport(CommandLine& line);
-void addEvaluate(CommandLine& line);
-void addCompare(CommandLine& line);
 void addReport(CommandLine& line);
 void addTest(CommandLine& line);
 void addTune(CommandLine& line);
-void addDataset(CommandLine& line);
-void addTrain(CommandLine& line);
-void addSpeedsCollect(CommandLine& line);
-void addSpeedsFit(CommandLine& line);
-void addMeasureControls(CommandLine& line);
-void addMeasureCoverage(CommandLine& line);
-void addMeasureEgoFutures(CommandLine& line);
-void addMeasureLatency(CommandLine& line);
-void addMeasureMethods(CommandLine& line);
-void addMeasurePatterns(CommandLine& line);
-void addMeasureAttackers(CommandLine& line);
-void addMeasurePlanners(CommandLine& line);
 void addCompletion(CommandLine& line);
+
+/// The commands of the study, `forge study ...`; in a build without the study, a command `study`
+/// that says so.
+void addStudyCommands(CommandLine& line);
 
 // The headings of the table of contents.
 inline const std::string kMakingCollisions = "Make collisions";
-inline const std::string kMeasuring = "Measure";
-inline const std::string kPlanners = "Planners";
-inline const std::string kTraining = "Data sets and training";
-inline const std::string kShell = "Shell";
+inline const std::string kPlanners = "Test planners";
+inline const std::string kOther = "Other";
 
 }  // namespace forge

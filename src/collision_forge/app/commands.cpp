@@ -9,23 +9,9 @@ void addCommands(CommandLine& line) {
   addRequests(line);
   addGenerate(line);
   addExport(line);
-  addEvaluate(line);
-  addCompare(line);
-  addMeasureControls(line);
-  addMeasureCoverage(line);
-  addMeasureEgoFutures(line);
-  addMeasureLatency(line);
-  addMeasureMethods(line);
-  addMeasurePatterns(line);
-  addMeasureAttackers(line);
-  addMeasurePlanners(line);
-  addReport(line);
   addTest(line);
   addTune(line);
-  addDataset(line);
-  addTrain(line);
-  addSpeedsCollect(line);
-  addSpeedsFit(line);
+  addReport(line);
   addCompletion(line);
 }
 

@@ -59,7 +59,7 @@ std::string bashCompletion(const CLI::App& app) {
 
 void addCompletion(CommandLine& line) {
   const CLI::App& app = line.app();
-  line.add(kShell, "completion bash", "Prints a script that completes forge's words in bash.",
+  line.add(kOther, "completion bash", "Prints a script that completes forge's words in bash.",
            [&app] {
              std::cout << bashCompletion(app);
              return kExitOk;

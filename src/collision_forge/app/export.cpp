@@ -7,13 +7,13 @@
 #include "collision_forge/app/export_mcap.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/run_config.h"
-#include "collision_forge/batch/dispatch.h"
-#include "collision_forge/batch/output.h"
-#include "collision_forge/batch/run.h"
-#include "collision_forge/data/json_line.h"
-#include "collision_forge/export/crash_writer.h"
-#include "collision_forge/scene/number_words.h"
-#include "collision_forge/settings/config_fingerprint.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/io/batch/dispatch.h"
+#include "collision_forge/io/batch/output.h"
+#include "collision_forge/io/batch/run.h"
+#include "collision_forge/io/export/crash_writer.h"
+#include "collision_forge/io/json/json_line.h"
+#include "collision_forge/planner_test/settings/config_fingerprint.h"
 
 namespace forge {
 namespace {

@@ -7,13 +7,13 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/batch/progress_line.h"
-#include "collision_forge/files/aside_file.h"
-#include "collision_forge/files/output_lock.h"
-#include "collision_forge/ros/foxglove_layout.h"
-#include "collision_forge/ros/mcap_export.h"
-#include "collision_forge/scene/number_words.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/base/files/aside_file.h"
+#include "collision_forge/base/files/output_lock.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/ros/bags/foxglove_layout.h"
+#include "collision_forge/ros/bags/mcap_export.h"
 
 namespace forge {
 namespace {

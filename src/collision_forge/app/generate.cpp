@@ -5,20 +5,20 @@
 #include <memory>
 #include <set>
 
-#include "collision_forge/answers/request_answerer.h"
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
 #include "collision_forge/app/run_config.h"
-#include "collision_forge/batch/dispatch.h"
-#include "collision_forge/batch/output.h"
-#include "collision_forge/batch/progress_line.h"
-#include "collision_forge/batch/run.h"
-#include "collision_forge/data/collide_export.h"
-#include "collision_forge/data/input_line.h"
-#include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/data/request_file.h"
-#include "collision_forge/scene/number_words.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/io/answers/request_answerer.h"
+#include "collision_forge/io/batch/dispatch.h"
+#include "collision_forge/io/batch/output.h"
+#include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/batch/run.h"
+#include "collision_forge/io/collide/collide_export.h"
+#include "collision_forge/io/json/input_line.h"
+#include "collision_forge/io/scenarios/request_file.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
 
 namespace forge {
 namespace {

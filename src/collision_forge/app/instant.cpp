@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "collision_forge/app/options.h"
-#include "collision_forge/ros/bag_reader.h"
-#include "collision_forge/scene/number_words.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/ros/bags/bag_reader.h"
 
 namespace forge {
 

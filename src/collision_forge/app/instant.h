@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "collision_forge/scene/moment.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/base/scene/moment.h"
+#include "collision_forge/planner_test/settings/config.h"
 
 namespace forge {
 

@@ -2,23 +2,21 @@
 
 #include <memory>
 
-#include "collision_forge/attack/method_registry.h"
-#include "collision_forge/attack/request_check.h"
-#include "collision_forge/batch/dispatch.h"
-#include "collision_forge/batch/progress_line.h"
-#include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/data/scenario_net_logs.h"
-#include "collision_forge/planners/planner_factory.h"
-#include "collision_forge/scene/nearest_names.h"
-#include "collision_forge/scene/request_words.h"
-#include "collision_forge/settings/config_fingerprint.h"
-#include "collision_forge/study/clip_methods.h"
-#include "collision_forge/study_settings/study_config.h"
+#include "collision_forge/attack/search/method_registry.h"
+#include "collision_forge/attack/search/request_check.h"
+#include "collision_forge/base/scene/nearest_names.h"
+#include "collision_forge/base/scene/request_words.h"
+#include "collision_forge/io/batch/dispatch.h"
+#include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/logs/scenario_net_logs.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
+#include "collision_forge/planner_test/planners/planner_factory.h"
+#include "collision_forge/planner_test/settings/config_fingerprint.h"
 
 #ifndef COLLISION_FORGE_WITHOUT_ROS
 #include <ros/package.h>
 
-#include "collision_forge/ros/log_sources.h"
+#include "collision_forge/ros/bags/log_sources.h"
 #endif
 
 namespace forge {
@@ -137,12 +135,6 @@ void addAlternatives(CLI::App& app, RequestControls& controls) {
       ->check(CLI::Range(1, kMaxAlternatives));
 }
 
-void addDataroot(CLI::App& app, std::string& dataroot) {
-  app.add_option("--source,--dataroot", dataroot, "nuScenes root: folder with maps/expansion")
-      ->required()
-      ->check(CLI::ExistingDirectory);
-}
-
 CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text) {
   CLI::Option* source =
       app.add_option_function<std::string>(
@@ -161,24 +153,6 @@ CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text) 
 
 CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes) {
   return app.add_option("--scene", scenes, "names of scenes; all by default");
-}
-
-CLI::Option* addCollide(CLI::App& app, std::string& collide) {
-  return app.add_option("--collide", collide, "folder of clips, with trajectory/SPLIT in it")
-      ->check(CLI::ExistingDirectory);
-}
-
-CLI::Option* addSplit(CLI::App& app, std::string& split, CLI::Option* collide) {
-  return app.add_option("--split", split, "which clips of --collide")
-      ->transform(oneOf({"train", "val", "test"}))
-      ->capture_default_str()
-      ->needs(collide);
-}
-
-void addLimit(CLI::App& app, std::size_t& limit, CLI::Option* collide) {
-  app.add_option("--limit", limit, "the first clips of --collide only; 0 takes all")
-      ->capture_default_str()
-      ->needs(collide);
 }
 
 void addConfig(CLI::App& app, std::string& folder) {
@@ -217,18 +191,6 @@ void checkMethod(const std::string& option, const std::string& method, const std
     loadMethods(loadConfig(config)).at(method);
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError(option, error.what());
-  } catch (const std::runtime_error&) {
-    return;  // the run reads the configuration again and says what is wrong with it
-  }
-}
-
-void checkClipMethods(const std::vector<std::string>& methods, const std::string& config) {
-  try {
-    const StudyConfig read = loadStudyConfig(config);
-    const MethodRegistry known = clipMethods(loadMethods(read), nullptr, read.evaluation);
-    for (const std::string& method : methods) known.at(method);
-  } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError("--methods", error.what());
   } catch (const std::runtime_error&) {
     return;  // the run reads the configuration again and says what is wrong with it
   }

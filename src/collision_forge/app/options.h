@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "collision_forge/data/log_source.h"
-#include "collision_forge/data/nuscenes_rows.h"
-#include "collision_forge/files/resumable_file.h"
-#include "collision_forge/scene/collision_request.h"
-#include "collision_forge/scene/request_words.h"
-#include "collision_forge/settings/config.h"
-#include "collision_forge/trials/traffic.h"
+#include "collision_forge/base/files/resumable_file.h"
+#include "collision_forge/base/scene/collision_request.h"
+#include "collision_forge/base/scene/request_words.h"
+#include "collision_forge/io/logs/log_source.h"
+#include "collision_forge/io/logs/nuscenes_rows.h"
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/planner_test/trials/traffic.h"
 
 /// Options that several commands have, each defined once.
 namespace forge {
@@ -68,19 +68,10 @@ void addControls(CLI::App& app, RequestControls& controls);
 /// --alternatives.
 void addAlternatives(CLI::App& app, RequestControls& controls);
 
-/// --source, whose older name is --dataroot, required: a nuScenes root for its maps alone.
-void addDataroot(CLI::App& app, std::string& dataroot);
 /// --source, whose older name is --dataroot, and --version. Gives the first; required by none.
 CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text = "recorded scenes");
 /// --scene, all by default.
 CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes);
-
-/// --collide.
-CLI::Option* addCollide(CLI::App& app, std::string& collide);
-/// --split, which needs `collide`.
-CLI::Option* addSplit(CLI::App& app, std::string& split, CLI::Option* collide);
-/// --limit, which needs `collide`.
-void addLimit(CLI::App& app, std::size_t& limit, CLI::Option* collide);
 
 /// --config, by default the package's own configuration; required where ROS does not know the
 /// package (its environment is not sourced), or in a build without ROS.
@@ -102,8 +93,6 @@ void addMode(CLI::App& app, Mode& mode, bool may_adapt);
 CLI::Option* addMethod(CLI::App& app, std::string& method, const std::string& config);
 /// Throws CLI::ValidationError for an unknown method of that option, naming the known ones.
 void checkMethod(const std::string& option, const std::string& method, const std::string& config);
-/// The same of --methods of clips, which know a few more (clipMethods()).
-void checkClipMethods(const std::vector<std::string>& methods, const std::string& config);
 /// --planner-file: a learned planner in place of the one that the configuration names.
 void addPlannerFile(CLI::App& app, std::string& file);
 /// Puts the file of --planner-file, if one is given, into the options. Where one of the planners is

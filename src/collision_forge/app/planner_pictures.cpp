@@ -1,7 +1,7 @@
 #include "collision_forge/app/planner_pictures.h"
 
-#include "collision_forge/drawing/draw_scenario.h"
-#include "collision_forge/scene/find_track.h"
+#include "collision_forge/base/scene/find_track.h"
+#include "collision_forge/io/drawing/draw_scenario.h"
 
 namespace forge {
 namespace {

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/drawing/options.h"
-#include "collision_forge/drawing/scenario_view.h"
-#include "collision_forge/settings/config.h"
-#include "collision_forge/trials/planner_result.h"
+#include "collision_forge/io/drawing/options.h"
+#include "collision_forge/io/drawing/scenario_view.h"
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/planner_test/trials/planner_result.h"
 
 /// Pictures of planners under test.
 namespace forge {

@@ -7,12 +7,12 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/instant.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/attack/attack_method.h"
-#include "collision_forge/attack/request_check.h"
-#include "collision_forge/data/pattern_network_file.h"
-#include "collision_forge/data/scene_source.h"
-#include "collision_forge/scene/request_words.h"
-#include "collision_forge/scene/short_id.h"
+#include "collision_forge/attack/search/attack_method.h"
+#include "collision_forge/attack/search/request_check.h"
+#include "collision_forge/base/scene/request_words.h"
+#include "collision_forge/base/scene/short_id.h"
+#include "collision_forge/io/logs/scene_source.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
 
 namespace forge {
 namespace {

@@ -5,10 +5,9 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/batch/dispatch.h"
-#include "collision_forge/files/output_lock.h"
-#include "collision_forge/scene/number_words.h"
-#include "collision_forge/study/report_rows.h"
+#include "collision_forge/base/files/output_lock.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/io/batch/dispatch.h"
 
 namespace forge {
 namespace {
@@ -20,21 +19,21 @@ struct Arguments {
   std::string planner_file;
 };
 
-int report(const Arguments& arguments) {
+int report(const Arguments& arguments, const std::vector<RowFormat>& formats) {
   Config config = loadConfig(arguments.config);
   usePlannerFile(arguments.planner_file, {}, config.planners);
   const OutputLock lock = OutputLock::ofFolder(arguments.out);
-  writeReport(arguments.inputs, arguments.out, config);
+  writeReport(arguments.inputs, arguments.out, config, formats);
   return kExitOk;
 }
 
 }  // namespace
 
-void writeReport(const ReportInputs& inputs, const std::string& folder, const Config& config) {
-  const std::size_t rows =
-      writeReportPage(inputs, folder,
-                      {config.report, config.drawing, config, config.planners,
-                       config.attacked_bag.seconds_after_stand, evaluationFormats()});
+void writeReport(const ReportInputs& inputs, const std::string& folder, const Config& config,
+                 const std::vector<RowFormat>& formats) {
+  const std::size_t rows = writeReportPage(inputs, folder,
+                                           {config.report, config.drawing, config, config.planners,
+                                            config.attacked_bag.seconds_after_stand, formats});
   std::cout << counted(rows, "row") << " in " << folder << "/index.html\n";
 }
 
@@ -43,16 +42,13 @@ CLI::Option* addReportOption(CLI::App& app, std::string& folder) {
                         "folder to write a page of the results to, as forge report does");
 }
 
-void addReport(CommandLine& line) {
+void addReportCommand(CommandLine& line, const std::string& heading, const std::string& name,
+                      const std::string& files, const std::vector<RowFormat>& formats) {
   const auto arguments = std::make_shared<Arguments>();
   arguments->inputs.jobs = defaultJobs();
-  CLI::App& app = line.add(kMeasuring, "report", "Shows results on a page for the browser.",
-                           [arguments] { return report(*arguments); });
-  app.add_option("results", arguments->inputs.files,
-                 "scenario files, results.jsonl of forge test or tune, attempts.jsonl of forge "
-                 "dataset, results.csv of forge evaluate")
-      ->required()
-      ->check(CLI::ExistingFile);
+  CLI::App& app = line.add(heading, name, "Shows results on a page for the browser.",
+                           [arguments, formats] { return report(*arguments, formats); });
+  app.add_option("results", arguments->inputs.files, files)->required()->check(CLI::ExistingFile);
   addOut(app, arguments->out, "folder to write; the page is index.html in it");
   addSource(app, arguments->inputs.logs,
             "scenes that the results are of, so that the page shows map and traffic, too");
@@ -60,6 +56,11 @@ void addReport(CommandLine& line) {
   addPlannerFile(app, arguments->planner_file);
   addJobs(app, arguments->inputs.jobs, "planner tests driven again at a time");
   addConfig(app, arguments->config);
+}
+
+void addReport(CommandLine& line) {
+  addReportCommand(line, kPlanners, "report", "scenario files, results.jsonl of forge test or tune",
+                   {});
 }
 
 }  // namespace forge

@@ -6,17 +6,17 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "collision_forge/answers/allowed_requests.h"
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/attack/request_check.h"
-#include "collision_forge/attack/request_list.h"
-#include "collision_forge/batch/progress_line.h"
-#include "collision_forge/data/request_file.h"
-#include "collision_forge/data/scene_source.h"
-#include "collision_forge/files/output_lock.h"
-#include "collision_forge/scene/number_words.h"
-#include "collision_forge/settings/config.h"
+#include "collision_forge/attack/search/request_check.h"
+#include "collision_forge/attack/search/request_list.h"
+#include "collision_forge/base/files/output_lock.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/io/answers/allowed_requests.h"
+#include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/logs/scene_source.h"
+#include "collision_forge/io/scenarios/request_file.h"
+#include "collision_forge/planner_test/settings/config.h"
 
 namespace forge {
 namespace {

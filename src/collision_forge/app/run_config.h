@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include "collision_forge/settings/config.h"
-#include "collision_forge/study_settings/study_config.h"
+#include "collision_forge/planner_test/settings/config.h"
 
 namespace forge {
 
@@ -11,8 +10,5 @@ namespace forge {
 /// are silent end the run, as ranks.yaml there says. To be called before anything asks for the
 /// ranks. Throws ConfigError.
 Config loadRunConfig(const std::string& directory);
-
-/// The same for a command that needs the study's numbers, too.
-StudyConfig loadStudyRunConfig(const std::string& directory);
 
 }  // namespace forge

@@ -8,14 +8,14 @@
 #include <set>
 
 #include "collision_forge/app/planner_pictures.h"
-#include "collision_forge/batch/progress_line.h"
-#include "collision_forge/data/json_line.h"
-#include "collision_forge/data/scenario_file.h"
-#include "collision_forge/files/aside_file.h"
-#include "collision_forge/scene/number_words.h"
-#include "collision_forge/trials/avoidance_words.h"
-#include "collision_forge/trials/escape.h"
-#include "collision_forge/trials/weaknesses.h"
+#include "collision_forge/base/files/aside_file.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/json/json_line.h"
+#include "collision_forge/io/scenarios/scenario_file.h"
+#include "collision_forge/planner_test/trials/avoidance_words.h"
+#include "collision_forge/planner_test/trials/escape.h"
+#include "collision_forge/planner_test/trials/weaknesses.h"
 
 namespace forge {
 namespace {

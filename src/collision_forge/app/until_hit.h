@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/settings/config.h"
-#include "collision_forge/trials/planner_result.h"
-#include "collision_forge/trials/request_cases.h"
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/planner_test/trials/planner_result.h"
+#include "collision_forge/planner_test/trials/request_cases.h"
 
 namespace forge {
 

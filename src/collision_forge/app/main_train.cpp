@@ -1,9 +1,0 @@
-#include "collision_forge/app/command_line.h"
-
-/// forge with `train` alone, for builds without ROS.
-int main(int argc, char** argv) {
-  forge::CommandLine line;
-  forge::addTrain(line);
-  const auto exit_code = line.parse(argc, argv);
-  return exit_code ? *exit_code : line.run();
-}

@@ -1,0 +1,208 @@
+#include "collision_forge/app/planner_test_run.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+#include "collision_forge/app/options.h"
+#include "collision_forge/app/planner_pictures.h"
+#include "collision_forge/app/report.h"
+#include "collision_forge/app/run_config.h"
+#include "collision_forge/base/files/aside_file.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/io/batch/output.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
+#include "collision_forge/planner_test/planners/planner_factory.h"
+#include "collision_forge/planner_test/statistics/rate_table.h"
+#include "collision_forge/planner_test/trials/planner_report.h"
+#include "collision_forge/planner_test/trials/planner_result_file.h"
+#include "collision_forge/planner_test/trials/planner_summary.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
+  return text;
+}
+
+/// How long the planners computed in this process, by rowName().
+class PlanningTimes {
+ public:
+  void add(const PlannerTestResult& result) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const PlannerRow& row : result.rows) {
+      Sum& sum = sums_[rowName(row.planner, row.attacker.policy)];
+      sum.seconds += row.outcome.planning_seconds;
+      sum.calls += row.outcome.plans;
+    }
+  }
+
+  /// Milliseconds a call in the mean, of those that were called.
+  std::map<std::string, double> means() const {
+    std::map<std::string, double> found;
+    for (const auto& [row, sum] : sums_) {
+      if (sum.calls > 0) found[row] = 1e3 * sum.seconds / static_cast<double>(sum.calls);
+    }
+    return found;
+  }
+
+ private:
+  struct Sum {
+    double seconds = 0.0;
+    long calls = 0;
+  };
+  std::mutex mutex_;
+  std::map<std::string, Sum> sums_;
+};
+
+std::string csvOf(const std::vector<PlannerTestResult>& results) {
+  std::string text = plannerResultCsvHeader() + "\n";
+  for (const PlannerTestResult& result : results) {
+    for (const std::string& row : plannerResultCsvRows(result)) text += row + "\n";
+  }
+  return text;
+}
+
+TestPlan planOf(const PlannerTestArguments& arguments, const Config& config) {
+  TestPlan plan{arguments.planners, arguments.background, {}, {}};
+  for (const std::string& name : arguments.policies) {
+    plan.policies.push_back(*policyKindFromString(name));
+    if (plan.policies.back() == PolicyKind::kAdaptive) plan.foresight = loadForesight(config);
+  }
+  return plan;
+}
+
+Config loadTestConfig(const PlannerTestArguments& arguments) {
+  Config config = loadRunConfig(arguments.config);
+  usePlannerFile(arguments.planner_file, arguments.planners, config.planners);
+  return config;
+}
+
+/// Prints how each planner did, and where more is.
+void printSummary(const std::vector<PlannerTestResult>& results, const PlanningTimes& times,
+                  const TestPlan& plan, const std::string& folder) {
+  const auto is_tested = [](const PlannerTestResult& result) { return result.isTested(); };
+  const auto tested = std::count_if(results.begin(), results.end(), is_tested);
+  std::cout << tested << " of " << counted(results.size(), "case") << " tested\n"
+            << summaryText(summarizePlanners(results, rowNames(plan)), times.means()) << "in "
+            << folder
+            << ": table.md (rates by type and time, and why cases were not tested), results.csv, "
+               "worst/ (pictures)\n";
+}
+
+/// Throws where there is nothing to report on.
+void checkTested(const std::vector<PlannerTestResult>& results, const std::string& path) {
+  const auto isTested = [](const PlannerTestResult& result) { return result.isTested(); };
+  if (std::any_of(results.begin(), results.end(), isTested)) return;
+  const PlannerTestResult& first = results.front();
+  throw std::runtime_error(path + ": none of the cases could be tested (" +
+                           std::to_string(results.size()) + "); the first, " + first.name + ": " +
+                           first.status + ": " + first.message);
+}
+
+}  // namespace
+
+PlannerTestRun::PlannerTestRun(PlannerTestArguments arguments)
+    : arguments_(std::move(arguments)),
+      config_(loadTestConfig(arguments_)),
+      locks_(lockFolders({arguments_.out, arguments_.report})),
+      plan_(planOf(arguments_, config_)),
+      results_path_((fs::path(arguments_.out) / "results.jsonl").string()) {}
+
+ResumableFile::Options PlannerTestRun::runOptions(const PlannerCases& cases) const {
+  ResumableFile::Options options = inputsOf(config_, arguments_.config, arguments_.logs);
+  options["cases"] = cases.fingerprint();
+  options["planners"] = joined(arguments_.planners);
+  options["attacker_policy"] = joined(arguments_.policies);
+  addPlannerFingerprint(options, arguments_.planners, config_.planners);
+  options["background"] = arguments_.background == Background::kIdm ? "idm" : "replay";
+  return options;
+}
+
+void PlannerTestRun::writeTables(const std::vector<PlannerTestResult>& results) const {
+  std::string text = reportTitle("Planners in closed loop") + "\n" + describeCases(results);
+  std::string csv = rateCsvHeader() + "\n";
+  for (const PlannerTable& entry : plannerTables(results, rowNames(plan_))) {
+    text += "\n" + toMarkdown(entry.table, entry.unit);
+    csv += toCsv(entry.table);
+  }
+  writeText(arguments_.out + "/results.csv", csvOf(results));
+  writeText(arguments_.out + "/table.csv", csv);
+  writeText(arguments_.out + "/table.md", text);
+}
+
+void PlannerTestRun::drawWorst(const PlannerCases& cases,
+                               const std::vector<PlannerTestResult>& results) const {
+  const fs::path folder = fs::path(arguments_.out) / "worst";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  std::map<std::string, int> ranks;
+  for (const std::string& planner : plan_.planners) {
+    for (const PolicyKind policy : plan_.policies) {
+      const std::string row = rowName(planner, policy);
+      for (const WorstCase& worst : worstCases(results, {row}, arguments_.worst)) {
+        const PlannerCase one = cases.at(worst.result);
+        const std::string name =
+            planner + "_" + toString(policy) + "_" + std::to_string(++ranks[row]);
+        const RolloutOutcome outcome =
+            driveAgain(one, planner, policy, plan_, config_, config_.planners);
+        if (!outcome.contact) continue;  // of a planner that is timed by the wall clock
+        drawView((folder / name).string(), viewOfHit(one, planner, policy, outcome, config_),
+                 config_.drawing);
+      }
+    }
+  }
+}
+
+std::vector<PlannerTestResult> PlannerTestRun::run(const PlannerCases& cases) const {
+  Run run;
+  run.path = results_path_;
+  run.options = runOptions(cases);
+  run.jobs = arguments_.jobs;
+  PlanningTimes times;
+  const auto test = [&](const PlannerCase& one) {
+    const PlannerTestResult result = testPlanners(one, plan_, config_, config_.planners);
+    times.add(result);
+    return result;
+  };
+  std::vector<PlannerTestResult> results = testCases(run, cases, test);
+  if (!isMaster()) return results;
+  checkTested(results, run.path);
+  writeTables(results);
+  printSummary(results, times, plan_, arguments_.out);
+  drawWorst(cases, results);
+  return results;
+}
+
+void PlannerTestRun::writePage(const std::vector<std::string>& attacks,
+                               const LogSource& logs) const {
+  if (arguments_.report.empty()) return;
+  ReportInputs inputs{attacks, logs, arguments_.background, arguments_.jobs};
+  inputs.files.push_back(results_path_);
+  writeReport(inputs, arguments_.report, config_);
+}
+
+void addPlannerTestOptions(CLI::App& app, PlannerTestArguments& arguments) {
+  app.add_option("--planners", arguments.planners, "names, separated by commas")
+      ->delimiter(',')
+      ->transform(oneOf(plannerNames()))
+      ->capture_default_str();
+  addPlannerFile(app, arguments.planner_file);
+  addBackground(app, arguments.background);
+  app.add_option("--worst", arguments.worst, "pictures a planner, of the hardest impacts")
+      ->capture_default_str();
+  addOut(app, arguments.out, "folder to write; see docs/planners.md");
+  addJobs(app, arguments.jobs, "cases at a time, in every rank of mpirun");
+  addReportOption(app, arguments.report);
+  addConfig(app, arguments.config);
+}
+
+}  // namespace forge

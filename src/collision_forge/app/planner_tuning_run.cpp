@@ -1,0 +1,210 @@
+#include "collision_forge/app/planner_tuning_run.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/app/report.h"
+#include "collision_forge/app/run_config.h"
+#include "collision_forge/base/files/aside_file.h"
+#include "collision_forge/base/files/fingerprint.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/io/batch/output.h"
+#include "collision_forge/planner_test/planners/planner_factory.h"
+#include "collision_forge/planner_test/settings/config_fingerprint.h"
+#include "collision_forge/planner_test/trials/planner_report.h"
+#include "collision_forge/planner_test/trials/planner_run.h"
+#include "collision_forge/planner_test/trials/planner_tuning.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The planners.yaml that is tuned.
+struct PlannersFile {
+  std::string path;
+  std::string text;
+};
+
+PlannersFile readPlannersFile(const std::string& config) {
+  PlannersFile file{config + "/planners.yaml", ""};
+  std::ifstream stream(file.path, std::ios::binary);
+  std::ostringstream content;
+  content << stream.rdbuf();
+  if (!stream) throw std::runtime_error(file.path + ": cannot be read");
+  file.text = content.str();
+  return file;
+}
+
+/// Everything that every rank works with.
+struct Tuning {
+  const TuningArguments& arguments;
+  const Config& config;
+  const PlannersFile file;
+  const std::vector<PlannerVariant> variants;
+  const TuningCases cases;
+};
+
+Tuning openTuning(const TuningArguments& arguments, const Config& config, TuningCases cases) {
+  const PlannersFile file = readPlannersFile(arguments.config);
+  const std::string grid_path =
+      arguments.grid.empty() ? arguments.config + "/tuning.yaml" : arguments.grid;
+  const PlannerGrid grid = readPlannerGrid(grid_path, arguments.planner);
+  std::vector<PlannerVariant> variants =
+      variantsOf(grid, file.path, file.text, config.attack.verification.limits);
+  for (PlannerVariant& variant : variants) {
+    variant.options.torchscript.file = config.planners.torchscript.file;
+    variant.options.torchscript.workers = config.planners.torchscript.workers;
+  }
+  return {arguments, config, file, std::move(variants), std::move(cases)};
+}
+
+/// What the results of both parts depend on.
+ResumableFile::Options runOptions(const Tuning& tuning) {
+  const TuningArguments& arguments = tuning.arguments;
+  ResumableFile::Options options = inputsOf(tuning.config, arguments.config, arguments.logs);
+  options["planner"] = arguments.planner;
+  addPlannerFingerprint(options, {arguments.planner}, tuning.config.planners);
+  options["background"] = arguments.background == Background::kIdm ? "idm" : "replay";
+  std::string found;
+  for (const PlannerVariant& variant : tuning.variants) {
+    for (const auto& [key, value] : variant.values) {
+      found = fingerprint(key + "=" + shortestText(value) + ";", found);
+    }
+  }
+  options["grid"] = std::to_string(tuning.variants.size()) + " variants, fingerprint " + found;
+  options["train"] = tuning.cases.train->fingerprint();
+  return options;
+}
+
+/// What is driven, for the file OUT/NAME.jsonl.
+Run partRun(const Tuning& tuning, const std::string& name, const PlannerCases& cases) {
+  Run run;
+  run.path = (fs::path(tuning.arguments.out) / (name + ".jsonl")).string();
+  run.options = runOptions(tuning);
+  run.options[name] = cases.fingerprint();
+  run.jobs = tuning.arguments.jobs;
+  return run;
+}
+
+/// Drives every variant through the training cases; results on the master.
+std::vector<PlannerTestResult> driveVariants(const Tuning& tuning) {
+  return testCases(partRun(tuning, "train", *tuning.cases.train), *tuning.cases.train,
+                   [&](const PlannerCase& one) {
+                     return testVariants(one, tuning.arguments.planner, tuning.variants, true,
+                                         tuning.arguments.background, tuning.config,
+                                         tuning.config.planners);
+                   });
+}
+
+/// The default and the tuned one.
+std::vector<PlannerVariant> comparedVariants(const Tuning& tuning, std::size_t best) {
+  std::vector<PlannerVariant> pair = {tuning.variants.front(), tuning.variants[best]};
+  pair.back().name = "tuned";
+  return pair;
+}
+
+/// Drives default and tuned planner through the held-out cases; results on the master.
+std::vector<PlannerTestResult> compare(const Tuning& tuning, std::size_t best) {
+  const std::vector<PlannerVariant> pair = comparedVariants(tuning, best);
+  return testCases(
+      partRun(tuning, "test", *tuning.cases.test), *tuning.cases.test, [&](const PlannerCase& one) {
+        return testVariants(one, tuning.arguments.planner, pair, false, tuning.arguments.background,
+                            tuning.config, tuning.config.planners);
+      });
+}
+
+/// The index of the best variant; writes how all did.
+std::size_t chooseBest(const Tuning& tuning, const std::vector<PlannerTestResult>& results) {
+  const auto scores = scoreVariants(results, tuning.variants);
+  const auto best = bestVariant(scores);
+  if (!best) throw std::runtime_error("there is no avoidable crash to tune on");
+  writeText(tuning.arguments.out + "/variants.csv", scoresCsv(tuning.variants, scores, *best));
+  return *best;
+}
+
+void report(const Tuning& tuning, std::size_t best, const std::vector<PlannerTestResult>& train,
+            const std::vector<PlannerTestResult>& test) {
+  const TuningArguments& arguments = tuning.arguments;
+  const PlannerValues& before = tuning.variants.front().values;
+  const PlannerValues& after = tuning.variants[best].values;
+  const RateTable comparison = comparisonTable(test);
+  const std::string outcome = reportTitle("Tuning of " + arguments.planner) + "\nBest of " +
+                              counted(tuning.variants.size(), "variant") +
+                              " on the training scenarios (" + tuning.variants[best].name +
+                              " of variants.csv):\n\n" + describeValues(before, after) +
+                              "\nTraining: " + describeCases(train) +
+                              "\nTest: " + describeCases(test) + "\n" + toMarkdown(comparison);
+  std::string text = outcome;
+  std::string csv = rateCsvHeader() + "\n" + toCsv(comparison);
+  for (const PlannerTable& entry : plannerTables(test, {"default", "tuned"})) {
+    text += "\n" + toMarkdown(entry.table, entry.unit);
+    csv += toCsv(entry.table);
+  }
+  writeText(arguments.out + "/planners.yaml",
+            withPlannerValues(tuning.file.path, tuning.file.text, after));
+  writeText(arguments.out + "/table.csv", csv);
+  writeText(arguments.out + "/table.md", text);
+  std::cout << outcome << "\nin " << arguments.out
+            << ": planners.yaml (with the best values), table.md, variants.csv\n";
+}
+
+ReportInputs reportInputs(const Tuning& tuning, std::size_t best) {
+  const TuningArguments& arguments = tuning.arguments;
+  const std::vector<std::string>& files = tuning.cases.test_files;
+  ReportInputs inputs{files,
+                      files.empty() ? LogSource() : arguments.logs,
+                      arguments.background,
+                      arguments.jobs,
+                      arguments.planner,
+                      comparedVariants(tuning, best)};
+  inputs.files.push_back((fs::path(arguments.out) / "test.jsonl").string());
+  return inputs;
+}
+
+}  // namespace
+
+int tunePlanner(const TuningArguments& arguments,
+                const std::function<TuningCases(const Config&)>& open) {
+  Config config = loadRunConfig(arguments.config);
+  usePlannerFile(arguments.planner_file, {arguments.planner}, config.planners);
+  const OutputLocks locks = lockFolders({arguments.out, arguments.report});
+  const Tuning tuning = openTuning(arguments, config, open(config));
+  std::vector<PlannerTestResult> train;
+  const std::optional<std::size_t> best = agree([&]() -> std::size_t {
+    train = driveVariants(tuning);
+    return isMaster() ? chooseBest(tuning, train) : 0;
+  });
+  if (!best) return kExitError;  // the master tells why
+  const std::vector<PlannerTestResult> test = compare(tuning, *best);
+  if (!isMaster()) return kExitOk;
+  report(tuning, *best, train, test);
+  if (!arguments.report.empty()) {
+    writeReport(reportInputs(tuning, *best), arguments.report, config);
+  }
+  return kExitOk;
+}
+
+void addTuningOptions(CLI::App& app, TuningArguments& arguments) {
+  app.add_option("--planner", arguments.planner, "name")
+      ->transform(oneOf(plannerNames()))
+      ->capture_default_str();
+  addPlannerFile(app, arguments.planner_file);
+  app.add_option("--grid", arguments.grid, "values to try (default: tuning.yaml of --config)")
+      ->check(CLI::ExistingFile);
+  addSource(app, arguments.logs)->required();
+  addBackground(app, arguments.background);
+  addOut(app, arguments.out, "folder to write; see docs/planners.md");
+  addJobs(app, arguments.jobs, "cases at a time, in every rank of mpirun");
+  addReportOption(app, arguments.report);
+  addConfig(app, arguments.config);
+}
+
+}  // namespace forge

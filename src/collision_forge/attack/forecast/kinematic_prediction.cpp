@@ -1,0 +1,73 @@
+#include "collision_forge/attack/forecast/kinematic_prediction.h"
+
+#include <cmath>
+#include <functional>
+
+#include "collision_forge/attack/forecast/motion_estimate.h"
+
+namespace forge {
+namespace {
+
+Track trackFrom(const Track& past, double now, double horizon, double step,
+                const std::function<Pose2(double)>& pose_after) {
+  Track future{past.id, past.agent_class, past.size, {}};
+  const int steps = static_cast<int>(std::ceil(horizon / step));
+  future.states.reserve(static_cast<std::size_t>(steps) + 1);
+  for (int i = 0; i <= steps; ++i) {
+    future.states.push_back({now + i * step, pose_after(i * step), Vector2::Zero()});
+  }
+  deriveVelocities(future);
+  return future;
+}
+
+Track followLane(const Track& past, double now, double horizon, const Motion& motion,
+                 const Polyline& path, const PredictionOptions& options) {
+  const PolylineProjection start = path.project(motion.pose.position());
+  const Pose2 offset = relativeTo(start.pose, motion.pose);
+  return trackFrom(past, now, horizon, options.step, [=, &path](double t) {
+    const double driven = motion.speed * t;
+    const double fade = std::exp(-driven / options.lane_return_distance);
+    return compose(path.poseAt(start.arc_length + driven),
+                   {offset.x * fade, offset.y * fade, offset.yaw * fade});
+  });
+}
+
+Track predictTrack(const Track& past, const Snapshot& snapshot, const LaneIndex& lanes,
+                   double horizon, const PredictionOptions& options) {
+  const Motion motion = estimateMotion(past, options.motion_frames);
+  const double now = snapshot.now;
+  const Vector2 velocity = past.states.back().velocity;
+  const double speed = isVehicle(past.agent_class) ? std::abs(motion.speed) : velocity.norm();
+  if (speed < options.standstill_speed) {
+    return trackFrom(past, now, horizon, options.step, [&](double) { return motion.pose; });
+  }
+  if (isVehicle(past.agent_class) && motion.speed > 0.0) {
+    const auto matches =
+        lanes.lanesNear(motion.pose, options.on_lane_distance, options.on_lane_heading);
+    if (!matches.empty()) {
+      const double reach = motion.speed * horizon + options.lane_return_distance;
+      const Polyline path =
+          lanes.pathAhead(matches.front().lane, matches.front().projection.arc_length, reach);
+      return followLane(past, now, horizon, motion, path, options);
+    }
+  }
+  return trackFrom(past, now, horizon, options.step, [&](double t) {
+    return Pose2{motion.pose.x + velocity.x() * t, motion.pose.y + velocity.y() * t,
+                 motion.pose.yaw};
+  });
+}
+
+}  // namespace
+
+Future predictFuture(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
+                     const PredictionOptions& options) {
+  Future future;
+  future.ego = predictTrack(snapshot.ego, snapshot, lanes, horizon, options);
+  for (const Track& agent : snapshot.agents) {
+    if (!newestAt(agent, snapshot.now)) continue;
+    future.agents.push_back(predictTrack(agent, snapshot, lanes, horizon, options));
+  }
+  return future;
+}
+
+}  // namespace forge

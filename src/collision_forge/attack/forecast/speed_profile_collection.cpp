@@ -1,0 +1,54 @@
+#include "collision_forge/attack/forecast/speed_profile_collection.h"
+
+#include <cmath>
+
+#include "collision_forge/attack/forecast/ego_paths.h"
+
+namespace forge {
+namespace {
+
+constexpr double kFollowedSeconds = 6.0;  // that tell which path the ego took
+constexpr double kStepTolerance = 0.25;   // s, of the time between frames about kProfileStep
+constexpr int kPastFrames = 2;            // that other agents' velocities need
+
+std::vector<Vector2> positionsAfter(const Track& ego, double now) {
+  std::vector<Vector2> positions;
+  for (double after = 0.0; after <= kFollowedSeconds; after += kProfileStep) {
+    const auto state = stateAt(ego, now + after);
+    if (state) positions.push_back(state->pose.position());
+  }
+  return positions;
+}
+
+/// The ego's past states for egoNow().
+Track pastOf(const Track& ego, double now) {
+  Track past{ego.id, ego.agent_class, ego.size, {}};
+  for (double before = 2.5; before > -0.25; before -= kProfileStep) {
+    const auto state = stateAt(ego, now - before);
+    if (state) past.states.push_back(*state);
+  }
+  return past;
+}
+
+}  // namespace
+
+std::vector<SpeedProfileRow> collectSpeedProfiles(const Scene& scene, const LaneIndex& lanes,
+                                                  const EgoPathOptions& options) {
+  std::vector<SpeedProfileRow> rows;
+  int frame = 0;
+  for (std::size_t i = 1; i < scene.frame_times.size(); ++i) {
+    const double now = scene.frame_times[i];
+    const double step = now - scene.frame_times[i - 1];
+    frame += std::abs(step - kProfileStep) <= kStepTolerance ? 1 : 2;
+    const Track past = pastOf(scene.ego, now);
+    if (past.states.size() < 2) continue;
+    const EgoNow ego = egoNow(past);
+    const std::vector<EgoPath> paths = egoPaths(ego, lanes, kFollowedSeconds, options);
+    const EgoPath& path = followedPath(paths, positionsAfter(scene.ego, now));
+    const WayAhead ahead = wayAhead(path, ego, snapshotAt(scene, now, kPastFrames));
+    rows.push_back({scene.name, frame, ego.past_speeds[0], ahead});
+  }
+  return rows;
+}
+
+}  // namespace forge

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "collision_forge/attack/network/options.h"
+#include "collision_forge/base/map/lane_queries.h"
+#include "collision_forge/base/scene/scene.h"
+
+namespace forge {
+
+/// A dense row-major array.
+struct DenseTensor {
+  std::vector<std::uint32_t> shape;
+  std::vector<float> data;
+};
+
+/// A snapshot as network input, in the frame of the ego's box now (x forward, y left; m, rad, m/s).
+/// Nothing that is missing is given a position: its mask is 0.
+struct SceneEncoding {
+  /// [1 + agents, frames, 8]: x, y, cos yaw, sin yaw, vx, vy, length, width; row 0 is the ego, then
+  /// the agents in the snapshot's order; the last frame is now.
+  DenseTensor agent_features;
+  DenseTensor agent_mask;  ///< [1 + agents, frames]
+  /// [lanes, points, 6]: x, y, cos yaw, sin yaw, is_connector, is_intersection; nearest lane first.
+  DenseTensor lane_features;
+  DenseTensor lane_mask;              ///< [lanes, points]
+  std::vector<std::string> lane_ids;  ///< [lanes]
+  std::vector<std::size_t> lanes;     ///< [lanes], indices into LaneMap::lanes
+};
+
+/// Encodes the `frames` newest frames of the snapshot and the lanes around the ego.
+/// Throws std::invalid_argument for a snapshot without an ego at now.
+SceneEncoding encodeScene(const Snapshot& snapshot, const LaneIndex& lanes, int frames,
+                          const EncodingOptions& options);
+
+}  // namespace forge

@@ -1,0 +1,317 @@
+#include "collision_forge/attack/search/added_drives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+
+#include "collision_forge/attack/search/placement.h"
+
+namespace forge {
+namespace {
+
+constexpr double kStep = AddedDrive::kStep;
+constexpr double kGettingGoing = 0.4;  // s until somebody who stood has its acceleration
+constexpr double kOwnLane = 1.5;       // m from the middle of a way: the way is the ego's own
+constexpr double kHeadway = 1.2;       // s between two that drive the same way
+
+std::vector<AddedManner> followsOf(const AddedMeeting& meeting) {
+  std::vector<AddedManner> follows;
+  for (std::size_t i = 0; i < meeting.way->flows.size(); ++i) {
+    follows.push_back({AddedManner::kFollow, static_cast<double>(i)});
+  }
+  return follows;
+}
+
+std::vector<AddedManner> joined(std::initializer_list<std::vector<AddedManner>> lists) {
+  std::vector<AddedManner> all;
+  for (const std::vector<AddedManner>& list : lists)
+    all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+/// On at a steady acceleration; false where that leads backwards.
+bool goOn(const AddedMeeting& meeting, double along, double speed, double acceleration,
+          AddedDrive& drive) {
+  if (speed + acceleration * meeting.contact < 0.0) return false;
+  for (std::size_t i = 0; i < drive.on.size(); ++i) {
+    const double time = drive.step() * static_cast<double>(i + 1);
+    drive.on[i] = along + speed * time + 0.5 * acceleration * time * time;
+  }
+  return true;
+}
+
+/// Offset from the way's middle, `gap` metres farther from the ego than at the meeting.
+double besideEgo(const AddedMeeting& meeting, const PathPose& place, double gap) {
+  const double outward = place.across - meeting.way->path.seen(meeting.ego.center).across;
+  return place.across + std::copysign(gap, outward);
+}
+
+}  // namespace
+
+bool AddedMeeting::isEgosOwn() const {
+  const Pose2 place = way->path.at(way->path.project(ego.center.position())).pose;
+  return std::abs(relativeTo(place, ego.center).y) < kOwnLane;
+}
+
+Pose2 AddedMeeting::offsetOf(const BoxSize& attacker) const {
+  return attackerOffset(ego.size, attacker, side, heading, 0.0, 0.0);
+}
+
+PathPose AddedMeeting::seen(const BoxSize& attacker) const {
+  return way->path.seen(compose(ego.center, offsetOf(attacker)));
+}
+
+double AddedDrive::at(int steps) const {
+  if (steps <= 0) return back[std::min(static_cast<std::size_t>(-steps), back.size() - 1)];
+  const double last = static_cast<double>(on.size() - 1);
+  const double place = std::clamp(steps * kStep / step() - 1.0, 0.0, last);
+  const auto before = static_cast<std::size_t>(place);
+  const auto after = std::min(before + 1, on.size() - 1);
+  return on[before] + (place - static_cast<double>(before)) * (on[after] - on[before]);
+}
+
+Pose2 AddedDrive::poseAt(const ReferencePath& path, int steps) const {
+  return compose(path.at(at(steps)).pose, {0.0, aside, 0.0});
+}
+
+AddedDrives::AddedDrives(const AddedVehicleInput& input, const AttackOptions& options)
+    : input_(input),
+      added_(options.added),
+      route_(options.route),
+      past_(input.known()),
+      steps_back_(stepsBack(past_)) {}
+
+std::vector<AddedManner> AddedDrives::mannersOf(const AddedMeeting& meeting) const {
+  switch (input_.request.type) {
+    case CollisionType::kRearEnd:
+      return mannersInLane(meeting);
+    case CollisionType::kLaneChange:
+      return mannersBeside(meeting);
+    case CollisionType::kOppositeDirection:
+      return mannersOncoming(meeting);
+    case CollisionType::kJunctionCrossing:
+    case CollisionType::kLtap:
+      break;
+  }
+  return mannersCrossing(meeting);
+}
+
+std::vector<AddedManner> AddedDrives::mannersInLane(const AddedMeeting& meeting) const {
+  std::vector<AddedManner> trains = trainsOf(meeting);
+  std::vector<AddedManner> cruises;
+  std::vector<double> speeds = speedsOf(meeting);
+  if (!input_.isFutureKnown()) {
+    // The faster one comes to the other, the less does it matter where exactly the ego will be.
+    const double own = past_.ego.states.back().velocity.norm();
+    std::sort(speeds.begin(), speeds.end(),
+              [&](double a, double b) { return std::abs(a - own) > std::abs(b - own); });
+  }
+  for (const double speed : speeds) cruises.push_back({AddedManner::kCruise, speed});
+  std::vector<AddedManner> stands;
+  if (meeting.side == Side::kFront) stands.push_back({AddedManner::kStand});
+  const bool stands_first =
+      !input_.isFutureKnown() || input_.request.manoeuvre == Manoeuvre::kLeadStopped;
+  return stands_first ? joined({stands, cruises, trains}) : joined({trains, cruises, stands});
+}
+
+std::vector<AddedManner> AddedDrives::mannersBeside(const AddedMeeting& meeting) const {
+  std::vector<AddedManner> parks;
+  for (const double before : added_.parked) parks.push_back({AddedManner::kPark, before});
+  std::vector<AddedManner> cruises;
+  for (const double speed : speedsOf(meeting)) cruises.push_back({AddedManner::kCruise, speed});
+  const std::optional<Manoeuvre>& asked = input_.request.manoeuvre;
+  if (asked == Manoeuvre::kPullOut) return parks;
+  if (asked) parks.clear();
+  std::vector<AddedManner> drives = joined({trainsOf(meeting), cruises});
+  if (!meeting.isEgosOwn()) return joined({drives, parks});
+  const AddedWay& way = *meeting.way;
+  const bool is_ego_there = !way.ego.empty() && std::abs(way.ego_across) < kOwnLane;
+  // Another lane leads into the ego's.
+  if (!is_ego_there) return joined({parks, drives});
+  // Beside the ego in its lane is room for motorcycles alone.
+  for (AddedManner& manner : drives) manner.rides = true;
+  return joined({parks, drives});
+}
+
+std::vector<AddedManner> AddedDrives::mannersOncoming(const AddedMeeting& meeting) const {
+  std::vector<AddedManner> manners;
+  // Who comes slowly cannot cross the centre line in time.
+  for (const double speed : speedsOf(meeting)) {
+    if (speed >= added_.least_crossing_speed) manners.push_back({AddedManner::kCruise, speed});
+  }
+  manners = joined({manners, followsOf(meeting)});
+  for (const double start : added_.starts) manners.push_back({AddedManner::kStart, start, false});
+  std::vector<AddedManner> nearer = manners;
+  for (AddedManner& manner : nearer) manner.aside = std::copysign(added_.aside, meeting.across);
+  return joined({manners, nearer});
+}
+
+std::vector<AddedManner> AddedDrives::mannersCrossing(const AddedMeeting& meeting) const {
+  const std::vector<double> speeds = speedsOf(meeting);
+  std::vector<AddedManner> manners;
+  for (std::size_t i = 0; i < std::max(speeds.size(), added_.starts.size()); ++i) {
+    if (i < speeds.size()) manners.push_back({AddedManner::kCruise, speeds[i]});
+    if (i >= added_.starts.size()) continue;
+    manners.push_back({AddedManner::kStart, added_.starts[i], false});
+    manners.push_back({AddedManner::kStart, added_.starts[i], true});
+  }
+  const std::vector<AddedManner> follows = followsOf(meeting);
+  manners.insert(manners.begin() + std::min<std::ptrdiff_t>(2, manners.size()), follows.begin(),
+                 follows.end());
+  return manners;
+}
+
+/// Of the recorded vehicles on its way, of the ego and of the configuration.
+std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
+  std::vector<double> speeds = meeting.way->speeds;
+  const double own = past_.ego.states.back().velocity.norm();
+  if (own > AddedWay::kMoving) addSpeed(own, speeds);
+  for (const double speed : added_.speeds) addSpeed(speed, speeds);
+  return speeds;
+}
+
+std::vector<AddedManner> AddedDrives::trainsOf(const AddedMeeting& meeting) const {
+  std::vector<AddedManner> trains;
+  for (const double closing : added_.closings) trains.push_back({AddedManner::kTrain, closing});
+  return joined({trains, followsOf(meeting)});
+}
+
+bool AddedDrives::plan(const AddedMeeting& meeting, const AddedManner& manner, const BoxSize& size,
+                       AddedDrive& drive, const SpeedVariation& variation) const {
+  const PathPose place = meeting.seen(size);
+  const double along = place.along;
+  drive.aside = manner.aside;
+  if (manner.rides) drive.aside = besideEgo(meeting, place, added_.riding_gap);
+  drive.back.clear();
+  drive.contact = meeting.contact;
+  drive.on.assign(static_cast<std::size_t>(std::ceil(meeting.contact / kStep)), 0.0);
+  switch (manner.kind) {
+    case AddedManner::kCruise:
+      if (!cruise(meeting, along, manner.value, drive)) return false;
+      vary(variation, drive);
+      return true;
+    case AddedManner::kTrain:
+      return train(meeting, along, size, manner.value, drive);
+    case AddedManner::kFollow:
+      return followFlow(meeting, along, meeting.way->flows[static_cast<std::size_t>(manner.value)],
+                        drive);
+    case AddedManner::kStart:
+      return start(meeting, along, manner, drive);
+    case AddedManner::kStand:
+      drive.back.assign(steps_back_ + 1, along);
+      return goOn(meeting, along, 0.0, 0.0, drive);
+    case AddedManner::kPark:
+      return park(meeting, place, manner.value, drive);
+  }
+  return false;
+}
+
+/// Goes on backwards, no faster than bends allow, until everything is known or the way begins.
+void AddedDrives::cruiseBack(const AddedWay& way, double speed, double now,
+                             std::vector<double>& back) const {
+  const double change = added_.braking * kStep;
+  while (back.size() <= steps_back_ && back.back() >= 0.0) {
+    const double wanted = std::min(speed, way.cap(back.back()));
+    const double before = std::clamp(wanted, now - change, now + change);
+    back.push_back(back.back() - 0.5 * (now + before) * kStep);
+    now = before;
+  }
+}
+
+bool AddedDrives::cruise(const AddedMeeting& meeting, double along, double speed,
+                         AddedDrive& drive) const {
+  double now = 0.0;
+  for (std::size_t i = drive.on.size(); i-- > 0;) {
+    drive.on[i] = along;
+    now = std::min(speed, meeting.way->cap(along));
+    along -= now * drive.step();
+  }
+  drive.back = {along};
+  cruiseBack(*meeting.way, speed, now, drive.back);
+  return true;
+}
+
+/// The meeting stays; nobody drives backwards.
+void AddedDrives::vary(const SpeedVariation& variation, AddedDrive& drive) {
+  const double end = variation.way(drive.contact);
+  double next = drive.on.back();
+  const auto shift = [&](double& along, double time) {
+    next = along = std::min(next, along + variation.way(time) - end);
+  };
+  for (std::size_t i = drive.on.size(); i-- > 0;) {
+    shift(drive.on[i], drive.step() * static_cast<double>(i + 1));
+  }
+  for (std::size_t i = 0; i < drive.back.size(); ++i) {
+    shift(drive.back[i], -kStep * static_cast<double>(i));
+  }
+}
+
+/// As the ego drove so far, at a distance at which `closing` brings both together.
+bool AddedDrives::train(const AddedMeeting& meeting, double along, const BoxSize& size,
+                        double closing, AddedDrive& drive) const {
+  const AddedWay& way = *meeting.way;
+  const std::size_t count = way.ego.size();
+  constexpr std::size_t kSpan = 5;
+  if (count <= kSpan) return false;
+  const double speed = std::max(0.0, (way.ego[0] - way.ego[kSpan]) / (kSpan * kStep));
+  const double contact = meeting.contact;
+  const double start = along - speed * contact - 0.5 * closing * contact * contact;
+  const double gap = start - way.ego[0];
+  const double least = 0.5 * (past_.ego.size.length + size.length) + added_.least_gap;
+  const double passing = 0.5 * (past_.ego.size.width + size.width);
+  if (std::abs(way.ego_across - drive.aside) < passing && std::abs(gap) < least) return false;
+  if (!goOn(meeting, start, speed, closing, drive)) return false;
+  for (const double ego : way.ego) {
+    drive.back.push_back(ego + gap);
+    if (drive.back.back() < 0.0) return true;
+  }
+  const double first =
+      std::max(0.0, (way.ego[count - 1 - kSpan] - way.ego[count - 1]) / (kSpan * kStep));
+  cruiseBack(way, std::max(first, AddedWay::kMoving), first, drive.back);
+  return true;
+}
+
+/// As a vehicle drives along the way, so much later or earlier that it comes to the meeting.
+bool AddedDrives::followFlow(const AddedMeeting& meeting, double along, const AddedFlow& flow,
+                             AddedDrive& drive) const {
+  const auto passing = flow.passing(along);
+  if (!passing) return false;
+  const double later = meeting.contact - *passing;
+  if (std::abs(later) < kHeadway || !flow.covers(-later)) return false;
+  for (std::size_t i = 0; i < drive.on.size(); ++i) {
+    drive.on[i] = flow.at(drive.step() * static_cast<double>(i + 1) - later);
+  }
+  double ago = 0.0;
+  for (; drive.back.size() <= steps_back_ && flow.covers(-ago - later); ago += kStep) {
+    drive.back.push_back(flow.at(-ago - later));
+  }
+  const double first = flow.times.front();
+  const double speed = (flow.at(first + 1.0) - flow.at(first)) / 1.0;
+  cruiseBack(*meeting.way, std::max(speed, AddedWay::kMoving), speed, drive.back);
+  return true;
+}
+
+bool AddedDrives::start(const AddedMeeting& meeting, double along, const AddedManner& manner,
+                        AddedDrive& drive) const {
+  const double moving = std::max(0.0, meeting.contact - kGettingGoing);
+  const double place = along - 0.5 * manner.value * moving * moving;
+  const double mean = 2.0 * (along - place) / (meeting.contact * meeting.contact);
+  if (!goOn(meeting, place, 0.0, mean, drive)) return false;
+  const auto waited = static_cast<std::size_t>(std::ceil(added_.wait / kStep));
+  drive.back.assign(std::min(steps_back_, manner.waits ? waited : steps_back_) + 1, place);
+  cruiseBack(*meeting.way, added_.speeds.front(), 0.0, drive.back);
+  return true;
+}
+
+/// Parked beside the way, a little before the meeting and farther out.
+bool AddedDrives::park(const AddedMeeting& meeting, const PathPose& place, double before,
+                       AddedDrive& drive) const {
+  constexpr double kOutward = 0.15;  // a metre along
+  drive.aside = besideEgo(meeting, place, kOutward * before);
+  if (std::abs(drive.aside) > route_.parking_distance) return false;
+  drive.back.assign(steps_back_ + 1, place.along - before);
+  return goOn(meeting, place.along - before, 0.0, 0.0, drive);
+}
+
+}  // namespace forge

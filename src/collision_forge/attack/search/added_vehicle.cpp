@@ -1,0 +1,371 @@
+#include "collision_forge/attack/search/added_vehicle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "collision_forge/attack/forecast/random.h"
+#include "collision_forge/attack/search/added_drives.h"
+#include "collision_forge/attack/search/added_past.h"
+#include "collision_forge/attack/search/arrival_sampler.h"
+#include "collision_forge/attack/search/judge.h"
+#include "collision_forge/attack/search/placement.h"
+#include "collision_forge/attack/verify/believability.h"
+
+namespace forge {
+namespace {
+
+constexpr double kMinContact = 0.3;  // s from now
+
+bool isCar(const AddedVehicle& vehicle) { return isCarLike(vehicle.track.agent_class); }
+
+class Casting {
+ public:
+  Casting(const AddedVehicleInput& input, const AttackOptions& options)
+      : input_(input),
+        options_(options),
+        added_(options.added),
+        past_(input.known()),
+        ways_(input, options.added),
+        drives_(input, options),
+        added_past_(input, options),
+        random_(input.request.seed) {
+    for (std::size_t i = 0; i < input.future.ego_samples.size(); i += 2) {
+      egos_.push_back(&input.future.ego_samples[i]);
+    }
+    if (egos_.empty()) egos_.push_back(&input.future.ego);
+  }
+
+  AddedVehicles run() {
+    AddedVehicles vehicles;
+    const double now = past_.now;
+    const std::vector<std::size_t> spread = spreadFutures(
+        egos_, past_.ego.states.back().pose, now + input_.request.tta, options_.search.ego_poses);
+    for (const double early : added_.contacts) {
+      std::vector<AddedMeeting> meetings;
+      for (const std::size_t ego : spread) {
+        addMeetings(*egos_[ego], std::max(kMinContact, input_.request.tta + early), meetings);
+      }
+      std::stable_sort(
+          meetings.begin(), meetings.end(),
+          [&](const AddedMeeting& a, const AddedMeeting& b) { return rankOf(a) < rankOf(b); });
+      tryMeetings(meetings, vehicles.found);
+      if (isEnough(vehicles.found)) break;
+    }
+    if (vehicles.found.empty()) vehicles.status = refusal();
+    // Motorcycles beside the ego in its lane are rarer than cars that change lanes.
+    std::stable_partition(vehicles.found.begin(), vehicles.found.end(), isCar);
+    return vehicles;
+  }
+
+ private:
+  /// Ways that are nearer to the meeting go first; to change into the ego's lane, others than it.
+  long rankOf(const AddedMeeting& meeting) const {
+    constexpr long kLast = 100;
+    const long rank = std::lround(std::abs(meeting.across));
+    const bool is_change = input_.request.type == CollisionType::kLaneChange;
+    return is_change && meeting.isEgosOwn() ? rank + kLast : rank;
+  }
+
+  bool isEnough(const std::vector<AddedVehicle>& found) const {
+    return static_cast<int>(found.size()) >=
+           (input_.isFutureKnown() ? added_.candidates : added_.predicted_candidates);
+  }
+
+  Status refusal() const {
+    const bool allows = std::any_of(egos_.begin(), egos_.end(), [&](const Track* ego) {
+      return roadAllows(*ego, past_.now, input_.request, input_.lanes,
+                        options_.verification.believability);
+    });
+    const std::string type = toString(input_.request.type);
+    if (!allows) {
+      return {StatusCode::kRoadDoesNotAllow,
+              "no lane near the ego at the asked time has a direction of type = " + type};
+    }
+    if (!has_way_) {
+      return {StatusCode::kRoadDoesNotAllow,
+              "no lane leads to the ego at the asked time from where type = " + type + " comes"};
+    }
+    std::string message = "no vehicle can be added";
+    const char* sign = ": ";
+    for (const auto& [reason, count] : reasons_) {
+      message += sign + std::to_string(count) + " " + reason;
+      sign = ", ";
+    }
+    return {StatusCode::kNoCandidate, message};
+  }
+
+  // Meetings.
+
+  static Pose2 poseOf(const Track& ego, double time) {
+    return stateAt(ego, time).value_or(ego.states.back()).pose;
+  }
+
+  void addMeetings(const Track& future, double contact, std::vector<AddedMeeting>& meetings) {
+    const OrientedBox ego = {poseOf(future, past_.now + contact), past_.ego.size};
+    const std::vector<FittingLane> fitting =
+        fittingLanes(ego, input_.request.bands(), input_.request.type, input_.driven(),
+                     options_.verification.believability);
+    for (const FittingLane& lane : fitting) {
+      // The ways to a lane that follows are the same, and more.
+      const std::vector<std::size_t>& next = input_.driven().successors(lane.lane);
+      if (std::any_of(fitting.begin(), fitting.end(), [&](const FittingLane& other) {
+            return std::find(next.begin(), next.end(), other.lane) != next.end();
+          })) {
+        continue;
+      }
+      for (const auto& way : ways_.to(lane)) {
+        AddedMeeting meeting;
+        meeting.way = way.get();
+        meeting.ego = ego;
+        meeting.contact = contact;
+        addMeetingsOn(lane.pose, meeting, meetings);
+      }
+    }
+  }
+
+  /// At the placement that is nearest to the way; in rear ends the other one, too.
+  void addMeetingsOn(const Pose2& place, AddedMeeting meeting,
+                     std::vector<AddedMeeting>& meetings) const {
+    const CollisionType type = input_.request.type;
+    const ReferencePath& path = meeting.way->path;
+    const double direction =
+        angleBetween(meeting.ego.center.yaw, path.at(path.project(place.position())).pose.yaw);
+    const BoxSize size{added_.kinds.front().length, added_.kinds.front().width};
+    std::vector<AddedMeeting> possible;
+    for (const HeadedPlacement& placement :
+         placementsAlong(direction, type, input_.request.bands(), input_.lanes.map().driving_side,
+                         options_.route.heading_margin, options_.route.max_lean)) {
+      if (!isSideAsked(placement.side)) continue;
+      meeting.side = placement.side;
+      meeting.heading = placement.heading;
+      meeting.across = meeting.seen(size).across;
+      if (std::abs(meeting.across) < options_.route.max_departure) possible.push_back(meeting);
+    }
+    // In the ego's own lane who follows or leads comes from either end, who is parked from either
+    // side.
+    const bool all_count = type == CollisionType::kRearEnd ||
+                           (type == CollisionType::kLaneChange && meeting.isEgosOwn());
+    if (!all_count && possible.size() > 1) {
+      std::swap(
+          possible.front(),
+          *std::min_element(possible.begin(), possible.end(), [](const auto& a, const auto& b) {
+            return std::abs(a.across) < std::abs(b.across);
+          }));
+      possible.resize(1);
+    }
+    meetings.insert(meetings.end(), possible.begin(), possible.end());
+  }
+
+  /// By the request's side of the ego, or by its manoeuvre.
+  bool isSideAsked(Side side) const {
+    const CollisionRequest& request = input_.request;
+    if (request.ego_side && *request.ego_side != side) return false;
+    if (request.type != CollisionType::kRearEnd || !request.manoeuvre) return true;
+    return (*request.manoeuvre == Manoeuvre::kFollowerCloses) == (side == Side::kRear);
+  }
+
+  // Vehicles.
+
+  void tryMeetings(const std::vector<AddedMeeting>& meetings, std::vector<AddedVehicle>& found) {
+    std::vector<std::vector<AddedManner>> manners;
+    std::size_t most = 0;
+    for (const AddedMeeting& meeting : meetings) {
+      manners.push_back(drives_.mannersOf(meeting));
+      most = std::max(most, manners.back().size());
+    }
+    for (std::size_t manner = 0; manner < most; ++manner) {
+      for (std::size_t i = 0; i < meetings.size(); ++i) {
+        if (manner >= manners[i].size()) continue;
+        const char* reason = tryOne(meetings[i], manners[i][manner], found);
+        if (reason) {
+          ++reasons_[reason];
+          continue;
+        }
+        if (isEnough(found)) return;
+        // Where few are tried, these shall differ.
+        if (!input_.isFutureKnown()) break;
+      }
+    }
+  }
+
+  /// With its length drawn, too.
+  AddedKind drawKind(const std::optional<AgentClass>& asked) {
+    double sum = 0.0;
+    const auto shareOf = [&](const AddedKind& kind) {
+      if (!asked) return kind.share;
+      // The last of them where none has a share.
+      return kind.agent_class == *asked ? std::max(kind.share, 1e-6) : 0.0;
+    };
+    for (const AddedKind& kind : added_.kinds) sum += shareOf(kind);
+    double place = random_.uniform(0.0, sum);
+    AddedKind drawn = added_.kinds.front();
+    for (const AddedKind& kind : added_.kinds) {
+      if (shareOf(kind) <= 0.0) continue;
+      drawn = kind;
+      place -= shareOf(kind);
+      if (place < 0.0) break;
+    }
+    drawn.length += random_.bell(drawn.length_deviation);
+    return drawn;
+  }
+
+  /// Adds the vehicle; else why it does not fit.
+  const char* tryOne(const AddedMeeting& meeting, const AddedManner& manner,
+                     std::vector<AddedVehicle>& found) {
+    const auto& asked = input_.request.attacker_class;
+    if (manner.rides && asked && *asked != AgentClass::kMotorcycle) {
+      has_way_ = true;
+      return "are too wide";
+    }
+    const AddedKind kind = drawKind(manner.rides ? AgentClass::kMotorcycle : asked);
+    const BoxSize size{kind.length, kind.width};
+    const std::string name = newName(found);
+    const SpeedVariation variation = variationOf(name, input_.request.seed, options_.route);
+    if (!drives_.plan(meeting, manner, size, drive_, variation)) return "cannot drive so";
+    const ReferencePath& path = meeting.way->path;
+    const double ego_yaw = past_.ego.states.back().pose.yaw;
+    const double approach = angleBetween(ego_yaw, path.at(drive_.back.front()).pose.yaw);
+    if (input_.request.crash.rules == TypeRules::kFull &&
+        !approachFits(approach, input_.request.bands())) {
+      return "do not come from where the type wants them";
+    }
+    has_way_ = true;
+    Track track{name, kind.agent_class, size, {}};
+    if (const char* reason = added_past_.drive(drive_, path, track)) return reason;
+    const bool keeps_aside = drive_.aside != 0.0 && manner.kind != AddedManner::kPark;
+    AddedVehicle vehicle{std::move(track), keeps_aside ? path.beside(drive_.aside) : path, {}};
+    addPatterns(meeting, vehicle);
+    found.push_back(std::move(vehicle));
+    return nullptr;
+  }
+
+  std::string newName(const std::vector<AddedVehicle>& found) const {
+    std::string name;
+    const auto isNamed = [&](const Track& agent) { return agent.id == name; };
+    const auto isTaken = [&] {
+      return std::any_of(past_.agents.begin(), past_.agents.end(), isNamed) ||
+             std::any_of(found.begin(), found.end(),
+                         [&](const AddedVehicle& vehicle) { return isNamed(vehicle.track); });
+    };
+    std::size_t index = found.size();
+    do {
+      name = "added-" + std::to_string(++index);
+    } while (isTaken());
+    return name;
+  }
+
+  void addPatterns(const AddedMeeting& meeting, AddedVehicle& vehicle) const {
+    const Track& track = vehicle.track;
+    CollisionPattern pattern;
+    pattern.type = input_.request.type;
+    pattern.attacker_id = track.id;
+    pattern.time = past_.now + meeting.contact;
+    pattern.ego = meeting.ego;
+    const std::size_t last = drive_.on.size() - 1;
+    const double before = last > 0 ? drive_.on[last - 1] : drive_.back.front();
+    pattern.attacker_speed = std::max(0.0, (drive_.on[last] - before) / drive_.step());
+    pattern.tolerance = options_.prediction.pattern_tolerance;
+    pattern.attacker_offset = meeting.offsetOf(track.size);
+    vehicle.patterns.push_back(pattern);
+    if (input_.request.type == CollisionType::kRearEnd) return;
+    const double sign = std::copysign(1.0, meeting.heading);
+    for (const Placement& placement :
+         placementsOf(input_.request.type, input_.lanes.map().driving_side)) {
+      if (placement.side == meeting.side || (placement.sign != 0.0 && placement.sign != sign)) {
+        continue;
+      }
+      AddedMeeting other = meeting;
+      other.side = placement.side;
+      pattern.attacker_offset = other.offsetOf(track.size);
+      vehicle.patterns.push_back(pattern);
+    }
+  }
+
+  const AddedVehicleInput& input_;
+  const AttackOptions& options_;
+  const AddedVehicleOptions& added_;
+  const Snapshot& past_;
+  AddedWays ways_;
+  AddedDrives drives_;
+  AddedPast added_past_;
+  Random random_;
+  std::vector<const Track*> egos_;  // those that are searched
+  std::map<std::string, int> reasons_;
+  bool has_way_ = false;  // that comes from where the type wants it
+  AddedDrive drive_;
+};
+
+/// What is known of a vehicle in the frames of a snapshot.
+Track within(const Track& track, const Snapshot& snapshot) {
+  const double first = snapshot.ego.states.front().time;
+  Track seen = track;
+  seen.states.erase(seen.states.begin(),
+                    std::find_if(seen.states.begin(), seen.states.end(),
+                                 [&](const auto& state) { return state.time >= first - 1e-6; }));
+  deriveVelocities(seen);
+  return seen;
+}
+
+/// realize() by all of these vehicles.
+Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehicleInput& input,
+                      const TrajectoryRealizer& realizer, SearchedMotion motion) {
+  Snapshot snapshot = input.snapshot;
+  std::vector<CollisionPattern> patterns;
+  AttackerWays ways;
+  for (const AddedVehicle& vehicle : vehicles) {
+    snapshot.agents.push_back(within(vehicle.track, snapshot));
+    patterns.insert(patterns.end(), vehicle.patterns.begin(), vehicle.patterns.end());
+    ways.emplace(vehicle.track.id, vehicle.way);
+  }
+  Realization answer = realizer.realize(
+      {patterns, {snapshot, input.future, input.request, input.lanes}, false, ways, motion});
+  if (answer.status.code != StatusCode::kOk) return answer;
+  const auto vehicle = std::find_if(
+      vehicles.begin(), vehicles.end(),
+      [&](const AddedVehicle& other) { return other.track.id == answer.trajectory.attacker_id; });
+  answer.trajectory.past = vehicle->track.states;
+  return answer;
+}
+
+}  // namespace
+
+AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& options) {
+  return Casting(input, options).run();
+}
+
+Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
+                           const AttackOptions& options, const TrajectoryRealizer& realizer,
+                           SearchedMotion motion) {
+  Realization best;
+  best.status = vehicles.status;
+  bool is_found = false;
+  const auto first = vehicles.found.begin();
+  const auto end = vehicles.found.end();
+  const auto motorcycles = std::partition_point(first, end, isCar);
+  // Along routes, where the ego is known, the first one that can is as good as any; else cars, and
+  // motorcycles, are tried together.
+  auto next = first;
+  for (auto from = first; from != end; from = next) {
+    const bool is_together = !input.isFutureKnown() || motion == SearchedMotion::kAny;
+    next = is_together ? (from < motorcycles ? motorcycles : end) : std::next(from);
+    Realization answer = realizeBy({from, next}, input, realizer, motion);
+    if (answer.status.code != StatusCode::kOk) {
+      if (from == first) best.status = answer.status;
+      continue;
+    }
+    const bool is_last_resort = !isCarLike(answer.trajectory.agent_class) &&
+                                input.request.attacker_class != AgentClass::kMotorcycle;
+    if (is_last_resort) answer.effort += options.added.riding_cost;
+    if (is_found && worthOf(answer) <= worthOf(best)) continue;
+    is_found = true;
+    best = std::move(answer);
+    // After the first motorcycle come motorcycles alone.
+    if (worthOf(best) >= options.search.good_share || is_last_resort) break;
+  }
+  return best;
+}
+
+}  // namespace forge

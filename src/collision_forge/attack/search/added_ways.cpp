@@ -1,0 +1,165 @@
+#include "collision_forge/attack/search/added_ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace forge {
+namespace {
+
+constexpr double kSameSpeed = 1.0;     // m/s
+constexpr double kHeadsAlong = 0.7;    // rad between the ego and a way that it is on
+constexpr std::size_t kFlows = 3;      // a way
+constexpr double kFlowLength = 15.0;   // m; shorter drives are not followed
+constexpr std::size_t kOwnSpeeds = 2;  // of recorded vehicles, a way
+
+}  // namespace
+
+double AddedFlow::at(double time) const {
+  const auto after = std::upper_bound(times.begin() + 1, times.end() - 1, time);
+  const auto i = static_cast<std::size_t>(after - times.begin());
+  const double ratio = (time - times[i - 1]) / (times[i] - times[i - 1]);
+  return alongs[i - 1] + std::clamp(ratio, 0.0, 1.0) * (alongs[i] - alongs[i - 1]);
+}
+
+std::optional<double> AddedFlow::passing(double along) const {
+  const auto after = std::upper_bound(alongs.begin(), alongs.end(), along);
+  if (after == alongs.begin() || after == alongs.end()) return std::nullopt;
+  const auto i = static_cast<std::size_t>(after - alongs.begin());
+  const double ratio = (along - alongs[i - 1]) / (alongs[i] - alongs[i - 1]);
+  return times[i - 1] + ratio * (times[i] - times[i - 1]);
+}
+
+double AddedWay::cap(double along) const {
+  const double place =
+      std::clamp(along / ReferencePath::kBendSpacing, 0.0, static_cast<double>(caps.size() - 1));
+  return caps[static_cast<std::size_t>(place)];
+}
+
+void addSpeed(double speed, std::vector<double>& speeds) {
+  const bool has = std::any_of(speeds.begin(), speeds.end(),
+                               [&](double other) { return std::abs(other - speed) < kSameSpeed; });
+  if (!has) speeds.push_back(speed);
+}
+
+std::size_t stepsBack(const Snapshot& past) {
+  const double known = past.now - past.ego.states.front().time;
+  return static_cast<std::size_t>(std::ceil(known / AddedWay::kStep - 1e-6));
+}
+
+AddedWays::AddedWays(const AddedVehicleInput& input, const AddedVehicleOptions& options)
+    : input_(input),
+      options_(options),
+      past_(input.known()),
+      steps_back_(stepsBack(past_)),
+      ways_to_(input.driven()) {}
+
+const std::vector<std::unique_ptr<AddedWay>>& AddedWays::to(const FittingLane& fitting) {
+  const auto [entry, is_new] = ways_.try_emplace(fitting.lane);
+  if (is_new) {
+    double fastest = *std::max_element(options_.speeds.begin(), options_.speeds.end());
+    fastest = std::max(fastest, past_.ego.states.back().velocity.norm());
+    for (const Track& agent : past_.agents) {
+      fastest = std::max(fastest, agent.states.back().velocity.norm());
+    }
+    const double back =
+        fastest * (AddedWay::kStep * static_cast<double>(steps_back_) + input_.request.tta);
+    for (const Polyline& line :
+         ways_to_.to(fitting.lane, fitting.arc_length, back, options_.way_ahead,
+                     static_cast<std::size_t>(options_.branches))) {
+      entry->second.push_back(wayOf(line));
+    }
+  }
+  return entry->second;
+}
+
+std::unique_ptr<AddedWay> AddedWays::wayOf(const Polyline& line) const {
+  auto way = std::make_unique<AddedWay>(line);
+  addCaps(*way);
+  followEgo(*way);
+  addSpeeds(*way);
+  addFlows(*way);
+  return way;
+}
+
+void AddedWays::addCaps(AddedWay& way) const {
+  constexpr double kSpacing = ReferencePath::kBendSpacing;
+  std::vector<double>& caps = way.caps;
+  for (const double bend : way.path.bends()) caps.push_back(std::sqrt(options_.lateral / bend));
+  const auto hold = [&](double& cap, double next) {
+    cap = std::min(cap, std::sqrt(next * next + 2.0 * options_.braking * kSpacing));
+  };
+  for (std::size_t i = caps.size() - 1; i-- > 0;) hold(caps[i], caps[i + 1]);
+  for (std::size_t i = 1; i < caps.size(); ++i) hold(caps[i], caps[i - 1]);
+}
+
+void AddedWays::followEgo(AddedWay& way) const {
+  for (std::size_t i = 0; i <= steps_back_; ++i) {
+    const double time = past_.now - AddedWay::kStep * static_cast<double>(i);
+    const auto state = stateAt(past_.ego, std::max(time, past_.ego.states.front().time));
+    if (!state) return;
+    const double along = way.path.project(state->pose.position());
+    const Pose2 apart = relativeTo(way.path.at(along).pose, state->pose);
+    if (i == 0) way.ego_across = apart.y;
+    if (std::abs(apart.y) > options_.train_distance || std::abs(apart.yaw) > kHeadsAlong) return;
+    way.ego.push_back(along);
+  }
+}
+
+void AddedWays::addSpeeds(AddedWay& way) const {
+  const double range = options_.sensing_range;
+  for (const Track& agent : input_.snapshot.agents) {
+    const AgentState& state = agent.states.back();
+    const double speed = state.velocity.norm();
+    if (way.speeds.size() >= kOwnSpeeds || speed < AddedWay::kMoving ||
+        !canAttack(agent.agent_class) ||
+        (state.pose.position() - past_.ego.states.back().pose.position()).norm() > range) {
+      continue;
+    }
+    const Pose2 place = way.path.at(way.path.project(state.pose.position())).pose;
+    const Pose2 apart = relativeTo(place, state.pose);
+    if (apart.position().norm() < AddedWay::kInLane && std::abs(apart.yaw) < kHeadsAlong) {
+      addSpeed(speed, way.speeds);
+    }
+  }
+}
+
+/// The longest that each vehicle drives along the way, of those that are on it now or then.
+void AddedWays::addFlows(AddedWay& way) const {
+  for (const Track& agent : past_.agents) {
+    if (way.flows.size() >= kFlows) return;
+    if (!canAttack(agent.agent_class)) continue;
+    const auto later = std::find_if(input_.future.agents.begin(), input_.future.agents.end(),
+                                    [&](const Track& track) { return track.id == agent.id; });
+    const bool has_later = later != input_.future.agents.end() && !later->states.empty();
+    const AgentState& last = has_later ? later->states.back() : agent.states.back();
+    const Vector2 from = agent.states.front().pose.position();
+    if ((last.pose.position() - from).norm() < kFlowLength) continue;
+    AddedFlow flow;
+    bool goes_on = follow(agent, way, flow);
+    if (goes_on && has_later) follow(*later, way, flow);
+    if (flow.times.size() > 2 && flow.alongs.back() - flow.alongs.front() > kFlowLength) {
+      way.flows.push_back(std::move(flow));
+    }
+  }
+}
+
+/// Adds where a track is along the way; false where it leaves the way.
+bool AddedWays::follow(const Track& track, const AddedWay& way, AddedFlow& flow) const {
+  for (const AgentState& state : track.states) {
+    const double time = state.time - past_.now;
+    if (!flow.times.empty() && time <= flow.times.back()) continue;
+    const double along = way.path.project(state.pose.position());
+    const Pose2 apart = relativeTo(way.path.at(along).pose, state.pose);
+    if (apart.position().norm() > AddedWay::kInLane || std::abs(apart.yaw) > kHeadsAlong) {
+      if (flow.times.size() > 2) return false;
+      flow = {};
+      continue;
+    }
+    flow.times.push_back(time);
+    flow.alongs.push_back(flow.alongs.empty() ? along : std::max(along, flow.alongs.back()));
+  }
+  return true;
+}
+
+}  // namespace forge

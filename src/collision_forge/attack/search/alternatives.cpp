@@ -1,0 +1,121 @@
+#include "collision_forge/attack/search/alternatives.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "collision_forge/attack/search/request_check.h"
+#include "collision_forge/base/scene/request_words.h"
+
+namespace forge {
+namespace {
+
+/// The side of the ego from which an attacker comes.
+Side sideNow(const AttackerTrajectory& attacker, const Snapshot& snapshot) {
+  return touchedSide({snapshot.ego.states.back().pose, snapshot.ego.size},
+                     {attacker.points.front().pose, attacker.size});
+}
+
+bool isSameAttacker(const AttackerTrajectory& a, const AttackerTrajectory& b,
+                    const Snapshot& snapshot) {
+  if (a.isAdded() != b.isAdded()) return false;
+  if (!a.isAdded()) return a.attacker_id == b.attacker_id;
+  return a.agent_class == b.agent_class && sideNow(a, snapshot) == sideNow(b, snapshot);
+}
+
+/// Ids of the recorded vehicles that may attack, the nearest first.
+std::vector<std::string> candidatesIn(const Snapshot& snapshot, const CollisionRequest& request,
+                                      const PredictionOptions& options) {
+  const Vector2 ego = snapshot.ego.states.back().pose.position();
+  std::vector<std::pair<double, std::string>> found;
+  for (const Track& agent : snapshot.agents) {
+    if (!isCandidate(agent, snapshot, options)) continue;
+    if (request.attacker_class.value_or(agent.agent_class) != agent.agent_class) continue;
+    found.emplace_back((agent.states.back().pose.position() - ego).norm(), agent.id);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<std::string> ids;
+  for (auto& [distance, id] : found) ids.push_back(std::move(id));
+  return ids;
+}
+
+/// What is asked for one after the other: the request with one thing more.
+std::vector<CollisionRequest> furtherRequests(const Realization& first, const Snapshot& snapshot,
+                                              const CollisionRequest& request,
+                                              const PredictionOptions& options) {
+  CollisionRequest plain = request;
+  plain.alternatives = 1;
+  std::vector<CollisionRequest> further;
+  for (const Manoeuvre manoeuvre : kManoeuvres) {
+    if (request.manoeuvre || typeOf(manoeuvre) != request.type) continue;
+    if (manoeuvre == first.report.manoeuvre) continue;
+    // Who drives against its lane is believable to those alone who ask for it.
+    if (request.crash.believable && manoeuvre == Manoeuvre::kWrongWay) continue;
+    further.push_back(plain);
+    further.back().manoeuvre = manoeuvre;
+  }
+  if (request.attacker) return further;
+  if (request.choice != AttackerChoice::kNew) {
+    for (const std::string& id : candidatesIn(snapshot, request, options)) {
+      if (id == first.trajectory.attacker_id) continue;
+      further.push_back(plain);
+      further.back().attacker = id;
+    }
+  }
+  if (request.choice != AttackerChoice::kExisting) {
+    for (const AgentClass agent_class : kAttackerClasses) {
+      if (request.attacker_class.value_or(agent_class) != agent_class) continue;
+      further.push_back(plain);
+      further.back().choice = AttackerChoice::kNew;
+      further.back().attacker_class = agent_class;
+    }
+  }
+  return further;
+}
+
+/// Ids of added vehicles are of one answer alone: another attacker gets another one.
+void giveOwnId(Realization& answer, const std::vector<Realization>& others,
+               const Snapshot& snapshot) {
+  AttackerTrajectory& attacker = answer.trajectory;
+  if (!attacker.isAdded()) return;
+  const std::string id = attacker.attacker_id;
+  const auto has_id = [&](const Realization& other) {
+    return other.trajectory.attacker_id == attacker.attacker_id &&
+           !isSameAttacker(other.trajectory, attacker, snapshot);
+  };
+  for (int number = 2; std::any_of(others.begin(), others.end(), has_id); ++number) {
+    attacker.attacker_id = id + "-" + std::to_string(number);
+  }
+  answer.aim.attacker_id = attacker.attacker_id;
+}
+
+}  // namespace
+
+bool areDistinct(const Realization& a, const Realization& b, const Snapshot& snapshot) {
+  return a.report.manoeuvre != b.report.manoeuvre ||
+         !isSameAttacker(a.trajectory, b.trajectory, snapshot);
+}
+
+std::vector<Realization> findAlternatives(const Realization& first, const AttackMethod& method,
+                                          const Moment& moment, const CollisionRequest& request,
+                                          const PredictionOptions& options) {
+  const Snapshot& snapshot = moment.snapshot;
+  std::vector<Realization> found = {first};
+  for (const CollisionRequest& asked : furtherRequests(first, snapshot, request, options)) {
+    if (static_cast<int>(found.size()) >= request.alternatives) break;
+    Realization answer = generateCollision(method, moment, asked, options);
+    if (answer.status.code != StatusCode::kOk) continue;
+    const bool is_new = std::all_of(found.begin(), found.end(), [&](const Realization& other) {
+      return areDistinct(answer, other, snapshot);
+    });
+    if (!is_new) continue;
+    giveOwnId(answer, found, snapshot);
+    found.push_back(std::move(answer));
+  }
+  found.erase(found.begin());
+  std::stable_sort(found.begin(), found.end(), [](const Realization& a, const Realization& b) {
+    return a.report.confidence > b.report.confidence;
+  });
+  return found;
+}
+
+}  // namespace forge

@@ -1,0 +1,32 @@
+#include "collision_forge/attack/search/attack_method.h"
+
+#include "collision_forge/attack/search/alternatives.h"
+#include "collision_forge/attack/search/judge.h"
+#include "collision_forge/attack/search/request_check.h"
+
+namespace forge {
+
+Realization attempt(const AttackMethod& method, const Moment& moment,
+                    const CollisionRequest& request) {
+  if (request.mode == Mode::kReplay || !moment.recorded) return method.answer(moment, request);
+  return method.answer({moment.snapshot, std::nullopt, moment.lanes, moment.past}, request);
+}
+
+Realization generateCollision(const AttackMethod& method, const Moment& moment,
+                              const CollisionRequest& asked, const PredictionOptions& options) {
+  const CollisionRequest request = withFullId(asked, moment.snapshot);
+  const Status status = checkRequest(request, moment.snapshot, options);
+  if (status.code != StatusCode::kOk) return declined(status);
+  if (request.mode == Mode::kReplay && !moment.recorded) {
+    return declined({StatusCode::kNoRecording, "mode = replay needs a recording"});
+  }
+  Realization answer = attempt(method, moment, request);
+  const Status verdict = verdictOn(answer, request);
+  if (verdict.code != StatusCode::kOk) return declined(verdict);
+  if (request.alternatives > 1) {
+    answer.alternatives = findAlternatives(answer, method, moment, request, options);
+  }
+  return answer;
+}
+
+}  // namespace forge

@@ -1,0 +1,152 @@
+#include "collision_forge/attack/search/contender.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+#include "collision_forge/attack/search/placement.h"
+#include "collision_forge/attack/verify/believability.h"
+#include "collision_forge/attack/verify/verification.h"
+
+namespace forge {
+namespace {
+
+constexpr double kBeyondReach = 10.0;  // m that ways go on beyond what can be driven
+
+/// The ways along lanes that come near one of the ego's places around the time asked for.
+void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& options) {
+  const RouteDriverOptions& route = options.route;
+  const PredictionOptions& prediction = options.prediction;
+  const double tta = input.request.tta;
+  const DriveState& now = entry.drive_start;
+  SpeedVariation variation = variationOf(entry.track->id, input.request.seed, route);
+  if (input.underway != nullptr && !input.underway->driven.empty()) {
+    const double since = input.snapshot.now - input.underway->driven.front().time;
+    variation.phase += variation.frequency() * since;
+  }
+  if (const auto way = input.ways.find(entry.track->id); way != input.ways.end()) {
+    entry.routes.emplace_back(way->second, now, entry.driver->limits(), route, variation);
+    return;
+  }
+  if (input.underway != nullptr) {
+    entry.routes.emplace_back(input.underway->way, now, entry.driver->limits(), route, variation);
+  }
+  const double reach = now.speed * tta + 0.5 * route.styles.back().forward * tta * tta;
+  const auto nearEgo = [&](const Polyline& way) {
+    return std::any_of(input.egos.begin(), input.egos.end(), [&](const Track* ego) {
+      const auto state = stateAt(*ego, input.snapshot.now + tta).value_or(ego->states.back());
+      return way.project(state.pose.position()).distance < route.reach;
+    });
+  };
+  const Pose2& pose = entry.track->states.back().pose;
+  const LaneIndex& lanes = drivenLanes(input.request, input.lanes);
+  // Who stands beside a lane may pull out into it.
+  const double aside = now.speed > 0.0
+                           ? prediction.on_lane_distance
+                           : std::max(prediction.on_lane_distance, route.parking_distance);
+  for (const LaneMatch& match : lanes.lanesNear(pose, aside, prediction.on_lane_heading)) {
+    for (const LanePath& path :
+         lanes.pathsAhead(match.lane, match.projection.arc_length, reach + kBeyondReach,
+                          static_cast<std::size_t>(route.branches))) {
+      if (static_cast<int>(entry.routes.size()) >= route.ways) return;
+      const Polyline way(path.points);
+      if (nearEgo(way)) {
+        entry.routes.emplace_back(ReferencePath(way), now, entry.driver->limits(), route,
+                                  variation);
+      }
+    }
+  }
+}
+
+std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& input,
+                                       const AttackOptions& options, const VehicleLimits& limits,
+                                       int points) {
+  auto entry = std::make_unique<Contender>();
+  const PredictionOptions& prediction = options.prediction;
+  entry->track = &agent;
+  entry->start = {estimateMotion(agent, prediction.motion_frames), input.snapshot.now,
+                  options.search.step, points};
+  Motion& motion = entry->start.motion;
+  motion.speed = std::clamp(motion.speed, 0.0, limits.max_speed);
+  if (motion.speed < prediction.standstill_speed) motion.acceleration = 0.0;
+  const double tta = input.request.tta;
+  const double reach =
+      tta * std::min(limits.max_speed, motion.speed + 0.5 * limits.max_forward_acceleration * tta);
+  const CrashDefinition& crash = input.request.crash;
+  if (crash.limits == LimitSet::kDrivable || crash.believable || input.underway != nullptr) {
+    entry->limits = driveLimitsOf(agent, options.verification);
+    entry->driver.emplace(entry->limits, options.route.limit_share, options.route.preview,
+                          options.search.step);
+    entry->drive_start = input.underway != nullptr ? input.underway->state
+                                                   : driveStateNow(agent, options.verification);
+  }
+  if (input.isByRoutes()) {
+    addRoutes(*entry, input, options);
+    return entry;
+  }
+  entry->paths =
+      pathsAhead(drivenLanes(input.request, input.lanes), agent.states.back().pose,
+                 reach + kBeyondReach, prediction.on_lane_distance, prediction.on_lane_heading,
+                 static_cast<std::size_t>(options.search.lane_paths));
+  entry->quintics.push_back(std::make_unique<QuinticFamily>());
+  for (const ReferencePath& path : entry->paths) {
+    entry->quintics.push_back(std::make_unique<QuinticFamily>(path));
+  }
+  return entry;
+}
+
+/// The future in which the ego comes nearest to the pattern's box at the pattern's time.
+std::size_t nearestFuture(const std::vector<const Track*>& egos, const CollisionPattern& pattern) {
+  const auto apart = [&](const Track* ego) {
+    const Pose2 pose = stateAt(*ego, pattern.time).value_or(ego->states.back()).pose;
+    return cornerMiss(missBetween(pattern.ego.center, pose), ego->size);
+  };
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < egos.size(); ++i) {
+    const double distance = apart(egos[i]);
+    if (distance < least) nearest = i;
+    least = std::min(least, distance);
+  }
+  return nearest;
+}
+
+bool haveOneEgo(const CollisionPattern& a, const CollisionPattern& b) {
+  return a.time == b.time && a.ego.center.x == b.ego.center.x && a.ego.center.y == b.ego.center.y &&
+         a.ego.center.yaw == b.ego.center.yaw;
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<Contender>> contendersOf(const SearchInput& input,
+                                                     const AttackOptions& options,
+                                                     const VehicleLimits& limits, int points) {
+  std::vector<std::unique_ptr<Contender>> contenders;
+  Aim aim;
+  for (const CollisionPattern& pattern : input.patterns) {
+    auto entry = std::find_if(contenders.begin(), contenders.end(), [&](const auto& other) {
+      return other->track->id == pattern.attacker_id;
+    });
+    if (entry == contenders.end()) {
+      if (static_cast<int>(contenders.size()) >= options.search.max_attackers) continue;
+      const auto& agents = input.snapshot.agents;
+      const auto agent = std::find_if(agents.begin(), agents.end(), [&](const Track& track) {
+        return track.id == pattern.attacker_id;
+      });
+      if (agent == agents.end()) continue;
+      contenders.push_back(contenderOf(*agent, input, options, limits, points));
+      entry = std::prev(contenders.end());
+    }
+    // Most patterns have the same ego.
+    if (!aim.pattern || !haveOneEgo(*aim.pattern, pattern)) {
+      aim.ego = nearestFuture(input.egos, pattern);
+    }
+    aim.pattern = &pattern;
+    aim.touching =
+        touchingOffset(input.snapshot.ego.size, (*entry)->track->size, pattern.attacker_offset);
+    (*entry)->aims.push_back(aim);
+  }
+  return contenders;
+}
+
+}  // namespace forge

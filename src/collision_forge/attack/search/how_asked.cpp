@@ -1,0 +1,30 @@
+#include "collision_forge/attack/search/how_asked.h"
+
+#include "collision_forge/attack/search/judge.h"
+#include "collision_forge/attack/verify/verification.h"
+
+namespace forge {
+
+HowAsked::HowAsked(const SearchInput& input, const AttackOptions& options)
+    : input_(input), options_(options.verification), is_named_(namesHow(input.request)) {
+  if (is_named_) judged_.agents = input.future.agents;
+}
+
+bool HowAsked::holds(const Track& attacker, const std::vector<TrajectoryPoint>& points,
+                     std::size_t ego) {
+  if (!is_named_) return true;
+  judged_.ego = *input_.egos[ego];
+  const Snapshot* start = &input_.snapshot;
+  CollisionRequest request = input_.request;
+  if (input_.underway != nullptr) {
+    start = &input_.underway->start;
+    request.tta += input_.snapshot.now - start->now;
+    auto& states = judged_.ego.states;
+    states.insert(states.begin(), input_.underway->ego.begin(), input_.underway->ego.end());
+  }
+  const CollisionReport report = verify({attacker.id, attacker.agent_class, attacker.size, points},
+                                        {*start, judged_, request, input_.lanes}, options_);
+  return isAsAsked(report, input_.request);
+}
+
+}  // namespace forge

@@ -1,0 +1,184 @@
+#include "collision_forge/attack/search/judge.h"
+
+#include <algorithm>
+#include <set>
+
+#include "collision_forge/attack/search/attack_search.h"
+#include "collision_forge/base/scene/number_words.h"
+
+namespace forge {
+namespace {
+
+/// Every second sample, from `first` on; the known ego without samples.
+std::vector<const Track*> everySecond(const Future& future, std::size_t first) {
+  std::vector<const Track*> egos;
+  for (std::size_t i = first; i < future.ego_samples.size(); i += 2) {
+    egos.push_back(&future.ego_samples[i]);
+  }
+  if (egos.empty()) egos.push_back(&future.ego);
+  return egos;
+}
+
+/// Why the vehicle is not the one that was asked for, for people; empty where it is.
+std::string wrongAttacker(const AttackerTrajectory& attacker, const CollisionRequest& request) {
+  if (request.attacker && attacker.attacker_id != *request.attacker) {
+    return "is by " + attacker.attacker_id;
+  }
+  if (request.attacker_class && attacker.agent_class != *request.attacker_class) {
+    return std::string("is by a ") + toString(attacker.agent_class);
+  }
+  if (attacker.isAdded() && request.choice == AttackerChoice::kExisting) return "is by a new one";
+  if (!attacker.isAdded() && request.choice == AttackerChoice::kNew) return "is by a recorded one";
+  return "";
+}
+
+}  // namespace
+
+std::string shortcomingOf(const CollisionReport& report, const CollisionRequest& request) {
+  if (!report.contact) return "missed the ego";
+  if (!report.first_other_id.empty()) return "touched someone else first";
+  if (!report.on_time) return "made contact at the wrong time";
+  if (!report.type_kept) return "made contact in another way";
+  if (!report.limits_kept) return "broke " + report.broken_limit;
+  if (request.crash.believable && !report.believable()) {
+    return "is not believable: it " + report.unbelievable;
+  }
+  if (request.manoeuvre && report.manoeuvre != *request.manoeuvre) {
+    return std::string("is of manoeuvre ") + toString(report.manoeuvre);
+  }
+  if (request.ego_side && report.ego_side != *request.ego_side) {
+    return std::string("touched the ego's side ") + toString(report.ego_side);
+  }
+  if (request.impact_speed) {
+    if (report.impact_speed < request.impact_speed->min) return "hit the ego too slowly";
+    if (report.impact_speed > request.impact_speed->max) return "hit the ego too fast";
+  }
+  if (request.overlap) {
+    if (report.overlap < request.overlap->min) return "covered too little of the ego's side";
+    if (report.overlap > request.overlap->max) return "covered too much of the ego's side";
+  }
+  return "";
+}
+
+bool isAsAsked(const CollisionReport& report, const CollisionRequest& request) {
+  return shortcomingOf(report, request).empty();
+}
+
+Status verdictOn(const Realization& answer, const CollisionRequest& request) {
+  if (answer.status.code != StatusCode::kOk) return answer.status;
+  if (answer.report.verified() && request.crash.believable && !answer.report.believable()) {
+    return {StatusCode::kNotBelievable, "the attacker " + answer.report.unbelievable};
+  }
+  std::string shortcoming = shortcomingOf(answer.report, request);
+  if (shortcoming.empty()) shortcoming = wrongAttacker(answer.trajectory, request);
+  if (shortcoming.empty()) return {};
+  return {StatusCode::kNoAttackWithinLimits, "the method's attack " + shortcoming};
+}
+
+double worthOf(const Realization& answer) { return answer.report.confidence - answer.effort; }
+
+bool namesHow(const CollisionRequest& request) {
+  return request.manoeuvre || request.ego_side || request.impact_speed || request.overlap;
+}
+
+double confidenceOf(double share, const std::vector<double>& curve) {
+  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(curve.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(place), curve.size() - 2);
+  return curve[i] + (place - static_cast<double>(i)) * (curve[i + 1] - curve[i]);
+}
+
+AttackJudge::AttackJudge(const VerificationInput& input, const AttackOptions& options, bool exact)
+    : input_(input),
+      options_(options),
+      exact_(exact),
+      searched_(everySecond(input.future, 0)),
+      tried_(input.future) {}
+
+bool AttackJudge::accepts(Realization& attack, const Track& attacker,
+                          const std::vector<const Track*>& egos) {
+  constexpr std::size_t kTries = 4;
+  const auto end = egos.begin() + static_cast<std::ptrdiff_t>(std::min(kTries, egos.size()));
+  if (std::none_of(egos.begin(), end,
+                   [&](const Track* ego) { return isVerifiedIn(attack, *ego); })) {
+    return false;
+  }
+  if (exact_ && !isExact(attack.miss, options_.search)) {
+    ++rejections_["missed the pattern"];
+    if (!nearest_ || attack.miss.distance < nearest_->distance) nearest_ = attack.miss;
+    return false;
+  }
+  const double confidence = confidenceIn(attacker, attack.trajectory.points);
+  attack.report.confidence = confidence;
+  if (confidence >= input_.request.crash.min_confidence) return true;
+  surest_ = std::max(surest_.value_or(0.0), confidence);
+  return false;
+}
+
+bool AttackJudge::isVerifiedIn(Realization& attack, const Track& ego) {
+  tried_.ego = ego;
+  attack.report = verify(attack.trajectory, {input_.snapshot, tried_, input_.request, input_.lanes},
+                         options_.verification);
+  if (!isAsAsked(attack.report, input_.request)) {
+    reject(attack.report);
+    return false;
+  }
+  attack.miss =
+      missBetween(attack.aim.attacker_offset,
+                  relativeTo(attack.report.ego_at_contact, attack.report.attacker_at_contact));
+  return true;
+}
+
+void AttackJudge::reject(const CollisionReport& report) {
+  std::string kind = shortcomingOf(report, input_.request);
+  kind.erase(std::min(kind.find_first_of("0123456789"), kind.size()));  // by how much
+  while (!kind.empty() && kind.back() == ' ') kind.pop_back();
+  ++rejections_[kind];
+  if (report.verified() && input_.request.crash.believable && !report.believable()) {
+    unbelievable_ = report.unbelievable;
+  }
+}
+
+double AttackJudge::confidenceIn(const Track& attacker,
+                                 const std::vector<TrajectoryPoint>& points) {
+  if (input_.future.ego_samples.empty()) return 1.0;
+  if (!held_out_) {
+    held_out_.emplace(everySecond(input_.future, 1), input_.future.agents, input_.request,
+                      input_.snapshot.now, input_.lanes.map().driving_side, options_);
+  }
+  return confidenceOf(held_out_->score(attacker, points).share, options_.search.confidence_curve);
+}
+
+Status AttackJudge::refusal(const std::vector<CollisionPattern>& patterns) const {
+  if (surest_) {
+    return {StatusCode::kLowConfidence,
+            "the best attack has a confidence of " + percentText(*surest_) +
+                ", less than min_confidence = " + numberText(input_.request.crash.min_confidence)};
+  }
+  if (!unbelievable_.empty()) {
+    return {StatusCode::kNotBelievable, "the best attacker " + unbelievable_};
+  }
+  return {StatusCode::kNoAttackWithinLimits, whatFailed(patterns)};
+}
+
+std::string AttackJudge::whatFailed(const std::vector<CollisionPattern>& patterns) const {
+  std::set<std::string> attackers;
+  for (const CollisionPattern& pattern : patterns) attackers.insert(pattern.attacker_id);
+  const std::string tried = "tried " + counted(patterns.size(), "collision pattern") + " of " +
+                            counted(attackers.size(), "vehicle") + ": ";
+  if (rejections_.empty()) {
+    return tried + "no motion within the limits hits the ego as asked, " +
+           numberText(input_.request.tta) + " +- " +
+           numberText(input_.request.crash.time_tolerance) + " s from now";
+  }
+  std::string text;
+  for (const auto& [reason, count] : rejections_) {
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
+  }
+  if (nearest_) {
+    text += ", the nearest by " + numberText(nearest_->distance) + " m and " +
+            numberText(nearest_->heading) + " rad";
+  }
+  return tried + "the best motions within the limits fail the verification: " + text;
+}
+
+}  // namespace forge

@@ -1,0 +1,451 @@
+#include "collision_forge/attack/search/manoeuvre_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "collision_forge/attack/forecast/random.h"
+#include "collision_forge/attack/search/arrival_sampler.h"
+#include "collision_forge/attack/search/contender.h"
+#include "collision_forge/attack/search/how_asked.h"
+#include "collision_forge/attack/search/placement.h"
+#include "collision_forge/attack/search/route_driver.h"
+#include "collision_forge/attack/verify/believability.h"
+#include "collision_forge/attack/verify/drive_check.h"
+
+namespace forge {
+namespace {
+
+constexpr double kSlides[] = {-0.7, 0.0, 0.7};
+constexpr double kShrink = 0.7;  // of the moves, a round
+
+struct Candidate {
+  const Contender* contender = nullptr;
+  const RouteDriver* route = nullptr;
+  RouteDraft draft;
+  const Aim* aim = nullptr;
+  FutureScore score;
+  PatternMiss miss;
+  RoadUse road;
+  bool is_believable = true;  // as far as the use of the road tells
+  std::size_t style = 0;
+  double objective = 0.0;
+  bool is_underway = false;  // not a draft, but what the attacker means to do
+};
+
+class ManoeuvreSearch {
+ public:
+  ManoeuvreSearch(const SearchInput& input, const AttackOptions& options)
+      : input_(input),
+        driven_(drivenLanes(input.request, input.lanes)),
+        options_(options),
+        search_(options.search),
+        route_(options.route),
+        how_asked_(input, options),
+        scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
+                input.lanes.map().driving_side, options),
+        contenders_(contendersOf(input, options, options.verification.limits, scorer_.steps())),
+        random_(input.request.seed),
+        sampler_(input, options, options.verification.limits, random_) {
+    const double end = input.request.tta + search_.tail;
+    all_points_ = std::max(static_cast<std::size_t>(scorer_.steps()),
+                           static_cast<std::size_t>(std::lround(end / search_.step)) + 1);
+  }
+
+  std::vector<FoundAttack> run() {
+    if (input_.underway != nullptr && !contenders_.empty()) goOn();
+    if (!isGood()) draft();
+    for (int round = 0; round < route_.rounds && !isGood(); ++round) {
+      perturb(std::pow(kShrink, round));
+    }
+    std::vector<FoundAttack> found;
+    for (const Candidate& candidate : kept_) {
+      if (candidate.is_underway) continue;
+      if (candidate.score.share > 0.0 || present_) found.push_back(finished(candidate));
+    }
+    if (present_) found.push_back(finished(*present_));
+    return found;
+  }
+
+ private:
+  /// What the attacker means to do, and the same at each of the ego's places.
+  void goOn() {
+    Candidate candidate;
+    candidate.contender = contenders_.front().get();
+    candidate.route = &contenders_.front()->routes.front();
+    candidate.is_underway = true;
+    candidate.style = input_.underway->style;
+    candidate.draft = input_.underway->draft.value_or(RouteDraft{});
+    if (!input_.underway->draft) candidate.draft.contact = input_.request.tta;
+    points_ = input_.underway->planned;
+    judge(candidate);
+    present_ = candidate;
+    if (!input_.underway->draft || isGood()) return;
+    candidate.is_underway = false;
+    for (const std::size_t ego : sampler_.egos()) {
+      for (const double early : route_.contacts) {
+        candidate.draft = *input_.underway->draft;
+        candidate.draft.ego = ego;
+        candidate.draft.contact =
+            std::clamp(candidate.draft.contact + early, sampler_.earliest(), sampler_.latest());
+        consider(candidate);
+      }
+    }
+  }
+
+  /// Where there are many contenders, one draft of each, and more of those that come nearest.
+  void draft() {
+    const auto most = static_cast<std::size_t>(route_.drafted);
+    std::vector<std::pair<double, const Contender*>> ranked;
+    sketches_ = contenders_.size() > most;
+    for (const auto& contender : contenders_) {
+      best_ = -std::numeric_limits<double>::infinity();
+      if (sketches_) draftFor(*contender);
+      ranked.emplace_back(best_, contender.get());
+    }
+    has_sketches_ = sketches_;
+    sketches_ = false;
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    ranked.resize(std::min(most, ranked.size()));
+    for (const auto& [best, contender] : ranked) draftFor(*contender);
+  }
+
+  /// The drafts that a contender's routes lead to, of those that are due.
+  void draftFor(const Contender& contender) {
+    const double meant = contender.aims.front().pattern->time - input_.snapshot.now;
+    const bool has_way = input_.ways.count(contender.track->id) > 0;
+    for (const RouteDriver& route : contender.routes) {
+      for (const std::size_t ego : sampler_.egos()) {
+        for (const double early : route_.contacts) {
+          const double contact = std::clamp(meant + early, sampler_.earliest(), sampler_.latest());
+          draftAt(contender, route, ego, contact);
+          // Who has a way of its own comes along it at the right time.
+          if (has_way) break;
+        }
+      }
+    }
+  }
+
+  void draftAt(const Contender& contender, const RouteDriver& route, std::size_t ego,
+               double contact) {
+    const Pose2 pose = sampler_.egoAt(ego, contact);
+    const PathPose seen = route.path().seen(pose);
+    const double reach =
+        circumradius(input_.snapshot.ego.size) + circumradius(contender.track->size);
+    if (std::abs(seen.across) > route_.reach || seen.along < route.start().along - reach) return;
+    // Along a bend the ways to the ego and to where the attacker shall be differ.
+    const Pose2 meant = compose(pose, contender.aims.front().pattern->attacker_offset);
+    const bool has_way = input_.ways.count(contender.track->id) > 0;
+    const double there = has_way ? route.path().project(meant.position()) : seen.along;
+    const double direction = angleBetween(pose.yaw, route.path().at(there).pose.yaw);
+    Candidate candidate;
+    candidate.contender = &contender;
+    candidate.route = &route;
+    candidate.draft.ego = ego;
+    candidate.draft.contact = contact;
+    for (const HeadedPlacement& placement :
+         placementsAlong(direction, input_.request.type, input_.request.bands(),
+                         input_.lanes.map().driving_side, route_.heading_margin, route_.max_lean)) {
+      if (input_.request.ego_side.value_or(placement.side) != placement.side) continue;
+      candidate.draft.side = placement.side;
+      candidate.draft.heading = placement.heading;
+      const std::vector<RouteDraft> drafts = mannersOf(candidate);
+      for (const double slide : kSlides) {
+        for (std::size_t i = 0; i < drafts.size(); ++i) {
+          if (!isDue(slide, i)) continue;
+          candidate.draft = drafts[i];
+          candidate.draft.slide = slide;
+          consider(candidate);
+        }
+      }
+    }
+  }
+
+  /// First one draft of every vehicle, then those that differ from it in one thing. Few vehicles
+  /// have all drafts at once.
+  bool isDue(double slide, std::size_t manner) const {
+    const bool is_first = slide == 0.0 && manner == 0;
+    if (sketches_) return is_first;
+    if (input_.underway != nullptr) return slide == 0.0 || manner == 0;
+    return !has_sketches_ || (!is_first && (slide == 0.0 || manner == 0));
+  }
+
+  /// Different departures, and late changes of speed where the ego runs into the attacker.
+  std::vector<RouteDraft> mannersOf(const Candidate& candidate) const {
+    std::vector<RouteDraft> drafts;
+    RouteDraft draft;
+    draft.ego = candidate.draft.ego;
+    draft.contact = candidate.draft.contact;
+    draft.side = candidate.draft.side;
+    draft.heading = candidate.draft.heading;
+    const bool leads = input_.request.type == CollisionType::kRearEnd && draft.side == Side::kFront;
+    for (const double start : route_.starts) {
+      draft.wait = draft.contact - start;
+      if (candidate.contender->drive_start.speed > 0.0 || draft.wait <= 0.0) break;
+      draft.departure = start;
+      drafts.push_back(draft);
+    }
+    draft.wait = 0.0;
+    for (const double departure : route_.departures) {
+      draft.departure = departure;
+      if (!leads) {
+        for (const double lead : route_.leads) {
+          draft.lead = lead;
+          drafts.push_back(draft);
+          // A lean of a few degrees is part of all other types.
+          if (input_.request.type != CollisionType::kOppositeDirection) break;
+        }
+        continue;
+      }
+      for (const double braking : route_.late_braking) {
+        draft.late = braking > 0.0 ? departure : 0.0;
+        draft.late_acceleration = -braking;
+        drafts.push_back(draft);
+      }
+    }
+    return drafts;
+  }
+
+  /// The plan of a draft; false where the route does not lead there.
+  bool planOf(const Candidate& candidate, std::size_t count, std::size_t& style) {
+    const RouteDraft& draft = candidate.draft;
+    const Contender& contender = *candidate.contender;
+    const Pose2 offset = attackerOffset(input_.snapshot.ego.size, contender.track->size, draft.side,
+                                        draft.heading, draft.slide, search_.depth);
+    const Pose2 target = compose(sampler_.egoAt(draft.ego, draft.contact), offset);
+    RoutePlan plan;
+    plan.arrival = draft.contact;
+    plan.at = candidate.route->path().seen(target);
+    plan.departure = draft.departure;
+    plan.lead = draft.lead;
+    plan.late = draft.late;
+    plan.late_acceleration = draft.late_acceleration;
+    plan.wait = draft.wait;
+    if (plan.at.along < candidate.route->start().along - route_.precision ||
+        std::abs(plan.at.lean) > route_.max_lean ||
+        std::abs(plan.at.across) > route_.max_departure) {
+      return false;
+    }
+    const auto speed = speedFor(*candidate.route, plan);
+    if (!speed) return false;
+    style = speed->style;
+    candidate.route->plan(plan, *speed, search_.step, count, planned_);
+    contender.driver->drive(contender.drive_start, input_.snapshot.now, planned_, points_);
+    return true;
+  }
+
+  /// Drafts that differ across the route alone come one after the other.
+  std::optional<RouteSpeed> speedFor(const RouteDriver& route, const RoutePlan& plan) {
+    const bool is_same = last_route_ == &route && last_plan_.arrival == plan.arrival &&
+                         last_plan_.at.along == plan.at.along && last_plan_.late == plan.late &&
+                         last_plan_.late_acceleration == plan.late_acceleration &&
+                         last_plan_.wait == plan.wait;
+    if (!is_same) last_speed_ = route.speedFor(plan, search_.step);
+    last_route_ = &route;
+    last_plan_ = plan;
+    return last_speed_;
+  }
+
+  void consider(Candidate& candidate) {
+    const auto steps = static_cast<std::size_t>(scorer_.steps());
+    if (planOf(candidate, steps, candidate.style)) judge(candidate);
+  }
+
+  /// Keeps the candidate, whose points are there, if it is one of the best.
+  void judge(Candidate& candidate) {
+    candidate.score = {};
+    const Contender& contender = *candidate.contender;
+    candidate.aim = nearestAim(candidate);
+    candidate.score = scorer_.score(*contender.track, points_, candidate.draft.ego);
+    candidate.objective = candidate.score.share +
+                          search_.closeness_weight * candidate.score.closeness -
+                          search_.pattern_weight * missCost(candidate) - effortOf(candidate);
+    best_ = std::max(best_, candidate.objective);
+    const bool full = static_cast<int>(kept_.size()) >= search_.kept;
+    if (full && candidate.objective < kept_.back().objective) return;
+    const double now = input_.snapshot.now;
+    const double until = now + input_.request.tta + input_.request.crash.time_tolerance;
+    // What an attacker means to do is held against the others, whatever it is.
+    const bool may_be_any = candidate.is_underway;
+    const auto broken = findBrokenDrive(points_, contender.drive_start, until, contender.limits);
+    if (broken && !may_be_any) return;
+    judgeRoad(candidate);
+    candidate.objective -= route_.off_lane_weight * (1.0 - candidate.road.on_lane) +
+                           route_.off_road_weight * candidate.road.off_road +
+                           route_.wrong_way_weight * candidate.road.wrong_way;
+    if (candidate.road.on_walkway > 0.0 && !may_be_any) return;
+    if ((!candidate.is_believable && !may_be_any) || !isAsAsked(candidate)) {
+      candidate.objective -= kNotAsAsked;
+    }
+    kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, better), candidate);
+    if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();
+  }
+
+  void judgeRoad(Candidate& candidate) {
+    const BelievabilityOptions& believability = options_.verification.believability;
+    const std::vector<TrajectoryPoint>& points = whole();
+    const BoxSize& size = candidate.contender->track->size;
+    const double contact = input_.snapshot.now + candidate.draft.contact;
+    candidate.road = roadUseOfAttack(points, size, contact, driven_, believability);
+    candidate.is_believable =
+        !input_.request.crash.believable ||
+        whyUnbelievable(candidate.road, points, size, driven_, believability).empty();
+  }
+
+  /// Who is underway is not to change to a plan that meets nobody where something is named.
+  bool isAsAsked(const Candidate& candidate) {
+    if (!how_asked_.isNamed()) return true;
+    if (candidate.score.share == 0.0) return input_.underway == nullptr;
+    return how_asked_.holds(*candidate.contender->track, whole(), candidate.score.met);
+  }
+
+  /// The points with what was driven before.
+  const std::vector<TrajectoryPoint>& whole() {
+    if (input_.underway == nullptr) return points_;
+    whole_ = input_.underway->driven;
+    whole_.insert(whole_.end(), points_.begin(), points_.end());
+    return whole_;
+  }
+
+  /// Of the contender's patterns the one that the draft's contact is nearest to.
+  const Aim* nearestAim(const Candidate& candidate) const {
+    const Contender& contender = *candidate.contender;
+    const Pose2 offset =
+        attackerOffset(input_.snapshot.ego.size, contender.track->size, candidate.draft.side,
+                       candidate.draft.heading, candidate.draft.slide, 0.0);
+    const auto apart = [&](const Aim& aim) {
+      return cornerMiss(missBetween(aim.pattern->attacker_offset, offset), contender.track->size);
+    };
+    return &*std::min_element(contender.aims.begin(), contender.aims.end(),
+                              [&](const Aim& a, const Aim& b) { return apart(a) < apart(b); });
+  }
+
+  double missCost(Candidate& candidate) const {
+    if (candidate.score.share == 0.0) return 1.0;
+    candidate.miss = missBetween(candidate.aim->pattern->attacker_offset, candidate.score.contact);
+    const double miss =
+        candidate.aim->missedBy(candidate.miss, candidate.contender->track->size, input_.exact);
+    return miss / (miss + search_.near_pattern);
+  }
+
+  /// Of a lane that is left `departure` seconds before the contact.
+  double departureCost(double departure) const {
+    const double early = departure - options_.verification.believability.before_contact;
+    return route_.departure_weight * std::max(0.0, early);
+  }
+
+  /// Of a plan underway without a draft the effort that it was made with is known as a sum alone:
+  /// it counts for at most what leaving the lane now costs.
+  double effortOf(const Candidate& candidate) const {
+    const double contact = candidate.draft.contact;
+    if (candidate.is_underway && !input_.underway->draft) {
+      return std::min(input_.underway->effort, departureCost(contact));
+    }
+    return route_.styles[candidate.style].cost +
+           departureCost(std::min(candidate.draft.departure, contact));
+  }
+
+  static bool better(const Candidate& a, const Candidate& b) { return a.objective > b.objective; }
+
+  bool isGood() const {
+    return !kept_.empty() && kept_.front().score.share >= search_.good_share &&
+           (kept_.front().style == 0 || kept_.front().is_underway) &&
+           (!how_asked_.isNamed() || kept_.front().objective > 0.0) &&
+           kept_.front().is_believable && kept_.front().road.on_lane >= 1.0 &&
+           kept_.front().road.off_road <= search_.good_off_road &&
+           (!input_.exact || isExact(kept_.front().miss, search_));
+  }
+
+  /// Moves away from the kept candidates, better ones more often.
+  void perturb(double scale) {
+    // A plan that came from elsewhere is none that can be moved.
+    const bool may_move = input_.underway == nullptr || input_.underway->draft.has_value();
+    std::vector<Candidate> parents;
+    std::copy_if(kept_.begin(), kept_.end(), std::back_inserter(parents),
+                 [=](const Candidate& kept) { return may_move || !kept.is_underway; });
+    if (parents.empty()) return;
+    for (int i = 0; i < route_.perturbations && !isGood(); ++i) {
+      const std::size_t rank =
+          std::min(random_.index(parents.size()), random_.index(parents.size()));
+      Candidate candidate = parents[rank];
+      candidate.is_underway = false;
+      move(candidate.draft, scale);
+      consider(candidate);
+    }
+  }
+
+  void move(RouteDraft& draft, double scale) {
+    draft.contact = std::clamp(draft.contact + random_.bell(0.15 * scale), sampler_.earliest(),
+                               sampler_.latest());
+    draft.slide = std::clamp(draft.slide + random_.bell(0.4 * scale), -kMaxSlide, kMaxSlide);
+    draft.heading = wrapAngle(draft.heading + random_.bell(0.05 * scale));
+    draft.departure = std::max(search_.step, draft.departure + random_.bell(0.4 * scale));
+    draft.lead = std::max(0.0, draft.lead + random_.bell(0.2 * scale));
+    if (draft.wait > 0.0) draft.wait = std::max(0.0, draft.wait + random_.bell(0.3 * scale));
+    if (draft.late > 0.0) {
+      draft.late = std::max(search_.step, draft.late + random_.bell(0.3 * scale));
+      draft.late_acceleration = std::min(0.0, draft.late_acceleration + random_.bell(1.0 * scale));
+    }
+  }
+
+  FoundAttack finished(const Candidate& candidate) {
+    FoundAttack found;
+    found.attacker = candidate.contender->track;
+    found.is_underway = candidate.is_underway;
+    if (candidate.is_underway) {
+      found.points = input_.underway->planned;
+    } else {
+      std::size_t style = 0;
+      planOf(candidate, all_points_, style);
+      found.points = points_;
+    }
+    found.score = candidate.score;
+    found.off_road = candidate.road.off_road;
+    found.drafted = DraftedWay{candidate.route->path(), candidate.draft, candidate.style};
+    found.objective = candidate.objective;
+    found.effort = effortOf(candidate);
+    found.aim = candidate.aim->pattern;
+    found.miss = candidate.miss;
+    for (const std::size_t i : scorer_.hits(*found.attacker, found.points, found.score.met)) {
+      found.hits.push_back(input_.egos[i]);
+    }
+    return found;
+  }
+
+  const SearchInput& input_;
+  const LaneIndex& driven_;
+  const AttackOptions& options_;
+  const SearchOptions& search_;
+  const RouteDriverOptions& route_;
+  HowAsked how_asked_;
+  FutureScorer scorer_;
+  std::vector<std::unique_ptr<Contender>> contenders_;
+  Random random_;
+  ArrivalSampler sampler_;
+  std::size_t all_points_ = 0;
+  bool sketches_ = false;             // one draft a contender ...
+  bool has_sketches_ = false;         // ... which was done
+  double best_ = 0.0;                 // objective of the contender's drafts so far
+  std::vector<Candidate> kept_;       // best first
+  std::optional<Candidate> present_;  // what the attacker means to do
+  const RouteDriver* last_route_ = nullptr;
+  RoutePlan last_plan_;
+  std::optional<RouteSpeed> last_speed_;
+  std::vector<PlannedStep> planned_;
+  std::vector<TrajectoryPoint> points_;
+  std::vector<TrajectoryPoint> whole_;
+};
+
+}  // namespace
+
+std::vector<FoundAttack> searchManoeuvres(const SearchInput& input, const AttackOptions& options) {
+  return ManoeuvreSearch(input, options).run();
+}
+
+}  // namespace forge

@@ -1,0 +1,101 @@
+#include "collision_forge/attack/search/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace forge {
+namespace {
+
+constexpr double kParallel = 1e-9;  // cosine; along such an axis nothing parts
+constexpr double kMiddle = 1e-6;    // m from the ego's middle: in no direction from it
+
+Vector2 outward(Side side) {
+  switch (side) {
+    case Side::kFront:
+      return {1.0, 0.0};
+    case Side::kRear:
+      return {-1.0, 0.0};
+    case Side::kLeft:
+      return {0.0, 1.0};
+    case Side::kRight:
+      return {0.0, -1.0};
+  }
+  return Vector2::Zero();
+}
+
+}  // namespace
+
+std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side) {
+  switch (type) {
+    case CollisionType::kRearEnd:
+      return {{Side::kRear, 0.0}, {Side::kFront, 0.0}};
+    case CollisionType::kOppositeDirection:
+      return {{Side::kFront, 0.0}};
+    case CollisionType::kLaneChange:
+      return {{Side::kLeft, -1.0}, {Side::kRight, 1.0}};
+    case CollisionType::kJunctionCrossing:
+      return {{Side::kLeft, -1.0}, {Side::kRight, 1.0}, {Side::kFront, -1.0}, {Side::kFront, 1.0}};
+    case CollisionType::kLtap:
+      if (driving_side == DrivingSide::kRight) return {{Side::kLeft, -1.0}, {Side::kFront, -1.0}};
+      return {{Side::kRight, 1.0}, {Side::kFront, 1.0}};
+  }
+  return {};
+}
+
+std::vector<HeadedPlacement> placementsAlong(double direction, CollisionType type,
+                                             const TypeDefinition& band, DrivingSide driving_side,
+                                             double margin, double max_lean) {
+  const double low = band.min_heading > kBandEnd ? band.min_heading + margin : 0.0;
+  const double high = band.max_heading < M_PI - kBandEnd ? band.max_heading - margin : M_PI;
+  const double nearest = std::clamp(std::abs(direction), low, std::max(low, high));
+  std::vector<HeadedPlacement> found;
+  for (const double sign : {1.0, -1.0}) {
+    const double heading = wrapAngle(sign * nearest);
+    if (std::abs(angleBetween(direction, heading)) > max_lean) continue;
+    for (const Placement& placement : placementsOf(type, driving_side)) {
+      if (placement.sign == 0.0 || placement.sign == sign)
+        found.push_back({placement.side, heading});
+    }
+    // Straight on and straight back have one side.
+    if (nearest < kBandEnd || nearest > M_PI - kBandEnd) break;
+  }
+  return found;
+}
+
+double partingDistance(const BoxSize& ego, const BoxSize& attacker, const Pose2& from,
+                       const Vector2& direction) {
+  const OrientedBox ego_box{{}, ego};
+  // They part along the first of the sides' axes on which their shadows do.
+  double parting = std::numeric_limits<double>::infinity();
+  for (const AxisGap& side : axisGaps(ego_box, {{0.0, 0.0, from.yaw}, attacker})) {
+    const double reach = -side.gap;
+    const double rate = side.axis.dot(direction);
+    if (std::abs(rate) < kParallel) continue;
+    parting =
+        std::min(parting, (reach - std::copysign(1.0, rate) * side.axis.dot(from.position())) /
+                              std::abs(rate));
+  }
+  return parting;
+}
+
+Pose2 attackerOffset(const BoxSize& ego, const BoxSize& attacker, Side side, double heading,
+                     double slide, double depth) {
+  const bool along_x = side == Side::kFront || side == Side::kRear;
+  const double half_side = 0.5 * (along_x ? ego.width : ego.length);
+  const Pose2 from{along_x ? 0.0 : slide * half_side, along_x ? slide * half_side : 0.0, heading};
+  const double push = partingDistance(ego, attacker, from, outward(side)) - depth;
+  const Vector2 position = from.position() + push * outward(side);
+  return {position.x(), position.y(), heading};
+}
+
+Pose2 touchingOffset(const BoxSize& ego, const BoxSize& attacker, const Pose2& offset) {
+  const double distance = offset.position().norm();
+  const Vector2 direction =
+      distance > kMiddle ? Vector2(offset.position() / distance) : Vector2(-offset.heading());
+  const Vector2 position =
+      partingDistance(ego, attacker, {0.0, 0.0, offset.yaw}, direction) * direction;
+  return {position.x(), position.y(), offset.yaw};
+}
+
+}  // namespace forge

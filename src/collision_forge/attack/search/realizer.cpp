@@ -1,0 +1,59 @@
+#include "collision_forge/attack/search/realizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "collision_forge/attack/search/judge.h"
+#include "collision_forge/base/scene/number_words.h"
+
+namespace forge {
+namespace {
+
+void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot& snapshot) {
+  for (const CollisionPattern& pattern : patterns) {
+    const bool known =
+        std::any_of(snapshot.agents.begin(), snapshot.agents.end(),
+                    [&](const Track& agent) { return agent.id == pattern.attacker_id; });
+    if (!known) {
+      throw std::invalid_argument("the pattern's attacker_id \"" + pattern.attacker_id +
+                                  "\" is nobody in the scene");
+    }
+    if (!(pattern.time > snapshot.now)) {
+      throw std::invalid_argument("the pattern's time is not after now");
+    }
+    if (!pattern.ego.center.isFinite() || !pattern.attacker_offset.isFinite() ||
+        !std::isfinite(pattern.attacker_speed)) {
+      throw std::invalid_argument("the pattern of attacker_id \"" + pattern.attacker_id +
+                                  "\" has an ego, an attacker_offset or an attacker_speed that is "
+                                  "not finite");
+    }
+    if (!(pattern.tolerance >= 0.0)) {
+      throw std::invalid_argument("the pattern's tolerance = " + numberText(pattern.tolerance) +
+                                  " is not 0 m or more");
+    }
+  }
+}
+
+}  // namespace
+
+Realization realize(const RealizationTask& task, const AttackOptions& options) {
+  const VerificationInput& input = task.input;
+  checkPatterns(task.patterns, input.snapshot);
+  AttackJudge judge(input, options, task.exact);
+  const std::vector<FoundAttack> attacks =
+      searchAttacks({input.snapshot, input.future, judge.searched(), task.patterns, input.request,
+                     input.lanes, task.exact, task.ways, task.motion},
+                    options);
+  for (const FoundAttack& attack : attacks) {
+    const Track& agent = *attack.attacker;
+    Realization found;
+    found.aim = *attack.aim;
+    found.trajectory = {agent.id, agent.agent_class, agent.size, attack.points};
+    found.effort = attack.effort;
+    if (judge.accepts(found, agent, attack.hits)) return found;
+  }
+  return declined(judge.refusal(task.patterns));
+}
+
+}  // namespace forge

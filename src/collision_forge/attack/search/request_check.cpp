@@ -1,0 +1,166 @@
+#include "collision_forge/attack/search/request_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "collision_forge/base/scene/request_words.h"
+#include "collision_forge/base/scene/short_id.h"
+
+namespace forge {
+namespace {
+
+template <typename... Parts>
+Status refuse(StatusCode code, const Parts&... parts) {
+  std::ostringstream message;
+  (message << ... << parts);
+  return {code, message.str()};
+}
+
+bool isFinite(const Track& track) {
+  return std::all_of(track.states.begin(), track.states.end(),
+                     [](const AgentState& state) { return state.pose.isFinite(); });
+}
+
+/// False when the newest two states are too far apart to tell a motion from.
+bool hasMotion(const Track& track) {
+  const auto& states = track.states;
+  return states.size() >= 2 && states.back().time - states[states.size() - 2].time <= kMaxGap;
+}
+
+Status checkEgo(const Snapshot& snapshot, const PredictionOptions& options) {
+  const Track& ego = snapshot.ego;
+  if (!(ego.size.length > 0.0 && ego.size.width > 0.0)) {
+    return refuse(StatusCode::kInvalidInput, "the ego's size is ", ego.size.length, " x ",
+                  ego.size.width, " m");
+  }
+  if (!isFinite(ego)) return refuse(StatusCode::kInvalidInput, "the ego's pose is not a number");
+  if (static_cast<int>(ego.states.size()) < options.min_history_frames ||
+      !newestAt(ego, snapshot.now)) {
+    return refuse(StatusCode::kTooLittleHistory, "the ego was seen in ", ego.states.size(),
+                  " frames up to now, ", options.min_history_frames, " are needed");
+  }
+  if (!hasMotion(ego)) {
+    return refuse(StatusCode::kTooLittleHistory, "the ego was not seen in the ", kMaxGap,
+                  " s before now");
+  }
+  return {};
+}
+
+Status checkAttacker(const std::string& id, const std::optional<AgentClass>& wanted,
+                     const Snapshot& snapshot) {
+  const auto attacker = std::find_if(snapshot.agents.begin(), snapshot.agents.end(),
+                                     [&](const Track& agent) { return agent.id == id; });
+  if (attacker == snapshot.agents.end()) {
+    return refuse(StatusCode::kUnknownAttacker, "attacker_id \"", id, "\" is nobody in the scene");
+  }
+  if (!newestAt(*attacker, snapshot.now)) {
+    return refuse(StatusCode::kAbsentAttacker, "attacker \"", id, "\" is not there now");
+  }
+  if (!canAttack(attacker->agent_class)) {
+    return refuse(StatusCode::kAbsentAttacker, "attacker \"", id, "\" is a ",
+                  toString(attacker->agent_class), ", which cannot attack");
+  }
+  if (wanted && attacker->agent_class != *wanted) {
+    return refuse(StatusCode::kInvalidInput, "attacker \"", id, "\" is a ",
+                  toString(attacker->agent_class), ", and attacker_class = ", toString(*wanted));
+  }
+  if (!isFinite(*attacker)) {
+    return refuse(StatusCode::kInvalidInput, "the pose of attacker \"", id, "\" is not a number");
+  }
+  if (!(attacker->size.length > 0.0 && attacker->size.width > 0.0)) {
+    return refuse(StatusCode::kInvalidInput, "the size of attacker \"", id, "\" is ",
+                  attacker->size.length, " x ", attacker->size.width, " m");
+  }
+  if (!hasMotion(*attacker)) {
+    return refuse(StatusCode::kTooLittleHistory, "attacker \"", id, "\" has just appeared");
+  }
+  return {};
+}
+
+}  // namespace
+
+bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options) {
+  if (!canAttack(agent.agent_class) || !hasMotion(agent)) return false;
+  if (!newestAt(agent, snapshot.now) || !isFinite(agent)) return false;
+  if (!(agent.size.length > 0.0 && agent.size.width > 0.0)) return false;
+  const Vector2 ego = snapshot.ego.states.back().pose.position();
+  return (agent.states.back().pose.position() - ego).norm() <= options.candidate_radius;
+}
+
+CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot) {
+  if (!request.attacker || request.attacker->size() < kShortId) return request;
+  std::vector<std::string> named;
+  for (const Track& agent : snapshot.agents) {
+    if (agent.id == *request.attacker) return request;
+    if (agent.id.compare(0, request.attacker->size(), *request.attacker) == 0) {
+      named.push_back(agent.id);
+    }
+  }
+  if (named.size() == 1) request.attacker = named.front();
+  return request;
+}
+
+Status checkControls(const CollisionRequest& request) {
+  if (request.attacker && request.choice == AttackerChoice::kNew) {
+    return refuse(StatusCode::kInvalidInput, "choice = new, but attacker_id = \"",
+                  *request.attacker, "\" is a recorded vehicle");
+  }
+  if (request.attacker_class && !canAttack(*request.attacker_class)) {
+    return refuse(StatusCode::kInvalidInput, "attacker_class = ", toString(*request.attacker_class),
+                  " cannot attack");
+  }
+  if (request.manoeuvre && typeOf(*request.manoeuvre) != request.type) {
+    return refuse(StatusCode::kInvalidInput, "manoeuvre = ", toString(*request.manoeuvre),
+                  " is none of type ", toString(request.type), ": ", manoeuvreNames(request.type));
+  }
+  if (request.impact_speed) {
+    const Range& speed = *request.impact_speed;
+    if (!(speed.min >= 0.0 && speed.max >= speed.min && std::isfinite(speed.max))) {
+      return refuse(StatusCode::kInvalidInput, "impact_speed = ", speed.min, " to ", speed.max,
+                    " m/s is no range from 0 on");
+    }
+  }
+  if (request.overlap) {
+    const Range& overlap = *request.overlap;
+    if (!(overlap.min >= 0.0 && overlap.max >= overlap.min && overlap.max <= 1.0)) {
+      return refuse(StatusCode::kInvalidInput, "overlap = ", overlap.min, " to ", overlap.max,
+                    " is no range within 0 to 1");
+    }
+  }
+  if (request.alternatives < 1 || request.alternatives > kMaxAlternatives) {
+    return refuse(StatusCode::kInvalidInput, "alternatives = ", request.alternatives,
+                  " is outside 1 to ", kMaxAlternatives);
+  }
+  if (request.mode == Mode::kAdaptive && request.crash.limits == LimitSet::kStrict) {
+    return refuse(StatusCode::kInvalidInput,
+                  "limits = strict is not for mode = adaptive, whose attackers drive within the "
+                  "limits of their class");
+  }
+  if (request.mode == Mode::kAdaptive && request.alternatives > 1) {
+    return refuse(StatusCode::kInvalidInput, "alternatives = ", request.alternatives,
+                  " is not for mode = adaptive, which drives one attacker");
+  }
+  if (request.crash.believable && request.crash.limits == LimitSet::kStrict) {
+    return refuse(StatusCode::kInvalidInput,
+                  "limits = strict goes with believable = false alone: a believable attacker "
+                  "drives within the limits of its class");
+  }
+  return {};
+}
+
+Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
+                    const PredictionOptions& options) {
+  if (!(request.tta >= options.min_tta && request.tta <= options.max_tta)) {
+    return refuse(StatusCode::kTtaOutOfRange, "tta = ", request.tta, " s is outside ",
+                  options.min_tta, " to ", options.max_tta, " s");
+  }
+  const Status controls = checkControls(request);
+  if (controls.code != StatusCode::kOk) return controls;
+  const Status ego = checkEgo(snapshot, options);
+  if (ego.code != StatusCode::kOk) return ego;
+  if (request.attacker) return checkAttacker(*request.attacker, request.attacker_class, snapshot);
+  return {};
+}
+
+}  // namespace forge

@@ -1,0 +1,192 @@
+#include "collision_forge/attack/search/route_driver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include "collision_forge/attack/search/quintic.h"
+
+namespace forge {
+namespace {
+
+constexpr double kSpacing = ReferencePath::kBendSpacing;
+constexpr double kSpeedPrecision = 0.01;    // m/s, of the speed that is driven at, and ...
+constexpr std::uintmax_t kMostTrials = 20;  // ... of these to find it
+constexpr double kLookahead = 0.4;          // s that a driver sees a bend before
+constexpr double kWandering = 2.0;          // m/s; slower ones wander less
+constexpr double kStandstill = 0.05;        // m/s; nobody moves across without moving along
+
+}  // namespace
+
+/// One way to drive along the route.
+struct RouteDriver::Cruise {
+  std::size_t style;
+  double speed;  // that is chosen, m/s
+  double arrival;
+  double late_from;  // s
+  double late_acceleration;
+  double step;
+  double wait;  // s
+};
+
+RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
+                         const RouteDriverOptions& options, const SpeedVariation& variation)
+    : path_(std::move(path)), options_(options), limits_(limits), now_(now), variation_(variation) {
+  start_ = path_.seen(compose(now.axle, {limits.axle_to_middle, 0.0, 0.0}));
+  const std::vector<double> bends = path_.bends();
+  for (const DrivingStyle& style : options.styles) {
+    std::vector<float> caps(bends.size());
+    const double lateral =
+        std::min(style.lateral, options.limit_share * limits.max_lateral_acceleration);
+    const double braking = std::min(style.braking, options.limit_share * limits.max_braking);
+    double next = limits.max_speed * limits.max_speed;
+    for (std::size_t i = bends.size(); i-- > 0;) {
+      next = std::min(next + 2.0 * braking * kSpacing, lateral / bends[i]);
+      caps[i] = static_cast<float>(std::sqrt(next));
+    }
+    caps_.push_back(std::move(caps));
+  }
+}
+
+double RouteDriver::keptOffset(double along) const {
+  // Critically damped, from where and how the driver leans now.
+  const double driven = std::max(0.0, along - start_.along);
+  const double fade = options_.return_distance;
+  const double slope = std::tan(std::clamp(start_.lean, -options_.max_lean, options_.max_lean));
+  return (start_.across + (slope + start_.across / fade) * driven) * std::exp(-driven / fade);
+}
+
+double RouteDriver::cap(std::size_t style, double along) const {
+  const std::vector<float>& caps = caps_[style];
+  const double place = std::clamp(along / kSpacing, 0.0, static_cast<double>(caps.size() - 1));
+  return caps[static_cast<std::size_t>(place)];
+}
+
+/// Where the driver is at the arrival, along the path; on the way every step to `alongs`.
+double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) const {
+  const DrivingStyle& style = options_.styles[cruise.style];
+  const DrivingStyle& wildest = options_.styles.back();
+  const double share = options_.limit_share;
+  const double wave_jerk = variation_.amplitude * variation_.frequency();
+  double along = start_.along;
+  double speed = now_.speed;
+  double acceleration = now_.acceleration;
+  // The wave, turned on step by step.
+  const double turn = variation_.frequency() * cruise.step;
+  const Vector2 turned{std::cos(turn), std::sin(turn)};
+  Vector2 wave =
+      variation_.amplitude * Vector2{std::cos(variation_.phase), std::sin(variation_.phase)};
+  for (double time = 0.0; time < cruise.arrival - 1e-9; time += cruise.step) {
+    if (alongs) alongs->push_back(along);
+    const double duration = std::min(cruise.step, cruise.arrival - time);
+    const double wander = wave.y() * std::clamp(speed / kWandering, 0.0, 1.0);
+    wave = {wave.x() * turned.x() - wave.y() * turned.y(),
+            wave.x() * turned.y() + wave.y() * turned.x()};
+    if (time < cruise.wait && speed == 0.0) continue;
+    const double target = std::min(cruise.speed, cap(cruise.style, along + kLookahead * speed));
+    double wanted =
+        std::clamp((target - speed) / options_.settling, -style.braking, style.forward) + wander;
+    double jerk = style.jerk + wave_jerk;
+    if (time >= cruise.late_from) {
+      wanted = cruise.late_acceleration;
+      jerk = wildest.jerk;
+    } else if (target < cruise.speed) {
+      jerk = std::max(jerk, 2.0 * style.jerk);
+    }
+    wanted = std::clamp(wanted, -share * limits_.max_braking, share * limits_.forwardAt(speed));
+    const double change = std::min(jerk, share * limits_.max_jerk) * duration;
+    acceleration = std::clamp(wanted, acceleration - change, acceleration + change);
+    const double next = std::clamp(speed + acceleration * duration, 0.0, share * limits_.max_speed);
+    along += 0.5 * (speed + next) * duration;
+    if (next == 0.0) acceleration = 0.0;
+    speed = next;
+  }
+  return along;
+}
+
+RouteDriver::Cruise RouteDriver::cruiseOf(const RoutePlan& wanted, const RouteSpeed& speed,
+                                          double step) const {
+  const double late_from = wanted.late > 0.0 ? wanted.arrival - wanted.late : wanted.arrival + step;
+  return {speed.style, speed.speed, wanted.arrival, late_from, wanted.late_acceleration,
+          step,        wanted.wait};
+}
+
+std::optional<RouteSpeed> RouteDriver::speedFor(const RoutePlan& wanted, double step) const {
+  RouteSpeed found;
+  const auto beyond = [&](double speed) {
+    return drive(cruiseOf(wanted, {found.style, speed}, step), nullptr) - wanted.at.along;
+  };
+  const double high = options_.limit_share * limits_.max_speed;
+  const auto isNear = [](double a, double b) { return std::abs(a - b) < kSpeedPrecision; };
+  for (; found.style < options_.styles.size(); ++found.style) {
+    const double slowest = beyond(0.0);
+    if (slowest > options_.precision) continue;
+    const double fastest = beyond(high);
+    if (fastest < -options_.precision) continue;
+    if (slowest >= 0.0) return RouteSpeed{found.style, 0.0};
+    if (fastest <= 0.0) return RouteSpeed{found.style, high};
+    std::uintmax_t most = kMostTrials;
+    const auto [below, above] =
+        boost::math::tools::toms748_solve(beyond, 0.0, high, slowest, fastest, isNear, most);
+    return RouteSpeed{found.style, 0.5 * (below + above)};
+  }
+  return std::nullopt;
+}
+
+void RouteDriver::plan(const RoutePlan& wanted, const RouteSpeed& speed, double step,
+                       std::size_t steps, std::vector<PlannedStep>& planned) const {
+  const Cruise cruise = cruiseOf(wanted, speed, step);
+  std::vector<double> alongs;
+  alongs.reserve(steps);
+  const double end = drive(cruise, &alongs);
+  const double before = wanted.arrival - static_cast<double>(alongs.size() - 1) * step;
+  const double last_speed = std::max(0.0, (end - alongs.back()) / std::max(1e-6, before));
+  // Across the path: as kept so far, then in a fifth-order polynomial to the arrival.
+  const double waits = now_.speed > 0.0 ? 0.0 : std::min(wanted.wait, wanted.arrival - step);
+  // A step at least, and not before now, even if the arrival is less than a step away.
+  const double departure = std::min(std::max(wanted.departure, step), wanted.arrival - waits);
+  const double from = wanted.arrival - departure;
+  const double moving = std::max(step, departure - wanted.lead);
+  const auto from_step = std::min(static_cast<std::size_t>(from / step), alongs.size() - 1);
+  const double kept = keptOffset(alongs[from_step]);
+  const double drift = last_speed * std::tan(wanted.at.lean);
+  // Who leaves at once goes on as it leans now.
+  const double leaning = from < step ? now_.speed * std::sin(start_.lean) : 0.0;
+  const Quintic across({kept, leaning, 0.0}, {wanted.at.across - wanted.lead * drift, drift, 0.0},
+                       moving);
+  planned.resize(steps);
+  Pose2 arrived;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double time = static_cast<double>(i) * step;
+    PlannedStep& at = planned[i];
+    if (i >= alongs.size()) {
+      if (i == alongs.size()) {
+        const Pose2 place = path_.at(end).pose;
+        arrived = compose(place, {0.0, wanted.at.across, wanted.at.lean});
+      }
+      at = {compose(arrived, {(time - wanted.arrival) * last_speed, 0.0, 0.0}), last_speed};
+      continue;
+    }
+    const double next = i + 1 < alongs.size() ? alongs[i + 1] : end;
+    const double duration = i + 1 < alongs.size() ? step : std::max(1e-6, before);
+    const double before_along = i > 0 ? alongs[i - 1] : alongs[i];
+    const double speed = i > 0 ? (next - before_along) / (step + duration) : now_.speed;
+    const ReferencePath::Place place = path_.at(alongs[i]);
+    double offset = kept;
+    double rate = 0.0;
+    if (time < from) {
+      offset = keptOffset(alongs[i]);
+    } else {
+      const AxisState state = across.at(std::min(moving, time - from));
+      offset = state.position + std::max(0.0, time - from - moving) * drift;
+      rate = state.velocity;
+    }
+    const double stretch = std::max(0.1, 1.0 - place.curvature * offset);
+    const double lean = speed > kStandstill ? std::atan2(rate, speed * stretch) : 0.0;
+    at = {compose(place.pose, {0.0, offset, lean}), std::hypot(speed * stretch, rate)};
+  }
+}
+
+}  // namespace forge

@@ -1,0 +1,131 @@
+#include "collision_forge/attack/search/track_driver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace forge {
+namespace {
+
+constexpr double kSpeedGain = 2.0;  // 1/s, of a difference in speed
+constexpr double kWayGain = 1.0;  // 1/s2, of a difference in way: critically damped with kSpeedGain
+constexpr double kSteeringTime = 0.3;   // s in which hands follow what the eyes want, and ...
+constexpr double kPedalTime = 0.2;      // s; ... feet
+constexpr double kStanding = 0.02;      // m/s; slower is standing
+constexpr double kStopping = 3.0;       // 1/s; the last of the speed goes so quickly
+constexpr double kStraight = 1e-3;      // 1/m; who bends less is nowhere too fast
+constexpr double kNearestTarget = 1.0;  // m; no steering after nearer targets
+
+/// From one value towards another by a share of the way.
+double smoothed(double wanted, double from, double share) {
+  return from + std::min(1.0, share) * (wanted - from);
+}
+
+DriveLimits scaled(DriveLimits limits, double margin) {
+  limits.max_steering_angle *= margin;
+  limits.max_steering_rate *= margin;
+  limits.max_lateral_acceleration *= margin;
+  limits.max_forward_acceleration *= margin;
+  limits.max_braking *= margin;
+  limits.max_jerk *= margin;
+  limits.max_speed *= margin;
+  return limits;
+}
+
+}  // namespace
+
+TrackDriver::TrackDriver(const DriveLimits& limits, double margin, double preview, double step)
+    : limits_(scaled(limits, margin)),
+      max_tangent_(std::tan(limits_.max_steering_angle)),
+      preview_(static_cast<std::size_t>(std::max(1L, std::lround(preview / step)))),
+      step_(step) {}
+
+/// The angle at which the rear axle drives an arc through the target's rear axle.
+double TrackDriver::steeringTo(const DriveState& state, const PlannedStep& target) const {
+  const Vector2 heading = state.axle.heading();
+  const Vector2 to = target.middle.position() - limits_.axle_to_middle * target.middle.heading() -
+                     state.axle.position();
+  const double distance = to.squaredNorm();
+  if (distance < kNearestTarget * kNearestTarget || to.dot(heading) <= 0.0) return state.steering;
+  const double curvature = 2.0 * (heading.x() * to.y() - heading.y() * to.x()) / distance;
+  return std::atan(limits_.wheelbase * curvature);
+}
+
+double TrackDriver::nextSteering(double wanted, const DriveState& state) const {
+  const double change = limits_.max_steering_rate * step_;
+  const double towards = smoothed(wanted, state.steering, step_ / kSteeringTime);
+  double most = limits_.max_steering_angle;
+  const double faster = state.speed + std::max(0.0, state.acceleration) * step_;
+  const double squared = faster * faster;
+  const double total = limits_.max_braking * limits_.max_braking;
+  const double across =
+      std::min(limits_.max_lateral_acceleration,
+               std::sqrt(std::max(0.0, total - state.acceleration * state.acceleration)));
+  const double tangent = limits_.wheelbase * across;
+  if (tangent < squared * max_tangent_) most = std::atan(tangent / squared);
+  // No hands are faster than that, however fast the vehicle becomes.
+  return std::clamp(std::clamp(towards, -most, most), state.steering - change,
+                    state.steering + change);
+}
+
+double TrackDriver::nextAcceleration(double wanted, double steering,
+                                     const DriveState& state) const {
+  const double change = limits_.max_jerk * step_;
+  const double tightest = std::max(std::abs(state.steering), std::abs(steering));
+  // As fast as it may be then: across the vehicle that counts squared.
+  const double faster = state.speed + std::max(0.0, state.acceleration + change) * step_;
+  const double lateral = faster * faster * std::tan(tightest) / limits_.wheelbase;
+  const double grip =
+      std::sqrt(std::max(0.0, limits_.max_braking * limits_.max_braking - lateral * lateral));
+  // Brakes are let go in time to stand without a jolt.
+  const double softly = std::min(kStopping, limits_.max_jerk / limits_.max_braking) * state.speed;
+  const double least = -std::min(grip, softly);
+  double most = std::min(grip, limits_.forwardAt(state.speed));
+  most = std::min(most, (limits_.max_speed - state.speed) / step_);
+  if (const double bend = std::tan(std::abs(steering)) / limits_.wheelbase; bend > kStraight) {
+    // The speed changes by the mean of both accelerations.
+    const double fastest = std::sqrt(limits_.max_lateral_acceleration / bend);
+    most = std::min(most, 2.0 * (fastest - state.speed) / step_ - state.acceleration);
+  }
+  const double towards = smoothed(wanted, state.acceleration, step_ / kPedalTime);
+  const double held = std::clamp(towards, least, std::max(least, most));
+  return std::clamp(held, state.acceleration - change, state.acceleration + change);
+}
+
+void TrackDriver::drive(const DriveState& start, double now, const std::vector<PlannedStep>& plan,
+                        std::vector<TrajectoryPoint>& points) const {
+  DriveState state = start;
+  points.resize(plan.size());
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const Vector2 heading = state.axle.heading();
+    const Vector2 middle = state.axle.position() + limits_.axle_to_middle * heading;
+    points[i] = {now + static_cast<double>(i) * step_,
+                 {middle.x(), middle.y(), wrapAngle(state.axle.yaw)},
+                 state.speed,
+                 state.acceleration,
+                 std::tan(state.steering) / limits_.wheelbase};
+    if (i + 1 == plan.size()) break;
+    PlannedStep target = plan[std::min(i + preview_, plan.size() - 1)];
+    if (i + preview_ >= plan.size()) {
+      const double beyond = static_cast<double>(i + preview_ + 1 - plan.size()) * step_;
+      target.middle = compose(target.middle, {beyond * std::max(1.0, target.speed), 0.0, 0.0});
+    }
+    const double steering = nextSteering(steeringTo(state, target), state);
+    const double behind = (plan[i].middle.position() - middle).dot(heading);
+    const double wanted = (plan[i + 1].speed - plan[i].speed) / step_ +
+                          kSpeedGain * (plan[i].speed - state.speed) + kWayGain * behind;
+    const double acceleration = nextAcceleration(wanted, steering, state);
+    // Steering angle and acceleration change evenly over the step.
+    const double faster =
+        std::max(0.0, state.speed + 0.5 * (state.acceleration + acceleration) * step_);
+    const double way = std::max(
+        0.0, (state.speed + (2.0 * state.acceleration + acceleration) / 6.0 * step_) * step_);
+    const double turn = way * std::tan(0.5 * (state.steering + steering)) / limits_.wheelbase;
+    const Vector2 moved = way * Pose2{0.0, 0.0, state.axle.yaw + 0.5 * turn}.heading();
+    state.axle = {state.axle.x + moved.x(), state.axle.y + moved.y(), state.axle.yaw + turn};
+    state.speed = faster < kStanding && acceleration < 0.0 ? 0.0 : faster;
+    state.acceleration = state.speed > 0.0 ? acceleration : 0.0;
+    state.steering = steering;
+  }
+}
+
+}  // namespace forge

@@ -1,0 +1,192 @@
+#include "collision_forge/attack/verify/believability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace forge {
+namespace {
+
+constexpr double kStandstill = 0.1;  // m/s
+constexpr double kStep = 0.5;  // m, between the places where road is looked for: a raster's cell
+
+/// How many of a box's places lie where.
+struct Ground {
+  std::size_t off_road = 0;  // 0 where no drivable area is known
+  std::size_t on_walkway = 0;
+};
+
+Ground groundBelow(const OrientedBox& box, const LaneIndex& lanes) {
+  const bool knows_road = !lanes.drivable().empty();
+  Ground ground;
+  for (const Vector2& place : placesOf(box)) {
+    if (lanes.drivable().contains(place)) continue;
+    ground.off_road += knows_road;
+    ground.on_walkway += lanes.walkways().contains(place);
+  }
+  return ground;
+}
+
+/// Some drivable ground lies within `reach` metres in a direction, a unit vector.
+bool findsRoad(const Vector2& from, const Vector2& direction, const AreaRaster& drivable,
+               double reach) {
+  const int steps = static_cast<int>(reach / kStep);
+  for (int i = 1; i <= steps; ++i) {
+    if (drivable.contains(from + i * kStep * direction)) return true;
+  }
+  return false;
+}
+
+/// The lane's direction is the type's, widened by `slack` radians.
+bool directionFits(double relative_heading, const TypeDefinition& band, CollisionType type,
+                   DrivingSide driving_side, double slack) {
+  const bool turns_left = driving_side == DrivingSide::kRight;
+  if (type == CollisionType::kLtap && turns_left == (relative_heading > 0.0)) return false;
+  const double size = std::abs(relative_heading);
+  return size >= band.min_heading - slack && size <= band.max_heading + slack;
+}
+
+}  // namespace
+
+const LaneIndex& drivenLanes(const CollisionRequest& request, const LaneIndex& lanes) {
+  return request.manoeuvre == Manoeuvre::kWrongWay ? lanes.reversed() : lanes;
+}
+
+RoadUse roadUse(const std::vector<TrajectoryPoint>& points, const BoxSize& size, double until,
+                const LaneIndex& lanes, const BelievabilityOptions& options) {
+  RoadUse use;
+  std::size_t count = 0;
+  for (const TrajectoryPoint& point : points) {
+    const Pose2& pose = point.pose;
+    const Ground ground = groundBelow({pose, size}, lanes);
+    const bool on_lane = lanes.grid().isOnLane(pose, options.lane_distance, options.lane_heading);
+    use.on_lane += on_lane;
+    use.wrong_way += !on_lane && lanes.grid().isWrongWay(pose, options.lane_distance);
+    use.off_road += static_cast<double>(ground.off_road);
+    use.on_walkway += ground.on_walkway > 0;
+    use.on_island += isOnIsland(pose, lanes, options.island_reach);
+    ++count;
+    if (point.time >= until) break;
+  }
+  if (count == 0) return use;
+  use.off_road /= static_cast<double>(kBoxPlaces);
+  for (double* share :
+       {&use.on_lane, &use.wrong_way, &use.off_road, &use.on_walkway, &use.on_island}) {
+    *share /= static_cast<double>(count);
+  }
+  return use;
+}
+
+bool isOnIsland(const Pose2& pose, const LaneIndex& lanes, double reach) {
+  const AreaRaster& drivable = lanes.drivable();
+  const Vector2 place = pose.position();
+  if (drivable.contains(place) || lanes.walkways().contains(place)) return false;
+  const Vector2 ahead = pose.heading();
+  const Vector2 left(-ahead.y(), ahead.x());
+  const auto isBetween = [&](const Vector2& direction) {
+    return findsRoad(place, direction, drivable, reach) &&
+           findsRoad(place, -direction, drivable, reach);
+  };
+  return isBetween(left) || isBetween(ahead);
+}
+
+std::vector<FittingLane> fittingLanes(const OrientedBox& ego, const TypeDefinition& band,
+                                      CollisionType type, const LaneIndex& lanes,
+                                      const BelievabilityOptions& options) {
+  const DrivingSide driving_side = lanes.map().driving_side;
+  const Vector2 middle = ego.center.position();
+  std::vector<FittingLane> found;
+  std::pair<double, double> least;  // distances of the last one found: to the box, to its middle
+  for (const LaneSample& sample :
+       lanes.grid().samplesNear(middle, circumradius(ego.size) + options.road_distance)) {
+    const double yaw = std::atan2(sample.heading.y(), sample.heading.x());
+    const std::pair<double, double> distances(distanceToPoint(ego, sample.position),
+                                              (sample.position - middle).norm());
+    if (distances.first > options.road_distance ||
+        !directionFits(angleBetween(ego.center.yaw, yaw), band, type, driving_side,
+                       options.road_heading)) {
+      continue;
+    }
+    const bool is_new = found.empty() || found.back().lane != sample.lane;
+    if (!is_new && distances >= least) continue;
+    if (is_new) found.emplace_back();
+    found.back() = {
+        sample.lane, sample.arc_length, {sample.position.x(), sample.position.y(), yaw}};
+    least = distances;
+  }
+  return found;
+}
+
+RoadUse roadUseUntilManoeuvre(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
+                              double contact, const LaneIndex& lanes,
+                              const BelievabilityOptions& options) {
+  const auto moves = [](const TrajectoryPoint& point) { return point.speed > kStandstill; };
+  const auto first = std::find_if(points.begin(), points.end(), moves);
+  if (first == points.begin()) {
+    return roadUse(points, size, contact - options.before_contact, lanes, options);
+  }
+  const double until = contact - options.pull_out;
+  RoadUse use = roadUse(points, size, until, lanes, options);
+  const RoadUse moving = roadUse({first, points.end()}, size, until, lanes, options);
+  const bool has_moved = first != points.end() && first->time < until;
+  use.on_lane = has_moved ? moving.on_lane : 1.0;
+  use.wrong_way = has_moved ? moving.wrong_way : 0.0;
+  return use;
+}
+
+RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
+                        double contact, const LaneIndex& lanes,
+                        const BelievabilityOptions& options) {
+  RoadUse whole = roadUse(points, size, contact, lanes, options);
+  const RoadUse before = roadUseUntilManoeuvre(points, size, contact, lanes, options);
+  whole.on_lane = before.on_lane;
+  whole.wrong_way = before.wrong_way;
+  return whole;
+}
+
+std::string whyUnbelievable(const RoadUse& road, const std::vector<TrajectoryPoint>& points,
+                            const BoxSize& size, const LaneIndex& lanes,
+                            const BelievabilityOptions& options) {
+  const auto share = [](double value) {
+    return std::to_string(static_cast<int>(std::lround(100.0 * value))) + " %";
+  };
+  if (lanes.map().lanes.empty()) return "";
+  if (road.on_walkway > 0.0) return "is on a walkway for " + share(road.on_walkway);
+  if (road.on_island > 0.0) return "is on an island for " + share(road.on_island);
+  const RoadUse now = roadUse(points, size, points.front().time, lanes, options);
+  if (road.off_road > now.off_road + options.max_off_road) {
+    return "is off the road with " + share(road.off_road) + " of its box";
+  }
+  if (road.wrong_way > options.max_wrong_way) {
+    return "drives against its lane for " + share(road.wrong_way);
+  }
+  if (road.on_lane < options.min_on_lane) {
+    return "is on a lane for " + share(road.on_lane) + " only";
+  }
+  return "";
+}
+
+bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
+                const LaneIndex& lanes, const BelievabilityOptions& options) {
+  if (lanes.map().lanes.empty()) return true;
+  const LaneIndex& driven = drivenLanes(request, lanes);
+  for (const double share : {0.0, -0.5, 0.5, -1.0, 1.0}) {
+    const double time = now + request.tta + share * request.crash.time_tolerance;
+    const Pose2 pose = stateAt(ego, time).value_or(ego.states.back()).pose;
+    const OrientedBox box = boxAt(ego, pose);
+    if (!fittingLanes(box, request.bands(), request.type, driven, options).empty()) return true;
+  }
+  return false;
+}
+
+bool roadAllows(const Future& future, double now, const CollisionRequest& request,
+                const LaneIndex& lanes, const BelievabilityOptions& options) {
+  constexpr std::size_t kStride = 8;
+  if (future.ego_samples.empty()) return roadAllows(future.ego, now, request, lanes, options);
+  for (std::size_t i = 0; i < future.ego_samples.size(); i += kStride) {
+    if (roadAllows(future.ego_samples[i], now, request, lanes, options)) return true;
+  }
+  return false;
+}
+
+}  // namespace forge

@@ -1,0 +1,109 @@
+#include "collision_forge/attack/verify/drive_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision_forge/base/config/section.h"
+
+namespace forge {
+namespace {
+
+void readRow(Section& section, DriveLimits& row) {
+  row.wheelbase = section.share("wheelbase_share");
+  row.max_steering_angle = section.angle("max_steering_angle");
+  row.max_steering_rate = section.positive("max_steering_rate");
+  row.max_lateral_acceleration = section.positive("max_lateral_acceleration");
+  row.max_forward_acceleration = section.positive("max_forward_acceleration");
+  row.switching_speed = section.positive("switching_speed");
+  row.max_braking = section.positive("max_braking");
+  row.max_jerk = section.positive("max_jerk");
+  row.max_speed = section.positive("max_speed");
+}
+
+}  // namespace
+
+double DriveLimits::maxCurvature() const { return std::tan(max_steering_angle) / wheelbase; }
+
+const char* toString(VehicleClass vehicle_class) {
+  switch (vehicle_class) {
+    case VehicleClass::kCar:
+      return "car";
+    case VehicleClass::kVan:
+      return "van";
+    case VehicleClass::kEmergency:
+      return "emergency";
+    case VehicleClass::kTruck:
+      return "truck";
+    case VehicleClass::kBus:
+      return "bus";
+    case VehicleClass::kArticulated:
+      return "articulated";
+    case VehicleClass::kConstruction:
+      return "construction";
+    case VehicleClass::kMotorcycle:
+      return "motorcycle";
+  }
+  return "";
+}
+
+VehicleClass vehicleClassOf(AgentClass agent_class, const BoxSize& size,
+                            const DriveLimitOptions& options) {
+  switch (agent_class) {
+    case AgentClass::kTruck:
+      if (size.length < options.van_length) return VehicleClass::kVan;
+      return size.length > options.truck_length ? VehicleClass::kArticulated : VehicleClass::kTruck;
+    case AgentClass::kBus:
+      return VehicleClass::kBus;
+    case AgentClass::kTrailer:
+      return VehicleClass::kArticulated;
+    case AgentClass::kConstructionVehicle:
+      return VehicleClass::kConstruction;
+    case AgentClass::kEmergencyVehicle:
+      return VehicleClass::kEmergency;
+    case AgentClass::kMotorcycle:
+    case AgentClass::kBicycle:
+      return VehicleClass::kMotorcycle;
+    default:
+      return size.length > options.car_length ? VehicleClass::kVan : VehicleClass::kCar;
+  }
+}
+
+DriveLimits driveLimitsOf(AgentClass agent_class, const BoxSize& size,
+                          const DriveLimitOptions& options) {
+  const VehicleClass row = vehicleClassOf(agent_class, size, options);
+  DriveLimits limits = options.rows[static_cast<std::size_t>(row)];
+  limits.wheelbase *= size.length;
+  limits.axle_to_middle = 0.5 * limits.wheelbase;
+  return limits;
+}
+
+DriveState driveStateOf(const Motion& motion, const DriveLimits& limits, double standstill_speed) {
+  DriveState state;
+  state.axle = compose(motion.pose, {-limits.axle_to_middle, 0.0, 0.0});
+  if (motion.speed < standstill_speed) return state;
+  state.speed = std::min(motion.speed, limits.max_speed);
+  state.acceleration =
+      std::clamp(motion.acceleration, -limits.max_braking, limits.forwardAt(state.speed));
+  const double lateral = std::clamp(state.speed * motion.yaw_rate, -limits.max_lateral_acceleration,
+                                    limits.max_lateral_acceleration);
+  state.steering = std::clamp(std::atan(limits.wheelbase * lateral / (state.speed * state.speed)),
+                              -limits.max_steering_angle, limits.max_steering_angle);
+  return state;
+}
+
+void readOptions(Section& section, DriveLimitOptions& options) {
+  Section drivable = section.section("drivable");
+  for (const VehicleClass vehicle_class : kVehicleClasses) {
+    Section row = drivable.section(toString(vehicle_class));
+    readRow(row, options.rows[static_cast<std::size_t>(vehicle_class)]);
+    row.finish();
+  }
+  drivable.finish();
+  Section lengths = section.section("lengths");
+  options.car_length = lengths.positive("car");
+  options.van_length = lengths.positive("van");
+  options.truck_length = lengths.positive("truck");
+  lengths.finish();
+}
+
+}  // namespace forge

@@ -1,0 +1,176 @@
+#include "collision_forge/attack/verify/manoeuvre_detection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace forge {
+namespace {
+
+constexpr double kStanding = 0.5;  // m/s
+constexpr double kBraking = 1.0;   // m/s2; who brakes less only slows down
+constexpr double kClosing = 0.5;   // m/s
+constexpr double kOffset = 0.3;    // m from the offset that was kept
+constexpr double kOwnWay = 0.7;    // m; who is so near to where its lane leads has not left it
+constexpr double kParked =
+    1.0;  // m from the middle of a lane; who stands nearer to it is in traffic
+constexpr double kTurning = 0.5;         // rad; who turns less goes straight on
+constexpr double kBend = 0.02;           // 1/m, where a turn begins
+constexpr double kAhead = 40.0;          // m; somebody so near ahead is overtaken
+constexpr double kBeside = 1.5;          // m from a way; who is nearer is on it
+constexpr double kWay = 200.0;           // m of the lane that it was on
+constexpr double kLaneDistance = 2.5;    // m from its middle
+constexpr double kLaneHeading = 0.7854;  // rad
+
+/// The points from the beginning of the window to the contact.
+class Window {
+ public:
+  Window(const AttackerTrajectory& trajectory, double contact) {
+    for (const TrajectoryPoint& point : trajectory.points) {
+      if (point.time >= contact - kManoeuvreWindow && point.time <= contact) {
+        points_.push_back(&point);
+      }
+    }
+    if (points_.empty()) points_.push_back(&trajectory.points.front());
+  }
+
+  const TrajectoryPoint& first() const { return *points_.front(); }
+  const TrajectoryPoint& last() const { return *points_.back(); }
+
+  /// Time from which on, up to the contact, `is_so` holds; the last point's if it does not there.
+  template <typename IsSo>
+  double since(const IsSo& is_so) const {
+    std::size_t i = points_.size();
+    while (i > 0 && is_so(*points_[i - 1])) --i;
+    return points_[std::min(i, points_.size() - 1)]->time;
+  }
+
+  /// Time of the first point for which it holds, else the first one's.
+  template <typename IsSo>
+  double first(const IsSo& is_so) const {
+    const auto found = std::find_if(points_.begin(), points_.end(),
+                                    [&](const TrajectoryPoint* point) { return is_so(*point); });
+    return found == points_.end() ? first().time : (*found)->time;
+  }
+
+ private:
+  std::vector<const TrajectoryPoint*> points_;
+};
+
+DetectedManoeuvre detectRearEnd(const Window& window, const CollisionReport& report,
+                                const Track& ego) {
+  const auto closes = [&](const TrajectoryPoint& point) {
+    const auto state = stateAt(ego, point.time);
+    if (!state) return false;
+    const double difference = point.speed - state->velocity.dot(state->pose.heading());
+    return std::abs(difference) > kClosing;
+  };
+  const double since = window.since(closes);
+  if (report.ego_side != Side::kFront) return {Manoeuvre::kFollowerCloses, since};
+  if (window.last().speed < kStanding && window.first().speed < kStanding) {
+    return {Manoeuvre::kLeadStopped, window.first().time};
+  }
+  const auto brakes = [](const TrajectoryPoint& point) { return point.acceleration < -kBraking; };
+  if (brakes(window.last())) return {Manoeuvre::kLeadBrakes, window.since(brakes)};
+  if (window.last().speed < kStanding) {
+    return {Manoeuvre::kLeadStopped,
+            window.since([](const TrajectoryPoint& point) { return point.speed < kStanding; })};
+  }
+  return {Manoeuvre::kLeadSlow, since};
+}
+
+/// The way ahead along the lane that the attacker is on at the window's beginning.
+std::optional<Polyline> wayOf(const Window& window, const LaneIndex& lanes) {
+  const auto matches = lanes.lanesNear(window.first().pose, kLaneDistance, kLaneHeading);
+  if (matches.empty()) return std::nullopt;
+  return lanes.pathAhead(matches.front().lane, matches.front().projection.arc_length, kWay);
+}
+
+bool isBehindSomebody(const Polyline& way, const Pose2& pose, double time, const Future& future,
+                      const std::string& attacker) {
+  const double along = way.project(pose.position()).arc_length;
+  return std::any_of(future.agents.begin(), future.agents.end(), [&](const Track& agent) {
+    if (agent.id == attacker) return false;
+    const auto state = stateAt(agent, time);
+    if (!state) return false;
+    const PolylineProjection place = way.project(state->pose.position());
+    return place.distance < kBeside && place.arc_length > along &&
+           place.arc_length < along + kAhead;
+  });
+}
+
+DetectedManoeuvre detectDeparture(const Window& window, const AttackerTrajectory& trajectory,
+                                  const VerificationInput& input,
+                                  const VerificationOptions& options) {
+  const bool is_lane_change = input.request.type == CollisionType::kLaneChange;
+  const bool stands = window.first().speed < kStanding;
+  const auto moves = [](const TrajectoryPoint& point) { return point.speed >= kStanding; };
+  const auto way = wayOf(window, input.lanes);
+  if (!way) {
+    if (is_lane_change) {
+      if (stands) return {Manoeuvre::kPullOut, window.since(moves)};
+      return {Manoeuvre::kCutIn, window.first().time};
+    }
+    const bool is_wrong =
+        input.lanes.grid().isWrongWay(window.first().pose, options.believability.lane_distance);
+    return {is_wrong ? Manoeuvre::kWrongWay : Manoeuvre::kCentreLineCrossing, window.first().time};
+  }
+  const auto offset = [&](const TrajectoryPoint& point) {
+    return relativeTo(way->poseAt(way->project(point.pose.position()).arc_length), point.pose).y;
+  };
+  const double kept = offset(window.first());
+  const double begin = window.since(
+      [&](const TrajectoryPoint& point) { return std::abs(offset(point) - kept) > kOffset; });
+  if (is_lane_change && stands && std::abs(kept) > kParked) {
+    return {Manoeuvre::kPullOut, window.since(moves)};
+  }
+  if (is_lane_change) {
+    if (std::abs(offset(window.last()) - kept) > kOwnWay) return {Manoeuvre::kCutIn, begin};
+    const auto ego = stateAt(input.future.ego, window.first().time);
+    // The way begins where the attacker is; the ego may be behind that.
+    const bool is_beside = ego && std::abs(way->project(ego->pose.position()).lateral) < kBeside;
+    return {is_beside ? Manoeuvre::kDrift : Manoeuvre::kMerge, begin};
+  }
+  const bool overtakes = isBehindSomebody(*way, poseAt(trajectory, begin), begin, input.future,
+                                          trajectory.attacker_id);
+  return {overtakes ? Manoeuvre::kOvertaking : Manoeuvre::kCentreLineCrossing, begin};
+}
+
+DetectedManoeuvre detectCrossing(const Window& window, const VerificationInput& input,
+                                 const VerificationOptions& options) {
+  const auto atJunction = [&](const TrajectoryPoint& point) {
+    const auto matches = input.lanes.lanesNear(point.pose, options.believability.lane_distance,
+                                               options.believability.lane_heading);
+    if (matches.empty()) return false;
+    const Lane& lane = input.lanes.map().lanes[matches.front().lane];
+    return lane.is_intersection || lane.is_connector;
+  };
+  const bool is_marked = atJunction(window.last());
+  const double begin =
+      is_marked ? window.first(atJunction) : window.since([](const TrajectoryPoint& point) {
+        return std::abs(point.curvature) > kBend;
+      });
+  if (input.request.type == CollisionType::kLtap) return {Manoeuvre::kTurnAcrossPath, begin};
+  const double turn = std::abs(angleBetween(window.first().pose.yaw, window.last().pose.yaw));
+  return {turn > kTurning ? Manoeuvre::kTurnIntoPath : Manoeuvre::kStraightCrossing, begin};
+}
+
+}  // namespace
+
+DetectedManoeuvre detectManoeuvre(const AttackerTrajectory& trajectory,
+                                  const CollisionReport& report, const VerificationInput& input,
+                                  const VerificationOptions& options) {
+  const Window window(trajectory, report.contact_time);
+  switch (input.request.type) {
+    case CollisionType::kRearEnd:
+      return detectRearEnd(window, report, input.future.ego);
+    case CollisionType::kLaneChange:
+    case CollisionType::kOppositeDirection:
+      return detectDeparture(window, trajectory, input, options);
+    case CollisionType::kJunctionCrossing:
+    case CollisionType::kLtap:
+      return detectCrossing(window, input, options);
+  }
+  return {};
+}
+
+}  // namespace forge

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "collision_forge/base/config/config_error.h"
+
+namespace YAML {
+class Node;
+}
+
+namespace forge {
+
+/// One mapping of a configuration file. Every read checks the value; finish() finds the keys that
+/// nobody read. All throw ConfigError.
+///
+/// The reader of a struct of options stands beside it, in the options.cpp of its room:
+/// `void readOptions(Section& section, Options& options)`.
+class Section {
+ public:
+  Section(std::string file, std::string name, const YAML::Node& node);
+
+  Section section(const std::string& key);
+  /// The mapping under a key by its readOptions(), to which `more` is handed; then finish().
+  template <class Options, class... More>
+  void read(const std::string& key, Options& options, const More&... more) {
+    Section inner = section(key);
+    readOptions(inner, options, more...);
+    inner.finish();
+  }
+
+  double positive(const std::string& key);
+  double within(const std::string& key, double min, double max);
+  double atLeast(const std::string& key, double min);
+  double nonNegative(const std::string& key) { return atLeast(key, 0.0); }
+  /// rad from `min` to pi, as the files round it.
+  double angle(const std::string& key, double min = 0.0) { return within(key, min, 3.1416); }
+  /// From 0 to 1.
+  double share(const std::string& key) { return within(key, 0.0, 1.0); }
+  int count(const std::string& key, int min, int max = std::numeric_limits<int>::max());
+  std::vector<double> positives(const std::string& key);
+  /// One or more numbers, each within the range.
+  std::vector<double> numbers(const std::string& key, double min, double max);
+  /// Two or more numbers from 0 to 1, none below the one before.
+  std::vector<double> risingShares(const std::string& key);
+  /// [red, green, blue], each 0 to 1, as Color{red, green, blue}.
+  template <class Color>
+  Color color(const std::string& key) {
+    const std::vector<double> shares = colorShares(key);
+    return {shares[0], shares[1], shares[2]};
+  }
+  /// What stands beside the one of these names that is given.
+  template <class Value>
+  Value choice(const std::string& key, const std::vector<std::pair<std::string, Value>>& choices) {
+    std::vector<std::string> names;
+    for (const auto& entry : choices) names.push_back(entry.first);
+    return choices[indexOf(key, names)].second;
+  }
+  std::string text(const std::string& key);
+  /// The path of a file that is given as seen from the configuration's folder; "" stays "".
+  std::string path(const std::string& key);
+  /// None or more such paths.
+  std::vector<std::string> paths(const std::string& key);
+
+  /// Throws the error of a value that the section cannot check.
+  [[noreturn]] void refuse(const std::string& key, const std::string& problem) const;
+
+  /// Keys that were not read yet.
+  const std::set<std::string>& unread() const { return unread_; }
+
+  void finish() const;
+
+ private:
+  std::string pathOf(const std::string& key) const;
+  std::string seenFromFolder(const std::string& file) const;
+  [[noreturn]] void fail(const std::string& path, const YAML::Node& node,
+                         const std::string& problem) const;
+  YAML::Node take(const std::string& key);
+  double toNumber(const std::string& key, const YAML::Node& node) const;
+  std::vector<double> colorShares(const std::string& key);
+  std::size_t indexOf(const std::string& key, const std::vector<std::string>& names);
+
+  std::string file_;
+  std::string name_;
+  std::shared_ptr<const YAML::Node> node_;
+  std::set<std::string> unread_;
+};
+
+/// The whole of one file of a folder of configuration.
+Section openConfigFile(const std::string& directory, const std::string& name);
+
+/// The same of a file's text; `path` is what errors name.
+Section openConfigText(const std::string& path, const std::string& text);
+
+/// The text of a file with these of its mappings alone. Throws ConfigError for one that cannot be
+/// read or lacks one of them.
+std::string textOfSections(const std::string& path, const std::vector<std::string>& keys);
+
+/// Reads a whole file by its readOptions().
+template <class Options, class... More>
+void readConfigFile(Section file, Options& options, const More&... more) {
+  readOptions(file, options, more...);
+  file.finish();
+}
+
+/// Reads the only mapping of the file KEY.yaml by its readOptions().
+template <class Options, class... More>
+void readConfigFile(const std::string& directory, const std::string& key, Options& options,
+                    const More&... more) {
+  Section file = openConfigFile(directory, key + ".yaml");
+  file.read(key, options, more...);
+  file.finish();
+}
+
+}  // namespace forge

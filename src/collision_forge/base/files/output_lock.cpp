@@ -1,0 +1,90 @@
+#include "collision_forge/base/files/output_lock.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How a lock begins: all of it, unless it is somebody's file of the same name.
+std::string beginOf(const Descriptor& lock) {
+  char bytes[24];
+  const ssize_t count = ::pread(lock.get(), bytes, sizeof(bytes), 0);
+  return {bytes, static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+}
+
+/// As "process 1234".
+std::string holderOf(const Descriptor& lock) {
+  const std::string number = beginOf(lock);
+  return number.empty() ? "another process" : "process " + number;
+}
+
+/// True for what a process left here, too.
+bool isLock(const std::string& begin) {
+  return std::all_of(begin.begin(), begin.end(),
+                     [](unsigned char letter) { return std::isdigit(letter) != 0; });
+}
+
+}  // namespace
+
+OutputLock OutputLock::ofFolder(const std::string& folder) {
+  std::error_code error;
+  const bool is_new = fs::create_directories(folder, error);
+  if (error) throw std::runtime_error(folder + ": cannot be made: " + error.message());
+  OutputLock lock(folder, (fs::path(folder) / kFileName).string());
+  if (is_new) lock.made_folder_ = folder;
+  return lock;
+}
+
+OutputLock OutputLock::ofFile(const std::string& path) {
+  if (fs::exists(path) && !fs::is_regular_file(path)) {
+    throw std::runtime_error(path + ": is there and no file");
+  }
+  return OutputLock(path, path + kFileName);
+}
+
+OutputLock::OutputLock(const std::string& output, std::string lock_path)
+    : lock_path_(std::move(lock_path)) {
+  const auto fail = [&] {
+    throw std::runtime_error(output + ": cannot be written: " + lock_path_ + ": " +
+                             std::strerror(errno));
+  };
+  while (!lock_.isOpen()) {
+    Descriptor file(
+        ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666));
+    if (!file.isOpen()) fail();
+    if (!file.lock()) {
+      if (errno != EWOULDBLOCK) fail();
+      throw std::runtime_error(output + ": is being written by " + holderOf(file));
+    }
+    if (!file.isNamed(lock_path_)) continue;  // who had it before has ended, and removed it
+    if (!isLock(beginOf(file))) {
+      throw std::runtime_error(output + ": cannot be written: " + lock_path_ +
+                               ": is in the way: it is no lock of this program");
+    }
+    lock_ = std::move(file);
+  }
+  const std::string number = std::to_string(::getpid());
+  // A full disk is told by who writes the output; without the number the lock is as good.
+  [[maybe_unused]] const bool is_told = ::ftruncate(lock_.get(), 0) == 0 &&
+                                        ::pwrite(lock_.get(), number.data(), number.size(), 0) > 0;
+}
+
+OutputLock::~OutputLock() {
+  if (!lock_.isOpen()) return;
+  ::unlink(lock_path_.c_str());
+  if (!made_folder_.empty()) ::rmdir(made_folder_.c_str());
+}
+
+}  // namespace forge

@@ -1,0 +1,148 @@
+#include "collision_forge/base/files/worker_process.h"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+extern char** environ;
+
+namespace forge {
+namespace {
+
+double steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Starts the program with `stream` as its kWorkerStream; what it prints goes to stderr. It is in a
+/// group of its own, so that Ctrl-C is not for it: whoever asked for it decides when it ends.
+int spawn(const std::vector<std::string>& command, int stream, pid_t& pid) {
+  std::vector<char*> arguments;
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, stream, kWorkerStream);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  const int problem =
+      posix_spawn(&pid, command.front().c_str(), &actions, &attributes, arguments.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  return problem;
+}
+
+}  // namespace
+
+std::string packageProgram(const std::string& name) {
+  Dl_info library;
+  if (dladdr(reinterpret_cast<void*>(&packageProgram), &library) == 0) return name;
+  return std::filesystem::absolute(library.dli_fname).parent_path() / "collision_forge" / name;
+}
+
+WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw std::runtime_error(command.front() + ": " + std::strerror(errno));
+  }
+  stream_ = ends[0];
+  const int problem = spawn(command, ends[1], pid_);
+  close(ends[1]);
+  if (problem == 0) return;
+  close(stream_);
+  throw std::runtime_error(command.front() + ": cannot be started: " + std::strerror(problem));
+}
+
+WorkerProcess::~WorkerProcess() {
+  close(stream_);
+  end();
+}
+
+int WorkerProcess::end() {
+  if (pid_ <= 0) return status_;
+  kill(pid_, SIGKILL);
+  while (waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = 0;
+  return status_;
+}
+
+void WorkerProcess::setTimeout(double seconds) {
+  timeout_ = seconds;
+  deadline_ = steadySeconds() + seconds;
+}
+
+void WorkerProcess::await(short events) {
+  pollfd wanted{stream_, events, 0};
+  while (true) {
+    const double left = deadline_ - steadySeconds();
+    const int found =
+        poll(&wanted, 1, static_cast<int>(std::ceil(1e3 * std::clamp(left, 0.0, 1e5))));
+    if (found > 0) return;
+    if (found < 0 && errno != EINTR) throw std::runtime_error(std::strerror(errno));
+    if (found != 0) continue;
+    std::ostringstream problem;
+    problem << "no answer within " << timeout_ << " s";
+    throw WorkerTimeout(problem.str());
+  }
+}
+
+void WorkerProcess::send(const void* data, std::size_t size) {
+  const char* bytes = static_cast<const char*>(data);
+  while (size > 0) {
+    await(POLLOUT);
+    const ssize_t sent = ::send(stream_, bytes, size, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent < 0 && (errno == EAGAIN || errno == EINTR)) continue;
+    if (sent < 0) failGone();
+    bytes += sent;
+    size -= static_cast<std::size_t>(sent);
+  }
+}
+
+void WorkerProcess::receive(void* data, std::size_t size) {
+  char* bytes = static_cast<char*>(data);
+  while (size > 0) {
+    await(POLLIN);
+    const ssize_t received = ::recv(stream_, bytes, size, MSG_DONTWAIT);
+    if (received < 0 && (errno == EAGAIN || errno == EINTR)) continue;
+    if (received <= 0) failGone();
+    bytes += received;
+    size -= static_cast<std::size_t>(received);
+  }
+}
+
+double WorkerProcess::processorTime() const {
+  clockid_t clock;
+  timespec time{};
+  if (pid_ <= 0 || clock_getcpuclockid(pid_, &clock) != 0 || clock_gettime(clock, &time) != 0)
+    return 0.0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+void WorkerProcess::failGone() {
+  const int status = end();
+  const std::string how = WIFSIGNALED(status)
+                              ? "by signal " + std::to_string(WTERMSIG(status))
+                              : "with exit code " + std::to_string(WEXITSTATUS(status));
+  throw std::runtime_error("its process ended " + how);
+}
+
+}  // namespace forge

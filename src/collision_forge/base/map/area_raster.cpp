@@ -1,0 +1,116 @@
+#include "collision_forge/base/map/area_raster.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace forge {
+namespace {
+
+constexpr double kCell = 0.5;     // metres, a side
+constexpr double kLargest = 1e5;  // metres from end to end
+
+/// Where a ring crosses the middle line of each row of cells, in cells from the tile's left side.
+template <std::size_t kRows>
+void addCrossings(const std::vector<Vector2>& ring, const Vector2& corner,
+                  std::array<std::vector<double>, kRows>& crossings) {
+  if (ring.empty()) return;
+  Vector2 a = (ring.back() - corner) / kCell;
+  for (const Vector2& point : ring) {
+    const Vector2 b = (point - corner) / kCell;
+    const double low = std::min(a.y(), b.y());
+    const double high = std::max(a.y(), b.y());
+    const auto last_row = static_cast<double>(kRows);
+    const auto first = static_cast<std::size_t>(std::clamp(std::ceil(low - 0.5), 0.0, last_row));
+    const auto end = static_cast<std::size_t>(std::clamp(std::ceil(high - 0.5), 0.0, last_row));
+    for (std::size_t row = first; row < end; ++row) {
+      const double ratio = (static_cast<double>(row) + 0.5 - a.y()) / (b.y() - a.y());
+      crossings[row].push_back(a.x() + ratio * (b.x() - a.x()));
+    }
+    a = b;
+  }
+}
+
+}  // namespace
+
+AreaRaster::AreaRaster(const std::vector<Polygon>& area) : area_(area) {
+  Eigen::AlignedBox2d all;
+  for (const Polygon& polygon : area) {
+    bounds_.emplace_back();
+    for (const Vector2& point : polygon.exterior) bounds_.back().extend(point);
+    all.extend(bounds_.back());
+  }
+  if (all.isEmpty()) return;
+  if (!(all.sizes().maxCoeff() <= kLargest)) {
+    std::ostringstream complaint;
+    complaint << "an area of " << all.sizes().x() << " x " << all.sizes().y() << " m is too large";
+    throw std::invalid_argument(complaint.str());
+  }
+  // At whole tiles of the map's frame, so that a part of the map has the cells of the whole.
+  constexpr double kTile = kCell * kCells;
+  origin_ = (all.min() / kTile).array().floor() * kTile;
+  const Vector2 tiles = ((all.max() - origin_) / kTile).array().floor() + 1.0;
+  columns_ = static_cast<int>(tiles.x());
+  rows_ = static_cast<int>(tiles.y());
+  tiles_ = std::vector<std::atomic<const Tile*>>(static_cast<std::size_t>(columns_) *
+                                                 static_cast<std::size_t>(rows_));
+}
+
+AreaRaster::~AreaRaster() {
+  for (const auto& tile : tiles_) delete tile.load();
+}
+
+bool AreaRaster::contains(const Vector2& point) const {
+  const Vector2 cell = (point - origin_) / kCell;
+  if (!(cell.x() >= 0.0 && cell.y() >= 0.0)) return false;
+  const Vector2 tile = (cell / kCells).array().floor();
+  if (tile.x() >= columns_ || tile.y() >= rows_) return false;
+  const std::size_t index =
+      static_cast<std::size_t>(tile.y()) * static_cast<std::size_t>(columns_) +
+      static_cast<std::size_t>(tile.x());
+  const Vector2 inside = (cell - tile * kCells).array().floor();
+  return tileAt(index,
+                origin_ + tile * (kCell * kCells))[static_cast<std::size_t>(inside.y()) * kCells +
+                                                   static_cast<std::size_t>(inside.x())];
+}
+
+const AreaRaster::Tile& AreaRaster::tileAt(std::size_t index, const Vector2& corner) const {
+  std::atomic<const Tile*>& slot = tiles_[index];
+  const Tile* tile = slot.load();
+  if (tile) return *tile;
+  std::unique_ptr<const Tile> filled = fill(corner);
+  // Where another thread was faster, its tile is the one.
+  if (slot.compare_exchange_strong(tile, filled.get())) tile = filled.release();
+  return *tile;
+}
+
+std::unique_ptr<const AreaRaster::Tile> AreaRaster::fill(const Vector2& corner) const {
+  const Eigen::AlignedBox2d area(corner, corner + Vector2::Constant(kCell * kCells));
+  auto tile = std::make_unique<Tile>();
+  for (std::size_t i = 0; i < bounds_.size(); ++i) {
+    if (!bounds_[i].intersects(area)) continue;
+    std::array<std::vector<double>, kCells> crossings;
+    addCrossings(area_[i].exterior, corner, crossings);
+    for (const std::vector<Vector2>& hole : area_[i].holes) {
+      addCrossings(hole, corner, crossings);
+    }
+    for (std::size_t row = 0; row < kCells; ++row) {
+      std::sort(crossings[row].begin(), crossings[row].end());
+      for (std::size_t pair = 0; pair + 1 < crossings[row].size(); pair += 2) {
+        const auto cellFrom = [](double x) {
+          return static_cast<std::size_t>(std::clamp(std::ceil(x - 0.5), 0.0, double{kCells}));
+        };
+        const std::size_t end = cellFrom(crossings[row][pair + 1]);
+        for (std::size_t x = cellFrom(crossings[row][pair]); x < end; ++x) {
+          tile->set(row * kCells + x);
+        }
+      }
+    }
+  }
+  return tile;
+}
+
+}  // namespace forge

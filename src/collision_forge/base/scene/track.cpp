@@ -1,0 +1,88 @@
+#include "collision_forge/base/scene/track.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "collision_forge/base/scene/clock.h"
+
+namespace forge {
+namespace {
+
+constexpr std::array<std::pair<AgentClass, const char*>, 11> kClassNames = {{
+    {AgentClass::kCar, "car"},
+    {AgentClass::kTruck, "truck"},
+    {AgentClass::kBus, "bus"},
+    {AgentClass::kTrailer, "trailer"},
+    {AgentClass::kConstructionVehicle, "construction_vehicle"},
+    {AgentClass::kEmergencyVehicle, "emergency_vehicle"},
+    {AgentClass::kMotorcycle, "motorcycle"},
+    {AgentClass::kBicycle, "bicycle"},
+    {AgentClass::kPedestrian, "pedestrian"},
+    {AgentClass::kAnimal, "animal"},
+    {AgentClass::kStaticObject, "static_object"},
+}};
+
+}  // namespace
+
+const char* toString(AgentClass agent_class) {
+  for (const auto& [value, name] : kClassNames) {
+    if (value == agent_class) return name;
+  }
+  return "unknown";
+}
+
+bool canAttack(AgentClass agent_class) {
+  return std::find(std::begin(kAttackerClasses), std::end(kAttackerClasses), agent_class) !=
+         std::end(kAttackerClasses);
+}
+
+bool isVehicle(AgentClass agent_class) {
+  return agent_class != AgentClass::kPedestrian && agent_class != AgentClass::kAnimal &&
+         agent_class != AgentClass::kStaticObject;
+}
+
+bool isCarLike(AgentClass agent_class) {
+  return canAttack(agent_class) && agent_class != AgentClass::kMotorcycle;
+}
+
+std::optional<AgentState> stateAt(const Track& track, double time, double max_gap) {
+  const auto& states = track.states;
+  const auto after =
+      std::lower_bound(states.begin(), states.end(), time,
+                       [](const AgentState& state, double value) { return state.time < value; });
+  if (after == states.end()) return std::nullopt;
+  if (after->time == time) return *after;
+  if (after == states.begin()) return std::nullopt;
+  const AgentState& before = *std::prev(after);
+  const double gap = after->time - before.time;
+  if (gap > max_gap) return std::nullopt;
+  const double ratio = (time - before.time) / gap;
+  AgentState state;
+  state.time = time;
+  state.pose = interpolate(before.pose, after->pose, ratio);
+  state.velocity = before.velocity + ratio * (after->velocity - before.velocity);
+  return state;
+}
+
+bool newestAt(const Track& track, double time) {
+  return !track.states.empty() && std::abs(track.states.back().time - time) <= kTimeEpsilon;
+}
+
+void deriveVelocities(Track& track, double max_gap) {
+  auto& states = track.states;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const bool has_previous = i > 0 && states[i].time - states[i - 1].time <= max_gap;
+    const bool has_next = i + 1 < states.size() && states[i + 1].time - states[i].time <= max_gap;
+    const AgentState& first = has_previous ? states[i - 1] : states[i];
+    const AgentState& last = has_next ? states[i + 1] : states[i];
+    const double duration = last.time - first.time;
+    states[i].velocity = Vector2::Zero();
+    if (duration > 0.0) {
+      states[i].velocity = (last.pose.position() - first.pose.position()) / duration;
+    }
+  }
+}
+
+}  // namespace forge

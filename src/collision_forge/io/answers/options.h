@@ -1,0 +1,17 @@
+#pragma once
+
+#include "collision_forge/attack/policy/options.h"
+#include "collision_forge/attack/search/options.h"
+#include "collision_forge/base/scene/crash_definition.h"
+#include "collision_forge/io/logs/options.h"
+
+namespace forge {
+
+/// The options by which attacks on recorded scenes are made and judged.
+struct AnswerOptions : DataOptions, ModelOptions {
+  CrashDefinition crash;
+  AttackOptions attack;
+  AdaptiveOptions adaptive;
+};
+
+}  // namespace forge

@@ -1,0 +1,110 @@
+#include "collision_forge/io/batch/run.h"
+
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "collision_forge/io/batch/dispatch.h"
+#include "collision_forge/io/batch/interruption.h"
+#include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/batch/ranks.h"
+
+namespace forge {
+namespace {
+
+/// With the version of the program, that of package.xml.
+ResumableFile::Options withProgram(ResumableFile::Options options) {
+  options["program"] = "collision_forge " COLLISION_FORGE_VERSION;
+  return options;
+}
+
+/// What the master alone has.
+class Results {
+ public:
+  explicit Results(const Run& run)
+      : run_(run),
+        file_(run.path, withProgram(run.options), run.layout),
+        notice_("\ninterrupted; what was done is in " + run.path +
+                ".part: run the same command again to go on\n"),
+        done_(resume()),
+        progress_(run.items, static_cast<double>(done_) / static_cast<double>(run.count)) {}
+
+  std::size_t done() const { return done_; }
+
+  void add(std::size_t index, const std::string& lines) {
+    take(index, "the new result", lines);
+    file_.append(lines);
+    progress_.show(index + 1, run_.count);
+  }
+
+  void complete() {
+    if (!file_.isComplete()) file_.complete();
+  }
+
+ private:
+  /// How many items a run before left.
+  std::size_t resume() {
+    std::size_t index = 0;
+    const std::size_t done = file_.resume(
+        [&](const std::string& where, const std::string& lines) { take(index++, where, lines); });
+    if (file_.isComplete() && done < run_.count) {
+      throw std::runtime_error(run_.path + ": holds " + std::to_string(done) + " of " +
+                               std::to_string(run_.count) + " " + run_.items);
+    }
+    if (done > 0) {
+      printLine(std::to_string(done) + " of " + std::to_string(run_.count) + " " + run_.items +
+                " were done before");
+    }
+    return done;
+  }
+
+  void take(std::size_t index, const std::string& where, const std::string& lines) const {
+    if (index >= run_.count) {
+      throw std::runtime_error(where + ": there are " + std::to_string(run_.count) + " " +
+                               run_.items + " only");
+    }
+    run_.take(index, where, lines);
+  }
+
+  const Run& run_;
+  ResumableFile file_;
+  InterruptionNotice notice_;
+  std::size_t done_;
+  ProgressLine progress_;
+};
+
+}  // namespace
+
+void carryOut(const Run& run) {
+  std::unique_ptr<Results> results;
+  std::exception_ptr error;
+  try {
+    if (isMaster()) results = std::make_unique<Results>(run);
+  } catch (...) {
+    error = std::current_exception();  // the other ranks wait for items, or for the end
+  }
+  dispatch(error ? 0 : run.count, run.work,
+           [&](std::size_t index, const std::string& lines) { results->add(index, lines); },
+           {run.jobs, results ? results->done() : 0});
+  if (error) std::rethrow_exception(error);
+  if (results) results->complete();
+}
+
+std::optional<std::size_t> agree(const std::function<std::size_t()>& decide) {
+  std::vector<double> numbers = {0.0, 0.0};  // the decision, and whether there is none
+  std::exception_ptr error;
+  try {
+    const std::size_t decision = decide();
+    if (isMaster()) numbers[0] = static_cast<double>(decision);
+  } catch (...) {
+    error = std::current_exception();
+    numbers[1] = 1.0;
+  }
+  Ranks::get().sum(numbers);
+  if (error) std::rethrow_exception(error);
+  if (numbers[1] > 0.0) return std::nullopt;
+  return static_cast<std::size_t>(numbers[0]);
+}
+
+}  // namespace forge

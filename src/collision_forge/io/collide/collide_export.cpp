@@ -1,0 +1,250 @@
+#include "collision_forge/io/collide/collide_export.h"
+#include "collision_forge/base/files/plain_name.h"
+#include "collision_forge/base/scene/clock.h"
+#include "collision_forge/base/scene/number_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kBatch = "collision-forge";
+
+CollideState recorded(const AgentState& state) { return {state.pose, state.velocity.norm()}; }
+
+/// The state of an agent in an annotated frame; agents have states there alone.
+std::optional<CollideState> stateInFrame(const Track& track, double time) {
+  const auto found = std::find_if(
+      track.states.begin(), track.states.end(),
+      [=](const AgentState& state) { return std::abs(state.time - time) <= kTimeEpsilon; });
+  if (found == track.states.end()) return std::nullopt;
+  return recorded(*found);
+}
+
+/// The ego is recorded more often than agents are annotated.
+std::optional<CollideState> egoInFrame(const Track& ego, double time) {
+  const auto state = stateAt(ego, time);
+  if (!state) return std::nullopt;
+  return recorded(*state);
+}
+
+/// Linear between the points; empty before the first and after the last one.
+std::optional<CollideState> stateOnTrajectory(const AttackerTrajectory& trajectory, double time) {
+  const auto& points = trajectory.points;
+  const auto after = std::find_if(points.begin(), points.end(), [=](const TrajectoryPoint& point) {
+    return point.time >= time - kTimeEpsilon;
+  });
+  if (after == points.end()) return std::nullopt;
+  if (std::abs(after->time - time) <= kTimeEpsilon) return CollideState{after->pose, after->speed};
+  if (after == points.begin()) return std::nullopt;
+  const TrajectoryPoint& before = *std::prev(after);
+  const double ratio = (time - before.time) / (after->time - before.time);
+  return CollideState{interpolate(before.pose, after->pose, ratio),
+                      before.speed + ratio * (after->speed - before.speed)};
+}
+
+bool isComplete(const CollideTrack& track) {
+  return std::all_of(track.frames.begin(), track.frames.end(),
+                     [](const auto& frame) { return frame.has_value(); });
+}
+
+bool isEmpty(const CollideTrack& track) {
+  return std::none_of(track.frames.begin(), track.frames.end(),
+                      [](const auto& frame) { return frame.has_value(); });
+}
+
+int placementOf(CollisionType type, const CollisionReport& report) {
+  switch (type) {
+    case CollisionType::kLaneChange:
+      return relativeTo(report.ego_at_contact, report.attacker_at_contact).y > 0.0 ? 0 : 1;
+    case CollisionType::kJunctionCrossing:
+    case CollisionType::kLtap:
+      return report.relative_heading < 0.0 ? 2 : 3;  // heading right: from the left
+    case CollisionType::kRearEnd:
+      return 4;
+    case CollisionType::kOppositeDirection:
+      return 5;
+  }
+  throw std::invalid_argument("a collision type without a placement");
+}
+
+std::size_t frameAt(const Scene& scene, double time) {
+  const auto found =
+      std::find_if(scene.frame_times.begin(), scene.frame_times.end(),
+                   [=](double frame) { return std::abs(frame - time) <= kTimeEpsilon; });
+  if (found == scene.frame_times.end()) {
+    throw std::invalid_argument("now = " + numberText(time) + " s is no frame of " + scene.name);
+  }
+  return static_cast<std::size_t>(found - scene.frame_times.begin());
+}
+
+/// Puts one clip together.
+class ClipBuilder {
+ public:
+  ClipBuilder(const Scenario& scenario, const Scene& scene) : scenario_(scenario), scene_(scene) {}
+
+  std::variant<CollideClip, ClipObstacle> build(int variant) {
+    if (const auto obstacle = setFrames()) return *obstacle;
+    if (const auto obstacle = addEgoAndAttacker()) return *obstacle;
+    addOthers();
+    std::sort(clip_.tracks.begin(), clip_.tracks.end(),
+              [](const CollideTrack& a, const CollideTrack& b) { return a.id < b.id; });
+    return named(variant);
+  }
+
+ private:
+  std::optional<ClipObstacle> setFrames() {
+    const std::size_t now = frameAt(scene_, scenario_.asked.now);
+    if (now < kCollideNowFrame) return ClipObstacle::kShortHistory;
+    const std::size_t first = now - kCollideNowFrame;
+    clip_.collision_frame =
+        kCollideNowFrame +
+        static_cast<int>(std::lround(scenario_.asked.request.tta / kCollideFrameInterval));
+    const std::size_t end = first + static_cast<std::size_t>(clip_.collision_frame) + 1;
+    if (clip_.collision_frame <= kCollideNowFrame || end > scene_.frame_times.size()) {
+      return ClipObstacle::kNoCollisionFrame;
+    }
+    const auto begin = scene_.frame_times.begin();
+    clip_.times.assign(begin + static_cast<std::ptrdiff_t>(first),
+                       begin + static_cast<std::ptrdiff_t>(end));
+    return std::nullopt;
+  }
+
+  /// Of an attacker that was added its own, else what was recorded; empty for nobody's.
+  std::optional<Track> pastOf(const AttackerTrajectory& attacker) const {
+    if (attacker.isAdded()) {
+      return Track{attacker.attacker_id, attacker.agent_class, attacker.size, attacker.past};
+    }
+    const auto track =
+        std::find_if(scene_.agents.begin(), scene_.agents.end(),
+                     [&](const Track& agent) { return agent.id == attacker.attacker_id; });
+    if (track == scene_.agents.end()) return std::nullopt;
+    return *track;
+  }
+
+  std::optional<ClipObstacle> addEgoAndAttacker() {
+    CollideTrack ego{kEgoId, {}};
+    for (const double time : clip_.times) ego.frames.push_back(egoInFrame(scene_.ego, time));
+    if (!isComplete(ego)) return ClipObstacle::kEgoMissing;
+
+    const AttackerTrajectory& trajectory = scenario_.answer.trajectory;
+    if (!isCarLike(trajectory.agent_class)) return ClipObstacle::kNoCar;
+    const std::optional<Track> track = pastOf(trajectory);
+    if (!track) return ClipObstacle::kAttackerMissing;
+    CollideTrack attacker{trajectory.attacker_id, {}};
+    for (std::size_t frame = 0; frame <= kCollideNowFrame; ++frame) {
+      attacker.frames.push_back(stateInFrame(*track, clip_.times[frame]));
+    }
+    if (!isComplete(attacker)) return ClipObstacle::kAttackerMissing;
+    for (std::size_t frame = kCollideNowFrame + 1; frame < clip_.times.size(); ++frame) {
+      attacker.frames.push_back(stateOnTrajectory(trajectory, clip_.times[frame]));
+    }
+    if (!isComplete(attacker)) return ClipObstacle::kTrajectoryEnds;
+    clip_.tracks = {ego, attacker};
+    return std::nullopt;
+  }
+
+  void addOthers() {
+    for (const Track& agent : scene_.agents) {
+      if (!isCarLike(agent.agent_class)) continue;
+      if (agent.id == scenario_.answer.trajectory.attacker_id) continue;
+      CollideTrack track{agent.id, {}};
+      for (const double time : clip_.times) track.frames.push_back(stateInFrame(agent, time));
+      if (!isEmpty(track)) clip_.tracks.push_back(std::move(track));
+    }
+  }
+
+  std::variant<CollideClip, ClipObstacle> named(int variant) {
+    const CollisionReport& report = scenario_.answer.report;
+    clip_.batch = kBatch;
+    clip_.city = scene_.map->location;
+    clip_.scene = scene_.name;
+    clip_.type = scenario_.asked.request.type;
+    clip_.placement = placementOf(clip_.type, report);
+    clip_.variant = variant;
+    clip_.angle = std::abs(report.relative_heading);
+    clip_.attacker_id = scenario_.answer.trajectory.attacker_id;
+    try {
+      clip_.name = fs::path(composeCollideName(clip_)).stem().string();
+    } catch (const std::invalid_argument&) {
+      return ClipObstacle::kUnfitName;
+    }
+    return std::move(clip_);
+  }
+
+  const Scenario& scenario_;
+  const Scene& scene_;
+  CollideClip clip_;
+};
+
+}  // namespace
+
+const char* toString(ClipObstacle obstacle) {
+  static_assert(kCollideNowFrame == 7, "the texts say so");
+  switch (obstacle) {
+    case ClipObstacle::kShortHistory:
+      return "with fewer than 7 frames before now";
+    case ClipObstacle::kEgoMissing:
+      return "without the ego in a frame";
+    case ClipObstacle::kAttackerMissing:
+      return "without the attacker in one of the 7 frames before now";
+    case ClipObstacle::kNoCollisionFrame:
+      return "without a recorded frame at the collision";
+    case ClipObstacle::kTrajectoryEnds:
+      return "with a trajectory that ends before the collision frame";
+    case ClipObstacle::kNoCar:
+      return "by a motorcycle, which readers would take for a car";
+    case ClipObstacle::kUnfitName:
+      return "with a name of map, scene or attacker that cannot be part of a file's";
+  }
+  throw std::invalid_argument("an obstacle without a text");
+}
+
+std::variant<CollideClip, ClipObstacle> toCollideClip(const Scenario& scenario, const Scene& scene,
+                                                      int variant) {
+  if (scenario.answer.status.code != StatusCode::kOk) {
+    throw std::invalid_argument("a scenario without an attack has no clip");
+  }
+  return ClipBuilder(scenario, scene).build(variant);
+}
+
+std::string CollideExporter::folderIn(const std::string& directory, const std::string& split) {
+  return (fs::path(directory) / "trajectory" / split).string();
+}
+
+CollideExporter::CollideExporter(const std::string& directory, const std::string& split)
+    : folder_(folderIn(directory, split)) {
+  fs::create_directories(folder_);
+}
+
+void CollideExporter::add(const Scenario& scenario, const Scene& scene, int variant) {
+  if (scenario.answer.status.code != StatusCode::kOk) return;
+  const auto result = toCollideClip(scenario, scene, variant);
+  if (const auto* obstacle = std::get_if<ClipObstacle>(&result)) {
+    ++obstacles_[*obstacle];
+    return;
+  }
+  const auto& clip = std::get<CollideClip>(result);
+  const std::string path = pathIn(folder_, clip.name + ".csv");
+  if (!fs::exists(path)) writeCollideClip(path, clip);
+  ++clips_;
+}
+
+std::string CollideExporter::complaint() const {
+  int without = 0;
+  std::string reasons;
+  for (const auto& [obstacle, count] : obstacles_) {
+    without += count;
+    reasons += (reasons.empty() ? "" : ", ") + std::to_string(count) + " " + toString(obstacle);
+  }
+  if (without == 0) return {};
+  return std::to_string(without) + " of " + std::to_string(clips_ + without) +
+         " attacks have no clip of COLLIDE's layout: " + reasons;
+}
+
+}  // namespace forge

@@ -1,0 +1,260 @@
+#include "collision_forge/io/export/crash_record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "collision_forge/attack/verify/post_crash_motion.h"
+#include "collision_forge/attack/verify/verification.h"
+#include "collision_forge/base/scene/clock.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/io/logs/nuscenes_map.h"
+
+namespace forge {
+namespace {
+
+constexpr double kTouchDepth = 5e-3;   // m that boxes overlap at least after the contact
+constexpr double kCropSpacing = 10.0;  // m between the points that lanes are sought around
+
+bool isPlainWord(const std::string& text) {
+  const auto isPlain = [](unsigned char letter) {
+    return std::isalnum(letter) != 0 || letter == '-' || letter == '_' || letter == '.';
+  };
+  return !text.empty() && text.front() != '.' && std::all_of(text.begin(), text.end(), isPlain);
+}
+
+/// Adds the lanes that connectors of a crop come from and lead to: a connector to nowhere is no
+/// road.
+void completeConnectors(const LaneMap& map, LaneMap& crop) {
+  std::unordered_map<std::string, const Lane*> lanes;
+  for (const Lane& lane : map.lanes) lanes.emplace(lane.id, &lane);
+  std::unordered_set<std::string> kept;
+  for (const Lane& lane : crop.lanes) kept.insert(lane.id);
+  for (std::size_t i = 0; i < crop.lanes.size(); ++i) {  // grows
+    if (!crop.lanes[i].is_connector) continue;
+    const Lane& whole = *lanes.at(crop.lanes[i].id);
+    for (const auto* ids : {&whole.incoming, &whole.outgoing}) {
+      for (const std::string& id : *ids) {
+        if (kept.insert(id).second) crop.lanes.push_back(*lanes.at(id));
+      }
+    }
+  }
+  const auto is_lost = [&](const std::string& id) { return kept.count(id) == 0; };
+  for (Lane& lane : crop.lanes) {
+    const Lane& whole = *lanes.at(lane.id);
+    lane.incoming = whole.incoming;
+    lane.outgoing = whole.outgoing;
+    for (auto* ids : {&lane.incoming, &lane.outgoing}) {
+      ids->erase(std::remove_if(ids->begin(), ids->end(), is_lost), ids->end());
+    }
+  }
+}
+
+/// Puts one record together.
+class RecordBuilder {
+ public:
+  RecordBuilder(const Scenario& scenario, double history, const RecordContext& context)
+      : scenario_(scenario),
+        trajectory_(scenario.answer.trajectory),
+        scene_(context.indexed.scene),
+        context_(context),
+        step_(context.options.step) {
+    const double now = scenario.asked.now;
+    if (!stateAt(scene_.ego, now)) {
+      throw std::runtime_error("the ego is not in " + scene_.name + " at now = " + numberText(now) +
+                               " s");
+    }
+    const double known = std::min(history, now - scene_.ego.states.front().time);
+    now_step_ = static_cast<std::size_t>(std::floor(known / step_ + kTimeEpsilon));
+    begin_ = now - static_cast<double>(now_step_) * step_;
+    drive_ = {trajectory_.attacker_id, trajectory_.agent_class, trajectory_.size,
+              toStates(trajectory_.points)};
+    findEnd();
+  }
+
+  CrashRecord build(const std::string& name) {
+    CrashRecord record;
+    record.name = name;
+    record.scenario = scenario_;
+    record.step = step_;
+    record.now = timeOf(now_step_);
+    if (contact_) record.contact = *contact_ - begin_;
+    record.ego = egoTrack();
+    record.attacker = attackerTrack();
+    record.others = otherTracks(record);
+    addLanes(record);
+    return record;
+  }
+
+ private:
+  void findEnd() {
+    const double last = std::min(scene_.ego.states.back().time, drive_.states.back().time);
+    contact_ =
+        firstContactTime(trajectory_, scene_.ego, last, context_.verification.overlap_tolerance);
+    if (contact_) {
+      const AgentState ego = stateAt(scene_.ego, *contact_).value();
+      AgentState attacker = stateAt(drive_, *contact_).value();
+      attacker.pose = overlapping(ego.pose, attacker.pose);
+      crash_.emplace(CrashedVehicle{scene_.ego.agent_class, scene_.ego.size, ego},
+                     CrashedVehicle{drive_.agent_class, drive_.size, attacker},
+                     context_.verification.drivable);
+    }
+    const double end = contact_ ? *contact_ + context_.options.tail : last;
+    const double steps = (end - begin_) / step_;
+    count_ = 1 + static_cast<std::size_t>(contact_ ? std::ceil(steps - kTimeEpsilon)
+                                                   : std::floor(steps + kTimeEpsilon));
+  }
+
+  /// The attacker's pose, moved towards the ego until their boxes overlap: the contact is found to
+  /// a tolerance, and readers test the boxes as they are.
+  Pose2 overlapping(const Pose2& ego, Pose2 attacker) const {
+    const auto gaps = axisGaps({ego, scene_.ego.size}, {attacker, drive_.size});
+    const auto widest = std::max_element(
+        gaps.begin(), gaps.end(), [](const AxisGap& a, const AxisGap& b) { return a.gap < b.gap; });
+    const double way = std::max(0.0, widest->gap + kTouchDepth);
+    attacker.x -= way * widest->axis.x();
+    attacker.y -= way * widest->axis.y();
+    return attacker;
+  }
+
+  /// s of the record, to the microsecond.
+  double timeOf(std::size_t index) const {
+    return std::round(static_cast<double>(index) * step_ * 1e6) / 1e6;
+  }
+
+  /// s of the scene.
+  double sceneTime(std::size_t index) const { return begin_ + static_cast<double>(index) * step_; }
+
+  /// The track's states at the steps at which `at` has one.
+  template <class StateAtTime>
+  Track sampled(const Track& like, const StateAtTime& at) const {
+    Track track{like.id, like.agent_class, like.size, {}};
+    for (std::size_t index = 0; index < count_; ++index) {
+      std::optional<AgentState> state = at(sceneTime(index));
+      if (!state) continue;
+      state->time = timeOf(index);
+      track.states.push_back(*state);
+    }
+    return track;
+  }
+
+  bool isAfterContact(double time) const { return contact_ && time >= *contact_ - kTimeEpsilon; }
+
+  Track egoTrack() const {
+    Track track = sampled(scene_.ego, [&](double time) -> std::optional<AgentState> {
+      if (isAfterContact(time)) return crash_->egoAt(time);
+      return stateAt(scene_.ego, time);
+    });
+    if (track.states.size() < count_) {
+      throw std::runtime_error("the ego is lost for a time in " + scene_.name);
+    }
+    track.id = kEgoId;
+    return track;
+  }
+
+  /// What the attacker did up to now.
+  Track pastOfAttacker() const {
+    Track past{trajectory_.attacker_id, trajectory_.agent_class, trajectory_.size,
+               trajectory_.past};
+    if (trajectory_.isAdded()) return past;
+    for (const Track& agent : scene_.agents) {
+      if (agent.id == trajectory_.attacker_id) return agent;
+    }
+    return past;
+  }
+
+  Track attackerTrack() const {
+    const Track past = pastOfAttacker();
+    const double now = scenario_.asked.now;
+    Track track = sampled(drive_, [&](double time) -> std::optional<AgentState> {
+      if (isAfterContact(time)) return crash_->attackerAt(time);
+      const bool is_attacking = time >= now - kTimeEpsilon;
+      return is_attacking ? stateAt(drive_, std::max(time, now)) : stateAt(past, time);
+    });
+    track.states = seenStretches(track, step_).back();
+    return track;
+  }
+
+  bool isNear(const Track& track, const CrashRecord& record) const {
+    const double squared = context_.options.radius * context_.options.radius;
+    const auto comesNear = [&](const AgentState& state, const Track& other) {
+      return std::any_of(other.states.begin(), other.states.end(), [&](const AgentState& its) {
+        return (its.pose.position() - state.pose.position()).squaredNorm() <= squared;
+      });
+    };
+    return std::any_of(track.states.begin(), track.states.end(), [&](const AgentState& state) {
+      return comesNear(state, record.ego) || comesNear(state, record.attacker);
+    });
+  }
+
+  std::vector<Track> otherTracks(const CrashRecord& record) const {
+    std::vector<Track> others;
+    for (const Track& agent : scene_.agents) {
+      if (agent.id == trajectory_.attacker_id) continue;
+      Track track = sampled(agent, [&](double time) { return stateAt(agent, time); });
+      if (isNear(track, record)) others.push_back(std::move(track));
+    }
+    std::sort(others.begin(), others.end(),
+              [](const Track& a, const Track& b) { return a.id < b.id; });
+    return others;
+  }
+
+  void addLanes(CrashRecord& record) const {
+    std::vector<Vector2> points;
+    for (const Track* track : {&record.ego, &record.attacker}) {
+      for (const AgentState& state : track->states) {
+        const Vector2 point = state.pose.position();
+        if (points.empty() || (point - points.back()).norm() > kCropSpacing)
+          points.push_back(point);
+      }
+    }
+    record.lanes = cropped(context_.indexed.lanes->map(), points, context_.options.radius);
+    completeConnectors(context_.indexed.lanes->map(), record.lanes);
+    for (const Lane& lane : record.lanes.lanes) {
+      const auto arcs = context_.arcs.find(lane.id);
+      if (arcs != context_.arcs.end()) record.arcs.insert(*arcs);
+    }
+    const auto origin = context_.options.origins.find(record.lanes.location);
+    if (origin != context_.options.origins.end()) record.origin = origin->second;
+  }
+
+  const Scenario& scenario_;
+  const AttackerTrajectory& trajectory_;
+  const Scene& scene_;
+  const RecordContext& context_;
+  double step_;
+  double begin_ = 0.0;  // s of the scene
+  std::size_t now_step_ = 0;
+  std::size_t count_ = 0;
+  Track drive_;
+  std::optional<double> contact_;         // s of the scene
+  std::optional<PostCrashMotion> crash_;  // with a contact
+};
+
+}  // namespace
+
+std::vector<std::vector<AgentState>> seenStretches(const Track& track, double step) {
+  std::vector<std::vector<AgentState>> stretches;
+  for (const AgentState& state : track.states) {
+    if (stretches.empty() || state.time - stretches.back().back().time > 1.5 * step) {
+      stretches.emplace_back();
+    }
+    stretches.back().push_back(state);
+  }
+  return stretches;
+}
+
+CrashRecord crashRecord(const Scenario& scenario, std::size_t line, double history,
+                        const RecordContext& context) {
+  const std::string& scene = scenario.asked.scene;
+  if (!isPlainWord(scene)) {
+    throw std::runtime_error("scene = \"" + scene +
+                             "\" cannot be part of a file's name: letters, digits, '-', '_' and "
+                             "'.' can");
+  }
+  return RecordBuilder(scenario, history, context).build(scene + "_" + std::to_string(line));
+}
+
+}  // namespace forge

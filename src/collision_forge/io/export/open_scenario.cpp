@@ -1,0 +1,341 @@
+#include "collision_forge/io/export/open_scenario.h"
+
+#include <cmath>
+
+#include "collision_forge/base/files/aside_file.h"
+#include "collision_forge/base/files/plain_name.h"
+#include "collision_forge/io/export/open_drive.h"
+#include "collision_forge/io/export/xml.h"
+
+namespace forge {
+namespace {
+
+using pugi::xml_node;
+
+// What nobody recorded and no reader computes with here.
+constexpr double kWheelDiameter = 0.65;    // m
+constexpr double kTrackWidthShare = 0.85;  // of a vehicle's width
+constexpr double kWalkerMass = 75.0;       // kg
+constexpr double kThingMass = 100.0;       // kg
+
+/// Somebody in the scenario: a track while it is seen without a gap.
+struct Entity {
+  std::string name;
+  const Track* track = nullptr;
+  std::vector<AgentState> states;
+  double axle_to_middle = 0.0;  ///< m, from the entity's origin ahead to the middle of its box
+};
+
+const char* categoryOf(AgentClass agent_class) {
+  switch (agent_class) {
+    case AgentClass::kTruck:
+    case AgentClass::kConstructionVehicle:
+      return "truck";
+    case AgentClass::kBus:
+      return "bus";
+    case AgentClass::kTrailer:
+      return "trailer";
+    case AgentClass::kMotorcycle:
+      return "motorbike";
+    case AgentClass::kBicycle:
+      return "bicycle";
+    case AgentClass::kPedestrian:
+      return "pedestrian";
+    case AgentClass::kAnimal:
+      return "animal";
+    case AgentClass::kStaticObject:
+      return "obstacle";
+    default:
+      return "car";
+  }
+}
+
+/// Readers take text that begins with '$' for the name of a parameter.
+std::string literal(const std::string& text) {
+  return !text.empty() && text.front() == '$' ? "_" + text : text;
+}
+
+/// Writes one scenario.
+class ScenarioWriter {
+ public:
+  ScenarioWriter(const CrashRecord& record, const ExportPlan& plan)
+      : record_(record), plan_(plan), origin_(localOrigin(record)) {
+    addEntity("ego", record.ego, record.ego.states, record.scenario.ego.center_offset);
+    addTrack("attacker", record.attacker);
+    for (std::size_t i = 0; i < record.others.size(); ++i) {
+      addTrack("other_" + std::to_string(i + 1), record.others[i]);
+    }
+  }
+
+  std::string text() const {
+    pugi::xml_document document;
+    document.append_child(pugi::node_declaration).append_attribute("version") = "1.0";
+    xml_node root = addElement(document, "OpenSCENARIO");
+    addHeader(root);
+    addParameters(addElement(root, "ParameterDeclarations"));
+    addElement(root, "CatalogLocations");
+    addElement(addElement(root, "RoadNetwork"), "LogicFile",
+               {{"filepath", record_.name + ".xodr"}});
+    xml_node entities = addElement(root, "Entities");
+    for (const Entity& entity : entities_) addObject(entities, entity);
+    addStoryboard(addElement(root, "Storyboard"));
+    return xmlText(document);
+  }
+
+ private:
+  void addEntity(const std::string& name, const Track& track, std::vector<AgentState> states,
+                 double axle_to_middle) {
+    entities_.push_back({name, &track, std::move(states), axle_to_middle});
+  }
+
+  /// An entity for each time that it is seen; one state alone is no motion.
+  void addTrack(const std::string& name, const Track& track) {
+    const double ahead =
+        isVehicle(track.agent_class)
+            ? driveLimitsOf(track.agent_class, track.size, plan_.limits).axle_to_middle
+            : 0.0;
+    int number = 0;
+    for (std::vector<AgentState>& states : seenStretches(track, record_.step)) {
+      if (states.size() < 2) continue;
+      const std::string again = number++ == 0 ? "" : "_" + std::to_string(number);
+      addEntity(name + again, track, std::move(states), ahead);
+    }
+  }
+
+  bool isDriven(const Entity& entity) const {
+    return !(plan_.ego_free && entity.track == &record_.ego);
+  }
+
+  bool comesLater(const Entity& entity) const { return entity.states.front().time > 0.0; }
+
+  bool goesEarlier(const Entity& entity) const {
+    return entity.states.back().time < record_.end() - 0.5 * record_.step;
+  }
+
+  void addHeader(xml_node root) const {
+    const CollisionRequest& request = record_.scenario.asked.request;
+    const std::string what = std::string(toString(request.type)) + ", " +
+                             toString(record_.scenario.answer.report.manoeuvre) + ", TTA " +
+                             xmlNumber(request.tta) + " s, in " + record_.scenario.asked.scene;
+    addElement(root, "FileHeader",
+               {{"revMajor", "1"},
+                {"revMinor", "2"},
+                {"date", xmlDate(record_.scenario.asked.now)},
+                {"description", what},
+                {"author", "collision_forge"}});
+  }
+
+  void addParameters(xml_node declarations) const {
+    const SceneRequest& asked = record_.scenario.asked;
+    const auto add = [&](const char* name, const char* type, const std::string& value) {
+      addElement(declarations, "ParameterDeclaration",
+                 {{"name", name}, {"parameterType", type}, {"value", value}});
+    };
+    add("collision_type", "string", toString(asked.request.type));
+    add("tta", "double", xmlNumber(asked.request.tta));
+    add("manoeuvre", "string", toString(record_.scenario.answer.report.manoeuvre));
+    add("seed", "string", std::to_string(asked.request.seed));
+    add("scene", "string", literal(asked.scene));
+    add("attacker_id", "string", literal(record_.attacker.id));
+    add("now", "double", xmlNumber(record_.now));
+    if (record_.contact) add("contact_time", "double", xmlNumber(*record_.contact));
+    add("map_origin_x", "double", xmlNumber(origin_.x()));
+    add("map_origin_y", "double", xmlNumber(origin_.y()));
+  }
+
+  void addObject(xml_node entities, const Entity& entity) const {
+    xml_node object = addElement(entities, "ScenarioObject", {{"name", entity.name}});
+    const AgentClass agent_class = entity.track->agent_class;
+    const std::string category = categoryOf(agent_class);
+    xml_node body;
+    if (isVehicle(agent_class)) {
+      body = addElement(object, "Vehicle", {{"name", entity.name}, {"vehicleCategory", category}});
+      addBox(body, entity);
+      addPerformance(body, entity);
+    } else if (agent_class == AgentClass::kStaticObject) {
+      body = addElement(object, "MiscObject",
+                        {{"mass", xmlNumber(kThingMass)},
+                         {"name", entity.name},
+                         {"miscObjectCategory", category}});
+      addBox(body, entity);
+    } else {
+      body = addElement(object, "Pedestrian",
+                        {{"mass", xmlNumber(kWalkerMass)},
+                         {"name", entity.name},
+                         {"pedestrianCategory", category}});
+      addBox(body, entity);
+    }
+    xml_node properties = addElement(body, "Properties");
+    const auto add = [&](const char* name, const std::string& value) {
+      addElement(properties, "Property", {{"name", name}, {"value", value}});
+    };
+    add("recorded_id", literal(entity.track->id));
+    add("class", toString(agent_class));
+  }
+
+  void addBox(xml_node body, const Entity& entity) const {
+    const double height = plan_.options.heights.at(entity.track->agent_class);
+    xml_node box = addElement(body, "BoundingBox");
+    addElement(box, "Center",
+               {{"x", xmlNumber(entity.axle_to_middle)}, {"y", "0"}, {"z", xmlNumber(height / 2)}});
+    addElement(box, "Dimensions",
+               {{"length", xmlNumber(entity.track->size.length)},
+                {"width", xmlNumber(entity.track->size.width)},
+                {"height", xmlNumber(height)}});
+  }
+
+  void addPerformance(xml_node body, const Entity& entity) const {
+    const DriveLimits limits =
+        driveLimitsOf(entity.track->agent_class, entity.track->size, plan_.limits);
+    addElement(body, "Performance",
+               {{"maxSpeed", xmlNumber(limits.max_speed)},
+                {"maxAcceleration", xmlNumber(limits.max_forward_acceleration)},
+                {"maxDeceleration", xmlNumber(limits.max_braking)}});
+    xml_node axles = addElement(body, "Axles");
+    const auto add = [&](const char* name, double steering, double x) {
+      addElement(axles, name,
+                 {{"maxSteering", xmlNumber(steering)},
+                  {"wheelDiameter", xmlNumber(kWheelDiameter)},
+                  {"trackWidth", xmlNumber(kTrackWidthShare * entity.track->size.width)},
+                  {"positionX", xmlNumber(x)},
+                  {"positionZ", xmlNumber(kWheelDiameter / 2)}});
+    };
+    add("FrontAxle", limits.max_steering_angle, limits.wheelbase);
+    add("RearAxle", 0.0, 0.0);
+  }
+
+  void addPosition(xml_node parent, const Entity& entity, const Pose2& middle, double yaw) const {
+    const Pose2 axle = compose(middle, {-entity.axle_to_middle, 0.0, 0.0});
+    addElement(addElement(parent, "Position"), "WorldPosition",
+               {{"x", xmlNumber(axle.x - origin_.x())},
+                {"y", xmlNumber(axle.y - origin_.y())},
+                {"z", "0"},
+                {"h", xmlNumber(yaw)},
+                {"p", "0"},
+                {"r", "0"}});
+  }
+
+  void addStoryboard(xml_node board) const {
+    xml_node actions = addElement(addElement(board, "Init"), "Actions");
+    for (const Entity& entity : entities_) {
+      if (!comesLater(entity)) addStart(actions, entity);
+    }
+    xml_node act =
+        addElement(addElement(board, "Story", {{"name", "crash"}}), "Act", {{"name", "drives"}});
+    for (const Entity& entity : entities_) {
+      if (isDriven(entity)) addDrive(act, entity);
+      if (comesLater(entity)) addAppearance(act, entity, true);
+      if (goesEarlier(entity)) addAppearance(act, entity, false);
+    }
+    addTrigger(addElement(act, "StartTrigger"), "begin", 0.0);
+    addTrigger(addElement(board, "StopTrigger"), "end", record_.end());
+  }
+
+  void addStart(xml_node actions, const Entity& entity) const {
+    const AgentState& state = entity.states.front();
+    xml_node one = addElement(actions, "Private", {{"entityRef", entity.name}});
+    addPosition(addElement(addElement(one, "PrivateAction"), "TeleportAction"), entity, state.pose,
+                state.pose.yaw);
+    xml_node speed = addElement(addElement(addElement(one, "PrivateAction"), "LongitudinalAction"),
+                                "SpeedAction");
+    addElement(speed, "SpeedActionDynamics",
+               {{"dynamicsShape", "step"}, {"dynamicsDimension", "time"}, {"value", "0"}});
+    addElement(addElement(speed, "SpeedActionTarget"), "AbsoluteTargetSpeed",
+               {{"value", xmlNumber(state.velocity.norm())}});
+  }
+
+  /// A group of manoeuvres with one event, to which an action is added.
+  static xml_node addEvent(xml_node act, const std::string& name, const std::string& actor,
+                           double time) {
+    xml_node group =
+        addElement(act, "ManeuverGroup", {{"maximumExecutionCount", "1"}, {"name", name}});
+    xml_node actors = addElement(group, "Actors", {{"selectTriggeringEntities", "false"}});
+    if (!actor.empty()) addElement(actors, "EntityRef", {{"entityRef", actor}});
+    xml_node event =
+        addElement(addElement(group, "Maneuver", {{"name", name}}), "Event",
+                   {{"priority", "override"}, {"maximumExecutionCount", "1"}, {"name", name}});
+    xml_node action = addElement(event, "Action", {{"name", name}});
+    addTrigger(addElement(event, "StartTrigger"), "time of " + name, time);
+    return action;
+  }
+
+  void addDrive(xml_node act, const Entity& entity) const {
+    xml_node action =
+        addEvent(act, "drive of " + entity.name, entity.name, entity.states.front().time);
+    xml_node follow = addElement(addElement(addElement(action, "PrivateAction"), "RoutingAction"),
+                                 "FollowTrajectoryAction");
+    xml_node trajectory =
+        addElement(addElement(follow, "TrajectoryRef"), "Trajectory",
+                   {{"name", "trajectory of " + entity.name}, {"closed", "false"}});
+    addElement(trajectory, "ParameterDeclarations");
+    addVertices(addElement(addElement(trajectory, "Shape"), "Polyline"), entity);
+    addElement(addElement(follow, "TimeReference"), "Timing",
+               {{"domainAbsoluteRelative", "absolute"}, {"scale", "1"}, {"offset", "0"}});
+    addElement(follow, "TrajectoryFollowingMode", {{"followingMode", "position"}});
+  }
+
+  /// Headings go on over pi, so that a reader that interpolates them takes the shorter turn. Of who
+  /// stands first and last state tell all.
+  void addVertices(xml_node polyline, const Entity& entity) const {
+    const std::vector<AgentState>& states = entity.states;
+    double yaw = states.front().pose.yaw;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      yaw += angleBetween(yaw, states[i].pose.yaw);
+      const bool is_end = i == 0 || i + 1 == states.size();
+      if (!is_end && isSame(states[i - 1], states[i]) && isSame(states[i], states[i + 1])) continue;
+      xml_node vertex = addElement(polyline, "Vertex", {{"time", xmlNumber(states[i].time)}});
+      addPosition(vertex, entity, states[i].pose, yaw);
+    }
+  }
+
+  static bool isSame(const AgentState& a, const AgentState& b) {
+    return a.pose.position() == b.pose.position() && a.pose.yaw == b.pose.yaw;
+  }
+
+  void addAppearance(xml_node act, const Entity& entity, bool comes) const {
+    const std::string name = (comes ? "arrival of " : "departure of ") + entity.name;
+    const AgentState& state = comes ? entity.states.front() : entity.states.back();
+    xml_node action = addElement(addElement(addEvent(act, name, "", state.time), "GlobalAction"),
+                                 "EntityAction", {{"entityRef", entity.name}});
+    if (comes) {
+      addPosition(addElement(action, "AddEntityAction"), entity, state.pose, state.pose.yaw);
+    } else {
+      addElement(action, "DeleteEntityAction");
+    }
+  }
+
+  static void addTrigger(xml_node trigger, const std::string& name, double time) {
+    xml_node condition = addElement(addElement(trigger, "ConditionGroup"), "Condition",
+                                    {{"name", name}, {"delay", "0"}, {"conditionEdge", "none"}});
+    addElement(addElement(condition, "ByValueCondition"), "SimulationTimeCondition",
+               {{"value", xmlNumber(time)}, {"rule", "greaterOrEqual"}});
+  }
+
+  const CrashRecord& record_;
+  const ExportPlan& plan_;
+  const Vector2 origin_;
+  std::vector<Entity> entities_;
+};
+
+class OpenScenarioWriter : public CrashWriter {
+ public:
+  explicit OpenScenarioWriter(const ExportPlan& plan) : plan_(plan) {}
+
+  std::vector<std::string> write(const CrashRecord& record) const override {
+    const std::vector<std::string> files = {record.name + ".xodr", record.name + ".xosc"};
+    writeText(pathIn(plan_.folder, files[0]), openDriveText(record, plan_.options));
+    writeText(pathIn(plan_.folder, files[1]), ScenarioWriter(record, plan_).text());
+    return files;
+  }
+
+ private:
+  const ExportPlan plan_;
+};
+
+}  // namespace
+
+std::unique_ptr<CrashWriter> makeOpenScenarioWriter(const ExportPlan& plan) {
+  return std::make_unique<OpenScenarioWriter>(plan);
+}
+
+}  // namespace forge

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "collision_forge/base/geometry/arc_path.h"
+#include "collision_forge/base/geometry/polygon.h"
+#include "collision_forge/base/scene/input_limits.h"
+
+namespace forge {
+
+/// Counts cases of each kind of trouble and remembers the first token of each.
+class WarningCounter {
+ public:
+  void add(const std::string& kind, const std::string& token);
+  /// One line a kind, "PATH: 12 lanes without arcline (first: TOKEN)".
+  std::vector<std::string> lines(const std::string& path) const;
+
+ private:
+  struct Cases {
+    int count = 0;
+    std::string first;
+  };
+  std::map<std::string, Cases> cases_;
+};
+
+/// The layers of a map expansion file that a LaneMap is made of, as the file has them.
+struct NuScenesMapLayers {
+  struct Lane {
+    std::string token;
+    std::string polygon_token;  ///< empty when the row has none
+    bool is_connector = false;
+  };
+  struct Links {
+    std::string lane;
+    std::vector<std::string> incoming;
+    std::vector<std::string> outgoing;
+  };
+
+  std::vector<Lane> lanes;                            ///< lanes, then connectors
+  std::unordered_map<std::string, Polygon> polygons;  ///< usable ones only
+  std::vector<std::string> drivable_area;             ///< polygon tokens
+  std::vector<std::string> walkways;                  ///< polygon tokens
+  std::vector<std::string> intersections;             ///< polygon tokens of such road segments
+  std::vector<Links> connectivity;                    ///< in the file's order
+  std::unordered_map<std::string, std::vector<ArcPath>> arclines;  ///< usable ones only
+};
+
+/// Throws NuScenesError as readNuScenesMap() does.
+NuScenesMapLayers readNuScenesMapLayers(const std::string& path, const InputLimits& limits,
+                                        WarningCounter& warnings);
+
+}  // namespace forge

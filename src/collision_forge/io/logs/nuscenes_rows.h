@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "collision_forge/io/logs/nuscenes_tokens.h"
+
+namespace forge {
+
+/// Bytes read so far and in all, over all tables.
+using NuScenesProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
+
+/// What a recording needs of the tables, as rows that point to each other by number. Samples,
+/// annotations and ego poses are only those of wanted scenes.
+struct NuScenesTables {
+  struct Scene {
+    std::string name;
+    std::string description;
+    std::string location;
+    bool is_wanted = false;
+    std::vector<std::uint32_t> samples;
+    std::vector<std::uint32_t> annotations;
+    std::vector<std::uint32_t> sweeps;
+  };
+  struct Sample {
+    std::int64_t timestamp_us = 0;
+    std::uint32_t scene = 0;
+  };
+  struct Annotation {
+    std::uint32_t sample = 0;
+    std::uint32_t instance = 0;
+    std::uint32_t attribute_set = 0;
+    std::array<double, 3> translation{};
+    std::array<double, 3> size{};      ///< width, length, height
+    std::array<double, 4> rotation{};  ///< w, x, y, z
+  };
+  struct EgoPose {
+    bool is_read = false;
+    std::int64_t timestamp_us = 0;
+    std::array<double, 3> translation{};
+    std::array<double, 4> rotation{};  ///< w, x, y, z
+  };
+
+  std::string folder;  ///< where the tables lie
+  TokenIndex scene_tokens;
+  TokenIndex sample_tokens;
+  TokenIndex instance_tokens;
+  TokenIndex annotation_tokens;
+  TokenIndex sweep_tokens;  ///< rows of sample_data: only those of LIDAR_TOP
+  TokenIndex ego_pose_tokens;
+  std::vector<Scene> scenes;
+  std::vector<Sample> samples;  ///< of all scenes
+  std::vector<std::string> categories;
+  std::vector<std::uint32_t> category_of_instance;
+  std::vector<std::vector<std::string>> attribute_sets;  ///< names
+  std::vector<Annotation> annotations;
+  std::vector<std::uint32_t> ego_pose_of_sweep;
+  std::vector<EgoPose> ego_poses;
+};
+
+/// Reads the tables in `folder`, each once. `only`: names of the wanted scenes, all when empty.
+/// Throws NuScenesError for a table that is missing or malformed, a row that lacks a field or holds
+/// another type, a token that is there twice or points to no row, a box that is not finite or has
+/// no size, and for a name in `only` that does not exist. Rows of other scenes go unchecked.
+NuScenesTables readNuScenesTables(const std::string& folder, const std::vector<std::string>& only,
+                                  const NuScenesProgress& on_progress);
+
+/// The error for a scene that is not there: names those with the most similar names.
+[[noreturn]] void throwUnknownScene(const NuScenesTables& tables, const std::string& name);
+
+}  // namespace forge

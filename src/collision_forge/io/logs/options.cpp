@@ -1,0 +1,62 @@
+#include "collision_forge/io/logs/options.h"
+
+#include <utility>
+
+#include "collision_forge/base/config/section.h"
+
+namespace forge {
+
+void readOptions(Section& section, ConversionOptions& options) {
+  options.map_radius = section.positive("map_radius");
+  options.centerline_resolution = section.positive("centerline_resolution");
+  options.lane_width = section.positive("lane_width");
+}
+
+void readOptions(Section& section, AttackedBagOptions& options) {
+  options.frame_rate = section.within("frame_rate", 10.0, 100.0);
+  options.seconds_after_stand = section.nonNegative("seconds_after_stand");
+  options.end_time = section.nonNegative("end_time");
+}
+
+void readOptions(Section& section, std::map<std::string, DrivingSide>& locations) {
+  while (!section.unread().empty()) {
+    const std::string prefix = *section.unread().begin();
+    locations[prefix] = section.choice<DrivingSide>(
+        prefix, {{"right", DrivingSide::kRight}, {"left", DrivingSide::kLeft}});
+  }
+}
+
+static void readOptions(Section& section, std::map<std::string, std::vector<std::string>>& files) {
+  while (!section.unread().empty()) {
+    const std::string name = *section.unread().begin();
+    files[name] = section.paths(name);
+  }
+}
+
+void readOptions(Section& section, ModelOptions& options) {
+  options.pattern_network = section.path("pattern_network");
+  options.speed_model = section.path("speed_model");
+  options.speed_profiles = section.path("speed_profiles");
+  section.read("recorded_speeds", options.recorded_speeds);
+  section.read("generator_weights", options.generator_weights);
+}
+
+void readOptions(Section& section, CollideOptions& options) {
+  options.box = {section.positive("box_length"), section.positive("box_width")};
+  options.tail = section.positive("tail");
+  options.held_out_share = section.share("held_out_share");
+}
+
+DrivingSide drivingSide(const DataOptions& options, const std::string& location) {
+  const std::pair<const std::string, DrivingSide>* best = nullptr;
+  for (const auto& entry : options.locations) {
+    const bool fits = location.compare(0, entry.first.size(), entry.first) == 0;
+    if (fits && (!best || entry.first.size() > best->first.size())) best = &entry;
+  }
+  if (!best) {
+    throw ConfigError("locations.yaml: no prefix under locations fits location = " + location);
+  }
+  return best->second;
+}
+
+}  // namespace forge

@@ -1,0 +1,409 @@
+#include "collision_forge/io/logs/scenario_net_logs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/geometry/polyline.h"
+#include "collision_forge/base/scene/input_limits.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/base/scene/request_words.h"
+#include "collision_forge/io/logs/pickle_field.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kEarliest = 1.0;          // s
+constexpr double kMicroseconds = 1e6;      // in a second
+constexpr double kKilometresAnHour = 3.6;  // in a metre a second
+constexpr double kLongestCar = 6.5;        // m; longer vehicles are trucks
+constexpr double kSameSize = 0.01;         // m
+
+std::int64_t microseconds(double seconds) { return std::llround(seconds * kMicroseconds); }
+
+Eigen::Quaterniond turned(double yaw) {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
+}
+
+AgentClass classOf(const std::string& type, const std::optional<PickleField>& metadata,
+                   double length) {
+  if (const auto given = metadata ? metadata->find("class") : std::nullopt) {
+    if (const auto known = agentClassFromString(given->text())) return *known;
+    given->fail("\"" + given->text() + "\" is no class of this suite");
+  }
+  if (type == "VEHICLE") return length > kLongestCar ? AgentClass::kTruck : AgentClass::kCar;
+  if (type == "PEDESTRIAN") return AgentClass::kPedestrian;
+  if (type == "CYCLIST") return AgentClass::kBicycle;
+  return AgentClass::kStaticObject;
+}
+
+/// A track of the file, a state where it is valid; its box is the first one's.
+struct RecordedTrack {
+  RecordedTrack(const std::string& id, const PickleField& field, const std::vector<double>& times);
+
+  Track track;
+  double height = 0.0;
+};
+
+RecordedTrack::RecordedTrack(const std::string& id, const PickleField& field,
+                             const std::vector<double>& times) {
+  const std::size_t rows = times.size();
+  const PickleField state = field.at("state");
+  const PickleField headings = state.at("heading");
+  const std::vector<Vector2> positions = state.at("position").points(rows);
+  const std::vector<double> yaws = headings.column(rows);
+  const std::vector<double> lengths = state.at("length").column(rows);
+  const std::vector<double> widths = state.at("width").column(rows);
+  const std::vector<double> valid = state.at("valid").column(rows);
+  const auto heights = state.find("height");
+  const auto velocities = state.find("velocity");
+  const auto speeds = velocities ? velocities->points(rows) : std::vector<Vector2>();
+  track.id = id;
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (valid[row] == 0.0) continue;
+    if (!std::isfinite(yaws[row])) headings.fail("row " + std::to_string(row) + " is not finite");
+    if (track.states.empty()) {
+      track.size = {lengths[row], widths[row]};
+      height = heights ? heights->column(rows)[row] : 0.0;
+    }
+    track.states.push_back({times[row],
+                            {positions[row].x(), positions[row].y(), wrapAngle(yaws[row])},
+                            speeds.empty() ? Vector2(0.0, 0.0) : speeds[row]});
+  }
+  if (speeds.empty()) deriveVelocities(track);
+  track.agent_class = classOf(field.at("type").text(), field.find("metadata"), track.size.length);
+}
+
+/// Of a dict: the outlines below "interiors".
+std::vector<std::vector<Vector2>> holesOf(const PickleField& polygon) {
+  std::vector<std::vector<Vector2>> holes;
+  const auto interiors = polygon.find("interiors");
+  if (!interiors) return holes;
+  for (const PickleField& hole : interiors->list()) holes.push_back(hole.points());
+  return holes;
+}
+
+/// Lanes, walkways and ground of map_features.
+class MapReader {
+ public:
+  explicit MapReader(double lane_width) : lane_width_(lane_width) {}
+
+  LaneMap read(const PickleField& features) {
+    for (const auto& [id, feature] : features.entries()) {
+      const std::string type = feature.at("type").text();
+      if (type.rfind("LANE_", 0) == 0) addLane(id, type, feature);
+      if (type == "ROAD_EDGE_SIDEWALK") addWalkway(feature);
+    }
+    link();
+    return std::move(map_);
+  }
+
+ private:
+  void addLane(const std::string& id, const std::string& type, const PickleField& feature) {
+    Lane lane;
+    lane.id = id;
+    lane.is_connector = type == "LANE_SURFACE_UNSTRUCTURE";
+    const auto inside = feature.find("is_intersection");
+    lane.is_intersection = inside && inside->flag();
+    lane.centerline = centerline(feature.at("polyline").points());
+    if (const auto outline = feature.find("polygon")) lane.polygon = outline->points();
+    if (lane.polygon.size() < 3) lane.polygon = stripAlong(lane.centerline, lane_width_);
+    if (const auto limit = feature.find("speed_limit_kmh")) {
+      if (limit->number() > 0.0) lane.speed_limit = limit->number() / kKilometresAnHour;
+    }
+    if (const auto entries = feature.find("entry_lanes")) lane.incoming = entries->words();
+    if (const auto exits = feature.find("exit_lanes")) lane.outgoing = exits->words();
+    map_.lanes.push_back(std::move(lane));
+  }
+
+  void addWalkway(const PickleField& feature) {
+    const auto outline = feature.find("polygon");
+    if (!outline || outline->points().size() < 3) return;
+    map_.walkways.push_back({outline->points(), holesOf(feature)});
+  }
+
+  /// Empty for a line without length.
+  static std::vector<Pose2> centerline(const std::vector<Vector2>& points) {
+    constexpr double kCoincidence = 1e-6;  // m, as Polyline
+    const auto differs = [&](const Vector2& point) {
+      return (point - points.front()).norm() > kCoincidence;
+    };
+    if (std::none_of(points.begin(), points.end(), differs)) return {};
+    const Polyline line(points);
+    std::vector<Pose2> poses;
+    for (std::size_t i = 0; i < line.points().size(); ++i) {
+      const Vector2& point = line.points()[i];
+      poses.push_back({point.x(), point.y(), line.poseAt(line.arcLengths()[i]).yaw});
+    }
+    return poses;
+  }
+
+  /// Makes links mutual, without those that lead out of the file.
+  void link() {
+    std::unordered_map<std::string, std::size_t> places;
+    for (const Lane& lane : map_.lanes) places.emplace(lane.id, places.size());
+    std::vector<std::vector<std::string>> incoming(map_.lanes.size());
+    std::vector<std::vector<std::string>> outgoing(map_.lanes.size());
+    const auto add = [&](const std::string& from, const std::string& to) {
+      const auto before = places.find(from);
+      const auto after = places.find(to);
+      if (before == places.end() || after == places.end()) return;
+      std::vector<std::string>& out = outgoing[before->second];
+      if (std::find(out.begin(), out.end(), to) != out.end()) return;
+      out.push_back(to);
+      incoming[after->second].push_back(from);
+    };
+    for (const Lane& lane : map_.lanes) {
+      for (const std::string& next : lane.outgoing) add(lane.id, next);
+    }
+    for (const Lane& lane : map_.lanes) {
+      for (const std::string& before : lane.incoming) add(before, lane.id);
+    }
+    for (std::size_t i = 0; i < map_.lanes.size(); ++i) {
+      map_.lanes[i].incoming = std::move(incoming[i]);
+      map_.lanes[i].outgoing = std::move(outgoing[i]);
+    }
+  }
+
+  double lane_width_;
+  LaneMap map_;
+};
+
+std::vector<Polygon> areasOf(const PickleField& areas) {
+  std::vector<Polygon> polygons;
+  for (const PickleField& area : areas.list()) {
+    polygons.push_back({area.at("exterior").points(), holesOf(area)});
+  }
+  return polygons;
+}
+
+DrivingSide sideOf(const std::optional<PickleField>& own, const std::string& location,
+                   const DataOptions& options) {
+  if (const auto side = own ? own->find("driving_side") : std::nullopt) {
+    return side->text() == "left" ? DrivingSide::kLeft : DrivingSide::kRight;
+  }
+  try {
+    return drivingSide(options, location);
+  } catch (const ConfigError&) {
+    return DrivingSide::kRight;  // as nearly all data sets that ScenarioNet converts
+  }
+}
+
+std::string nameOf(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  const std::string own = kOwnDescriptions;
+  return stem.rfind(own, 0) == 0 && stem.size() > own.size() ? stem.substr(own.size()) : stem;
+}
+
+class DescriptionReader {
+ public:
+  DescriptionReader(const std::string& path, PickleWorkers& workers, const DataOptions& options,
+                    std::vector<std::string>* warnings)
+      : options_(options),
+        warnings_(warnings),
+        path_(path),
+        root_(path, workers.read(path)),
+        metadata_(root_.at("metadata")),
+        own_(metadata_.find("collision_forge")) {}
+
+  LoggedScene read() {
+    readTimes();
+    LoggedScene logged;
+    NuScenesRecording& recording = logged.recording;
+    recording.name = nameOf(path_);
+    const auto place = metadata_.find("map");
+    if (place && place->isText()) recording.location = place->text();
+    readTracks(recording);
+    logged.lanes = std::make_shared<const LaneIndex>(
+        std::make_shared<const LaneMap>(readMap(recording.location)));
+    return logged;
+  }
+
+ private:
+  void readTimes() {
+    const PickleField field = metadata_.at("ts");
+    times_ = field.column();
+    for (std::size_t i = 0; i < times_.size(); ++i) {
+      if (std::isfinite(times_[i]) && (i == 0 || times_[i] > times_[i - 1])) continue;
+      field.fail("row " + std::to_string(i) + " is not after the one before");
+    }
+    if (times_.size() < 2) field.fail("has fewer than two times");
+    const auto start = own_ ? own_->find("start") : std::nullopt;
+    const double first = (start ? start->number() : 0.0) + times_.front();
+    const double shift = std::max(first, kEarliest) - times_.front();
+    frame_times_ = times_;
+    if (const auto frames = own_ ? own_->find("frame_times") : std::nullopt) {
+      frame_times_ = frames->column();
+    }
+    for (double& time : times_) time += shift;
+    for (double& time : frame_times_) time += shift;
+  }
+
+  void readTracks(NuScenesRecording& recording) {
+    for (const double time : frame_times_) {
+      recording.frames.push_back({"", microseconds(time), {}});
+    }
+    const std::string ego = metadata_.at("sdc_id").text();
+    bool has_ego = false;
+    for (const auto& [id, field] : root_.at("tracks").entries()) {
+      RecordedTrack recorded(id, field, times_);
+      if (id == ego) {
+        has_ego = true;
+        addEgo(std::move(recorded.track), recording);
+      } else {
+        addAgent(recorded, recording);
+      }
+    }
+    if (!has_ego) root_.at("tracks").fail("lacks the ego \"" + ego + "\" of metadata.sdc_id");
+    if (recording.ego_poses.empty()) root_.at("tracks").fail("the ego is nowhere valid");
+  }
+
+  void addEgo(Track ego, NuScenesRecording& recording) {
+    const EgoVehicle& vehicle = options_.ego_vehicle;
+    if (ego.size.width > ego.size.length) {
+      std::swap(ego.size.width, ego.size.length);
+      warn("length and width of the ego are taken for each other");
+    }
+    if (std::abs(ego.size.length - vehicle.size.length) > kSameSize ||
+        std::abs(ego.size.width - vehicle.size.width) > kSameSize) {
+      warn("the ego is " + numberText(ego.size.length) + " m by " + numberText(ego.size.width) +
+           " m there; the box of ego_vehicle.yaml is taken");
+    }
+    for (const AgentState& state : ego.states) {
+      const Pose2 base = compose(state.pose, {-vehicle.center_offset, 0.0, 0.0});
+      recording.ego_poses.push_back(
+          {microseconds(state.time), {base.x, base.y, 0.0}, turned(base.yaw)});
+    }
+  }
+
+  void addAgent(const RecordedTrack& recorded, NuScenesRecording& recording) {
+    const Track& track = recorded.track;
+    for (std::size_t i = 0; i < frame_times_.size(); ++i) {
+      const bool is_row = std::binary_search(times_.begin(), times_.end(), frame_times_[i]);
+      const auto state = stateAt(track, frame_times_[i], is_row ? 0.0 : kMaxGap);
+      if (!state) continue;
+      NuScenesAnnotation annotation;
+      annotation.instance = track.id;
+      annotation.category = categoryOf(track.agent_class);
+      annotation.translation = {state->pose.x, state->pose.y, 0.5 * recorded.height};
+      annotation.size = {track.size.length, track.size.width, recorded.height};
+      annotation.rotation = turned(state->pose.yaw);
+      annotation.velocity = {state->velocity.x(), state->velocity.y(), 0.0};
+      recording.frames[i].annotations.push_back(std::move(annotation));
+    }
+  }
+
+  LaneMap readMap(const std::string& location) {
+    LaneMap map = MapReader(options_.conversion.lane_width).read(root_.at("map_features"));
+    map.location = location;
+    map.driving_side = sideOf(own_, location, options_);
+    if (const auto areas = own_ ? own_->find("drivable_area") : std::nullopt) {
+      map.drivable_area = areasOf(*areas);
+    } else {
+      for (const Lane& lane : map.lanes) {
+        if (lane.polygon.size() >= 3) map.drivable_area.push_back({lane.polygon, {}});
+      }
+    }
+    checkMap(map, options_.input_limits, path_);
+    return map;
+  }
+
+  void warn(const std::string& what) {
+    if (warnings_ != nullptr) warnings_->push_back(what);
+  }
+
+  const DataOptions& options_;
+  std::vector<std::string>* warnings_;
+  std::string path_;
+  PickleField root_;
+  PickleField metadata_;
+  std::optional<PickleField> own_;  // what the format has no word for, in files of this suite
+  std::vector<double> times_;       // of the rows
+  std::vector<double> frame_times_;
+};
+
+bool isDescription(const fs::path& path) {
+  return path.extension() == ".pkl" && path.filename().string().rfind("sd_", 0) == 0;
+}
+
+/// By name, in that order.
+std::map<std::string, std::string> descriptionsIn(const std::string& folder) {
+  std::map<std::string, std::string> found;
+  std::error_code ignored;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
+    if (!isDescription(entry.path())) continue;
+    const std::string path = entry.path().string();
+    const auto [same, is_new] = found.emplace(nameOf(entry.path()), path);
+    if (!is_new) throw std::runtime_error(path + ": has the name of " + same->second);
+  }
+  return found;
+}
+
+bool hasDescriptions(const std::string& path) {
+  std::error_code ignored;
+  const fs::recursive_directory_iterator entries(path, ignored);
+  return std::any_of(begin(entries), end(entries),
+                     [](const auto& entry) { return isDescription(entry.path()); });
+}
+
+std::vector<std::string> namesIn(const LogSource& source) {
+  std::vector<std::string> names;
+  for (const auto& [name, path] : descriptionsIn(source.path)) names.push_back(name);
+  return names;
+}
+
+class ScenarioNetLogs : public SceneReader {
+ public:
+  ScenarioNetLogs(const LogSource& source, SceneReading reading)
+      : reading_(std::move(reading)),
+        names_(wantedScenes(source, reading_.scenes)),
+        paths_(descriptionsIn(source.path)) {}
+
+  std::vector<std::string> names() const override { return names_; }
+
+  LoggedScene recording(const std::string& name) override {
+    std::vector<std::string> warnings;
+    LoggedScene logged = readScenarioNet(paths_.at(name), workers_, reading_.options, &warnings);
+    if (reading_.on_warnings && !warnings.empty()) reading_.on_warnings(name, warnings);
+    return logged;
+  }
+
+  IndexedScene read(const std::string& name) override {
+    return flattened(recording(name), reading_);
+  }
+
+ private:
+  SceneReading reading_;
+  std::vector<std::string> names_;
+  std::map<std::string, std::string> paths_;
+  PickleWorkers workers_;
+};
+
+std::unique_ptr<SceneReader> openScenarioNet(const LogSource& source, const SceneReading& reading) {
+  return std::make_unique<ScenarioNetLogs>(source, reading);
+}
+
+}  // namespace
+
+const LogFormat& scenarioNetFormat() {
+  static const LogFormat format{"a ScenarioNet folder", hasDescriptions, namesIn, openScenarioNet};
+  return format;
+}
+
+LoggedScene readScenarioNet(const std::string& path, PickleWorkers& workers,
+                            const DataOptions& options, std::vector<std::string>* warnings) {
+  LoggedScene logged = DescriptionReader(path, workers, options, warnings).read();
+  keepWithin(logged.recording, options, warnings);
+  return logged;
+}
+
+}  // namespace forge

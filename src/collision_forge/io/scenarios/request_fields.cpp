@@ -1,0 +1,116 @@
+#include "collision_forge/io/scenarios/request_fields.h"
+
+#include <limits>
+
+#include "collision_forge/base/scene/request_words.h"
+
+namespace forge {
+namespace {
+
+/// `from_string` of the text, or fails.
+template <typename FromString>
+auto readWord(JsonObject& object, const char* key, FromString from_string, const char* problem) {
+  const auto value = from_string(object.text(key));
+  if (!value) object.fail(key, problem);
+  return *value;
+}
+
+template <typename FromString>
+auto readWordOrNull(JsonObject& object, const char* key, FromString from_string,
+                    const char* problem) {
+  const auto text = object.textOrNull(key);
+  if (!text) return decltype(from_string(*text))();
+  const auto value = from_string(*text);
+  if (!value) object.fail(key, problem);
+  return value;
+}
+
+std::optional<Range> readRange(JsonObject& object, const char* key) {
+  auto range = object.objectOrNull(key);
+  if (!range) return std::nullopt;
+  const Range read{range->number("min"), range->number("max")};
+  range->finish();
+  return read;
+}
+
+/// Null where it is empty, nothing where that is left out.
+template <typename Value>
+void writeWord(JsonLineWriter& writer, const char* key, const std::optional<Value>& value,
+               bool leaves_out) {
+  if (value) {
+    writer.text(key, toString(*value));
+  } else if (!leaves_out) {
+    writer.null(key);
+  }
+}
+
+void writeRange(JsonLineWriter& writer, const char* key, const std::optional<Range>& range,
+                bool leaves_out) {
+  if (range) {
+    writer.beginObject(key);
+    writer.number("min", range->min);
+    writer.number("max", range->max);
+    writer.endObject();
+  } else if (!leaves_out) {
+    writer.null(key);
+  }
+}
+
+}  // namespace
+
+void writeControls(JsonLineWriter& writer, const CollisionRequest& request,
+                   const CrashDefinition* defaults) {
+  const bool leaves_out = defaults != nullptr;
+  const CrashDefinition& crash = request.crash;
+  if (!leaves_out || request.choice != AttackerChoice::kAny) {
+    writer.text("choice", toString(request.choice));
+  }
+  if (!leaves_out || crash.believable != defaults->believable) {
+    writer.flag("believable", crash.believable);
+  }
+  if (!leaves_out || crash.limits != defaults->limits) {
+    writer.text("limits", toString(crash.limits));
+  }
+  writeWord(writer, "attacker_class", request.attacker_class, leaves_out);
+  writeWord(writer, "manoeuvre", request.manoeuvre, leaves_out);
+  writeWord(writer, "ego_side", request.ego_side, leaves_out);
+  writeRange(writer, "impact_speed", request.impact_speed, leaves_out);
+  writeRange(writer, "overlap", request.overlap, leaves_out);
+  if (!leaves_out || request.alternatives != 1) {
+    writer.count("alternatives", static_cast<std::uint64_t>(request.alternatives));
+  }
+}
+
+void readControls(JsonObject& object, CollisionRequest& request, bool may_lack) {
+  const auto has = [&](const char* key) { return !may_lack || object.has(key); };
+  if (has("choice")) {
+    request.choice =
+        readWord(object, "choice", attackerChoiceFromString, "is none of any, existing and new");
+  }
+  if (has("believable")) request.crash.believable = object.flag("believable");
+  if (has("limits")) {
+    request.crash.limits =
+        readWord(object, "limits", limitSetFromString, "is neither drivable nor strict");
+  }
+  if (has("attacker_class")) {
+    request.attacker_class =
+        readWordOrNull(object, "attacker_class", agentClassFromString, "is no class of agents");
+  }
+  if (has("manoeuvre")) {
+    request.manoeuvre = readWordOrNull(object, "manoeuvre", manoeuvreFromString, "is no manoeuvre");
+  }
+  if (has("ego_side")) {
+    request.ego_side = readWordOrNull(object, "ego_side", sideFromString, "is no side of a box");
+  }
+  if (has("impact_speed")) request.impact_speed = readRange(object, "impact_speed");
+  if (has("overlap")) request.overlap = readRange(object, "overlap");
+  if (has("alternatives")) {
+    const std::uint64_t count = object.count("alternatives");
+    if (count > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {
+      object.fail("alternatives", "is too many");
+    }
+    request.alternatives = static_cast<int>(count);
+  }
+}
+
+}  // namespace forge

@@ -1,0 +1,79 @@
+#include "collision_forge/io/weights/traffic_generators.h"
+
+#include <dlfcn.h>
+
+#include <mutex>
+
+namespace forge {
+namespace {
+
+using Load = decltype(&forgeLoadGenerator);
+
+/// libtorch takes seconds to load, which who asks for no generator need not wait for.
+Load loader() {
+  void* library = ::dlopen("libcollision_forge_training.so", RTLD_NOW);
+  if (!library)
+    throw TrafficGeneratorError(std::string("this build has no libtorch: ") + dlerror());
+  void* function = ::dlsym(library, "forgeLoadGenerator");
+  if (!function) throw TrafficGeneratorError(dlerror());
+  return reinterpret_cast<Load>(function);
+}
+
+/// A model that is loaded once, by whoever needs it first.
+class LazyModel {
+ public:
+  LazyModel(std::string name, std::vector<std::string> paths)
+      : name_(std::move(name)), paths_(std::move(paths)) {}
+
+  const TrafficMethods& get() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (paths_.empty()) {
+      throw std::invalid_argument("generator_weights: " + name_ + " in models.yaml names no file");
+    }
+    if (!loaded_) loader()(name_, paths_, loaded_);
+    return *loaded_;
+  }
+
+ private:
+  std::string name_;
+  std::vector<std::string> paths_;
+  std::mutex mutex_;
+  std::shared_ptr<const TrafficMethods> loaded_;
+};
+
+/// A method that lives on a model.
+struct LearnedMethod {
+  const char* model;
+  const char* name;
+  const char* description;
+};
+
+constexpr LearnedMethod kMethods[] = {
+    {"c_sgan", "c_sgan", "rival: Social-GAN, told type and TTA, as the paper compares with"},
+    {"c_mid", "c_mid", "rival: MID, a diffusion model, told type and TTA"},
+    {"c_strive", "c_strive", "rival: STRIVE's traffic model, told type and TTA"},
+    {"c_strive", "strive_optimised", "rival: STRIVE's search in the latent space for the request"},
+    {"published_network", "published_network",
+     "the paper's network as published, region proposal, one quintic"},
+    {"published_network_target_points", "published_network_target_points",
+     "the same with the ranking of target points"},
+    {"published_network_regression", "published_network_regression",
+     "the same with the regression of the ego's place"},
+};
+
+}  // namespace
+
+void addGeneratorMethods(const ModelOptions& options, MethodRegistry& registry) {
+  for (const auto& [name, paths] : options.generator_weights) {
+    const auto model = std::make_shared<LazyModel>(name, paths);
+    for (const LearnedMethod& method : kMethods) {
+      if (name != method.model) continue;
+      registry.add(
+          {method.name, method.description, true, [model, method](const MethodSetup& setup) {
+             return model->get().method(method.name, setup.options, setup.unseen_scene);
+           }});
+    }
+  }
+}
+
+}  // namespace forge

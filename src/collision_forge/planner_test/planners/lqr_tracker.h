@@ -1,0 +1,71 @@
+#pragma once
+
+#include <vector>
+
+#include "collision_forge/planner_test/planners/kinematic_bicycle.h"
+
+namespace forge {
+
+/// config/planners.yaml, section lqr, where each number's unit and source stand.
+struct LqrOptions {
+  double step = 0.0;
+  int horizon = 0;
+  double speed_weight = 0.0;
+  double acceleration_weight = 0.0;
+  double lateral_weight = 0.0;
+  double heading_weight = 0.0;
+  double steering_weight = 0.0;
+  double steering_rate_weight = 0.0;
+  double stop_speed = 0.0;
+  double stop_gain = 0.0;
+  double jerk_penalty = 0.0;
+  double curvature_rate_penalty = 0.0;
+};
+
+/// What the fit of the speeds keeps low.
+enum class SpeedFit {
+  kJerk,         ///< as nuPlan's LQRTracker
+  kAcceleration  ///< as PDM-Closed's: every acceleration but the last, and the last one's change
+};
+
+/// Speed and curvature along poses that follow each other every `step` seconds: one value between
+/// each two.
+struct ReferenceProfile {
+  std::vector<double> speeds;      ///< m/s
+  std::vector<double> curvatures;  ///< 1/m
+};
+
+/// The speeds and curvatures that fit the poses best by least squares, with penalties (both by
+/// options.jerk_penalty for speeds) and on the curvature's rate. Throws std::invalid_argument for
+/// fewer than two poses.
+ReferenceProfile fitProfile(const std::vector<Pose2>& poses, const LqrOptions& options,
+                            SpeedFit fit = SpeedFit::kJerk);
+
+/// Drives a KinematicBicycle along a reference, after nuPlan's LQRTracker: the acceleration that
+/// is best over the horizon if it is constant, then the best constant steering rate, for the car's
+/// motion linearised about the reference.
+class LqrTracker {
+ public:
+  LqrTracker(const LqrOptions& options, double wheelbase, SpeedFit fit = SpeedFit::kJerk);
+
+  /// Poses of the rear axle, one each options.step, the first at the time of index 0. Throws
+  /// std::invalid_argument for fewer than two.
+  void setReference(std::vector<Pose2> rear_axle_poses);
+
+  /// What to do at the time of reference `index` (clamped to the last).
+  BicycleCommand command(const BicycleState& state, std::size_t index) const;
+
+  const ReferenceProfile& profile() const { return profile_; }
+
+ private:
+  double acceleration(double speed, double reference_speed) const;
+  double steeringRate(const BicycleState& state, double acceleration, std::size_t index) const;
+
+  LqrOptions options_;
+  double wheelbase_;
+  SpeedFit fit_;
+  std::vector<Pose2> poses_;
+  ReferenceProfile profile_;
+};
+
+}  // namespace forge

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "collision_forge/planner_test/planners/pdm_closed.h"
+#include "collision_forge/planner_test/planners/planner.h"
+
+namespace forge {
+
+/// PdmClosed on the lanes of a map, along the centrelines of the route.
+class PdmPlanner : public Planner {
+ public:
+  PdmPlanner(const PdmOptions& options, const RouteCenterlineOptions& route,
+             const KinematicBicycleOptions& bicycle, const LqrOptions& lqr);
+
+  void initialize(const DrivingTask& task) override;
+  /// The points tell time, pose and speed alone.
+  std::vector<TrajectoryPoint> plan(const Observation& observation) override;
+  std::vector<std::vector<Pose2>> proposals() const override;
+
+  /// Empty before initialize().
+  const std::optional<PdmClosed>& closed() const { return closed_; }
+
+ private:
+  PdmOptions options_;
+  RouteCenterlineOptions route_options_;
+  KinematicBicycleOptions bicycle_options_;
+  LqrOptions lqr_options_;
+  DrivingTask task_;
+  std::optional<PdmClosed> closed_;
+  std::optional<PdmMap> map_;
+};
+
+}  // namespace forge

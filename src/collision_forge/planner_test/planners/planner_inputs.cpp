@@ -1,0 +1,158 @@
+#include "collision_forge/planner_test/planners/planner_inputs.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "collision_forge/planner_test/planners/planner_contract.h"
+
+namespace forge {
+namespace {
+
+constexpr double kTimeSlack = 1e-3;  // s that a frame may be beyond what is known
+
+const DrivingTask& checked(const DrivingTask& task) {
+  if (!task.lanes) throw std::invalid_argument("a driving task needs lanes");
+  return task;
+}
+
+/// The time of a frame; the last is now.
+double timeOfFrame(double now, std::size_t frame) {
+  return now - static_cast<double>(kContractFrames - 1 - frame) * kContractFrameStep;
+}
+
+/// `time`, or the end of what is known where that is nearly the same.
+double within(double time, double first, double last) {
+  const double clamped = std::clamp(time, first, last);
+  return std::abs(clamped - time) <= kTimeSlack ? clamped : time;
+}
+
+void write(float* numbers, std::initializer_list<double> values) {
+  for (const double value : values) *numbers++ = static_cast<float>(value);
+}
+
+/// Linear between the points; empty before the first.
+std::optional<TrajectoryPoint> pointAt(const std::vector<TrajectoryPoint>& history, double time) {
+  time = within(time, history.front().time, history.back().time);
+  if (time < history.front().time) return std::nullopt;
+  const auto after = std::find_if(history.begin(), history.end(),
+                                  [&](const TrajectoryPoint& point) { return point.time >= time; });
+  if (after->time == time) return *after;
+  const TrajectoryPoint& before = *std::prev(after);
+  const double ratio = (time - before.time) / (after->time - before.time);
+  TrajectoryPoint point = before;
+  point.pose = interpolate(before.pose, after->pose, ratio);
+  point.speed += ratio * (after->speed - before.speed);
+  point.acceleration += ratio * (after->acceleration - before.acceleration);
+  return point;
+}
+
+void writeEgo(const std::vector<TrajectoryPoint>& history, float* numbers) {
+  const TrajectoryPoint& now = history.back();
+  for (std::size_t frame = 0; frame < kContractFrames; ++frame, numbers += kContractEgoNumbers) {
+    const auto point = pointAt(history, timeOfFrame(now.time, frame));
+    if (!point) continue;
+    const Pose2 local = relativeTo(now.pose, point->pose);
+    write(numbers, {local.x, local.y, local.yaw, point->speed, point->acceleration, 1.0});
+  }
+}
+
+/// 0 a vehicle, 1 on two wheels, 2 a pedestrian or an animal, 3 a static object.
+double kindOf(AgentClass agent_class) {
+  switch (agent_class) {
+    case AgentClass::kMotorcycle:
+    case AgentClass::kBicycle:
+      return 1.0;
+    case AgentClass::kPedestrian:
+    case AgentClass::kAnimal:
+      return 2.0;
+    case AgentClass::kStaticObject:
+      return 3.0;
+    default:
+      return 0.0;
+  }
+}
+
+/// Those with a state, nearest first.
+std::vector<const Track*> nearestAgents(const std::vector<Track>& agents, const Pose2& ego) {
+  std::vector<std::pair<double, const Track*>> found;
+  for (const Track& agent : agents) {
+    if (agent.states.empty()) continue;
+    const Vector2 away = agent.states.back().pose.position() - ego.position();
+    found.emplace_back(away.norm(), &agent);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<const Track*> nearest;
+  for (const auto& [distance, agent] : found) nearest.push_back(agent);
+  return nearest;
+}
+
+void writeAgents(const std::vector<Track>& agents, const TrajectoryPoint& ego, float* numbers,
+                 float* mask) {
+  const std::vector<const Track*> nearest = nearestAgents(agents, ego.pose);
+  const Eigen::Rotation2Dd turned(-ego.pose.yaw);
+  for (std::size_t i = 0; i < std::min(nearest.size(), kContractAgents); ++i) {
+    const Track& agent = *nearest[i];
+    for (std::size_t frame = 0; frame < kContractFrames; ++frame) {
+      const double time =
+          within(timeOfFrame(ego.time, frame), agent.states.front().time, agent.states.back().time);
+      const auto state = stateAt(agent, time);
+      if (!state) continue;
+      const Pose2 local = relativeTo(ego.pose, state->pose);
+      const Vector2 velocity = turned * state->velocity;
+      const std::size_t row = i * kContractFrames + frame;
+      write(numbers + row * kContractAgentNumbers,
+            {local.x, local.y, local.yaw, velocity.x(), velocity.y(), agent.size.length,
+             agent.size.width, kindOf(agent.agent_class)});
+      mask[row] = 1.0f;
+    }
+  }
+}
+
+/// The stretch of each lane around its place nearest to the ego.
+void writeLanes(const LaneIndex& lanes, const Pose2& ego, float* numbers, float* mask) {
+  const std::vector<std::size_t> near = lanes.lanesWithin(ego.position(), kContractLaneRadius);
+  for (std::size_t i = 0; i < std::min(near.size(), kContractLanes); ++i) {
+    const Polyline& line = *lanes.centerline(near[i]);
+    const double behind = 0.5 * static_cast<double>(kContractLanePoints) * kContractLaneSpacing;
+    const double start = std::max(line.project(ego.position()).arc_length - behind, 0.0);
+    for (std::size_t point = 0; point < kContractLanePoints; ++point) {
+      const double along = start + static_cast<double>(point) * kContractLaneSpacing;
+      if (along > line.length()) break;
+      const Pose2 local = relativeTo(ego, line.poseAt(along));
+      const std::size_t row = i * kContractLanePoints + point;
+      write(numbers + row * kContractLaneNumbers,
+            {local.x, local.y, local.yaw, lanes.map().lanes[near[i]].is_intersection ? 1.0 : 0.0});
+      mask[row] = 1.0f;
+    }
+  }
+}
+
+}  // namespace
+
+PlannerInputs::PlannerInputs(const DrivingTask& task, const RouteCenterlineOptions& options)
+    : lanes_(checked(task).lanes), way_(routeCenterline(*task.lanes, task.route, options)) {}
+
+std::vector<float> PlannerInputs::at(const std::vector<TrajectoryPoint>& ego_history,
+                                     const std::vector<Track>& agents) const {
+  const TrajectoryPoint& ego = ego_history.back();
+  std::vector<float> numbers(kContractNumbers, 0.0f);
+  const auto input = [&](ContractInput which) { return numbers.data() + contractStart(which); };
+  writeEgo(ego_history, input(kEgoHistory));
+  writeAgents(agents, ego, input(kAgents), input(kAgentsMask));
+  writeLanes(*lanes_, ego.pose, input(kLanes), input(kLanesMask));
+  writeRoute(ego.pose, input(kRoute));
+  return numbers;
+}
+
+void PlannerInputs::writeRoute(const Pose2& ego, float* route) const {
+  const double start = way_.project(ego.position());
+  for (std::size_t i = 0; i < kContractRoutePoints; ++i, route += kContractPoseNumbers) {
+    const double along = start + static_cast<double>(i) * kContractRouteSpacing;
+    const Pose2 local = relativeTo(ego, way_.at(along).pose);
+    write(route, {local.x, local.y, local.yaw});
+  }
+}
+
+}  // namespace forge

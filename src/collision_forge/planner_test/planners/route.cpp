@@ -1,0 +1,42 @@
+#include "collision_forge/planner_test/planners/route.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace forge {
+namespace {
+
+/// The lane that the last pose drives on, from beside it on; straight on off the lanes.
+std::vector<Vector2> wayAhead(const Pose2& last, const LaneIndex& lanes,
+                              const RouteOptions& options) {
+  const auto matches = lanes.lanesNear(last, options.end_lane_distance, options.end_lane_heading);
+  if (matches.empty()) return {last.position() + options.length_ahead * last.heading()};
+  const LaneMatch& nearest = matches.front();
+  return lanes.pathAhead(nearest.lane, nearest.projection.arc_length, options.length_ahead)
+      .points();
+}
+
+}  // namespace
+
+std::vector<Vector2> routeOf(const Track& recorded, const LaneIndex& lanes,
+                             const RouteOptions& options) {
+  if (recorded.states.empty()) {
+    throw std::invalid_argument("no route: track " + recorded.id + " has no states");
+  }
+  std::vector<Vector2> points = {recorded.states.front().pose.position()};
+  for (const AgentState& state : recorded.states) {
+    if ((state.pose.position() - points.back()).norm() >= options.spacing) {
+      points.push_back(state.pose.position());
+    }
+  }
+  const Pose2& last = recorded.states.back().pose;
+  const std::vector<Vector2> way = wayAhead(last, lanes, options);
+  const auto joined = std::find_if(way.begin(), way.end(), [&](const Vector2& point) {
+    return (point - last.position()).dot(last.heading()) >= options.join_distance;
+  });
+  points.insert(points.end(), joined, way.end());
+  if (points.size() < 2) points.push_back(last.position() + options.length_ahead * last.heading());
+  return points;
+}
+
+}  // namespace forge

@@ -1,0 +1,152 @@
+#include "collision_forge/planner_test/report/attack_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision_forge/attack/policy/attacker_policy.h"
+#include "collision_forge/io/scenarios/request_fields.h"
+#include "collision_forge/planner_test/report/compact_motion.h"
+#include "collision_forge/planner_test/trials/planner_result_file.h"
+
+namespace forge {
+namespace {
+
+constexpr double kCrashStep = 0.1;  // s between the states after a contact
+
+/// Those of the request's set, as far as both sets have them.
+void writeLimits(JsonLineWriter& writer, LimitSet set, const AttackerTrajectory& attacker,
+                 const VerificationOptions& options) {
+  writer.beginObject("limits");
+  if (set == LimitSet::kStrict) {
+    const VehicleLimits& limits = options.limits;
+    writer.text("of", "strict");
+    writer.number("max_forward_acceleration", limits.max_forward_acceleration);
+    writer.number("max_braking", limits.max_braking);
+    writer.number("max_lateral_acceleration", limits.max_total_acceleration);
+    writer.number("max_speed", limits.max_speed);
+  } else {
+    const auto& drivable = options.drivable;
+    const DriveLimits limits = driveLimitsOf(attacker.agent_class, attacker.size, drivable);
+    writer.text("of", toString(vehicleClassOf(attacker.agent_class, attacker.size, drivable)));
+    writer.number("max_forward_acceleration", limits.max_forward_acceleration);
+    writer.number("max_braking", limits.max_braking);
+    writer.number("max_lateral_acceleration", limits.max_lateral_acceleration);
+    writer.number("max_speed", limits.max_speed);
+  }
+  writer.endObject();
+}
+
+void writeAttacker(JsonLineWriter& writer, const AttackerTrajectory& attacker, double now) {
+  writer.beginObject("attacker");
+  writer.text("id", attacker.attacker_id);
+  writer.number("length", attacker.size.length);
+  writer.number("width", attacker.size.width);
+  writeStates(writer, "past", attacker.past, now);
+  writeTrajectory(writer, "trajectory", attacker.points, now);
+  writer.endObject();
+}
+
+void writeAim(JsonLineWriter& writer, const Realization& attack, double now) {
+  const CollisionPattern& aim = attack.aim;
+  writer.beginObject("aim");
+  writer.number("t", fromNow(aim.time, now));
+  writePose(writer, "ego", aim.ego.center);
+  writePose(writer, "attacker", compose(aim.ego.center, aim.attacker_offset));
+  writer.number("miss_distance", attack.miss.distance);
+  writer.endObject();
+}
+
+/// The points in short form.
+void writePlansInShort(JsonLineWriter& writer, const std::vector<AttackerPlan>& plans, double now) {
+  writePlans(writer, plans, now, [](JsonLineWriter& plan, const auto& points, double origin) {
+    writeTrajectory(plan, "trajectory", points, origin);
+  });
+}
+
+/// Speed and acceleration along the heading.
+template <typename StateAtTime>
+std::vector<TrajectoryPoint> pointsAfterContact(const ShownCrash& crash, const StateAtTime& at) {
+  const double begin = crash.motion.contactTime();
+  const double duration = crash.motion.standTime() + crash.seconds_after_stand - begin;
+  const int steps = static_cast<int>(std::ceil(duration / kCrashStep));
+  std::vector<TrajectoryPoint> points;
+  for (int i = 0; i <= steps; ++i) {
+    const double time = begin + std::min(i * kCrashStep, duration);
+    const AgentState state = at(time);
+    points.push_back({time, state.pose, state.velocity.dot(state.pose.heading()), 0.0, 0.0});
+  }
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    points[i].acceleration =
+        (points[i + 1].speed - points[i].speed) / (points[i + 1].time - points[i].time);
+  }
+  return points;
+}
+
+void writeCrash(JsonLineWriter& writer, const ShownCrash& crash, double now) {
+  const PostCrashMotion& motion = crash.motion;
+  writer.beginObject("crash");
+  writeTrajectory(writer, "ego",
+                  pointsAfterContact(crash, [&](double time) { return motion.egoAt(time); }), now);
+  writeTrajectory(writer, "attacker",
+                  pointsAfterContact(crash, [&](double time) { return motion.attackerAt(time); }),
+                  now);
+  writer.endObject();
+}
+
+void writeDrive(JsonLineWriter& writer, const ShownTest& shown, double now) {
+  const RolloutOutcome& driven = *shown.driven;
+  writer.beginObject("drive");
+  writeTrajectory(writer, "ego", driven.driven, now);
+  writeTrajectory(writer, "attacker", driven.attacker.points, now);
+  if (shown.crash) writeCrash(writer, *shown.crash, now);
+  if (shown.escape) writeTrajectory(writer, "escape", shown.escape->ego.motion, now);
+  writePlansInShort(writer, driven.attacker_plans, now);
+  writer.endObject();
+}
+
+}  // namespace
+
+std::string attackRecord(const Scenario& scenario, const Realization& attack,
+                         const std::optional<RecordedOutcome>& recorded,
+                         const VerificationOptions& options) {
+  const double now = scenario.asked.now;
+  JsonLineWriter writer;
+  writer.beginObject();
+  writer.number("ego_length", scenario.ego.size.length);
+  writer.number("ego_width", scenario.ego.size.width);
+  writer.beginObject("request");
+  writer.count("seed", scenario.asked.request.seed);
+  writeControls(writer, scenario.asked.request);
+  writer.endObject();
+  writeAttacker(writer, attack.trajectory, now);
+  writeAim(writer, attack, now);
+  writeCollisionReport(writer, "report", attack.report, now);
+  if (recorded) writeCollisionReport(writer, "recorded", recorded->report, now);
+  if (recorded && recorded->crash) writeCrash(writer, *recorded->crash, now);
+  writeLimits(writer, scenario.asked.request.crash.limits, attack.trajectory, options);
+  const bool is_first = &attack == &scenario.answer;
+  writePlansInShort(writer, is_first ? scenario.plans : std::vector<AttackerPlan>(), now);
+  writer.endObject();
+  return writer.line();
+}
+
+std::string plannerRecord(const PlannerTestResult& result, const PlannerRow& row,
+                          const ShownTest& shown) {
+  JsonLineWriter writer;
+  writer.beginObject();
+  writeAvoidability(writer, "avoidability", result.avoidability);
+  writePlannerRow(writer, row, result.now);
+  if (shown.driven) writeDrive(writer, shown, result.now);
+  writer.beginArray("pictures");
+  for (const PictureLink& picture : shown.pictures) {
+    writer.beginObject();
+    writer.text("name", picture.name);
+    writer.text("link", picture.link);
+    writer.endObject();
+  }
+  writer.endArray();
+  writer.endObject();
+  return writer.line();
+}
+
+}  // namespace forge

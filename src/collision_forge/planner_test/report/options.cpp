@@ -1,0 +1,14 @@
+#include "collision_forge/planner_test/report/options.h"
+
+#include "collision_forge/base/config/section.h"
+
+namespace forge {
+
+void readOptions(Section& section, ReportOptions& options) {
+  options.seconds_before_now = section.nonNegative("seconds_before_now");
+  options.map_margin = section.positive("map_margin");
+  options.map_tolerance = section.nonNegative("map_tolerance");
+  options.planner_drives = section.count("planner_drives", 0);
+}
+
+}  // namespace forge

@@ -1,0 +1,26 @@
+#include "collision_forge/planner_test/report/page_file.h"
+
+#include "collision_forge/planner_test/report/deflated_text.h"
+#include "collision_forge/planner_test/report/page_parts.h"
+
+namespace forge {
+
+// The records are base64, a line each: no text of theirs can end the element that they are in.
+
+PageFile::PageFile(const std::string& path) : file_(path) {
+  file_.stream() << kPageHead << "<script type=\"text/plain\" id=\"records\">\n";
+}
+
+std::size_t PageFile::add(const std::string& record) {
+  file_.stream() << deflatedText(record) << '\n';
+  return count_++;
+}
+
+void PageFile::commit(const std::string& index) {
+  file_.stream() << "</script>\n<script type=\"text/plain\" id=\"index\">" << deflatedText(index)
+                 << "</script>\n"
+                 << kPageFoot;
+  file_.commit();
+}
+
+}  // namespace forge

@@ -1,0 +1,61 @@
+#include "collision_forge/planner_test/report/pictures.h"
+
+#include <filesystem>
+#include <set>
+
+#include "collision_forge/base/files/plain_name.h"
+#include "collision_forge/planner_test/report/weakness_files.h"
+#include "collision_forge/planner_test/trials/planner_report.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The animation or the picture of that name, if either is there.
+void add(std::vector<Picture>& pictures, const std::string& name, const std::string& path) {
+  for (const char* ending : {".gif", ".png"}) {
+    if (!fs::exists(path + ending)) continue;
+    pictures.push_back({name, path + ending});
+    return;
+  }
+}
+
+/// The pictures are numbered by worstCases().
+void addWorst(TestPictures& pictures, const std::string& folder,
+              const std::vector<PlannerTestResult>& results) {
+  if (!fs::is_directory(folder)) return;
+  std::set<std::pair<std::string, PolicyKind>> tested;
+  for (const PlannerTestResult& result : results) {
+    for (const PlannerRow& row : result.rows) tested.emplace(row.planner, row.attacker.policy);
+  }
+  for (const auto& [planner, policy] : tested) {
+    if (!nameFault(planner).empty()) continue;  // of a file that somebody wrote by hand
+    const std::string row = rowName(planner, policy);
+    int rank = 0;
+    for (const WorstCase& worst : worstCases(results, {row}, results.size())) {
+      const std::string name = planner + "_" + toString(policy) + "_" + std::to_string(++rank);
+      add(pictures[{results[worst.result].name, row}], "The hit as driven", folder + "/" + name);
+    }
+  }
+}
+
+}  // namespace
+
+TestPictures picturesBeside(const std::string& results_path,
+                            const std::vector<PlannerTestResult>& results,
+                            const InputLimits& limits) {
+  const std::string folder = fs::absolute(results_path).parent_path().string();
+  TestPictures pictures;
+  addWorst(pictures, folder + "/worst", results);
+  int rank = 0;
+  for (const WitnessedHit& hit : readWitnessedHits(folder, limits)) {
+    const std::string path = folder + "/weaknesses/" + std::to_string(++rank);
+    std::vector<Picture>& of = pictures[{hit.name, hit.row}];
+    add(of, "Weakness " + std::to_string(rank), path);
+    add(of, "Its escape", path + "_escape");
+  }
+  return pictures;
+}
+
+}  // namespace forge

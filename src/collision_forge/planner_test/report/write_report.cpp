@@ -1,0 +1,448 @@
+#include "collision_forge/planner_test/report/write_report.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/batch/worker_pool.h"
+#include "collision_forge/io/logs/scene_source.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
+#include "collision_forge/planner_test/planners/planner_factory.h"
+#include "collision_forge/planner_test/report/attack_record.h"
+#include "collision_forge/planner_test/report/page_file.h"
+#include "collision_forge/planner_test/report/pictures.h"
+#include "collision_forge/planner_test/report/report_files.h"
+#include "collision_forge/planner_test/report/report_row.h"
+#include "collision_forge/planner_test/report/scene_record.h"
+#include "collision_forge/planner_test/report/shell_commands.h"
+#include "collision_forge/planner_test/report/weakness_files.h"
+#include "collision_forge/planner_test/trials/planner_cases.h"
+#include "collision_forge/planner_test/trials/planner_result_file.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A planner test of the table, and what it takes to drive it again.
+struct ListedTest {
+  std::size_t row = 0;
+  PlannerTestResult result;
+  std::size_t planner = 0;  ///< of the result's rows
+
+  const PlannerRow& tested() const { return result.rows[planner]; }
+  /// The harder the hit the earlier it is driven again.
+  double weight() const {
+    const auto& contact = tested().outcome.contact;
+    return contact ? 1.0 + contact->impact_speed : 0.0;
+  }
+};
+
+/// An attack, held against the recording.
+struct Judgement {
+  StrictOutcome outcome;
+  std::optional<ShownCrash> crash;  ///< with a contact
+};
+
+struct KnownPlanner {
+  std::string name;
+  const TrialOptions* options;
+};
+
+/// The same contact, or none, up to what a results file rounds.
+bool isSame(const RolloutOutcome& driven, const RolloutOutcome& tested) {
+  constexpr double kTolerance = 1e-3;  // s
+  if (driven.failure != tested.failure) return false;
+  if (!driven.contact || !tested.contact) return !driven.contact && !tested.contact;
+  return std::abs(driven.contact->time - tested.contact->time) < kTolerance &&
+         driven.contact->other_id == tested.contact->other_id;
+}
+
+bool isPlannerName(const std::string& name) {
+  const std::vector<std::string>& names = plannerNames();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Calls `work` for all of [0, count) on threads; what it returns, in order.
+std::vector<std::string> workOnAll(std::size_t count, int jobs, const WorkerPool::Work& work) {
+  constexpr std::chrono::milliseconds kPatience(200);
+  ProgressLine progress("planner tests");
+  std::vector<std::string> results(count);
+  WorkerPool pool(jobs, work);
+  for (std::size_t given = 0, done = 0; done < count;) {
+    while (given < count && pool.wantsMore()) pool.give(given++);
+    for (ItemResult& result : pool.collect(kPatience)) {
+      if (result.error) std::rethrow_exception(result.error);
+      results[result.index] = std::move(result.bytes);
+      ++done;
+    }
+    progress.show(done, count);
+  }
+  return results;
+}
+
+void writeColor(JsonLineWriter& writer, const char* key, const Color& color) {
+  writer.numbers(key, {color.red, color.green, color.blue});
+}
+
+/// Reads the inputs one after the other into the page.
+class ReportBuilder {
+ public:
+  ReportBuilder(const ReportInputs& inputs, const std::string& folder,
+                const ReportSettings& settings)
+      : inputs_(inputs),
+        folder_(folder),
+        settings_(settings),
+        page_((fs::path(folder) / "index.html").string()) {
+    for (const std::string& path : inputs.files) {
+      files_.push_back(openReportFile(path, settings.formats, settings.options.input_limits));
+    }
+    for (const std::string& path : scenarioPaths()) nameWeaknesses(path);
+    if (!inputs.logs.path.empty()) openScenes();
+  }
+
+  std::size_t build() {
+    // Tests name the attacks that they are of, so these come first.
+    for (const bool is_of_attacks : {true, false}) {
+      for (std::size_t i = 0; i < files_.size(); ++i) {
+        if ((files_[i].kind == ReportFileKind::kScenarios) == is_of_attacks) read(i);
+      }
+    }
+    findPictures();
+    addTests();
+    addScenes();
+    page_.commit(index());
+    return rows_.size();
+  }
+
+ private:
+  std::vector<std::string> scenarioPaths() const {
+    std::vector<std::string> paths;
+    for (const ReportFile& file : files_) {
+      if (file.kind == ReportFileKind::kScenarios) paths.push_back(file.path);
+    }
+    return paths;
+  }
+
+  /// The lines of weaknesses.jsonl are cases that the results know by other names.
+  void nameWeaknesses(const fs::path& path) {
+    if (path.filename() != "weaknesses.jsonl") return;
+    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    std::size_t line = 0;
+    for (const std::string& name : weaknessCases(folder, settings_.options.input_limits)) {
+      lines_[name] = "weaknesses:" + std::to_string(++line);
+    }
+  }
+
+  /// FILE:LINE of the scenario that a case is.
+  const std::string& lineOf(const std::string& name) const {
+    const auto found = lines_.find(name);
+    return found != lines_.end() ? found->second : name;
+  }
+
+  void openScenes() {
+    const auto known = readSceneNames(inputs_.logs);
+    known_.insert(known.begin(), known.end());
+    std::vector<std::string> wanted;
+    for (const std::string& scene : readScenes(scenarioPaths(), settings_.options.input_limits)) {
+      if (known_.count(scene) > 0) wanted.push_back(scene);
+    }
+    if (wanted.empty()) return;
+    scenes_ = std::make_unique<SceneSource>(inputs_.logs, wanted, settings_.options, 2);
+  }
+
+  void read(std::size_t place) {
+    const ReportFile& file = files_[place];
+    ProgressLine progress(file.path);
+    const auto take = [&](const std::string& where, std::size_t line, const std::string& text,
+                          double share) {
+      const std::size_t first = rows_.size();
+      switch (file.kind) {
+        case ReportFileKind::kScenarios:
+          addScenario(where, text, fs::path(file.path).stem().string(), line);
+          break;
+        case ReportFileKind::kPlannerTests:
+          addPlannerTest(where, text);
+          break;
+        case ReportFileKind::kRows:
+          addRow(file.format, where, text);
+      }
+      for (std::size_t i = first; i < rows_.size(); ++i) {
+        rows_[i].file = place;
+        rows_[i].line = line;
+      }
+      progress.show(share);
+    };
+    readReportLines(file, settings_.options.input_limits, take);
+  }
+
+  void addScenario(const std::string& where, const std::string& text, const std::string& source,
+                   std::size_t line) {
+    const Scenario scenario = readScenarioLine(where, text, settings_.options.input_limits);
+    const std::string& scene = scenario.asked.scene;
+    if (!inputs_.logs.path.empty() && known_.count(scene) == 0) {
+      throw std::runtime_error(where + ": scene = \"" + scene + "\" is not in " +
+                               inputs_.logs.described());
+    }
+    attacks_.emplace(source + ":" + std::to_string(line), rows_.size());
+    int number = 1;
+    addAttack(scenario, scenario.answer, number);
+    for (const Realization& alternative : scenario.answer.alternatives) {
+      addAttack(scenario, alternative, ++number);
+    }
+  }
+
+  /// `alternative` counts the attacks of the scenario from 1 on.
+  void addAttack(const Scenario& scenario, const Realization& attack, int alternative) {
+    std::optional<Judgement> judgement;
+    std::optional<double> now_in_recording;
+    const bool is_attack = attack.status.code == StatusCode::kOk;
+    if (scenes_) {
+      if (is_attack) judgement = judge(scenario, attack);
+      const Scene& scene = scenes_->at(scenario.asked.scene)->scene;
+      if (!scene.frame_times.empty()) {
+        now_in_recording = fromNow(scenario.asked.now, scene.frame_times.front());
+      }
+      include(scenario, attack, judgement ? judgement->crash : std::nullopt);
+    }
+    ReportRow& row = rows_.emplace_back(rowOfAttack(
+        scenario, attack, judgement ? std::optional(judgement->outcome) : std::nullopt));
+    row.now_in_recording = now_in_recording;
+    row.commands = page_.add(commandsRecord(commandsOfAttack(
+        scenario, alternative, now_in_recording, inputs_.logs, settings_.options.crash)));
+    if (!is_attack) return;
+    std::optional<RecordedOutcome> recorded;
+    if (judgement) recorded = RecordedOutcome{judgement->outcome.report, judgement->crash};
+    row.attack =
+        page_.add(attackRecord(scenario, attack, recorded, settings_.options.attack.verification));
+  }
+
+  /// In what is shown of its scene.
+  void include(const Scenario& scenario, const Realization& attack,
+               const std::optional<ShownCrash>& crash) {
+    const double now = scenario.asked.now;
+    const std::vector<TrajectoryPoint>& points = attack.trajectory.points;
+    double end = points.empty() ? now + scenario.asked.request.tta : points.back().time;
+    if (crash) end = std::max(end, crash->motion.standTime() + crash->seconds_after_stand);
+    extents_[scenario.asked.scene].include(now - settings_.report.seconds_before_now, end, points);
+  }
+
+  /// Empty without a contact.
+  std::optional<ShownCrash> shownCrash(const std::optional<PostCrashMotion>& motion) const {
+    if (!motion) return std::nullopt;
+    return ShownCrash{*motion, settings_.seconds_after_stand};
+  }
+
+  /// Empty where the recording has no frame at now.
+  std::optional<Judgement> judge(const Scenario& scenario, const Realization& attack) {
+    Scenario judged{scenario.asked, scenario.ego, attack};
+    const PlannerCase one =
+        caseOfScenario(judged, *scenes_->at(scenario.asked.scene), settings_.options);
+    if (one.status.code != StatusCode::kOk) return std::nullopt;
+    const CrashScenario& crash = one.scenario;
+    const VerificationOptions& options = settings_.options.attack.verification;
+    const StrictOutcome outcome = strictOutcome(
+        crash.attacker, {crash.snapshot, crash.recorded, one.request, *crash.lanes}, options);
+    return Judgement{outcome, shownCrash(motionAfterContact(outcome.report, crash.attacker,
+                                                            crash.recorded.ego, options.drivable))};
+  }
+
+  void addPlannerTest(const std::string& where, const std::string& text) {
+    const PlannerTestResult result = readPlannerResultLine(where, text);
+    const auto found = attacks_.find(lineOf(result.name));
+    const std::optional<ReportRow> attack =
+        found != attacks_.end() ? std::optional(rows_[found->second]) : std::nullopt;
+    const ReportRow* known = attack ? &*attack : nullptr;
+    if (result.rows.empty()) rows_.push_back(rowOfTest(result, nullptr, known));
+    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+      const PlannerRow& test = result.rows[i];
+      if (result.isTested()) tests_.push_back({rows_.size(), result, i});
+      ReportRow& row = rows_.emplace_back(rowOfTest(result, &test, known));
+      if (known == nullptr || !isPlannerName(test.planner)) continue;
+      row.commands = page_.add(
+          commandsRecord({commandsOfTest(files_[known->file].path, known->line, test.planner,
+                                         test.attacker.policy, inputs_.background, inputs_.logs)}));
+    }
+  }
+
+  void addRow(const RowFormat& format, const std::string& where, const std::string& text) {
+    const std::optional<ReportRow> row = format.rowOf(text);
+    if (!row) throw std::runtime_error(where + ": \"" + text + "\" is no row of results.csv");
+    rows_.push_back(*row);
+  }
+
+  std::vector<PictureLink> picturesOf(const ListedTest& test) const {
+    const auto file = pictures_.find(rows_[test.row].file);
+    if (file == pictures_.end()) return {};
+    const PlannerRow& row = test.tested();
+    const auto found =
+        file->second.find({test.result.name, rowName(row.planner, row.attacker.policy)});
+    std::vector<PictureLink> links;
+    if (found == file->second.end()) return links;
+    for (const Picture& picture : found->second) {
+      links.push_back({picture.name, linkTo(picture.path, folder_)});
+    }
+    return links;
+  }
+
+  /// Of every file of planner tests.
+  void findPictures() {
+    std::map<std::size_t, std::vector<PlannerTestResult>> results;
+    for (const ListedTest& test : tests_) {
+      std::vector<PlannerTestResult>& of = results[rows_[test.row].file];
+      if (test.planner == 0) of.push_back(test.result);
+    }
+    for (const auto& [file, of] : results) {
+      pictures_[file] = picturesBeside(files_[file].path, of, settings_.options.input_limits);
+    }
+  }
+
+  /// Empty where nobody knows how it drove.
+  std::optional<KnownPlanner> plannerOf(const PlannerRow& row) const {
+    for (const PlannerVariant& variant : inputs_.variants) {
+      if (variant.name == row.planner) return KnownPlanner{inputs_.planner, &variant.options};
+    }
+    if (!isPlannerName(row.planner)) return std::nullopt;
+    return KnownPlanner{row.planner, &settings_.trials};
+  }
+
+  /// Empty without a contact of the planner's ego with the attacker.
+  std::optional<PostCrashMotion> crashOf(const PlannerCase& one,
+                                         const RolloutOutcome& driven) const {
+    if (!driven.contact || !driven.contact->is_attacker) return std::nullopt;
+    const Track ego{kEgoId, AgentClass::kCar, one.scenario.recorded.ego.size,
+                    toStates(driven.driven)};
+    return motionAfterContact(driven.contact->time, driven.attacker, ego,
+                              settings_.options.attack.verification.drivable);
+  }
+
+  /// The records of all tests, of as many as may be with the motions.
+  void addTests() {
+    std::stable_sort(tests_.begin(), tests_.end(), [](const ListedTest& a, const ListedTest& b) {
+      return a.weight() > b.weight();
+    });
+    std::unique_ptr<PlannerCases> cases;
+    std::map<std::string, std::size_t> places;
+    if (scenes_ && !tests_.empty()) {
+      cases = openScenarioCases(scenarioPaths(), inputs_.logs,
+                                static_cast<std::size_t>(inputs_.jobs) + 1, settings_.options);
+      for (const std::string& name : cases->names()) places.emplace(name, places.size());
+    }
+    TestPlan plan{{}, inputs_.background, {}, loadForesight(settings_.options)};
+    const auto driven = [&](std::size_t index) {
+      const ListedTest& test = tests_[index];
+      const auto place = places.find(lineOf(test.result.name));
+      const auto planner = plannerOf(test.tested());
+      ShownTest shown{{}, {}, {}, picturesOf(test)};
+      if (place == places.end() || !planner) {
+        return plannerRecord(test.result, test.tested(), shown);
+      }
+      const PlannerCase one = cases->at(place->second);
+      const PolicyKind policy = test.tested().attacker.policy;
+      RolloutOutcome outcome =
+          driveAgain(one, planner->name, policy, plan, settings_.options, *planner->options);
+      if (isSame(outcome, test.tested().outcome)) {
+        if (test.tested().escape && test.tested().escape->is_avoidable) {
+          shown.escape =
+              escapeAgain(one, outcome, policy, plan, settings_.options, *planner->options);
+        }
+        shown.crash = shownCrash(crashOf(one, outcome));
+        shown.driven = std::move(outcome);
+      }
+      return plannerRecord(test.result, test.tested(), shown);
+    };
+    const auto count =
+        std::min(tests_.size(), static_cast<std::size_t>(settings_.report.planner_drives));
+    const std::vector<std::string> records = workOnAll(count, inputs_.jobs, driven);
+    for (std::size_t i = 0; i < tests_.size(); ++i) {
+      const ListedTest& test = tests_[i];
+      rows_[test.row].test = page_.add(
+          i < count ? records[i]
+                    : plannerRecord(test.result, test.tested(), {{}, {}, {}, picturesOf(test)}));
+    }
+  }
+
+  void addScenes() {
+    std::map<std::string, std::size_t> places;
+    ProgressLine progress("scenes");
+    for (const auto& [name, extent] : extents_) {
+      places[name] = page_.add(sceneRecord(scenes_->at(name)->scene, extent, settings_.report));
+      progress.show(places.size(), extents_.size());
+    }
+    for (ReportRow& row : rows_) {
+      const auto place = places.find(row.scene);
+      if (place != places.end() && row.now) row.place = place->second;
+    }
+  }
+
+  std::string index() const {
+    JsonLineWriter writer;
+    writer.beginObject();
+    writer.text("source", inputs_.logs.path);
+    writer.text("version", inputs_.logs.version);
+    writer.count("rows", rows_.size());
+    writer.beginArray("files");
+    for (const ReportFile& file : files_) {
+      writer.beginObject();
+      writer.text("path", file.path);
+      writer.flag("has_tests", file.kind == ReportFileKind::kPlannerTests);
+      writer.text("link", linkTo(file.path, folder_));
+      writer.endObject();
+    }
+    writer.endArray();
+    writeColors(writer);
+    writeColumns(writer, rows_);
+    writer.endObject();
+    return writer.line();
+  }
+
+  void writeColors(JsonLineWriter& writer) const {
+    const DrawingOptions& drawing = settings_.drawing;
+    writer.beginObject("colors");
+    writeColor(writer, "drivable", drawing.drivable_color);
+    writeColor(writer, "walkway", drawing.walkway_color);
+    writeColor(writer, "lane", drawing.lane_color);
+    writeColor(writer, "connector", drawing.connector_color);
+    writeColor(writer, "agent", drawing.agent_color);
+    writeColor(writer, "ego", drawing.ego_color);
+    writeColor(writer, "attacker", drawing.attacker_color);
+    writeColor(writer, "aim-ego", drawing.pattern_ego_color);
+    writeColor(writer, "aim-attacker", drawing.pattern_attacker_color);
+    writeColor(writer, "contact", drawing.contact_color);
+    writeColor(writer, "passed", drawing.passed_color);
+    writeColor(writer, "partial", drawing.partial_color);
+    writeColor(writer, "failed", drawing.failed_color);
+    writer.endObject();
+  }
+
+  const ReportInputs& inputs_;
+  const std::string& folder_;
+  const ReportSettings& settings_;
+  PageFile page_;
+  std::vector<ReportFile> files_;
+  std::set<std::string> known_;          ///< scenes of the source
+  std::unique_ptr<SceneSource> scenes_;  ///< of the scenario files; null without a source
+  std::vector<ReportRow> rows_;
+  std::map<std::string, std::size_t> attacks_;  ///< rows of scenarios by the names of their cases
+  std::map<std::string, std::string> lines_;    ///< see lineOf()
+  std::map<std::string, SceneExtent> extents_;  ///< by scene
+  std::vector<ListedTest> tests_;
+  std::map<std::size_t, TestPictures> pictures_;  ///< by the places of their files
+};
+
+}  // namespace
+
+std::size_t writeReportPage(const ReportInputs& inputs, const std::string& folder,
+                            const ReportSettings& settings) {
+  fs::create_directories(folder);
+  return ReportBuilder(inputs, folder, settings).build();
+}
+
+}  // namespace forge

@@ -1,0 +1,30 @@
+#include "collision_forge/planner_test/trials/avoidance_words.h"
+
+#include <cstdio>
+
+#include "collision_forge/base/scene/clock.h"
+
+namespace forge {
+namespace {
+
+std::string secondsText(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.1f s", seconds);
+  return text;
+}
+
+}  // namespace
+
+std::string avoidanceWords(EvasiveManoeuvre manoeuvre, double start, bool is_escape) {
+  const bool is_at_once = start < kTimeEpsilon;
+  if (manoeuvre == EvasiveManoeuvre::kKeeping) {
+    if (!is_escape) return "by driving as recorded";
+    return is_at_once ? "by keeping its speed"
+                      : "by keeping its speed from " + secondsText(start) + " on";
+  }
+  const bool is_both = manoeuvre == EvasiveManoeuvre::kBoth;
+  return (is_at_once ? "at once" : "up to " + secondsText(start)) + " by " +
+         (is_both ? "steering and braking" : toString(manoeuvre));
+}
+
+}  // namespace forge

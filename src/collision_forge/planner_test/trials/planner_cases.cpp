@@ -1,0 +1,134 @@
+#include "collision_forge/planner_test/trials/planner_cases.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+
+#include "collision_forge/base/files/fingerprint.h"
+#include "collision_forge/io/json/input_line.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A line of a file of scenarios.
+struct ScenarioText {
+  std::string where;
+  std::string text;   ///< empty for a line that cannot be read
+  std::string scene;  ///< likewise
+  std::string error;  ///< why it cannot be read
+};
+
+struct ScenarioTexts {
+  std::vector<ScenarioText> lines;
+  std::string fingerprint;
+
+  void add(const std::string& path, const InputLimits& limits) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw std::runtime_error(path + ": cannot be read");
+    int number = 1;
+    const auto where = [&] { return path + ": line " + std::to_string(number); };
+    for (std::string text; readInputLine(file, text, where(), limits); ++number) {
+      fingerprint = forge::fingerprint(text, fingerprint);
+      try {
+        const std::string scene = readScenarioLine(where(), text, limits).asked.scene;
+        lines.push_back({where(), text, scene, ""});
+      } catch (const JsonLineError& error) {
+        lines.push_back({where(), "", "", error.what()});
+      }
+    }
+    if (number == 1) throw std::runtime_error(path + ": has no scenarios");
+  }
+};
+
+class ScenarioCases : public PlannerCases {
+ public:
+  ScenarioCases(const std::vector<std::string>& paths, const LogSource& logs,
+                std::size_t scenes_kept, const AnswerOptions& options,
+                const NuScenesProgress& on_progress)
+      : options_(options) {
+    std::set<std::string> sources;
+    for (const std::string& path : paths) {
+      const std::string source = fs::path(path).stem().string();
+      if (!sources.insert(source).second) {
+        throw std::runtime_error("two scenario files have the same name, " + source);
+      }
+      const std::size_t before = texts_.lines.size();
+      texts_.add(path, options.input_limits);
+      for (std::size_t i = before; i < texts_.lines.size(); ++i) {
+        names_.push_back(source + ":" + std::to_string(i - before + 1));
+        sources_.push_back(source);
+      }
+    }
+    const auto known = readSceneNames(logs);
+    known_.insert(known.begin(), known.end());
+    const std::vector<std::string> wanted = wantedScenes();
+    if (!wanted.empty()) {
+      scenes_ = std::make_unique<SceneSource>(logs, wanted, options, scenes_kept, OnWarnings(),
+                                              on_progress);
+    }
+  }
+
+  const std::vector<std::string>& names() const override { return names_; }
+
+  std::string fingerprint() const override {
+    return std::to_string(names_.size()) + " scenarios, fingerprint " + texts_.fingerprint;
+  }
+
+  PlannerCase at(std::size_t index) const override {
+    const ScenarioText& line = texts_.lines[index];
+    if (line.text.empty()) throw std::runtime_error(line.error);
+    const Scenario scenario = readScenarioLine(line.where, line.text, options_.input_limits);
+    if (known_.count(scenario.asked.scene) == 0) {
+      throw std::runtime_error(line.where + ": scene = \"" + scenario.asked.scene +
+                               "\" is not in the data");
+    }
+    PlannerCase one = caseOfScenario(scenario, *scenes_->at(scenario.asked.scene), options_);
+    one.name = names_[index];
+    one.source = sources_[index];
+    return one;
+  }
+
+ private:
+  /// Those that there are, of the lines that can be read, in the order of the lines.
+  std::vector<std::string> wantedScenes() const {
+    std::vector<std::string> wanted;
+    std::set<std::string> seen;
+    for (const ScenarioText& line : texts_.lines) {
+      const bool is_known = known_.count(line.scene) > 0;
+      if (is_known && seen.insert(line.scene).second) wanted.push_back(line.scene);
+    }
+    return wanted;
+  }
+
+  const AnswerOptions& options_;
+  ScenarioTexts texts_;
+  std::vector<std::string> names_;
+  std::vector<std::string> sources_;
+  std::set<std::string> known_;
+  std::unique_ptr<SceneSource> scenes_;
+};
+
+}  // namespace
+
+std::set<std::string> readScenes(const std::vector<std::string>& paths, const InputLimits& limits) {
+  ScenarioTexts texts;
+  for (const std::string& path : paths) texts.add(path, limits);
+  std::set<std::string> scenes;
+  for (const ScenarioText& line : texts.lines) {
+    if (!line.text.empty()) scenes.insert(line.scene);
+  }
+  return scenes;
+}
+
+std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
+                                                const LogSource& logs, std::size_t scenes_kept,
+                                                const AnswerOptions& options,
+                                                const NuScenesProgress& on_progress) {
+  return std::make_unique<ScenarioCases>(paths, logs, scenes_kept, options, on_progress);
+}
+
+}  // namespace forge

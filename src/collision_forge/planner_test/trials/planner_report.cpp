@@ -1,0 +1,333 @@
+#include "collision_forge/planner_test/trials/planner_report.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "collision_forge/base/scene/number_words.h"
+
+namespace forge {
+namespace {
+
+constexpr TableUnit kShare{};
+constexpr double kSoft = 0.5;  // m/s; a softer contact does no harm
+
+using ValueOf = std::function<std::optional<double>(const PlannerTestResult&, const PlannerRow&)>;
+
+/// A measure of a rollout; its value is empty where the rollout is no trial of it.
+struct RolloutMeasure {
+  Measure measure;
+  TableUnit unit;
+  ValueOf value;
+  bool counts_unfit = false;  ///< rows of unfit clips are trials, too
+};
+
+bool hasFailed(const RolloutOutcome& outcome) { return outcome.failure != PlannerFailure::kNone; }
+
+bool hitsAttacker(const RolloutOutcome& outcome) {
+  return outcome.contact && outcome.contact->is_attacker;
+}
+
+/// 1 where it is met, of the rollouts without a failure in the cases that are wanted.
+ValueOf shareOf(const std::function<bool(const PlannerTestResult&)>& is_wanted,
+                const std::function<bool(const RolloutOutcome&)>& is_met) {
+  return [=](const PlannerTestResult& result, const PlannerRow& row) -> std::optional<double> {
+    if (hasFailed(row.outcome) || !is_wanted(result)) return std::nullopt;
+    return is_met(row.outcome) ? 1.0 : 0.0;
+  };
+}
+
+bool isAny(const PlannerTestResult&) { return true; }
+bool isAvoidable(const PlannerTestResult& result) { return result.avoidability.is_avoidable; }
+bool isStrict(const PlannerTestResult& result) { return result.is_strict; }
+bool isStrictAvoidable(const PlannerTestResult& result) {
+  return isStrict(result) && isAvoidable(result);
+}
+
+std::optional<double> impactSpeed(const PlannerTestResult&, const PlannerRow& row) {
+  const RolloutOutcome& outcome = row.outcome;
+  if (hasFailed(outcome) || !hitsAttacker(outcome)) return std::nullopt;
+  return outcome.contact->impact_speed;
+}
+
+/// 1 where the contact with the attacker is such, of those collisions.
+ValueOf shareOfCollisions(const std::function<bool(const PlannerContact&)>& is_met) {
+  return [=](const PlannerTestResult&, const PlannerRow& row) -> std::optional<double> {
+    if (hasFailed(row.outcome) || !hitsAttacker(row.outcome)) return std::nullopt;
+    return is_met(*row.outcome.contact) ? 1.0 : 0.0;
+  };
+}
+
+/// 1 where it is true of the attacker, of the rollouts without a failure.
+ValueOf ofAttackers(const std::function<bool(const AttackerSummary&)>& is_met) {
+  return [=](const PlannerTestResult&, const PlannerRow& row) -> std::optional<double> {
+    if (hasFailed(row.outcome)) return std::nullopt;
+    return is_met(row.attacker) ? 1.0 : 0.0;
+  };
+}
+
+/// Without unfair hits, which say nothing of the planner.
+std::optional<double> fairCollision(const PlannerTestResult&, const PlannerRow& row) {
+  if (hasFailed(row.outcome) || !row.is_fair) return std::nullopt;
+  return hitsAttacker(row.outcome) ? 1.0 : 0.0;
+}
+
+std::optional<double> canEscape(const PlannerTestResult&, const PlannerRow& row) {
+  if (hasFailed(row.outcome) || !row.escape) return std::nullopt;
+  return row.escape->is_avoidable ? 1.0 : 0.0;
+}
+
+std::optional<double> publishedHit(const PlannerTestResult&, const PlannerRow& row) {
+  if (!row.published_hit) return std::nullopt;
+  return *row.published_hit ? 1.0 : 0.0;
+}
+
+std::optional<double> offRoad(const PlannerTestResult&, const PlannerRow& row) {
+  if (hasFailed(row.outcome)) return std::nullopt;
+  return row.outcome.off_road_share;
+}
+
+std::optional<double> progress(const PlannerTestResult&, const PlannerRow& row) {
+  const RolloutOutcome& outcome = row.outcome;
+  constexpr double kStanding = 1.0;  // m; less progress is nothing to compare with
+  if (hasFailed(outcome) || outcome.recorded_progress < kStanding) return std::nullopt;
+  return outcome.progress / outcome.recorded_progress;
+}
+
+/// Of every part of nuPlan's score the mean.
+std::vector<RolloutMeasure> nuplanMeasures() {
+  std::vector<RolloutMeasure> measures;
+  for (const NuplanPart& part : nuplanParts()) {
+    std::string title = std::string("nuPlan's ") + part.name + ", mean";
+    std::replace(title.begin(), title.end(), '_', ' ');
+    measures.push_back(
+        {{std::string("nuplan_") + part.name, title, {}, false},
+         kShare,
+         [part](const PlannerTestResult&, const PlannerRow& row) -> std::optional<double> {
+           if (hasFailed(row.outcome)) return std::nullopt;
+           return row.outcome.nuplan.*part.value;
+         }});
+  }
+  return measures;
+}
+
+std::vector<RolloutMeasure> rolloutMeasures() {
+  const auto collides = [](const RolloutOutcome& outcome) { return hitsAttacker(outcome); };
+  std::vector<RolloutMeasure> measures = {
+      {{"collision", "Collisions with the attacker", {}, false}, kShare, shareOf(isAny, collides)},
+      {{"collision_avoidable", "Collisions with the attacker, of avoidable crashes", {}, false},
+       kShare,
+       shareOf(isAvoidable, collides)},
+      {{"collision_strict", "Collisions with the attacker, of strict crashes", {}, false},
+       kShare,
+       shareOf(isStrict, collides)},
+      {{"collision_strict_avoidable",
+        "Collisions with the attacker, of strict and avoidable crashes",
+        {},
+        false},
+       kShare,
+       shareOf(isStrictAvoidable, collides)},
+      {{"collision_fair", "Collisions with the attacker, without unfair ones", {}, false},
+       kShare,
+       fairCollision},
+      {{"escape",
+        "Collisions with the attacker that the ego could escape, of all these",
+        {},
+        false},
+       kShare,
+       canEscape},
+      {{"as_asked",
+        "Collisions with the attacker of the type and at the time asked for",
+        {},
+        false},
+       kShare,
+       ofAttackers([](const AttackerSummary& attacker) { return attacker.as_asked; })},
+      {{"gave_up", "Attackers that gave up, or were done, before the end", {}, false},
+       kShare,
+       ofAttackers([](const AttackerSummary& attacker) {
+         return attacker.phase == AttackerPhase::kDrivingOn;
+       })},
+      {{"attacker_limits", "Attackers that broke a limit that they were to keep", {}, false},
+       kShare,
+       ofAttackers([](const AttackerSummary& attacker) { return !attacker.broken_limit.empty(); })},
+      {{"attacker_touched", "Attackers that touched somebody else, who does not react", {}, false},
+       kShare,
+       ofAttackers([](const AttackerSummary& attacker) { return !attacker.touched.empty(); })},
+      {{"published_hit", "Collisions with the attacker by the published protocol", {}, false},
+       kShare,
+       publishedHit,
+       true},
+      {{"at_fault", "First contacts, with anybody, that the planner is to blame for", {}, false},
+       kShare,
+       shareOf(isAny, [](const RolloutOutcome& o) { return o.contact && o.contact->at_fault; })},
+      {{"other", "First contacts with somebody else than the attacker", {}, false},
+       kShare,
+       shareOf(isAny, [](const RolloutOutcome& o) { return o.contact && !hitsAttacker(o); })},
+      {{"impact_speed", "Impact speed of collisions with the attacker, mean", {}, false},
+       {"m/s", 1.0},
+       impactSpeed},
+      {{"soft", "Collisions with the attacker below 0.5 m/s, of all these", {}, false},
+       kShare,
+       shareOfCollisions([](const PlannerContact& c) { return c.impact_speed < kSoft; })},
+      {{"collision_at_fault",
+        "Collisions with the attacker that the planner is to blame for, of all these",
+        {},
+        false},
+       kShare,
+       shareOfCollisions([](const PlannerContact& contact) { return contact.at_fault; })},
+      {{"hard_braking", "Rollouts with hard braking", {}, false},
+       kShare,
+       shareOf(isAny, [](const RolloutOutcome& outcome) { return outcome.hard_braking > 0.0; })},
+      {{"off_road", "Share of the ego's box off the drivable area, mean", {}, false},
+       kShare,
+       offRoad},
+      {{"progress", "Progress along the route, of the recorded ego's, mean", {}, false},
+       kShare,
+       progress},
+      {{"failure", "Rollouts that a failure of the planner ended", {}, false},
+       kShare,
+       [](const PlannerTestResult&, const PlannerRow& row) -> std::optional<double> {
+         return hasFailed(row.outcome) ? 1.0 : 0.0;
+       }},
+  };
+  for (RolloutMeasure& measure : nuplanMeasures()) measures.push_back(std::move(measure));
+  return measures;
+}
+
+/// In the order in which they come; a case that cannot be read has none.
+std::vector<std::string> sourcesOf(const std::vector<PlannerTestResult>& results) {
+  std::vector<std::string> sources;
+  for (const PlannerTestResult& result : results) {
+    if (result.isRead() &&
+        std::find(sources.begin(), sources.end(), result.source) == sources.end()) {
+      sources.push_back(result.source);
+    }
+  }
+  return sources;
+}
+
+Trial trialOf(const PlannerTestResult& result, double value) {
+  return {result.scene, result.type, result.tta, value};
+}
+
+PlannerTable rolloutTable(const RolloutMeasure& measure,
+                          const std::vector<PlannerTestResult>& results,
+                          const std::vector<std::string>& planners) {
+  const std::vector<std::string> sources = sourcesOf(results);
+  MethodTrials trials;
+  for (const std::string& planner : planners) {
+    for (const std::string& source : sources) {
+      trials.emplace_back(sources.size() > 1 ? planner + " / " + source : planner,
+                          std::vector<Trial>());
+      for (const PlannerTestResult& result : results) {
+        if (!(result.isTested() || measure.counts_unfit) || result.source != source) continue;
+        for (const PlannerRow& row : result.rows) {
+          if (rowName(row.planner, row.attacker.policy) != planner) continue;
+          const auto value = measure.value(result, row);
+          if (value) trials.back().second.push_back(trialOf(result, *value));
+        }
+      }
+    }
+  }
+  return {tabulateTrials(measure.measure, trials), measure.unit};
+}
+
+using IsMet = std::function<bool(const PlannerTestResult&)>;
+
+/// The share of the tested cases that meet something; a row a source and, of `conditions`, one
+/// each.
+PlannerTable caseTable(const Measure& measure,
+                       const std::vector<std::pair<std::string, IsMet>>& conditions,
+                       const IsMet& is_wanted, const std::vector<PlannerTestResult>& results) {
+  const std::vector<std::string> sources = sourcesOf(results);
+  MethodTrials trials;
+  for (const auto& [name, is_met] : conditions) {
+    for (const std::string& source : sources) {
+      trials.emplace_back(sources.size() > 1 ? name + " / " + source : name, std::vector<Trial>());
+      for (const PlannerTestResult& result : results) {
+        if (!result.isTested() || result.source != source || !is_wanted(result)) continue;
+        trials.back().second.push_back(trialOf(result, is_met(result) ? 1.0 : 0.0));
+      }
+    }
+  }
+  return {tabulateTrials(measure, trials), kShare};
+}
+
+std::vector<PlannerTable> avoidabilityTables(const std::vector<PlannerTestResult>& results) {
+  const auto worksFromNow = [](EvasiveManoeuvre manoeuvre) -> IsMet {
+    return [=](const PlannerTestResult& result) {
+      const auto& found = result.avoidability.from_now;
+      return std::find(found.begin(), found.end(), manoeuvre) != found.end();
+    };
+  };
+  std::vector<std::pair<std::string, IsMet>> manoeuvres;
+  for (const EvasiveManoeuvre manoeuvre :
+       {EvasiveManoeuvre::kKeeping, EvasiveManoeuvre::kBraking, EvasiveManoeuvre::kAccelerating,
+        EvasiveManoeuvre::kSteering, EvasiveManoeuvre::kBoth}) {
+    manoeuvres.emplace_back(toString(manoeuvre), worksFromNow(manoeuvre));
+  }
+  return {caseTable({"strict", "Crashes that meet the strict protocol", {}, false},
+                    {{"strict", isStrict}}, isAny, results),
+          caseTable({"avoidable", "Avoidable crashes", {}, false}, {{"avoidable", isAvoidable}},
+                    isAny, results),
+          caseTable({"avoidable_strict", "Avoidable crashes, of strict ones", {}, false},
+                    {{"avoidable", isAvoidable}}, isStrict, results),
+          caseTable({"from_now", "Crashes that a manoeuvre avoids from now on", {}, false},
+                    manoeuvres, isAny, results)};
+}
+
+}  // namespace
+
+std::vector<PlannerTable> plannerTables(const std::vector<PlannerTestResult>& results,
+                                        const std::vector<std::string>& planners) {
+  std::vector<PlannerTable> tables;
+  for (const RolloutMeasure& measure : rolloutMeasures()) {
+    tables.push_back(rolloutTable(measure, results, planners));
+  }
+  for (PlannerTable& table : avoidabilityTables(results)) {
+    tables.push_back(std::move(table));
+  }
+  return tables;
+}
+
+std::string describeCases(const std::vector<PlannerTestResult>& results) {
+  std::map<std::string, int> counts;
+  for (const PlannerTestResult& result : results) ++counts[result.status];
+  std::string text = counted(results.size(), "case") +
+                     ", of which were tested: " + std::to_string(counts["OK"]) + "\n";
+  for (const auto& [status, count] : counts) {
+    if (status != "OK") text += "- not tested, " + status + ": " + std::to_string(count) + "\n";
+  }
+  return text;
+}
+
+std::vector<WorstCase> worstCases(const std::vector<PlannerTestResult>& results,
+                                  const std::vector<std::string>& planners, std::size_t count) {
+  std::vector<WorstCase> worst;
+  for (const std::string& planner : planners) {
+    std::vector<std::pair<double, std::size_t>> contacts;  // impact speed, negative; index
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      if (!results[i].isTested()) continue;
+      for (const PlannerRow& row : results[i].rows) {
+        const auto speed = impactSpeed(results[i], row);
+        if (rowName(row.planner, row.attacker.policy) == planner && row.is_fair && speed) {
+          contacts.emplace_back(-*speed, i);
+        }
+      }
+    }
+    std::sort(contacts.begin(), contacts.end());
+    std::set<std::string> scenes;
+    for (const auto& contact : contacts) {
+      if (scenes.size() >= count) break;
+      if (scenes.insert(results[contact.second].scene).second) {
+        worst.push_back({contact.second, planner});
+      }
+    }
+  }
+  return worst;
+}
+
+}  // namespace forge

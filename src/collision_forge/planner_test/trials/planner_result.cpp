@@ -1,0 +1,212 @@
+#include "collision_forge/planner_test/trials/planner_result.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "collision_forge/attack/policy/adaptive_attacker.h"
+#include "collision_forge/attack/verify/strict_outcome.h"
+#include "collision_forge/io/scenarios/scenario_file.h"
+#include "collision_forge/planner_test/planners/planner_factory.h"
+
+namespace forge {
+namespace {
+
+constexpr const char* kPublishedIdm = "idm_published";
+
+AvoidabilitySummary summaryOf(const Avoidability& found, double now) {
+  AvoidabilitySummary summary;
+  summary.is_avoidable = found.isAvoidable();
+  for (const Avoidance& avoidance : found.from_now) {
+    summary.from_now.push_back(avoidance.manoeuvre);
+  }
+  if (found.last) {
+    summary.last = found.last->manoeuvre;
+    summary.last_after = fromNow(found.last->start, now);
+    summary.off_road_share = found.last->off_road_share;
+  }
+  return summary;
+}
+
+AvoidabilitySummary summaryOf(const std::optional<Escape>& escape, double now) {
+  Avoidability found;
+  if (escape) found.last = escape->ego;
+  return summaryOf(found, now);
+}
+
+RolloutOutcome drive(const PlannerCase& one, const std::string& planner,
+                     const RolloutSetup& setup) {
+  const PlannerUnderTest made =
+      makePlanner(planner, setup.planners, one.scenario.attacker.attacker_id);
+  return rollout(*made.planner, made.driving, one.scenario, setup);
+}
+
+/// What the attacker did, held against the ego as it was driven and the others as recorded.
+AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, Background background,
+                          const RolloutOutcome& outcome, const AnswerOptions& options) {
+  AttackerSummary summary;
+  summary.policy = policy;
+  summary.phase = outcome.phase;
+  summary.plans = static_cast<int>(outcome.attacker_plans.size());
+  const CrashScenario& scenario = one.scenario;
+  Future driven = scenario.recorded;
+  // Where they react, nobody knows afterwards where the others were.
+  if (background == Background::kIdm) driven.agents.clear();
+  driven.ego.states = toStates(outcome.driven);
+  AttackerTrajectory attacker = outcome.attacker;
+  const double end = outcome.driven.back().time;
+  const auto after = std::find_if(attacker.points.begin(), attacker.points.end(),
+                                  [=](const TrajectoryPoint& point) { return point.time >= end; });
+  if (after != attacker.points.end())
+    attacker.points.erase(std::next(after), attacker.points.end());
+  CollisionRequest request = one.request;
+  if (policy == PolicyKind::kAdaptive) request.crash.limits = kAdaptiveLimits;
+  const CollisionReport report = verifyDrive(
+      attacker, {scenario.snapshot, driven, request, *scenario.lanes}, options.attack.verification);
+  summary.broken_limit = report.broken_limit;
+  summary.touched = report.first_other_id;
+  if (outcome.contact && outcome.contact->is_attacker) {
+    const double off = outcome.contact->time - scenario.snapshot.now - one.request.tta;
+    summary.as_asked =
+        outcome.contact->type == one.request.type && std::abs(off) <= options.crash.time_tolerance;
+  }
+  return summary;
+}
+
+/// Empty where a failure ends the drive that goes on after a contact. `one.published` must be set.
+std::optional<bool> isPublishedHit(const PlannerCase& one, const std::string& planner,
+                                   Background background, const AnswerOptions& options,
+                                   const TrialOptions& trials) {
+  if (planner == kPublishedIdm) return one.published->isIdmHit(trials.published_idm);
+  const RolloutOutcome outcome =
+      drive(one, planner, {trials, options.attack, options.crash.types, background, false});
+  if (outcome.failure != PlannerFailure::kNone) return std::nullopt;
+  return one.published->isHit(outcome.driven);
+}
+
+}  // namespace
+
+PlannerTestResult untested(const PlannerCase& one, const std::string& status,
+                           const std::string& message) {
+  PlannerTestResult result;
+  result.name = one.name;
+  result.source = one.source;
+  result.scene = one.scene;
+  result.type = one.request.type;
+  result.tta = one.request.tta;
+  result.now = one.scenario.snapshot.now;
+  result.status = status;
+  result.message = message;
+  return result;
+}
+
+PlannerTestResult judgeCase(const PlannerCase& one, const AnswerOptions& options,
+                            const TrialOptions& trials) {
+  PlannerTestResult result = untested(one, toString(one.status.code), one.status.message);
+  if (one.status.code != StatusCode::kOk) return result;
+  try {
+    checkScenario(one.scenario);
+  } catch (const std::invalid_argument& error) {
+    return untested(one, kUnfit, error.what());
+  }
+  const CrashScenario& scenario = one.scenario;
+  result.is_strict =
+      strictOutcome(scenario.attacker,
+                    {scenario.snapshot, scenario.recorded, one.request, *scenario.lanes},
+                    options.attack.verification)
+          .meetsFullDefinitions();
+  result.avoidability = summaryOf(
+      findAvoidability(scenario, trials.avoidability, trials.planning.route, options.attack),
+      scenario.snapshot.now);
+  return result;
+}
+
+std::string rowName(const std::string& planner, PolicyKind policy) {
+  return policy == PolicyKind::kFixed ? planner : planner + " against adaptive";
+}
+
+std::vector<std::string> rowNames(const TestPlan& plan) {
+  std::vector<std::string> names;
+  for (const std::string& planner : plan.planners) {
+    for (const PolicyKind policy : plan.policies) names.push_back(rowName(planner, policy));
+  }
+  return names;
+}
+
+std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
+                                             const Foresight& foresight,
+                                             const AnswerOptions& options) {
+  if (policy == PolicyKind::kFixed) return nullptr;
+  const CrashScenario& scenario = one.scenario;
+  return std::make_unique<AdaptiveAttacker>(
+      AttackerTask{scenario.snapshot, scenario.lanes, scenario.ego, one.request, one.pattern,
+                   scenario.attacker, one.effort},
+      AttackerSetup{foresight.withoutScene(one.scene).egoFutures(options.attack.ego_futures),
+                    options.attack, options.adaptive});
+}
+
+PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                       const TestPlan& plan, const AnswerOptions& options,
+                       const TrialOptions& trials) {
+  const auto attacker = makeAttacker(one, policy, plan.foresight, options);
+  const RolloutSetup setup{trials,          options.attack, options.crash.types,
+                           plan.background, true,           attacker.get()};
+  PlannerRow row;
+  row.planner = planner;
+  row.outcome = drive(one, planner, setup);
+  row.attacker = summaryOf(one, policy, plan.background, row.outcome, options);
+  if (row.outcome.contact && row.outcome.contact->is_attacker) {
+    row.escape =
+        summaryOf(findEscape(one.scenario, row.outcome.driven, setup), one.scenario.snapshot.now);
+    row.is_fair = row.escape->is_avoidable &&
+                  row.escape->last_after >= options.adaptive.fairness.avoidable_for;
+  }
+  row.outcome.driven.clear();
+  row.outcome.others.clear();
+  row.outcome.attacker = {};
+  row.outcome.attacker_plans.clear();
+  if (one.published && policy == PolicyKind::kFixed &&
+      row.outcome.failure == PlannerFailure::kNone) {
+    row.published_hit = isPublishedHit(one, planner, plan.background, options, trials);
+  }
+  return row;
+}
+
+RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+                          const TestPlan& plan, const AnswerOptions& options,
+                          const TrialOptions& trials) {
+  const auto attacker = makeAttacker(one, policy, plan.foresight, options);
+  return drive(
+      one, planner,
+      {trials, options.attack, options.crash.types, plan.background, true, attacker.get()});
+}
+
+std::optional<Escape> escapeAgain(const PlannerCase& one, const RolloutOutcome& outcome,
+                                  PolicyKind policy, const TestPlan& plan,
+                                  const AnswerOptions& options, const TrialOptions& trials) {
+  if (!outcome.contact || !outcome.contact->is_attacker) return std::nullopt;
+  const auto attacker = makeAttacker(one, policy, plan.foresight, options);
+  return findEscape(
+      one.scenario, outcome.driven,
+      {trials, options.attack, options.crash.types, plan.background, true, attacker.get()});
+}
+
+PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
+                               const AnswerOptions& options, const TrialOptions& trials) {
+  PlannerTestResult result = judgeCase(one, options, trials);
+  for (const std::string& name : plan.planners) {
+    if (result.status == kUnfit && one.published && name == kPublishedIdm) {
+      result.rows.push_back(
+          {name, {}, {}, {}, true, one.published->isIdmHit(trials.published_idm)});
+    }
+  }
+  if (!result.isTested()) return result;
+  for (const std::string& name : plan.planners) {
+    for (const PolicyKind policy : plan.policies) {
+      result.rows.push_back(testPlanner(one, name, policy, plan, options, trials));
+    }
+  }
+  return result;
+}
+
+}  // namespace forge

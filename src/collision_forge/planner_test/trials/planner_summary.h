@@ -1,0 +1,37 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_forge/planner_test/trials/planner_result.h"
+
+namespace forge {
+
+/// How one planner did against attackers of one policy, over all tested cases.
+struct PlannerSummary {
+  struct Impact {
+    double speed = 0.0;     ///< m/s
+    std::string case_name;  ///< PlannerTestResult::name
+  };
+
+  std::string planner;  ///< rowName()
+  int scenes = 0;       ///< distinct scenes of the cases
+  int cases = 0;        ///< rollouts, failures included
+  int hits = 0;         ///< first contacts with the attacker, without failures
+  int avoidable = 0;    ///< hits that the planner could have escaped (PlannerRow::is_fair)
+  int failures = 0;
+  std::optional<Impact> worst;  ///< the hardest hit; without a value if there is none
+};
+
+/// Returns one summary for each name of `rows` (rowName()), in their order.
+std::vector<PlannerSummary> summarizePlanners(const std::vector<PlannerTestResult>& results,
+                                              const std::vector<std::string>& rows);
+
+/// Returns a table for a terminal: a line of titles, then a line for each summary.
+/// `milliseconds`: mean computing time of a call by row name; a row that it lacks shows "-".
+std::string summaryText(const std::vector<PlannerSummary>& summaries,
+                        const std::map<std::string, double>& milliseconds);
+
+}  // namespace forge

@@ -1,0 +1,106 @@
+#include "collision_forge/planner_test/trials/request_cases.h"
+
+#include <cstdio>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "collision_forge/attack/forecast/random.h"
+#include "collision_forge/attack/search/request_list.h"
+#include "collision_forge/base/files/fingerprint.h"
+#include "collision_forge/io/answers/allowed_requests.h"
+#include "collision_forge/io/scenarios/request_file.h"
+
+namespace forge {
+namespace {
+
+CrashDefinition withoutThreshold(CrashDefinition crash) {
+  crash.min_confidence = 0.0;
+  return crash;
+}
+
+/// Every request of a scene: each manoeuvre of each type, by a recorded vehicle or a new one.
+std::vector<SceneRequest> everyRequestOf(const Scene& scene, const RequestListOptions& list,
+                                         const AnswerOptions& options) {
+  std::vector<SceneRequest> requests;
+  CollisionRequest asked;
+  asked.crash = withoutThreshold(options.crash);
+  asked.crash.types = {};  // the same for all, and large
+  for (const Manoeuvre manoeuvre : kManoeuvres) {
+    for (const AttackerChoice choice : {AttackerChoice::kExisting, AttackerChoice::kNew}) {
+      asked.manoeuvre = manoeuvre;
+      asked.choice = choice;
+      for (SceneRequest& request : listRequests(scene, list, options.attack.prediction,
+                                                options.crash.time_tolerance, asked)) {
+        requests.push_back(std::move(request));
+      }
+    }
+  }
+  return requests;
+}
+
+/// `start`: s, the scene's first frame.
+std::string nameOf(const SceneRequest& asked, double start) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "/%.1f/%s/%g/", asked.now - start, toString(asked.request.type),
+                asked.request.tta);
+  return asked.scene + text + toString(*asked.request.manoeuvre) + "/" +
+         toString(asked.request.choice);
+}
+
+}  // namespace
+
+RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
+                           const AnswerOptions& options, const RequestDraw& draw)
+    : scenes_(scenes),
+      options_(options),
+      answerer_(scenes, method, withoutThreshold(options.crash), options.ego_vehicle,
+                options.adaptive),
+      method_(method.name()) {
+  std::vector<SceneRequest> all;
+  std::map<std::string, double> starts;
+  const std::vector<std::string> names = scenes.names();
+  for (const std::string& name : names) {
+    const auto recording = scenes.at(name);
+    starts[name] = recording->scene.frame_times.front();
+    for (SceneRequest& request : everyRequestOf(recording->scene, draw.list, options)) {
+      if (roadAllowsAsked(request, *recording, options)) all.push_back(std::move(request));
+    }
+    if (draw.on_scene) draw.on_scene(starts.size(), names.size());
+  }
+  Random random(draw.seed);
+  while (!all.empty() && requests_.size() < draw.tries) {
+    std::swap(all[random.index(all.size())], all.back());
+    names_.push_back(nameOf(all.back(), starts.at(all.back().scene)));
+    requests_.push_back(std::move(all.back()));
+    all.pop_back();
+  }
+  if (requests_.empty()) {
+    throw std::runtime_error(
+        "no collision can be asked for in these scenes: each is too short, "
+        "its ego too slow, or the road allows none");
+  }
+}
+
+std::string RequestCases::fingerprint() const {
+  std::string found;
+  for (const SceneRequest& request : requests_) {
+    found = forge::fingerprint(requestLine(request), found);
+  }
+  return std::to_string(requests_.size()) + " requests answered by " + method_ + ", fingerprint " +
+         found;
+}
+
+Scenario RequestCases::scenario(std::size_t index) const {
+  return readScenarioLine(names_[index], scenarioLine(answerer_.answer(requests_[index])),
+                          options_.input_limits);
+}
+
+PlannerCase RequestCases::at(std::size_t index) const {
+  PlannerCase one = caseOfScenario(scenario(index), *scenes_.at(requests_[index].scene), options_);
+  one.name = names_[index];
+  one.source = "until_hit";
+  return one;
+}
+
+}  // namespace forge

@@ -1,0 +1,82 @@
+#include "collision_forge/ros/bags/bag_file.h"
+
+#include <mutex>
+
+#include "collision_forge/ros/bags/bag_check.h"
+
+namespace forge {
+namespace {
+
+/// A bag loads and unloads its encryption plugin when it is made and destroyed, and the plugin
+/// loader must not do that from two threads at a time.
+std::mutex& pluginMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+std::unique_ptr<rosbag::Bag> makeBag() {
+  const std::lock_guard<std::mutex> lock(pluginMutex());
+  return std::make_unique<rosbag::Bag>();
+}
+
+void dropBag(std::unique_ptr<rosbag::Bag>& bag) {
+  const std::lock_guard<std::mutex> lock(pluginMutex());
+  bag.reset();
+}
+
+}  // namespace
+
+OpenedBag::OpenedBag(const std::string& path) : bag_(makeBag()) {
+  try {
+    checkBag(path);
+    bag_->open(path, rosbag::bagmode::Read);
+  } catch (...) {
+    dropBag(bag_);
+    throw;
+  }
+}
+
+OpenedBag::~OpenedBag() { dropBag(bag_); }
+
+NewBag::NewBag(const std::string& path) : path_(path), aside_(path), bag_(makeBag()) {
+  try {
+    bag_->open(aside_.partPath(), rosbag::bagmode::Write);
+  } catch (const rosbag::BagException& error) {
+    abandon();
+    throw BagError(path_ + ": cannot be written: " + error.what());
+  }
+  bag_->setCompression(rosbag::compression::LZ4);
+}
+
+NewBag::~NewBag() {
+  try {
+    close();
+  } catch (const rosbag::BagException&) {
+    // Only an uncommitted bag gets here open, and its file goes away.
+  }
+}
+
+void NewBag::commit() {
+  try {
+    close();
+  } catch (const rosbag::BagException& error) {
+    throw BagError(path_ + ": cannot be completed: " + error.what());
+  }
+  aside_.commit();
+}
+
+void NewBag::close() {
+  if (!bag_) return;
+  try {
+    bag_->close();
+  } catch (const rosbag::BagException&) {
+    abandon();
+    throw;
+  }
+  dropBag(bag_);
+}
+
+// A bag that could not be closed tries again when it is destroyed, and would throw from there.
+void NewBag::abandon() { static_cast<void>(bag_.release()); }
+
+}  // namespace forge

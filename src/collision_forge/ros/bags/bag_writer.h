@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "collision_forge/base/map/lane_map.h"
+#include "collision_forge/io/logs/nuscenes_recording.h"
+
+namespace forge {
+
+/// Writes one scene as an LZ4 bag with the recorded timestamps: /tf (map -> base_link) and /odom at
+/// every ego pose, /agents and /annotation_markers at every frame, /lane_map once, latched. The bag
+/// is written aside and renamed. Throws std::runtime_error naming the path.
+void writeBag(const std::string& path, const NuScenesRecording& recording, const LaneMap& map);
+
+}  // namespace forge

@@ -1,0 +1,82 @@
+#include "collision_forge/ros/bags/foreign_logs.h"
+
+#include <filesystem>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "collision_forge/base/files/plain_name.h"
+#include "collision_forge/io/logs/nuscenes_map.h"
+#include "collision_forge/ros/bags/bag_reader.h"
+#include "collision_forge/ros/bags/foreign_bag.h"
+#include "collision_forge/ros/bags/log_sources.h"
+#include "collision_forge/ros/messages/topic_names.h"
+
+namespace forge {
+namespace {
+
+class ForeignLogs : public SceneReader {
+ public:
+  ForeignLogs(const std::string& bags, ForeignBags how, SceneReading reading)
+      : bags_{bags, "", &bagFormat()},
+        how_(std::move(how)),
+        reading_(std::move(reading)),
+        names_(wantedScenes(bags_, reading_.scenes)) {}
+
+  std::vector<std::string> names() const override { return names_; }
+
+  LoggedScene recording(const std::string& name) override {
+    const std::string path =
+        std::filesystem::is_directory(bags_.path) ? pathIn(bags_.path, name + ".bag") : bags_.path;
+    std::vector<std::string> warnings;
+    LoggedScene logged;
+    logged.recording = readForeignBag(path, how_.mapping, reading_.options.ego_vehicle, &warnings);
+    keepWithin(logged.recording, reading_.options, &warnings);
+    if (reading_.on_warnings && !warnings.empty()) reading_.on_warnings(name, warnings);
+    logged.lanes = how_.map.empty() ? lanesIn(path) : lanesOfMap();
+    logged.recording.location = logged.lanes->map().location;
+    return logged;
+  }
+
+  IndexedScene read(const std::string& name) override {
+    return flattened(recording(name), reading_);
+  }
+
+ private:
+  std::shared_ptr<const LaneIndex> lanesIn(const std::string& path) const {
+    const auto map = readLaneMap(path, reading_.options.input_limits);
+    if (map) return std::make_shared<const LaneIndex>(map);
+    throw BagError(path + ": no message on " + bagTopic(names::kLaneMap) + "; --map gives the map");
+  }
+
+  /// Read once.
+  std::shared_ptr<const LaneIndex> lanesOfMap() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (lanes_) return lanes_;
+    const std::string location = std::filesystem::path(how_.map).stem().string();
+    const DataOptions& options = reading_.options;
+    std::vector<std::string> warnings;
+    lanes_ = std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(readNuScenesMapFile(
+        how_.map, drivingSide(options, location),
+        {options.conversion.centerline_resolution, options.input_limits}, &warnings)));
+    if (reading_.on_warnings && !warnings.empty())
+      reading_.on_warnings("map " + location, warnings);
+    return lanes_;
+  }
+
+  LogSource bags_;
+  ForeignBags how_;
+  SceneReading reading_;
+  std::vector<std::string> names_;
+  std::mutex mutex_;
+  std::shared_ptr<const LaneIndex> lanes_;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneReader> openForeignBags(const std::string& bags, ForeignBags how,
+                                             SceneReading reading) {
+  return std::make_unique<ForeignLogs>(bags, std::move(how), std::move(reading));
+}
+
+}  // namespace forge

@@ -1,0 +1,138 @@
+#include "collision_forge/ros/bags/mcap_export.h"
+
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "collision_forge/base/files/aside_file.h"
+#include "collision_forge/ros/bags/bag_check.h"
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/bags/bag_index.h"
+#include "collision_forge/ros/bags/crash_topics.h"
+#include "collision_forge/ros/bags/mcap_writer.h"
+#include "collision_forge/ros/messages/topic_names.h"
+
+namespace forge {
+namespace {
+
+constexpr char kProfile[] = "ros1";
+constexpr char kLibrary[] = "collision_forge";
+
+using Connections = std::vector<const rosbag::ConnectionInfo*>;
+
+/// In a bag that was recorded live the attacker is in frames of their own.
+std::string agentsTopic(const Connections& connections) {
+  const std::string injected = bagTopic(names::kInjectedAgents);
+  const bool is_live = std::any_of(connections.begin(), connections.end(),
+                                   [&](const auto* info) { return info->topic == injected; });
+  return is_live ? injected : bagTopic(names::kAgents);
+}
+
+/// What a connection's header says beyond what channel and schema have fields for.
+std::map<std::string, std::string> metadataOf(const rosbag::ConnectionInfo& connection) {
+  std::map<std::string, std::string> metadata = *connection.header;
+  for (const char* field : {"topic", "type", "message_definition"}) metadata.erase(field);
+  metadata["md5sum"] = connection.md5sum;
+  return metadata;
+}
+
+/// One bag on its way into an MCAP file.
+class BagConversion {
+ public:
+  BagConversion(rosbag::View& bag, McapWriter& writer, const DataOptions& options)
+      : bag_(bag),
+        writer_(writer),
+        crash_(writer, options.ego_vehicle, options.input_limits,
+               agentsTopic(bag.getConnections())) {
+    for (const rosbag::ConnectionInfo* connection : bag.getConnections()) addChannel(*connection);
+  }
+
+  /// What is not shown.
+  std::vector<std::string> write(const std::function<void(double)>& on_progress) {
+    const double count = bag_.size();
+    double done = 0.0;
+    for (const rosbag::MessageInstance& instance : bag_) {
+      on_progress(done++ / count);
+      copy(instance);
+      crash_.take(instance);
+    }
+    on_progress(1.0);
+    return crash_.warnings();
+  }
+
+ private:
+  void addChannel(const rosbag::ConnectionInfo& connection) {
+    McapChannel channel;
+    channel.schema = writer_.addSchema({connection.datatype, kRos1Definition, connection.msg_def});
+    channel.topic = connection.topic;
+    channel.message_encoding = kRos1Encoding;
+    channel.metadata = metadataOf(connection);
+    channels_[connection.header] = writer_.addChannel(std::move(channel));
+  }
+
+  void copy(const rosbag::MessageInstance& instance) {
+    message_.resize(instance.size());
+    ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(message_.data()),
+                                       static_cast<std::uint32_t>(message_.size()));
+    instance.write(stream);
+    writer_.write(channels_.at(instance.getConnectionHeader()), instance.getTime().toNSec(),
+                  message_);
+  }
+
+  rosbag::View& bag_;
+  McapWriter& writer_;
+  CrashTopics crash_;
+  /// By the header of their connection, of which there is one.
+  std::map<boost::shared_ptr<ros::M_string>, std::uint16_t> channels_;
+  std::string message_;  ///< the one that is being copied
+};
+
+std::vector<std::string> convert(const std::string& in, const std::string& out,
+                                 const DataOptions& options,
+                                 const std::function<void(double)>& on_progress) {
+  const rosbag::Bag bag(in, rosbag::bagmode::Read);
+  if (hasMessageAtZero(in))
+    throw BagError("has messages at time 0, which means that they have none");
+  rosbag::View view(bag);
+  if (view.size() == 0) throw BagError("has no messages");
+  AsideFile file(out);
+  McapWriter writer(file.stream(), kProfile, kLibrary);
+  std::vector<std::string> warnings = BagConversion(view, writer, options).write(on_progress);
+  writer.finish();
+  file.commit();
+  return warnings;
+}
+
+}  // namespace
+
+std::vector<std::string> exportToMcap(const std::string& in, const std::string& out,
+                                      const DataOptions& options,
+                                      const std::function<void(double)>& on_progress) {
+  checkBag(in);
+  try {
+    return convert(in, out, options, on_progress);
+  } catch (const rosbag::BagUnindexedException&) {
+    throw BagError(in + ": truncated (no index); `rosbag reindex` may save what is there");
+  } catch (const rosbag::BagIOException& error) {
+    if (!std::filesystem::exists(in))
+      throw BagError(in + ": cannot be read: there is no such file");
+    throw BagError(in + ": truncated or damaged: " + error.what());
+  } catch (const rosbag::BagException& error) {
+    throw BagError(in + ": cannot be read: " + error.what());
+  } catch (const ros::serialization::StreamOverrunException& error) {
+    throw BagError(in + ": a message is shorter than its type: " + error.what());
+  } catch (const std::length_error& error) {
+    throw BagError(in + ": " + error.what());
+  } catch (const BagError& error) {
+    throw BagError(in + ": " + error.what());
+  }
+}
+
+}  // namespace forge

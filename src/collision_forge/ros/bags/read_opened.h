@@ -1,0 +1,30 @@
+#pragma once
+
+#include <ros/serialization.h>
+#include <rosbag/bag.h>
+
+#include <string>
+
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/messages/conversions.h"
+
+namespace forge {
+
+/// What `read` makes of the open bag; errors of rosbag and of messages as BagError.
+template <typename Read>
+auto readOpened(const std::string& path, const Read& read) {
+  try {
+    const OpenedBag opened(path);
+    return read(opened.bag());
+  } catch (const rosbag::BagUnindexedException&) {
+    throw BagError(path + ": truncated (no index); `rosbag reindex` may save what is there");
+  } catch (const rosbag::BagException& error) {
+    throw BagError(path + ": cannot be read: " + error.what());
+  } catch (const ros::serialization::StreamOverrunException& error) {
+    throw BagError(path + ": a message is shorter than its type: " + error.what());
+  } catch (const MessageError& error) {
+    throw BagError(path + ": " + error.what());
+  }
+}
+
+}  // namespace forge

@@ -1,0 +1,153 @@
+#include "collision_forge/ros/bags/topic_mapping.h"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/scene/request_words.h"
+
+namespace forge {
+namespace {
+
+constexpr char kTransforms[] = "tf2_msgs/TFMessage";
+
+bool has(const Section& section, const std::string& key) { return section.unread().count(key) > 0; }
+
+/// A text that is not empty.
+std::string wordIn(Section& section, const std::string& key) {
+  std::string word = section.text(key);
+  if (word.empty()) section.refuse(key, "is empty");
+  return word;
+}
+
+/// A number, or a path with what stands before it.
+NumberSource numberIn(Section& section, const std::string& key, const std::string& prefix) {
+  const std::string word = wordIn(section, key);
+  double number = 0.0;
+  const char* const end = word.data() + word.size();
+  const auto [after, error] = std::from_chars(word.data(), end, number);
+  if (error != std::errc() || after != end) return prefix + word;
+  if (!std::isfinite(number)) section.refuse(key, word + " is not finite");
+  return number;
+}
+
+template <std::size_t count>
+std::array<NumberSource, count> numbersIn(Section section, const char* const (&keys)[count],
+                                          const std::string& prefix) {
+  std::array<NumberSource, count> numbers;
+  for (std::size_t i = 0; i < count; ++i) numbers[i] = numberIn(section, keys[i], prefix);
+  section.finish();
+  return numbers;
+}
+
+PoseFields poseIn(Section& section, const std::string& prefix) {
+  PoseFields pose;
+  pose.position = numbersIn(section.section("position"), {"x", "y", "z"}, prefix);
+  Section orientation = section.section("orientation");
+  if (has(orientation, "yaw")) {
+    pose.orientation = numbersIn(orientation, {"yaw"}, prefix)[0];
+  } else {
+    pose.orientation = numbersIn(orientation, {"x", "y", "z", "w"}, prefix);
+  }
+  return pose;
+}
+
+/// What every message has in its header, unless the mapping says more.
+TopicFields topicIn(Section& section) {
+  TopicFields fields;
+  fields.topic = wordIn(section, "topic");
+  fields.type = wordIn(section, "type");
+  fields.stamp = has(section, "stamp") ? wordIn(section, "stamp") : "header.stamp";
+  if (has(section, "frame_id")) fields.frame_id = wordIn(section, "frame_id");
+  fields.frame_id_path = "header.frame_id";
+  return fields;
+}
+
+/// The fields of the transforms in a message.
+void mapTransforms(EgoMapping& ego) {
+  const std::string each = "transforms[].";
+  ego.fields.stamp = each + "header.stamp";
+  ego.fields.frame_id_path = each + "header.frame_id";
+  ego.child_frame_id_path = each + "child_frame_id";
+  const std::string position = each + "transform.translation.";
+  const std::string rotation = each + "transform.rotation.";
+  ego.pose.position = {position + "x", position + "y", position + "z"};
+  ego.pose.orientation =
+      std::array<NumberSource, 4>{rotation + "x", rotation + "y", rotation + "z", rotation + "w"};
+}
+
+EgoMapping egoIn(Section section) {
+  EgoMapping ego;
+  ego.fields = topicIn(section);
+  ego.reference = section.choice<EgoReference>(
+      "reference",
+      {{"base_link", EgoReference::kBaseLink}, {"box_middle", EgoReference::kBoxMiddle}});
+  if (ego.fields.type == kTransforms) {
+    if (ego.fields.frame_id.empty()) section.refuse("frame_id", "is missing");
+    ego.child_frame_id = wordIn(section, "child_frame_id");
+    mapTransforms(ego);
+  } else {
+    ego.pose = poseIn(section, "");
+  }
+  section.finish();
+  return ego;
+}
+
+AgentClass classIn(Section& section, const std::string& key) {
+  const std::string word = section.text(key);
+  const auto found = agentClassFromString(word);
+  if (!found) section.refuse(key, "'" + word + "' is no class of agents");
+  return *found;
+}
+
+void readClasses(Section section, const std::string& prefix, AgentsMapping& agents) {
+  agents.classification = prefix + wordIn(section, "field");
+  if (has(section, "probability")) agents.probability = prefix + wordIn(section, "probability");
+  Section values = section.section("values");
+  const std::set<std::string> words = values.unread();
+  for (const std::string& word : words) agents.classes[word] = classIn(values, word);
+  agents.default_class = classIn(section, "default");
+  section.finish();
+}
+
+VelocityFields velocityIn(Section section, const std::string& prefix) {
+  VelocityFields velocity;
+  velocity.frame = section.choice<VelocityFrame>(
+      "frame", {{"map", VelocityFrame::kMap}, {"object", VelocityFrame::kObject}});
+  velocity.velocity = numbersIn(section, {"x", "y", "z"}, prefix);
+  return velocity;
+}
+
+AgentsMapping agentsIn(Section section) {
+  AgentsMapping agents;
+  agents.fields = topicIn(section);
+  const std::string objects = wordIn(section, "objects");
+  if (objects.find('[') != std::string::npos) {
+    section.refuse("objects", objects + " is to be the array itself, without brackets");
+  }
+  const std::string each = objects + "[].";
+  agents.id = each + wordIn(section, "id");
+  readClasses(section.section("class"), each, agents);
+  agents.pose = poseIn(section, each);
+  agents.size = numbersIn(section.section("size"), {"length", "width", "height"}, each);
+  if (has(section, "velocity")) agents.velocity = velocityIn(section.section("velocity"), each);
+  section.finish();
+  return agents;
+}
+
+}  // namespace
+
+TopicMapping readTopicMapping(const std::string& path) {
+  const std::filesystem::path file(path);
+  const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
+  Section section = openConfigFile(folder, file.filename().string());
+  TopicMapping mapping;
+  mapping.ego = egoIn(section.section("ego"));
+  mapping.agents = agentsIn(section.section("agents"));
+  section.finish();
+  return mapping;
+}
+
+}  // namespace forge

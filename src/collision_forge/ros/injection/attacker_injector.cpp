@@ -1,0 +1,124 @@
+#include "collision_forge/ros/injection/attacker_injector.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "collision_forge/ros/messages/conversions.h"
+
+namespace forge {
+namespace {
+
+/// The point of the trajectory at a time within it, interpolated.
+TrajectoryPoint pointAt(const AttackerTrajectory& trajectory, double time) {
+  const auto after = std::find_if(trajectory.points.begin(), trajectory.points.end(),
+                                  [=](const TrajectoryPoint& point) { return point.time >= time; });
+  if (after == trajectory.points.begin()) return trajectory.points.front();
+  if (after == trajectory.points.end()) return trajectory.points.back();
+  const TrajectoryPoint& before = *std::prev(after);
+  const double ratio = (time - before.time) / (after->time - before.time);
+  TrajectoryPoint point = *after;
+  point.time = time;
+  point.pose = interpolate(before.pose, after->pose, ratio);
+  point.speed = before.speed + ratio * (after->speed - before.speed);
+  return point;
+}
+
+/// Where an attacker that was added was at a time in its past; empty beyond it.
+std::optional<AgentState> pastAt(const collision_forge::AttackerTrajectory& trajectory,
+                                 double time) {
+  Track past;
+  for (const auto& state : trajectory.past) past.states.push_back(fromMessage(state));
+  return stateAt(past, time);
+}
+
+}  // namespace
+
+AttackerInjector::AttackerInjector(collision_forge::AttackerTrajectory trajectory,
+                                   const DriveLimitOptions& options)
+    : trajectory_(std::move(trajectory)), options_(options) {
+  attacker_.id = trajectory_.attacker_id;
+  attacker_.agent_class = trajectory_.agent_class;
+  attacker_.size = trajectory_.size;
+}
+
+bool AttackerInjector::change(const collision_forge::AttackerTrajectory& trajectory) {
+  const bool is_same = trajectory.attacker_id == trajectory_.attacker_id &&
+                       trajectory.header.stamp == trajectory_.header.stamp &&
+                       trajectory.agent_class == trajectory_.agent_class &&
+                       trajectory.size == trajectory_.size && trajectory.past == trajectory_.past;
+  if (!is_same) return false;
+  trajectory_ = trajectory;
+  return true;
+}
+
+void AttackerInjector::remember(const collision_forge::AgentArray& recorded) {
+  for (const collision_forge::Agent& agent : recorded.agents) {
+    if (agent.id != attacker_.id) continue;
+    attacker_ = agent;
+    is_remembered_ = true;
+  }
+  if (!trajectory_.past.empty() && !is_remembered_) rememberLike(recorded);
+}
+
+/// Takes height and z from the vehicle that is most like an attacker that was added.
+void AttackerInjector::rememberLike(const collision_forge::AgentArray& recorded) {
+  const auto unlike = [this](const collision_forge::Agent& agent) {
+    const Pose2 now = forge::fromMessage(trajectory_.past.back().pose);
+    const double distance = (forge::fromMessage(agent.pose).position() - now.position()).norm();
+    return std::pair(agent.agent_class != attacker_.agent_class, distance);
+  };
+  const collision_forge::Agent* most_like = nullptr;
+  for (const collision_forge::Agent& agent : recorded.agents) {
+    const bool is_vehicle = agent.agent_class <= collision_forge::Agent::STATIC_OBJECT &&
+                            canAttack(static_cast<AgentClass>(agent.agent_class));
+    if (is_vehicle && (!most_like || unlike(agent) < unlike(*most_like))) most_like = &agent;
+  }
+  if (!most_like) return;
+  attacker_.size.z = most_like->size.z;
+  attacker_.pose.position.z = most_like->pose.position.z;
+  is_remembered_ = true;
+}
+
+/// In place of the recorded attacker, if it is there.
+void AttackerInjector::put(const AgentState& state, collision_forge::AgentArray& agents) const {
+  collision_forge::Agent attacker = attacker_;
+  attacker.pose = toPoseMessage(state.pose);
+  attacker.pose.position.z = attacker_.pose.position.z;
+  attacker.velocity.x = state.velocity.x();
+  attacker.velocity.y = state.velocity.y();
+  attacker.velocity.z = 0.0;
+  auto& all = agents.agents;
+  const auto attacks = [&](const collision_forge::Agent& agent) { return agent.id == attacker.id; };
+  const auto recorded = std::find_if(all.begin(), all.end(), attacks);
+  if (recorded == all.end()) {
+    all.push_back(attacker);
+    return;
+  }
+  *recorded = attacker;
+  all.erase(std::remove_if(std::next(recorded), all.end(), attacks), all.end());
+}
+
+AgentState AttackerInjector::stateAfterNow(double time) const {
+  if (crash_ && time > crash_->contactTime()) return crash_->attackerAt(time);
+  const AttackerTrajectory trajectory = fromMessage(trajectory_);
+  const TrajectoryPoint point = pointAt(trajectory, time);
+  const BrakingSlide slide = slideFromEnd(trajectory, options_);
+  if (time > slide.begin) return slide.stateFrom(point.pose, time);
+  return {time, point.pose, point.speed * point.pose.heading()};
+}
+
+collision_forge::AgentArray AttackerInjector::inject(collision_forge::AgentArray agents) {
+  const double time = agents.header.stamp.toSec();
+  if (trajectory_.points.empty() || agents.header.stamp <= trajectory_.points.front().stamp) {
+    remember(agents);
+    const auto before = pastAt(trajectory_, time);
+    if (before) put(*before, agents);
+    return agents;
+  }
+  if (!is_remembered_) remember(agents);
+  put(stateAfterNow(time), agents);
+  return agents;
+}
+
+}  // namespace forge

@@ -1,0 +1,454 @@
+#include "collision_forge/ros/injection/injection.h"
+
+#include <nav_msgs/Odometry.h>
+#include <rosbag/view.h>
+#include <tf2_msgs/TFMessage.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "collision_forge/attack/verify/post_crash_motion.h"
+#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/injection/attacker_injector.h"
+#include "collision_forge/ros/injection/finite_parts.h"
+#include "collision_forge/ros/injection/frame_between.h"
+#include "collision_forge/ros/injection/record_clock.h"
+#include "collision_forge/ros/injection/sliding_ego.h"
+#include "collision_forge/ros/markers/markers.h"
+#include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/ros/messages/object_array.h"
+#include "collision_forge/ros/messages/paths.h"
+#include "collision_forge/ros/messages/topic_names.h"
+
+namespace forge {
+namespace {
+
+/// What a bag has once an attack is in it.
+constexpr const char* kAttackTopics[] = {names::kAttack,        names::kTestedReport,
+                                         names::kAttackRequest, names::kAttackPath,
+                                         names::kAttackEgoPath, names::kAttackMarkers};
+
+constexpr double kMapInterval = 1.0;  // s between two messages of map_markers
+
+using Header = boost::shared_ptr<ros::M_string>;
+
+/// The connection's header with the mark of frames in between.
+Header markedInBetween(const Header& recorded) {
+  auto header = boost::make_shared<ros::M_string>(*recorded);
+  (*header)["callerid"] = names::kInBetween;
+  return header;
+}
+
+/// A frame of agents with the attack in it.
+struct AttackedFrame {
+  ros::Time recorded;  ///< when it is in the bag
+  collision_forge::AgentArray agents;
+  bool is_recorded = true;
+  bool is_mended = false;  ///< something that was not finite is gone
+};
+/// By stamp, and of several with one stamp by when they were recorded.
+using AttackedFrames = std::map<std::pair<ros::Time, ros::Time>, AttackedFrame>;
+
+/// The shares of the time between two frames at which there are frames in between: evenly, and at
+/// the contact, which is at `contact_share` if that is between the frames.
+std::vector<double> sharesBetween(double gap, double frame_rate, double contact_share) {
+  std::vector<double> shares;
+  const double steps = std::ceil(gap * frame_rate - kSameTime);
+  for (double i = 1.0; i < steps; ++i) shares.push_back(i / steps);
+  const double margin = kSameTime / gap;
+  const bool is_between = contact_share > margin && contact_share < 1.0 - margin;
+  const bool is_there = std::any_of(shares.begin(), shares.end(), [=](double share) {
+    return std::abs(share - contact_share) <= margin;
+  });
+  if (is_between && !is_there) shares.push_back(contact_share);
+  return shares;
+}
+
+/// One bag with an attack on its way to another.
+class Injection {
+ public:
+  Injection(const rosbag::Bag& source, NewBag& target, const BagAttack& attack,
+            const RecordingContext& recording)
+      : source_(source),
+        target_(target),
+        attack_(attack),
+        shown_(attack.attack),
+        trajectory_(fromMessage(attack.attack.trajectory)),
+        recording_(recording),
+        now_(attack.attack.trajectory.header.stamp) {
+    shown_.report = attack.tested_report;
+    findCrash();
+    findEnd();
+    makeFrames();
+    next_frame_ = frames_.begin();
+  }
+
+  /// What was left out.
+  std::vector<std::string> write(const std::function<void(double)>& on_progress) {
+    rosbag::View view(source_);
+    const double count = view.size();
+    if (view.size() > 0) {
+      report_time_ = std::min(clock_.recordedAt(reportTime()), view.getEndTime());
+    }
+    double done = 0.0;
+    for (const rosbag::MessageInstance& instance : view) {
+      on_progress(done++ / count);
+      const ros::Time stamp = stampIn(instance);
+      if (stamp > end_) continue;
+      writeMadeBefore(instance.getTime());
+      writeMapMarkersAt(instance.getTime());
+      copy(instance, stamp);
+    }
+    writeMadeBefore(ros::TIME_MAX);
+    on_progress(1.0);
+    std::vector<std::string> warnings;
+    for (const auto& [topic, count] : left_out_) {
+      warnings.push_back(std::to_string(count) + " entries of " + topic +
+                         " that are not finite left out");
+    }
+    return warnings;
+  }
+
+ private:
+  bool hasContact() const { return attack_.tested_report.contact; }
+
+  /// Header stamp at which the outcome of the attack is known: at the contact, else at the end of
+  /// the trajectory.
+  ros::Time reportTime() const {
+    return hasContact() ? attack_.tested_report.contact_time
+                        : attack_.attack.trajectory.points.back().stamp;
+  }
+
+  void findCrash() {
+    if (attack_.after_contact != AfterContact::kStop || !hasContact()) return;
+    crash_ = motionAfterContact(attack_.tested_report.contact_time.toSec(), trajectory_,
+                                recording_.ego, recording_.limits);
+    if (crash_) ego_.emplace(*crash_, recording_.center_offset);
+  }
+
+  void findEnd() {
+    const AttackedBagOptions& options = recording_.options;
+    if (crash_) end_ = stampOf(crash_->standTime() + options.seconds_after_stand);
+    if (attack_.after_contact != AfterContact::kEnd || !hasContact()) return;
+    end_ = attack_.tested_report.contact_time + ros::Duration(options.end_time);
+  }
+
+  void makeFrames() {
+    AttackerInjector injector(attack_.attack.trajectory, recording_.limits);
+    injector.setCrash(crash_);
+    collision_forge::AgentArray::Ptr before;
+    const rosbag::TopicQuery topic(bagTopic(names::kAgents));
+    for (const rosbag::MessageInstance& instance : rosbag::View(source_, topic)) {
+      const auto agents = instance.instantiate<collision_forge::AgentArray>();
+      if (!agents) continue;
+      const int left_out = keepFinite(*agents);
+      if (left_out > 0) left_out_[instance.getTopic()] += left_out;
+      agents_header_ = instance.getConnectionHeader();
+      clock_.add(agents->header.stamp, instance.getTime());
+      addFrame({instance.getTime(), injector.inject(*agents), true, left_out > 0});
+      if (before && before->header.stamp >= now_) addFramesBetween(*before, *agents, injector);
+      before = agents;
+    }
+    frames_.erase(frames_.upper_bound({end_, ros::TIME_MAX}), frames_.end());
+  }
+
+  void addFrame(const AttackedFrame& frame) {
+    frames_[{frame.agents.header.stamp, frame.recorded}] = frame;
+  }
+
+  /// None in a gap in which nobody knows how the others moved.
+  void addFramesBetween(const collision_forge::AgentArray& before,
+                        const collision_forge::AgentArray& after, AttackerInjector& injector) {
+    const double gap = (after.header.stamp - before.header.stamp).toSec();
+    if (gap <= 0.0 || gap > kMaxGap) return;
+    const auto& report = attack_.tested_report;
+    const double contact =
+        report.contact ? (report.contact_time - before.header.stamp).toSec() / gap : -1.0;
+    for (const double share : sharesBetween(gap, recording_.options.frame_rate, contact)) {
+      const auto frame = injector.inject(frameBetween(before, after, share));
+      addFrame({clock_.recordedAt(frame.header.stamp), frame, false, false});
+    }
+  }
+
+  /// What is new in the bag and recorded before `time`: an attack at now, and with every frame.
+  void writeMadeBefore(const ros::Time& time) {
+    while (next_frame_ != frames_.end() && next_frame_->second.recorded < time) {
+      const AttackedFrame& frame = (next_frame_++)->second;
+      writeAttackBefore(frame.recorded);
+      writeReportBefore(frame.recorded);
+      if (!frame.is_recorded) writeInBetween(frame);
+      target_.writeLatched(bagTopic(names::kAttackMarkers), frame.recorded,
+                           markersOf(frame.agents));
+      target_.write(bagTopic(names::kAgentObjects), frame.recorded, toObjects(frame.agents));
+    }
+    writeAttackBefore(time);
+    writeReportBefore(time);
+  }
+
+  void writeAttackBefore(const ros::Time& time) {
+    const ros::Time recorded = clock_.recordedAt(now_);
+    if (is_attack_written_ || time <= recorded) return;
+    is_attack_written_ = true;
+    target_.writeLatched(bagTopic(names::kAttack), recorded, attack_.attack);
+    target_.writeLatched(bagTopic(names::kAttackRequest), recorded, attack_.request);
+    target_.writeLatched(bagTopic(names::kAttackPath), recorded, toPath(trajectory_.points));
+    target_.writeLatched(bagTopic(names::kAttackEgoPath), recorded,
+                         toPath(recording_.ego, now_.toSec(), trajectory_.points.back().time));
+  }
+
+  void writeReportBefore(const ros::Time& time) {
+    if (is_report_written_ || time <= report_time_) return;
+    is_report_written_ = true;
+    target_.writeLatched(bagTopic(names::kTestedReport), report_time_, attack_.tested_report);
+  }
+
+  void writeInBetween(const AttackedFrame& frame) {
+    target_.write(bagTopic(names::kAgents), frame.recorded, frame.agents,
+                  markedInBetween(agents_header_));
+    if (!markers_header_) return;
+    target_.write(bagTopic(names::kAnnotationMarkers), frame.recorded, shownAgents(frame.agents),
+                  markers_header_);
+  }
+
+  /// The attacker is red from now on.
+  visualization_msgs::MarkerArray shownAgents(const collision_forge::AgentArray& agents) const {
+    return annotationMarkers(agents,
+                             agents.header.stamp < now_ ? "" : shown_.trajectory.attacker_id);
+  }
+
+  const collision_forge::Agent* attackerIn(const collision_forge::AgentArray& agents) const {
+    const auto found = std::find_if(
+        agents.agents.begin(), agents.agents.end(),
+        [this](const auto& agent) { return agent.id == attack_.attack.trajectory.attacker_id; });
+    return found == agents.agents.end() ? nullptr : &*found;
+  }
+
+  /// Where the ego is, as the bag has it.
+  std::optional<Pose2> egoAt(double time) const {
+    if (crash_ && time > crash_->contactTime()) return crash_->egoAt(time).pose;
+    const auto state = stateAt(recording_.ego, time);
+    if (!state) return std::nullopt;
+    return state->pose;
+  }
+
+  visualization_msgs::MarkerArray markersOf(const collision_forge::AgentArray& agents) const {
+    CrashView view;
+    view.header = agents.header;
+    if (const auto ego = egoAt(agents.header.stamp.toSec())) {
+      view.ego = OrientedBox{*ego, recording_.ego.size};
+    }
+    if (agents.header.stamp >= now_) {
+      view.attack = &shown_;
+      view.attacker = attackerIn(agents);
+    }
+    return crashMarkers(view);
+  }
+
+  /// Whether the attack changes messages with this stamp.
+  bool isChangedAt(const ros::Time& stamp) const {
+    const auto& past = attack_.attack.trajectory.past;
+    return past.empty() ? stamp > now_ : stamp >= past.front().stamp;
+  }
+
+  static std::optional<ros::Time> headerStamp(const collision_forge::AgentArray& message) {
+    return message.header.stamp;
+  }
+  static std::optional<ros::Time> headerStamp(const nav_msgs::Odometry& message) {
+    return message.header.stamp;
+  }
+  static std::optional<ros::Time> headerStamp(const visualization_msgs::MarkerArray& message) {
+    if (message.markers.empty()) return std::nullopt;
+    return message.markers.front().header.stamp;
+  }
+  static std::optional<ros::Time> headerStamp(const tf2_msgs::TFMessage& message) {
+    const auto ego =
+        std::find_if(message.transforms.begin(), message.transforms.end(), SlidingEgo::isEgo);
+    if (ego == message.transforms.end()) return std::nullopt;
+    return ego->header.stamp;
+  }
+
+  template <typename Message>
+  static std::optional<ros::Time> headerStamp(const rosbag::MessageInstance& instance) {
+    const auto message = instance.instantiate<Message>();
+    return message ? headerStamp(*message) : std::nullopt;
+  }
+
+  /// The header stamp of a message that shows agents or the ego, else the stamp that messages
+  /// recorded at that time have.
+  ros::Time stampIn(const rosbag::MessageInstance& instance) const {
+    const std::string& topic = instance.getTopic();
+    std::optional<ros::Time> stamp;
+    if (topic == bagTopic(names::kAgents))
+      stamp = headerStamp<collision_forge::AgentArray>(instance);
+    if (topic == names::kTf) stamp = headerStamp<tf2_msgs::TFMessage>(instance);
+    if (topic == bagTopic(names::kOdometry)) stamp = headerStamp<nav_msgs::Odometry>(instance);
+    if (topic == bagTopic(names::kAnnotationMarkers)) {
+      stamp = headerStamp<visualization_msgs::MarkerArray>(instance);
+    }
+    return stamp ? *stamp : clock_.stampAt(instance.getTime());
+  }
+
+  void copy(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
+    if (copyChanged(instance, stamp)) return;
+    target_.write(instance.getTopic(), instance.getTime(), instance,
+                  instance.getConnectionHeader());
+  }
+
+  /// False for a message that stays as it is.
+  bool copyChanged(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
+    const std::string& topic = instance.getTopic();
+    if (topic == bagTopic(names::kLaneMap)) makeMapMarkers(instance);
+    for (const char* made_anew : {names::kMapMarkers, names::kAgentObjects}) {
+      if (topic == bagTopic(made_anew)) return true;
+    }
+    if (topic == bagTopic(names::kAgents)) return copyAgents(instance, stamp);
+    if (topic == bagTopic(names::kAnnotationMarkers)) return copyAnnotationMarkers(instance, stamp);
+    if (topic == names::kTf) return copyEgo<tf2_msgs::TFMessage>(instance);
+    if (topic == bagTopic(names::kOdometry)) return copyEgo<nav_msgs::Odometry>(instance);
+    return false;
+  }
+
+  void makeMapMarkers(const rosbag::MessageInstance& instance) {
+    const auto map = instance.instantiate<collision_forge::LaneMap>();
+    if (!map) return;
+    map_markers_ = mapMarkers(*map);
+    map_markers_time_ = instance.getTime();
+    writeMapMarkersAt(instance.getTime());
+  }
+
+  /// At most once per kMapInterval. RViz drops its markers where a replay jumps back, and `rosbag
+  /// play --loop` publishes a latched message from before its start once, not in every round.
+  void writeMapMarkersAt(const ros::Time& time) {
+    if (!map_markers_ || time < map_markers_time_) return;
+    target_.writeLatched(bagTopic(names::kMapMarkers), time, *map_markers_);
+    map_markers_time_ = time + ros::Duration(kMapInterval);
+  }
+
+  bool copyAgents(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
+    const auto frame = frames_.find({stamp, instance.getTime()});
+    if (frame == frames_.end()) return false;
+    if (!isChangedAt(stamp) && !frame->second.is_mended) return false;
+    target_.write(instance.getTopic(), instance.getTime(), frame->second.agents,
+                  instance.getConnectionHeader());
+    return true;
+  }
+
+  /// Those of the newest frame: messages of one time come in any order.
+  bool copyAnnotationMarkers(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
+    markers_header_ = instance.getConnectionHeader();
+    const auto after = frames_.upper_bound({stamp, ros::TIME_MAX});
+    if (after == frames_.begin() || !isChangedAt(stamp)) return false;
+    target_.write(instance.getTopic(), instance.getTime(),
+                  shownAgents(std::prev(after)->second.agents), markers_header_);
+    return true;
+  }
+
+  /// Of a message that is not finite.
+  static bool isEmpty(const tf2_msgs::TFMessage& message) { return message.transforms.empty(); }
+  static bool isEmpty(const nav_msgs::Odometry& /*message*/) { return true; }
+
+  /// The ego at the contact, before the first message that comes later.
+  template <typename Message>
+  void writeAtContact(const rosbag::MessageInstance& next, const Message& message) {
+    const auto made = ego_->atContact(message);
+    const ros::Time before = std::exchange(ego_times_[next.getTopic()], next.getTime());
+    if (!made) return;
+    target_.write(next.getTopic(), before + (next.getTime() - before) * made->ratio, made->message,
+                  next.getConnectionHeader());
+  }
+
+  template <typename Message>
+  bool copyEgo(const rosbag::MessageInstance& instance) {
+    const auto message = instance.instantiate<Message>();
+    if (!message) return false;
+    const int left_out = keepFinite(*message);
+    if (left_out > 0) left_out_[instance.getTopic()] += left_out;
+    if (left_out > 0 && isEmpty(*message)) return true;
+    if (ego_) writeAtContact(instance, *message);
+    const Message changed = ego_ ? ego_->changed(*message) : *message;
+    if (left_out == 0 && changed == *message) return false;
+    target_.write(instance.getTopic(), instance.getTime(), changed, instance.getConnectionHeader());
+    return true;
+  }
+
+  const rosbag::Bag& source_;
+  NewBag& target_;
+  const BagAttack& attack_;
+  collision_forge::Attack shown_;  ///< with the report against the recording
+  AttackerTrajectory trajectory_;
+  const RecordingContext& recording_;
+  ros::Time now_;                               ///< header stamp
+  ros::Time end_ = ros::TIME_MAX;               ///< greatest header stamp in the new bag
+  RecordClock clock_;                           ///< of the frames of agents
+  std::optional<PostCrashMotion> crash_;        ///< with AfterContact::kStop and a contact
+  std::optional<SlidingEgo> ego_;               ///< the same
+  std::map<std::string, ros::Time> ego_times_;  ///< by topic: when its last message was recorded
+  AttackedFrames frames_;
+  AttackedFrames::const_iterator next_frame_;  ///< that is not yet shown
+  std::map<std::string, int> left_out_;        ///< by topic
+  Header agents_header_;
+  Header markers_header_;  ///< null until markers of annotations have come
+  bool is_attack_written_ = false;
+  bool is_report_written_ = false;
+  ros::Time report_time_;  ///< when the report is recorded
+  std::optional<visualization_msgs::MarkerArray> map_markers_;
+  ros::Time map_markers_time_;  ///< record time from which on they are due again
+};
+
+}  // namespace
+
+const char* toString(AfterContact after) {
+  switch (after) {
+    case AfterContact::kStop:
+      return "stop";
+    case AfterContact::kEnd:
+      return "end";
+    case AfterContact::kDriveOn:
+      break;
+  }
+  return "drive_on";
+}
+
+AfterContact liveAfterContact(const std::string& word) {
+  for (const AfterContact after : {AfterContact::kStop, AfterContact::kDriveOn}) {
+    if (word == toString(after)) return after;
+  }
+  throw std::invalid_argument("neither stop nor drive_on");
+}
+
+void requireNoAttack(const std::string& path) {
+  try {
+    const OpenedBag opened(path);
+    const rosbag::Bag& bag = opened.bag();
+    for (const char* name : kAttackTopics) {
+      const std::string topic = bagTopic(name);
+      if (rosbag::View(bag, rosbag::TopicQuery(topic)).size() == 0) continue;
+      throw BagError(path + ": has an attack already, on " + topic +
+                     "; inject into the recording that it was made from");
+    }
+  } catch (const rosbag::BagException& error) {
+    throw BagError(path + ": cannot be read: " + error.what());
+  }
+}
+
+std::vector<std::string> injectIntoBag(const std::string& in, const std::string& out,
+                                       const BagAttack& attack, const RecordingContext& recording,
+                                       const std::function<void(double)>& on_progress) {
+  try {
+    const OpenedBag source(in);
+    NewBag target(out);
+    std::vector<std::string> warnings =
+        Injection(source.bag(), target, attack, recording).write(on_progress);
+    target.commit();
+    return warnings;
+  } catch (const rosbag::BagException& error) {
+    throw BagError(in + " to " + out + ": " + error.what());
+  }
+}
+
+}  // namespace forge

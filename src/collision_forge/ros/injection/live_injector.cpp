@@ -1,0 +1,130 @@
+#include "collision_forge/ros/injection/live_injector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "collision_forge/base/scene/scene_history.h"
+#include "collision_forge/ros/injection/frame_between.h"
+#include "collision_forge/ros/messages/conversions.h"
+
+namespace forge {
+namespace {
+
+constexpr std::size_t kMostWait = 10000;  // frames that may wait for the ego's poses
+
+double secondsFrom(const collision_forge::AgentArray::ConstPtr& from, const ros::Time& to) {
+  return (to - from->header.stamp).toSec();
+}
+
+}  // namespace
+
+LiveInjector::LiveInjector(const Config& config, AfterContact after_contact, Publish publish)
+    : step_(1.0 / config.attacked_bag.frame_rate),
+      limits_(config.input_limits),
+      after_contact_(after_contact),
+      drivable_(config.attack.verification.drivable),
+      publish_(std::move(publish)),
+      watch_(config.ego_vehicle.size, config.live.answerAge(), config.attack.verification) {}
+
+void LiveInjector::setAttack(const collision_forge::Attack& attack) {
+  if (attack.trajectory.attacker_id.empty()) {
+    injector_.reset();
+    watch_.stop();
+    return send();
+  }
+  const AttackerTrajectory trajectory = fromMessage(attack.trajectory);
+  checkTrajectory(trajectory, limits_, "attack");
+  now_ = trajectory.points.front().time;
+  if (injector_ && injector_->change(attack.trajectory)) return watch_.change(trajectory);
+  injector_.emplace(attack.trajectory, drivable_);
+  if (last_) injector_->remember(*last_);
+  const auto& poses = watch_.ego().states;
+  if (!poses.empty()) begun_at_ = poses.back().time;
+  watch_.start(trajectory);
+  showCrash();
+  send();
+}
+
+void LiveInjector::addFrame(const collision_forge::AgentArray::ConstPtr& recorded) {
+  const auto newest = waiting_.empty() ? last_ : waiting_.back();
+  if (newest && secondsFrom(newest, recorded->header.stamp) < -kRestart) {
+    waiting_.clear();
+    last_ = before_last_ = nullptr;
+    published_ = ros::Time();
+    begun_at_ = 0.0;
+  }
+  waiting_.push_back(recorded);
+  if (waiting_.size() > kMostWait) waiting_.pop_front();
+  send();
+}
+
+void LiveInjector::addEgo(const AgentState& ego) {
+  watch_.addEgo(ego);
+  showCrash();
+  send();
+}
+
+void LiveInjector::showCrash() {
+  if (injector_ && after_contact_ != AfterContact::kDriveOn) injector_->setCrash(watch_.crash());
+}
+
+void LiveInjector::send() {
+  while (sendInBetween() || sendRecorded()) {
+  }
+}
+
+/// False where none is due.
+bool LiveInjector::sendInBetween() {
+  if (!injector_ || !last_) return false;
+  const double since = std::max({published_.toSec(), begun_at_, now_});
+  const double steps = std::floor((since - last_->header.stamp.toSec() + kSameTime) / step_) + 1.0;
+  const double ahead = step_ * std::max(steps, 1.0);
+  const ros::Time stamp = last_->header.stamp + ros::Duration(ahead);
+  if (ahead > lastAhead() + kSameTime || !isEgoKnown(stamp)) return false;
+  publish(frameAfter(before_last_.get(), *last_, stamp));
+  return true;
+}
+
+/// Seconds after the last recorded frame up to which there may be frames in between.
+double LiveInjector::lastAhead() const {
+  if (!waiting_.empty()) {
+    const double gap = secondsFrom(last_, waiting_.front()->header.stamp);
+    return gap > kMaxGap ? 0.0 : gap - step_ / 2.0;
+  }
+  const double gap = before_last_ ? secondsFrom(before_last_, last_->header.stamp) : kMaxGap;
+  return (gap < kMaxGap ? gap : kFrameInterval) - step_;
+}
+
+/// False where it has to wait, or there is none.
+bool LiveInjector::sendRecorded() {
+  if (waiting_.empty()) return false;
+  const auto frame = waiting_.front();
+  const bool is_after_now = isAfterNow(frame->header.stamp);
+  if (is_after_now && !isEgoKnown(frame->header.stamp)) return false;
+  waiting_.pop_front();
+  if (!is_after_now || frame->header.stamp > published_) publish(*frame);
+  keep(frame);
+  return true;
+}
+
+void LiveInjector::publish(const collision_forge::AgentArray& frame) {
+  published_ = std::max(published_, frame.header.stamp);
+  publish_(injector_ ? injector_->inject(frame) : frame);
+}
+
+void LiveInjector::keep(const collision_forge::AgentArray::ConstPtr& recorded) {
+  if (last_ && recorded->header.stamp <= last_->header.stamp) return;
+  before_last_ = std::exchange(last_, recorded);
+}
+
+bool LiveInjector::isAfterNow(const ros::Time& stamp) const {
+  return injector_ && stamp.toSec() > now_;
+}
+
+bool LiveInjector::isEgoKnown(const ros::Time& stamp) const {
+  const auto& poses = watch_.ego().states;
+  return !poses.empty() && stamp.toSec() <= poses.back().time + kSameTime;
+}
+
+}  // namespace forge

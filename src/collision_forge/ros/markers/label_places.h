@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_forge/base/geometry/oriented_box.h"
+
+/// Where texts stand in a top view that looks along -z with y up: beside boxes. Metres.
+namespace forge {
+
+/// Returns about what a text of letters of that height covers: length along x, width along y.
+BoxSize textSize(const std::string& text, double letter_height);
+
+/// One of the eight places of a text around a box, or of the eight places farther off.
+struct LabelSide {
+  Vector2 direction{0.0, 1.0};  ///< -1, 0 or 1 along x and y
+  int ring = 0;                 ///< 0: next to the box; each further ring is half a text farther
+  std::size_t covered = 0;      ///< number of obstacles that the text covers there
+};
+
+/// Returns the nearest side of `box` on which a text covers the fewest obstacles. The same
+/// arguments give the same side: for a text that keeps its place, pass obstacles that stand still.
+LabelSide freestSide(const OrientedBox& box, const BoxSize& text,
+                     const std::vector<OrientedBox>& obstacles);
+
+/// Returns the middle of a text on that side of `box`.
+Vector2 placeBeside(const OrientedBox& box, const BoxSize& text, const LabelSide& side);
+
+}  // namespace forge

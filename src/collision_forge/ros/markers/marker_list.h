@@ -1,0 +1,61 @@
+#pragma once
+
+#include <std_msgs/Header.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "collision_forge/base/geometry/oriented_box.h"
+#include "collision_forge/ros/markers/marker_colors.h"
+
+namespace forge {
+
+/// A MarkerArray in the making. It starts with DELETEALL, so that what is not in it vanishes. What
+/// is not finite or has no extent is left out, for RViz refuses it. Heights are metres above
+/// ground.
+class MarkerList {
+ public:
+  explicit MarkerList(const std_msgs::Header& header);
+
+  /// A solid box that stands on the ground, with an arrow head on top that tells its heading.
+  void addBox(const std::string& name_space, const OrientedBox& box, double height,
+              const colors::MarkerColor& color);
+  /// A box seen from above, flat.
+  void addSlab(const std::string& name_space, const OrientedBox& box, double z,
+               const colors::MarkerColor& color);
+  void addDisc(const std::string& name_space, const Vector2& center, double diameter, double z,
+               const colors::MarkerColor& color);
+  void addText(const std::string& name_space, const std::string& text, const Vector2& center,
+               double letter_height, double z, const colors::MarkerColor& color);
+  /// Two points a line.
+  void addLines(const std::string& name_space, const std::vector<Vector2>& points, double width,
+                double z, const colors::MarkerColor& color);
+  /// Three points a triangle.
+  void addTriangles(const std::string& name_space, const std::vector<Vector2>& points, double z,
+                    const colors::MarkerColor& color);
+
+  visualization_msgs::MarkerArray take() { return std::move(markers_); }
+
+ private:
+  visualization_msgs::Marker& add(const std::string& name_space, std::int32_t type,
+                                  const colors::MarkerColor& color);
+  void addCuboid(const std::string& name_space, const OrientedBox& box, double bottom, double top,
+                 const colors::MarkerColor& color);
+  void addGroups(const std::string& name_space, std::int32_t type, std::ptrdiff_t group_size,
+                 const std::vector<Vector2>& points, double z, const geometry_msgs::Vector3& scale,
+                 const colors::MarkerColor& color);
+
+  std_msgs::Header header_;
+  visualization_msgs::MarkerArray markers_;
+};
+
+/// Appends the lines between neighbours, two points each.
+void appendPolyline(const std::vector<Vector2>& polyline, std::vector<Vector2>& lines);
+
+/// Appends the four sides of a box, two points each.
+void appendOutline(const OrientedBox& box, std::vector<Vector2>& lines);
+
+}  // namespace forge

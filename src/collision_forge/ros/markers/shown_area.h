@@ -1,0 +1,36 @@
+#pragma once
+
+#include <geometry_msgs/PolygonStamped.h>
+#include <std_msgs/Header.h>
+
+#include <vector>
+
+#include "collision_forge/base/geometry/oriented_box.h"
+
+/// The part of the map that a top view shows: metres, map frame.
+namespace forge {
+
+/// A rectangle along the axes of the map.
+struct ShownArea {
+  Vector2 lowest{0.0, 0.0};
+  Vector2 highest{0.0, 0.0};
+
+  Vector2 middle() const { return (lowest + highest) / 2.0; }
+  Vector2 size() const { return highest - lowest; }
+};
+
+/// Returns the rectangle that holds all boxes with a margin, and that is at least
+/// `shortest_width` metres wide (along x) and in proportion high. `boxes` must not be empty.
+ShownArea areaAround(const std::vector<OrientedBox>& boxes, double shortest_width);
+
+/// Returns the factor for letter heights by which a text has the same size on the screen in every
+/// area. An area that is kUsualWidth wide has factor 1.
+double letterScale(const ShownArea& area);
+
+/// Returns the four corners, counterclockwise from `lowest`.
+geometry_msgs::PolygonStamped toMessage(const ShownArea& area, const std_msgs::Header& header);
+
+inline constexpr double kUsualWidth = 80.0;  // m, of an area around the ego alone
+inline constexpr double kCrashWidth = 50.0;  // m, of an area around a contact
+
+}  // namespace forge

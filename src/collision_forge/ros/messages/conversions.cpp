@@ -1,0 +1,644 @@
+#include "collision_forge/ros/messages/conversions.h"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+#include "collision_forge/base/scene/request_words.h"
+#include "collision_forge/ros/messages/topic_names.h"
+
+namespace forge {
+namespace {
+
+BoxSize fromMessage(const geometry_msgs::Vector3& message) { return {message.x, message.y}; }
+
+/// NaN for a quaternion that is not finite.
+template <typename Quaternion>
+double yawOf(const Quaternion& q) {
+  if (!std::isfinite(q.w + q.x + q.y + q.z)) return std::numeric_limits<double>::quiet_NaN();
+  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+}
+
+geometry_msgs::Polygon toPolygonMessage(const std::vector<Vector2>& ring) {
+  geometry_msgs::Polygon message;
+  for (const Vector2& point : ring) {
+    geometry_msgs::Point32 corner;
+    corner.x = static_cast<float>(point.x());
+    corner.y = static_cast<float>(point.y());
+    message.points.push_back(corner);
+  }
+  return message;
+}
+
+std::vector<Vector2> fromMessage(const geometry_msgs::Polygon& message) {
+  std::vector<Vector2> ring;
+  for (const auto& point : message.points) ring.emplace_back(point.x, point.y);
+  return ring;
+}
+
+AgentClass agentClass(std::uint8_t value, const std::string& id) {
+  if (value > collision_forge::Agent::STATIC_OBJECT) {
+    throw MessageError("agent " + id + ": agent_class = " + std::to_string(value) +
+                       " does not exist");
+  }
+  return static_cast<AgentClass>(value);
+}
+
+Lane fromMessage(const collision_forge::Lane& message) {
+  Lane lane;
+  lane.id = message.id;
+  lane.is_connector = message.is_connector;
+  lane.is_intersection = message.is_intersection;
+  for (const auto& pose : message.centerline) lane.centerline.push_back(forge::fromMessage(pose));
+  lane.polygon = fromMessage(message.polygon);
+  lane.incoming = message.incoming;
+  lane.outgoing = message.outgoing;
+  return lane;
+}
+
+collision_forge::Lane toMessage(const Lane& lane) {
+  collision_forge::Lane message;
+  message.id = lane.id;
+  message.is_connector = lane.is_connector;
+  message.is_intersection = lane.is_intersection;
+  for (const Pose2& pose : lane.centerline) message.centerline.push_back(toPose2dMessage(pose));
+  message.polygon = toPolygonMessage(lane.polygon);
+  message.incoming = lane.incoming;
+  message.outgoing = lane.outgoing;
+  return message;
+}
+
+collision_forge::Tensor toMessage(const DenseTensor& tensor) {
+  collision_forge::Tensor message;
+  message.shape = tensor.shape;
+  message.data = tensor.data;
+  return message;
+}
+
+std::optional<bool> boolFromString(const std::string& name) {
+  if (name == "true") return true;
+  if (name == "false") return false;
+  return std::nullopt;
+}
+
+/// Sets `value` to what an optional word means, in capitals or not; false for one that means
+/// nothing.
+template <typename FromString, typename Value>
+bool readWord(const std::string& word, FromString from_string, Value& value) {
+  if (word.empty()) return true;
+  const auto meaning = from_string(lowered(word));
+  if (meaning) value = *meaning;
+  return meaning.has_value();
+}
+
+/// What the word of a field of a report means. Throws MessageError if it means nothing.
+template <typename FromString>
+auto wordIn(const std::string& word, const char* field, FromString from_string) {
+  const auto meaning = from_string(word);
+  if (!meaning) throw MessageError(std::string(field) + " = \"" + word + "\" is unknown");
+  return *meaning;
+}
+
+/// "none of A, B, ...", of the words that name these values.
+template <typename Values>
+std::string noneOf(const Values& values) {
+  std::string words;
+  for (const auto value : values)
+    words += (words.empty() ? "" : ", ") + std::string(toString(value));
+  return "none of " + words;
+}
+
+/// What is asked for beyond type, time and attacker; returns what is wrong with it, or nothing.
+std::string readControls(const collision_forge::CollisionRequest& message,
+                         CollisionRequest& request) {
+  const auto unknown = [](const char* field, const std::string& value, const std::string& problem) {
+    return std::string(field) + " = \"" + value + "\" is " + problem;
+  };
+  if (!readWord(message.choice, attackerChoiceFromString, request.choice)) {
+    return unknown("choice", message.choice, "none of any, existing and new");
+  }
+  if (!readWord(message.believable, boolFromString, request.crash.believable)) {
+    return unknown("believable", message.believable, "neither true nor false");
+  }
+  if (!readWord(message.limits, limitSetFromString, request.crash.limits)) {
+    return unknown("limits", message.limits, "neither drivable nor strict");
+  }
+  if (!readWord(message.attacker_class, agentClassFromString, request.attacker_class)) {
+    return unknown("attacker_class", message.attacker_class, noneOf(kAttackerClasses));
+  }
+  if (!readWord(message.manoeuvre, manoeuvreFromString, request.manoeuvre)) {
+    return unknown("manoeuvre", message.manoeuvre, noneOf(kManoeuvres));
+  }
+  if (!readWord(message.ego_side, sideFromString, request.ego_side)) {
+    return unknown("ego_side", message.ego_side, "none of front, rear, left and right");
+  }
+  if (message.min_impact_speed != 0.0 || message.max_impact_speed != 0.0) {
+    request.impact_speed = Range{message.min_impact_speed, message.max_impact_speed};
+  }
+  if (message.min_overlap != 0.0 || message.max_overlap != 0.0) {
+    request.overlap = Range{message.min_overlap, message.max_overlap};
+  }
+  constexpr std::uint32_t kMany = std::numeric_limits<int>::max();
+  if (message.alternatives != 0) {
+    request.alternatives = static_cast<int>(std::min(message.alternatives, kMany));
+  }
+  return "";
+}
+
+/// Throws as fromMessage() of the trajectory.
+std::vector<AgentState> pastIn(const collision_forge::AttackerTrajectory& message) {
+  const std::string attacker = "attacker " + message.attacker_id + ": ";
+  if (message.added == message.past.empty()) {
+    throw MessageError(attacker +
+                       (message.added ? "added, without a past" : "past, but not added"));
+  }
+  std::vector<AgentState> past;
+  for (const auto& state : message.past) {
+    const std::string name = attacker + "past[" + std::to_string(past.size()) + "]";
+    past.push_back(forge::fromMessage(state));
+    if (!past.back().pose.isFinite() || !past.back().velocity.allFinite()) {
+      throw MessageError(name + " is not finite");
+    }
+    if (past.size() > 1 && past.back().time <= past[past.size() - 2].time) {
+      throw MessageError(name + ".stamp is not after the one before");
+    }
+  }
+  return past;
+}
+
+}  // namespace
+
+void requireMapFrame(const std_msgs::Header& header, const char* topic) {
+  if (header.frame_id.empty() || header.frame_id == names::kMapFrame) return;
+  throw MessageError(std::string(topic) + ": header.frame_id = \"" + header.frame_id +
+                     "\", not \"" + names::kMapFrame + "\"");
+}
+
+ros::Time stampOf(double time) {
+  constexpr std::uint64_t kMicrosecond = 1000;  // ns
+  const ros::Time nearest(time);
+  const ros::Time rounded =
+      ros::Time().fromNSec((nearest.toNSec() + kMicrosecond / 2) / kMicrosecond * kMicrosecond);
+  return rounded.toSec() == time ? rounded : nearest;
+}
+
+Pose2 fromMessage(const geometry_msgs::Pose& message) {
+  return {message.position.x, message.position.y, yawOf(message.orientation)};
+}
+
+Pose2 fromMessage(const geometry_msgs::Pose2D& message) {
+  return {message.x, message.y, message.theta};
+}
+
+Pose2 fromMessage(const geometry_msgs::Transform& message) {
+  return {message.translation.x, message.translation.y, yawOf(message.rotation)};
+}
+
+geometry_msgs::Pose toPoseMessage(const Pose2& pose) {
+  geometry_msgs::Pose message;
+  message.position.x = pose.x;
+  message.position.y = pose.y;
+  message.orientation.z = std::sin(0.5 * pose.yaw);
+  message.orientation.w = std::cos(0.5 * pose.yaw);
+  return message;
+}
+
+void setPlanar(const Pose2& planar, geometry_msgs::Pose& pose) {
+  const double turn = angleBetween(fromMessage(pose).yaw, planar.yaw);
+  auto& message = pose.orientation;
+  const Eigen::Quaterniond turned = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) *
+                                    Eigen::Quaterniond(message.w, message.x, message.y, message.z);
+  message.w = turned.w();
+  message.x = turned.x();
+  message.y = turned.y();
+  message.z = turned.z();
+  pose.position.x = planar.x;
+  pose.position.y = planar.y;
+}
+
+geometry_msgs::Pose2D toPose2dMessage(const Pose2& pose) {
+  geometry_msgs::Pose2D message;
+  message.x = pose.x;
+  message.y = pose.y;
+  message.theta = pose.yaw;
+  return message;
+}
+
+geometry_msgs::Vector3 toMessage(const BoxSize& size) {
+  geometry_msgs::Vector3 message;
+  message.x = size.length;
+  message.y = size.width;
+  return message;
+}
+
+TrajectoryPoint fromMessage(const collision_forge::TrajectoryPoint& message) {
+  return {message.stamp.toSec(), fromMessage(message.pose), message.speed, message.acceleration,
+          message.curvature};
+}
+
+collision_forge::TrajectoryPoint toMessage(const TrajectoryPoint& point) {
+  collision_forge::TrajectoryPoint message;
+  message.stamp = stampOf(point.time);
+  message.pose = toPoseMessage(point.pose);
+  message.speed = point.speed;
+  message.acceleration = point.acceleration;
+  message.curvature = point.curvature;
+  return message;
+}
+
+Polygon fromMessage(const collision_forge::PolygonWithHoles& message) {
+  Polygon polygon{fromMessage(message.exterior), {}};
+  for (const auto& hole : message.holes) polygon.holes.push_back(fromMessage(hole));
+  return polygon;
+}
+
+collision_forge::PolygonWithHoles toMessage(const Polygon& polygon) {
+  collision_forge::PolygonWithHoles message;
+  message.exterior = toPolygonMessage(polygon.exterior);
+  for (const auto& hole : polygon.holes) message.holes.push_back(toPolygonMessage(hole));
+  return message;
+}
+
+LaneMap fromMessage(const collision_forge::LaneMap& message) {
+  LaneMap map;
+  map.location = message.location;
+  map.driving_side = message.driving_side == collision_forge::LaneMap::DRIVE_LEFT
+                         ? DrivingSide::kLeft
+                         : DrivingSide::kRight;
+  for (const auto& lane : message.lanes) map.lanes.push_back(fromMessage(lane));
+  for (const auto& area : message.drivable_area) map.drivable_area.push_back(fromMessage(area));
+  for (const auto& walkway : message.walkways) map.walkways.push_back(fromMessage(walkway));
+  return map;
+}
+
+collision_forge::LaneMap toMessage(const LaneMap& map, const ros::Time& stamp) {
+  collision_forge::LaneMap message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stamp;
+  message.location = map.location;
+  message.driving_side = map.driving_side == DrivingSide::kLeft
+                             ? collision_forge::LaneMap::DRIVE_LEFT
+                             : collision_forge::LaneMap::DRIVE_RIGHT;
+  for (const Lane& lane : map.lanes) message.lanes.push_back(toMessage(lane));
+  for (const Polygon& area : map.drivable_area) message.drivable_area.push_back(toMessage(area));
+  for (const Polygon& walkway : map.walkways) message.walkways.push_back(toMessage(walkway));
+  return message;
+}
+
+std::vector<Track> fromMessage(const collision_forge::AgentArray& message) {
+  std::vector<Track> agents;
+  const double time = message.header.stamp.toSec();
+  for (const auto& agent : message.agents) {
+    const Vector2 velocity(agent.velocity.x, agent.velocity.y);
+    agents.push_back({agent.id,
+                      agentClass(agent.agent_class, agent.id),
+                      fromMessage(agent.size),
+                      {{time, fromMessage(agent.pose), velocity}}});
+  }
+  return agents;
+}
+
+AgentState fromMessage(const collision_forge::TrackState& message) {
+  return {message.stamp.toSec(), fromMessage(message.pose),
+          Vector2(message.velocity_x, message.velocity_y)};
+}
+
+collision_forge::TrackState toMessage(const AgentState& state) {
+  collision_forge::TrackState message;
+  message.stamp = stampOf(state.time);
+  message.pose = toPose2dMessage(state.pose);
+  message.velocity_x = state.velocity.x();
+  message.velocity_y = state.velocity.y();
+  return message;
+}
+
+Track fromMessage(const collision_forge::AgentTrack& message) {
+  Track track{
+      message.id, agentClass(message.agent_class, message.id), fromMessage(message.size), {}};
+  for (const auto& state : message.states) track.states.push_back(fromMessage(state));
+  return track;
+}
+
+collision_forge::AgentTrack toMessage(const Track& track) {
+  collision_forge::AgentTrack message;
+  message.id = track.id;
+  message.agent_class = static_cast<std::uint8_t>(track.agent_class);
+  message.size = toMessage(track.size);
+  for (const AgentState& state : track.states) message.states.push_back(toMessage(state));
+  return message;
+}
+
+Future fromMessage(const collision_forge::Future& message) {
+  Future future;
+  future.ego = fromMessage(message.ego);
+  for (const auto& agent : message.agents) future.agents.push_back(fromMessage(agent));
+  for (const auto& ego : message.ego_samples) future.ego_samples.push_back(fromMessage(ego));
+  return future;
+}
+
+collision_forge::Future toMessage(const Future& future) {
+  collision_forge::Future message;
+  message.ego = toMessage(future.ego);
+  for (const Track& agent : future.agents) message.agents.push_back(toMessage(agent));
+  for (const Track& ego : future.ego_samples) message.ego_samples.push_back(toMessage(ego));
+  return message;
+}
+
+Snapshot fromMessage(const collision_forge::SceneSnapshot& message) {
+  Snapshot snapshot;
+  snapshot.now = message.header.stamp.toSec();
+  snapshot.ego = fromMessage(message.ego);
+  for (const auto& agent : message.agents) snapshot.agents.push_back(fromMessage(agent));
+  return snapshot;
+}
+
+collision_forge::SceneSnapshot toMessage(const Snapshot& snapshot) {
+  collision_forge::SceneSnapshot message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stampOf(snapshot.now);
+  message.ego = toMessage(snapshot.ego);
+  for (const Track& agent : snapshot.agents) message.agents.push_back(toMessage(agent));
+  return message;
+}
+
+collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEncoding& encoding) {
+  collision_forge::EncodedScene message;
+  message.snapshot = toMessage(snapshot);
+  message.header = message.snapshot.header;
+  message.agent_features = toMessage(encoding.agent_features);
+  message.agent_mask = toMessage(encoding.agent_mask);
+  message.lane_features = toMessage(encoding.lane_features);
+  message.lane_mask = toMessage(encoding.lane_mask);
+  message.lane_ids = encoding.lane_ids;
+  return message;
+}
+
+std::variant<CollisionRequest, Status> fromMessage(const collision_forge::CollisionRequest& message,
+                                                   const CrashDefinition& crash) {
+  CollisionRequest request;
+  request.crash = crash;
+  const auto type = collisionTypeFromString(message.collision_type);
+  if (!type) {
+    return Status{StatusCode::kUnknownType, "collision_type = \"" + message.collision_type +
+                                                "\" is none of " + collisionTypeWords()};
+  }
+  const auto mode = modeFromString(message.mode.empty() ? "history" : message.mode);
+  if (!mode) {
+    return Status{StatusCode::kInvalidInput,
+                  "mode = \"" + message.mode + "\" is neither history nor replay nor adaptive"};
+  }
+  request.type = *type;
+  request.tta = message.tta;
+  if (!message.attacker_id.empty()) request.attacker = message.attacker_id;
+  request.mode = *mode;
+  if (request.mode == Mode::kAdaptive) request.crash.min_confidence = 0.0;
+  request.seed = message.seed;
+  const std::string problem = readControls(message, request);
+  if (!problem.empty()) return Status{StatusCode::kInvalidInput, problem};
+  return request;
+}
+
+collision_forge::CollisionRequest toMessage(const CollisionRequest& request) {
+  collision_forge::CollisionRequest message;
+  message.collision_type = toString(request.type);
+  message.tta = request.tta;
+  message.attacker_id = request.attacker.value_or("");
+  message.choice = toString(request.choice);
+  message.mode = toString(request.mode);
+  message.seed = request.seed;
+  message.believable = request.crash.believable ? "true" : "false";
+  message.limits = toString(request.crash.limits);
+  if (request.attacker_class) message.attacker_class = toString(*request.attacker_class);
+  if (request.manoeuvre) message.manoeuvre = toString(*request.manoeuvre);
+  if (request.ego_side) message.ego_side = toString(*request.ego_side);
+  message.min_impact_speed = request.impact_speed.value_or(Range{}).min;
+  message.max_impact_speed = request.impact_speed.value_or(Range{}).max;
+  message.min_overlap = request.overlap.value_or(Range{}).min;
+  message.max_overlap = request.overlap.value_or(Range{}).max;
+  message.alternatives = static_cast<std::uint32_t>(request.alternatives);
+  return message;
+}
+
+collision_forge::CollisionRequest requestIn(
+    const collision_forge::GenerateCollision::Request& message) {
+  collision_forge::CollisionRequest request;
+  request.collision_type = message.collision_type;
+  request.tta = message.tta;
+  request.attacker_id = message.attacker_id;
+  request.choice = message.choice;
+  request.mode = message.mode;
+  const bool is_history = message.mode.empty() || modeFromString(message.mode) == Mode::kHistory;
+  if (message.adaptive && is_history) request.mode = toString(Mode::kAdaptive);
+  request.seed = message.seed;
+  request.believable = message.believable;
+  request.limits = message.limits;
+  request.attacker_class = message.attacker_class;
+  request.manoeuvre = message.manoeuvre;
+  request.ego_side = message.ego_side;
+  request.min_impact_speed = message.min_impact_speed;
+  request.max_impact_speed = message.max_impact_speed;
+  request.min_overlap = message.min_overlap;
+  request.max_overlap = message.max_overlap;
+  request.alternatives = message.alternatives;
+  return request;
+}
+
+CollisionPattern fromMessage(const collision_forge::CollisionPattern& message) {
+  const auto type = collisionTypeFromString(message.collision_type);
+  if (!type) throw MessageError("collision_type = \"" + message.collision_type + "\" is unknown");
+  CollisionPattern pattern;
+  pattern.type = *type;
+  pattern.attacker_id = message.attacker_id;
+  pattern.time = message.header.stamp.toSec() + message.tta;
+  pattern.ego = {fromMessage(message.ego), fromMessage(message.ego_size)};
+  pattern.attacker_offset = fromMessage(message.attacker_offset);
+  pattern.attacker_speed = message.attacker_speed;
+  pattern.tolerance = message.tolerance;
+  return pattern;
+}
+
+collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, double now) {
+  collision_forge::CollisionPattern message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stampOf(now);
+  message.collision_type = toString(pattern.type);
+  message.attacker_id = pattern.attacker_id;
+  message.tta = pattern.time - now;
+  message.ego = toPose2dMessage(pattern.ego.center);
+  message.ego_size = toMessage(pattern.ego.size);
+  message.attacker_offset = toPose2dMessage(pattern.attacker_offset);
+  message.attacker_speed = pattern.attacker_speed;
+  message.tolerance = pattern.tolerance;
+  return message;
+}
+
+ReferencePath fromMessage(const collision_forge::AttackerWay& message) {
+  std::vector<Vector2> controls;
+  for (const auto& point : message.points) controls.emplace_back(point.x, point.y);
+  try {
+    return {message.spacing, std::move(controls)};
+  } catch (const std::invalid_argument& error) {
+    throw MessageError("ways of \"" + message.attacker_id + "\": " + error.what());
+  }
+}
+
+collision_forge::AttackerWay toMessage(const ReferencePath& way, const std::string& attacker_id) {
+  collision_forge::AttackerWay message;
+  message.attacker_id = attacker_id;
+  message.spacing = way.spacing();
+  for (const Vector2& control : way.controls()) {
+    geometry_msgs::Point& point = message.points.emplace_back();
+    point.x = control.x();
+    point.y = control.y();
+  }
+  return message;
+}
+
+AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& message) {
+  AttackerTrajectory trajectory{message.attacker_id,
+                                agentClass(message.agent_class, message.attacker_id),
+                                fromMessage(message.size),
+                                {},
+                                pastIn(message)};
+  if (!(trajectory.size.length > 0.0 && trajectory.size.width > 0.0 &&
+        std::isfinite(trajectory.size.length) && std::isfinite(trajectory.size.width))) {
+    throw MessageError("attacker " + message.attacker_id + ": size is not positive");
+  }
+  std::vector<TrajectoryPoint>& points = trajectory.points;
+  const auto fail = [&](const char* problem) {
+    throw MessageError("attacker " + message.attacker_id + ": points[" +
+                       std::to_string(points.size() - 1) + problem);
+  };
+  for (const auto& point : message.points) {
+    points.push_back(fromMessage(point));
+    const TrajectoryPoint& newest = points.back();
+    if (!newest.pose.isFinite() || !std::isfinite(newest.speed) ||
+        !std::isfinite(newest.acceleration) || !std::isfinite(newest.curvature)) {
+      fail("] is not finite");
+    }
+    if (points.size() > 1 && newest.time <= points[points.size() - 2].time) {
+      fail("].stamp is not after the one before");
+    }
+  }
+  return trajectory;
+}
+
+collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajectory) {
+  collision_forge::AttackerTrajectory message;
+  message.header.frame_id = names::kMapFrame;
+  if (!trajectory.points.empty()) {
+    message.header.stamp = stampOf(trajectory.points.front().time);
+  }
+  message.attacker_id = trajectory.attacker_id;
+  message.agent_class = static_cast<std::uint8_t>(trajectory.agent_class);
+  message.size = toMessage(trajectory.size);
+  for (const TrajectoryPoint& point : trajectory.points) message.points.push_back(toMessage(point));
+  message.added = trajectory.isAdded();
+  for (const AgentState& state : trajectory.past) message.past.push_back(toMessage(state));
+  return message;
+}
+
+Realization fromMessage(const collision_forge::Attack& message) {
+  Realization answer;
+  answer.aim = fromMessage(message.pattern);
+  answer.miss = {message.miss_distance, message.miss_heading};
+  answer.trajectory = fromMessage(message.trajectory);
+  answer.effort = message.effort;
+  answer.report = fromMessage(message.report);
+  return answer;
+}
+
+collision_forge::Attack toMessage(const Realization& answer, const std::string& method,
+                                  double now) {
+  collision_forge::Attack message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stampOf(now);
+  message.method = method;
+  message.pattern = toMessage(answer.aim, now);
+  message.miss_distance = answer.miss.distance;
+  message.miss_heading = answer.miss.heading;
+  message.trajectory = toMessage(answer.trajectory);
+  message.effort = answer.effort;
+  message.report = toMessage(answer.report, answer.trajectory.attacker_id, now);
+  return message;
+}
+
+void setPlans(const std::vector<AttackerPlan>& plans, collision_forge::Attack& message) {
+  const AttackerPlan& last = plans.back();
+  message.adaptive = true;
+  message.phase = toString(last.phase);
+  message.decision = last.reason;
+  message.decided = stampOf(last.from);
+  message.plans = static_cast<std::uint32_t>(plans.size());
+  message.report.decision = last.reason;
+}
+
+CollisionReport fromMessage(const collision_forge::CollisionReport& message) {
+  CollisionReport report;
+  report.contact = message.contact;
+  if (message.contact) {
+    report.contact_time = message.contact_time.toSec();
+    report.relative_heading = message.relative_heading;
+    report.ego_at_contact = fromMessage(message.ego_at_contact);
+    report.attacker_at_contact = fromMessage(message.attacker_at_contact);
+    report.ego_side = wordIn(message.ego_side, "ego_side", sideFromString);
+    report.attacker_side = wordIn(message.attacker_side, "attacker_side", sideFromString);
+    report.impact_speed = message.impact_speed;
+    report.overlap = message.overlap;
+    report.manoeuvre = wordIn(message.manoeuvre, "manoeuvre", manoeuvreFromString);
+    report.manoeuvre_begin = message.manoeuvre_begin.toSec();
+  }
+  report.type_kept = message.type_kept;
+  report.on_time = message.on_time;
+  report.limits_kept = message.limits_kept;
+  report.broken_limit = message.broken_limit;
+  report.first_other_id = message.first_other_id;
+  report.first_other_time = message.first_other_time.toSec();
+  report.off_road_share = message.off_road_share;
+  report.road = {message.on_lane, message.wrong_way, message.off_road, message.on_walkway,
+                 message.on_island};
+  report.unbelievable = message.unbelievable;
+  report.confidence = message.confidence;
+  return report;
+}
+
+collision_forge::CollisionReport toMessage(const CollisionReport& report,
+                                           const std::string& attacker_id, double now) {
+  collision_forge::CollisionReport message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stampOf(now);
+  message.attacker_id = attacker_id;
+  message.verified = report.verified();
+  message.contact = report.contact;
+  if (report.contact) {
+    message.contact_time = stampOf(report.contact_time);
+    message.relative_heading = report.relative_heading;
+    message.ego_at_contact = toPose2dMessage(report.ego_at_contact);
+    message.attacker_at_contact = toPose2dMessage(report.attacker_at_contact);
+    message.ego_side = toString(report.ego_side);
+    message.attacker_side = toString(report.attacker_side);
+    message.impact_speed = report.impact_speed;
+    message.overlap = report.overlap;
+    message.manoeuvre = toString(report.manoeuvre);
+    message.manoeuvre_begin = stampOf(report.manoeuvre_begin);
+  }
+  message.type_kept = report.type_kept;
+  message.on_time = report.on_time;
+  message.limits_kept = report.limits_kept;
+  message.broken_limit = report.broken_limit;
+  message.first_other_id = report.first_other_id;
+  if (!report.first_other_id.empty()) message.first_other_time = stampOf(report.first_other_time);
+  message.off_road_share = report.off_road_share;
+  message.on_lane = report.road.on_lane;
+  message.wrong_way = report.road.wrong_way;
+  message.off_road = report.road.off_road;
+  message.on_walkway = report.road.on_walkway;
+  message.on_island = report.road.on_island;
+  message.believable = report.believable();
+  message.unbelievable = report.unbelievable;
+  message.confidence = report.confidence;
+  return message;
+}
+
+}  // namespace forge

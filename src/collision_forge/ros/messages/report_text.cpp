@@ -1,0 +1,41 @@
+#include "collision_forge/ros/messages/report_text.h"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/base/scene/track.h"
+
+namespace forge {
+
+std::string lineOf(const collision_forge::CollisionReport& report) {
+  if (!report.contact) return "no contact";
+  constexpr double kDegrees = 180.0 / M_PI;
+  const ros::Time& now = report.header.stamp;
+  std::ostringstream line;
+  line << std::fixed << std::setprecision(2)
+       << (report.verified ? "crash as asked" : "contact, not as asked") << ", "
+       << (report.contact_time - now).toSec() << " s from now, relative heading "
+       << report.relative_heading * kDegrees << " degrees, attacker's " << report.attacker_side
+       << " to ego's " << report.ego_side << ", impact speed " << report.impact_speed
+       << " m/s, overlap " << 100.0 * report.overlap << " %, "
+       << (report.limits_kept ? "limits kept" : report.broken_limit)
+       << (report.first_other_id.empty() ? "" : ", touches " + report.first_other_id + " first")
+       << ", " << 100.0 * report.off_road_share << " % off road, " << report.manoeuvre << " from "
+       << (report.manoeuvre_begin - now).toSec() << " s on, "
+       << (report.believable ? "believable" : "not believable: it " + report.unbelievable);
+  return line.str();
+}
+
+std::string summaryOf(const collision_forge::Attack& attack) {
+  const collision_forge::AttackerTrajectory& attacker = attack.trajectory;
+  std::ostringstream line;
+  line << attack.pattern.collision_type << " by " << attacker.attacker_id << ", "
+       << (attacker.added ? "an added " : "a recorded ")
+       << toString(static_cast<AgentClass>(attacker.agent_class)) << ", confidence "
+       << percentText(attack.report.confidence) << ": " << lineOf(attack.report);
+  return line.str();
+}
+
+}  // namespace forge

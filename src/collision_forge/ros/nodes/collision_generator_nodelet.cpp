@@ -1,0 +1,284 @@
+#include <collision_forge/AttackMethods.h>
+#include <collision_forge/EncodedScene.h>
+#include <collision_forge/GenerateCollision.h>
+#include <collision_forge/GenerateCollisions.h>
+#include <collision_forge/ListCollisions.h>
+#include <collision_forge/PredictedPatterns.h>
+#include <nav_msgs/Path.h>
+#include <std_srvs/Trigger.h>
+#include <boost/make_shared.hpp>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <variant>
+
+#include "collision_forge/io/batch/printable.h"
+#include "collision_forge/planner_test/settings/config_fingerprint.h"
+#include "collision_forge/ros/injection/live_attacker.h"
+#include "collision_forge/ros/messages/attack_request.h"
+#include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/ros/messages/paths.h"
+#include "collision_forge/ros/messages/possible_collisions.h"
+#include "collision_forge/ros/messages/report_text.h"
+#include "collision_forge/ros/messages/topic_names.h"
+#include "collision_forge/ros/nodes/attack_finder.h"
+#include "collision_forge/ros/nodes/node_support.h"
+#include "collision_forge/ros/nodes/scene_memory.h"
+#include "collision_forge/ros/nodes/served_nodelet.h"
+
+namespace forge {
+
+/// The front door: answers generate_collision and publishes the attack; lists what is possible,
+/// and answers for many types and times at once. An attacker that sees and reacts is driven here,
+/// too. With the private parameter `keep_attack` an attack is tested again when its replay starts
+/// again; without, a new replay begins without it.
+class CollisionGeneratorNodelet : public QueuedNodelet {
+ private:
+  using Request = collision_forge::GenerateCollision::Request;
+  using Response = collision_forge::GenerateCollision::Response;
+
+  static constexpr double kWatchInterval = 0.5;      // s of the wall clock
+  static constexpr std::uint32_t kSceneQueue = 100;  // scenes that may wait for an attacker's look
+
+  void start(ros::NodeHandle node) override {
+    config_ = loadNodeConfig(getPrivateNodeHandle());
+    loadLogged("methods", [&] {
+      finder_ = std::make_unique<AttackFinder>(node, getPrivateNodeHandle(), config_);
+    });
+    configuration_ = fingerprintOfAll(config_, nodeConfigFolder(getPrivateNodeHandle()));
+    scenes_ = std::make_unique<SceneMemory>(config_.live);
+    patterns_ =
+        node.advertise<collision_forge::PredictedPatterns>(names::kPredictedPatterns, 1, true);
+    attacks_ = node.advertise<collision_forge::Attack>(names::kAttack, 1, true);
+    attacker_paths_ = node.advertise<nav_msgs::Path>(names::kAttackPath, 1, true);
+    ego_paths_ = node.advertise<nav_msgs::Path>(names::kAttackEgoPath, 1, true);
+    requests_ = node.advertise<collision_forge::AttackRequest>(names::kAttackRequest, 1, true);
+    publishMethods(node);
+    live_ = std::make_unique<LiveAttacker>(
+        [this](const collision_forge::Attack& attack) { publish(attack); },
+        getPrivateNodeHandle().param("keep_attack", false), config_.live.answerAge());
+    scene_subscriber_ = node.subscribe(names::kEncodedScene, kSceneQueue,
+                                       &CollisionGeneratorNodelet::receive, this);
+    watch_ = node.createWallTimer(ros::WallDuration(kWatchInterval),
+                                  [this](const ros::WallTimerEvent& /*event*/) {
+                                    attempt([this] { live_->watch(ros::Time::now().toSec()); });
+                                  });
+    services_.emplace_back(node, names::kGenerateCollision, &CollisionGeneratorNodelet::generate,
+                           this);
+    services_.emplace_back(node, names::kGenerateCollisions,
+                           &CollisionGeneratorNodelet::generateEach, this);
+    services_.emplace_back(node, names::kListCollisions, &CollisionGeneratorNodelet::list, this);
+    services_.emplace_back(node, names::kReset, &CollisionGeneratorNodelet::reset, this);
+  }
+
+  /// With its path; where there is none any more, the ego's path goes, too.
+  void publish(const collision_forge::Attack& attack) {
+    attacks_.publish(attack);
+    if (isNone(attack)) {
+      attacker_paths_.publish(toPath({}));
+      ego_paths_.publish(toPath({}));
+    } else {
+      attacker_paths_.publish(toPath(fromMessage(attack.trajectory).points));
+    }
+  }
+
+  void publishMethods(ros::NodeHandle& node) {
+    collision_forge::AttackMethods message;
+    message.default_method = finder_->defaultMethod();
+    for (const MethodRegistry::Entry& entry : finder_->methods().entries()) {
+      message.names.push_back(entry.name);
+      message.descriptions.push_back(entry.description);
+    }
+    methods_publisher_ =
+        node.advertise<collision_forge::AttackMethods>(names::kAttackMethods, 1, true);
+    methods_publisher_.publish(message);
+  }
+
+  void receive(const collision_forge::EncodedScene::ConstPtr& message) {
+    const double clock = ros::Time::now().toSec();
+    // A scene may be faster than the /clock of its time, which comes over another connection.
+    scenes_->add(boost::make_shared<collision_forge::SceneSnapshot>(message->snapshot),
+                 std::max(clock, message->header.stamp.toSec()));
+    attempt([&] { live_->see(newestFrame(fromMessage(message->snapshot)), clock); });
+  }
+
+  template <typename Look>
+  void attempt(const Look& look) {
+    try {
+      look();
+    } catch (const std::exception& error) {
+      NODELET_ERROR_STREAM_THROTTLE(1.0, "the attacker cannot look: " << printable(error.what()));
+    }
+  }
+
+  /// The moment of the newest scene, or of that of a stamp.
+  std::variant<Moment, Status> momentAt(const ros::Time& stamp) const {
+    const auto scene =
+        stamp.isZero() ? scenes_->newest(ros::Time::now().toSec()) : scenes_->at(stamp);
+    if (const Status* none = std::get_if<Status>(&scene)) return *none;
+    return finder_->momentOf(*std::get<SceneMemory::Scene>(scene));
+  }
+
+  /// What is shown is the answer to the last request: one that the scene does not allow shows
+  /// nothing. A request that is wrong in itself changes nothing, nor does any where the bag on
+  /// replay has an attack.
+  bool generate(Request& message, Response& response) {
+    const std::lock_guard<std::mutex> lock(shown_);
+    answerWith(response, [&] { return generateOne(message, response); });
+    const auto code = static_cast<StatusCode>(response.code);
+    if (code != StatusCode::kOk) {
+      if (isOfTheScene(code) && !finder_->isRecordingAttacked()) forget();
+      NODELET_INFO_STREAM(toString(code) << ": " << printable(response.message));
+    }
+    return true;
+  }
+
+  Status generateOne(const Request& message, Response& response) {
+    const auto parsed = fromMessage(requestIn(message), config_.crash);
+    if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
+    const CollisionRequest& request = std::get<CollisionRequest>(parsed);
+    if (message.adaptive && request.mode == Mode::kReplay) {
+      return {StatusCode::kInvalidInput,
+              "adaptive = true is not for mode = replay, which knows what comes"};
+    }
+    const auto found = momentAt(message.stamp);
+    if (const Status* none = std::get_if<Status>(&found)) return *none;
+    const Moment& moment = std::get<Moment>(found);
+    std::optional<PatternPrediction> first;  // alternatives are predicted for, too
+    const Realization answer =
+        finder_->answer(moment, request, message.method, [&](const PatternPrediction& prediction) {
+          if (!first) first = prediction;
+        });
+    if (answer.status.code != StatusCode::kOk) return answer.status;
+    if (first) showPatterns(*first, moment.snapshot.now);
+    collision_forge::CollisionAnswer shown =
+        toMessage(request, answer, nameOf(message.method), moment.snapshot.now);
+    showEgoPath(moment, first ? &first->future.ego : nullptr, answer.trajectory);
+    requests_.publish(attackRequest(request, shown.attack, configuration_));
+    setOut(moment, request, answer, shown.attack);
+    response.attack = std::move(shown.attack);
+    response.alternatives = std::move(shown.alternatives);
+    response.summary = summaryOf(response.attack);
+    return answer.status;
+  }
+
+  const std::string& nameOf(const std::string& method) const {
+    return method.empty() ? finder_->defaultMethod() : method;
+  }
+
+  void showPatterns(const PatternPrediction& prediction, double now) {
+    collision_forge::PredictedPatterns message;
+    message.header.stamp = stampOf(now);
+    message.header.frame_id = names::kMapFrame;
+    for (const CollisionPattern& pattern : prediction.patterns) {
+      message.patterns.push_back(toMessage(pattern, now));
+    }
+    patterns_.publish(message);
+    has_patterns_ = !message.patterns.empty();
+  }
+
+  /// What the ego is to drive while the attack lasts: as the default method expects, else as
+  /// recorded, where that is known.
+  void showEgoPath(const Moment& moment, const Track* expected,
+                   const AttackerTrajectory& attacker) {
+    if (!expected && moment.recorded) expected = &moment.recorded->ego;
+    ego_paths_.publish(
+        toPath(expected ? *expected : Track{}, moment.snapshot.now, attacker.points.back().time));
+  }
+
+  /// Publishes the attack.
+  void setOut(const Moment& moment, const CollisionRequest& request, const Realization& answer,
+              collision_forge::Attack& attack) {
+    if (request.mode != Mode::kAdaptive) {
+      live_->setOut(attack);
+      return;
+    }
+    attack = live_->setOut(attack,
+                           {moment.snapshot, moment.lanes, config_.ego_vehicle, request, answer.aim,
+                            answer.trajectory, answer.effort},
+                           {finder_->foresight().egoFutures(config_.attack.ego_futures),
+                            config_.attack, config_.adaptive});
+  }
+
+  bool generateEach(collision_forge::GenerateCollisions::Request& message,
+                    collision_forge::GenerateCollisions::Response& response) {
+    return answerWith(response, [&]() -> Status {
+      if (modeFromString(message.request.mode) == Mode::kAdaptive) {
+        return {StatusCode::kInvalidInput,
+                "mode = adaptive is not for generate_collisions: one attacker sees and reacts, "
+                "that of generate_collision"};
+      }
+      return askForEach(message, response, response.answers);
+    });
+  }
+
+  bool list(collision_forge::ListCollisions::Request& message,
+            collision_forge::ListCollisions::Response& response) {
+    return answerWith(response, [&]() -> Status {
+      std::vector<collision_forge::CollisionAnswer> answers;
+      const Status status = askForEach(message, response, answers);
+      if (status.code != StatusCode::kOk) return status;
+      return listPossible(answers, response.collisions);
+    });
+  }
+
+  /// For each type and time of the message.
+  template <typename Asked, typename Response>
+  Status askForEach(const Asked& message, Response& response,
+                    std::vector<collision_forge::CollisionAnswer>& answers) const {
+    const auto requests = requestsForEach(message.request, message.collision_types, message.ttas,
+                                          config_.requests.ttas, config_.crash);
+    if (const Status* refusal = std::get_if<Status>(&requests)) return *refusal;
+    const auto found = momentAt(message.stamp);
+    if (const Status* none = std::get_if<Status>(&found)) return *none;
+    const Moment& moment = std::get<Moment>(found);
+    const double now = moment.snapshot.now;
+    response.now = stampOf(now);
+    for (const CollisionRequest& request : std::get<std::vector<CollisionRequest>>(requests)) {
+      answers.push_back(toMessage(request, finder_->answer(moment, request, message.method),
+                                  nameOf(message.method), now));
+    }
+    return {};
+  }
+
+  /// After the answer to a request that is being searched for.
+  bool reset(std_srvs::Trigger::Request& /*message*/, std_srvs::Trigger::Response& response) {
+    const std::lock_guard<std::mutex> lock(shown_);
+    response.success = static_cast<std::uint8_t>(true);
+    response.message = forget() ? "the attack is forgotten" : "there was no attack";
+    return true;
+  }
+
+  /// True when there was an attack of its own.
+  bool forget() {
+    if (has_patterns_) showPatterns({}, 0.0);
+    return live_->forget();
+  }
+
+  Config config_;
+  std::string configuration_;  // its fingerprint
+  std::mutex shown_;           // of what is shown: one request or reset after the other
+  bool has_patterns_ = false;  // published, and not forgotten since
+  std::unique_ptr<AttackFinder> finder_;
+  std::unique_ptr<SceneMemory> scenes_;
+  ros::Publisher patterns_;
+  ros::Publisher attacks_;
+  ros::Publisher attacker_paths_;
+  ros::Publisher ego_paths_;
+  ros::Publisher requests_;
+  ros::Publisher methods_publisher_;
+  std::unique_ptr<LiveAttacker> live_;
+  ros::Subscriber scene_subscriber_;  // from here on: they call what is above
+  ros::WallTimer watch_;
+  std::deque<OwnThreadService> services_;
+};
+
+using ServedCollisionGenerator = Served<CollisionGeneratorNodelet>;
+
+}  // namespace forge
+
+PLUGINLIB_EXPORT_CLASS(forge::ServedCollisionGenerator, nodelet::Nodelet)

@@ -1,0 +1,47 @@
+#include "collision_forge/ros/nodes/ego_poses.h"
+
+#include <boost/make_shared.hpp>
+#include <limits>
+#include <utility>
+
+#include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/ros/messages/topic_names.h"
+#include "collision_forge/ros/nodes/node_support.h"
+
+namespace forge {
+
+EgoPoses::EgoPoses(ros::NodeHandle& node, double center_offset, Callback callback)
+    : center_offset_(center_offset),
+      callback_(std::move(callback)),
+      newest_(-std::numeric_limits<double>::infinity()) {
+  subscribers_ = {node.subscribe(names::kTf, kTopicQueue, &EgoPoses::receive, this),
+                  node.subscribe(names::kStaticTf, kTopicQueue, &EgoPoses::receiveStatic, this)};
+}
+
+void EgoPoses::receive(const tf2_msgs::TFMessage& message) {
+  for (const geometry_msgs::TransformStamped& transform : message.transforms) {
+    if (poses_.movesEgo(transform)) {
+      poses_.addFrame(boost::make_shared<geometry_msgs::TransformStamped>(transform));
+    }
+  }
+  poses_.addTransforms(message, false);
+  tell();
+}
+
+void EgoPoses::receiveStatic(const tf2_msgs::TFMessage& message) {
+  poses_.addTransforms(message, true);
+  tell();
+}
+
+void EgoPoses::tell() {
+  while (const auto posed = poses_.next()) {
+    const double time = posed->message->header.stamp.toSec();
+    const Pose2 middle = compose(fromMessage(posed->pose), {center_offset_, 0.0, 0.0});
+    const bool is_late = time <= newest_ && time >= newest_ - kRestart;
+    if (is_late || !middle.isFinite()) continue;
+    newest_ = time;
+    callback_({time, middle, Vector2::Zero()});
+  }
+}
+
+}  // namespace forge

@@ -1,0 +1,240 @@
+#include <collision_forge/EncodedScene.h>
+#include <ros/ros.h>
+#include <std_msgs/Bool.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <memory>
+#include <optional>
+
+#include "collision_forge/attack/verify/contact_watch.h"
+#include "collision_forge/base/scene/input_limits.h"
+#include "collision_forge/ros/markers/crash_words.h"
+#include "collision_forge/ros/markers/live_scene.h"
+#include "collision_forge/ros/markers/marker_parts.h"
+#include "collision_forge/ros/markers/markers.h"
+#include "collision_forge/ros/markers/repeated_markers.h"
+#include "collision_forge/ros/markers/shown_motion.h"
+#include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/ros/messages/topic_names.h"
+#include "collision_forge/ros/nodes/ego_poses.h"
+#include "collision_forge/ros/nodes/node_support.h"
+#include "collision_forge/ros/nodes/served_nodelet.h"
+
+namespace forge {
+
+/// Shows map, scene and attack in RViz. All but the map is a function of the time, the newest
+/// scene, the poses of the ego and the attack: it is right again after any jump of the clock. The
+/// contact is found here (ContactWatch), because tested_report comes later: it waits for the next
+/// agents.
+class SceneVisualizerNodelet : public QueuedNodelet {
+ private:
+  static constexpr double kPictureRate = 20.0;  // Hz, of the wall clock
+
+  void start(ros::NodeHandle node) override {
+    const Config config = loadNodeConfig(getPrivateNodeHandle());
+    limits_ = config.input_limits;
+    drivable_ = config.attack.verification.drivable;
+    watch_.emplace(config.ego_vehicle.size, config.live.answerAge(), config.attack.verification);
+    map_markers_ = RepeatedMarkers(node, names::kMapMarkers);
+    scene_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kSceneMarkers, 1);
+    pattern_markers_ = RepeatedMarkers(node, names::kPatternMarkers);
+    attack_markers_ = RepeatedMarkers(node, names::kAttackMarkers);
+    areas_ = node.advertise<geometry_msgs::PolygonStamped>(names::kShownArea, 1);
+    subscribers_ = {
+        node.subscribe(names::kLaneMap, 1, &SceneVisualizerNodelet::onMap, this),
+        node.subscribe(names::kEncodedScene, 1, &SceneVisualizerNodelet::onScene, this),
+        node.subscribe(names::kPredictedPatterns, 1, &SceneVisualizerNodelet::onPredicted, this),
+        node.subscribe(names::kAttack, 1, &SceneVisualizerNodelet::onAttack, this),
+        node.subscribe(names::kTestedReport, 1, &SceneVisualizerNodelet::onTested, this),
+        node.subscribe(names::kPlannerTestShown, 1, &SceneVisualizerNodelet::onPlannerTest, this)};
+    ego_poses_ = std::make_unique<EgoPoses>(node, config.ego_vehicle.center_offset,
+                                            [this](const AgentState& ego) { watch_->addEgo(ego); });
+    // Of the wall clock: whoever comes while the replay is paused sees the picture, too.
+    timer_ = node.createWallTimer(ros::WallDuration(1.0 / kPictureRate),
+                                  &SceneVisualizerNodelet::show, this);
+    repeat_timer_ =
+        node.createWallTimer(ros::WallDuration(RepeatedMarkers::kInterval),
+                             [this](const ros::WallTimerEvent& /*event*/) { repeat(); });
+  }
+
+  /// For an RViz that has dropped its markers.
+  void repeat() const {
+    for (const auto* markers : {&map_markers_, &pattern_markers_, &attack_markers_}) {
+      markers->repeat();
+    }
+  }
+
+  /// False, and logged, where `check` throws.
+  template <typename Check>
+  bool isUsable(const char* topic, const Check& check) {
+    try {
+      check();
+      return true;
+    } catch (const std::exception& error) {
+      NODELET_ERROR_STREAM_THROTTLE(1.0, topic << " not shown: " << printable(error.what()));
+      return false;
+    }
+  }
+
+  void onMap(const collision_forge::LaneMapConstPtr& map) {
+    const auto check = [&] { checkMap(fromMessage(*map), limits_, names::kLaneMap); };
+    if (isUsable(names::kLaneMap, check)) map_markers_.publish(mapMarkers(*map));
+  }
+
+  void onScene(const collision_forge::EncodedSceneConstPtr& scene) {
+    const auto check = [&] {
+      Snapshot snapshot = fromMessage(scene->snapshot);
+      checkSnapshot(snapshot, limits_, names::kEncodedScene);
+    };
+    if (!isUsable(names::kEncodedScene, check)) return;
+    const bool jumped_back = scene_ && scene->header.stamp < scene_->header.stamp;
+    scene_ = scene;
+    clearFuturePatterns(*scene);
+    if (jumped_back) repeat();
+    if (attack_ && attack_->adaptive) shown_ = Shown::kOutdated;
+  }
+
+  /// Of the newest scene, as requests are.
+  void onPredicted(const collision_forge::PredictedPatternsConstPtr& predicted) {
+    if (predicted->patterns.empty()) {
+      showPatterns(noMarkers(predicted->header), ros::Time());
+    } else if (scene_) {
+      showPatterns(patternMarkers(*predicted, scene_->snapshot), predicted->header.stamp);
+    }
+  }
+
+  void showPatterns(const visualization_msgs::MarkerArray& patterns, const ros::Time& start) {
+    patterns_ = patterns;
+    patterns_start_ = start;
+    if (!is_planner_test_shown_) pattern_markers_.publish(patterns);
+  }
+
+  /// The rollout of a planner's test takes the place of scene and attack: its ego, attacker and
+  /// agents are the same vehicles at other places.
+  void onPlannerTest(const std_msgs::BoolConstPtr& message) {
+    const bool is_shown = message->data != 0;
+    if (is_planner_test_shown_ == is_shown) return;
+    is_planner_test_shown_ = is_shown;
+    shown_ = Shown::kOutdated;
+    if (!scene_) return;
+    const auto nothing = noMarkers(scene_->snapshot.header);
+    if (is_planner_test_shown_) {
+      scene_markers_.publish(nothing);
+      attack_markers_.publish(nothing);
+    }
+    pattern_markers_.publish(is_planner_test_shown_ ? nothing : patterns_);
+  }
+
+  void onAttack(const collision_forge::AttackConstPtr& attack) {
+    const bool goes_on = attack->adaptive && attack->plans > 1;
+    if (!goes_on) tested_.reset();  // it may be of another attack by the same vehicle, now
+    attack_.reset();
+    shown_ = Shown::kOutdated;
+    if (isNone(*attack)) return watch_->stop();
+    AttackerTrajectory trajectory;
+    const auto check = [&] {
+      trajectory = fromMessage(attack->trajectory);
+      checkTrajectory(trajectory, limits_, names::kAttack);
+    };
+    if (!isUsable(names::kAttack, check)) return watch_->stop();
+    attack_ = attack;
+    if (goes_on) {
+      watch_->change(trajectory);
+    } else {
+      watch_->start(trajectory);
+    }
+  }
+
+  void onTested(const collision_forge::CollisionReportConstPtr& report) {
+    tested_ = report;
+    shown_ = Shown::kOutdated;
+  }
+
+  /// The clock's time; the newest scene's where that comes first, or where there is no clock.
+  ros::Time pictureTime() const {
+    const ros::Time clock = ros::Time::now();
+    const ros::Time& newest = scene_->header.stamp;
+    const bool is_ahead = newest > clock && newest < clock + ros::Duration(kRestart);
+    return clock.isZero() || is_ahead ? newest : clock;
+  }
+
+  void show(const ros::WallTimerEvent& /*event*/) {
+    if (!scene_ || is_planner_test_shown_) return;
+    LiveScene live;
+    live.scene = &scene_->snapshot;
+    live.now = pictureTime();
+    const auto ego = shownState(watch_->ego(), live.now.toSec());
+    if (ego) live.ego = ego->pose;
+    if (attack_ && live.now >= attack_->header.stamp) {
+      live.attack = attack_.get();
+      live.verdict = verdictBy(live.now, *attack_, tested_.get());
+      live.crash = crashBy(live, ego);
+    }
+    scene_markers_.publish(liveMarkers(live));
+    showPlan(live);
+    if (const auto area = shownArea(live)) areas_.publish(toMessage(*area, live.scene->header));
+  }
+
+  /// Empty before the contact. A contact that only the verdict knows, as that of a replay that was
+  /// joined later, is shown where the boxes touched: nobody knows the speed of the ego.
+  std::optional<PostCrashMotion> crashBy(const LiveScene& live,
+                                         const std::optional<AgentState>& ego) const {
+    const auto& known = watch_->crash();
+    if (known) return live.now.toSec() >= known->contactTime() ? known : std::nullopt;
+    const auto predicted = ego ? watch_->crashBefore(*ego) : std::nullopt;
+    if (predicted) return predicted;
+    if (!live.verdict || !live.verdict->contact) return std::nullopt;
+    const double time = live.verdict->contact_time.toSec();
+    const CrashedVehicle standing_ego{AgentClass::kCar,
+                                      sizeOf(live.attack->pattern.ego_size),
+                                      {time, fromMessage(live.verdict->ego_at_contact)}};
+    const CrashedVehicle attacker{AgentClass::kCar,
+                                  sizeOf(live.attack->trajectory.size),
+                                  {time, fromMessage(live.verdict->attacker_at_contact)}};
+    return PostCrashMotion(standing_ego, attacker, drivable_);
+  }
+
+  /// Where something changed.
+  void showPlan(const LiveScene& live) {
+    const Shown due = !live.attack ? Shown::kNothing : !live.verdict ? Shown::kPlan : Shown::kPast;
+    if (due == shown_) return;
+    shown_ = due;
+    attack_markers_.publish(due == Shown::kNothing ? noMarkers(live.scene->header)
+                            : due == Shown::kPlan
+                                ? attackMarkers(*live.attack, live.scene->header.stamp)
+                                : pastAttackMarkers(*live.attack, *live.verdict));
+  }
+
+  /// A scene from before they were predicted means that the recording started anew.
+  void clearFuturePatterns(const collision_forge::EncodedScene& scene) {
+    if (scene.header.stamp < patterns_start_) showPatterns(noMarkers(scene.header), ros::Time());
+  }
+
+  enum class Shown { kNothing, kPlan, kPast, kOutdated };
+
+  InputLimits limits_;
+  DriveLimitOptions drivable_;
+  std::optional<ContactWatch> watch_;
+  std::unique_ptr<EgoPoses> ego_poses_;
+  RepeatedMarkers map_markers_;
+  ros::Publisher scene_markers_;
+  RepeatedMarkers pattern_markers_;
+  RepeatedMarkers attack_markers_;
+  ros::Publisher areas_;
+  collision_forge::EncodedSceneConstPtr scene_;
+  collision_forge::AttackConstPtr attack_;           ///< null: none
+  collision_forge::CollisionReportConstPtr tested_;  ///< the newest
+  Shown shown_ = Shown::kNothing;                    ///< on attack_markers
+  bool is_planner_test_shown_ = false;
+  visualization_msgs::MarkerArray patterns_;  ///< on pattern_markers
+  ros::Time patterns_start_;                  ///< "now" of the patterns that are shown; zero: none
+  std::vector<ros::Subscriber> subscribers_;
+  ros::WallTimer timer_;
+  ros::WallTimer repeat_timer_;
+};
+
+using ServedSceneVisualizer = Served<SceneVisualizerNodelet>;
+
+}  // namespace forge
+
+PLUGINLIB_EXPORT_CLASS(forge::ServedSceneVisualizer, nodelet::Nodelet)

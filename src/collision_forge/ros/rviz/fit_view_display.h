@@ -1,0 +1,38 @@
+#pragma once
+
+#include <geometry_msgs/PolygonStamped.h>
+#include <ros/subscriber.h>
+#include <rviz/display.h>
+
+#include "collision_forge/ros/rviz/following_view.h"
+
+namespace rviz {
+class ViewController;
+}
+
+namespace forge {
+
+/// Keeps the area of the topic `shown_area` in the picture, by place and scale of the current view.
+/// That must be a TopDownOrtho with the fixed frame as its target frame; other views are left
+/// alone.
+class FitViewDisplay : public rviz::Display {
+  Q_OBJECT
+
+ public:
+  void update(float wall_dt, float ros_dt) override;
+  void reset() override;
+
+ protected:
+  void onEnable() override;
+  void onDisable() override;
+
+ private:
+  void receive(const geometry_msgs::PolygonStampedConstPtr& area);
+  bool canFit(rviz::ViewController& view) const;
+
+  ros::Subscriber subscriber_;
+  geometry_msgs::PolygonStampedConstPtr area_;  ///< null: none has come
+  FollowingView following_;
+};
+
+}  // namespace forge

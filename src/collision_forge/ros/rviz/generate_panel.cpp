@@ -1,0 +1,323 @@
+#include "collision_forge/ros/rviz/generate_panel.h"
+
+#include <collision_forge/Agent.h>
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <initializer_list>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "collision_forge/ros/markers/marker_parts.h"
+#include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/ros/messages/planner_messages.h"
+#include "collision_forge/ros/messages/possible_collisions.h"
+#include "collision_forge/ros/messages/topic_names.h"
+#include "collision_forge/ros/rviz/attack_words.h"
+#include "collision_forge/ros/rviz/player_buttons.h"
+#include "collision_forge/ros/rviz/possible_table.h"
+#include "collision_forge/ros/rviz/request_form.h"
+
+namespace forge {
+
+namespace {
+
+using collision_forge::GenerateCollision;
+using collision_forge::ListCollisions;
+using collision_forge::TestPlanner;
+
+constexpr int kCountdownPeriod = 100;  // ms
+constexpr int kCrashLines = 3;
+constexpr int kSpacing = 4;  // pixels
+constexpr int kTableLines = 6;
+constexpr int kStatusLines = 2;
+constexpr int kTextLines = 16;             // of all three
+constexpr char kPlannerKey[] = "Planner";  // in the .rviz file
+
+QLabel* label(const char* name, int lines) {
+  auto* text = new QLabel;
+  text->setObjectName(name);
+  text->setWordWrap(true);
+  text->setMinimumHeight(lines * text->fontMetrics().lineSpacing());
+  text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  return text;
+}
+
+QPushButton* button(const char* name, const char* text) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(name);
+  return button;
+}
+
+/// Why there is no answer; empty for one with code OK.
+template <typename Answer>
+QString problemOf(const Answer& answer, const char* service) {
+  if (!answer) return QString("<b>No answer</b> from ") + ros::names::resolve(service).c_str();
+  if (answer->code == GenerateCollision::Response::OK) return {};
+  return failureText(answer->code, answer->message);
+}
+
+/// The answer and its alternatives, as if they had been asked for one by one.
+std::vector<collision_forge::PossibleCollision> attacksIn(
+    const GenerateCollision::Response& response, double tta) {
+  collision_forge::CollisionAnswer answer;
+  answer.collision_type = response.attack.pattern.collision_type;
+  answer.tta = tta;
+  answer.attack = response.attack;
+  answer.alternatives = response.alternatives;
+  answer.code = response.code;
+  std::vector<collision_forge::PossibleCollision> attacks;
+  listPossible({answer}, attacks);
+  return attacks;
+}
+
+}  // namespace
+
+GeneratePanel::GeneratePanel(QWidget* parent)
+    : rviz::Panel(parent),
+      generating_([this](const auto& answer) { showAnswer(answer); }),
+      listing_([this](const auto& answer) { showPossible(answer); }),
+      testing_([this](const auto& answer) { showOutcome(answer); }) {
+  createWidgets();
+  createLayout();
+  connect(form_, &RequestForm::changed, this, &rviz::Panel::configChanged);
+  connect(generate_, &QPushButton::clicked, this, &GeneratePanel::generate);
+  connect(list_, &QPushButton::clicked, this, &GeneratePanel::list);
+  connect(test_, &QPushButton::clicked, this, &GeneratePanel::testPlanner);
+  connect(planner_, &QComboBox::currentTextChanged, this, &rviz::Panel::configChanged);
+  connect(table_, &PossibleTable::chosen, this, &GeneratePanel::choose);
+  const auto forget_row = [this] { is_row_chosen_ = false; };
+  connect(form_, &RequestForm::changed, this, forget_row);
+  connect(player_, &PlayerButtons::moved, this, forget_row);
+  connect(player_, &PlayerButtons::failed, status_, &QLabel::setText);
+  auto* timer = new QTimer(this);
+  connect(timer, &QTimer::timeout, this, &GeneratePanel::showCrash);
+  timer->start(kCountdownPeriod);
+  subscribe();
+}
+
+void GeneratePanel::createWidgets() {
+  player_ = new PlayerButtons;
+  form_ = new RequestForm;
+  generate_ = button("generate", "Generate");
+  list_ = button("list", "What is possible?");
+  list_->setToolTip("Pauses the player and lists the collisions that can be asked for there");
+  planner_ = new QComboBox;
+  planner_->setObjectName("planner");
+  for (const std::string& name : testablePlanners()) planner_->addItem(name.c_str());
+  test_ = button("test_planner", "Test planner");
+  test_->setToolTip("Pauses the player and drives the planner through the newest attack");
+  test_->setEnabled(false);
+  table_ = new PossibleTable;
+  table_->setObjectName("possible");
+  table_->setToolTip("Choose a row to ask for it");
+  table_->setMinimumHeight(kTableLines * table_->fontMetrics().lineSpacing());
+  status_ = label("status", kStatusLines);
+  status_->setText("Choose what to ask for, then Generate.");
+  crash_ = label("crash", kCrashLines);
+  QFont large = crash_->font();
+  large.setPointSizeF(1.2 * large.pointSizeF());
+  large.setBold(true);
+  crash_->setFont(large);
+  crash_->setMinimumHeight(kCrashLines * crash_->fontMetrics().lineSpacing());
+  attack_text_ = label("attack", 1);
+}
+
+void GeneratePanel::createLayout() {
+  auto* buttons = new QGridLayout;
+  buttons->addWidget(generate_, 0, 0);
+  buttons->addWidget(list_, 0, 1);
+  buttons->addWidget(planner_, 1, 0);
+  buttons->addWidget(test_, 1, 1);
+  for (int column = 0; column < 2; ++column) buttons->setColumnStretch(column, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setSpacing(kSpacing);
+  for (QWidget* fixed : std::initializer_list<QWidget*>{player_, form_}) {
+    fixed->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  }
+  column->addWidget(player_);
+  column->addWidget(form_);
+  column->addLayout(buttons);
+  column->addWidget(table_, 1);
+  column->addWidget(createTexts(), 1);
+}
+
+/// What is said, which may be long, scrolls, so that all else stays in its place.
+QWidget* GeneratePanel::createTexts() {
+  auto* texts = new QWidget;
+  auto* column = new QVBoxLayout(texts);
+  column->setContentsMargins(0, 0, 0, 0);
+  for (QLabel* text : {status_, crash_, attack_text_}) column->addWidget(text);
+  column->addStretch(1);
+  auto* area = new QScrollArea;
+  area->setWidget(texts);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setMinimumHeight(kTextLines * fontMetrics().lineSpacing());
+  return area;
+}
+
+/// RViz handles ROS callbacks in the thread of the GUI.
+void GeneratePanel::subscribe() {
+  subscribers_ = {node_.subscribe(names::kAttackMethods, 1, &GeneratePanel::showMethods, this),
+                  node_.subscribe(names::kEncodedScene, 1, &GeneratePanel::showScene, this),
+                  node_.subscribe(names::kAttack, 1, &GeneratePanel::showAttack, this),
+                  node_.subscribe(names::kTestedReport, 1, &GeneratePanel::showTested, this)};
+}
+
+void GeneratePanel::generate() {
+  GenerateCollision::Request request = form_->request();
+  if (request.collision_type.empty()) {
+    is_surest_wanted_ = true;
+    return askWhatIsPossible({request.tta});
+  }
+  if (is_row_chosen_) request.stamp = listed_;
+  ask(request);
+}
+
+void GeneratePanel::ask(GenerateCollision::Request request) {
+  generate_->setEnabled(false);
+  status_->setText("Generating ...");
+  asked_tta_ = request.tta;
+  generating_.start(names::kGenerateCollision, request);
+}
+
+void GeneratePanel::choose(const collision_forge::PossibleCollision& collision) {
+  form_->choose(collision);
+  is_row_chosen_ = true;
+}
+
+void GeneratePanel::setTable(const std::vector<collision_forge::PossibleCollision>& collisions,
+                             const ros::Time& now) {
+  table_->setCollisions(collisions);
+  listed_ = now;
+  is_row_chosen_ = false;
+}
+
+void GeneratePanel::showAnswer(const ServiceCall<GenerateCollision>::Answer& answer) {
+  generate_->setEnabled(true);
+  const QString problem = problemOf(answer, names::kGenerateCollision);
+  status_->setText(problem.isEmpty() ? "An attack was found." : problem);
+  if (!problem.isEmpty() || answer->alternatives.empty()) return;
+  const auto attacks = attacksIn(*answer, asked_tta_);
+  status_->setText(QString("%1 attacks, the first is driven.").arg(attacks.size()));
+  setTable(attacks, answer->attack.header.stamp);
+}
+
+void GeneratePanel::list() {
+  is_surest_wanted_ = false;
+  askWhatIsPossible({});
+}
+
+void GeneratePanel::askWhatIsPossible(const std::vector<double>& ttas) {
+  player_->pause();
+  for (QPushButton* button : {list_, generate_}) button->setEnabled(false);
+  status_->setText("Looking for what is possible ...");
+  ListCollisions::Request request;
+  request.ttas = ttas;
+  request.request = form_->anyRequest();
+  if (is_surest_wanted_) {
+    const GenerateCollision::Request wanted = form_->request();
+    request.request.attacker_id = wanted.attacker_id;
+    request.request.choice = wanted.choice;
+  }
+  request.method = form_->method();
+  listing_.start(names::kListCollisions, request);
+}
+
+void GeneratePanel::showPossible(const ServiceCall<ListCollisions>::Answer& answer) {
+  for (QPushButton* button : {list_, generate_}) button->setEnabled(true);
+  const QString problem = problemOf(answer, names::kListCollisions);
+  status_->setText(problem);
+  if (!problem.isEmpty()) return;
+  setTable(answer->collisions, answer->now);
+  status_->setText(answer->collisions.empty() ? "Nothing is possible at this instant."
+                                              : "Possible now; choose one, then Generate.");
+  if (is_surest_wanted_ && !answer->collisions.empty()) askForSurest();
+}
+
+/// Of the table.
+void GeneratePanel::askForSurest() {
+  const auto& collisions = table_->collisions();
+  const auto surest =
+      std::max_element(collisions.begin(), collisions.end(),
+                       [](const auto& a, const auto& b) { return a.confidence < b.confidence; });
+  table_->mark(static_cast<int>(std::distance(collisions.begin(), surest)));
+  GenerateCollision::Request request = form_->requestOf(*surest);
+  request.stamp = listed_;
+  ask(request);
+}
+
+void GeneratePanel::testPlanner() {
+  player_->pause();
+  test_->setEnabled(false);
+  status_->setText("Testing " + planner_->currentText() + " ...");
+  TestPlanner::Request request;
+  request.planner = planner_->currentText().toStdString();
+  request.attacker_policy = attack_->adaptive ? "adaptive" : "fixed";
+  testing_.start(names::kTestPlanner, request);
+}
+
+void GeneratePanel::showOutcome(const ServiceCall<TestPlanner>::Answer& answer) {
+  test_->setEnabled(true);
+  const QString problem = problemOf(answer, names::kTestPlanner);
+  status_->setText(problem.isEmpty() ? outcomeText(answer->outcome) : problem);
+}
+
+void GeneratePanel::showAttack(const collision_forge::AttackConstPtr& attack) {
+  attack_ = attack;
+  test_->setEnabled(!isNone(*attack));
+  attack_text_->setText(attackText(*attack));
+  showCrash();
+}
+
+void GeneratePanel::showCrash() {
+  if (!attack_ || ros::Time::now().isZero()) return;
+  const QString text = crashText(*attack_, tested_.get(), ros::Time::now());
+  if (text != crash_->text()) crash_->setText(text);
+}
+
+void GeneratePanel::showScene(const collision_forge::EncodedSceneConstPtr& scene) {
+  const collision_forge::SceneSnapshot& snapshot = scene->snapshot;
+  QStringList ids;
+  for (const auto& agent : snapshot.agents) {
+    const bool is_here =
+        !agent.states.empty() && agent.states.back().stamp == snapshot.header.stamp;
+    if (is_here && canAttackClass(agent.agent_class)) {
+      ids.push_back(QString::fromStdString(agent.id));
+    }
+  }
+  form_->setAttackers(ids);
+}
+
+void GeneratePanel::showMethods(const collision_forge::AttackMethods& methods) {
+  QStringList method_names;
+  for (const std::string& name : methods.names) method_names.push_back(name.c_str());
+  form_->setMethods(method_names);
+}
+
+void GeneratePanel::load(const rviz::Config& config) {
+  rviz::Panel::load(config);
+  form_->load(config);
+  QString planner;
+  if (config.mapGetString(kPlannerKey, &planner)) planner_->setCurrentText(planner);
+}
+
+void GeneratePanel::save(rviz::Config config) const {
+  rviz::Panel::save(config);
+  form_->save(config);
+  config.mapSetValue(kPlannerKey, planner_->currentText());
+}
+
+}  // namespace forge
+
+PLUGINLIB_EXPORT_CLASS(forge::GeneratePanel, rviz::Panel)

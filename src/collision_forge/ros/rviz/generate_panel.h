@@ -1,0 +1,85 @@
+#pragma once
+
+#include <collision_forge/AttackMethods.h>
+#include <collision_forge/EncodedScene.h>
+#include <collision_forge/GenerateCollision.h>
+#include <collision_forge/ListCollisions.h>
+#include <collision_forge/TestPlanner.h>
+#include <ros/ros.h>
+#include <rviz/panel.h>
+
+#include "collision_forge/ros/rviz/service_call.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace forge {
+
+class PlayerButtons;
+class PossibleTable;
+class RequestForm;
+
+/// Plays, asks what is possible, asks generate_collision for an attack, shows what becomes of the
+/// newest attack, whoever asked for it, and tests planners in it. Asks for a row of the table at
+/// the instant that the table is of, until another field is changed or the player is moved; else
+/// about the newest scene. Where any type may come, asks first what is possible, then for the
+/// surest.
+class GeneratePanel : public rviz::Panel {
+  Q_OBJECT
+
+ public:
+  explicit GeneratePanel(QWidget* parent = nullptr);
+
+  void load(const rviz::Config& config) override;
+  void save(rviz::Config config) const override;
+
+ private:
+  void createWidgets();
+  void createLayout();
+  QWidget* createTexts();
+  void subscribe();
+  void generate();
+  void ask(collision_forge::GenerateCollision::Request request);
+  void list();
+  void askWhatIsPossible(const std::vector<double>& ttas);
+  void askForSurest();
+  void testPlanner();
+  void choose(const collision_forge::PossibleCollision& collision);
+  void setTable(const std::vector<collision_forge::PossibleCollision>& collisions,
+                const ros::Time& now);
+  void showAnswer(const ServiceCall<collision_forge::GenerateCollision>::Answer& answer);
+  void showPossible(const ServiceCall<collision_forge::ListCollisions>::Answer& answer);
+  void showOutcome(const ServiceCall<collision_forge::TestPlanner>::Answer& answer);
+  void showAttack(const collision_forge::AttackConstPtr& attack);
+  void showTested(const collision_forge::CollisionReportConstPtr& report) { tested_ = report; }
+  void showCrash();
+  void showMethods(const collision_forge::AttackMethods& methods);
+  void showScene(const collision_forge::EncodedSceneConstPtr& scene);
+
+  PlayerButtons* player_ = nullptr;
+  RequestForm* form_ = nullptr;
+  QPushButton* generate_ = nullptr;
+  QPushButton* list_ = nullptr;
+  QComboBox* planner_ = nullptr;
+  QPushButton* test_ = nullptr;
+  PossibleTable* table_ = nullptr;
+  QLabel* status_ = nullptr;       ///< of the newest call
+  QLabel* crash_ = nullptr;        ///< countdown or verdict
+  QLabel* attack_text_ = nullptr;  ///< the newest attack
+
+  ros::Time listed_;               ///< the instant that the table is of
+  bool is_row_chosen_ = false;     ///< that the fields are those of
+  bool is_surest_wanted_ = false;  ///< of the list that is asked for
+  double asked_tta_ = 0.0;         ///< s, of the newest call
+
+  ros::NodeHandle node_;
+  std::vector<ros::Subscriber> subscribers_;
+  collision_forge::AttackConstPtr attack_;           ///< the newest
+  collision_forge::CollisionReportConstPtr tested_;  ///< the newest
+  ServiceCall<collision_forge::GenerateCollision> generating_;
+  ServiceCall<collision_forge::ListCollisions> listing_;
+  ServiceCall<collision_forge::TestPlanner> testing_;
+};
+
+}  // namespace forge

@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/app/report.h"
+#include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/io/batch/dispatch.h"
+#include "collision_forge/io/batch/output.h"
+#include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/batch/run.h"
+#include "collision_forge/io/scenarios/request_file.h"
+#include "collision_forge/study/commands/study_commands.h"
+#include "collision_forge/study/commands/study_run_config.h"
+#include "collision_forge/study/dataset/attempts.h"
+#include "collision_forge/study/dataset/clip_requests.h"
+#include "collision_forge/study/dataset/clip_search.h"
+#include "collision_forge/study/dataset/dataset_writer.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  LogSource logs;
+  std::vector<std::string> scenes;
+  std::string out;
+  std::string report;
+  std::string config;
+  std::uint64_t seed = 0;
+  int jobs = defaultJobs();
+
+  /// Every clip that was tried, with what came of it.
+  std::string attempts() const { return (fs::path(out) / "attempts.jsonl").string(); }
+};
+
+std::vector<SceneRequest> listRequests(const Arguments& arguments,
+                                       const std::vector<std::string>& scenes,
+                                       const StudyConfig& config) {
+  SceneSource source(arguments.logs, scenes, config, 1);
+  std::vector<SceneRequest> requests;
+  for (const std::string& name : source.names()) {
+    for (SceneRequest& request : listClipRequests(source.at(name)->scene, config.dataset,
+                                                  config.attack.prediction, arguments.seed)) {
+      request.request.crash = config.crash;
+      requests.push_back(std::move(request));
+    }
+  }
+  if (requests.empty()) {
+    throw std::runtime_error(arguments.logs.path + ": no scene is long enough for a clip of " +
+                             numberText(config.dataset.min_length) +
+                             " s (dataset.min_length) with an ego that moves");
+  }
+  return requests;
+}
+
+ResumableFile::Options runOptions(const Arguments& arguments, const StudyConfig& config,
+                                  const std::vector<SceneRequest>& requests) {
+  ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
+  options["seed"] = std::to_string(arguments.seed);
+  options["wanted_clips"] = fingerprintOf(requests);
+  return options;
+}
+
+/// The name in the folder of the data set under which the page is; empty if it is elsewhere.
+fs::path pageIn(const Arguments& arguments) {
+  if (arguments.report.empty()) return {};
+  const fs::path page = fs::weakly_canonical(arguments.report)
+                            .lexically_relative(fs::weakly_canonical(arguments.out));
+  return *page.begin();
+}
+
+/// Throws for a folder that holds anything but a data set that was begun, its lock and its page.
+void checkFolder(const Arguments& arguments) {
+  const bool begun = fs::exists(arguments.attempts()) || fs::exists(arguments.attempts() + ".part");
+  if (begun) return;
+  for (const auto& entry : fs::directory_iterator(arguments.out)) {
+    const fs::path name = entry.path().filename();
+    if (name == OutputLock::kFileName || name == pageIn(arguments)) continue;
+    throw std::runtime_error(arguments.out + ": holds other files; write elsewhere");
+  }
+}
+
+/// Says which types have no clip at all: the others are balanced without them.
+void warnOfMissingTypes(const std::vector<Attempt>& attempts) {
+  for (const CollisionType type : kCollisionTypes) {
+    const bool found = std::any_of(attempts.begin(), attempts.end(), [=](const Attempt& attempt) {
+      return attempt.valid && attempt.asked.request.type == type;
+    });
+    if (!found) printLine(std::string("warning: no clip of ") + toString(type) + " is valid");
+  }
+}
+
+int buildDataset(const Arguments& arguments) {
+  const StudyConfig config = loadStudyRunConfig(arguments.config);
+  const bool is_master = isMaster();
+  const std::vector<std::string> names = wantedScenes(arguments.logs, arguments.scenes);
+  const OutputLocks locks = lockFolders({arguments.out, arguments.report});
+  if (is_master) checkFolder(arguments);
+  const std::vector<SceneRequest> requests = listRequests(arguments, names, config);
+  SceneSource scenes(arguments.logs, names, config, static_cast<std::size_t>(arguments.jobs) + 1,
+                     is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
+  std::vector<Attempt> attempts;
+  Run run;
+  run.path = arguments.attempts();
+  run.options = runOptions(arguments, config, requests);
+  run.items = "clips";
+  run.count = requests.size();
+  run.jobs = arguments.jobs;
+  run.work = [&](std::size_t index) {
+    const SceneRequest& asked = requests[index];
+    return scenarioLine({asked, config.ego_vehicle,
+                         findClip(asked, *scenes.at(asked.scene), config, config.dataset)});
+  };
+  run.take = [&](std::size_t index, const std::string& where, const std::string& line) {
+    attempts.push_back(readAttempt(where, line, requests[index], config.input_limits));
+  };
+  carryOut(run);
+  if (!is_master) return kExitOk;
+  warnOfMissingTypes(attempts);
+  const auto chosen = chooseClips(attempts, config.dataset.balance, arguments.seed);
+  if (chosen.empty()) throw std::runtime_error(arguments.out + ": none of the clips is valid");
+  std::cout << writeDataset(arguments.out, arguments.attempts(), attempts, chosen, config.dataset,
+                            config.drawing, config.input_limits, scenes);
+  if (!arguments.report.empty()) {
+    writeReport({{arguments.attempts()}, arguments.logs}, arguments.report, config);
+  }
+  return kExitOk;
+}
+
+}  // namespace
+
+void addDataset(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = line.add(kTraining, "study dataset",
+                           "Makes a data set of collisions of logs, in COLLIDE's layout.",
+                           [arguments] { return buildDataset(*arguments); });
+  addSource(app, arguments->logs)->required();
+  addScenes(app, arguments->scenes);
+  addOut(app, arguments->out, "folder to write; see docs/dataset.md");
+  addSeed(app, arguments->seed, "of lengths, headings, searches and the balance");
+  addJobs(app, arguments->jobs, "clips at a time, in every rank of mpirun");
+  addReportOption(app, arguments->report);
+  addConfig(app, arguments->config);
+}
+
+}  // namespace forge

@@ -1,0 +1,269 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <numeric>
+
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/attack/forecast/ego_futures.h"
+#include "collision_forge/attack/network/network_ego_futures.h"
+#include "collision_forge/attack/network/predicted_scene.h"
+#include "collision_forge/attack/search/request_check.h"
+#include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/collide/collide_scene.h"
+#include "collision_forge/io/collide/collide_set.h"
+#include "collision_forge/io/logs/city_maps.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
+#include "collision_forge/study/commands/clip_options.h"
+#include "collision_forge/study/commands/pattern_timing.h"
+#include "collision_forge/study/commands/study_commands.h"
+#include "collision_forge/study/settings/study_config.h"
+
+namespace forge {
+namespace {
+
+struct Arguments {
+  std::string collide;
+  std::string dataroot;
+  std::string split = "val";
+  std::string networks;
+  std::string config;
+  bool without_others = false;
+  bool unseen = false;
+  bool seen_scenes = false;
+};
+
+/// What was foretold for one clip.
+struct ClipResult {
+  CollisionType type = CollisionType::kRearEnd;
+  double tta = 0.0;
+  double displacement = 0.0;  ///< m, of the ego's pose at impact
+  double kinematic = 0.0;     ///< m, the same of the mean of KinematicEgoFutures
+  double sampled = 0.0;       ///< m, the same of NetworkEgoFutures
+  double heading = 0.0;       ///< rad, of it, without sign
+  double log_density = 0.0;
+  double along_share = 0.0;  ///< of the distribution, nearer along the way than the ego came
+  int candidates = 0;
+  int rank = 0;  ///< of the clip's attacker among the candidates, from 1; 0: not among them
+  int nearest_rank = 0;
+  double offset = 0.0;  ///< m, error of the attacker's place given the true ego
+  double offset_heading = 0.0;
+};
+
+struct Totals {
+  std::vector<ClipResult> clips;
+  PatternTiming timing;
+};
+
+/// Share of the distribution that lies less far ahead than the truth, along its expected heading.
+double shareBefore(const std::vector<EgoComponent>& components, const Pose2& expected,
+                   const Vector2& truth) {
+  const double reached = relativeTo(expected, {truth.x(), truth.y(), 0.0}).x;
+  double share = 0.0;
+  for (const EgoComponent& component : components) {
+    const double along = relativeTo(expected, component.pose).x;
+    share += component.probability / (1.0 + std::exp((along - reached) / component.along));
+  }
+  return share;
+}
+
+double errorOfMean(const EgoFutureSampler& sampler, const Snapshot& snapshot,
+                   const LaneIndex& lanes, double time, const Vector2& truth) {
+  constexpr int kSamples = 128;
+  Vector2 mean = Vector2::Zero();
+  for (const Track& track : sampler.sample(snapshot, lanes, time - snapshot.now, kSamples, 0)) {
+    mean += stateAt(track, time)->pose.position() / kSamples;
+  }
+  return (mean - truth).norm();
+}
+
+int rankOf(std::size_t which, const std::vector<double>& scores) {
+  int rank = 1;
+  for (std::size_t i = 0; i < scores.size(); ++i) rank += scores[i] > scores[which];
+  return rank;
+}
+
+void judgeCandidates(const PredictedScene& scene, const CollideClip& clip, const Snapshot& snapshot,
+                     const StudyConfig& config, const Pose2& expected, const Pose2& truth,
+                     ClipResult& result) {
+  std::vector<const Track*> candidates;
+  std::vector<double> nearness;
+  std::size_t attacker = snapshot.agents.size();
+  for (const Track& agent : snapshot.agents) {
+    if (!isCandidate(agent, snapshot, config.attack.prediction)) continue;
+    if (agent.id == clip.attacker_id) attacker = candidates.size();
+    candidates.push_back(&agent);
+    nearness.push_back(
+        -(agent.states.back().pose.position() - snapshot.ego.states.back().pose.position()).norm());
+  }
+  result.candidates = static_cast<int>(candidates.size());
+  if (attacker >= candidates.size()) return;
+  std::vector<double> scores;
+  for (const CandidateAnswer& answer : scene.judge(candidates, expected, clip.tta(), clip.type)) {
+    scores.push_back(answer.score);
+  }
+  result.rank = rankOf(attacker, scores);
+  result.nearest_rank = rankOf(attacker, nearness);
+  const Pose2 offset = scene.judge({candidates[attacker]}, truth, clip.tta(), clip.type)[0].offset;
+  const Pose2 ego = compose(scene.ways().ego.state.pose, truth);
+  const Pose2 recorded = relativeTo(ego, clip.attacker().frames.back()->pose);
+  result.offset = (offset.position() - recorded.position()).norm();
+  result.offset_heading = std::abs(angleBetween(offset.yaw, recorded.yaw));
+}
+
+void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternNetwork& network,
+                 const EgoFutureSampler& kinematic, const EgoFutureSampler& sampler,
+                 const StudyConfig& config, const Arguments& arguments, Totals& totals) {
+  const Scene recorded = toScene(clip, config.evaluation.collide, nullptr);
+  const Snapshot snapshot =
+      snapshotAt(recorded, clip.now(), network.weights().features.history_frames);
+  Snapshot seen = snapshot;
+  if (arguments.without_others) seen.agents.clear();
+  const PredictedScene scene(network, seen, lanes, clip.tta(), config.attack.ego_futures);
+  const auto components =
+      scene.egoAfter(clip.tta(), arguments.seen_scenes ? std::optional(clip.type) : std::nullopt);
+  const Pose2 expected = medianPose(components);
+  const Pose2 truth =
+      relativeTo(scene.ways().ego.state.pose, stateAt(recorded.ego, clip.times.back())->pose);
+  ClipResult result;
+  result.type = clip.type;
+  result.tta = clip.nominalTta();
+  result.displacement = (expected.position() - truth.position()).norm();
+  result.heading = std::abs(angleBetween(expected.yaw, truth.yaw));
+  result.log_density = logDensity(components, truth.position());
+  result.along_share = shareBefore(components, expected, truth.position());
+  const Vector2 place = stateAt(recorded.ego, clip.times.back())->pose.position();
+  result.kinematic = errorOfMean(kinematic, seen, lanes, clip.times.back(), place);
+  result.sampled = errorOfMean(sampler, seen, lanes, clip.times.back(), place);
+  if (!arguments.without_others)
+    judgeCandidates(scene, clip, snapshot, config, expected, truth, result);
+  totals.clips.push_back(result);
+  totals.timing.add(scene, network, lanes, clip.tta(), clip.type, result.candidates,
+                    config.attack.ego_futures);
+}
+
+void printRow(const std::string& name, const std::vector<ClipResult>& clips) {
+  if (clips.empty()) return;
+  double displacement = 0.0;
+  double kinematic = 0.0;
+  double sampled = 0.0;
+  double heading = 0.0;
+  double density = 0.0;
+  double offset = 0.0;
+  double offset_heading = 0.0;
+  int known = 0;
+  int first = 0;
+  int third = 0;
+  int nearest = 0;
+  int inside[3] = {0, 0, 0};
+  std::vector<double> sorted;
+  for (const ClipResult& clip : clips) {
+    displacement += clip.displacement;
+    sorted.push_back(clip.displacement);
+    kinematic += clip.kinematic;
+    sampled += clip.sampled;
+    heading += clip.heading;
+    density += clip.log_density;
+    const double off_middle = std::abs(clip.along_share - 0.5);
+    inside[0] += off_middle <= 0.25;
+    inside[1] += off_middle <= 0.40;
+    inside[2] += off_middle <= 0.45;
+    if (clip.rank == 0) continue;
+    ++known;
+    first += clip.rank == 1;
+    third += clip.rank <= 3;
+    nearest += clip.nearest_rank == 1;
+    offset += clip.offset;
+    offset_heading += clip.offset_heading;
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const double count = static_cast<double>(clips.size());
+  const double of_known = std::max(known, 1);
+  const double degrees = 180.0 / M_PI;
+  std::printf(
+      "| %s | %zu | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.3f | %.3f | %.3f | %.2f | %.1f | "
+      "%.0f %.0f %.0f |\n",
+      name.c_str(), clips.size(), displacement / count, sorted[sorted.size() / 2],
+      kinematic / count, sampled / count, heading / count * degrees, density / count,
+      first / of_known, third / of_known, nearest / of_known, offset / of_known,
+      offset_heading / of_known * degrees, 100.0 * inside[0] / count, 100.0 * inside[1] / count,
+      100.0 * inside[2] / count);
+}
+
+void print(const Totals& totals) {
+  std::printf(
+      "| clips | | displacement, m | median | kinematic futures | network futures | heading, deg | "
+      "log density | attacker first | in "
+      "three | nearest first | offset, m | deg | in central 50 80 90 %% |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  if (totals.clips.empty()) throw std::runtime_error("no clip to measure");
+  printRow("all", totals.clips);
+  std::map<std::string, std::vector<ClipResult>> groups;
+  for (const ClipResult& clip : totals.clips) {
+    groups[std::string("type ") + toString(clip.type)].push_back(clip);
+    const char* tta = clip.tta < 1.25   ? "TTA 0.5-1 s"
+                      : clip.tta < 2.75 ? "TTA 1.5-2.5 s"
+                      : clip.tta < 4.75 ? "TTA 3-4.5 s"
+                                        : "TTA 5 s and more";
+    groups[tta].push_back(clip);
+  }
+  for (const auto& [name, clips] : groups) printRow(name, clips);
+  std::printf("\n");
+  totals.timing.print();
+}
+
+int measure(const Arguments& arguments) {
+  StudyConfig config = loadStudyConfig(arguments.config);
+  if (!arguments.networks.empty()) config.pattern_network = arguments.networks;
+  const Foresight foresight = loadForesight(config);
+  if (!foresight.network) {
+    throw std::runtime_error("models.yaml: pattern_network names no file");
+  }
+  CityMaps lanes(arguments.dataroot, config);
+  ProgressLine progress("measuring");
+  Totals totals;
+  const auto paths = listCollideClips(arguments.collide, arguments.split);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const CollideClip clip = readCollideClip(paths[i], config.input_limits);
+    const Foresight known = arguments.seen_scenes ? foresight : foresight.withoutScene(clip.scene);
+    const auto& left_out = known.network->weights().left_out_scenes;
+    if (arguments.unseen &&
+        std::find(left_out.begin(), left_out.end(), clip.scene) == left_out.end()) {
+      continue;
+    }
+    const KinematicEgoFutures kinematic(config.attack.ego_futures, known.speeds);
+    const NetworkEgoFutures sampler(config.attack.ego_futures, known);
+    measureClip(clip, *lanes.at(clip.city), *known.network, kinematic, sampler, config, arguments,
+                totals);
+    progress.show(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
+  }
+  print(totals);
+  return kExitOk;
+}
+
+}  // namespace
+
+void addMeasurePatterns(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = line.add(kMeasuring, "study measure patterns",
+                           "Compares foretold collision patterns with clips.",
+                           [arguments] { return measure(*arguments); });
+  CLI::Option* collide = addCollide(app, arguments->collide)->required();
+  addDataroot(app, arguments->dataroot);
+  addSplit(app, arguments->split, collide);
+  app.add_option("--networks", arguments->networks,
+                 "file of networks; that of --config by default");
+  app.add_flag("--without-others", arguments->without_others,
+               "hide all other vehicles, to see what they give away");
+  CLI::Option* seen = app.add_flag(
+      "--seen-scenes", arguments->seen_scenes,
+      "judge by the network of all scenes, and tell it the type, as where splits share scenes");
+  app.add_flag("--unseen", arguments->unseen,
+               "only clips of scenes that the network that judges them was trained without")
+      ->excludes(seen);
+  addConfig(app, arguments->config);
+}
+
+}  // namespace forge

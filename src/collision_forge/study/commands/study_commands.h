@@ -1,0 +1,29 @@
+#pragma once
+
+#include "collision_forge/app/command_line.h"
+
+namespace forge {
+
+// Each adds a command `study ...`, or a few of one name.
+void addCompare(CommandLine& line);
+void addDataset(CommandLine& line);
+void addEvaluate(CommandLine& line);
+void addMeasureAttackers(CommandLine& line);
+void addMeasureControls(CommandLine& line);
+void addMeasureCoverage(CommandLine& line);
+void addMeasureEgoFutures(CommandLine& line);
+void addMeasureLatency(CommandLine& line);
+void addMeasureMethods(CommandLine& line);
+void addMeasurePatterns(CommandLine& line);
+void addMeasurePlanners(CommandLine& line);
+void addSpeedsCollect(CommandLine& line);
+void addSpeedsFit(CommandLine& line);
+void addTestOnClips(CommandLine& line);
+void addTrain(CommandLine& line);
+void addTuneOnClips(CommandLine& line);
+
+// The headings of the table of contents.
+inline const std::string kMeasuring = "Measure and compare";
+inline const std::string kTraining = "Data sets and training";
+
+}  // namespace forge

@@ -1,0 +1,61 @@
+#include <memory>
+
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/app/planner_test_run.h"
+#include "collision_forge/io/collide/collide_set.h"
+#include "collision_forge/study/commands/clip_options.h"
+#include "collision_forge/study/commands/study_commands.h"
+#include "collision_forge/study/evaluation/clip_cases.h"
+#include "collision_forge/study/settings/study_config.h"
+
+namespace forge {
+namespace {
+
+struct Arguments : PlannerTestArguments {
+  std::string collide;
+  std::string split = "val";
+  std::size_t limit = 0;
+  ClipAttacker attacker = ClipAttacker::kRecorded;
+  bool unverified = false;
+  std::string method;
+};
+
+int testOnClips(const Arguments& arguments) {
+  const PlannerTestRun test(arguments);
+  const StudyConfig config = loadStudyConfig(arguments.config);
+  std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
+  if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
+  const auto cases =
+      openClipCases(paths, arguments.logs.path, arguments.attacker, arguments.method,
+                    arguments.unverified ? ClipAnswers::kAll : ClipAnswers::kVerified, config);
+  test.run(*cases);
+  if (isMaster()) test.writePage({}, {});  // clips are in no file that a page is made of
+  return kExitOk;
+}
+
+}  // namespace
+
+void addTestOnClips(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = line.add(kPlanners, "study test",
+                           "Drives planners through clips of COLLIDE, as forge test does.",
+                           [arguments] { return testOnClips(*arguments); });
+  addSource(app, arguments->logs)->required();
+  CLI::Option* collide = addCollide(app, arguments->collide)->required();
+  addSplit(app, arguments->split, collide);
+  addLimit(app, arguments->limit, collide);
+  addChoice<ClipAttacker>(app, "--drive", arguments->attacker,
+                          {{"recorded", ClipAttacker::kRecorded},
+                           {"history", ClipAttacker::kHistory},
+                           {"replay", ClipAttacker::kReplay}},
+                          "the attacker: recorded, that of the data set; history or replay, one "
+                          "that --method makes in this mode");
+  app.add_flag("--unverified", arguments->unverified,
+               "test all attackers that forge study evaluate judges; by default only those whose "
+               "crash is as requested");
+  addMethod(app, arguments->method, arguments->config);
+  addPlannerTestOptions(app, *arguments);
+}
+
+}  // namespace forge

@@ -1,0 +1,86 @@
+#ifndef COLLISION_FORGE_WITHOUT_ROS
+#include <dlfcn.h>
+#endif
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/planner_test/settings/config_fingerprint.h"
+#include "collision_forge/study/commands/clip_options.h"
+#include "collision_forge/study/commands/study_commands.h"
+#include "collision_forge/study/settings/study_config.h"
+#include "collision_forge/study/training/training_run.h"
+
+namespace forge {
+namespace {
+
+int train(TrainingRun& run) {
+  const StudyConfig config = loadStudyConfig(run.config);
+  run.config_files = configFingerprints(run.config);
+  run.options = config;
+  run.planners = config.planners;
+  run.generators =
+      configFileOf(run.generator) == "generators" ? config.generators : config.published_network;
+#ifdef COLLISION_FORGE_WITHOUT_ROS
+  forgeTrain(run);
+#else
+  // libtorch takes seconds to load, which no other command needs to wait for.
+  void* library = dlopen("libcollision_forge_training.so", RTLD_NOW);
+  if (library == nullptr) {
+    throw std::runtime_error(std::string("this build has no training: ") + dlerror());
+  }
+  void* function = dlsym(library, "forgeTrain");
+  if (function == nullptr) throw std::runtime_error(dlerror());
+  reinterpret_cast<decltype(&forgeTrain)>(function)(run);
+#endif
+  return kExitOk;
+}
+
+}  // namespace
+
+void addTrain(CommandLine& line) {
+  const auto run = std::make_shared<TrainingRun>();
+  CLI::App& app =
+      line.add(kTraining, "study train", "Trains the collision-pattern network on logs and clips.",
+               [run] { return train(*run); });
+  addSource(app, run->sources.logs)->required();
+  CLI::Option* collide = addCollide(app, run->sources.collide);
+  collide->description("folder of clips, whose maps are in --source; with --version logs, too");
+  app.add_option("--splits", run->sources.splits, "splits of the clips")
+      ->default_val(std::vector<std::string>{"train"});
+  addOut(app, run->out, "folder of the run; one that was stopped goes on there");
+  CLI::Option* device = app.add_option("--device", run->device, "cpu or cuda");
+  device->capture_default_str();
+  app.add_option("--folds", run->folds, "parts that the scenes are dealt into")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  app.add_option("--fold", run->fold, "part that is left out, from 1; 0: none")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  addJobs(app, run->sources.jobs, "threads that read");
+  app.add_option("--threads", run->threads, "threads that train")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  addSeed(app, run->seed, "of weights, order and folds");
+  CLI::Option* stop =
+      app.add_option("--stop-after", run->stop_after, "epoch to stop after; 0: the last");
+  stop->check(CLI::NonNegativeNumber)->capture_default_str();
+  CLI::Option* planner =
+      app.add_flag("--planner", run->is_planner, "train the planner torchscript instead, on logs");
+  planner->excludes(collide)->excludes(device)->excludes(stop);
+  app.add_option("--generator", run->generator, "train this learned generator instead, on clips")
+      ->transform(oneOf(trafficModelNames()))
+      ->needs(collide)
+      ->excludes(planner);
+  addConfig(app, run->config);
+  app.parse_complete_callback([run] {
+    if (run->fold <= run->folds) return;
+    throw CLI::ValidationError("--fold", std::to_string(run->fold) + " is none of the " +
+                                             std::to_string(run->folds) + " of --folds");
+  });
+}
+
+}  // namespace forge

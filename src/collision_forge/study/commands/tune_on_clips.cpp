@@ -1,0 +1,70 @@
+#include <memory>
+
+#include "collision_forge/app/command_line.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/app/planner_tuning_run.h"
+#include "collision_forge/io/collide/collide_set.h"
+#include "collision_forge/study/commands/clip_options.h"
+#include "collision_forge/study/commands/study_commands.h"
+#include "collision_forge/study/evaluation/clip_cases.h"
+#include "collision_forge/study/settings/study_config.h"
+
+namespace forge {
+namespace {
+
+struct Arguments : TuningArguments {
+  std::string collide;
+  std::string split = "val";
+  std::string train_method;
+  std::string test_method;
+};
+
+/// All attackers, hit or miss: most of a learned generator's are not as asked.
+TuningCases openClips(const Arguments& arguments, const StudyConfig& config) {
+  const ClipHalves halves = halvesByScene(listCollideClips(arguments.collide, arguments.split));
+  const auto open = [&](const std::vector<std::string>& paths, const std::string& method) {
+    return openClipCases(paths, arguments.logs.path, ClipAttacker::kHistory, method,
+                         ClipAnswers::kAll, config);
+  };
+  return {open(halves.first, arguments.train_method), open(halves.second, arguments.test_method)};
+}
+
+/// --train-method and --test-method.
+void addAttackers(CLI::App& app, Arguments& arguments) {
+  const auto add = [&](const std::string& name, std::string& method, const std::string& which) {
+    app.add_option(name, method,
+                   "method that makes the attackers of the clips that the planner is " + which +
+                       ", in history mode, hit or miss; default: the suite's own");
+  };
+  add("--train-method", arguments.train_method, "tuned on");
+  add("--test-method", arguments.test_method, "compared on");
+  app.parse_complete_callback([&arguments] {
+    for (const auto& [name, method] : {std::pair("--train-method", arguments.train_method),
+                                       std::pair("--test-method", arguments.test_method)}) {
+      if (!method.empty()) checkMethod(name, method, arguments.config);
+    }
+  });
+}
+
+}  // namespace
+
+void addTuneOnClips(CommandLine& line) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = line.add(kPlanners, "study tune",
+                           "Tunes a planner on clips of COLLIDE, as forge tune does.", [arguments] {
+                             const StudyConfig config = loadStudyConfig(arguments->config);
+                             return tunePlanner(*arguments, [&](const Config&) {
+                               return openClips(*arguments, config);
+                             });
+                           });
+  CLI::Option* collide = addCollide(app, arguments->collide)
+                             ->description(
+                                 "folder of clips, with trajectory/SPLIT in it; every other scene "
+                                 "is tuned on, the rest is compared on")
+                             ->required();
+  addSplit(app, arguments->split, collide);
+  addAttackers(app, *arguments);
+  addTuningOptions(app, *arguments);
+}
+
+}  // namespace forge

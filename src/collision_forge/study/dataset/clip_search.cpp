@@ -1,0 +1,152 @@
+#include "collision_forge/study/dataset/clip_search.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <set>
+
+#include "collision_forge/attack/search/pattern_predictor.h"
+#include "collision_forge/attack/search/search_method.h"
+#include "collision_forge/attack/verify/strict_outcome.h"
+#include "collision_forge/io/collide/collide_export.h"
+#include "collision_forge/study/dataset/seeds.h"
+#include "collision_forge/study/evaluation/clip_evaluation.h"
+
+namespace forge {
+namespace {
+
+constexpr int kHistoryFrames = kCollideNowFrame + 1;
+
+/// The patterns of vehicles that were there in every frame of the history.
+class ContinuousPatterns : public PatternPredictor {
+ public:
+  explicit ContinuousPatterns(const AttackOptions& options) : patterns_(options, nullptr) {}
+
+  PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
+                            const CollisionRequest& request,
+                            const Future* recorded) const override {
+    PatternPrediction prediction = patterns_.predict(snapshot, lanes, request, recorded);
+    if (prediction.status.code != StatusCode::kOk) return prediction;
+    auto& patterns = prediction.patterns;
+    patterns.erase(std::remove_if(patterns.begin(), patterns.end(),
+                                  [&](const CollisionPattern& pattern) {
+                                    return !isContinuous(pattern.attacker_id, snapshot);
+                                  }),
+                   patterns.end());
+    if (patterns.empty()) {
+      prediction.status = {
+          StatusCode::kNoCandidate,
+          "no candidate is there in all " + std::to_string(kHistoryFrames) + " frames up to now"};
+    }
+    return prediction;
+  }
+
+ private:
+  static bool isContinuous(const std::string& id, const Snapshot& snapshot) {
+    return std::any_of(snapshot.agents.begin(), snapshot.agents.end(), [&](const Track& agent) {
+      return agent.id == id && agent.states.size() == static_cast<std::size_t>(kHistoryFrames);
+    });
+  }
+
+  KinematicPatternPredictor patterns_;  // in replay mode: without a sampler of futures
+};
+
+/// What counts in a clip: all conditions, in less time, at about the drawn heading.
+CrashDefinition clipCrash(CrashDefinition crash, const CollisionRequest& request,
+                          const DatasetOptions& options) {
+  crash.rules = TypeRules::kFull;
+  crash.time_tolerance = options.time_tolerance;
+  TypeDefinition& definition = crash.types.at(request.type);
+  definition = narrowedAbout(definition, drawnHeading(request, definition), options.heading_spread);
+  return crash;
+}
+
+/// What a protocol misses in the clip's own track, but for the limits of the motion, which a
+/// reader's quintics through recorded and driven frames cannot tell, and the similarity, which held
+/// headings spoil in turns; empty when it is borne out.
+std::string shortfall(const CollideClip& clip, const IndexedScene& indexed,
+                      const StudyOptions& study, Protocol protocol) {
+  static const std::set<std::string> left_out = {"angle_bands", "full_definitions", "limits_kept",
+                                                 "similar"};
+  EvaluationPlan plan;
+  plan.protocol = protocol;
+  plan.mode = Mode::kReplay;
+  const std::vector<ResultRow> rows =
+      evaluateClip(clip, indexed.lanes, {builtInMethods(), {}, study}, plan);
+  const ResultRow& row = rows.front();
+  const std::vector<Measure>& measures = measuresOf(protocol);
+  std::string missed;
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    if (!row.meets[i] && left_out.count(measures[i].name) == 0) missed += " " + measures[i].name;
+  }
+  if (missed.empty()) return {};
+  return std::string("the ") + toString(protocol) + " protocol misses of the clip" + missed;
+}
+
+/// What speaks against an attack that was found; empty when it makes a clip.
+std::string objection(const Scenario& scenario, const IndexedScene& indexed, const Moment& moment,
+                      const StudyOptions& study, const DatasetOptions& options) {
+  CollisionRequest request = scenario.asked.request;
+  request.crash = study.crash;
+  request.crash.time_tolerance = options.time_tolerance;
+  const StrictOutcome outcome = strictOutcome(
+      scenario.answer.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
+      study.attack.verification);
+  if (!outcome.meetsFullDefinitions()) return "the recording does not bear the attack out";
+  if (outcome.report.off_road_share > options.max_off_road_share) {
+    char text[120];
+    std::snprintf(text, sizeof(text), "leaves the road: off_road_share = %.3f is above %.3f",
+                  outcome.report.off_road_share, options.max_off_road_share);
+    return text;
+  }
+  const auto clip = toCollideClip(scenario, indexed.scene, 0);
+  if (const auto* obstacle = std::get_if<ClipObstacle>(&clip)) {
+    return std::string("no clip of COLLIDE's layout: ") + toString(*obstacle);
+  }
+  for (const Protocol protocol : {Protocol::kStrict, Protocol::kPublished}) {
+    const std::string missed = shortfall(std::get<CollideClip>(clip), indexed, study, protocol);
+    if (!missed.empty()) return missed;
+  }
+  return {};
+}
+
+}  // namespace
+
+TypeDefinition narrowedAbout(const TypeDefinition& definition, double heading, double spread) {
+  TypeDefinition narrowed = definition;
+  const double half = std::min(spread, 0.5 * (definition.max_heading - definition.min_heading));
+  const double middle =
+      std::clamp(heading, definition.min_heading + half, definition.max_heading - half);
+  narrowed.min_heading = middle - half;
+  narrowed.max_heading = middle + half;
+  narrowed.nominal_heading = heading;
+  return narrowed;
+}
+
+double drawnHeading(const CollisionRequest& request, const TypeDefinition& definition) {
+  const double share = shareOf(seedOf("heading", request.seed));
+  return definition.min_heading + share * (definition.max_heading - definition.min_heading);
+}
+
+Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
+                     const StudyOptions& study, const DatasetOptions& options) {
+  Scenario scenario{asked, study.ego_vehicle, {}};
+  const auto found = momentAt(indexed, asked.now, kHistoryFrames);
+  if (const Status* status = std::get_if<Status>(&found)) {
+    scenario.answer.status = *status;
+    return scenario.answer;
+  }
+  const Moment& moment = std::get<Moment>(found);
+  CollisionRequest request = asked.request;
+  request.crash = clipCrash(study.crash, request, options);
+  request.choice = options.choice;
+  const PredictionOptions& prediction = study.attack.prediction;
+  const SearchMethod method(study.attack, std::make_shared<ContinuousPatterns>(study.attack));
+  scenario.answer = generateCollision(method, moment, request, prediction);
+  if (scenario.answer.status.code != StatusCode::kOk) return scenario.answer;
+  const std::string problem = objection(scenario, indexed, moment, study, options);
+  if (problem.empty()) return scenario.answer;
+  return declined({StatusCode::kNoAttackWithinLimits, problem});
+}
+
+}  // namespace forge

@@ -1,0 +1,164 @@
+#include "collision_forge/study/dataset/dataset_writer.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "collision_forge/base/files/aside_file.h"
+#include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/collide/collide_export.h"
+#include "collision_forge/io/drawing/draw_scenario.h"
+#include "collision_forge/study/dataset/dataset_statistics.h"
+#include "collision_forge/study/dataset/scene_split.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A clip as a picture.
+ScenarioView viewOf(const Scenario& scenario, const Scene& scene) {
+  const SceneRequest& asked = scenario.asked;
+  return {asked.scene,
+          asked.request.tta,
+          asked.request.mode,
+          snapshotAt(scene, asked.now, kCollideNowFrame + 1),
+          recordedFuture(scene, asked.now),
+          scenario.answer.aim,
+          scenario.answer.trajectory,
+          scenario.answer.report};
+}
+
+/// Writes all that is made of the chosen attempts.
+class DatasetWriter {
+ public:
+  DatasetWriter(const std::string& folder, const std::string& path, const DatasetOptions& options,
+                const DrawingOptions& drawing, const InputLimits& limits, SceneSource& scenes)
+      : folder_(folder),
+        path_(path),
+        options_(options),
+        drawing_(drawing),
+        limits_(limits),
+        scenes_(scenes) {}
+
+  std::string write(const std::vector<Attempt>& attempts, const std::vector<std::size_t>& chosen) {
+    deal(attempts, chosen);
+    writeClips(chosen);
+    drawSheets();
+    return writeStatistics(attempts);
+  }
+
+ private:
+  /// A split's part of the clip store, written aside.
+  struct Store {
+    std::unique_ptr<AsideFile> file;
+    std::unique_ptr<CollideExporter> exporter;
+  };
+
+  void deal(const std::vector<Attempt>& attempts, const std::vector<std::size_t>& chosen) {
+    std::vector<std::string> names;
+    for (const std::size_t index : chosen) names.push_back(attempts[index].asked.scene);
+    splits_ = splitByScene(names, options_.split);
+    std::map<CollisionType, std::vector<std::size_t>> of_type;
+    for (const std::size_t index : chosen) {
+      of_type[attempts[index].asked.request.type].push_back(index);
+    }
+    const int pictures = options_.sheet_columns * options_.sheet_rows;
+    for (const auto& [type, indices] : of_type) {
+      const auto count = std::min(static_cast<std::size_t>(pictures), indices.size());
+      for (std::size_t i = 0; i < count; ++i) shown_.insert(indices[i * indices.size() / count]);
+    }
+  }
+
+  void writeClips(const std::vector<std::size_t>& chosen) {
+    fs::create_directories(fs::path(folder_) / "scenarios");
+    std::ifstream file(path_);
+    std::string line;
+    std::size_t next = 0;
+    ProgressLine progress("writing");
+    for (std::size_t done = 0; done < chosen.size(); ++done) {
+      for (; next <= chosen[done]; ++next) std::getline(file, line);
+      writeClip(line, chosen[done]);
+      progress.show(static_cast<double>(done + 1) / static_cast<double>(chosen.size()));
+    }
+    for (auto& [split, store] : stores_) {
+      store.file->commit();
+    }
+  }
+
+  void writeClip(const std::string& line, std::size_t index) {
+    const std::string where = path_ + ": line " + std::to_string(index + 1);
+    Scenario scenario = readScenarioLine(where, line, limits_);
+    const auto indexed = scenes_.at(scenario.asked.scene);
+    const std::string& split = splits_.at(scenario.asked.scene);
+    Store& store = storeOf(split);
+    store.file->stream() << line << "\n";
+    store.exporter->add(scenario, indexed->scene, static_cast<int>(index));
+    const CollisionReport& report = scenario.answer.report;
+    clips_.push_back({split, scenario.asked.scene, indexed->scene.map->location,
+                      scenario.asked.request.type, Attempt{scenario.asked}.length(),
+                      report.relative_heading, report.off_road_share});
+    if (shown_.count(index) > 0) {
+      views_[scenario.asked.request.type].push_back(viewOf(scenario, indexed->scene));
+    }
+  }
+
+  Store& storeOf(const std::string& split) {
+    Store& store = stores_[split];
+    if (!store.exporter) {
+      const fs::path scenarios = fs::path(folder_) / "scenarios";
+      store.file = std::make_unique<AsideFile>((scenarios / (split + ".jsonl")).string());
+      store.exporter = std::make_unique<CollideExporter>(folder_, split);
+    }
+    return store;
+  }
+
+  void drawSheets() const {
+    const fs::path folder = fs::path(folder_) / "sheets";
+    fs::create_directories(folder);
+    for (const auto& [type, views] : views_) {
+      drawScenarioSheet((folder / (std::string(toString(type)) + ".png")).string(), views,
+                        options_.sheet_columns, drawing_);
+    }
+  }
+
+  std::string writeStatistics(const std::vector<Attempt>& attempts) const {
+    std::map<CollisionType, Attempts> tried;
+    for (const Attempt& attempt : attempts) {
+      Attempts& sum = tried[attempt.asked.request.type];
+      ++sum.tried;
+      sum.valid += attempt.valid ? 1 : 0;
+    }
+    const std::string text = datasetMarkdown(clips_, tried);
+    writeText((fs::path(folder_) / "statistics.csv").string(), datasetCsv(clips_));
+    writeText((fs::path(folder_) / "statistics.md").string(), text);
+    return text;
+  }
+
+  const std::string& folder_;
+  const std::string& path_;
+  const DatasetOptions& options_;
+  const DrawingOptions& drawing_;
+  const InputLimits& limits_;
+  SceneSource& scenes_;
+  std::map<std::string, std::string> splits_;
+  std::set<std::size_t> shown_;
+  std::map<std::string, Store> stores_;
+  std::vector<DatasetClip> clips_;
+  std::map<CollisionType, std::vector<ScenarioView>> views_;
+};
+
+}  // namespace
+
+std::string writeDataset(const std::string& folder, const std::string& path,
+                         const std::vector<Attempt>& attempts,
+                         const std::vector<std::size_t>& chosen, const DatasetOptions& options,
+                         const DrawingOptions& drawing, const InputLimits& limits,
+                         SceneSource& scenes) {
+  return DatasetWriter(folder, path, options, drawing, limits, scenes).write(attempts, chosen);
+}
+
+}  // namespace forge

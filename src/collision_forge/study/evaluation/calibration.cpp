@@ -1,0 +1,80 @@
+#include "collision_forge/study/evaluation/calibration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "collision_forge/planner_test/statistics/csv_text.h"
+#include "collision_forge/planner_test/statistics/rate_table.h"
+
+namespace forge {
+namespace {
+
+constexpr std::size_t kDeciles = 10;
+constexpr double kPercent = 100.0;
+
+template <typename... Values>
+std::string formatted(const char* format, Values... values) {
+  char text[160];
+  std::snprintf(text, sizeof(text), format, values...);
+  return text;
+}
+
+}  // namespace
+
+double Calibration::largestDifference() const {
+  double largest = 0.0;
+  for (const CalibrationGroup& decile : deciles) {
+    largest = std::max(largest, std::abs(decile.difference()));
+  }
+  return largest;
+}
+
+Calibration calibrate(const std::string& column, std::vector<Promise> promises) {
+  std::stable_sort(promises.begin(), promises.end(),
+                   [](const Promise& a, const Promise& b) { return a.confidence < b.confidence; });
+  Calibration calibration{column, {}};
+  for (std::size_t decile = 0; decile < kDeciles; ++decile) {
+    const std::size_t begin = decile * promises.size() / kDeciles;
+    const std::size_t end = (decile + 1) * promises.size() / kDeciles;
+    if (begin == end) continue;
+    double sum = 0.0;
+    std::vector<Trial> trials;
+    for (std::size_t i = begin; i < end; ++i) {
+      sum += promises[i].confidence;
+      trials.push_back(promises[i].kept);
+    }
+    calibration.deciles.push_back({sum / static_cast<double>(end - begin), pooledRate(trials)});
+  }
+  return calibration;
+}
+
+std::string toMarkdown(const Calibration& calibration) {
+  std::string text = "Calibration, " + calibration.column +
+                     ", %\n\n| decile | attacks | promised | kept | " +
+                     "difference |\n|---|---|---|---|---|\n";
+  int number = 0;
+  for (const CalibrationGroup& decile : calibration.deciles) {
+    text +=
+        formatted("| %d | %d | %.1f | ", ++number, decile.kept.trials, kPercent * decile.promised) +
+        toText(decile.kept, kPercent) + formatted(" | %+.1f |\n", kPercent * decile.difference());
+  }
+  return text + formatted("\nLargest difference: %.1f points\n",
+                          kPercent * calibration.largestDifference());
+}
+
+std::string toCsv(const std::vector<Calibration>& calibrations) {
+  std::string text = "column,decile,attacks,promised,kept,low,high\n";
+  for (const Calibration& calibration : calibrations) {
+    int number = 0;
+    for (const CalibrationGroup& decile : calibration.deciles) {
+      text += csvText(calibration.column) +
+              formatted(",%d,%d,%.4f,%.4f,", ++number, decile.kept.trials, decile.promised,
+                        decile.kept.value) +
+              intervalCsv(decile.kept) + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace forge

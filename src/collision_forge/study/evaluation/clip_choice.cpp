@@ -1,0 +1,74 @@
+#include "collision_forge/study/evaluation/clip_choice.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+#include "collision_forge/attack/forecast/random.h"
+#include "collision_forge/io/collide/collide_clip.h"
+
+namespace forge {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string nameOf(const std::string& path) { return fs::path(path).stem().string(); }
+
+double nominalTtaOf(const CollideName& name) {
+  return kCollideFrameInterval * (name.collision_frame - kCollideNowFrame);
+}
+
+/// As "of 9 clips in trajectory/val".
+std::string describe(const std::vector<std::string>& paths) {
+  const std::string count = std::to_string(paths.size()) + " clips";
+  return paths.empty() ? count : count + " in " + fs::path(paths.front()).parent_path().string();
+}
+
+}  // namespace
+
+std::vector<std::string> drawClips(const std::vector<std::string>& paths, std::size_t count,
+                                   double min_tta, std::uint64_t seed) {
+  std::map<CollisionType, std::vector<std::string>> left;
+  std::size_t fitting = 0;
+  for (const std::string& path : paths) {
+    const CollideName name = parseCollideName(path);
+    if (nominalTtaOf(name) < min_tta) continue;
+    left[name.type].push_back(path);
+    ++fitting;
+  }
+  if (fitting < count) {
+    throw std::invalid_argument("of " + describe(paths) + " only " + std::to_string(fitting) +
+                                " are long enough, not " + std::to_string(count));
+  }
+  Random random(seed);
+  std::vector<std::string> drawn;
+  while (drawn.size() < count) {
+    for (const CollisionType type : kCollisionTypes) {
+      std::vector<std::string>& clips = left[type];
+      if (clips.empty() || drawn.size() == count) continue;
+      const auto place = clips.begin() + static_cast<std::ptrdiff_t>(random.index(clips.size()));
+      drawn.push_back(*place);
+      clips.erase(place);
+    }
+  }
+  return drawn;
+}
+
+std::string clipNamed(const std::vector<std::string>& paths, const std::string& name) {
+  std::vector<std::string> having;
+  for (const std::string& path : paths) {
+    if (fs::path(path).filename() == name || nameOf(path) == name) return path;
+    if (nameOf(path).find(name) != std::string::npos) having.push_back(path);
+  }
+  if (having.size() == 1) return having.front();
+  if (having.empty()) {
+    throw std::invalid_argument("\"" + name + "\" is none of " + describe(paths) +
+                                (paths.empty() ? "" : ", as " + nameOf(paths.front())));
+  }
+  throw std::invalid_argument("\"" + name + "\" is in the names of " +
+                              std::to_string(having.size()) + " clips, as " + nameOf(having[0]) +
+                              " and " + nameOf(having[1]));
+}
+
+}  // namespace forge

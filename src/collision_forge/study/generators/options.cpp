@@ -1,0 +1,191 @@
+#include "collision_forge/study/generators/options.h"
+
+#include <algorithm>
+
+#include "collision_forge/base/config/section.h"
+
+namespace forge {
+
+static void readOptions(Section& section, TrafficLaneOptions& options) {
+  options.reach = section.positive("reach");
+  options.max_lanes = section.count("max_lanes", 1, kMaxModelCount);
+  options.points = section.count("points", 2, kMaxModelCount);
+  options.spacing = section.positive("spacing");
+}
+
+static void readOptions(Section& section, TrafficOptions& options, int history_frames) {
+  options.history_frames = history_frames;
+  options.future_frames = section.count("future_frames", 1, kMaxModelCount);
+  options.max_agents = section.count("max_agents", 2, kMaxModelCount);
+  options.min_motion = section.nonNegative("min_motion");
+  options.min_step = section.nonNegative("min_step");
+}
+
+static void readOptions(Section& section, SocialGanOptions& options) {
+  options.epochs = section.count("epochs", 1);
+  options.batch = section.count("batch", 1);
+  options.learning_rate = section.positive("learning_rate");
+  options.max_gradient = section.positive("max_gradient");
+  options.embedding = section.count("embedding", 1, kMaxModelWidth);
+  options.encoder = section.count("encoder", 1, kMaxModelWidth);
+  options.decoder = section.count("decoder", 1, kMaxModelWidth);
+  options.pooled = section.count("pooled", 1, kMaxModelWidth);
+  options.pooling_layer = section.count("pooling_layer", 1, kMaxModelWidth);
+  options.context_layer = section.count("context_layer", 1, kMaxModelWidth);
+  options.noise = section.count("noise", 1, kMaxModelWidth);
+  if (options.noise >= options.decoder) section.refuse("noise", "is not less than decoder");
+  options.discriminator = section.count("discriminator", 1, kMaxModelWidth);
+  options.discriminator_steps = section.count("discriminator_steps", 1, kMaxModelSteps);
+  options.variety = section.count("variety", 1, kMaxModelCount);
+  options.step_scale = section.positive("step_scale");
+  options.position_scale = section.positive("position_scale");
+}
+
+static void readOptions(Section& section, MidOptions& options) {
+  options.epochs = section.count("epochs", 1);
+  options.batch = section.count("batch", 1);
+  options.learning_rate = section.positive("learning_rate");
+  options.attacker_weight = section.positive("attacker_weight");
+  options.encoder = section.count("encoder", 1, kMaxModelWidth);
+  options.encoder_dropout = section.share("encoder_dropout");
+  options.width = section.count("width", 4, kMaxModelWidth);
+  options.layers = section.count("layers", 1, kMaxModelCount);
+  options.heads = section.count("heads", 1, kMaxModelCount);
+  if (options.width % 4 != 0 || options.width % options.heads != 0) {
+    section.refuse("width", "is no multiple of 4 and of heads");
+  }
+  options.feed_forward = section.count("feed_forward", 1, kMaxModelWidth);
+  options.dropout = section.share("dropout");
+  options.diffusion_steps = section.count("diffusion_steps", 1, kMaxModelSteps);
+  constexpr double kLeastBeta = 1e-6;  // with none at all a step divides by 0
+  constexpr double kMostBeta = 0.999;
+  options.beta_first = section.within("beta_first", kLeastBeta, kMostBeta);
+  options.beta_last = section.within("beta_last", options.beta_first, kMostBeta);
+  options.sampling_steps = section.count("sampling_steps", 1, kMaxModelSteps);
+  if (options.diffusion_steps % options.sampling_steps != 0) {
+    section.refuse("sampling_steps", "does not divide diffusion_steps");
+  }
+  options.neighbour_reach = section.positive("neighbour_reach");
+  options.position_scale = section.positive("position_scale");
+  options.velocity_scale = section.positive("velocity_scale");
+  options.acceleration_scale = section.positive("acceleration_scale");
+  options.target_scale = section.positive("target_scale");
+}
+
+static void readOptions(Section& section, StriveOptions& options) {
+  options.epochs = section.count("epochs", 1);
+  options.batch = section.count("batch", 1);
+  options.learning_rate = section.positive("learning_rate");
+  options.max_gradient = section.positive("max_gradient");
+  options.hidden = section.count("hidden", 1, kMaxModelWidth);
+  options.feature = section.count("feature", 1, kMaxModelWidth);
+  options.latent = section.count("latent", 1, kMaxModelWidth);
+  options.lane_hidden = section.count("lane_hidden", 1, kMaxModelWidth);
+  options.lanes_of_agent = section.count("lanes_of_agent", 1, kMaxModelCount);
+  options.map_ahead = section.nonNegative("map_ahead");
+  options.lane_reach = section.positive("lane_reach");
+  options.length = section.positive("length");
+  options.width = section.positive("width");
+  options.position_scale = section.positive("position_scale");
+  options.speed_mean = section.nonNegative("speed_mean");
+  options.speed_scale = section.positive("speed_scale");
+  options.turn_scale = section.positive("turn_scale");
+  options.acceleration_scale = section.positive("acceleration_scale");
+  options.turn_change_scale = section.positive("turn_change_scale");
+  options.noise = section.nonNegative("noise");
+  options.attacker_weight = section.positive("attacker_weight");
+  options.divergence_weight = section.nonNegative("divergence_weight");
+  options.divergence_steps = section.count("divergence_steps", 1);
+  options.overlap_weight = section.nonNegative("overlap_weight");
+  options.off_lanes_weight = section.nonNegative("off_lanes_weight");
+}
+
+static void readOptions(Section& section, StriveAttackOptions& options) {
+  options.iterations = section.count("iterations", 1, kMaxModelSteps);
+  options.hold = section.count("hold", 1, kMaxModelSteps);
+  options.window = section.count("window", 0, kMaxModelSteps);
+  options.learning_rate = section.positive("learning_rate");
+  options.temperature = section.positive("temperature");
+  options.crash_weight = section.nonNegative("crash_weight");
+  options.heading_weight = section.nonNegative("heading_weight");
+  options.prior_weight = section.nonNegative("prior_weight");
+  options.attacker_prior_weight = section.nonNegative("attacker_prior_weight");
+  options.stay_weight = section.nonNegative("stay_weight");
+  options.attacker_stay_weight = section.nonNegative("attacker_stay_weight");
+  options.overlap_weight = section.nonNegative("overlap_weight");
+  options.off_lanes_weight = section.nonNegative("off_lanes_weight");
+}
+
+static void readOptions(Section& section, PublishedNetworkOptions& options) {
+  options.epochs = section.count("epochs", 1);
+  options.batch = section.count("batch", 1);
+  options.learning_rate = section.positive("learning_rate");
+  options.decay_from = section.count("decay_from", 0);
+  options.decay_every = section.count("decay_every", 1);
+  options.decay = section.share("decay");
+  options.dropout = section.share("dropout");
+  options.width = section.count("width", 1, kMaxModelWidth);
+  options.condition = section.count("condition", 1, kMaxModelWidth);
+  options.selector = section.count("selector", 1, kMaxModelWidth);
+  options.anchor_1 = section.count("anchor_1", 1, kMaxModelWidth);
+  options.anchor_2 = section.count("anchor_2", 1, kMaxModelWidth);
+  options.anchor_3 = section.count("anchor_3", 1, kMaxModelWidth);
+  options.anchor_scale = section.positive("anchor_scale");
+  options.place_scale = section.positive("place_scale");
+  options.positive_radius = section.positive("positive_radius");
+  options.positive_weight = section.positive("positive_weight");
+  options.anchors_loss = section.nonNegative("anchors_loss");
+  options.anchor_offset_loss = section.nonNegative("anchor_offset_loss");
+  options.target_points_loss = section.nonNegative("target_points_loss");
+  options.regression_loss = section.nonNegative("regression_loss");
+  options.ego_yaw_loss = section.nonNegative("ego_yaw_loss");
+  options.attacker_offset_loss = section.nonNegative("attacker_offset_loss");
+  options.attacker_yaw_loss = section.nonNegative("attacker_yaw_loss");
+  options.selection_loss = section.nonNegative("selection_loss");
+}
+
+std::vector<std::string> trafficModelNames() {
+  return {"c_sgan",
+          "c_mid",
+          "c_strive",
+          "published_network",
+          "published_network_target_points",
+          "published_network_regression"};
+}
+
+static bool isPublished(const std::string& model) {
+  return model.rfind("published_network", 0) == 0;
+}
+
+std::string configFileOf(const std::string& model) {
+  return isPublished(model) ? "network_published" : "generators";
+}
+
+std::vector<std::string> sectionsOf(const std::string& model) {
+  if (isPublished(model)) return {"traffic", "training", "lanes", "network"};
+  if (model == "c_strive") return {"traffic", "training", "lanes", "c_strive", "strive_optimised"};
+  return {"traffic", "training", model};
+}
+
+std::vector<std::string> sectionsOfGenerators() {
+  return {"traffic", "training", "lanes", "c_sgan", "c_mid", "c_strive", "strive_optimised"};
+}
+
+void readOptions(Section& file, GeneratorOptions& options, const std::vector<std::string>& sections,
+                 int history_frames) {
+  const auto has = [&](const char* name) {
+    return std::find(sections.begin(), sections.end(), name) != sections.end();
+  };
+  file.read("traffic", options.traffic, history_frames);
+  Section training = file.section("training");
+  options.validation_share = training.share("validation_share");
+  training.finish();
+  if (has("lanes")) file.read("lanes", options.traffic.lanes);
+  if (has("c_sgan")) file.read("c_sgan", options.c_sgan);
+  if (has("c_mid")) file.read("c_mid", options.c_mid);
+  if (has("c_strive")) file.read("c_strive", options.c_strive);
+  if (has("strive_optimised")) file.read("strive_optimised", options.strive_optimised);
+  if (has("network")) file.read("network", options.published_network);
+}
+
+}  // namespace forge

@@ -1,0 +1,286 @@
+#include "collision_forge/study/generators/published_network.h"
+
+#include <cmath>
+#include <utility>
+
+#include "collision_forge/attack/search/baselines.h"
+#include "collision_forge/study/generators/published_patterns.h"
+#include "collision_forge/study/generators/published_predictor.h"
+
+// Otherwise than in the released code, or chosen where the paper leaves it open:
+// - The ego drives along x. Places are told as shares of the lanes' reach and steps in spacings of
+//   lane points, not in metres.
+// - A polyline is a piece of a lane, not a lane. A vector tells its place, step, yaw, frame and
+//   whether it is in an intersection; traffic control, turns and the polyline's number are left
+//   out.
+// - LayerNorm where the layers of the anchors have BatchNorm there.
+// - The polyline that is joined to an anchor is the one that it lies on. There "the nearest" were
+//   looked for among learned numbers, and an axis was mixed up where there were several.
+// - The score of an anchor is one real logit. There the softmax's probability was taken as one.
+// - Offsets are learned at positive anchors. There they were to be 0 at those judged negative.
+// - The softmax of the selector is learned by cross entropy.
+// - A loss is summed over a clip and averaged over a batch. The weights of the anchors' two losses
+//   are others, as these losses are.
+// - Which side the attacker's heading comes from is that of its place now, as seen from the ego's
+//   predicted box. There it was looked up in the recorded future.
+
+namespace forge {
+namespace {
+
+using torch::Tensor;
+namespace nn = torch::nn;
+
+Tensor wrapped(const Tensor& angle) { return torch::atan2(torch::sin(angle), torch::cos(angle)); }
+
+/// Vectors [B, 2] turned by `angle` [B].
+Tensor turned(const Tensor& vectors, const Tensor& angle) {
+  const Tensor x = vectors.select(1, 0), y = vectors.select(1, 1);
+  const Tensor c = torch::cos(angle), s = torch::sin(angle);
+  return torch::stack({c * x - s * y, s * x + c * y}, 1);
+}
+
+/// Summed over all but the first dimension, then averaged over the clips; an angle's to 0 as well.
+Tensor smoothL1(const Tensor& error) {
+  return torch::smooth_l1_loss(error, torch::zeros_like(error), torch::Reduction::Sum) /
+         error.size(0);
+}
+
+/// What came at the crash, as PublishedTold has it.
+struct Truth {
+  Tensor ego;           ///< [B, 3]
+  Tensor offset;        ///< [B, 2]
+  Tensor attacker_yaw;  ///< [B] with its side
+};
+
+Truth truthOf(const TrafficBatch& batch, int history_frames) {
+  const Tensor ahead = torch::round(batch.condition.select(1, kConditionTypes) * kTtaFrames);
+  const Tensor frame = ahead.to(torch::kLong) + history_frames;
+  const Tensor clips = torch::arange(frame.size(0), frame.options());
+  const auto at = [&](std::size_t agent) {
+    return batch.poses.select(1, static_cast<long>(agent)).index({clips, frame});
+  };
+  const Tensor ego = at(kEgoAgent), attacker = at(kAttackerAgent);
+  const Tensor yaw = ego.select(1, 2);
+  return {ego, turned((attacker - ego).slice(1, 0, 2), -yaw), wrapped(attacker.select(1, 2) - yaw)};
+}
+
+/// What the heads are told.
+struct Seen {
+  Tensor all;                ///< [B, width] F_final
+  PublishedAnchors anchors;  ///< of the heads that have some
+  Tensor scores;             ///< [N] of the anchors
+};
+
+class PublishedNetwork : public TrafficModel {
+ public:
+  PublishedNetwork(PublishedHead head, const PublishedNetworkOptions& options,
+                   const TrafficOptions& traffic, torch::Device device)
+      : options_(options),
+        traffic_(traffic),
+        device_(device),
+        patterns_(std::make_shared<PublishedPatterns>(head, options, traffic)),
+        steps_(patterns_->parameters(), torch::optim::AdamOptions(options.learning_rate)) {
+    patterns_->to(device);
+  }
+
+  std::vector<std::string> lossNames() const override {
+    return {"ego_place", "ego_yaw", "attacker_offset", "attacker_yaw", "selection"};
+  }
+
+  /// The three modules learn jointly, by a weighted sum, later ever slower.
+  std::vector<double> trainStep(const TrafficBatch& batch) override {
+    const Truth truth = truthOf(batch, traffic_.history_frames);
+    const Seen seen = look(batch);
+    const std::vector<Tensor> losses = {
+        placeLoss(seen, truth),
+        options_.ego_yaw_loss *
+            smoothL1(wrapped(patterns_->egoYawOf(seen.all) - truth.ego.select(1, 2))),
+        options_.attacker_offset_loss * smoothL1(patterns_->offsetOf(seen.all) - truth.offset),
+        options_.attacker_yaw_loss *
+            smoothL1(patterns_->attackerYawOf(seen.all) - truth.attacker_yaw.abs()),
+        options_.selection_loss * selectionLoss(patterns_->selection(batch, seen.all))};
+    setLearningRate();
+    steps_.zero_grad();
+    torch::stack(losses).sum().backward();
+    steps_.step();
+    ++batches_;
+    std::vector<double> told;
+    for (const Tensor& loss : losses) told.push_back(loss.item<double>());
+    return told;
+  }
+
+  /// The ego's place is judged where one is told.
+  std::vector<std::string> errorNames() const override {
+    return {"ego_yaw_deg", "relative_heading_deg", "offset_m", "selection_missed", "ego_m"};
+  }
+  std::vector<ErrorSum> errorsOn(const TrafficBatch& batch, torch::Generator) const override;
+
+  int epochs() const override { return options_.epochs; }
+  int batchSize() const override { return options_.batch; }
+  const TrafficOptions& traffic() const override { return traffic_; }
+  std::shared_ptr<nn::Module> network() const override { return patterns_; }
+
+  void saveTraining(torch::serialize::OutputArchive& archive) const override {
+    torch::serialize::OutputArchive steps;
+    steps_.save(steps);
+    archive.write("steps", steps);
+    archive.write("batches", torch::tensor(batches_));
+  }
+
+  void loadTraining(torch::serialize::InputArchive& archive) override {
+    torch::serialize::InputArchive steps;
+    Tensor batches;
+    archive.read("steps", steps);
+    archive.read("batches", batches);
+    steps_.load(steps);
+    batches_ = batches.item<std::int64_t>();
+  }
+
+  std::unique_ptr<const AttackMethod> method(const std::string& name,
+                                             const AttackOptions& options) const override;
+
+  /// Of a batch's histories; on the device of the network, whose module is in eval mode.
+  PublishedTold tell(const TrafficBatch& batch) const {
+    const Seen seen = look(batch);
+    const auto [placed, place] = egoPlace(seen);
+    return {placed,
+            place,
+            patterns_->egoYawOf(seen.all),
+            patterns_->offsetOf(seen.all),
+            patterns_->attackerYawOf(seen.all),
+            patterns_->selection(batch, seen.all)};
+  }
+
+ private:
+  void setLearningRate() {
+    const std::int64_t late = batches_ - options_.decay_from;
+    const std::int64_t times = late < 0 ? 0 : 1 + late / options_.decay_every;
+    const double rate =
+        options_.learning_rate * std::pow(options_.decay, static_cast<double>(times));
+    for (auto& group : steps_.param_groups()) group.options().set_lr(rate);
+  }
+
+  bool hasAnchors() const { return patterns_->head != PublishedHead::kRegression; }
+
+  Seen look(const TrafficBatch& batch) const {
+    const PublishedPieces pieces = piecesOf(batch, traffic_.lanes.reach);
+    const Tensor graph = patterns_->graphOf(batch, pieces);
+    Seen seen{patterns_->joined(graph.select(1, 0), batch.condition), {}, {}};
+    if (!hasAnchors()) return seen;
+    seen.anchors = anchorsOf(pieces, graph.size(0));
+    const Tensor row = pieces.clip * graph.size(1) + pieces.polyline;
+    seen.scores = patterns_->scores(seen.anchors, graph.flatten(0, 1).index_select(0, row),
+                                    seen.all.index_select(0, pieces.clip));
+    return seen;
+  }
+
+  /// The best anchor with its offset, or the regression: where there is one, and the places [B, 2].
+  std::pair<Tensor, Tensor> egoPlace(const Seen& seen) const {
+    const long clips = seen.all.size(0);
+    if (!hasAnchors()) {
+      return {torch::ones({clips}, torch::kBool), patterns_->regressed(seen.all)};
+    }
+    const Tensor scores = seen.anchors.inRows(seen.scores, clips, kAbsentLogit);
+    const Tensor best = scores.argmax(1);
+    const Tensor row = torch::arange(clips, best.options());
+    Tensor place = seen.anchors.inRows(seen.anchors.place, clips, 0.0).index({row, best});
+    if (patterns_->head == PublishedHead::kRegionProposal) {
+      place = place + patterns_->shifts(place, seen.all);
+    }
+    return {scores.amax(1) > kAbsentLogit, place};
+  }
+
+  Tensor placeLoss(const Seen& seen, const Truth& truth) const {
+    const Tensor ego = truth.ego.slice(1, 0, 2);
+    switch (patterns_->head) {
+      case PublishedHead::kRegression:
+        return options_.regression_loss * smoothL1(patterns_->regressed(seen.all) - ego);
+      case PublishedHead::kTargetPoints:
+        return options_.target_points_loss * targetPointLoss(seen, ego);
+      case PublishedHead::kRegionProposal:
+        break;
+    }
+    return proposalLoss(seen, ego);
+  }
+
+  /// The anchors around the ego's place are to be proposed, and to tell where it is from there.
+  Tensor proposalLoss(const Seen& seen, const Tensor& ego) const {
+    const PublishedAnchors& anchors = seen.anchors;
+    const Tensor missing = ego.index({anchors.clip}) - anchors.place;
+    const Tensor positive = missing.norm(2, 1) < options_.positive_radius;
+    const Tensor scored = torch::binary_cross_entropy_with_logits(
+        seen.scores, positive.to(torch::kFloat), {},
+        torch::tensor(options_.positive_weight, seen.scores.options()), torch::Reduction::Sum);
+    const Tensor which = positive.nonzero().squeeze(1);
+    const Tensor told = patterns_->shifts(anchors.place.index({which}),
+                                          seen.all.index_select(0, anchors.clip.index({which})));
+    const Tensor shifted = (told - missing.index({which})).abs().sum();
+    return (options_.anchors_loss * scored + options_.anchor_offset_loss * shifted) / ego.size(0);
+  }
+
+  /// Of all points the one that is nearest to the ego's place is the right one.
+  Tensor targetPointLoss(const Seen& seen, const Tensor& ego) const {
+    const PublishedAnchors& anchors = seen.anchors;
+    const long clips = ego.size(0);
+    const Tensor apart = (ego.index({anchors.clip}) - anchors.place).norm(2, 1);
+    const Tensor nearest = anchors.inRows(apart, clips, -kAbsentLogit).argmin(1);
+    const Tensor logits = anchors.inRows(seen.scores, clips, kAbsentLogit);
+    return torch::cross_entropy_loss(logits, nearest);
+  }
+
+  static Tensor selectionLoss(const Tensor& logits) {
+    const Tensor right = torch::full({logits.size(0)}, static_cast<long>(kAttackerAgent),
+                                     torch::device(logits.device()).dtype(torch::kLong));
+    return torch::cross_entropy_loss(logits, right);
+  }
+
+  PublishedNetworkOptions options_;
+  TrafficOptions traffic_;
+  torch::Device device_;
+  std::shared_ptr<PublishedPatterns> patterns_;
+  torch::optim::Adam steps_;
+  std::int64_t batches_ = 0;
+};
+
+std::vector<ErrorSum> PublishedNetwork::errorsOn(const TrafficBatch& batch,
+                                                 torch::Generator) const {
+  const Truth truth = truthOf(batch, traffic_.history_frames);
+  const PublishedTold told = tell(batch);
+  const auto attacker = static_cast<long>(kAttackerAgent);
+  const Tensor yaw = relativeYaws(told, batch, traffic_.history_frames).select(1, attacker);
+  const auto sumOf = [](const Tensor& numbers) {
+    return numbers.sum(torch::kFloat64).item<double>();
+  };
+  const auto degrees = [&](const Tensor& error) {
+    return sumOf(wrapped(error).abs()) * 180.0 / M_PI;
+  };
+  const auto count = static_cast<double>(batch.poses.size(0));
+  const Tensor apart = (told.ego_place - truth.ego.slice(1, 0, 2)).norm(2, 1);
+  return {{degrees(told.ego_yaw - truth.ego.select(1, 2)), count},
+          {degrees(yaw - truth.attacker_yaw), count},
+          {sumOf((told.offset - truth.offset).norm(2, 1)), count},
+          {sumOf(told.selection.argmax(1) != attacker), count},
+          {sumOf(apart * told.placed), sumOf(told.placed)}};
+}
+
+std::unique_ptr<const AttackMethod> PublishedNetwork::method(const std::string&,
+                                                             const AttackOptions& options) const {
+  patterns_->eval();
+  const auto self = std::static_pointer_cast<const PublishedNetwork>(shared_from_this());
+  const auto tell = [self](const TrafficBatch& batch) {
+    return self->tell(movedTo(batch, self->device_));
+  };
+  return std::make_unique<PatternQuinticMethod>(
+      options, makePublishedPredictor(tell, traffic_, options.prediction));
+}
+
+}  // namespace
+
+std::shared_ptr<TrafficModel> makePublishedNetwork(PublishedHead head,
+                                                   const PublishedNetworkOptions& options,
+                                                   const TrafficOptions& traffic,
+                                                   torch::Device device) {
+  return std::make_shared<PublishedNetwork>(head, options, traffic, device);
+}
+
+}  // namespace forge

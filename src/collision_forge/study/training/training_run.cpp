@@ -1,0 +1,137 @@
+#include "collision_forge/study/training/training_run.h"
+
+#include <malloc.h>
+
+#include <iostream>
+#include <optional>
+
+#include "collision_forge/io/batch/options.h"
+#include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/batch/ranks.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
+#include "collision_forge/study/training/pattern_trainer.h"
+#include "collision_forge/study/training/run_folder.h"
+
+namespace forge {
+namespace {
+
+/// The processes that mpirun started, which end together where one is silent.
+TrainingRanks launchedRanks(const std::string& config) {
+  Ranks::watch(loadRankOptions(config));
+  const Ranks& ranks = Ranks::get();
+  return {ranks.rank(), ranks.size(),
+          [&ranks](std::vector<double>& numbers) { ranks.sum(numbers); }};
+}
+
+/// Names of the numbers of numbersOf().
+std::vector<std::string> columns() {
+  const std::vector<std::string> names = {"ego", "heading", "offset", "selection", "total"};
+  std::vector<std::string> all = names;
+  for (const std::string& name : names) all.push_back("validation_" + name);
+  return all;
+}
+
+std::vector<double> numbersOf(const TrainingLosses& training, const TrainingLosses& validation) {
+  return {training.ego,         training.heading, training.offset,    training.selection,
+          training.total,       validation.ego,   validation.heading, validation.offset,
+          validation.selection, validation.total};
+}
+
+/// Writes what an epoch gave: metrics, the weights of the best, the state.
+void record(const PatternTrainer& trainer, const std::set<std::string>& left_out,
+            const TrainingRun& run, bool is_chosen, EpochTable& table,
+            const std::vector<double>& numbers) {
+  if (table.add(numbers) || !is_chosen) {
+    PatternWeights weights = trainer.weights();
+    weights.left_out_scenes.assign(left_out.begin(), left_out.end());
+    writePatternWeights({weights}, run.out + "/weights.bin");
+  }
+  table.keep(trainer.state());
+  clearLine();
+  std::cout << table.lastRow() << '\n' << std::flush;
+}
+
+/// Epoch after epoch on what was read; rank 0 alone writes and tells.
+void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::string>& left_out,
+             const TrainingRun& run, bool is_first, PatternTrainer& trainer) {
+  std::vector<std::string> scenes;
+  for (const TrainingSample& sample : samples) scenes.push_back(sample.scene);
+  const SampleSplit split = splitByScene(scenes, run.options.training.validation_share, run.seed);
+  if (split.training.empty()) throw std::runtime_error("there is nothing to train on");
+  if (is_first) {
+    std::cout << samples.size() << " moments, " << split.validation.size()
+              << " of them to tell the best epoch; " << left_out.size() << " scenes left out\n";
+  }
+  const int first = trainer.epochsDone();
+  EpochTable table(run, columns(), first);
+  ProgressLine progress("training");
+  int stop = run.options.training.epochs;
+  if (run.stop_after > 0) stop = std::min(stop, run.stop_after);
+  while (trainer.epochsDone() < stop) {
+    const int epoch = trainer.epochsDone();
+    const auto show = [&](std::size_t done) {
+      const double share = double(done) / double(split.training.size());
+      progress.show((epoch - first + share) / (stop - first),
+                    "epoch " + std::to_string(epoch + 1) + " of " +
+                        std::to_string(run.options.training.epochs));
+    };
+    const TrainingLosses training = trainer.trainEpoch(
+        samples, split.training, is_first ? std::function<void(std::size_t)>(show) : nullptr);
+    if (!is_first) continue;
+    const bool is_chosen = !split.validation.empty();
+    const TrainingLosses validation =
+        is_chosen ? trainer.losses(samples, split.validation) : training;
+    record(trainer, left_out, run, is_chosen, table, numbersOf(training, validation));
+  }
+  if (is_first) {
+    drawCurves(run, "Training: negative log density of the ego's place", {"ego", "validation_ego"});
+  }
+}
+
+}  // namespace
+
+std::set<std::string> leftOutScenes(const TrainingRun& run) {
+  if (run.fold == 0) return {};
+  const std::vector<std::string> names = sceneNames(run.sources);
+  if (static_cast<int>(names.size()) < run.fold) {
+    throw std::runtime_error("--fold: " + std::to_string(run.fold) + " has none of the " +
+                             std::to_string(names.size()) + " scenes");
+  }
+  return scenesOfFold(names, run.fold, run.folds, run.seed);
+}
+
+void trainPatternNetwork(const TrainingRun& run) {
+  const LearningOptions& options = run.options;
+  const std::set<std::string> left_out = leftOutScenes(run);
+  const TrainingRanks ranks = launchedRanks(run.config);
+  const bool is_first = ranks.rank == 0;
+  std::optional<OutputLock> lock;
+  if (is_first) lock.emplace(openRunFolder(run, describeRun(run, ranks.size, "training.yaml")));
+  PatternTrainer trainer(options.pattern_features, options.pattern_layers, options.training,
+                         run.device, run.threads, run.seed);
+  trainer.trainTogether(ranks);
+  if (hasState(run)) trainer.load(statePath(run));
+  ProgressLine reading("reading");
+  const std::vector<TrainingSample> samples = collectTrainingSamples(
+      run.sources, options, left_out, run.seed, [&](std::size_t done, std::size_t all) {
+        if (is_first) reading.show(double(done) / double(all));
+      });
+  trainOn(samples, left_out, run, is_first, trainer);
+  Ranks::get().settle();
+}
+
+}  // namespace forge
+
+void forgeTrain(const forge::TrainingRun& run) {
+  // Large tensors are kept rather than given back to the system after each step.
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);
+  mallopt(M_TOP_PAD, 128 << 20);
+  if (run.is_planner) {
+    forge::trainPlanner(run);
+  } else if (!run.generator.empty()) {
+    forge::trainGenerator(run);
+  } else {
+    forge::trainPatternNetwork(run);
+  }
+}

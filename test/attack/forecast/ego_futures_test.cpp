@@ -1,0 +1,247 @@
+#include "collision_forge/attack/forecast/ego_futures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "attack/search/test_scenes.h"
+#include "collision_forge/attack/forecast/folds.h"
+#include "collision_forge/attack/forecast/speed_profiles.h"
+
+namespace forge {
+namespace {
+
+constexpr double kHorizon = 8.0;  // s
+constexpr int kCount = 64;
+const EgoFutureOptions kOptions = shippedEgoFutureOptions();
+
+std::shared_ptr<const SpeedForecaster> profilesOf(
+    const std::vector<SpeedProfileRow>& rows,
+    const SpeedProfileOptions& options = shippedSpeedProfileOptions()) {
+  return std::make_shared<SpeedProfiles>(SpeedSituations(rows), options);
+}
+
+/// 40 drivers at 8 to 12 m/s, each of whom gains or loses speed evenly.
+std::shared_ptr<const SpeedForecaster> evenDrivers() {
+  std::vector<SpeedProfileRow> rows;
+  for (int i = 0; i < 40; ++i) {
+    for (int frame = 0; frame < 40; ++frame) {
+      const double gain = 0.02 * (i % 9 - 4);
+      rows.push_back({"scene-" + std::to_string(i), frame, 8.0 + i % 5 + frame * gain, {}});
+    }
+  }
+  return profilesOf(rows);
+}
+
+/// Eastbound to x = 0, then two ways apart by 45 degrees to either side.
+std::shared_ptr<LaneMap> evenFork() {
+  auto map = emptyMap();
+  map->lanes = {straightLane("in", {-200, 0}, {0, 0}, {"left", "right"}),
+                straightLane("left", {0, 0}, {150, 75}), straightLane("right", {0, 0}, {150, -75})};
+  return map;
+}
+
+std::vector<Track> sampleOn(const std::shared_ptr<LaneMap>& map, const Pose2& pose, double speed,
+                            std::shared_ptr<const SpeedForecaster> speeds, int count = kCount,
+                            std::uint64_t seed = 1) {
+  const KinematicEgoFutures sampler(kOptions, std::move(speeds));
+  const Snapshot snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, pose, speed), {}, map);
+  return sampler.sample(snapshot, LaneIndex(map), kHorizon, count, seed);
+}
+
+void expectSane(const std::vector<Track>& tracks, const Pose2& pose) {
+  for (const Track& track : tracks) {
+    ASSERT_EQ(track.states.size(), 81u);
+    EXPECT_EQ(track.id, kEgoId);
+    EXPECT_EQ(track.size.length, kEgoSize.length);
+    EXPECT_EQ(track.states.front().time, kNow);
+    EXPECT_EQ(track.states.front().pose.x, pose.x);
+    EXPECT_EQ(track.states.front().pose.y, pose.y);
+    EXPECT_EQ(track.states.front().pose.yaw, pose.yaw);
+    for (std::size_t i = 1; i < track.states.size(); ++i) {
+      const AgentState& state = track.states[i];
+      ASSERT_TRUE(state.pose.isFinite() && state.velocity.allFinite());
+      ASSERT_NEAR(state.time, kNow + 0.1 * static_cast<double>(i), 1e-9);
+      const double step = (state.pose.position() - track.states[i - 1].pose.position()).norm();
+      ASSERT_LT(step, 2.5) << "at " << i;
+      ASSERT_LT(std::abs(angleBetween(track.states[i - 1].pose.yaw, state.pose.yaw)), 0.2);
+    }
+  }
+}
+
+std::vector<double> lastX(const std::vector<Track>& tracks) {
+  std::vector<double> values;
+  for (const Track& track : tracks) values.push_back(track.states.back().pose.x);
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+TEST(EgoFutures, StartNowAndMoveSmoothly) {
+  const Pose2 pose{-100, 0.4, 0.03};
+  const auto tracks = sampleOn(twoLaneRoad(), pose, 10.0, evenDrivers());
+  ASSERT_EQ(tracks.size(), static_cast<std::size_t>(kCount));
+  expectSane(tracks, pose);
+}
+
+TEST(EgoFutures, AsManyAreDrawnAsAskedFor) {
+  for (const int count : {0, 1, 3, 17}) {
+    EXPECT_EQ(sampleOn(evenFork(), {-20, 0, 0}, 8.0, evenDrivers(), count).size(),
+              static_cast<std::size_t>(count));
+  }
+}
+
+TEST(EgoFutures, AreTheSameForTheSameSeedAlone) {
+  const auto x = [](std::uint64_t seed) {
+    return lastX(sampleOn(evenFork(), {-20, 0, 0}, 8.0, evenDrivers(), kCount, seed));
+  };
+  EXPECT_EQ(x(7), x(7));
+  EXPECT_NE(x(7), x(8));
+}
+
+TEST(EgoFutures, OnAStraightLaneKeepToIt) {
+  const auto tracks = sampleOn(twoLaneRoad(), {-100, 0, 0}, 10.0, evenDrivers());
+  const auto beside = std::count_if(tracks.begin(), tracks.end(), [](const Track& track) {
+    return std::abs(track.states.back().pose.y) > 1.5;
+  });
+  EXPECT_LE(beside, 3);
+}
+
+TEST(EgoFutures, AnOffsetFromTheLaneReturnsButForAShare) {
+  double mean = 0.0;
+  for (const Track& track : sampleOn(twoLaneRoad(), {-100, -1.0, 0}, 10.0, evenDrivers())) {
+    mean += track.states.back().pose.y / kCount;
+  }
+  EXPECT_NEAR(mean, kOptions.kept_offset * -1.0, 0.15);
+}
+
+TEST(EgoFutures, SpreadTheirSpeedsAsRecorded) {
+  // Drivers gain -0.08 to 0.08 m/s each 0.5 s; what happened before tells which nearly, but the
+  // distance driven is 80 m at 10 m/s give or take 0.08 * 16 * 17 / 2 * 0.5 = 5.4 m.
+  const auto x = lastX(sampleOn(twoLaneRoad(), {-100, 0, 0}, 10.0, evenDrivers()));
+  EXPECT_NEAR(x[kCount / 2], -20.0, 2.0);
+  EXPECT_GT(x.back() - x.front(), 1.0);
+  EXPECT_LT(x.back() - x.front(), 2 * 5.5);
+}
+
+TEST(EgoFutures, WaysOfTheSameCostAreTakenEquallyOften) {
+  const auto tracks = sampleOn(evenFork(), {-30, 0, 0}, 8.0, evenDrivers());
+  int left = 0;
+  int right = 0;
+  for (const Track& track : tracks) {
+    const Pose2& end = track.states.back().pose;
+    left += end.y > 8.0;
+    right += end.y < -8.0;
+  }
+  EXPECT_NEAR(left, right, 1);
+  EXPECT_GE(left + right, 56);
+}
+
+TEST(EgoFutures, WithoutLanesTurnOnAndSpread) {
+  Track ego{kEgoId, AgentClass::kCar, kEgoSize, {}};
+  for (int i = -7; i <= 0; ++i) {  // a circle of 50 m radius at 10 m/s
+    const double yaw = 0.1 * i;
+    ego.states.push_back(
+        {kNow + 0.5 * i, {50 * std::sin(yaw), 50 - 50 * std::cos(yaw), yaw}, Vector2::Zero()});
+  }
+  const KinematicEgoFutures sampler(kOptions, evenDrivers());
+  const auto tracks =
+      sampler.sample(snapshotOf(ego, {}, emptyMap()), LaneIndex(emptyMap()), kHorizon, kCount, 1);
+  expectSane(tracks, ego.states.back().pose);
+  double mean = 0.0;
+  double highest = -1e9;
+  double lowest = 1e9;
+  for (const Track& track : tracks) {
+    const double yaw = track.states.back().pose.yaw;
+    mean += yaw / kCount;
+    highest = std::max(highest, yaw);
+    lowest = std::min(lowest, yaw);
+  }
+  EXPECT_NEAR(mean, 0.2 * 2.3, 0.1);  // the turn rate fades by 1/e in 2.3 s
+  EXPECT_GT(highest - lowest, 0.3);
+}
+
+TEST(EgoFutures, WithoutProfilesThePresentAccelerationFades) {
+  Track ego{kEgoId, AgentClass::kCar, kEgoSize, {}};
+  for (int i = -7; i <= 0; ++i) {
+    const double t = 0.5 * i;
+    ego.states.push_back({kNow + t, {10 * t + 0.5 * t * t, 0, 0}, Vector2::Zero()});
+  }
+  const KinematicEgoFutures sampler(kOptions, nullptr);
+  const auto tracks = sampler.sample(snapshotOf(ego, {}, twoLaneRoad()), LaneIndex(twoLaneRoad()),
+                                     kHorizon, kCount, 1);
+  expectSane(tracks, ego.states.back().pose);
+  const auto x = lastX(tracks);
+  const double steady = (10.0 - 0.25) * kHorizon;  // over the last 0.5 s
+  EXPECT_NEAR(0.5 * (x[kCount / 2 - 1] + x[kCount / 2]), steady + 1.0 * (kHorizon - 1.0), 2.0);
+  EXPECT_GT(x.back() - x.front(), 20.0);
+}
+
+TEST(EgoFutures, ProfilesOfTheLeftOutSceneAreNotUsed) {
+  std::vector<SpeedProfileRow> rows;
+  for (int i = 0; i < 12; ++i) {
+    const bool stops = i == 0;
+    for (int frame = 0; frame < 40; ++frame) {
+      rows.push_back({"scene-" + std::to_string(i),
+                      frame,
+                      stops && frame % 20 > 2 ? 0.0 : 10.0 + 0.01 * i,
+                      {}});
+    }
+  }
+  const Snapshot snapshot =
+      snapshotOf(pastTrack(kEgoId, kEgoSize, {-100, 0, 0}, 10.0), {}, twoLaneRoad());
+  const LaneIndex lanes(twoLaneRoad());
+  SpeedProfileOptions options = shippedSpeedProfileOptions();
+  options.ridge = 1.0;
+  const auto profiles = profilesOf(rows, options);
+  const auto shortest = [&](const std::string& left_out) {
+    return lastX(KinematicEgoFutures(kOptions, withoutScene(profiles, left_out))
+                     .sample(snapshot, lanes, kHorizon, 400, 1))
+        .front();
+  };
+  EXPECT_GT(shortest("scene-0"), -21.5);
+  EXPECT_LT(shortest("scene-1"), -50.0);
+}
+
+TEST(EgoFutures, AStandingEgoStandsOrSetsOff) {
+  for (const auto& speeds : {evenDrivers(), std::shared_ptr<const SpeedForecaster>()}) {
+    const Pose2 pose{-20, 0.2, 0};
+    const auto tracks = sampleOn(evenFork(), pose, 0.0, speeds);
+    ASSERT_EQ(tracks.size(), static_cast<std::size_t>(kCount));
+    expectSane(tracks, pose);
+    EXPECT_GE(lastX(tracks).front(), -20.0 - 1e-6);
+  }
+}
+
+TEST(EgoFutures, AReversingEgoStops) {
+  const auto tracks = sampleOn(twoLaneRoad(), {-100, 0, 0}, -2.0, nullptr);
+  expectSane(tracks, {-100, 0, 0});
+  EXPECT_NEAR(lastX(tracks)[8], -100.0, 0.5);
+}
+
+TEST(EgoFutures, ProfilesThatEndEarlyGoOnAtTheirLastSpeed) {
+  std::vector<SpeedProfileRow> rows;
+  for (int i = 0; i < 60; ++i) {
+    for (int frame = 0; frame < 6; ++frame) {
+      rows.push_back({"scene-" + std::to_string(i), frame, 10.0, {}});
+    }
+  }
+  const auto x = lastX(sampleOn(twoLaneRoad(), {-100, 0, 0}, 10.0, profilesOf(rows)));
+  EXPECT_NEAR(x[kCount / 2], -20.0, 0.2);
+}
+
+TEST(EgoFutures, RefuseWhatCannotBeSampled) {
+  const KinematicEgoFutures sampler(kOptions, nullptr);
+  Snapshot snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, {0, 0, 0}, 5.0), {}, twoLaneRoad());
+  const LaneIndex lanes(twoLaneRoad());
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(sampler.sample(snapshot, lanes, 0.0, 4, 1), std::invalid_argument);
+  EXPECT_THROW(sampler.sample(snapshot, lanes, infinity, 4, 1), std::invalid_argument);
+  EXPECT_THROW(sampler.sample(snapshot, lanes, 5.0, -1, 1), std::invalid_argument);
+  snapshot.ego.states.clear();
+  EXPECT_THROW(sampler.sample(snapshot, lanes, 5.0, 4, 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace forge

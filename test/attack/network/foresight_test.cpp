@@ -1,0 +1,60 @@
+#include "collision_forge/attack/network/foresight.h"
+
+#include <gtest/gtest.h>
+
+#include "attack/network/sample_network.h"
+#include "collision_forge/attack/forecast/speed_profiles.h"
+
+namespace forge {
+namespace {
+
+std::vector<Track> sampled(const Foresight& foresight) {
+  const Snapshot snapshot = junctionSnapshot();
+  return foresight.egoFutures(shippedEgoFutureOptions())
+      ->sample(snapshot, lanesOf(snapshot), 6.0, 32, 0);
+}
+
+bool areSame(const std::vector<Track>& a, const std::vector<Track>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].states.back().pose.x != b[i].states.back().pose.x) return false;
+  }
+  return a.size() == b.size();
+}
+
+TEST(Foresight, ASceneOnTestIsForeseenByTheNetworkThatLeftItOut) {
+  PatternWeights fold = randomWeights(7);
+  fold.left_out_scenes = {"scene-x"};
+  const auto both =
+      std::make_shared<const PatternNetwork>(randomWeights(5), std::vector<PatternWeights>{fold});
+  const Foresight foresight{nullptr, both, {}};
+  const Foresight alone{nullptr, std::make_shared<const PatternNetwork>(fold), {}};
+  EXPECT_TRUE(areSame(sampled(foresight.withoutScene("scene-x")), sampled(alone)));
+  EXPECT_TRUE(areSame(sampled(foresight.withoutScene("scene-y")), sampled(foresight)));
+  EXPECT_FALSE(areSame(sampled(foresight), sampled(alone)));
+}
+
+TEST(Foresight, WithoutASceneNothingIsCopiedAndTheTypeStaysKnown) {
+  PatternWeights fold = randomWeights(7);
+  fold.left_out_scenes = {"scene-x"};
+  const Foresight foresight{
+      nullptr,
+      std::make_shared<const PatternNetwork>(randomWeights(5), std::vector<PatternWeights>{fold}),
+      CollisionType::kLtap};
+  const Foresight without = foresight.withoutScene("scene-x");
+  EXPECT_EQ(without.network, foresight.network->folds()[0]);
+  EXPECT_EQ(foresight.withoutScene("scene-y").network, foresight.network);
+  EXPECT_EQ(without.known_type, CollisionType::kLtap);
+}
+
+TEST(Foresight, SpeedsOfASceneOnTestAreLeftOut) {
+  const auto profiles = std::make_shared<const SpeedProfiles>(
+      SpeedSituations({{"scene-x", 0, 3.0, {}}, {"scene-x", 1, 3.0, {}}}),
+      shippedSpeedProfileOptions());
+  const Foresight foresight{profiles, nullptr, {}};
+  EXPECT_NE(foresight.withoutScene("scene-x").speeds, profiles);
+  EXPECT_EQ(foresight.withoutScene("scene-y").speeds, profiles);
+  EXPECT_EQ(Foresight{}.withoutScene("scene-x").speeds, nullptr);
+}
+
+}  // namespace
+}  // namespace forge

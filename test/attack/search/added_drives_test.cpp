@@ -1,0 +1,262 @@
+#include "collision_forge/attack/search/added_drives.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "attack/search/added_scene.h"
+
+namespace forge {
+namespace {
+
+constexpr double kContact = 4.0;  // s from now
+constexpr double kEgoThen = AddedScene::kEgoX + kContact * AddedScene::kEgoSpeed;
+constexpr double kTouching = 0.5 * (kEgoSize.length + kCarSize.length);
+
+class AddedDrivesTest : public testing::Test {
+ protected:
+  void SetUp() override { make(); }
+
+  /// Again, for a scene that has changed.
+  void make() {
+    input_ = std::make_unique<AddedVehicleInput>(scene_.input());
+    ways_ = std::make_unique<AddedWays>(*input_, options_.added);
+    drives_ = std::make_unique<AddedDrives>(*input_, options_);
+  }
+
+  /// With the ego in its lane, from a lane.
+  AddedMeeting meetingAt(Side side, std::size_t lane = 0) const {
+    AddedMeeting meeting;
+    meeting.way = ways_->to({lane, 200.0, {}}).front().get();
+    meeting.ego = {{kEgoThen, 0.0, 0.0}, kEgoSize};
+    meeting.contact = kContact;
+    meeting.side = side;
+    meeting.across = meeting.seen(kCarSize).across;
+    return meeting;
+  }
+
+  bool plan(const AddedMeeting& meeting, const AddedManner& manner) {
+    return drives_->plan(meeting, manner, kCarSize, drive_);
+  }
+
+  /// Of the manners that a meeting is tried in.
+  std::vector<AddedManner::Kind> kindsOf(const AddedMeeting& meeting) const {
+    std::vector<AddedManner::Kind> kinds;
+    for (const AddedManner& manner : drives_->mannersOf(meeting)) kinds.push_back(manner.kind);
+    return kinds;
+  }
+
+  static bool has(const std::vector<AddedManner::Kind>& kinds, AddedManner::Kind kind) {
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  }
+
+  AddedScene scene_;
+  AttackOptions options_ = shippedOptions();
+  std::unique_ptr<AddedVehicleInput> input_;
+  std::unique_ptr<AddedWays> ways_;
+  std::unique_ptr<AddedDrives> drives_;
+  AddedDrive drive_;
+};
+
+TEST_F(AddedDrivesTest, WhoCruisesIsAtTheMeetingAtTheContact) {
+  const AddedMeeting meeting = meetingAt(Side::kRear);
+  ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 11.0}));
+  const Pose2 then = drive_.poseAt(meeting.way->path, 40);
+  EXPECT_NEAR(then.x, kEgoThen - kTouching, 1e-6);
+  EXPECT_NEAR(then.y, 0.0, 1e-6);
+  ASSERT_EQ(drive_.on.size(), 40u);
+  ASSERT_EQ(drive_.back.size(), 121u) << "at the first frame, too";
+  for (int step = -119; step <= 40; ++step) {
+    EXPECT_NEAR(drive_.at(step) - drive_.at(step - 1), 1.1, 1e-6) << step;
+  }
+}
+
+TEST_F(AddedDrivesTest, PlacesAheadAreThoseOfTheirTimesWhateverTheContactIs) {
+  AddedMeeting meeting = meetingAt(Side::kRear);
+  meeting.contact = 1.33;
+  ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 10.0}));
+  const double now = drive_.back.front();
+  for (int i = 1; i <= 13; ++i) {
+    EXPECT_NEAR(drive_.at(i), now + 10.0 * AddedDrive::kStep * i, 1e-6) << i;
+  }
+  EXPECT_NEAR(drive_.step() * static_cast<double>(drive_.on.size()), 1.33, 1e-9);
+}
+
+TEST_F(AddedDrivesTest, WhoCruisesEndsWhereTheWayBegins) {
+  ASSERT_TRUE(plan(meetingAt(Side::kRear), {AddedManner::kCruise, 17.0}));
+  ASSERT_LT(drive_.back.size(), 121u);
+  EXPECT_LT(drive_.back.back(), 0.0);
+  EXPECT_GE(drive_.back[drive_.back.size() - 2], 0.0);
+  EXPECT_EQ(drive_.at(-120), drive_.back.back());
+}
+
+TEST_F(AddedDrivesTest, ATrainKeepsTheEgosDistanceUntilNow) {
+  const AddedMeeting meeting = meetingAt(Side::kRear);
+  ASSERT_TRUE(plan(meeting, {AddedManner::kTrain, 1.2}));
+  const std::vector<double>& ego = meeting.way->ego;
+  const double gap = -kTouching - 0.5 * 1.2 * kContact * kContact;
+  ASSERT_EQ(drive_.back.size(), ego.size());
+  for (std::size_t i = 0; i < ego.size(); ++i) EXPECT_NEAR(drive_.back[i] - ego[i], gap, 1e-6);
+  EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
+}
+
+TEST_F(AddedDrivesTest, NoTrainIsTooNearOrGoesBackwards) {
+  EXPECT_FALSE(plan(meetingAt(Side::kRear), {AddedManner::kTrain, 0.0})) << "would touch the ego";
+  EXPECT_FALSE(plan(meetingAt(Side::kFront), {AddedManner::kTrain, -2.1})) << "beyond a standstill";
+  EXPECT_TRUE(plan(meetingAt(Side::kFront), {AddedManner::kTrain, -1.9}));
+}
+
+TEST_F(AddedDrivesTest, WhoFollowsDrivesAsAFlowLaterOrEarlier) {
+  // It is there 1.7 s after the contact.
+  scene_.add("behind", {kEgoThen - kTouching - 57.0, 0.0, 0.0}, 10.0);
+  make();
+  const AddedMeeting meeting = meetingAt(Side::kRear);
+  ASSERT_EQ(meeting.way->flows.size(), 1u);
+  ASSERT_TRUE(plan(meeting, {AddedManner::kFollow, 0.0}));
+  EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
+  EXPECT_NEAR(drive_.at(0) - meeting.way->flows.front().at(0.0), 17.0, 1e-6) << "1.7 s ahead of it";
+  scene_ = {};
+  scene_.add("at the same time", {kEgoThen - kTouching - 45.0, 0.0, 0.0}, 10.0);
+  make();
+  EXPECT_FALSE(plan(meetingAt(Side::kRear), {AddedManner::kFollow, 0.0}));
+}
+
+TEST_F(AddedDrivesTest, WhoStartsStandsNow) {
+  const AddedMeeting meeting = meetingAt(Side::kRear);
+  ASSERT_TRUE(plan(meeting, {AddedManner::kStart, 1.2, false}));
+  EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
+  ASSERT_EQ(drive_.back.size(), 121u);
+  EXPECT_EQ(drive_.back.front(), drive_.back.back()) << "stood all along";
+  EXPECT_GT(drive_.at(1), drive_.at(0));
+  ASSERT_TRUE(plan(meeting, {AddedManner::kStart, 1.2, true}));
+  const int waited = static_cast<int>(std::lround(options_.added.wait / AddedDrive::kStep));
+  EXPECT_EQ(drive_.at(-waited), drive_.at(0));
+  EXPECT_LT(drive_.at(-waited - 1), drive_.at(0)) << "came there";
+}
+
+TEST_F(AddedDrivesTest, WhoStandsStandsAtTheMeeting) {
+  const AddedMeeting meeting = meetingAt(Side::kFront);
+  ASSERT_TRUE(plan(meeting, {AddedManner::kStand}));
+  for (const int step : {-120, -1, 0, 1, 40}) {
+    EXPECT_NEAR(drive_.poseAt(meeting.way->path, step).x, kEgoThen + kTouching, 1e-6) << step;
+  }
+}
+
+TEST_F(AddedDrivesTest, WhoIsParkedStandsBeforeTheMeetingAndFartherOut) {
+  const AddedMeeting meeting = meetingAt(Side::kRight);
+  const double beside = -0.5 * (kEgoSize.width + kCarSize.width);
+  ASSERT_NEAR(meeting.across, beside, 1e-6);
+  ASSERT_TRUE(plan(meeting, {AddedManner::kPark, 3.0}));
+  ASSERT_EQ(drive_.back.size(), 121u);
+  for (const int step : {-120, 0, 40}) {
+    const Pose2 place = drive_.poseAt(meeting.way->path, step);
+    EXPECT_NEAR(place.x, kEgoThen - 3.0, 1e-6) << step;
+    EXPECT_LT(place.y, beside - 0.1) << step;
+    EXPECT_GT(place.y, beside - 1.0) << step;
+  }
+  EXPECT_FALSE(plan(meeting, {AddedManner::kPark, 30.0})) << "too far off the lane";
+}
+
+TEST_F(AddedDrivesTest, KeepAsideOfTheMiddle) {
+  const AddedMeeting meeting = meetingAt(Side::kFront, 1);
+  ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 8.0, false, 0.7}));
+  EXPECT_NEAR(drive_.poseAt(meeting.way->path, 0).y, 3.5 - 0.7, 1e-6) << "left of who drives west";
+}
+
+TEST_F(AddedDrivesTest, InRearEndsOnlyWhoIsAheadStands) {
+  const AddedMeeting ahead = meetingAt(Side::kFront);
+  EXPECT_FALSE(has(kindsOf(meetingAt(Side::kRear)), AddedManner::kStand));
+  EXPECT_EQ(kindsOf(ahead).front(), AddedManner::kTrain);
+  EXPECT_EQ(kindsOf(ahead).back(), AddedManner::kStand);
+  scene_.request.manoeuvre = Manoeuvre::kLeadStopped;
+  EXPECT_EQ(kindsOf(ahead).front(), AddedManner::kStand);
+  scene_.request.manoeuvre.reset();
+  scene_.future.ego_samples = {scene_.future.ego};
+  EXPECT_EQ(kindsOf(ahead).front(), AddedManner::kStand) << "where the future is predicted";
+}
+
+TEST_F(AddedDrivesTest, InLaneChangesParkWhereThatIsAskedForOrTheEgoHasTheLane) {
+  scene_.request.type = CollisionType::kLaneChange;
+  const AddedMeeting own = meetingAt(Side::kRight);
+  const AddedMeeting beside = meetingAt(Side::kLeft, 1);
+  ASSERT_TRUE(own.isEgosOwn());
+  ASSERT_FALSE(beside.isEgosOwn());
+  EXPECT_EQ(kindsOf(own).front(), AddedManner::kPark);
+  EXPECT_EQ(kindsOf(beside).back(), AddedManner::kPark);
+  scene_.request.manoeuvre = Manoeuvre::kPullOut;
+  EXPECT_EQ(kindsOf(own),
+            std::vector<AddedManner::Kind>(options_.added.parked.size(), AddedManner::kPark));
+  scene_.request.manoeuvre = Manoeuvre::kCutIn;
+  EXPECT_FALSE(has(kindsOf(own), AddedManner::kPark));
+}
+
+TEST_F(AddedDrivesTest, BesideTheEgoInItsLaneMotorcyclesRide) {
+  scene_.request.type = CollisionType::kLaneChange;
+  const AddedMeeting own = meetingAt(Side::kRight);
+  for (const AddedManner& manner : drives_->mannersOf(own)) {
+    EXPECT_NE(manner.rides, manner.kind == AddedManner::kPark);
+  }
+  for (const AddedManner& manner : drives_->mannersOf(meetingAt(Side::kLeft, 1))) {
+    EXPECT_FALSE(manner.rides);
+  }
+  AddedManner ride{AddedManner::kCruise, 8.0};
+  ride.rides = true;
+  const BoxSize motorcycle{2.1, 0.8};
+  ASSERT_TRUE(drives_->plan(own, ride, motorcycle, drive_));
+  const double side = -0.5 * kEgoSize.width - 0.5 * motorcycle.width;
+  EXPECT_NEAR(drive_.poseAt(own.way->path, 0).y, side - options_.added.riding_gap, 0.05);
+}
+
+TEST_F(AddedDrivesTest, WhoCruisesVariesItsSpeedAndMeetsTheEgoAllTheSame) {
+  const AddedMeeting meeting = meetingAt(Side::kRear);
+  ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 8.0}));
+  const AddedDrive even = drive_;
+  const SpeedVariation variation{0.6, 5.0, 1.0};
+  ASSERT_TRUE(drives_->plan(meeting, {AddedManner::kCruise, 8.0}, kCarSize, drive_, variation));
+  EXPECT_NEAR(drive_.on.back(), even.on.back(), 1e-9);
+  ASSERT_EQ(drive_.back.size(), even.back.size());
+  const auto speedAgo = [](const AddedDrive& drive, std::size_t i) {
+    return (drive.back[i] - drive.back[i + 1]) / AddedDrive::kStep;
+  };
+  double most = 0.0;
+  for (std::size_t i = 0; i + 1 < even.back.size(); ++i) {
+    most = std::max(most, std::abs(speedAgo(drive_, i) - speedAgo(even, i)));
+  }
+  EXPECT_GT(most, 0.3);
+  EXPECT_LT(most, 2.0 * variation.amplitude / variation.frequency());
+}
+
+TEST_F(AddedDrivesTest, OncomingOnesAreQuickAndAtLastNearerToTheEgo) {
+  scene_.request.type = CollisionType::kOppositeDirection;
+  const AddedMeeting meeting = meetingAt(Side::kFront, 1);
+  ASSERT_NEAR(meeting.across, 3.5, 1e-6);
+  AddedVehicleOptions& added = options_.added;
+  added.speeds.push_back(0.5 * added.least_crossing_speed);
+  const std::vector<AddedManner> manners = drives_->mannersOf(meeting);
+  ASSERT_EQ(manners.size() % 2, 0u);
+  for (std::size_t i = 0; i < manners.size(); ++i) {
+    EXPECT_EQ(manners[i].aside, i < manners.size() / 2 ? 0.0 : added.aside) << i;
+    if (manners[i].kind == AddedManner::kCruise) {
+      EXPECT_GE(manners[i].value, added.least_crossing_speed);
+    }
+  }
+}
+
+TEST_F(AddedDrivesTest, CrossingOnesCruiseOrStartInTurn) {
+  scene_.request.type = CollisionType::kJunctionCrossing;
+  const std::vector<AddedManner> manners = drives_->mannersOf(meetingAt(Side::kLeft));
+  ASSERT_GE(manners.size(), 4u);
+  EXPECT_EQ(manners[0].kind, AddedManner::kCruise);
+  EXPECT_EQ(manners[0].value, AddedScene::kEgoSpeed) << "as the ego does";
+  EXPECT_EQ(manners[1].kind, AddedManner::kStart);
+  EXPECT_FALSE(manners[1].waits);
+  EXPECT_EQ(manners[2].kind, AddedManner::kStart);
+  EXPECT_TRUE(manners[2].waits);
+  EXPECT_EQ(manners[3].kind, AddedManner::kCruise);
+}
+
+}  // namespace
+}  // namespace forge

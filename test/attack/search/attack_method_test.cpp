@@ -1,0 +1,146 @@
+#include "collision_forge/attack/search/attack_method.h"
+
+#include <gtest/gtest.h>
+
+#include "attack/search/test_scenes.h"
+
+namespace forge {
+namespace {
+
+/// Answers with the report that it is given, and tells whether it was shown what came.
+class Told : public AttackMethod {
+ public:
+  explicit Told(CollisionReport report = {}) : report_(std::move(report)) {}
+
+  std::vector<AgentState> past;
+
+  Realization answer(const Moment& moment, const CollisionRequest&) const override {
+    Realization answer;
+    answer.report = report_;
+    answer.trajectory.attacker_id = moment.recorded ? "knows" : "guesses";
+    answer.trajectory.past = past;
+    return answer;
+  }
+
+ private:
+  CollisionReport report_;
+};
+
+CollisionReport verifiedReport() {
+  CollisionReport report;
+  report.contact = report.type_kept = report.on_time = report.limits_kept = true;
+  return report;
+}
+
+Moment moment() {
+  const auto map = twoLaneRoad();
+  Future recorded;
+  recorded.ego = futureTrack(kEgoId, kEgoSize, {}, 10.0);
+  return {snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0), {}, map), recorded,
+          std::make_shared<const LaneIndex>(map)};
+}
+
+CollisionRequest requestIn(Mode mode) {
+  CollisionRequest request = requestFor();
+  request.mode = mode;
+  return request;
+}
+
+TEST(AttackMethod, IsShownWhatCameInReplayModeAlone) {
+  EXPECT_EQ(attempt(Told(), moment(), requestIn(Mode::kHistory)).trajectory.attacker_id, "guesses");
+  EXPECT_EQ(attempt(Told(), moment(), requestIn(Mode::kReplay)).trajectory.attacker_id, "knows");
+}
+
+TEST(GenerateCollision, LetsVerifiedAttacksPassAlone) {
+  const PredictionOptions options = shippedOptions().prediction;
+  const CollisionRequest request = requestIn(Mode::kHistory);
+  EXPECT_EQ(generateCollision(Told(verifiedReport()), moment(), request, options).status.code,
+            StatusCode::kOk);
+  CollisionReport late = verifiedReport();
+  late.on_time = false;
+  const Realization refused = generateCollision(Told(late), moment(), request, options);
+  EXPECT_EQ(refused.status.code, StatusCode::kNoAttackWithinLimits);
+  EXPECT_NE(refused.status.message.find("wrong time"), std::string::npos) << refused.status.message;
+  EXPECT_TRUE(refused.trajectory.attacker_id.empty());
+}
+
+TEST(GenerateCollision, RefusesWhatIsNotAsTheControlsWantIt) {
+  const PredictionOptions options = shippedOptions().prediction;
+  CollisionReport report = verifiedReport();
+  report.manoeuvre = Manoeuvre::kLeadSlow;
+  report.ego_side = Side::kFront;
+  report.impact_speed = 5.0;
+  report.overlap = 0.4;
+  Told method(report);
+  const CollisionRequest plain = requestIn(Mode::kHistory);
+  const auto refusalOf = [&](const CollisionRequest& request) {
+    const Status status = generateCollision(method, moment(), request, options).status;
+    EXPECT_EQ(status.code, StatusCode::kNoAttackWithinLimits) << status.message;
+    return status.message;
+  };
+  const auto passes = [&](const CollisionRequest& request) {
+    return generateCollision(method, moment(), request, options).status.code == StatusCode::kOk;
+  };
+  CollisionRequest request = plain;
+  request.manoeuvre = Manoeuvre::kLeadBrakes;
+  EXPECT_NE(refusalOf(request).find("lead_slow"), std::string::npos);
+  request.manoeuvre = Manoeuvre::kLeadSlow;
+  EXPECT_TRUE(passes(request));
+  request = plain;
+  request.ego_side = Side::kRear;
+  EXPECT_NE(refusalOf(request).find("front"), std::string::npos);
+  request.ego_side = Side::kFront;
+  EXPECT_TRUE(passes(request));
+  request = plain;
+  request.impact_speed = Range{5.1, 9.0};
+  EXPECT_NE(refusalOf(request).find("too slowly"), std::string::npos);
+  request.impact_speed = Range{1.0, 4.9};
+  EXPECT_NE(refusalOf(request).find("too fast"), std::string::npos);
+  request.impact_speed = Range{5.0, 5.0};
+  EXPECT_TRUE(passes(request));
+  request.overlap = Range{0.41, 1.0};
+  EXPECT_NE(refusalOf(request).find("too little"), std::string::npos);
+  request.overlap = Range{0.0, 0.39};
+  EXPECT_NE(refusalOf(request).find("too much"), std::string::npos);
+  request.overlap = Range{0.4, 0.4};
+  EXPECT_TRUE(passes(request));
+  request = plain;
+  request.attacker_class = AgentClass::kTruck;
+  EXPECT_NE(refusalOf(request).find("by a car"), std::string::npos);
+  request = plain;
+  request.choice = AttackerChoice::kNew;
+  EXPECT_NE(refusalOf(request).find("recorded one"), std::string::npos);
+  method.past = {{}};
+  EXPECT_TRUE(passes(request));
+  request.choice = AttackerChoice::kExisting;
+  EXPECT_NE(refusalOf(request).find("new one"), std::string::npos);
+}
+
+TEST(GenerateCollision, SaysWhyAnAttackIsNotBelievable) {
+  const PredictionOptions options = shippedOptions().prediction;
+  CollisionReport report = verifiedReport();
+  report.unbelievable = "drives against its lane for 9 %";
+  CollisionRequest request = believableRequestFor(CollisionType::kRearEnd);
+  const Realization refused = generateCollision(Told(report), moment(), request, options);
+  EXPECT_EQ(refused.status.code, StatusCode::kNotBelievable);
+  EXPECT_NE(refused.status.message.find("9 %"), std::string::npos) << refused.status.message;
+  request.crash.believable = false;
+  EXPECT_EQ(generateCollision(Told(report), moment(), request, options).status.code,
+            StatusCode::kOk);
+}
+
+TEST(GenerateCollision, RefusesWithoutAskingTheMethod) {
+  const PredictionOptions options = shippedOptions().prediction;
+  const Told method(verifiedReport());
+  CollisionRequest request = requestIn(Mode::kHistory);
+  request.tta = 100.0;
+  EXPECT_EQ(generateCollision(method, moment(), request, options).status.code,
+            StatusCode::kTtaOutOfRange);
+  Moment running = moment();
+  running.recorded.reset();
+  EXPECT_EQ(generateCollision(method, running, requestIn(Mode::kReplay), options).status.code,
+            StatusCode::kNoRecording);
+}
+
+}  // namespace
+}  // namespace forge

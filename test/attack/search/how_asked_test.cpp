@@ -1,0 +1,63 @@
+#include "collision_forge/attack/search/how_asked.h"
+
+#include <gtest/gtest.h>
+
+#include "attack/search/test_scenes.h"
+
+namespace forge {
+namespace {
+
+/// Someone drives straight into the rear of an ego that drives straight on.
+class HowAskedTest : public testing::Test {
+ protected:
+  HowAskedTest() {
+    request_.mode = Mode::kReplay;
+    request_.tta = 3.0;
+    const Track track = futureTrack(attacker_.id, kCarSize, {-18.0, 0.0, 0.0}, 14.5);
+    for (const AgentState& state : track.states) {
+      points_.push_back({state.time, state.pose, 14.5, 0.0, 0.0});
+    }
+  }
+
+  bool holds() {
+    const std::vector<CollisionPattern> patterns;
+    const LaneIndex lanes(map_);
+    const SearchInput input{snapshot_, future_, egos_, patterns, request_, lanes};
+    HowAsked asked(input, options_);
+    named_ = asked.isNamed();
+    return asked.holds(attacker_, points_, 1);
+  }
+
+  const AttackOptions options_ = shippedOptions();
+  const std::shared_ptr<LaneMap> map_ = twoLaneRoad();
+  const Track attacker_ = pastTrack("behind", kCarSize, {-18.0, 0.0, 0.0}, 14.5);
+  const Snapshot snapshot_ = snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0), {attacker_}, map_);
+  const Track driving_ = futureTrack(kEgoId, kEgoSize, {}, 10.0);
+  const Track far_ = futureTrack(kEgoId, kEgoSize, {200.0, 0.0, 0.0}, 10.0);
+  const std::vector<const Track*> egos_ = {&far_, &driving_};
+  const Future future_;
+  CollisionRequest request_ = believableRequestFor(CollisionType::kRearEnd);
+  std::vector<TrajectoryPoint> points_;
+  bool named_ = false;
+};
+
+TEST_F(HowAskedTest, WithoutAWordEverythingHolds) {
+  EXPECT_TRUE(holds());
+  EXPECT_FALSE(named_);
+}
+
+TEST_F(HowAskedTest, JudgesTheCrashInTheFutureThatIsNamed) {
+  request_.ego_side = Side::kRear;
+  EXPECT_TRUE(holds());
+  EXPECT_TRUE(named_);
+  request_.ego_side = Side::kFront;
+  EXPECT_FALSE(holds());
+  request_.ego_side.reset();
+  request_.impact_speed = {4.0, 5.0};
+  EXPECT_TRUE(holds());
+  request_.impact_speed = {5.0, 6.0};
+  EXPECT_FALSE(holds());
+}
+
+}  // namespace
+}  // namespace forge

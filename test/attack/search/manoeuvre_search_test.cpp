@@ -1,0 +1,227 @@
+#include "collision_forge/attack/search/manoeuvre_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "attack/search/test_scenes.h"
+#include "collision_forge/attack/search/realizer.h"
+#include "collision_forge/attack/verify/drive_check.h"
+#include "collision_forge/attack/verify/verification.h"
+
+namespace forge {
+namespace {
+
+/// The ego drives east, the attackers are given; everything is known.
+class ManoeuvreSearchTest : public testing::Test {
+ protected:
+  void scene(std::shared_ptr<LaneMap> map, const Pose2& ego, double ego_speed,
+             const std::vector<Track>& attackers) {
+    map_ = std::move(map);
+    snapshot_ = snapshotOf(pastTrack("ego", kEgoSize, ego, ego_speed), attackers, map_);
+    recorded_.ego = futureTrack("ego", kEgoSize, ego, ego_speed);
+    recorded_.agents.clear();
+  }
+
+  Realization ask(CollisionType type, double tta = 4.0) const {
+    CollisionRequest request = believableRequestFor(type, tta);
+    request.mode = Mode::kReplay;
+    const Moment moment{snapshot_, recorded_, std::make_shared<const LaneIndex>(map_)};
+    return generateCollision(searchMethod(options_), moment, request, options_.prediction);
+  }
+
+  /// Asks, and looks at what every believable answer has.
+  Realization expectAttack(CollisionType type, double tta = 4.0) const {
+    const Realization answer = ask(type, tta);
+    EXPECT_EQ(answer.status.code, StatusCode::kOk)
+        << toString(answer.status.code) << ": " << answer.status.message;
+    if (answer.status.code != StatusCode::kOk) return answer;
+    EXPECT_TRUE(answer.report.verified());
+    EXPECT_EQ(answer.report.unbelievable, "");
+    EXPECT_GE(answer.report.road.on_lane, options_.verification.believability.min_on_lane);
+    EXPECT_GE(answer.report.manoeuvre_begin, kNow);
+    EXPECT_LE(answer.report.manoeuvre_begin, answer.report.contact_time);
+    return answer;
+  }
+
+  const AttackOptions options_ = shippedOptions();
+  std::shared_ptr<LaneMap> map_;
+  Snapshot snapshot_;
+  Future recorded_;
+};
+
+TEST_F(ManoeuvreSearchTest, ALeaderBrakesOrIsSlow) {
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 9.0, {pastTrack("lead", kCarSize, {18.0, 0.2, 0.0}, 9.0)});
+  const Realization answer = expectAttack(CollisionType::kRearEnd);
+  EXPECT_EQ(answer.report.ego_side, Side::kFront);
+  EXPECT_LT(answer.trajectory.points[40].speed, 9.0);
+}
+
+TEST_F(ManoeuvreSearchTest, AFollowerCloses) {
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 7.0, {pastTrack("back", kCarSize, {-22.0, 0.0, 0.0}, 8.0)});
+  const Realization answer = expectAttack(CollisionType::kRearEnd);
+  EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kFollowerCloses);
+}
+
+TEST_F(ManoeuvreSearchTest, ANeighbourCutsInLate) {
+  auto map = twoLaneRoad();
+  map->lanes.push_back(straightLane("next", {-200.0, -3.5}, {200.0, -3.5}));
+  map->drivable_area.push_back(rectangle(-200.0, -5.25, 200.0, -1.75));
+  scene(map, {0.0, 0.0, 0.0}, 9.0, {pastTrack("next", kCarSize, {-4.0, -3.4, 0.0}, 9.5)});
+  const Realization answer = expectAttack(CollisionType::kLaneChange);
+  EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kCutIn);
+  for (const TrajectoryPoint& point : answer.trajectory.points) {
+    if (point.time > answer.report.manoeuvre_begin) break;
+    EXPECT_NEAR(point.pose.y, -3.4, 0.35) << "keeps its lane until then";
+  }
+}
+
+TEST_F(ManoeuvreSearchTest, ANeighbourCutsInBehindAnIslandNotOverIt) {
+  constexpr double kIslandEnd = 38.0;  // m; the ego is there 0.2 s after the time asked for
+  auto map = twoLaneRoad();
+  map->lanes.push_back(straightLane("next", {-200.0, -5.5}, {200.0, -5.5}));
+  map->drivable_area.push_back(rectangle(-200.0, -7.25, 200.0, -3.75));
+  map->drivable_area.push_back(rectangle(-200.0, -3.75, 20.0, -1.75));
+  map->drivable_area.push_back(rectangle(kIslandEnd, -3.75, 200.0, -1.75));
+  scene(map, {0.0, 0.0, 0.0}, 9.0, {pastTrack("next", kCarSize, {-4.0, -5.4, 0.0}, 9.5)});
+  const Realization answer = expectAttack(CollisionType::kLaneChange);
+  EXPECT_EQ(answer.report.road.on_island, 0.0);
+}
+
+TEST_F(ManoeuvreSearchTest, AParkedCarPullsOut) {
+  auto map = twoLaneRoad();
+  map->drivable_area.push_back(rectangle(-200.0, -5.25, 200.0, -1.0));
+  scene(map, {0.0, 0.0, 0.0}, 8.0, {pastTrack("parked", kCarSize, {33.0, -2.6, 0.0}, 0.0)});
+  const Realization answer = expectAttack(CollisionType::kLaneChange);
+  EXPECT_EQ(answer.report.ego_side, Side::kRight);
+  EXPECT_EQ(answer.trajectory.points.front().speed, 0.0);
+  EXPECT_LT(answer.trajectory.points[5].speed, 0.2) << "waits until the ego is near";
+}
+
+TEST_F(ManoeuvreSearchTest, AnOncomingCarCrossesTheCentreLine) {
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 8.0,
+        {pastTrack("oncoming", kCarSize, {70.0, 3.5, M_PI}, 8.5)});
+  const Realization answer = expectAttack(CollisionType::kOppositeDirection);
+  EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kCentreLineCrossing);
+}
+
+TEST_F(ManoeuvreSearchTest, ACrossingCarDoesNotStop) {
+  scene(fourWayJunction(), {-34.0, -1.75, 0.0}, 8.0,
+        {pastTrack("cross", kCarSize, {-1.75, 36.0, -M_PI_2}, 8.0)});
+  const Realization answer = expectAttack(CollisionType::kJunctionCrossing);
+  EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kStraightCrossing);
+}
+
+TEST_F(ManoeuvreSearchTest, TheRoadDoesNotAllowACrossingWithoutACrossingLane) {
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 8.0,
+        {pastTrack("cross", kCarSize, {32.0, 30.0, -M_PI_2}, 8.0)});
+  EXPECT_EQ(ask(CollisionType::kJunctionCrossing).status.code, StatusCode::kRoadDoesNotAllow);
+}
+
+TEST_F(ManoeuvreSearchTest, ABusDrivesAsABusCan) {
+  Track bus = pastTrack("bus", {12.0, 2.9}, {-20.0, 0.0, 0.0}, 9.0);
+  bus.agent_class = AgentClass::kBus;
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 6.0, {bus});
+  const Realization answer = expectAttack(CollisionType::kRearEnd);
+  const DriveLimits limits = driveLimitsOf(bus, options_.verification);
+  EXPECT_FALSE(findBrokenDrive(answer.trajectory.points, driveStateNow(bus, options_.verification),
+                               answer.report.contact_time, limits));
+}
+
+TEST_F(ManoeuvreSearchTest, OneThatIsUnderwayGoesOnFromItsStateOrFindsBetter) {
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 7.0, {pastTrack("back", kCarSize, {-22.0, 0.0, 0.0}, 8.0)});
+  CollisionRequest request = believableRequestFor(CollisionType::kRearEnd);
+  request.mode = Mode::kReplay;
+  request.attacker = "back";
+  const Realization answer = generateCollision(
+      searchMethod(options_), {snapshot_, recorded_, std::make_shared<const LaneIndex>(map_)},
+      request, options_.prediction);
+  ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
+  const std::size_t from = 10;
+  const auto& points = answer.trajectory.points;
+  const auto middle = points.begin() + from;
+  const DriveLimits limits = driveLimitsOf(snapshot_.agents[0], options_.verification);
+  std::vector<AgentState> seen;
+  Underway underway{snapshot_,
+                    seen,
+                    driveStateOf(points[from], limits),
+                    {points.begin(), middle},
+                    {middle, points.end()},
+                    ReferencePath(Polyline({{-22.0, 0.0}, {100.0, 0.0}})),
+                    std::nullopt};
+  request.tta = 4.0 - 0.1 * from;
+  Snapshot later = snapshot_;
+  later.now = points[from].time;
+  later.agents[0].states.push_back({later.now, points[from].pose, {points[from].speed, 0.0}});
+  for (int i = 0; i < static_cast<int>(from); ++i) {
+    seen.push_back({kNow + 0.1 * i, {0.7 * i, 0.0, 0.0}, {7.0, 0.0}});
+  }
+  const auto searched = [&](const Track& ego) {
+    const std::vector<const Track*> egos = {&ego};
+    const std::vector<CollisionPattern> patterns = {answer.aim};
+    const LaneIndex lanes(map_);
+    SearchInput input{later, recorded_, egos, patterns, request, lanes};
+    input.underway = &underway;
+    return searchManoeuvres(input, options_);
+  };
+  const auto kept = searched(recorded_.ego);
+  ASSERT_FALSE(kept.empty());
+  EXPECT_TRUE(kept.front().is_underway) << "it meets the ego as it is";
+  EXPECT_EQ(kept.front().points.size(), underway.planned.size());
+  const Track slower =
+      straightTrack("ego", kEgoSize, {7.0, 0.0, 0.0}, 3.0, kNow + 1.0, kNow + 1.0, kNow + 10.0);
+  const auto changed = searched(slower);
+  ASSERT_FALSE(changed.empty());
+  EXPECT_FALSE(changed.front().is_underway);
+  EXPECT_GT(changed.front().score.share, 0.0);
+  EXPECT_FALSE(findBrokenDrive(changed.front().points, underway.state, kNow + 4.0, limits));
+  EXPECT_TRUE(changed.back().is_underway) << "what it means to do comes last";
+  // The plan underway pays for how it drives as other plans do.
+  const auto objectiveOf = [&] { return searched(slower).back().objective; };
+  const double calm = objectiveOf();
+  underway.effort = 0.1;
+  EXPECT_NEAR(objectiveOf(), calm - 0.1, 1e-9);
+  underway.draft = changed.front().drafted->draft;
+  underway.draft->departure = 0.0;
+  const double with_draft = objectiveOf();
+  underway.style = options_.route.styles.size() - 1;
+  EXPECT_NEAR(objectiveOf(), with_draft - options_.route.styles.back().cost, 1e-9);
+  underway.style = changed.front().drafted->style;
+  // With the draft of the better plan, and the manoeuvre named, which the whole drive tells.
+  underway.way = changed.front().drafted->way;
+  underway.draft = changed.front().drafted->draft;
+  underway.planned = changed.front().points;
+  request.manoeuvre = Manoeuvre::kFollowerCloses;
+  const auto again = searched(slower);
+  ASSERT_FALSE(again.empty());
+  EXPECT_GT(again.front().objective, 0.0) << "it is as asked";
+  request.manoeuvre = Manoeuvre::kLeadBrakes;
+  for (const FoundAttack& attack : searched(slower)) EXPECT_LT(attack.objective, 0.0);
+}
+
+TEST_F(ManoeuvreSearchTest, OfManyVehiclesTheOneThatCanIsFound) {
+  // All but the leader are too far away to be there in time.
+  std::vector<Track> others;
+  for (int i = 0; i <= options_.route.drafted; ++i) {
+    others.push_back(
+        pastTrack("ahead " + std::to_string(i), kCarSize, {40.0 + 6.0 * i, 0.0, 0.0}, 14.0));
+  }
+  ASSERT_LT(others.back().states.back().pose.x, options_.prediction.candidate_radius);
+  others.push_back(pastTrack("lead", kCarSize, {18.0, 0.2, 0.0}, 9.0));
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 9.0, others);
+  EXPECT_EQ(expectAttack(CollisionType::kRearEnd).trajectory.attacker_id, "lead");
+}
+
+TEST_F(ManoeuvreSearchTest, SameSeedSameAnswer) {
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 9.0, {pastTrack("lead", kCarSize, {18.0, 0.2, 0.0}, 9.0)});
+  const Realization first = ask(CollisionType::kRearEnd);
+  const Realization second = ask(CollisionType::kRearEnd);
+  ASSERT_EQ(first.trajectory.points.size(), second.trajectory.points.size());
+  for (std::size_t i = 0; i < first.trajectory.points.size(); ++i) {
+    EXPECT_EQ(first.trajectory.points[i].pose.x, second.trajectory.points[i].pose.x);
+  }
+}
+
+}  // namespace
+}  // namespace forge

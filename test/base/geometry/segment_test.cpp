@@ -1,0 +1,22 @@
+#include "collision_forge/base/geometry/segment.h"
+
+#include <gtest/gtest.h>
+
+namespace forge {
+namespace {
+
+TEST(NearestShare, IsWhereThePerpendicularMeetsThePiece) {
+  EXPECT_DOUBLE_EQ(nearestShare({1.0, 1.0}, {5.0, 1.0}, {2.0, 9.0}), 0.25);
+}
+
+TEST(NearestShare, IsAnEndBeyondThePiece) {
+  EXPECT_EQ(nearestShare({1.0, 1.0}, {5.0, 1.0}, {-2.0, 9.0}), 0.0);
+  EXPECT_EQ(nearestShare({1.0, 1.0}, {5.0, 1.0}, {7.0, -9.0}), 1.0);
+}
+
+TEST(NearestShare, IsTheStartOfAPieceWithoutLength) {
+  EXPECT_EQ(nearestShare({1.0, 1.0}, {1.0, 1.0}, {7.0, -9.0}), 0.0);
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,243 @@
+#include "collision_forge/base/map/reference_path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace forge {
+namespace {
+
+/// A circle of `radius` about (0, radius) from the origin on, to the left, a point every `spacing`.
+std::vector<Vector2> leftBend(double radius, double length, double spacing) {
+  std::vector<Vector2> points;
+  for (int i = 0; i * spacing <= length + 1e-9; ++i) {
+    const double angle = i * spacing / radius;
+    points.emplace_back(radius * std::sin(angle), radius * (1.0 - std::cos(angle)));
+  }
+  return points;
+}
+
+std::vector<Vector2> mirrored(std::vector<Vector2> points) {
+  for (Vector2& point : points) point.y() = -point.y();
+  return points;
+}
+
+Lane makeLane(const std::string& id, const std::vector<Vector2>& points,
+              const std::vector<std::string>& outgoing = {}) {
+  Lane lane;
+  lane.id = id;
+  lane.outgoing = outgoing;
+  for (const Vector2& point : points) lane.centerline.push_back({point.x(), point.y(), 0.0});
+  return lane;
+}
+
+/// Along +x, parting at x = 20 to the left, straight on and to the right.
+LaneMap fork() {
+  const auto from20 = [](std::vector<Vector2> points) {
+    for (Vector2& point : points) point.x() += 20.0;
+    return points;
+  };
+  LaneMap map;
+  map.lanes = {makeLane("in", {{0, 0}, {10, 0}, {20, 0}}, {"left", "straight", "right", "bare"}),
+               makeLane("left", from20(leftBend(15.0, 24.0, 1.0))),
+               makeLane("straight", {{20, 0}, {40, 0}}, {"after"}),
+               makeLane("right", from20(mirrored(leftBend(15.0, 24.0, 1.0)))),
+               makeLane("bare", {}),
+               makeLane("after", {{40, 0}, {90, 0}}),
+               makeLane("beside", {{0, 1.5}, {30, 1.5}})};
+  return map;
+}
+
+std::vector<ReferencePath> ahead(const LaneMap& map, const Pose2& pose, double distance,
+                                 std::size_t max_paths) {
+  return pathsAhead(LaneIndex(std::make_shared<LaneMap>(map)), pose, distance, 1.0, 0.5, max_paths);
+}
+
+TEST(ReferencePath, TellsItsBendsEveryMetre) {
+  const ReferencePath left(Polyline(leftBend(15.0, 30.4, 1.0)));
+  const std::vector<double> bends = left.bends();
+  ASSERT_EQ(bends.size(), static_cast<std::size_t>(left.length()) + 1);
+  EXPECT_NEAR(bends[15], 1.0 / 15.0, 2e-3);
+  const std::vector<double> right =
+      ReferencePath(Polyline(mirrored(leftBend(15.0, 30.4, 1.0)))).bends();
+  ASSERT_EQ(right.size(), bends.size());
+  EXPECT_NEAR(right[15], bends[15], 1e-9) << "without a sign";
+  for (const double bend : ReferencePath(Polyline({{0.0, 0.0}, {30.0, 0.0}})).bends()) {
+    EXPECT_EQ(bend, 1e-3) << "straight";
+  }
+}
+
+TEST(ReferencePath, HasAnotherOneBesideIt) {
+  const ReferencePath left(Polyline(leftBend(15.0, 30.0, 1.0)));
+  const ReferencePath inside = left.beside(2.0);
+  EXPECT_NEAR(inside.length(), left.length() * 13.0 / 15.0, 0.6) << "nearer to the middle";
+  const Pose2 middle = left.at(0.5 * left.length()).pose;
+  const PathPose seen = inside.seen(compose(middle, {0.0, 2.0, 0.0}));
+  EXPECT_NEAR(seen.across, 0.0, 0.05);
+  EXPECT_NEAR(seen.lean, 0.0, 0.02);
+  EXPECT_NEAR(left.beside(-2.0).length(), left.length() * 17.0 / 15.0, 0.6);
+}
+
+TEST(ReferencePath, OfAStraightLineIsThatLine) {
+  const Pose2 start{3.0, -2.0, 0.7};
+  const Vector2 end = compose(start, {30.4, 0.0, 0.0}).position();
+  const ReferencePath path(Polyline({start.position(), end}));
+  EXPECT_NEAR(path.length(), 30.4, 1e-9);
+  for (const double arc_length : {0.0, 0.4, 7.0, 12.75, 30.0}) {
+    const ReferencePath::Place place = path.at(arc_length);
+    const Pose2 apart = relativeTo(compose(start, {arc_length, 0.0, 0.0}), place.pose);
+    EXPECT_NEAR(apart.position().norm(), 0.0, 1e-9) << arc_length;
+    EXPECT_NEAR(apart.yaw, 0.0, 1e-9) << arc_length;
+    EXPECT_NEAR(place.curvature, 0.0, 1e-9) << arc_length;
+  }
+}
+
+TEST(ReferencePath, BeyondEitherEndGoesStraightOn) {
+  const ReferencePath path(Polyline(leftBend(20.0, 20.0, 1.0)));
+  for (const double beyond : {0.5, 3.0, 50.0}) {
+    const ReferencePath::Place before = path.at(-beyond);
+    const Pose2 back = relativeTo(path.at(0.0).pose, before.pose);
+    EXPECT_NEAR(back.x, -beyond, 1e-9);
+    EXPECT_NEAR(back.y, 0.0, 1e-9);
+    EXPECT_NEAR(back.yaw, 0.0, 1e-12);
+    EXPECT_EQ(before.curvature, 0.0);
+    const ReferencePath::Place after = path.at(path.length() + beyond);
+    const Pose2 on = relativeTo(path.at(path.length()).pose, after.pose);
+    EXPECT_NEAR(on.x, beyond, 1e-9);
+    EXPECT_NEAR(on.y, 0.0, 1e-9);
+    EXPECT_NEAR(on.yaw, 0.0, 1e-12);
+    EXPECT_EQ(after.curvature, 0.0);
+  }
+}
+
+TEST(ReferencePath, OfABendHasItsCurvatureAndHeading) {
+  for (const double radius : {10.0, 20.0, 60.0}) {
+    for (const double side : {1.0, -1.0}) {
+      const std::vector<Vector2> left = leftBend(radius, 30.0, 0.5);
+      const ReferencePath path(Polyline(side > 0.0 ? left : mirrored(left)));
+      for (double s = 6.0; s <= 24.0; s += 0.5) {
+        const ReferencePath::Place place = path.at(s);
+        EXPECT_NEAR(place.curvature, side / radius, 0.05 / radius) << radius << " at " << s;
+        // Means over 5 m of a bend lie inside it by up to 2 / radius, chords by 0.125 / radius.
+        const double inner = radius - 2.0 / radius;
+        EXPECT_NEAR(place.pose.yaw, side * s / inner, 0.02) << radius << " at " << s;
+        const double apart = (place.pose.position() - Vector2(0.0, side * radius)).norm();
+        EXPECT_NEAR(apart, inner, 0.3 / radius) << radius << " at " << s;
+      }
+    }
+  }
+}
+
+TEST(ReferencePath, TakesTheKinksOutOfALine) {
+  // A corner of 0.6 rad within a line, as between two lanes that do not join smoothly.
+  const Vector2 corner(15.0, 0.0);
+  const Vector2 end = corner + 15.0 * Vector2(std::cos(0.6), std::sin(0.6));
+  const ReferencePath path(Polyline({{0.0, 0.0}, corner, end}));
+  double turned = 0.0;
+  for (double s = 0.0; s < path.length(); s += 0.1) {
+    EXPECT_LT(std::abs(path.at(s).curvature), 0.2) << "a car can drive it, at " << s;
+    turned += 0.1 * path.at(s).curvature;
+    EXPECT_LT(std::abs(angleBetween(path.at(s).pose.yaw, path.at(s + 0.1).pose.yaw)), 0.03);
+  }
+  EXPECT_NEAR(turned, 0.6, 0.02) << "the turn as a whole stays";
+  EXPECT_NEAR(path.at(5.0).pose.y, 0.0, 1e-9) << "what is away from the kink stays";
+  EXPECT_GT(path.at(15.0).pose.y, 0.1);
+}
+
+TEST(ReferencePath, KeepsTheEndsOfTheLine) {
+  const std::vector<Vector2> points = leftBend(12.0, 18.0, 1.0);
+  const Polyline line(points);
+  const ReferencePath path(line);
+  EXPECT_NEAR((path.at(0.0).pose.position() - points.front()).norm(), 0.0, 1e-12);
+  const Vector2 end = line.poseAt(line.length()).position();
+  EXPECT_NEAR((path.at(path.length()).pose.position() - end).norm(), 0.0, 1e-12);
+}
+
+TEST(ReferencePath, ProjectsOntoTheClosestPlace) {
+  const ReferencePath path(Polyline(leftBend(20.0, 40.0, 1.0)));
+  for (double s = -5.0; s <= 45.0; s += 1.37) {
+    for (const double lateral : {-3.0, 0.0, 3.0}) {
+      const Pose2 pose = compose(path.at(s).pose, {0.0, lateral, 0.0});
+      EXPECT_NEAR(path.project(pose.position()), s, 0.1 + 0.03 * std::abs(lateral))
+          << s << " " << lateral;
+    }
+  }
+}
+
+TEST(ReferencePath, OfAShortLineGoesOnAsTheLineDoes) {
+  const ReferencePath path(Polyline({{0.0, 0.0}, {0.0, 0.3}}));
+  EXPECT_NEAR(path.length(), 0.3, 1e-9);
+  EXPECT_NEAR(path.at(5.0).pose.y, 5.0, 1e-9);
+  EXPECT_NEAR(path.at(5.0).pose.yaw, M_PI_2, 1e-9);
+}
+
+TEST(PathsAhead, FollowEveryBranchTheStraightestFirst) {
+  const auto paths = ahead(fork(), {2.0, 0.3, 0.0}, 30.0, 10);
+  ASSERT_EQ(paths.size(), 3u) << "a lane without a centreline is no branch";
+  for (const ReferencePath& path : paths) {
+    EXPECT_NEAR(path.at(0.0).pose.x, 2.0, 1e-9) << "they begin beside the pose";
+    EXPECT_NEAR(path.at(0.0).pose.y, 0.0, 1e-9) << "on the lane";
+  }
+  EXPECT_NEAR(paths[0].at(35.0).pose.y, 0.0, 1e-6);
+  EXPECT_GT(paths[1].at(35.0).pose.y, 5.0) << "the others in the order of the map";
+  EXPECT_LT(paths[2].at(35.0).pose.y, -5.0);
+}
+
+TEST(PathsAhead, EndWithTheLaneThatReachesTheDistance) {
+  const auto lengthFor = [](double distance) {
+    return ahead(fork(), {0.0, 0.0, 0.0}, distance, 1).at(0).length();
+  };
+  EXPECT_NEAR(lengthFor(15.0), 20.0, 1e-9);
+  EXPECT_NEAR(lengthFor(25.0), 40.0, 1e-9);
+  EXPECT_NEAR(lengthFor(45.0), 90.0, 1e-9);
+  EXPECT_NEAR(lengthFor(500.0), 90.0, 1e-9) << "where the lanes end";
+}
+
+TEST(PathsAhead, AreAtMostAsManyAsAskedFor) {
+  EXPECT_TRUE(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 0).empty());
+  EXPECT_EQ(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 1).size(), 1u);
+  EXPECT_EQ(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 2).size(), 2u);
+}
+
+TEST(PathsAhead, TakeNearerLanesFirst) {
+  const auto y_at_start = [](double y) {
+    std::vector<double> starts;
+    for (const ReferencePath& path : ahead(fork(), {2.0, y, 0.0}, 10.0, 10)) {
+      starts.push_back(path.at(0.0).pose.y);
+    }
+    return starts;
+  };
+  EXPECT_EQ(y_at_start(0.7), (std::vector<double>{0.0, 1.5}));
+  EXPECT_EQ(y_at_start(0.8), (std::vector<double>{1.5, 0.0}));
+  EXPECT_EQ(y_at_start(-0.5), (std::vector<double>{0.0}));
+}
+
+TEST(PathsAhead, AreNoneWithoutALaneThatFits) {
+  EXPECT_TRUE(ahead(fork(), {2.0, -4.0, 0.0}, 30.0, 10).empty()) << "too far";
+  EXPECT_TRUE(ahead(fork(), {2.0, 0.0, 0.6}, 30.0, 10).empty()) << "heading elsewhere";
+  EXPECT_TRUE(ahead(fork(), {89.9, 0.0, 0.0}, 30.0, 10).empty()) << "no metre of lane is left";
+  EXPECT_TRUE(ahead({}, {}, 30.0, 10).empty());
+}
+
+TEST(PathsAhead, ComeToAnEndInARingOfLanes) {
+  LaneMap map;
+  map.lanes = {makeLane("a", {{0, 0}, {2, 0}}, {"b"}), makeLane("b", {{2, 0}, {2, 2}}, {"c"}),
+               makeLane("c", {{2, 2}, {0, 2}}, {"d"}), makeLane("d", {{0, 2}, {0, 0}}, {"a"})};
+  const auto paths = ahead(map, {0.5, 0.0, 0.0}, 1e6, 10);
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_GT(paths[0].length(), 6.0) << "once around, the corners cut";
+  EXPECT_LT(paths[0].length(), 100.0);
+}
+
+TEST(ReferencePath, APoseIsSeenFromThePath) {
+  const ReferencePath path(Polyline(leftBend(40.0, 60.0, 1.0)));
+  const Pose2 place = path.at(25.0).pose;
+  const PathPose seen = path.seen(compose(place, {0.0, -1.5, 0.3}));
+  EXPECT_NEAR(seen.along, 25.0, 0.1);
+  EXPECT_NEAR(seen.across, -1.5, 0.05);
+  EXPECT_NEAR(seen.lean, 0.3, 0.01);
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,36 @@
+#include "collision_forge/base/scene/collision_type.h"
+
+#include <gtest/gtest.h>
+
+namespace forge {
+namespace {
+
+TEST(CollisionType, TypeNamesAreReadBackInAnyCase) {
+  for (const CollisionType type : kCollisionTypes) {
+    EXPECT_EQ(collisionTypeFromString(toString(type)), type);
+  }
+  EXPECT_EQ(collisionTypeFromString("Rear_End"), CollisionType::kRearEnd);
+}
+
+TEST(CollisionType, ShortTypeNamesAreThoseOfThePaper) {
+  EXPECT_EQ(collisionTypeFromString("LC"), CollisionType::kLaneChange);
+  EXPECT_EQ(collisionTypeFromString("OD"), CollisionType::kOppositeDirection);
+  EXPECT_EQ(collisionTypeFromString("HO"), CollisionType::kOppositeDirection);
+  EXPECT_EQ(collisionTypeFromString("RE"), CollisionType::kRearEnd);
+  EXPECT_EQ(collisionTypeFromString("JC"), CollisionType::kJunctionCrossing);
+  EXPECT_EQ(collisionTypeFromString("LTAP"), CollisionType::kLtap);
+  EXPECT_EQ(collisionTypeFromString("ltap"), CollisionType::kLtap);
+}
+
+TEST(CollisionType, HeadOnIsTheOppositeDirection) {
+  EXPECT_EQ(collisionTypeFromString("head_on"), CollisionType::kOppositeDirection);
+}
+
+TEST(CollisionType, UnknownNamesAreNone) {
+  for (const char* name : {"", "rear end", "rear_end ", "REAR", "unknown"}) {
+    EXPECT_FALSE(collisionTypeFromString(name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace forge

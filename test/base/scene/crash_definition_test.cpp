@@ -1,0 +1,134 @@
+#include "collision_forge/base/scene/crash_definition.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace forge {
+namespace {
+
+constexpr BoxSize kEgo{4.0, 2.0};
+constexpr BoxSize kAttacker{5.0, 2.2};
+constexpr double kBit = 1e-6;  // to either side of a border
+constexpr DrivingSide kBothSides[] = {DrivingSide::kRight, DrivingSide::kLeft};
+
+bool fits(CollisionType type, const Pose2& offset, DrivingSide side = DrivingSide::kRight) {
+  return contactFits(type, offset, kEgo, kAttacker, side);
+}
+
+TEST(HeadingFits, WithinTheBandOnBothSidesEndsIncluded) {
+  const TypeDefinition band{0.2, 0.5, 0.3, 1.0, 2.0};
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_FALSE(headingFits(sign * (0.2 - kBit), band));
+    EXPECT_TRUE(headingFits(sign * 0.2, band));
+    EXPECT_TRUE(headingFits(sign * 0.35, band));
+    EXPECT_TRUE(headingFits(sign * 0.5, band));
+    EXPECT_FALSE(headingFits(sign * (0.5 + kBit), band));
+    EXPECT_FALSE(headingFits(sign * 1.5, band)) << "that is the approach band";
+  }
+}
+
+TEST(HeadingFits, ABandUpToPiHoldsTheOppositeHeading) {
+  const TypeDefinition band{2.9671, 3.1416, 3.1416, 0.0, 3.1416};
+  EXPECT_TRUE(headingFits(M_PI, band));
+  EXPECT_TRUE(headingFits(-M_PI, band));
+  EXPECT_FALSE(headingFits(2.9671 - kBit, band));
+}
+
+TEST(ApproachFits, WithinTheBandOnBothSidesEndsIncluded) {
+  const TypeDefinition band{0.2, 0.5, 0.3, 1.0, 2.0};
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_FALSE(approachFits(sign * (1.0 - kBit), band));
+    EXPECT_TRUE(approachFits(sign * 1.0, band));
+    EXPECT_TRUE(approachFits(sign * 2.0, band));
+    EXPECT_FALSE(approachFits(sign * (2.0 + kBit), band));
+    EXPECT_FALSE(approachFits(sign * 0.3, band)) << "that is the band at contact";
+  }
+}
+
+TEST(ContactFits, ARearEndMeetsEndToEndWithEitherInFront) {
+  for (const DrivingSide side : kBothSides) {
+    for (const double x : {4.5, -4.5}) {
+      for (const double y : {0.0, 1.9, -1.9}) {
+        EXPECT_TRUE(fits(CollisionType::kRearEnd, {x, y, 0.0}, side)) << x << " " << y;
+      }
+    }
+    for (const double y : {2.1, -2.1}) {
+      EXPECT_FALSE(fits(CollisionType::kRearEnd, {0.0, y, 0.0}, side)) << "flank to flank";
+      EXPECT_FALSE(fits(CollisionType::kRearEnd, {4.0, y, 0.0}, side)) << "flank to flank";
+    }
+  }
+}
+
+TEST(ContactFits, ARearEndEndsWhereTheBoxesAreFurtherApartAcrossThanAlong) {
+  // Half lengths add up to 4.5 m, half widths to 2.1 m.
+  for (const double x_sign : {1.0, -1.0}) {
+    for (const double y_sign : {1.0, -1.0}) {
+      for (const double gap : {-0.3, 0.0, 0.2}) {
+        const double y = y_sign * (2.1 + gap);
+        EXPECT_TRUE(fits(CollisionType::kRearEnd, {x_sign * (4.5 + gap + kBit), y, 0.0}));
+        EXPECT_FALSE(fits(CollisionType::kRearEnd, {x_sign * (4.5 + gap - kBit), y, 0.0}));
+      }
+    }
+  }
+}
+
+TEST(ContactFits, ARearEndLooksAtTheShadowOfATurnedBox) {
+  const double yaw = 0.17;
+  const double reach_x = 2.0 + 2.5 * std::cos(yaw) + 1.1 * std::sin(yaw);
+  const double reach_y = 1.0 + 2.5 * std::sin(yaw) + 1.1 * std::cos(yaw);
+  for (const double sign : {1.0, -1.0}) {
+    const auto at = [&](double x) {
+      return fits(CollisionType::kRearEnd, {-x, reach_y, sign * yaw});
+    };
+    EXPECT_TRUE(at(reach_x + kBit));
+    EXPECT_FALSE(at(reach_x - kBit));
+  }
+}
+
+TEST(ContactFits, ALaneChangeComesFromBesideAndHeadsTowardsTheEgo) {
+  for (const DrivingSide side : kBothSides) {
+    for (const double sign : {1.0, -1.0}) {
+      const auto at = [&](double y, double yaw) {
+        return fits(CollisionType::kLaneChange, {0.5, sign * y, sign * yaw}, side);
+      };
+      EXPECT_TRUE(at(1.0, -0.2)) << "half the ego's width";
+      EXPECT_FALSE(at(1.0 - kBit, -0.2));
+      EXPECT_TRUE(at(2.0, -kBit));
+      EXPECT_FALSE(at(2.0, 0.0));
+      EXPECT_FALSE(at(2.0, kBit)) << "away from the ego";
+    }
+  }
+}
+
+TEST(ContactFits, AnLtapTurnedToTheLeftInRightHandTrafficAndMirrored) {
+  for (const double y : {3.0, 0.0, -3.0}) {
+    const auto at = [&](double yaw, DrivingSide side) {
+      return fits(CollisionType::kLtap, {2.0, y, yaw}, side);
+    };
+    EXPECT_TRUE(at(-M_PI_2, DrivingSide::kRight));
+    EXPECT_TRUE(at(-kBit, DrivingSide::kRight));
+    EXPECT_FALSE(at(kBit, DrivingSide::kRight));
+    EXPECT_FALSE(at(M_PI_2, DrivingSide::kRight));
+    EXPECT_TRUE(at(M_PI_2, DrivingSide::kLeft));
+    EXPECT_TRUE(at(kBit, DrivingSide::kLeft));
+    EXPECT_FALSE(at(-kBit, DrivingSide::kLeft));
+    EXPECT_FALSE(at(-M_PI_2, DrivingSide::kLeft));
+  }
+}
+
+TEST(ContactFits, OppositeDirectionAndCrossingMeetInAnyWay) {
+  for (const CollisionType type :
+       {CollisionType::kOppositeDirection, CollisionType::kJunctionCrossing}) {
+    for (const DrivingSide side : kBothSides) {
+      for (const double yaw : {M_PI, -M_PI_2, 0.0, M_PI_2}) {
+        EXPECT_TRUE(fits(type, {4.5, 0.0, yaw}, side));
+        EXPECT_TRUE(fits(type, {0.0, 0.3, yaw}, side));
+        EXPECT_TRUE(fits(type, {-4.5, -2.0, yaw}, side));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,226 @@
+#include "collision_forge/base/scene/input_limits.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "base/scene/shipped_limits.h"
+
+namespace forge {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::string errorOf(const std::function<void()>& check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+Track car(const std::string& id) {
+  return {id,
+          AgentClass::kCar,
+          {4.0, 2.0},
+          {{10.0, {1.0, 2.0, 0.0}, {5.0, 0.0}}, {10.5, {3.5, 2.0, 0.0}, {5.0, 0.0}}}};
+}
+
+LaneMap oneLane() {
+  LaneMap map;
+  Lane lane;
+  lane.id = "a";
+  lane.centerline = {{0.0, 0.0, 0.0}, {10.0, 0.0, 0.0}};
+  lane.polygon = {{0.0, -2.0}, {10.0, -2.0}, {10.0, 2.0}};
+  map.lanes = {lane};
+  map.drivable_area = {{{{0.0, -2.0}, {10.0, -2.0}, {10.0, 2.0}}, {}}};
+  return map;
+}
+
+Scene scene() {
+  Scene scene;
+  scene.ego = car(kEgoId);
+  scene.agents = {car("a"), car("b"), car("c")};
+  scene.frame_times = {10.0, 10.5};
+  scene.map = std::make_shared<const LaneMap>(oneLane());
+  return scene;
+}
+
+AttackerTrajectory trajectory() {
+  AttackerTrajectory trajectory{"a", AgentClass::kCar, {4.0, 2.0}, {}, car("a").states};
+  trajectory.points = {{10.5, {3.5, 2.0, 0.0}, 5.0}, {10.6, {4.0, 2.0, 0.0}, 5.0}};
+  return trajectory;
+}
+
+std::string errorOfMap(const std::function<void(LaneMap&)>& spoil) {
+  LaneMap map = oneLane();
+  spoil(map);
+  return errorOf([&] { checkMap(map, shippedLimits(), "town"); });
+}
+
+std::string errorOfScene(const std::function<void(Scene&)>& spoil) {
+  Scene spoilt = scene();
+  spoil(spoilt);
+  return errorOf([&] { checkScene(spoilt, shippedLimits(), "log"); });
+}
+
+std::string errorOfTrajectory(const std::function<void(AttackerTrajectory&)>& spoil) {
+  AttackerTrajectory spoilt = trajectory();
+  spoil(spoilt);
+  return errorOf([&] { checkTrajectory(spoilt, shippedLimits(), "attack"); });
+}
+
+TEST(InputLimits, WhatIsWithinPasses) {
+  EXPECT_EQ(errorOfMap([](LaneMap&) {}), "");
+  EXPECT_EQ(errorOfScene([](Scene&) {}), "");
+  EXPECT_EQ(errorOfTrajectory([](AttackerTrajectory&) {}), "");
+}
+
+TEST(InputLimits, PointsOfMapsNameWhereTheyAre) {
+  EXPECT_EQ(errorOfMap([](LaneMap& map) { map.lanes[0].centerline[1].x = 1e9; }),
+            "town: lane \"a\": centerline[1].x = 1000000000 is outside -50000 to 50000");
+  EXPECT_EQ(errorOfMap([](LaneMap& map) { map.lanes[0].centerline[0].yaw = kNan; }),
+            "town: lane \"a\": centerline[0].yaw = nan is not finite");
+  EXPECT_THAT(errorOfMap([](LaneMap& map) { map.lanes[0].polygon[2].y() = -50001.0; }),
+              StartsWith("town: lane \"a\": polygon[2].y = -50001 is"));
+  EXPECT_THAT(errorOfMap([](LaneMap& map) { map.drivable_area[0].exterior[0].x() = kNan; }),
+              StartsWith("town: drivable_area[0].exterior[0].x = nan is"));
+  EXPECT_THAT(errorOfMap([](LaneMap& map) { map.lanes[0].speed_limit = 1e3; }),
+              StartsWith("town: lane \"a\": speed_limit = 1000 is outside 0 to 150"));
+}
+
+TEST(InputLimits, MapsHaveAsManyLanesAndPointsAsTheLimitsHave) {
+  EXPECT_THAT(errorOfMap([](LaneMap& map) { map.lanes.assign(20001, map.lanes[0]); }),
+              HasSubstr("town: lanes: 20001, more than 20000"));
+  EXPECT_THAT(errorOfMap([](LaneMap& map) { map.lanes[0].centerline.resize(5001); }),
+              HasSubstr("points of the centreline: 5001, more than 5000"));
+  EXPECT_THAT(errorOfMap([](LaneMap& map) {
+                map.walkways.resize(1);
+                map.walkways[0].exterior.resize(2000000, {0.0, 0.0});
+              }),
+              HasSubstr("points of the map: 2000008, more than 2000000"));
+}
+
+TEST(InputLimits, TheEgoAndTheFramesOfAScene) {
+  EXPECT_EQ(errorOfScene([](Scene& scene) { scene.ego.states[1].pose.y = -6e4; }),
+            "log: ego: states[1].y = -60000 is outside -50000 to 50000");
+  EXPECT_THAT(errorOfScene([](Scene& scene) { scene.ego.states[1].velocity.x() = 200.0; }),
+              StartsWith("log: ego: states[1].speed = 200 is outside 0 to 150"));
+  EXPECT_THAT(errorOfScene([](Scene& scene) { scene.ego.states[0].time = 11.0; }),
+              StartsWith("log: ego: states[1].time = 10.5 is not after 11"));
+  EXPECT_THAT(errorOfScene([](Scene& scene) { scene.ego.size.length = 0.0; }),
+              StartsWith("log: ego.length = 0 is outside 0.1 to 50"));
+  EXPECT_THAT(errorOfScene([](Scene& scene) { scene.frame_times[0] = -1.0; }),
+              StartsWith("log: frames[0].time = -1 is outside 0 to 4294967295"));
+  EXPECT_THAT(errorOfScene([](Scene& scene) { scene.agents.resize(20001); }),
+              StartsWith("log: agents: 20001, more than 20000"));
+  EXPECT_THAT(errorOfScene([](Scene& scene) {
+                LaneMap map = oneLane();
+                map.lanes[0].centerline[1].x = 1e9;
+                scene.map = std::make_shared<const LaneMap>(map);
+              }),
+              StartsWith("log: lane \"a\""));
+}
+
+TEST(InputLimits, AgentsBeyondAreLeftOutWithAWarningAKind) {
+  Scene spoilt = scene();
+  spoilt.agents.push_back(car("d"));
+  spoilt.agents[0].size.width = 0.05;
+  spoilt.agents[1].states[0].pose.x = kNan;
+  spoilt.agents[3].size.length = 51.0;
+  std::vector<std::string> warnings;
+  checkScene(spoilt, shippedLimits(), "log", &warnings);
+  ASSERT_EQ(spoilt.agents.size(), 1u);
+  EXPECT_EQ(spoilt.agents[0].id, "c");
+  EXPECT_THAT(
+      warnings,
+      ElementsAre("2 agents whose box is beyond the limits of input left out (first: a)",
+                  "1 agents whose motion is beyond the limits of input left out (first: b)"));
+}
+
+TEST(InputLimits, SnapshotsAndFutures) {
+  Snapshot snapshot{10.5, car(kEgoId), {car("a"), car("b")}, nullptr};
+  snapshot.agents[0].states[1].pose.x = 1e9;
+  EXPECT_NO_THROW(checkSnapshot(snapshot, shippedLimits(), "scene"));
+  ASSERT_EQ(snapshot.agents.size(), 1u);
+  EXPECT_EQ(snapshot.agents[0].id, "b");
+  snapshot.ego.states[1].pose.x = 1e9;
+  EXPECT_THAT(errorOf([&] { checkSnapshot(snapshot, shippedLimits(), "scene"); }),
+              StartsWith("scene: ego: states[1].x = 1000000000 is outside"));
+  Future future{car(kEgoId), {car("a")}, {car(kEgoId)}};
+  future.agents[0].size.width = 1e9;
+  EXPECT_NO_THROW(checkFuture(future, shippedLimits(), "future"));
+  EXPECT_TRUE(future.agents.empty());
+  future.ego_samples[0].states[0].time = kNan;
+  EXPECT_THAT(errorOf([&] { checkFuture(future, shippedLimits(), "future"); }),
+              StartsWith("future: ego_samples[0]: states[0].time = nan is outside"));
+}
+
+TEST(InputLimits, AFutureWithoutStatesOfTheEgoIsRefused) {
+  Future future{car(kEgoId), {car("a"), car("b")}, {car(kEgoId), car(kEgoId)}};
+  future.agents[0].states.clear();
+  EXPECT_NO_THROW(checkFuture(future, shippedLimits(), "future"));
+  ASSERT_EQ(future.agents.size(), 1u);
+  EXPECT_EQ(future.agents[0].id, "b");
+  future.ego_samples[1].states.clear();
+  EXPECT_EQ(errorOf([&] { checkFuture(future, shippedLimits(), "future"); }),
+            "future: ego_samples[1]: states: there are none");
+  future.ego.states.clear();
+  EXPECT_EQ(errorOf([&] { checkFuture(future, shippedLimits(), "future"); }),
+            "future: ego: states: there are none");
+}
+
+TEST(InputLimits, TrajectoriesNamePointAndField) {
+  EXPECT_EQ(errorOfTrajectory([](auto& spoilt) { spoilt.size.length = 1e9; }),
+            "attack: attacker \"a\": size.length = 1000000000 is outside 0.1 to 50");
+  EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points.clear(); }),
+              HasSubstr("points: there are none"));
+  EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points.resize(5001); }),
+              HasSubstr("points: 5001, more than 5000"));
+  EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points[1].time = 80.0; }),
+              HasSubstr("points[1].time from the first point = 69.5 is outside 0 to 60"));
+  EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points[1].time = 10.5; }),
+              HasSubstr("points[1].time = 10.5 is not after 10.5"));
+  EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points[1].pose.yaw = INFINITY; }),
+              HasSubstr("points[1].yaw = inf is not finite"));
+  EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points[0].curvature = kNan; }),
+              HasSubstr("points[0] is not finite"));
+  EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.past[1].pose.x = 1e9; }),
+              HasSubstr("past[1].x = 1000000000 is outside"));
+}
+
+TEST(InputLimits, PatternsAreWithinThem) {
+  const CollisionPattern good{CollisionType::kRearEnd, "a", 12.0, {{1.0, 2.0, 0.0}, {4.0, 2.0}},
+                              {-4.0, 0.0, 0.0},        5.0};
+  EXPECT_NO_THROW(checkPattern(good, shippedLimits(), "answer"));
+  CollisionPattern pattern = good;
+  pattern.attacker_speed = kNan;
+  EXPECT_THAT(errorOf([&] { checkPattern(pattern, shippedLimits(), "answer"); }),
+              StartsWith("answer: pattern attacker_speed = nan is outside -150 to 150"));
+  pattern = good;
+  pattern.ego.size.width = 0.0;
+  EXPECT_THAT(errorOf([&] { checkPattern(pattern, shippedLimits(), "answer"); }),
+              StartsWith("answer: pattern ego.width = 0 is outside"));
+}
+
+TEST(InputLimits, PlansAreFewPointsNearby) {
+  std::vector<TrajectoryPoint> plan(5000);
+  plan[7].pose.x = kNan;
+  EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }), "");
+  plan[3].pose.y = -6e4;
+  EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }),
+            "plan: points[3].y = -60000 is outside -50000 to 50000");
+  plan.emplace_back();
+  EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }),
+            "plan: points: 5001, more than 5000");
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,140 @@
+#include "collision_forge/base/scene/track.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace forge {
+namespace {
+
+Track trackOf(const std::vector<std::pair<double, Pose2>>& poses) {
+  Track track{"a", AgentClass::kCar, {4.0, 2.0}, {}};
+  for (const auto& [time, pose] : poses) track.states.push_back({time, pose, Vector2::Zero()});
+  return track;
+}
+
+TEST(AgentClassNames, DifferAndAreKnown) {
+  std::set<std::string> names = {"unknown"};
+  for (int i = 0; i <= static_cast<int>(AgentClass::kStaticObject); ++i) {
+    EXPECT_TRUE(names.insert(toString(static_cast<AgentClass>(i))).second) << i;
+  }
+}
+
+TEST(CanAttack, HoldsForMotorVehicles) {
+  std::vector<std::string> attackers;
+  for (int i = 0; i <= static_cast<int>(AgentClass::kStaticObject); ++i) {
+    const auto agent_class = static_cast<AgentClass>(i);
+    if (canAttack(agent_class)) attackers.push_back(toString(agent_class));
+  }
+  EXPECT_THAT(attackers,
+              testing::UnorderedElementsAre("car", "truck", "bus", "construction_vehicle",
+                                            "emergency_vehicle", "motorcycle"));
+}
+
+TEST(CanAttack, AllButMotorcyclesAreCarLike) {
+  EXPECT_FALSE(isCarLike(AgentClass::kMotorcycle));
+  EXPECT_FALSE(isCarLike(AgentClass::kPedestrian));
+  EXPECT_TRUE(isCarLike(AgentClass::kBus));
+}
+
+TEST(IsVehicle, HoldsForAllButPeopleAnimalsAndThings) {
+  std::vector<std::string> others;
+  for (int i = 0; i <= static_cast<int>(AgentClass::kStaticObject); ++i) {
+    const auto agent_class = static_cast<AgentClass>(i);
+    if (!isVehicle(agent_class)) others.push_back(toString(agent_class));
+  }
+  EXPECT_THAT(others, testing::UnorderedElementsAre("pedestrian", "animal", "static_object"));
+}
+
+TEST(StateAt, InterpolatesPoseAndVelocity) {
+  Track track = trackOf({{1.0, {0.0, 0.0, 0.0}}, {1.5, {4.0, 2.0, 0.4}}});
+  track.states[0].velocity = {8.0, 4.0};
+  track.states[1].velocity = {12.0, 0.0};
+  const auto state = stateAt(track, 1.125);
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->time, 1.125);
+  EXPECT_DOUBLE_EQ(state->pose.x, 1.0);
+  EXPECT_DOUBLE_EQ(state->pose.y, 0.5);
+  EXPECT_DOUBLE_EQ(state->pose.yaw, 0.1);
+  EXPECT_DOUBLE_EQ(state->velocity.x(), 9.0);
+  EXPECT_DOUBLE_EQ(state->velocity.y(), 3.0);
+}
+
+TEST(StateAt, TurnsTheShorterWay) {
+  const Track track = trackOf({{0.0, {0.0, 0.0, 3.0}}, {1.0, {0.0, 0.0, -3.0}}});
+  EXPECT_NEAR(std::abs(stateAt(track, 0.5)->pose.yaw), M_PI, 1e-12);
+}
+
+TEST(StateAt, IsEmptyOutsideTheTrack) {
+  const Track track = trackOf({{1.0, {}}, {1.5, {}}});
+  EXPECT_FALSE(stateAt(track, 0.999));
+  EXPECT_TRUE(stateAt(track, 1.0));
+  EXPECT_TRUE(stateAt(track, 1.5));
+  EXPECT_FALSE(stateAt(track, 1.501));
+  EXPECT_FALSE(stateAt(Track{}, 0.0));
+}
+
+TEST(StateAt, IsEmptyWithinALongGapButNotAtItsEnds) {
+  const Track track = trackOf({{0.0, {}}, {1.5, {}}, {2.5, {}}});
+  EXPECT_TRUE(stateAt(track, 0.0));
+  EXPECT_FALSE(stateAt(track, 0.01));
+  EXPECT_FALSE(stateAt(track, 1.49));
+  EXPECT_TRUE(stateAt(track, 1.5));
+  EXPECT_TRUE(stateAt(track, 2.0));
+  EXPECT_TRUE(stateAt(track, 0.75, 1.5)) << "a gap as long as max_gap is none";
+  EXPECT_FALSE(stateAt(track, 0.75, 1.49));
+}
+
+TEST(NewestAt, HoldsToAMicrosecond) {
+  const Track track = trackOf({{1.0, {}}, {1.5, {}}});
+  EXPECT_TRUE(newestAt(track, 1.5));
+  EXPECT_TRUE(newestAt(track, 1.5 + 5e-7));
+  EXPECT_TRUE(newestAt(track, 1.5 - 5e-7));
+  EXPECT_FALSE(newestAt(track, 1.5 + 2e-6));
+  EXPECT_FALSE(newestAt(track, 1.0));
+  EXPECT_FALSE(newestAt(Track{}, 0.0));
+}
+
+TEST(DeriveVelocities, UsesCentralDifferencesAndOneSidedOnesAtTheEnds) {
+  Track track = trackOf({{0.0, {0.0, 0.0, 0.0}}, {0.5, {1.0, 0.0, 0.0}}, {1.0, {4.0, 2.0, 0.0}}});
+  deriveVelocities(track);
+  EXPECT_DOUBLE_EQ(track.states[0].velocity.x(), 2.0);
+  EXPECT_DOUBLE_EQ(track.states[1].velocity.x(), 4.0);
+  EXPECT_DOUBLE_EQ(track.states[1].velocity.y(), 2.0);
+  EXPECT_DOUBLE_EQ(track.states[2].velocity.x(), 6.0);
+  EXPECT_DOUBLE_EQ(track.states[2].velocity.y(), 4.0);
+}
+
+TEST(DeriveVelocities, DoesNotLookAcrossLongGaps) {
+  Track track = trackOf({{0.0, {0.0, 0.0, 0.0}},
+                         {0.5, {1.0, 0.0, 0.0}},
+                         {2.5, {50.0, 0.0, 0.0}},
+                         {3.0, {52.0, 0.0, 0.0}}});
+  deriveVelocities(track);
+  EXPECT_DOUBLE_EQ(track.states[1].velocity.x(), 2.0);
+  EXPECT_DOUBLE_EQ(track.states[2].velocity.x(), 4.0);
+}
+
+TEST(DeriveVelocities, GivesALoneStateStandstill) {
+  Track track = trackOf({{0.0, {1.0, 1.0, 0.0}}, {5.0, {9.0, 9.0, 0.0}}});
+  for (AgentState& state : track.states) state.velocity = {7.0, 7.0};
+  deriveVelocities(track);
+  EXPECT_EQ(track.states[0].velocity, Vector2(0.0, 0.0));
+  EXPECT_EQ(track.states[1].velocity, Vector2(0.0, 0.0));
+  Track empty;
+  EXPECT_NO_THROW(deriveVelocities(empty));
+}
+
+TEST(BoxAt, HasTheTracksSize) {
+  const OrientedBox box = boxAt(trackOf({}), {1.0, 2.0, 3.0});
+  EXPECT_EQ(box.size.length, 4.0);
+  EXPECT_EQ(box.size.width, 2.0);
+  EXPECT_EQ(box.center.yaw, 3.0);
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,170 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "collision_forge/base/scene/attack.h"
+
+namespace forge {
+
+/// The fields of an attack by name. A struct with one field more does not compile here: whoever
+/// adds a field adds it to each function below, to wholeAttack(), to the scenario file and to the
+/// message.
+using AttackFields = std::map<std::string, std::variant<double, std::string>>;
+
+inline void addFields(const std::string& name, const Pose2& pose, AttackFields& fields) {
+  const auto& [x, y, yaw] = pose;
+  fields[name + ".x"] = x;
+  fields[name + ".y"] = y;
+  fields[name + ".yaw"] = yaw;
+}
+
+inline void addFields(const std::string& name, const BoxSize& size, AttackFields& fields) {
+  const auto& [length, width] = size;
+  fields[name + ".length"] = length;
+  fields[name + ".width"] = width;
+}
+
+inline void addFields(const CollisionPattern& pattern, AttackFields& fields) {
+  const auto& [type, attacker_id, time, ego, attacker_offset, attacker_speed, tolerance] = pattern;
+  fields["aim.type"] = toString(type);
+  fields["aim.attacker_id"] = attacker_id;
+  fields["aim.time"] = time;
+  addFields("aim.ego", ego.center, fields);
+  addFields("aim.ego", ego.size, fields);
+  addFields("aim.attacker_offset", attacker_offset, fields);
+  fields["aim.attacker_speed"] = attacker_speed;
+  fields["aim.tolerance"] = tolerance;
+}
+
+inline void addFields(const AttackerTrajectory& trajectory, AttackFields& fields) {
+  const auto& [attacker_id, agent_class, size, points, past] = trajectory;
+  fields["trajectory.attacker_id"] = attacker_id;
+  fields["trajectory.agent_class"] = toString(agent_class);
+  addFields("trajectory", size, fields);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::string name = "points[" + std::to_string(i) + "]";
+    const auto& [time, pose, speed, acceleration, curvature] = points[i];
+    fields[name + ".time"] = time;
+    addFields(name, pose, fields);
+    fields[name + ".speed"] = speed;
+    fields[name + ".acceleration"] = acceleration;
+    fields[name + ".curvature"] = curvature;
+  }
+  for (std::size_t i = 0; i < past.size(); ++i) {
+    const std::string name = "past[" + std::to_string(i) + "]";
+    const auto& [time, pose, velocity] = past[i];
+    fields[name + ".time"] = time;
+    addFields(name, pose, fields);
+    fields[name + ".velocity.x"] = velocity.x();
+    fields[name + ".velocity.y"] = velocity.y();
+  }
+}
+
+inline void addFields(const CollisionReport& report, AttackFields& fields) {
+  const auto& [contact, contact_time, relative_heading, ego_at_contact, attacker_at_contact,
+               ego_side, attacker_side, impact_speed, overlap, type_kept, on_time, limits_kept,
+               broken_limit, first_other_id, first_other_time, off_road_share, confidence,
+               manoeuvre, manoeuvre_begin, road, unbelievable] = report;
+  const auto& [on_lane, wrong_way, off_road, on_walkway, on_island] = road;
+  fields["report.contact"] = contact ? 1.0 : 0.0;
+  fields["report.contact_time"] = contact_time;
+  fields["report.relative_heading"] = relative_heading;
+  addFields("report.ego_at_contact", ego_at_contact, fields);
+  addFields("report.attacker_at_contact", attacker_at_contact, fields);
+  fields["report.ego_side"] = toString(ego_side);
+  fields["report.attacker_side"] = toString(attacker_side);
+  fields["report.impact_speed"] = impact_speed;
+  fields["report.overlap"] = overlap;
+  fields["report.type_kept"] = type_kept ? 1.0 : 0.0;
+  fields["report.on_time"] = on_time ? 1.0 : 0.0;
+  fields["report.limits_kept"] = limits_kept ? 1.0 : 0.0;
+  fields["report.broken_limit"] = broken_limit;
+  fields["report.first_other_id"] = first_other_id;
+  fields["report.first_other_time"] = first_other_time;
+  fields["report.off_road_share"] = off_road_share;
+  fields["report.confidence"] = confidence;
+  fields["report.manoeuvre"] = toString(manoeuvre);
+  fields["report.manoeuvre_begin"] = manoeuvre_begin;
+  fields["report.road.on_lane"] = on_lane;
+  fields["report.road.wrong_way"] = wrong_way;
+  fields["report.road.off_road"] = off_road;
+  fields["report.road.on_walkway"] = on_walkway;
+  fields["report.road.on_island"] = on_island;
+  fields["report.unbelievable"] = unbelievable;
+}
+
+/// Of an attack without its alternatives.
+inline AttackFields fieldsOf(const Realization& attack) {
+  const auto& [status, aim, miss, trajectory, report, effort, alternatives] = attack;
+  const auto& [code, message] = status;
+  const auto& [distance, heading] = miss;
+  AttackFields fields;
+  fields["status.code"] = toString(code);
+  fields["status.message"] = message;
+  addFields(aim, fields);
+  fields["miss.distance"] = distance;
+  fields["miss.heading"] = heading;
+  addFields(trajectory, fields);
+  addFields(report, fields);
+  fields["effort"] = effort;
+  return fields;
+}
+
+/// An attack whose fields all differ from those of an empty one, and whose numbers differ from each
+/// other. It is of an added vehicle, whose speed is along its heading, and has no alternatives.
+inline Realization wholeAttack(double now) {
+  Realization attack;
+  attack.aim = {CollisionType::kLaneChange, "a1", now + 4.0, {{40.0, 1.0, 0.5}, {4.084, 1.73}},
+                {-4.3, 0.25, 0.125},        12.5, 1.75};
+  attack.miss = {0.28, 0.0625};
+  const Pose2 before{-8.0, 2.0, 0.3};
+  const Pose2 start{1.5, 2.5, 0.26};
+  attack.trajectory = {
+      "a1",
+      AgentClass::kTruck,
+      {4.6, 1.9},
+      {{now, start, 9.0, 0.55, 0.01}, {now + 0.1, {2.4, 2.6, 0.27}, 9.05, -0.6, -0.02}},
+      {{now - 0.5, before, 9.125 * before.heading()}, {now, start, 9.25 * start.heading()}}};
+  CollisionReport& report = attack.report;
+  report.contact = report.type_kept = report.on_time = report.limits_kept = true;
+  report.contact_time = now + 3.875;
+  report.relative_heading = 0.07;
+  report.ego_at_contact = {39.0, 1.1, 0.51};
+  report.attacker_at_contact = {34.5, 1.25, 0.5625};
+  report.ego_side = Side::kLeft;
+  report.attacker_side = Side::kRight;
+  report.impact_speed = 4.5;
+  report.overlap = 0.375;
+  report.broken_limit = "jerk";
+  report.first_other_id = "b7";
+  report.first_other_time = now + 3.25;
+  report.off_road_share = 0.75;
+  report.confidence = 0.65;
+  report.manoeuvre = Manoeuvre::kCutIn;
+  report.manoeuvre_begin = now + 1.5;
+  report.road = {0.52, 0.24, 0.15, 0.12, 0.05};
+  report.unbelievable = "is on a walkway for 12 %";
+  attack.effort = 0.03;
+  return attack;
+}
+
+/// Numbers are compared to a micrometre and a microsecond.
+inline void expectSame(const Realization& found, const Realization& expected) {
+  const AttackFields fields = fieldsOf(found);
+  const AttackFields wanted = fieldsOf(expected);
+  ASSERT_EQ(fields.size(), wanted.size());
+  for (const auto& [name, value] : wanted) {
+    if (const double* number = std::get_if<double>(&value)) {
+      EXPECT_NEAR(std::get<double>(fields.at(name)), *number, 1e-6) << name;
+    } else {
+      EXPECT_EQ(std::get<std::string>(fields.at(name)), std::get<std::string>(value)) << name;
+    }
+  }
+}
+
+}  // namespace forge

@@ -1,0 +1,97 @@
+#include "collision_forge/io/answers/request_answerer.h"
+
+#include <gtest/gtest.h>
+
+#include "collision_forge/attack/verify/verification.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
+#include "collision_forge/planner_test/settings/config.h"
+
+namespace forge {
+namespace {
+
+const std::string kDataroot = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
+
+class RequestAnswererTest : public testing::Test {
+ protected:
+  /// A request 4 s after the first frame of scene-0001.
+  SceneRequest asked(CollisionType type) {
+    const double now = scenes_.at("scene-0001")->scene.frame_times.at(8);
+    SceneRequest request{"scene-0001", now, {}};
+    request.request.type = type;
+    request.request.tta = 4.0;
+    return request;
+  }
+
+  const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  SceneSource scenes_{{kDataroot, "v1.0-embedded"}, {"scene-0001"}, config_, 1};
+  const MethodMaker method_ = loadMethod("", config_, config_.attack);
+  RequestAnswerer answerer_{scenes_, method_, config_.crash, config_.ego_vehicle, config_.adaptive};
+};
+
+TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
+  const auto indexed = scenes_.at("scene-0001");
+  for (const CollisionType type : kCollisionTypes) {
+    const SceneRequest request = asked(type);
+    const auto moment = std::get<Moment>(momentAt(*indexed, request.now, 8));
+    Scenario expected{request, config_.ego_vehicle, {}};
+    CollisionRequest crash = request.request;
+    crash.crash = config_.crash;
+    expected.answer = generateCollision(*method_.makeWithoutScene(request.scene), moment, crash,
+                                        config_.attack.prediction);
+    EXPECT_EQ(scenarioLine(answerer_.answer(request)), scenarioLine(expected));
+  }
+}
+
+TEST_F(RequestAnswererTest, ReplayKnowsTheRecording) {
+  SceneRequest request = asked(CollisionType::kLaneChange);
+  request.request.mode = Mode::kReplay;
+  EXPECT_NE(answerer_.answer(request).answer.status.code, StatusCode::kNoRecording);
+  request.now = scenes_.at("scene-0001")->scene.frame_times.back();
+  EXPECT_EQ(answerer_.answer(request).answer.status.code, StatusCode::kBeyondRecording);
+}
+
+TEST_F(RequestAnswererTest, AnAdaptiveAttackIsAsAskedInTheRecordingOrDeclined) {
+  int attacks = 0;
+  for (const CollisionType type : kCollisionTypes) {
+    SceneRequest request = asked(type);
+    request.request.mode = Mode::kAdaptive;
+    const Scenario scenario = answerer_.answer(request);
+    EXPECT_EQ(scenarioLine(answerer_.answer(request)), scenarioLine(scenario)) << "deterministic";
+    EXPECT_EQ(scenario.plans.empty(), scenario.answer.status.code != StatusCode::kOk);
+    if (scenario.answer.status.code != StatusCode::kOk) continue;
+    ++attacks;
+    const auto moment = std::get<Moment>(momentAt(*scenes_.at("scene-0001"), request.now, 8));
+    request.request.crash = config_.crash;
+    const CollisionReport report =
+        verify(scenario.answer.trajectory,
+               {moment.snapshot, *moment.recorded, request.request, *moment.lanes},
+               config_.attack.verification);
+    EXPECT_TRUE(report.verified()) << report.broken_limit;
+    EXPECT_TRUE(report.believable()) << report.unbelievable;
+  }
+  EXPECT_GT(attacks, 0);
+}
+
+TEST_F(RequestAnswererTest, AnAbsentAttackerIsAnswered) {
+  SceneRequest request = asked(CollisionType::kRearEnd);
+  request.request.attacker = "nobody";
+  const Scenario scenario = answerer_.answer(request);
+  EXPECT_EQ(scenario.answer.status.code, StatusCode::kUnknownAttacker);
+  EXPECT_NE(scenario.answer.status.message.find("nobody"), std::string::npos);
+}
+
+TEST_F(RequestAnswererTest, ATimeThatIsNoFrameIsAnsweredWithTheNearest) {
+  SceneRequest request = asked(CollisionType::kRearEnd);
+  const double frame = request.now;
+  for (const double now : {frame + 0.1, frame - 0.1}) {
+    request.now = now;
+    const Status status = answerer_.answer(request).answer.status;
+    EXPECT_EQ(status.code, StatusCode::kNoScene);
+    EXPECT_NE(status.message.find(std::to_string(frame)), std::string::npos) << status.message;
+  }
+  request.now = frame + 5e-7;
+  EXPECT_NE(answerer_.answer(request).answer.status.code, StatusCode::kNoScene) << "rounding";
+}
+
+}  // namespace
+}  // namespace forge

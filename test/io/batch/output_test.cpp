@@ -1,0 +1,31 @@
+#include "collision_forge/io/batch/output.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "io/logs/nuscenes_fixture.h"
+
+namespace forge {
+namespace {
+
+TEST(Output, AFolderThatIsNamedTwiceIsLockedOnce) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() + "/out";
+  const OutputLocks locks = lockFolders({out, "", folder.path() + "/./out"});
+  EXPECT_EQ(locks.size(), 1u);
+  EXPECT_THROW(lockFolders({folder.path(), out}), std::runtime_error);
+  EXPECT_EQ(lockFolders({folder.path()}).size(), 1u) << "given back after the failure";
+}
+
+TEST(Output, AFileIsLockedInItsFolder) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() + "/file";
+  const OutputLocks locks = lockFile(path);
+  EXPECT_THROW(lockFile(path), std::runtime_error);
+  EXPECT_EQ(lockFile(path + "2").size(), 1u);
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,27 @@
+#include "collision_forge/io/batch/ranks.h"
+
+#include <gtest/gtest.h>
+
+namespace forge {
+namespace {
+
+// Run twice, as dispatch_test.cpp: by one process, and by three ranks in step.
+
+TEST(Ranks, SumsAreTheSameForAll) {
+  const Ranks& ranks = Ranks::get();
+  std::vector<double> numbers = {1.0, 10.0 * ranks.rank(), 0.1};
+  ranks.sum(numbers);
+  const int size = ranks.size();
+  EXPECT_EQ(numbers[0], size);
+  EXPECT_EQ(numbers[1], 5.0 * size * (size - 1));
+  EXPECT_NEAR(numbers[2], 0.1 * size, 1e-12);
+}
+
+TEST(Ranks, NothingIsSummedToNothing) {
+  std::vector<double> none;
+  Ranks::get().sum(none);
+  EXPECT_TRUE(none.empty());
+}
+
+}  // namespace
+}  // namespace forge

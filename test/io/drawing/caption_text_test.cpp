@@ -1,0 +1,111 @@
+#include "collision_forge/io/drawing/caption_text.h"
+
+#include <gtest/gtest.h>
+
+#include "io/drawing/sample_view.h"
+
+namespace forge {
+namespace {
+
+/// The row of that name; an empty one without it.
+CaptionRow rowOf(const ScenarioView& view, const std::string& name) {
+  for (const CaptionRow& row : reportRows(view)) {
+    if (row.name == name) return row;
+  }
+  return {};
+}
+
+std::string valueOf(const ScenarioView& view, const std::string& name) {
+  return rowOf(view, name).value;
+}
+
+TEST(CaptionText, NamesTheAttackersClassAndOrigin) {
+  ScenarioView view = sampleView();
+  view.trajectory.agent_class = AgentClass::kConstructionVehicle;
+  EXPECT_NE(detailsText(view).find("by a recorded construction vehicle, veh"), std::string::npos);
+  view.trajectory.past = view.snapshot.agents.front().states;
+  EXPECT_NE(detailsText(view).find("by an added construction vehicle"), std::string::npos);
+}
+
+TEST(CaptionText, TellsSpeedsNowAndAtContact) {
+  ScenarioView view = sampleView();
+  for (TrajectoryPoint& point : view.trajectory.points) {
+    point.speed = 10.0 - (point.time - view.snapshot.now);  // brakes with 1 m/s2
+  }
+  EXPECT_EQ(valueOf(view, "Ego, m/s"), "5.0 now, 5.0 at contact");
+  EXPECT_EQ(valueOf(view, "Attacker, m/s"), "10.0 now, 8.0 at contact");
+  view.report.contact = false;
+  EXPECT_EQ(valueOf(view, "Attacker, m/s"), "10.0 now, 8.0 then");
+}
+
+TEST(CaptionText, TheVerdictSaysWhatTheRecordingHasAndTheFirstConditionThatFails) {
+  ScenarioView view = sampleView();
+  EXPECT_EQ(verdictText(view), "crash as asked in the recording");
+  EXPECT_EQ(verdictOf(view), Verdict::kWanted);
+  const auto reason = [&view] {
+    return verdictText(view).substr(verdictText(view).find(": ") + 2);
+  };
+  view.report.first_other_id = "truck-of-a-long-name";
+  EXPECT_EQ(reason(), "touches truck- first");
+  view.report.limits_kept = false;
+  EXPECT_EQ(reason(), "a limit broken");
+  view.report.on_time = false;
+  EXPECT_EQ(reason(), "another time");
+  view.report.type_kept = false;
+  EXPECT_EQ(reason(), "another type");
+  EXPECT_EQ(verdictText(view).find("other contact in the recording"), 0U);
+  EXPECT_EQ(verdictOf(view), Verdict::kPartial);
+  view.report.contact = false;
+  EXPECT_EQ(verdictText(view), "no contact in the recording");
+  EXPECT_EQ(verdictOf(view), Verdict::kUnwanted);
+}
+
+TEST(CaptionText, APictureOfATestNamesThePlannerAndWhetherItIsHit) {
+  ScenarioView view = sampleView();
+  view.planner = "pdm against adaptive";
+  EXPECT_EQ(titleText(view), "pdm against adaptive: Rear end in scene-0001");
+  EXPECT_EQ(verdictText(view), "hit by the attacker");
+  EXPECT_EQ(verdictOf(view), Verdict::kUnwanted);
+  EXPECT_EQ(rowOf(view, "Contact").passed, false);
+}
+
+TEST(CaptionText, AnEscapeHasNoContactAndThatIsWanted) {
+  ScenarioView view = sampleView();
+  view.planner = "pdm";
+  view.report.contact = false;
+  view.escaped_hit = view.snapshot.now + 3.25;
+  EXPECT_EQ(verdictText(view), "escapes the hit");
+  EXPECT_EQ(verdictOf(view), Verdict::kWanted);
+  EXPECT_EQ(rowOf(view, "Contact").value, "none (hit: +3.25 s)");
+  EXPECT_EQ(rowOf(view, "Contact").passed, true);
+}
+
+TEST(CaptionText, AManoeuvreIsInPlainWords) {
+  ScenarioView view = sampleView();
+  view.report.manoeuvre = Manoeuvre::kWrongWay;
+  view.report.manoeuvre_begin = view.snapshot.now + 1.0;
+  EXPECT_EQ(valueOf(view, "Manoeuvre"), "wrong way from +1.0 s");
+}
+
+TEST(CaptionText, AShareIsWholePercent) {
+  ScenarioView view = sampleView();
+  view.report.confidence = 0.712;
+  EXPECT_EQ(rowOf(view, "Confidence").value, "71 %");
+}
+
+TEST(CaptionText, AnOutcomeTellsTimeAngleAndWhatIsNotAsAsked) {
+  ScenarioView view = sampleView();
+  view.report.relative_heading = -0.21;  // rad
+  EXPECT_EQ(outcomeText(view).contact, "touches after 2.0 s, 12°");
+  EXPECT_EQ(outcomeText(view).verdict, "as asked");
+  view.report.first_other_id = "truck";
+  EXPECT_EQ(outcomeText(view).verdict, "somebody else first");
+  view.report.on_time = false;
+  EXPECT_EQ(outcomeText(view).verdict, "another time");
+  view.report.contact = false;
+  EXPECT_EQ(outcomeText(view).contact, "no contact");
+  EXPECT_EQ(outcomeText(view).verdict, "");
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,280 @@
+#include <cairo.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "collision_forge/io/drawing/draw_scenario.h"
+#include "collision_forge/io/drawing/scenario_painter.h"
+#include "io/drawing/sample_view.h"
+
+namespace forge {
+namespace {
+
+/// A PNG file read back.
+class Picture {
+ public:
+  explicit Picture(const std::string& path)
+      : surface_(cairo_image_surface_create_from_png(path.c_str()), &cairo_surface_destroy) {}
+
+  bool valid() const { return cairo_surface_status(surface_.get()) == CAIRO_STATUS_SUCCESS; }
+  int width() const { return cairo_image_surface_get_width(surface_.get()); }
+  int height() const { return cairo_image_surface_get_height(surface_.get()); }
+  std::uint32_t at(const Vector2& pixel) const {
+    const auto* row = cairo_image_surface_get_data(surface_.get()) +
+                      static_cast<int>(pixel.y()) * cairo_image_surface_get_stride(surface_.get());
+    return reinterpret_cast<const std::uint32_t*>(row)[static_cast<int>(pixel.x())] & 0xFFFFFFU;
+  }
+
+ private:
+  std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
+};
+
+class DrawPng : public testing::Test {
+ protected:
+  void TearDown() override { std::remove(path_.c_str()); }
+
+  /// Draws the view and says what is at a place on the ground, in the map and in the close-up.
+  void draw() { drawScenarioPng(path_, view_, options_); }
+  std::uint32_t onMap(const Vector2& world) const {
+    return Picture(path_).at(painter().mapViewport().toPixel(world));
+  }
+  std::uint32_t onCloseUp(const Vector2& world) const {
+    return Picture(path_).at(painter().closeUpViewport().toPixel(world));
+  }
+  ScenarioPainter painter() const { return {view_, options_, pngSize(options_)}; }
+
+  ScenarioView view_ = sampleView();
+  DrawingOptions options_ = sampleOptions();
+  std::string path_ = temporaryPath("scenario.png");
+};
+
+/// The message of the error that drawing ends with; empty without one.
+template <typename Draw>
+std::string errorOf(const Draw& draw) {
+  try {
+    draw();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(DrawPng, HasTheAskedWidthAndAtMostTheAskedHeight) {
+  draw();
+  const Picture picture(path_);
+  ASSERT_TRUE(picture.valid());
+  EXPECT_EQ(picture.width(), options_.png_width);
+  EXPECT_LE(picture.height(), options_.png_height);
+}
+
+TEST_F(DrawPng, OfAStraightRoadTheMapEndsOneAndAHalfMarginsBesideTheDrives) {
+  options_.view_margin = 6.0;
+  const Viewport map = painter().mapViewport();
+  // Both drive along y = 0 and are 2 m wide.
+  EXPECT_NEAR(map.area().height, 20.0 * map.pixelsPerMetre(), 1.0);
+  draw();
+  EXPECT_EQ(Picture(path_).height(), painter().height());
+  EXPECT_LT(painter().height(), options_.png_height);
+}
+
+TEST_F(DrawPng, ARoadThatLeadsNorthLiesLevelWithNorthToTheRight) {
+  const auto turn = [](Pose2& pose) { pose = {-pose.y, pose.x, pose.yaw + M_PI_2}; };
+  const double level = painter().mapViewport().pixelsPerMetre();
+  const int height = painter().height();
+  for (Track* track : {&view_.snapshot.ego, &view_.future.ego, &view_.snapshot.agents[0]}) {
+    for (AgentState& state : track->states) turn(state.pose);
+  }
+  for (TrajectoryPoint& point : view_.trajectory.points) turn(point.pose);
+  turn(view_.pattern.ego.center);
+  turn(view_.report.ego_at_contact);
+  turn(view_.report.attacker_at_contact);
+  const ScenarioPainter turned = painter();
+  EXPECT_NEAR(turned.mapViewport().pixelsPerMetre(), level, 1e-9);
+  EXPECT_EQ(turned.height(), height);
+  const Vector2 middle = turned.mapViewport().area().center();
+  const Vector2 north =
+      turned.mapViewport().toWorld(middle + Vector2(10, 0)) - turned.mapViewport().toWorld(middle);
+  EXPECT_NEAR(north.x(), 0.0, 1e-9);
+  EXPECT_GT(north.y(), 0.0);
+}
+
+TEST_F(DrawPng, OfAnEgoThatTurnsTheRoadOfTheContactIsLevel) {
+  for (AgentState& state : view_.snapshot.ego.states) state.pose.yaw = 0.8;
+  const Viewport map = painter().mapViewport();
+  const Vector2 middle = map.area().center();
+  const Vector2 right = map.toWorld(middle + Vector2(10, 0)) - map.toWorld(middle);
+  EXPECT_GT(right.x(), 0.0);
+  EXPECT_NEAR(right.y(), 0.0, 1e-9);
+}
+
+TEST_F(DrawPng, NorthIsUpWhereTheEgoDrivesWest) {
+  for (AgentState& state : view_.snapshot.ego.states) state.pose.yaw = M_PI;
+  const Viewport map = painter().mapViewport();
+  const Vector2 middle = map.area().center();
+  EXPECT_LT(map.toPixel(map.toWorld(middle) + Vector2(0, 5)).y(), middle.y());
+}
+
+TEST_F(DrawPng, ShowsEverybodyWhereTheyAreAtContact) {
+  options_.view_margin = 12.0;
+  draw();
+  EXPECT_EQ(onMap({10, 0}), packedColor(options_.ego_color));
+  EXPECT_EQ(onMap({5.5, 0}), packedColor(options_.attacker_color));
+  EXPECT_EQ(onMap({10, 8}), packedColor(options_.agent_color));
+  EXPECT_EQ(onMap({30, 3.5}), packedColor(options_.drivable_color)) << "over the walkway";
+  EXPECT_EQ(onMap({30, 5}), packedColor(options_.walkway_color));
+  EXPECT_EQ(onMap({10, -8}), packedColor(options_.background_color));  // north is up
+}
+
+TEST_F(DrawPng, MarksTheContactOnMapAndCloseUp) {
+  draw();
+  EXPECT_EQ(onMap({8, 0}), packedColor(options_.contact_color));
+  EXPECT_EQ(onCloseUp({8, 0}), packedColor(options_.contact_color));
+  EXPECT_EQ(onCloseUp({10, -0.5}), packedColor(options_.ego_color));
+  EXPECT_EQ(onCloseUp({5, 0}), packedColor(options_.attacker_color));
+}
+
+TEST_F(DrawPng, WithoutContactThereIsNoMark) {
+  view_.report.contact = false;
+  draw();
+  EXPECT_NE(onCloseUp({7.8, 0}), packedColor(options_.contact_color));
+}
+
+TEST_F(DrawPng, OfATestTheContactAloneIsShownOfTheReport) {
+  const auto otherwise = [](CollisionReport report) {
+    report.limits_kept = !report.limits_kept;
+    report.type_kept = !report.type_kept;
+    report.on_time = !report.on_time;
+    report.first_other_id = "truck";
+    report.off_road_share = 0.52;
+    report.confidence = 0.25;
+    report.manoeuvre = Manoeuvre::kWrongWay;
+    report.unbelievable = "drives against its lane for 90 %";
+    return report;
+  };
+  const auto bytesWith = [this](const std::string& planner, const CollisionReport& report) {
+    view_.planner = planner;
+    view_.report = report;
+    draw();
+    return readBytes(path_);
+  };
+  const CollisionReport known = sampleView().report;
+  const std::string alone = bytesWith("idm", known);
+  EXPECT_EQ(bytesWith("idm", otherwise(known)), alone);
+  EXPECT_NE(bytesWith("", known), alone);
+  CollisionReport harder = known;
+  harder.impact_speed += 1.0;
+  EXPECT_NE(bytesWith("idm", harder), alone);
+}
+
+TEST_F(DrawPng, TheCaptionTellsManoeuvreBeliefAndWhetherTheAttackerWasAdded) {
+  const auto bytesWith = [this](const ScenarioView& view) {
+    view_ = view;
+    draw();
+    return readBytes(path_);
+  };
+  ScenarioView plain = sampleView();
+  plain.report.manoeuvre = Manoeuvre::kMerge;
+  const std::string bytes = bytesWith(plain);
+  ScenarioView other = plain;
+  other.report.manoeuvre = Manoeuvre::kCutIn;
+  EXPECT_NE(bytesWith(other), bytes);
+  other = plain;
+  other.report.manoeuvre_begin = plain.snapshot.now + 1.5;
+  EXPECT_NE(bytesWith(other), bytes);
+  other = plain;
+  other.report.unbelievable = "is on a walkway for 12 %";
+  EXPECT_NE(bytesWith(other), bytes);
+  other = plain;
+  other.trajectory.past = plain.snapshot.agents.front().states;
+  EXPECT_NE(bytesWith(other), bytes);
+}
+
+TEST_F(DrawPng, NeedsNoMap) {
+  view_.snapshot.map = nullptr;
+  draw();
+  EXPECT_EQ(onMap({30, 3}), packedColor(options_.background_color));
+}
+
+TEST_F(DrawPng, SameInputGivesTheSameBytes) {
+  draw();
+  const std::string first = readBytes(path_);
+  draw();
+  EXPECT_FALSE(first.empty());
+  EXPECT_EQ(first, readBytes(path_));
+}
+
+TEST_F(DrawPng, NamesAnUnwritablePathAndLeavesNothing) {
+  path_ = temporaryPath("missing") + "/scenario.png";
+  EXPECT_NE(errorOf([this] { draw(); }).find(path_), std::string::npos);
+  EXPECT_FALSE(exists(path_ + ".part"));
+}
+
+TEST_F(DrawPng, LeavesNoTemporaryFileWhenThePathIsAFolder) {
+  ASSERT_EQ(mkdir(path_.c_str(), 0700), 0);
+  EXPECT_NE(errorOf([this] { draw(); }).find(path_), std::string::npos);
+  EXPECT_FALSE(exists(path_ + ".part"));
+}
+
+TEST_F(DrawPng, RefusesWhatCannotBeDrawnAndKeepsTheOldFile) {
+  draw();
+  const std::string before = readBytes(path_);
+  view_.trajectory.points.resize(5);
+  EXPECT_NE(errorOf([this] { draw(); }).find(path_), std::string::npos);
+  view_.trajectory.points.clear();
+  const std::string message = errorOf([this] { draw(); });
+  EXPECT_NE(message.find(path_), std::string::npos);
+  EXPECT_NE(message.find("empty"), std::string::npos);
+  view_ = sampleView();
+  view_.report.contact_time = std::nan("");
+  EXPECT_NE(errorOf([this] { draw(); }), "");
+  EXPECT_EQ(readBytes(path_), before);
+  EXPECT_FALSE(exists(path_ + ".part"));
+}
+
+TEST_F(DrawPng, ASheetHasThePicturesRowByRow) {
+  ScenarioView other = view_;
+  other.report.type_kept = !other.report.type_kept;
+  drawScenarioSheet(path_, {view_, other, other}, 2, options_);
+  const Picture sheet(path_);
+  const FigureSize size = gifSize(options_);
+  const int height = ScenarioPainter(view_, options_, size).height();
+  ASSERT_EQ(sheet.width(), 2 * size.width);
+  ASSERT_EQ(sheet.height(), 2 * height);
+  const auto expectAt = [&](const ScenarioView& view, int column, int row) {
+    const Image alone = ScenarioPainter(view, options_, size)
+                            .paint(ScenarioMotion(view).keyTime(), view.snapshot.now);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        const Vector2 place(column * size.width + x, row * height + y);
+        ASSERT_EQ(sheet.at(place), alone.pixel(x, y)) << place.transpose();
+      }
+    }
+  };
+  expectAt(view_, 0, 0);
+  expectAt(other, 1, 0);
+  expectAt(other, 0, 1);
+  for (int y = height; y < 2 * height; ++y) {
+    for (int x = size.width; x < 2 * size.width; ++x) {
+      ASSERT_EQ(sheet.at({x, y}), packedColor(options_.background_color));
+    }
+  }
+}
+
+TEST_F(DrawPng, ASheetOfNothingAndAPictureThatCannotBeDrawnAreRefused) {
+  EXPECT_THROW(drawScenarioSheet(path_, {}, 2, options_), std::invalid_argument);
+  EXPECT_THROW(drawScenarioSheet(path_, {view_}, 0, options_), std::invalid_argument);
+  ScenarioView empty = view_;
+  empty.trajectory.points.clear();
+  EXPECT_NE(errorOf([&] {
+              drawScenarioSheet(path_, {view_, empty}, 2, options_);
+            }).find(path_),
+            std::string::npos);
+  EXPECT_FALSE(exists(path_));
+}
+
+}  // namespace
+}  // namespace forge

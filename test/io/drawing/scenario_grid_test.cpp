@@ -1,0 +1,206 @@
+#include "collision_forge/io/drawing/scenario_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "collision_forge/io/drawing/grid_painter.h"
+#include "io/drawing/sample_view.h"
+
+namespace forge {
+namespace {
+
+GridCell touching() { return {sampleView(), ""}; }
+
+/// The attacker backs away.
+GridCell missing() {
+  GridCell cell = touching();
+  cell.view.report.contact = false;
+  for (TrajectoryPoint& point : cell.view.trajectory.points) {
+    point.pose.x = -14.9 - 2.0 * (point.time - cell.view.snapshot.now);
+  }
+  return cell;
+}
+
+GridCell refusing() {
+  GridCell cell = touching();
+  cell.refusal = "no answer: no attack within limits";
+  cell.view.report = {};
+  cell.view.trajectory.points.clear();
+  return cell;
+}
+
+class DrawScenarioGrid : public testing::Test {
+ protected:
+  void TearDown() override { std::remove(path_.c_str()); }
+
+  GridPainter painter(PictureKind kind = PictureKind::kStill) const {
+    return {grid_, options_, 10.0, kind};
+  }
+  static std::uint32_t at(const Image& image, const GridPainter& painter, std::size_t row,
+                          std::size_t column, const Vector2& world) {
+    const Vector2 pixel = painter.viewport(row, column).toPixel(world);
+    return image.pixel(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+  }
+
+  ScenarioGrid grid_{{"one", "two", "three"},
+                     {{touching(), missing(), refusing()}, {touching(), touching(), touching()}}};
+  DrawingOptions options_ = sampleOptions();
+  std::string path_ = temporaryPath("grid");
+};
+
+TEST_F(DrawScenarioGrid, EveryCellIsItsScenarioAtItsContact) {
+  const GridPainter grid = painter();
+  const Image image = grid.paintContacts();
+  for (const std::size_t row : {0, 1}) {
+    EXPECT_EQ(at(image, grid, row, 0, {8, 0}), packedColor(options_.contact_color));
+    EXPECT_EQ(at(image, grid, row, 0, {10.3, 0}), packedColor(options_.ego_color));
+    EXPECT_EQ(at(image, grid, row, 0, {5, 0}), packedColor(options_.attacker_color));
+  }
+  // Without contact, at the time asked for: 2 s from now.
+  EXPECT_EQ(at(image, grid, 0, 1, {10, 0}), packedColor(options_.ego_color));
+  EXPECT_NE(at(image, grid, 0, 1, {8, 0}), packedColor(options_.contact_color));
+  EXPECT_EQ(at(image, grid, 0, 1, {-18.9, 0}), packedColor(options_.attacker_color));
+}
+
+TEST_F(DrawScenarioGrid, ARefusalShowsTheEgoAsRecordedAndNoAttacker) {
+  const GridPainter grid = painter();
+  const Image image = grid.paintContacts();
+  EXPECT_EQ(at(image, grid, 0, 2, {10, 0}), packedColor(options_.ego_color));
+  EXPECT_NE(at(image, grid, 0, 2, {5.5, 0}), packedColor(options_.attacker_color));
+}
+
+TEST_F(DrawScenarioGrid, CellsOfARowAreAtOneScaleAndShowTheSameGround) {
+  const GridPainter grid = painter();
+  for (const std::size_t column : {1, 2}) {
+    const Viewport& first = grid.viewport(0, 0);
+    const Viewport& other = grid.viewport(0, column);
+    EXPECT_EQ(other.pixelsPerMetre(), first.pixelsPerMetre());
+    EXPECT_LT((other.toWorld(other.area().center()) - first.toWorld(first.area().center())).norm(),
+              1e-9);
+  }
+}
+
+TEST_F(DrawScenarioGrid, WhatCameIsToldWhenItHasComeRefusalsAtOnce) {
+  const GridPainter grid = painter(PictureKind::kAnimation);
+  const Image before = grid.paint(2.0);
+  const Image after = grid.paint(2.1);
+  const auto hasText = [&](const Image& image, std::size_t column) {
+    const PixelRect& cell = grid.viewport(0, column).area();
+    for (int y = static_cast<int>(cell.y + cell.height) + 2; y < cell.y + cell.height + 17; ++y) {
+      for (int x = static_cast<int>(cell.x); x < cell.x + cell.width; ++x) {
+        if (image.pixel(x, y) != packedColor(options_.background_color)) return true;
+      }
+    }
+    return false;
+  };
+  EXPECT_FALSE(hasText(before, 0)) << "touches after 2.04 s";
+  EXPECT_TRUE(hasText(after, 0));
+  EXPECT_TRUE(hasText(before, 1)) << "asked for after 2 s";
+  EXPECT_TRUE(hasText(before, 2));
+}
+
+TEST_F(DrawScenarioGrid, CellsPlayInStepAndStandStillAfterTheirRowsEnd) {
+  ScenarioView early = sampleView();
+  early.report.contact_time = 101.0;
+  early.report.ego_at_contact = {4.8, 0.0, 0.0};
+  early.report.attacker_at_contact = {-4.9, 0.0, 0.0};
+  for (AgentState& state : early.future.agents[1].states) {
+    state.pose.x = -14.0 + 8.0 * (state.time - 100.0);  // the truck drives by
+  }
+  grid_.rows = {{touching(), touching(), touching()}, {{early, ""}, {early, ""}, {early, ""}}};
+  const GridPainter grid = painter(PictureKind::kAnimation);
+  EXPECT_NEAR(grid.end(), 2.04 + early.seconds_after_stand, 1e-6);
+  const Image now = grid.paint(0.0);
+  EXPECT_EQ(at(now, grid, 0, 0, {-0.8, -0.6}), packedColor(options_.ego_color));
+  const Image half = grid.paint(0.5);
+  EXPECT_EQ(at(half, grid, 0, 1, {2.3, -0.6}), packedColor(options_.ego_color));
+  EXPECT_EQ(at(half, grid, 1, 1, {2.3, -0.6}), packedColor(options_.ego_color));
+  // The second row ends 1.5 s from now, when the truck, 8 m long, is at -2 m.
+  const Image last = grid.paint(grid.end());
+  EXPECT_EQ(at(last, grid, 1, 2, {-2, 8}), packedColor(options_.agent_color));
+  EXPECT_NE(at(last, grid, 1, 2, {5, 8}), packedColor(options_.agent_color));
+}
+
+TEST_F(DrawScenarioGrid, EndsWhereNothingMoreIsKnown) {
+  grid_.rows.pop_back();
+  for (GridCell& cell : grid_.rows[0]) cell.view.seconds_after_stand = 60.0;
+  EXPECT_NEAR(painter().end(), 4.0, 1e-6) << "the ego's future";
+  grid_.rows[0][1].view.trajectory.points.resize(31);
+  EXPECT_NEAR(painter().end(), 3.0, 1e-6) << "an attacker that goes on";
+}
+
+TEST_F(DrawScenarioGrid, GoesOnUntilTheLastCrashHasComeToAStand) {
+  grid_.rows.pop_back();
+  for (GridCell& cell : grid_.rows[0]) cell = {sampleCrash(), ""};
+  EXPECT_NEAR(painter(PictureKind::kAnimation).end(), 3.04 + 0.5, 1e-6);
+}
+
+TEST_F(DrawScenarioGrid, FarContactsAreShownFromNearToo) {
+  // As seen at one pixel a metre no car is seen well.
+  options_.view_margin = 100.0;
+  const GridPainter grid = painter();
+  const Image image = grid.paintContacts();
+  const auto pixelsOf = [&](const Color& color, std::size_t column) {
+    const PixelRect& cell = grid.viewport(0, column).area();
+    int count = 0;
+    for (int y = static_cast<int>(cell.y); y < cell.y + cell.height / 2 - 10; ++y) {
+      for (int x = static_cast<int>(cell.x); x < cell.x + cell.width; ++x) {
+        count += image.pixel(x, y) == packedColor(color) ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  EXPECT_GT(pixelsOf(options_.contact_color, 0), 0);
+  EXPECT_GT(pixelsOf(options_.text_color, 0), 0) << "its frame";
+  EXPECT_EQ(pixelsOf(options_.text_color, 1), 0) << "no contact, no close-up";
+}
+
+TEST_F(DrawScenarioGrid, SameInputGivesTheSameBytes) {
+  for (const bool moves : {false, true}) {
+    const auto draw = [&] {
+      moves ? drawScenarioGridGif(path_, grid_, options_)
+            : drawScenarioGridPng(path_, grid_, options_);
+      return readBytes(path_);
+    };
+    const std::string first = draw();
+    EXPECT_EQ(first.substr(0, 4), moves ? "GIF8" : "\x89PNG");
+    EXPECT_EQ(draw(), first);
+    EXPECT_FALSE(exists(path_ + ".part"));
+  }
+}
+
+TEST_F(DrawScenarioGrid, TellsHowFarTheAnimationIs) {
+  std::vector<std::size_t> done;
+  std::size_t all = 0;
+  drawScenarioGridGif(path_, grid_, options_, [&](std::size_t now, std::size_t of) {
+    done.push_back(now);
+    all = of;
+  });
+  ASSERT_EQ(done.size(), all);
+  for (std::size_t i = 0; i < all; ++i) EXPECT_EQ(done[i], i + 1);
+}
+
+TEST_F(DrawScenarioGrid, GridsOfNothingAndUnevenOnesAreRefused) {
+  EXPECT_THROW(drawScenarioGridPng(path_, {{"one"}, {}}, options_), std::invalid_argument);
+  EXPECT_THROW(drawScenarioGridGif(path_, {{}, {{}}}, options_), std::invalid_argument);
+  grid_.rows[1].pop_back();
+  EXPECT_THROW(drawScenarioGridPng(path_, grid_, options_), std::invalid_argument);
+  EXPECT_FALSE(exists(path_));
+}
+
+TEST_F(DrawScenarioGrid, WhatCannotBeDrawnIsRefusedWithTheFile) {
+  grid_.rows[1][1].view.trajectory.points.clear();
+  try {
+    drawScenarioGridPng(path_, grid_, options_);
+    FAIL() << "drew an attack without a trajectory";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find(path_), std::string::npos);
+  }
+  EXPECT_FALSE(exists(path_));
+  EXPECT_FALSE(exists(path_ + ".part"));
+}
+
+}  // namespace
+}  // namespace forge

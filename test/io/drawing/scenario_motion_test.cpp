@@ -1,0 +1,130 @@
+#include "collision_forge/io/drawing/scenario_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "io/drawing/sample_view.h"
+
+namespace forge {
+namespace {
+
+TEST(ScenarioMotion, JoinsPastAndFuture) {
+  const ScenarioView view = sampleView();
+  const ScenarioMotion motion(view);
+  EXPECT_NEAR(motion.egoAt(98.5)->center.x, 10 - 5 * 3.54, 1e-9);
+  EXPECT_NEAR(motion.egoAt(101.25)->center.x, 10 - 5 * 0.79, 1e-9);
+  EXPECT_NEAR(motion.attackerAt(98.5)->center.x, 5.5 - 10 * 3.54, 1e-9);
+  EXPECT_NEAR(motion.attackerAt(101.25)->center.x, 5.5 - 10 * 0.79, 1e-9);
+  EXPECT_FALSE(motion.egoAt(97.9));
+  EXPECT_FALSE(motion.attackerAt(97.9));
+}
+
+TEST(ScenarioMotion, AnAddedAttackerComesFromItsOwnPast) {
+  ScenarioView view = sampleView();
+  view.snapshot.agents.erase(view.snapshot.agents.begin());
+  EXPECT_FALSE(ScenarioMotion(view).attackerAt(99.0));
+  view.trajectory.past = {{98.5, {-30.0, 0.0, 0.0}, {10.0, 0.0}},
+                          {99.5, {-20.0, 0.0, 0.0}, {10.0, 0.0}},
+                          {100.0, {-15.0, 0.0, 0.0}, {10.0, 0.0}}};
+  const ScenarioMotion motion(view);
+  EXPECT_DOUBLE_EQ(motion.attackerAt(99.0)->center.x, -25.0);
+  EXPECT_EQ(motion.attackerAt(99.0)->size.length, view.trajectory.size.length);
+  EXPECT_FALSE(motion.attackerAt(98.4));
+  EXPECT_EQ(motion.othersAt(99.0).size(), 1U);
+}
+
+TEST(ScenarioMotion, EgoAndAttackerMoveAsTheCrashHasItFromTheContactOn) {
+  const ScenarioView view = sampleCrash();
+  const ScenarioMotion motion(view);
+  EXPECT_DOUBLE_EQ(motion.egoAt(102.04)->center.x, 10.0);
+  EXPECT_NEAR(motion.egoAt(102.54)->center.x, 10.0 + 0.75 * 3.875, 1e-6);
+  EXPECT_NEAR(motion.attackerAt(102.54)->center.x, 5.5 + 0.75 * 3.875, 1e-6);
+  EXPECT_NEAR(motion.standTime(), 103.04, 1e-6);
+  EXPECT_NEAR(motion.egoAt(103.5)->center.x, 13.875, 1e-6);
+}
+
+TEST(ScenarioMotion, StayWhereTheyTouchedInAViewWithoutACrash) {
+  const ScenarioView view = sampleView();
+  const ScenarioMotion motion(view);
+  EXPECT_DOUBLE_EQ(motion.egoAt(103.0)->center.x, 10.0);
+  EXPECT_DOUBLE_EQ(motion.attackerAt(103.0)->center.x, 5.5);
+  EXPECT_DOUBLE_EQ(motion.standTime(), 102.04);
+}
+
+TEST(ScenarioMotion, AnAnimationEndsSomeSecondsAfterTheStandOrWithTheRecording) {
+  ScenarioView view = sampleCrash();
+  EXPECT_NEAR(ScenarioMotion(view).endTime(), 103.54, 1e-6);
+  view.seconds_after_stand = 3.0;
+  EXPECT_NEAR(ScenarioMotion(view).endTime(), 104.0, 1e-6) << "the recording's end";
+  view.future.ego.states.resize(6);  // up to 102.5 s, as an ego that was driven up to the contact
+  EXPECT_NEAR(ScenarioMotion(view).endTime(), 104.0, 1e-6) << "the others are known up to then";
+  for (Track& track : view.future.agents) track.states.resize(6);
+  EXPECT_NEAR(ScenarioMotion(view).endTime(), 103.04, 1e-6) << "not before both stand";
+}
+
+TEST(ScenarioMotion, GoesOnWithoutContact) {
+  ScenarioView view = sampleView();
+  view.report.contact = false;
+  const ScenarioMotion motion(view);
+  EXPECT_DOUBLE_EQ(motion.keyTime(), 102.0);
+  EXPECT_NEAR(motion.egoAt(103.0)->center.x, 10 + 5 * 0.96, 1e-9);
+  EXPECT_NEAR(motion.attackerAt(103.0)->center.x, 5.5 + 10 * 0.96, 1e-9);
+}
+
+TEST(ScenarioMotion, OthersLeaveOutTheAttacker) {
+  const ScenarioView view = sampleView();
+  const ScenarioMotion motion(view);
+  for (const double time : {99.0, 101.0}) {
+    const std::vector<AgentBox> others = motion.othersAt(time);
+    ASSERT_EQ(others.size(), 1U);
+    EXPECT_DOUBLE_EQ(others.front().box.center.y, 8.0);
+  }
+}
+
+TEST(ScenarioMotion, KnowsWhatARecordedAttackerDidAndOfAnAddedOneNothing) {
+  ScenarioView view = sampleView();
+  EXPECT_NEAR(ScenarioMotion(view).recordedAttackerAt(102.04)->center.x, 40.0, 1e-9);
+  EXPECT_NEAR(ScenarioMotion(view).recordedAttackerAt(103.04)->center.x, 50.0, 1e-9);
+  EXPECT_FALSE(ScenarioMotion(view).recordedAttackerAt(99.0));
+  view.trajectory.past = view.snapshot.agents.front().states;
+  EXPECT_FALSE(ScenarioMotion(view).recordedAttackerAt(102.0));
+}
+
+TEST(ScenarioMotion, OthersInThePathAtContactWereElsewhereWhenPassed) {
+  ScenarioView view = sampleView();
+  EXPECT_TRUE(ScenarioMotion(view).passedOthers().empty()) << "the truck stands beside the road";
+  // Crosses from the north: at contact it is on the attacker's path, 12.5 m behind the contact.
+  Track& truck = view.future.agents.back();
+  for (AgentState& state : truck.states) {
+    state.pose = {-7.0, 10.0 * (102.04 - state.time), 0.0};
+  }
+  const auto passed = ScenarioMotion(view).passedOthers();
+  ASSERT_EQ(passed.size(), 1U);
+  EXPECT_NEAR(passed.front().at_key_time.box.center.y, 0.0, 1e-9);
+  // The attacker's rear, 2.5 m behind its middle, leaves the truck's front at x = -3: 0.6 s before.
+  EXPECT_NEAR(passed.front().then.box.center.y, 6.0, 1.0 + 1e-6);
+}
+
+TEST(ScenarioMotion, BoxesReachBothEnds) {
+  const ScenarioView view = sampleView();
+  const std::vector<OrientedBox> boxes = ScenarioMotion(view).egoBoxes(100.0, 102.04);
+  EXPECT_EQ(boxes.size(), 22U);
+  EXPECT_NEAR(boxes.front().center.x, 10 - 5 * 2.04, 1e-9);
+  EXPECT_DOUBLE_EQ(boxes.back().center.x, 10.0);
+}
+
+TEST(ScenarioMotion, OfAnEscapeTheKeyTimeIsThatOfTheHit) {
+  ScenarioView view = sampleView();
+  view.report.contact = false;
+  EXPECT_DOUBLE_EQ(ScenarioMotion(view).keyTime(), view.pattern.time);
+  view.escaped_hit = view.pattern.time + 1.5;
+  const ScenarioMotion motion(view);
+  EXPECT_DOUBLE_EQ(motion.keyTime(), view.pattern.time + 1.5);
+  const double ego = motion.egoAt(motion.keyTime())->center.x;
+  const double attacker = motion.attackerAt(motion.keyTime())->center.x;
+  EXPECT_NEAR(motion.contactPoint().x(), (ego + attacker) / 2, 1e-9);
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,190 @@
+#include "collision_forge/io/export/open_scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <pugixml.hpp>
+#include <set>
+
+#include "collision_forge/io/export/open_drive.h"
+#include "io/export/crash_fixture.h"
+#include "io/logs/nuscenes_fixture.h"
+
+namespace forge {
+namespace {
+
+using pugi::xml_node;
+
+class OpenScenario : public testing::Test {
+ protected:
+  /// The file of that ending, read again.
+  pugi::xml_document written(const CrashRecord& record, const std::string& ending,
+                             bool ego_free = false) {
+    makeOpenScenarioWriter(planFor(folder_.path(), ego_free))->write(record);
+    pugi::xml_document document;
+    EXPECT_TRUE(document.load_file((folder_.path() + "/scene-0001_17" + ending).c_str()));
+    return document;
+  }
+
+  static xml_node at(const pugi::xml_document& document, const std::string& path) {
+    const xml_node found = document.select_node(path.c_str()).node();
+    EXPECT_TRUE(found) << path;
+    return found;
+  }
+
+  static std::string driveOf(const std::string& name) {
+    return "//ManeuverGroup[@name='drive of " + name + "']";
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(OpenScenario, PlacesAreThoseOfRearAxlesAboutTheLocalOrigin) {
+  const CrashRecord record = slowCarRecord();
+  const auto document = written(record, ".xosc");
+  const auto ego = document.select_nodes((driveOf("ego") + "//Vertex").c_str());
+  constexpr std::size_t kMoving = 60;  // of who stands, at the end, two vertices are enough
+  ASSERT_GT(ego.size(), kMoving);
+  const Vector2 origin = localOrigin(record);
+  EXPECT_EQ(origin, Vector2(-20.0, 0.0));
+  for (std::size_t i = 0; i < kMoving; ++i) {
+    const xml_node vertex = ego[static_cast<std::ptrdiff_t>(i)].node();
+    EXPECT_EQ(vertex.attribute("time").as_double(), record.ego.states[i].time);
+    const xml_node position = vertex.child("Position").child("WorldPosition");
+    EXPECT_NEAR(position.attribute("x").as_double(), record.ego.states[i].pose.x - 1.4 - origin.x(),
+                1e-9);
+  }
+  EXPECT_DOUBLE_EQ(at(document, "//ScenarioObject[@name='ego']//Center").attribute("x").as_double(),
+                   1.4);
+  const xml_node walker = at(document, "//ScenarioObject[.//Property[@value='walker']]");
+  EXPECT_TRUE(walker.child("Pedestrian"));
+  const xml_node center = walker.child("Pedestrian").child("BoundingBox").child("Center");
+  EXPECT_EQ(center.attribute("x").as_double(), 0.0);
+  EXPECT_EQ(std::string(at(document, "//LogicFile").attribute("filepath").value()),
+            "scene-0001_17.xodr");
+}
+
+TEST_F(OpenScenario, WhoComesLaterIsAddedAndWhoGoesIsDeleted) {
+  const auto document = written(slowCarRecord(), ".xosc");
+  std::set<std::string> there;
+  for (const auto& one : document.select_nodes("//Init//Private")) {
+    there.insert(one.node().attribute("entityRef").value());
+  }
+  EXPECT_EQ(there, (std::set<std::string>{"ego", "other_1", "other_2"}));
+  std::set<std::string> added, deleted;
+  for (const auto& one : document.select_nodes("//EntityAction[AddEntityAction]")) {
+    added.insert(one.node().attribute("entityRef").value());
+  }
+  for (const auto& one : document.select_nodes("//EntityAction[DeleteEntityAction]")) {
+    deleted.insert(one.node().attribute("entityRef").value());
+  }
+  EXPECT_EQ(added, (std::set<std::string>{"attacker", "other_1_2"}));
+  EXPECT_EQ(deleted, (std::set<std::string>{"other_1", "other_1_2"}));
+}
+
+TEST_F(OpenScenario, ParametersTellTheCrashAndTheStoryboardEndsWithTheRecord) {
+  const CrashRecord record = slowCarRecord();
+  const auto document = written(record, ".xosc");
+  const auto value = [&](const std::string& name) {
+    return std::string(
+        at(document, "//ParameterDeclaration[@name='" + name + "']").attribute("value").value());
+  };
+  EXPECT_EQ(value("collision_type"), "rear_end");
+  EXPECT_EQ(value("tta"), "3.5");
+  EXPECT_EQ(value("seed"), "7");
+  EXPECT_EQ(value("attacker_id"), "a");
+  EXPECT_NEAR(std::stod(value("contact_time")), *record.contact, 1e-12);
+  const xml_node stop = at(document, "/OpenSCENARIO/Storyboard/StopTrigger");
+  EXPECT_EQ(stop.select_node(".//SimulationTimeCondition").node().attribute("value").as_double(),
+            record.end());
+}
+
+TEST_F(OpenScenario, AFreeEgoHasAStartAlone) {
+  const auto document = written(slowCarRecord(0.0), ".xosc", true);
+  EXPECT_TRUE(document.select_node("//Init//Private[@entityRef='ego']"));
+  EXPECT_FALSE(document.select_node(driveOf("ego").c_str()));
+  EXPECT_TRUE(document.select_node(driveOf("attacker").c_str()));
+}
+
+TEST_F(OpenScenario, HeadingsGoOnOverPi) {
+  CrashRecord record = slowCarRecord();
+  for (std::size_t i = 0; i < record.ego.states.size(); ++i) {
+    record.ego.states[i].pose.yaw = wrapAngle(3.0 + 0.01 * static_cast<double>(i));
+  }
+  const auto document = written(record, ".xosc");
+  double last = 3.0;
+  for (const auto& one : document.select_nodes((driveOf("ego") + "//WorldPosition").c_str())) {
+    const double heading = one.node().attribute("h").as_double();
+    EXPECT_NEAR(heading, last, 0.0101);
+    last = heading;
+  }
+  EXPECT_GT(last, 3.5);
+}
+
+TEST_F(OpenScenario, IdsThatReadersWouldInterpretAreWrittenOtherwise) {
+  Scenario scenario = slowCar();
+  scenario.answer.trajectory.attacker_id = "$tta<&\"";
+  scenario.answer.trajectory.past = {{kNow, {32.0, 0.0, 0.0}, {2.0, 0.0}}};
+  const auto document = written(slowCarRecord(2.0, scenario), ".xosc");
+  EXPECT_EQ(
+      std::string(
+          at(document, "//ParameterDeclaration[@name='attacker_id']").attribute("value").value()),
+      "_$tta<&\"");
+}
+
+TEST_F(OpenScenario, RoadsHaveTheLanesMiddleAsTheirCourse) {
+  const auto document = written(slowCarRecord(), ".xodr");
+  const auto roads = document.select_nodes("//road");
+  ASSERT_EQ(roads.size(), 2u);
+  const xml_node first = roads[0].node();
+  EXPECT_EQ(std::string(first.attribute("rule").value()), "RHT");
+  EXPECT_EQ(first.select_node("planView/geometry").node().attribute("x").as_double(), -30.0);
+  EXPECT_DOUBLE_EQ(first.select_node("lanes/laneOffset").node().attribute("a").as_double(), 1.75);
+  EXPECT_EQ(first.select_node("lanes/laneSection/right/lane").node().attribute("id").as_int(), -1);
+  EXPECT_EQ(std::string(first.select_node("link/successor").node().attribute("elementId").value()),
+            roads[1].node().attribute("id").value());
+  EXPECT_EQ(roads[1].node().select_node("type/speed").node().attribute("max").as_double(), 13.9);
+  EXPECT_EQ(at(document, "//offset").attribute("x").as_double(), -20.0);
+}
+
+TEST_F(OpenScenario, LeftHandRoadsHaveTheirLaneOnTheLeft) {
+  CrashRecord record = slowCarRecord();
+  record.lanes.driving_side = DrivingSide::kLeft;
+  const auto document = written(record, ".xodr");
+  const xml_node road = at(document, "//road");
+  EXPECT_EQ(std::string(road.attribute("rule").value()), "LHT");
+  EXPECT_DOUBLE_EQ(road.select_node("lanes/laneOffset").node().attribute("a").as_double(), -1.75);
+  EXPECT_EQ(road.select_node("lanes/laneSection/left/lane").node().attribute("id").as_int(), 1);
+  EXPECT_FALSE(road.select_node("lanes/laneSection/right"));
+}
+
+TEST_F(OpenScenario, ForksAreJunctionsWithTheirLaneLinks) {
+  CrashRecord record = slowCarRecord();
+  record.lanes.lanes[0].outgoing = {"second", "other"};
+  record.lanes.lanes.push_back(
+      {"other", false, false, {{20, 0, 0}, {60, -20, -0.9}}, {}, {"first"}, {}, {}});
+  const auto document = written(record, ".xodr");
+  EXPECT_EQ(document.select_nodes("//junction/connection/laneLink[@from='-1'][@to='-1']").size(),
+            2u);
+  EXPECT_EQ(document.select_nodes("//road[@junction!='-1']").size(), 2u);
+  EXPECT_FALSE(document.select_node("//road[@junction='-1']//lane/link/successor"));
+}
+
+TEST_F(OpenScenario, TheSameRecordGivesTheSameBytes) {
+  const auto bytes = [&] {
+    makeOpenScenarioWriter(planFor(folder_.path()))->write(slowCarRecord());
+    std::string all;
+    for (const char* ending : {".xosc", ".xodr"}) {
+      std::ifstream file(folder_.path() + "/scene-0001_17" + ending, std::ios::binary);
+      all.append(std::istreambuf_iterator<char>(file), {});
+    }
+    return all;
+  };
+  const std::string once = bytes();
+  EXPECT_GT(once.size(), 5000u);
+  EXPECT_EQ(bytes(), once);
+}
+
+}  // namespace
+}  // namespace forge

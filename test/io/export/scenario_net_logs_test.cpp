@@ -1,0 +1,243 @@
+#include "collision_forge/io/logs/scenario_net_logs.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "collision_forge/io/export/pickle_writer.h"
+#include "collision_forge/io/export/scenario_net_scene.h"
+#include "collision_forge/io/logs/scene_source.h"
+#include "io/export/crash_fixture.h"
+#include "io/logs/nuscenes_fixture.h"
+
+namespace forge {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kEmbedded = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
+
+/// A description in the words of ScenarioNet alone, as its converters of other data sets write it.
+struct Description {
+  void writeTrack(PickleWriter& writer, const char* id, const char* type) const {
+    writer.beginObject(id);
+    writer.text("type", type);
+    writer.beginObject("state");
+    writer.array("position", {0.0, 0.0, 0.0, 1.0, 0.0, 0.0}, 3);
+    writer.array("heading", {0.0, 0.0});
+    writer.array("length", {length, length});
+    writer.array("width", {width, width});
+    writer.flags("valid", {true, true});
+    writer.endObject();
+    writer.endObject();
+  }
+
+  PickleContent content() const {
+    PickleWriter writer;
+    writer.beginObject("tracks");
+    writeTrack(writer, "7", "VEHICLE");
+    writeTrack(writer, "8", "VEHICLE");
+    writeTrack(writer, "9", "TRAFFIC_CONE");
+    writer.endObject();
+    writer.beginObject("map_features");
+    writer.beginObject("12");
+    writer.text("type", "LANE_SURFACE_STREET");
+    writer.array("polyline", {0.0, 0.0, 10.0, 0.0}, 2);
+    writer.texts("exit_lanes", {"13", "nowhere"});
+    writer.number("speed_limit_kmh", 36.0);
+    writer.endObject();
+    writer.beginObject("13");
+    writer.text("type", lane_type);
+    writer.array("polyline", {10.0, 0.0, lane_end, 0.0}, 2);
+    writer.endObject();
+    writer.endObject();
+    writer.beginObject("metadata");
+    writer.text("sdc_id", ego);
+    writer.array("ts", times);
+    writer.endObject();
+    return writer.content();
+  }
+
+  double length = 4.6;
+  double width = 2.0;
+  const char* lane_type = "LANE_SURFACE_UNSTRUCTURE";
+  double lane_end = 20.0;
+  std::string ego = "7";
+  std::vector<double> times{0.0, 0.1};
+};
+
+class ScenarioNetLogsTest : public testing::Test {
+ protected:
+  LoggedScene read(const PickleContent& content) { return readBytes(workers_.write(content)); }
+
+  LoggedScene readBytes(const std::string& bytes) {
+    warnings_.clear();
+    return readScenarioNet(folder_.write("sd_waymo_v1_a.pkl", bytes), workers_, shippedConfig(),
+                           &warnings_);
+  }
+
+  std::string problemOf(const Description& description) {
+    try {
+      read(description.content());
+      return "";
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  }
+
+  const TemporaryFolder folder_;
+  PickleWorkers workers_;
+  std::vector<std::string> warnings_;
+};
+
+TEST_F(ScenarioNetLogsTest, WhatWasRecordedComesBack) {
+  SceneSource tables({kEmbedded, ""}, {"scene-0001"}, shippedConfig(), 1);
+  const auto told = tables.at("scene-0001");
+  folder_.write(
+      "deep/sd_collision_forge_v1_scene-0001.pkl",
+      workers_.write(scenarioNetOf(told->scene, RowTimes::kAsRecorded, shippedConfig().exports)));
+  ASSERT_TRUE(scenarioNetFormat().accepts(folder_.path()));
+  SceneSource source({folder_.path(), "", &scenarioNetFormat()}, {}, shippedConfig(), 1);
+  EXPECT_THAT(source.names(), ElementsAre("scene-0001"));
+  const Scene& back = source.at("scene-0001")->scene;
+  EXPECT_EQ(back.frame_times, told->scene.frame_times);
+  ASSERT_EQ(back.ego.states.size(), told->scene.ego.states.size());
+  for (std::size_t i = 0; i < back.ego.states.size(); ++i) {
+    EXPECT_EQ(back.ego.states[i].time, told->scene.ego.states[i].time);
+    EXPECT_NEAR(back.ego.states[i].pose.x, told->scene.ego.states[i].pose.x, 1e-9);
+  }
+  ASSERT_EQ(back.agents.size(), told->scene.agents.size());
+  for (const Track& agent : told->scene.agents) {
+    const auto same = std::find_if(back.agents.begin(), back.agents.end(),
+                                   [&](const Track& other) { return other.id == agent.id; });
+    ASSERT_NE(same, back.agents.end());
+    EXPECT_EQ(same->agent_class, agent.agent_class);
+    ASSERT_EQ(same->states.size(), agent.states.size());
+    for (std::size_t i = 0; i < agent.states.size(); ++i) {
+      EXPECT_EQ(same->states[i].time, agent.states[i].time);
+      EXPECT_EQ(same->states[i].velocity, agent.states[i].velocity);
+      EXPECT_NEAR(same->states[i].pose.yaw, agent.states[i].pose.yaw, 1e-12);
+    }
+  }
+  const LaneMap& map = *told->scene.map;
+  ASSERT_EQ(back.map->lanes.size(), map.lanes.size());
+  for (std::size_t i = 0; i < map.lanes.size(); ++i) {
+    EXPECT_EQ(back.map->lanes[i].id, map.lanes[i].id);
+    EXPECT_EQ(back.map->lanes[i].is_connector, map.lanes[i].is_connector);
+    EXPECT_EQ(back.map->lanes[i].is_intersection, map.lanes[i].is_intersection);
+    EXPECT_EQ(back.map->lanes[i].outgoing, map.lanes[i].outgoing);
+    EXPECT_EQ(back.map->lanes[i].polygon, map.lanes[i].polygon);
+  }
+  EXPECT_EQ(back.map->drivable_area.size(), map.drivable_area.size());
+  EXPECT_EQ(back.map->driving_side, map.driving_side);
+}
+
+TEST_F(ScenarioNetLogsTest, AFileOfEvenStepsHasTheFramesThatWereRecorded) {
+  SceneSource tables({kEmbedded, ""}, {"scene-0002"}, shippedConfig(), 1);
+  const Scene& told = tables.at("scene-0002")->scene;
+  const LoggedScene back = read(scenarioNetOf(told, RowTimes::kEveryStep, shippedConfig().exports));
+  ASSERT_EQ(back.recording.frames.size(), told.frame_times.size());
+  EXPECT_NEAR(1e-6 * static_cast<double>(back.recording.frames.at(3).timestamp_us),
+              told.frame_times.at(3), 1e-6);
+  EXPECT_THAT(warnings_, IsEmpty());
+}
+
+TEST_F(ScenarioNetLogsTest, ReadsWhatOthersConvert) {
+  const LoggedScene logged = read(Description().content());
+  EXPECT_EQ(logged.recording.name, "sd_waymo_v1_a");
+  EXPECT_EQ(logged.recording.ego_poses.at(0).timestamp_us, 1000000);
+  EXPECT_NEAR(logged.recording.ego_poses.at(1).translation.x(),
+              1.0 - shippedConfig().ego_vehicle.center_offset, 1e-12);
+  const auto& agents = logged.recording.frames.at(1).annotations;
+  ASSERT_EQ(agents.size(), 2U);
+  EXPECT_EQ(agents[0].category, "vehicle.car");
+  EXPECT_EQ(agents[1].category, "movable_object");
+  EXPECT_NEAR(agents[0].velocity.x(), 10.0, 1e-9);
+  ASSERT_EQ(logged.lanes->map().lanes.size(), 2U);
+  const Lane& first = logged.lanes->map().lanes[0];
+  EXPECT_THAT(first.outgoing, ElementsAre("13"));
+  EXPECT_NEAR(*first.speed_limit, 10.0, 1e-12);
+  EXPECT_EQ(first.polygon.size(), 4U);
+  EXPECT_NEAR(first.polygon.at(0).y(), 0.5 * shippedConfig().conversion.lane_width, 1e-12);
+  EXPECT_THAT(logged.lanes->map().lanes[1].incoming, ElementsAre("12"));
+  EXPECT_TRUE(logged.lanes->map().lanes[1].is_connector);
+  EXPECT_EQ(logged.lanes->map().drivable_area.size(), 2U);
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("the box of ego_vehicle.yaml is taken")));
+}
+
+TEST_F(ScenarioNetLogsTest, APolylineMayBeAListOfPoints) {
+  PickleContent content = Description().content();
+  const std::string array = R"({"ndarray":[2,2],"dtype":"f8","at":)";
+  const std::size_t begin = content.json.find(array);
+  content.json.replace(begin, content.json.find('}', begin) + 1 - begin,
+                       "[[0, 0.5], [10, 0.5, 3]]");
+  const Lane lane = read(content).lanes->map().lanes.at(0);
+  ASSERT_EQ(lane.centerline.size(), 2U);
+  EXPECT_EQ(lane.centerline[1].x, 10.0);
+  EXPECT_EQ(lane.centerline[1].y, 0.5);
+}
+
+TEST_F(ScenarioNetLogsTest, NumbersOfLanesAreKeptExactly) {
+  const std::int64_t id = (std::int64_t{1} << 53) + 1;  // no double
+  PickleContent content = Description().content();
+  const std::string list = R"(["13","nowhere"])";
+  content.json.replace(content.json.find(R"("13":{)"), 4, '"' + std::to_string(id) + '"');
+  const std::string at = std::to_string(content.items.size() / sizeof(id));
+  content.items.append(reinterpret_cast<const char*>(&id), sizeof(id));
+  for (const std::string& links :
+       {'[' + std::to_string(id) + ']', R"({"ndarray":[1],"dtype":"i8","at":)" + at + '}'}) {
+    PickleContent changed = content;
+    changed.json.replace(changed.json.find(list), list.size(), links);
+    EXPECT_THAT(read(changed).lanes->map().lanes.at(0).outgoing, ElementsAre(std::to_string(id)))
+        << links;
+  }
+}
+
+TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsTurned) {
+  Description description;
+  description.length = 2.0;
+  description.width = 9.0;
+  read(description.content());
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("taken for each other"), HasSubstr("9 m by 2 m")));
+  std::swap(description.length, description.width);
+  EXPECT_EQ(read(description.content()).recording.frames.at(0).annotations.at(0).category,
+            "vehicle.truck");
+}
+
+TEST_F(ScenarioNetLogsTest, ALaneWithoutLengthHasNoCenterline) {
+  Description short_lane;
+  short_lane.lane_end = 10.0 + 1e-8;
+  EXPECT_TRUE(read(short_lane.content()).lanes->map().lanes[1].centerline.empty());
+}
+
+TEST_F(ScenarioNetLogsTest, NamesWhatIsWrong) {
+  Description no_ego;
+  no_ego.ego = "70";
+  EXPECT_THAT(problemOf(no_ego), HasSubstr("tracks: lacks the ego \"70\" of metadata.sdc_id"));
+  Description backwards;
+  backwards.times = {0.1, 0.0};
+  EXPECT_THAT(problemOf(backwards), HasSubstr("metadata.ts: row 1 is not after"));
+  Description longer;
+  longer.times = {0.0, 0.1, 0.2};
+  EXPECT_THAT(problemOf(longer), HasSubstr("tracks.7.state.position: has 2 rows, not 3"));
+  EXPECT_THROW(read({R"({"metadata": {}})", ""}), std::runtime_error);
+  PickleContent no_number = Description().content();
+  const std::size_t begin = no_number.json.find(R"("speed_limit_kmh":)") + 18;
+  no_number.json.replace(begin, no_number.json.find('}', begin) + 1 - begin, "NaN");
+  EXPECT_THAT([&] { read(no_number); },
+              testing::ThrowsMessage<std::runtime_error>(
+                  HasSubstr("map_features.12.speed_limit_kmh: is no finite number")));
+  EXPECT_THROW(readBytes("cos\nsystem\n."), PickleError);
+}
+
+TEST_F(ScenarioNetLogsTest, TwoFilesOfOneNameAreRefused) {
+  folder_.write("a/sd_x_v1_1.pkl", "");
+  folder_.write("b/sd_x_v1_1.pkl", "");
+  EXPECT_THROW(readSceneNames({folder_.path(), "", &scenarioNetFormat()}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,206 @@
+#include "collision_forge/io/export/scenario_net_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "collision_forge/io/export/scenario_net_map.h"
+#include "io/export/crash_fixture.h"
+#include "io/export/inlined.h"
+
+namespace forge {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// straightScene() with a frame every 0.5 s, from 3 s before to 6 s after kNow.
+Scene sampleScene() {
+  Scene scene = straightScene().scene;
+  for (const AgentState& state : scene.ego.states) scene.frame_times.push_back(state.time);
+  return scene;
+}
+
+std::string told(const Scene& scene, RowTimes rows) {
+  return inlined(scenarioNetOf(scene, rows, shippedConfig().exports));
+}
+
+std::string arrayItem(const char* key, const std::vector<double>& values, std::size_t columns = 0) {
+  const std::string dict =
+      inlined([&](PickleWriter& writer) { writer.array(key, values, columns); });
+  return dict.substr(1, dict.size() - 2);
+}
+
+std::string validItem(const std::vector<bool>& values) {
+  const std::string dict = inlined([&](PickleWriter& writer) { writer.flags("valid", values); });
+  return dict.substr(1, dict.size() - 2);
+}
+
+/// The arrays of a track of which `state` tells each row's state.
+template <class StateOfRow>
+std::string statesItem(const Track& track, std::size_t rows, const StateOfRow& state_of_row) {
+  std::vector<double> positions, headings, velocities;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::optional<AgentState> found = state_of_row(row);
+    const AgentState state = found.value_or(AgentState{});
+    positions.insert(positions.end(), {state.pose.x, state.pose.y, 0.0});
+    headings.push_back(state.pose.yaw);
+    velocities.insert(velocities.end(), {state.velocity.x(), state.velocity.y()});
+  }
+  const std::string type = track.agent_class == AgentClass::kBicycle ? "CYCLIST" : "VEHICLE";
+  return '"' + track.id + R"(":{"type":")" + type + R"(","state":{)" +
+         arrayItem("position", positions, 3) + ',' + arrayItem("heading", headings) + ',' +
+         arrayItem("velocity", velocities, 2);
+}
+
+TEST(ScenarioNetScene, RowsAsRecordedAreTheFramesToTheLastBit) {
+  Scene scene = sampleScene();
+  // Frames of nuScenes are not even.
+  for (std::size_t i = 1; i < scene.frame_times.size(); ++i) {
+    const double time = scene.frame_times[i] + 1e-3 * static_cast<double>(i % 3) + 1e-6;
+    scene.frame_times[i] = scene.ego.states[i].time = time;
+  }
+  std::vector<double> times;
+  for (const double time : scene.frame_times) times.push_back(time - scene.frame_times[0]);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_EQ(scene.frame_times[0] + times[i], scene.frame_times[i]);
+  }
+  const std::string json = told(scene, RowTimes::kAsRecorded);
+  EXPECT_THAT(json, HasSubstr(arrayItem("ts", times)));
+  EXPECT_THAT(json, HasSubstr(statesItem(scene.ego, times.size(), [&](std::size_t row) {
+                return std::optional(scene.ego.states[row]);
+              })));
+  EXPECT_THAT(json, Not(HasSubstr("sample_rate")));
+}
+
+TEST(ScenarioNetScene, RowsEveryStepAreBetweenTheFrames) {
+  const Scene scene = sampleScene();
+  std::vector<double> times;
+  for (int i = 0; i <= 90; ++i) times.push_back(i / 10.0);
+  const std::string json = told(scene, RowTimes::kEveryStep);
+  EXPECT_THAT(json, HasSubstr(R"("sample_rate":0.1,)" + arrayItem("ts", times)));
+  EXPECT_THAT(json, HasSubstr(R"("length":91,)"));
+  // Seen from 2 s before now, the 20th row, on: its first and last frame are rows of its own.
+  std::vector<bool> seen(91, true);
+  std::fill(seen.begin(), seen.begin() + 20, false);
+  EXPECT_THAT(json, HasSubstr(validItem(seen)));
+}
+
+TEST(ScenarioNetScene, AStepAtAFrameIsOfThatFrameWhateverTheRounding) {
+  const Scene scene = sampleScene();
+  for (std::size_t frame = 1; frame < scene.frame_times.size(); ++frame) {
+    for (const double shift : {-6e-7, 6e-7}) {  // s
+      Scene shifted = scene;
+      const double time = scene.frame_times[frame] + shift;
+      shifted.frame_times[frame] = shifted.ego.states[frame].time = time;
+      shifted.agents = {{"once", AgentClass::kCar, {4.0, 2.0}, {{time, {3.0, 3.0, 0.0}, {}}}}};
+      EXPECT_THAT(told(shifted, RowTimes::kEveryStep), HasSubstr(R"("object_id":"once")"))
+          << frame << " " << shift;
+    }
+  }
+}
+
+TEST(ScenarioNetScene, WhoIsOutOfSightForATimeIsZeroThere) {
+  const Scene scene = sampleScene();
+  const Track& bicycle = scene.agents.back();
+  ASSERT_EQ(bicycle.id, "bicycle");
+  const std::size_t count = scene.frame_times.size();
+  EXPECT_THAT(told(scene, RowTimes::kAsRecorded),
+              HasSubstr(statesItem(bicycle, count, [&](std::size_t row) {
+                return stateAt(bicycle, scene.frame_times[row]);
+              })));
+  EXPECT_THAT(told(scene, RowTimes::kEveryStep), HasSubstr(statesItem(bicycle, 91, [&](int row) {
+                return row % 5 == 0 ? stateAt(bicycle, scene.frame_times[row / 5])
+                                    : stateAt(bicycle, scene.frame_times[0] + row / 10.0);
+              })));
+}
+
+TEST(ScenarioNetScene, AFrameAtWhichSomebodyWasNotAnnotatedIsFilledAtStepsAlone) {
+  Scene scene = sampleScene();
+  Track& walker = scene.agents[1];
+  ASSERT_EQ(walker.id, "walker");
+  walker.states.erase(walker.states.begin() + 3);
+  std::vector<bool> seen(scene.frame_times.size(), true);
+  seen[3] = false;
+  const std::string gap = validItem(seen);
+  EXPECT_THAT(told(scene, RowTimes::kAsRecorded), HasSubstr(gap));
+  scene.agents = {walker};
+  const std::string always = validItem(std::vector<bool>(91, true));
+  const std::string json = told(scene, RowTimes::kEveryStep);
+  EXPECT_NE(json.find(always), json.rfind(always));  // of the ego and the walker
+}
+
+TEST(ScenarioNetScene, EverybodyIsToldHoweverFarAndWhoIsNeverSeenIsNot) {
+  Scene scene = sampleScene();
+  scene.agents.push_back({"before", AgentClass::kCar, {4.0, 2.0}, {{kNow - 20.0, {}, {}}}});
+  scene.agents.push_back({"between", AgentClass::kCar, {4.0, 2.0}, {{kNow + 0.25, {}, {}}}});
+  for (const RowTimes rows : {RowTimes::kEveryStep, RowTimes::kAsRecorded}) {
+    const std::string json = told(scene, rows);
+    for (const char* id : {kEgoId, "a", "walker", "bus", "bicycle"}) {
+      EXPECT_THAT(json, HasSubstr(R"("object_id":")" + std::string(id) + '"'));
+    }
+    EXPECT_THAT(json, Not(HasSubstr(R"("before")")));
+    EXPECT_THAT(json, Not(HasSubstr(R"("between")")));
+  }
+}
+
+TEST(ScenarioNetScene, TheMapIsWhole) {
+  EXPECT_THAT(told(sampleScene(), RowTimes::kEveryStep), HasSubstr(R"("far":{)"));
+}
+
+TEST(ScenarioNetScene, TheMetadataTellClockFramesAndGround) {
+  Scene scene = sampleScene();
+  auto map = std::make_shared<LaneMap>(*scene.map);
+  map->driving_side = DrivingSide::kLeft;
+  map->drivable_area = {{{{-50, -4}, {90, -4}, {90, 4}, {-50, 4}}, {}}};
+  scene.map = map;
+  std::vector<double> frames;
+  for (const double time : scene.frame_times) frames.push_back(time - scene.frame_times[0]);
+  const std::string own = inlined([&](PickleWriter& writer) {
+    writer.text("scene", "scene-0001");
+    writer.number("start", kNow - 3.0);
+    writer.array("frame_times", frames);
+    writeGround(writer, *map);
+  });
+  for (const RowTimes rows : {RowTimes::kEveryStep, RowTimes::kAsRecorded}) {
+    const std::string json = told(scene, rows);
+    EXPECT_THAT(json, HasSubstr(R"("collision_forge":)" + own));
+    EXPECT_THAT(json, HasSubstr(R"("current_time_index":0,"sdc_id":"ego")"));
+    EXPECT_THAT(json, HasSubstr("ROAD_EDGE_BOUNDARY"));
+  }
+}
+
+TEST(ScenarioNetScene, FramesWithoutTheEgoAreLeftOut) {
+  Scene scene = sampleScene();
+  scene.ego.states.erase(scene.ego.states.begin());
+  scene.ego.states.pop_back();
+  const std::string json = told(scene, RowTimes::kAsRecorded);
+  EXPECT_THAT(json, HasSubstr(R"("start":1533153455.9,)"));
+  EXPECT_THAT(json, HasSubstr(R"("length":17,)"));
+  EXPECT_THAT(told(scene, RowTimes::kEveryStep), HasSubstr(R"("length":81,)"));
+}
+
+TEST(ScenarioNetScene, AnEgoThatIsLostBetweenFramesHasNoSteps) {
+  Scene scene = sampleScene();
+  scene.ego.states.erase(scene.ego.states.begin() + 4, scene.ego.states.begin() + 7);
+  EXPECT_THAT(told(scene, RowTimes::kAsRecorded), HasSubstr(R"("length":16,)"));
+  try {
+    told(scene, RowTimes::kEveryStep);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "the ego is lost for a time in scene-0001");
+  }
+}
+
+TEST(ScenarioNetScene, ASceneWithoutAFrameOfTheEgoIsRefused) {
+  Scene scene = sampleScene();
+  scene.frame_times.clear();
+  EXPECT_THROW(told(scene, RowTimes::kEveryStep), std::runtime_error);
+  scene.frame_times = {kNow + 60.0};
+  EXPECT_THROW(told(scene, RowTimes::kAsRecorded), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace forge

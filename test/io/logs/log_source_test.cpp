@@ -1,0 +1,90 @@
+#include "collision_forge/io/logs/log_source.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "collision_forge/planner_test/settings/config.h"
+#include "io/logs/nuscenes_fixture.h"
+
+namespace forge {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const LogSource kEmbedded{COLLISION_FORGE_SOURCE_DIR "/data/embedded", ""};
+
+TEST(LogSource, TheOnlyVersionNeedsNoName) {
+  EXPECT_EQ(versionOf(kEmbedded), "v1.0-embedded");
+  EXPECT_EQ(versionOf({kEmbedded.path, "v2"}), "v2");
+}
+
+TEST(LogSource, SeveralVersionsAreNamed) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(errorOf([&] { versionOf({folder.path(), ""}); }), HasSubstr("no folder in it"));
+  folder.write("v1.0-mini/scene.json", "[]");
+  EXPECT_EQ(versionOf({folder.path(), ""}), "v1.0-mini");
+  folder.write("v1.0-trainval/scene.json", "[]");
+  EXPECT_THAT(errorOf([&] {
+                versionOf({folder.path(), ""});
+              }),
+              HasSubstr("v1.0-mini, v1.0-trainval"));
+}
+
+TEST(LogSource, ItsTitleIsShort) {
+  EXPECT_EQ((LogSource{"/logs/nuscenes", "v1.0-mini"}.title()), "v1.0-mini");
+  EXPECT_EQ((LogSource{"/logs/waymo/", ""}.title()), "waymo");
+}
+
+TEST(LogSource, WantedScenesAreInItsOrder) {
+  EXPECT_THAT(wantedScenes(kEmbedded, {"scene-0003", "scene-0001"}),
+              ElementsAre("scene-0001", "scene-0003"));
+  EXPECT_EQ(wantedScenes(kEmbedded, {}), readSceneNames(kEmbedded));
+  EXPECT_THROW(wantedScenes(kEmbedded, {"scene-9999"}), std::runtime_error);
+}
+
+Config config() { return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config"); }
+
+/// A scene of data/embedded, which has agents.
+NuScenesRecording recorded() {
+  return kEmbedded.format->open(kEmbedded, {{"scene-0001"}, config(), {}, {}})
+      ->recording("scene-0001")
+      .recording;
+}
+
+TEST(LogSource, ARecordingWhoseEgoIsFarAwayIsRefused) {
+  NuScenesRecording recording = recorded();
+  recording.ego_poses[0].translation.y() = -6e4;
+  EXPECT_THAT(errorOf<InputError>([&] { keepWithin(recording, config(), nullptr); }),
+              testing::AllOf(HasSubstr("scene-0001: ego: states[0].y"), HasSubstr("-50000")));
+}
+
+TEST(LogSource, WhatIsBeyondTheLimitsIsNotInARecording) {
+  NuScenesRecording recording = recorded();
+  const std::string id = recording.frames[0].annotations.at(0).instance;
+  const auto countOf = [&](bool is_it) {
+    std::ptrdiff_t count = 0;
+    for (const NuScenesFrame& frame : recording.frames) {
+      count += std::count_if(
+          frame.annotations.begin(), frame.annotations.end(),
+          [&](const auto& annotation) { return (annotation.instance == id) == is_it; });
+    }
+    return count;
+  };
+  const std::ptrdiff_t others = countOf(false);
+  std::vector<std::string> warnings;
+  keepWithin(recording, config(), &warnings);
+  EXPECT_THAT(warnings, testing::IsEmpty());
+  ASSERT_GT(countOf(true), 1);
+  recording.frames[0].annotations[0].translation.x() = 1e12;
+  keepWithin(recording, config(), &warnings);
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("first: " + id)));
+  EXPECT_EQ(countOf(true), 0);
+  EXPECT_EQ(countOf(false), others);
+}
+
+}  // namespace
+}  // namespace forge

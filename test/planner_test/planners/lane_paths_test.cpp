@@ -1,0 +1,42 @@
+#include "collision_forge/planner_test/planners/lane_paths.h"
+
+#include <gtest/gtest.h>
+
+namespace forge {
+namespace {
+
+/// 0 - 1 - 2, then 3 or 4, each a metre on; 5 leads to 1, too.
+LaneGraph fork() {
+  return {{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {3.0, 0.0}, {2.0, 1.0}, {1.0, -1.0}},
+          {{0, 1}, {1, 2}, {2, 3}, {2, 4}, {5, 1}}};
+}
+
+TEST(NodePaths, FollowEveryBranchInTheOrderOfTheEdges) {
+  EXPECT_EQ(nodePaths(fork(), 0, PathDirection::kAhead, 10.0, 9),
+            (std::vector<NodePath>{{0, 1, 2, 3}, {0, 1, 2, 4}}));
+}
+
+TEST(NodePaths, EndWhenTheyAreLongEnough) {
+  EXPECT_EQ(nodePaths(fork(), 0, PathDirection::kAhead, 1.5, 9),
+            (std::vector<NodePath>{{0, 1, 2}}));
+  EXPECT_EQ(nodePaths(fork(), 0, PathDirection::kAhead, 0.0, 9), (std::vector<NodePath>{{0}}));
+}
+
+TEST(NodePaths, LeadBackToo) {
+  EXPECT_EQ(nodePaths(fork(), 2, PathDirection::kBehind, 10.0, 9),
+            (std::vector<NodePath>{{2, 1, 0}, {2, 1, 5}}));
+}
+
+TEST(NodePaths, AreNoMoreThanAskedFor) {
+  EXPECT_EQ(nodePaths(fork(), 0, PathDirection::kAhead, 10.0, 1),
+            (std::vector<NodePath>{{0, 1, 2, 3}}));
+}
+
+TEST(NodePaths, GoRoundACircle) {
+  const LaneGraph circle({{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}, {{0, 1}, {1, 2}, {2, 0}});
+  EXPECT_EQ(nodePaths(circle, 0, PathDirection::kAhead, 4.0, 9),
+            (std::vector<NodePath>{{0, 1, 2, 0, 1}}));
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,122 @@
+#include "collision_forge/planner_test/report/attack_record.h"
+
+#include <gmock/gmock.h>
+
+#include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/planner_test/trials/planner_result_file.h"
+#include "planner_test/report/decoded_motion.h"
+#include "planner_test/report/report_scenes.h"
+
+namespace forge {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+VerificationOptions shippedOptions() {
+  return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").attack.verification;
+}
+
+TEST(AttackRecord, TellsTheLimitsThatTheRequestAsksFor) {
+  Scenario scenario = rearEnd();
+  const VerificationOptions options = shippedOptions();
+  EXPECT_THAT(attackRecord(scenario, scenario.answer, {}, options), HasSubstr(R"("of":"car")"));
+  scenario.asked.request.crash.limits = LimitSet::kStrict;
+  EXPECT_THAT(attackRecord(scenario, scenario.answer, {}, options), HasSubstr(R"("of":"strict")"));
+}
+
+TEST(AttackRecord, HasWhatTheRecordingSaysWhereThatIsKnown) {
+  const Scenario scenario = rearEnd();
+  const VerificationOptions options = shippedOptions();
+  EXPECT_THAT(attackRecord(scenario, scenario.answer, {}, options), Not(HasSubstr("recorded\":{")));
+  EXPECT_THAT(attackRecord(scenario, scenario.answer, RecordedOutcome(), options),
+              HasSubstr(R"("recorded":{"verified":false,"contact":false)"));
+}
+
+/// Of two equal cars at 10 s after kNow: the ego at 4 m/s is hit from behind at 8 m/s.
+ShownCrash crash() {
+  const BoxSize size{4.0, 2.0};
+  const double time = kNow + 10.0;
+  return {PostCrashMotion({AgentClass::kCar, size, {time, {20.0, 0.0, 0.0}, {4.0, 0.0}}},
+                          {AgentClass::kCar, size, {time, {16.0, 0.0, 0.0}, {8.0, 0.0}}},
+                          shippedOptions().drivable),
+          2.0};
+}
+
+TEST(AttackRecord, HasTheMotionAfterTheContactUpToSomeSecondsAfterTheStand) {
+  const Scenario scenario = rearEnd();
+  const auto record = [&](const RecordedOutcome& recorded) {
+    return attackRecord(scenario, scenario.answer, recorded, shippedOptions());
+  };
+  EXPECT_THAT(record({}), Not(HasSubstr("\"crash\":")));
+  const std::string line = record({{}, crash()});
+  EXPECT_THAT(line, HasSubstr(R"("crash":{"ego":{"t":[10000,100)"));
+  EXPECT_THAT(line, HasSubstr(R"("attacker":{"t":[10000,100)"));
+  const auto motionOf = [&](const std::string& who) {
+    const std::size_t begin = line.find('"' + who + "\":{", line.find("\"crash\":"));
+    return decodedMotion(line.substr(begin, line.find('}', begin) - begin));
+  };
+  const DecodedMotion ego = motionOf("ego");
+  const DecodedMotion attacker = motionOf("attacker");
+  const PostCrashMotion motion = crash().motion;
+  EXPECT_NEAR(ego.t.back(), motion.standTime() + 2.0 - kNow, 1e-3);
+  for (std::size_t i = 0; i < ego.t.size(); ++i) {
+    EXPECT_NEAR(ego.x[i], motion.egoAt(kNow + ego.t[i]).pose.x, 0.02);
+    EXPECT_NEAR(attacker.x[i], motion.attackerAt(kNow + attacker.t[i]).pose.x, 0.02);
+  }
+}
+
+TEST(AttackRecord, TellsAllOfTheReportThatTheScenarioFileDoes) {
+  const Scenario scenario = rearEnd();
+  const std::string line = scenarioLine(scenario);
+  const std::size_t begin = line.find("\"report\":{");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string report = line.substr(begin, line.find(",\"alternatives\"", begin) - begin);
+  EXPECT_THAT(attackRecord(scenario, scenario.answer, {}, shippedOptions()), HasSubstr(report));
+}
+
+TEST(PlannerRecord, TellsAllThatTheFileOfResultsDoes) {
+  PlannerTestResult result;
+  result.avoidability = {true, {EvasiveManoeuvre::kBraking}, EvasiveManoeuvre::kBoth, 1.5, 0.25};
+  PlannerRow row;
+  row.escape = result.avoidability;
+  result.rows = {row};
+  const std::string line = plannerResultLine(result);
+  const std::size_t begin = line.find("\"avoidability\":{");
+  const std::size_t rows = line.find("\"planners\":[{");
+  ASSERT_NE(rows, std::string::npos);
+  const std::string record = plannerRecord(result, row, {});
+  EXPECT_THAT(record, HasSubstr(line.substr(begin, rows - begin)));
+  const std::string fields = line.substr(line.find('{', rows) + 1);
+  EXPECT_THAT(record, HasSubstr(fields.substr(0, fields.size() - 3)));  // without }]}
+}
+
+TEST(PlannerRecord, HasTheMotionWhereItWasDrivenAgain) {
+  PlannerTestResult result;
+  result.now = kNow;
+  PlannerRow row;
+  row.outcome.contact = PlannerContact();
+  row.outcome.contact->time = kNow + 1.5;
+  EXPECT_THAT(plannerRecord(result, row, {}),
+              AllOf(HasSubstr(R"("t":1.5)"), Not(HasSubstr("drive\":"))));
+  ShownTest shown{row.outcome};
+  shown.driven->driven = rearEnd().answer.trajectory.points;
+  EXPECT_THAT(plannerRecord(result, row, shown),
+              AllOf(HasSubstr(R"("drive":{"ego":{"t":[0,100)"), Not(HasSubstr("\"escape\":{"))));
+  EXPECT_THAT(plannerRecord(result, row, shown), Not(HasSubstr("\"crash\":")));
+  shown.crash = crash();
+  EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("crash":{"ego":{"t":[10000,100)"));
+  shown.escape = Escape{{EvasiveManoeuvre::kBraking, kNow + 1.0, shown.driven->driven, 0.0}, {}};
+  EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("escape":{"t":[0,100)"));
+}
+
+TEST(PlannerRecord, LinksToPictures) {
+  ShownTest shown;
+  shown.pictures = {{"The hit", "../worst/idm_fixed_1.gif"}};
+  EXPECT_THAT(plannerRecord(PlannerTestResult(), PlannerRow(), shown),
+              HasSubstr(R"("pictures":[{"name":"The hit","link":"../worst/idm_fixed_1.gif"}])"));
+}
+
+}  // namespace
+}  // namespace forge

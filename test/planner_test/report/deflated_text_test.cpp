@@ -1,0 +1,30 @@
+#include "collision_forge/planner_test/report/deflated_text.h"
+
+#include <gmock/gmock.h>
+
+namespace forge {
+namespace {
+
+TEST(DeflatedText, IsBase64InWholeGroupsOfFour) {
+  for (const char* text : {"", "a", "ab", "abc", "abcd"}) {
+    const std::string packed = deflatedText(text);
+    EXPECT_EQ(packed.size() % 4, 0u) << text;
+    EXPECT_EQ(
+        packed.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
+                                 "+/="),
+        std::string::npos)
+        << text;
+  }
+}
+
+TEST(DeflatedText, IsWhatZlibMakes) {
+  // python3: base64.b64encode(zlib.compress(b'hello', 9))
+  EXPECT_EQ(deflatedText("hello"), "eNrLSM3JyQcABiwCFQ==");
+}
+
+TEST(DeflatedText, MakesRepetitionsShort) {
+  EXPECT_LT(deflatedText(std::string(100000, '1')).size(), 400u);
+}
+
+}  // namespace
+}  // namespace forge

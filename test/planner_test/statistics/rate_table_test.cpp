@@ -1,0 +1,54 @@
+#include "collision_forge/planner_test/statistics/rate_table.h"
+
+#include <gtest/gtest.h>
+
+namespace forge {
+namespace {
+
+TEST(RateTable, MarkdownHasPercentIntervalsAndTrials) {
+  RateTable table;
+  table.measure.title = "Title";
+  table.methods = {"a", "b"};
+  table.groups = {"RE", "all"};
+  table.rates = {{{0, 0.0, {}}, {200, 0.8125, Interval{0.776, 0.844}}},
+                 {{0, 0.0, {}}, {200, 1.0, Interval{1.0, 1.0}}}};
+  EXPECT_EQ(toMarkdown(table),
+            "Title, %\n\n| method | RE | all |\n|---|---|---|\n| a | - | 81.2 [78, 84] |\n"
+            "| b | - | 100.0 [100, 100] |\n| of | 0 | 200 |\n");
+  table.rates[1][1].trials = 150;
+  const std::string text = toMarkdown(table);
+  EXPECT_NE(text.find("| of, a | 0 | 200 |\n| of, b | 0 | 150 |\n"), std::string::npos) << text;
+}
+
+TEST(RateTable, AnotherUnitHasItsNameAndScale) {
+  RateTable table;
+  table.measure.title = "Speed";
+  table.methods = {"a"};
+  table.groups = {"all"};
+  table.rates = {{{3, 7.25, Interval{5.0, 9.0}}}};
+  EXPECT_EQ(toMarkdown(table, {"m/s", 1.0}),
+            "Speed, m/s\n\n| method | all |\n|---|---|\n| a | 7.2 [5, 9] |\n| of | 3 |\n");
+}
+
+TEST(RateTable, OneSceneIsShownWithoutAnInterval) {
+  RateTable table;
+  table.measure.name = "hits";
+  table.methods = {"a"};
+  table.groups = {"all"};
+  table.rates = {{{20, 0.85, {}}}};
+  EXPECT_NE(toMarkdown(table).find("| a | 85.0 |\n"), std::string::npos);
+  EXPECT_EQ(toCsv(table), "hits,a,all,20,0.8500,,\n");
+}
+
+TEST(RateTable, CsvHasALineAMethodAndGroup) {
+  RateTable table;
+  table.measure.name = "hits";
+  table.methods = {"a"};
+  table.groups = {"RE", "all"};
+  table.rates = {{{0, 0.0, {}}, {200, 0.8125, Interval{0.776, 0.844}}}};
+  EXPECT_EQ(rateCsvHeader(), "measure,method,group,trials,value,low,high");
+  EXPECT_EQ(toCsv(table), "hits,a,RE,0,,,\nhits,a,all,200,0.8125,0.7760,0.8440\n");
+}
+
+}  // namespace
+}  // namespace forge

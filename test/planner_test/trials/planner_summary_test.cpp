@@ -1,0 +1,103 @@
+#include "collision_forge/planner_test/trials/planner_summary.h"
+
+#include <gtest/gtest.h>
+
+namespace forge {
+namespace {
+
+PlannerRow row(const std::string& planner, std::optional<double> impact_speed) {
+  PlannerRow found{planner, {}, {}};
+  if (impact_speed) {
+    PlannerContact contact;
+    contact.is_attacker = true;
+    contact.impact_speed = *impact_speed;
+    found.outcome.contact = contact;
+  }
+  return found;
+}
+
+PlannerTestResult result(const std::string& name, const std::string& scene,
+                         std::vector<PlannerRow> rows) {
+  PlannerTestResult one;
+  one.name = name;
+  one.scene = scene;
+  one.status = "OK";
+  one.rows = std::move(rows);
+  return one;
+}
+
+PlannerSummary summaryOf(const std::vector<PlannerTestResult>& results) {
+  return summarizePlanners(results, {"idm"}).at(0);
+}
+
+TEST(PlannerSummary, CountsScenesCasesAndHits) {
+  const PlannerSummary summary =
+      summaryOf({result("s:1", "a", {row("idm", 4.0)}), result("s:2", "a", {row("idm", {})}),
+                 result("s:3", "b", {row("idm", 6.0)})});
+  EXPECT_EQ(summary.scenes, 2);
+  EXPECT_EQ(summary.cases, 3);
+  EXPECT_EQ(summary.hits, 2);
+}
+
+TEST(PlannerSummary, NamesTheCaseOfTheHardestHit) {
+  const PlannerSummary summary =
+      summaryOf({result("s:1", "a", {row("idm", 4.0)}), result("s:2", "a", {row("idm", 9.0)}),
+                 result("s:3", "b", {row("idm", 6.0)})});
+  ASSERT_TRUE(summary.worst);
+  EXPECT_DOUBLE_EQ(summary.worst->speed, 9.0);
+  EXPECT_EQ(summary.worst->case_name, "s:2");
+}
+
+TEST(PlannerSummary, CountsAsAvoidableOnlyHitsThatCouldBeEscaped) {
+  std::vector<PlannerTestResult> results = {result("s:1", "a", {row("idm", 4.0)}),
+                                            result("s:2", "a", {row("idm", 9.0)}),
+                                            result("s:3", "a", {row("idm", {})})};
+  results[0].rows[0].is_fair = false;
+  EXPECT_EQ(summaryOf(results).avoidable, 1);
+}
+
+TEST(PlannerSummary, CountsAContactWithSomebodyElseAsNoHit) {
+  PlannerTestResult one = result("s:1", "a", {row("idm", 4.0)});
+  one.rows[0].outcome.contact->is_attacker = false;
+  EXPECT_EQ(summaryOf({one}).hits, 0);
+  EXPECT_FALSE(summaryOf({one}).worst);
+}
+
+TEST(PlannerSummary, CountsAFailureAsACaseWithoutAHit) {
+  PlannerTestResult one = result("s:1", "a", {row("idm", 4.0)});
+  one.rows[0].outcome.failure = PlannerFailure::kOffMap;
+  const PlannerSummary summary = summaryOf({one});
+  EXPECT_EQ(summary.cases, 1);
+  EXPECT_EQ(summary.failures, 1);
+  EXPECT_EQ(summary.hits, 0);
+}
+
+TEST(PlannerSummary, LeavesOutCasesThatWereNotTested) {
+  PlannerTestResult one = result("s:1", "a", {row("idm", 4.0)});
+  one.status = kUnfit;
+  EXPECT_EQ(summaryOf({one}).cases, 0);
+}
+
+TEST(PlannerSummary, TellsPoliciesOfAnAttackerApart) {
+  PlannerRow adaptive = row("idm", 4.0);
+  adaptive.attacker.policy = PolicyKind::kAdaptive;
+  const std::string name = rowName("idm", PolicyKind::kAdaptive);
+  const auto summaries =
+      summarizePlanners({result("s:1", "a", {row("idm", {}), adaptive})}, {"idm", name});
+  ASSERT_EQ(summaries.size(), 2u);
+  EXPECT_EQ(summaries[0].hits, 0);
+  EXPECT_EQ(summaries[1].hits, 1);
+  EXPECT_EQ(summaries[1].planner, name);
+}
+
+TEST(PlannerSummary, HasALineForEachPlannerUnderTitles) {
+  const auto summaries = summarizePlanners(
+      {result("s:1", "a", {row("idm", 4.06), row("rule_based", {})})}, {"idm", "rule_based"});
+  EXPECT_EQ(summaryText(summaries, {{"idm", 0.126}}),
+            "planner     scenes  cases  hit  avoidable  failed  ms a call  worst impact\n"
+            "idm              1      1    1          1       0       0.13  4.1 m/s in s:1\n"
+            "rule_based       1      1    0          0       0          -  -\n");
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,151 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <torch/cuda.h>
+
+#include "collision_forge/planner_test/planners/planner_contract.h"
+#include "planner_test/worker/script_files.h"
+
+namespace forge {
+namespace {
+
+using testing::HasSubstr;
+
+/// What a file is refused with; empty when it is not.
+std::string refusalOf(const TorchscriptOptions& options) {
+  try {
+    PlannerWorker worker(options);
+    return "";
+  } catch (const PlannerFileError& error) {
+    return error.what();
+  }
+}
+
+/// Refused by the file's name, in one line, and with these words.
+void expectRefusal(const TorchscriptOptions& options, const std::vector<std::string>& words) {
+  const std::string refusal = refusalOf(options);
+  EXPECT_THAT(refusal, testing::StartsWith(options.file + ": "));
+  EXPECT_THAT(refusal, testing::Not(HasSubstr("\n")));
+  for (const std::string& word : words) EXPECT_THAT(refusal, HasSubstr(word));
+}
+
+void expectRefusal(const std::string& body, const std::vector<std::string>& words,
+                   const std::string& arguments = kContractArguments) {
+  expectRefusal(ScriptFile(body, arguments).options(), words);
+}
+
+TEST(PlannerModule, TakesAFileOfTheContract) {
+  EXPECT_EQ(refusalOf(ScriptFile(kConstantVelocity).options()), "");
+}
+
+TEST(PlannerModule, TakesFurtherInputsThatHaveDefaults) {
+  const std::string more = std::string(kContractArguments) + ", gain: float = 2.0";
+  EXPECT_EQ(refusalOf(ScriptFile(kConstantVelocity, more).options()), "");
+}
+
+TEST(PlannerModule, RefusesAFileThatIsNotThere) {
+  const TemporaryFolder folder;
+  expectRefusal(ScriptFile::optionsOf(folder.path() + "/nothing.pt"), {"cannot be read"});
+}
+
+TEST(PlannerModule, RefusesNoFile) {
+  TorchscriptOptions options = ScriptFile::optionsOf("");
+  EXPECT_THAT(refusalOf(options), HasSubstr("torchscript.file"));
+}
+
+TEST(PlannerModule, RefusesWhatIsNoTorchScript) {
+  const TemporaryFolder folder;
+  for (const std::string& content : {std::string(), std::string("PK\3\4 no archive")}) {
+    expectRefusal(ScriptFile::optionsOf(folder.write("text.pt", content)),
+                  {"is no TorchScript file"});
+  }
+  expectRefusal(ScriptFile::optionsOf(folder.path()), {"is no TorchScript file"});
+}
+
+TEST(PlannerModule, RefusesATornFile) {
+  const ScriptFile file(kConstantVelocity);
+  std::filesystem::resize_file(file.path(), std::filesystem::file_size(file.path()) / 2);
+  expectRefusal(file.options(), {"is no TorchScript file"});
+}
+
+TEST(PlannerModule, RefusesAModuleWithoutForward) {
+  const TemporaryFolder folder;
+  torch::jit::Module module("Planner");
+  module.define("def drive(self, x):\n    return x\n");
+  module.save(folder.path() + "/planner.pt");
+  expectRefusal(ScriptFile::optionsOf(folder.path() + "/planner.pt"), {"has no forward()"});
+}
+
+TEST(PlannerModule, RefusesOtherInputsByTheirNames) {
+  const std::string body = "    return torch.zeros([80, 3])\n";
+  expectRefusal(body, {"no input route"},
+                "self, ego_history, agents, agents_mask, lanes, lanes_mask");
+  expectRefusal(body, {"input 3", "others", "agents_mask"},
+                "self, ego_history, agents, others, lanes, lanes_mask, route");
+  expectRefusal(body, {"input route", "int", "Tensor"},
+                "self, ego_history, agents, agents_mask, lanes, lanes_mask, route: int");
+  expectRefusal(body, {"an input more", "goal"}, std::string(kContractArguments) + ", goal");
+}
+
+TEST(PlannerModule, RefusesAnOutputOfAnotherShape) {
+  expectRefusal("    return torch.zeros([80, 2])\n", {"output", "[80, 2]", "[80, 3]"});
+  expectRefusal("    return torch.zeros([1, 80, 3])\n", {"output", "[1, 80, 3]", "[80, 3]"});
+}
+
+TEST(PlannerModule, RefusesAnOutputOfAnotherType) {
+  expectRefusal("    return torch.zeros([80, 3]).double()\n", {"output", "Double"});
+  expectRefusal("    return torch.zeros([80, 3]).long()\n", {"output", "Long"});
+  expectRefusal("    return (torch.zeros([80, 3]), torch.zeros([1]))\n", {"output", "Tuple"});
+}
+
+TEST(PlannerModule, RefusesAnOutputThatIsNotFinite) {
+  expectRefusal("    return torch.zeros([80, 3]) / 0.0\n", {"output", "not finite"});
+  expectRefusal("    return torch.zeros([80, 3]) + agents.sum() / agents_mask.sum()\n",
+                {"output", "not finite", "nothing around the ego"});
+}
+
+TEST(PlannerModule, RefusesOneThatWantsOtherShapes) {
+  expectRefusal(
+      "    return torch.zeros([80, 3]) + torch.matmul(agents, torch.zeros([7, 1])).sum()\n",
+      {"forward() throws", "RuntimeError"});
+}
+
+TEST(PlannerModule, RefusesOneThatNeverEndsLoading) {
+  const ScriptFile file(
+      "    i = 0\n"
+      "    while bool(ego_history[-1, 3] < 5.0):\n"
+      "        i += 1\n"
+      "    return torch.zeros([80, 3])\n");
+  TorchscriptOptions options = file.options();
+  options.start_timeout = 4.0;
+  expectRefusal(options, {"no answer within 4"});
+}
+
+TEST(PlannerModule, RefusesADeviceThatIsNotThere) {
+  if (torch::cuda::is_available()) GTEST_SKIP() << "there is a CUDA device";
+  const ScriptFile file(kConstantVelocity);
+  TorchscriptOptions options = file.options();
+  options.device = "cuda";
+  expectRefusal(options, {"cuda"});
+  options.device = "auto";
+  EXPECT_EQ(refusalOf(options), "");
+}
+
+TEST(PlannerModule, ForgetsAndDrawsTheSameInEveryRollout) {
+  const ScriptFile file(
+      "    self.count += 1.0\n"
+      "    return torch.rand([80, 3]) + self.count\n");
+  PlannerWorker worker(file.options());
+  const std::vector<float> inputs(kContractNumbers);
+  const auto rollout = [&] {
+    worker.begin();
+    const auto first = worker.plan(inputs);
+    return std::pair(first, worker.plan(inputs));
+  };
+  const auto before = rollout();
+  EXPECT_GT(before.second[0], before.first[0] - 1.0);
+  EXPECT_NE(before.first, before.second);
+  EXPECT_EQ(rollout(), before);
+}
+
+}  // namespace
+}  // namespace forge

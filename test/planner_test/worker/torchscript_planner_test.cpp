@@ -1,0 +1,151 @@
+#include "collision_forge/planner_test/planners/torchscript_planner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "collision_forge/planner_test/planners/planner_factory.h"
+#include "planner_test/trials/rollout_scenes.h"
+#include "planner_test/worker/script_files.h"
+
+namespace forge {
+namespace {
+
+constexpr double kAttackerSpeed = 5.0;  // m/s
+
+/// Drives far ahead of the ego for three seconds.
+AttackerTrajectory farAttacker() {
+  AttackerTrajectory attacker{"attacker", AgentClass::kCar, kCarSize, {}};
+  for (int i = 0; i <= 30; ++i) {
+    attacker.points.push_back(
+        {kNow + 0.1 * i, {100.0 + 0.1 * i * kAttackerSpeed, 0.0, 0.0}, kAttackerSpeed, 0.0, 0.0});
+  }
+  return attacker;
+}
+
+RolloutOutcome driveWith(const TorchscriptOptions& options, double ego_speed) {
+  PlannerOptions planners = shippedConfig().planners;
+  planners.torchscript = options;
+  const PlannerUnderTest made = makePlanner("torchscript", planners, "attacker");
+  return rollout(*made.planner, made.driving, roadScenario(ego_speed, farAttacker()),
+                 shippedSetup());
+}
+
+/// `throwing` from 2 m/s on, which no try before driving has.
+std::string whenDriving(const std::string& throwing) {
+  return "    if bool(ego_history[-1, 3] > 2.0):\n        " + throwing + "\n" + kConstantVelocity;
+}
+
+TEST(TorchscriptPlanner, PlansAsTheFileSaysInTheFrameOfTheEgo) {
+  const ScriptFile file(kConstantVelocity);
+  TorchscriptPlanner planner(file.options(), shippedConfig().planners.route_centerline);
+  planner.initialize(taskOn(threeLaneRoad()));
+  const Pose2 ego{3.0, 1.0, 0.5};
+  const auto plan = planner.plan({egoAt(ego, 6.0), {}});
+  ASSERT_EQ(plan.size(), 81u);
+  EXPECT_EQ(plan.front().time, 0.0);
+  EXPECT_NEAR(plan.back().time, 8.0, 1e-9);
+  for (const TrajectoryPoint& point : plan) {
+    const Pose2 expected = compose(ego, {6.0 * point.time, 0.0, 0.0});
+    EXPECT_LT((point.pose.position() - expected.position()).norm(), 1e-4);
+    EXPECT_NEAR(point.pose.yaw, 0.5, 1e-5);
+    EXPECT_NEAR(point.speed, 6.0, 1e-3);
+  }
+}
+
+TEST(TorchscriptPlanner, RemembersWhereTheEgoWas) {
+  // It stands for a frame of the contract, then answers with where the ego was then.
+  const ScriptFile file(
+      "    was = ego_history[-2]\n"
+      "    return was[5] * was[0:3].expand(80, 3)\n");
+  TorchscriptPlanner planner(file.options(), shippedConfig().planners.route_centerline);
+  planner.initialize(taskOn(threeLaneRoad()));
+  TrajectoryPoint ego = egoAt({0.0, 0.0, 0.0}, 4.0);
+  EXPECT_NEAR(planner.plan({ego, {}})[1].pose.x, 0.0, 1e-6);
+  ego.time = 0.25;
+  ego.pose.x = 1.0;
+  EXPECT_NEAR(planner.plan({ego, {}})[1].pose.x, 1.0, 1e-6);
+  ego.time = 0.5;
+  ego.pose.x = 3.0;
+  EXPECT_NEAR(planner.plan({ego, {}})[1].pose.x, 0.0, 1e-6);
+  planner.initialize(taskOn(threeLaneRoad()));
+  EXPECT_NEAR(planner.plan({ego, {}})[1].pose.x, 3.0, 1e-6);
+}
+
+TEST(TorchscriptPlanner, DrivesARollout) {
+  const ScriptFile file(kConstantVelocity);
+  const RolloutOutcome outcome = driveWith(file.options(), 6.0);
+  EXPECT_EQ(outcome.failure, PlannerFailure::kNone) << outcome.failure_message;
+  EXPECT_NEAR(outcome.progress, 18.0, 0.2);
+}
+
+TEST(TorchscriptPlanner, DrivesTheSameAgain) {
+  const ScriptFile file(
+      "    self.count += 0.01\n"
+      "    noise = torch.rand([80, 3]).cumsum(0) * 0.01 + self.count\n"
+      "    times = 0.1 * torch.arange(1, 81).float()\n"
+      "    return noise + torch.stack([6.0 * times, 0.0 * times, 0.0 * times], 1)\n");
+  const TorchscriptOptions options = file.options();
+  const RolloutOutcome first = driveWith(options, 6.0);
+  for (const TorchscriptOptions& other : {options, file.options()}) {
+    const RolloutOutcome again = driveWith(other, 6.0);
+    EXPECT_EQ(again.driven.back().pose.x, first.driven.back().pose.x);
+    EXPECT_EQ(again.driven.back().pose.y, first.driven.back().pose.y);
+  }
+}
+
+TEST(TorchscriptPlanner, FailsWhereTheFileThrows) {
+  const ScriptFile file(whenDriving("assert False, 'no idea'"));
+  const RolloutOutcome outcome = driveWith(file.options(), 6.0);
+  EXPECT_EQ(outcome.failure, PlannerFailure::kError);
+  EXPECT_THAT(outcome.failure_message, testing::HasSubstr(file.path()));
+  EXPECT_THAT(outcome.failure_message, testing::HasSubstr("no idea"));
+}
+
+TEST(TorchscriptPlanner, FailsWhereTheOutputChangesItsShape) {
+  const ScriptFile file(whenDriving("return torch.zeros([79, 3])"));
+  const RolloutOutcome outcome = driveWith(file.options(), 6.0);
+  EXPECT_EQ(outcome.failure, PlannerFailure::kError);
+  EXPECT_THAT(outcome.failure_message, testing::HasSubstr("[79, 3]"));
+}
+
+TEST(TorchscriptPlanner, FailsWhereANumberIsNone) {
+  const ScriptFile file(whenDriving("return torch.zeros([80, 3]) / 0.0"));
+  EXPECT_EQ(driveWith(file.options(), 6.0).failure, PlannerFailure::kNotFinite);
+}
+
+TEST(TorchscriptPlanner, TimesOutInAnEndlessLoop) {
+  const ScriptFile file(
+      whenDriving("while bool(ego_history[-1, 3] > 1.0):\n            self.count += 1.0"));
+  TorchscriptOptions options = file.options();
+  options.timeout = 0.5;
+  const RolloutOutcome outcome = driveWith(options, 6.0);
+  EXPECT_EQ(outcome.failure, PlannerFailure::kTimedOut);
+  EXPECT_THAT(outcome.failure_message, testing::HasSubstr(file.path()));
+  EXPECT_EQ(outcome.plans, 1);
+  EXPECT_EQ(driveWith(options, 1.5).failure, PlannerFailure::kNone) << "with a new process";
+}
+
+TEST(TorchscriptPlanner, LoadsAFileAnewThatWasWrittenAnew) {
+  const ScriptFile file(kConstantVelocity);
+  const TorchscriptOptions options = file.options();
+  EXPECT_GT(driveWith(options, 6.0).progress, 17.0);
+  scriptOf("    return torch.zeros([80, 3])\n").save(file.path());
+  EXPECT_LT(driveWith(options, 6.0).progress, 16.0);
+}
+
+TEST(TorchscriptPlanner, DrivesInManyThreads) {
+  const ScriptFile file(kConstantVelocity);
+  const TorchscriptOptions options = file.options();
+  std::vector<double> progress(3);
+  std::vector<std::thread> threads;
+  for (double& one : progress) {
+    threads.emplace_back([&] { one = driveWith(options, 6.0).progress; });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const double one : progress) EXPECT_EQ(one, progress.front());
+}
+
+}  // namespace
+}  // namespace forge

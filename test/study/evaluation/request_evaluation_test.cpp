@@ -1,0 +1,390 @@
+#include "collision_forge/study/evaluation/request_evaluation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision_forge/attack/search/request_list.h"
+#include "collision_forge/attack/verify/believability.h"
+#include "collision_forge/attack/verify/strict_outcome.h"
+#include "collision_forge/io/answers/request_answerer.h"
+#include "collision_forge/io/weights/pattern_network_file.h"
+#include "collision_forge/study/settings/study_config.h"
+
+namespace forge {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string kDataroot = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
+const std::vector<std::string> kHistoryMethods = {
+    "constant_velocity", "nominal", "search_full_definitions", "replay_full_definitions"};
+const std::vector<std::string> kAnyDrivingMethods = {
+    "constant_velocity",  "nominal",
+    "search_angle_bands", "search_full_definitions",
+    "replay_angle_bands", "replay_full_definitions"};
+
+bool meets(const ResultRow& row, const std::string& name) {
+  const auto& measures = measuresOf(Protocol::kStrict);
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    if (measures[i].name == name) return row.meets[i];
+  }
+  throw std::out_of_range(name);
+}
+
+const ResultRow& rowOf(const EvaluatedRequest& evaluated, const std::string& method) {
+  return *std::find_if(evaluated.rows.begin(), evaluated.rows.end(),
+                       [&](const ResultRow& row) { return row.method == method; });
+}
+
+std::vector<std::string> linesOf(const EvaluatedRequest& evaluated) {
+  std::vector<std::string> lines;
+  for (const ResultRow& row : evaluated.rows) lines.push_back(toCsv(row));
+  return lines;
+}
+
+class RequestEvaluationTest : public testing::Test {
+ protected:
+  RequestEvaluationTest() { plan_.method = "search"; }
+
+  const IndexedScene& scene(const std::string& name) { return *(held_ = scenes_.at(name)); }
+
+  /// A request 4 s after the first frame of scene-0001.
+  SceneRequest asked(CollisionType type) {
+    SceneRequest request{"scene-0001", scene("scene-0001").scene.frame_times.at(8), {}};
+    request.request.type = type;
+    request.request.tta = 4.0;
+    return request;
+  }
+
+  EvaluatedRequest evaluate(const SceneRequest& request) {
+    return RequestEvaluator(scenes_, config_, {}, builtInMethods(), plan_).evaluate("7", request);
+  }
+
+  /// The strict outcome of an attack against the recording.
+  StrictOutcome outcomeOf(const SceneRequest& request, const AttackerTrajectory& trajectory) {
+    const auto moment = std::get<Moment>(momentAt(scene(request.scene), request.now, 8));
+    CollisionRequest judged = request.request;
+    judged.crash = config_.crash;
+    judged.crash.limits = plan_.limits;
+    judged.crash.believable = plan_.believable;
+    return strictOutcome(trajectory, {moment.snapshot, *moment.recorded, judged, *moment.lanes},
+                         config_.attack.verification);
+  }
+
+  StudyConfig config_ = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
+  SceneSource scenes_{{kDataroot, "v1.0-embedded"}, {"scene-0001", "scene-0007"}, config_, 1};
+  std::shared_ptr<const IndexedScene> held_;
+  EvaluationPlan plan_;
+};
+
+TEST_F(RequestEvaluationTest, RowsAreThoseOfTheMethodsAndSeeds) {
+  plan_.seeds = 2;
+  SceneRequest request = asked(CollisionType::kLaneChange);
+  request.request.seed = 5;
+  const EvaluatedRequest evaluated = evaluate(request);
+  std::vector<std::string> expected = {"constant_velocity 5", "nominal 5"};
+  std::vector<std::string> timed;
+  for (std::size_t i = 2; i < kHistoryMethods.size(); ++i) {
+    for (const char* seed : {" 5", " 6"}) expected.push_back(kHistoryMethods[i] + seed);
+    timed.insert(timed.end(), 2, kHistoryMethods[i]);
+  }
+  std::vector<std::string> found;
+  for (const ResultRow& row : evaluated.rows) {
+    found.push_back(row.method + " " + std::to_string(row.seed));
+    EXPECT_EQ(row.name, "7");
+    EXPECT_EQ(row.scene, "scene-0001");
+    EXPECT_EQ(row.type, CollisionType::kLaneChange);
+    EXPECT_EQ(row.tta, 4.0);
+  }
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(evaluated.rows.size(), rowsPerRequest(plan_));
+  ASSERT_EQ(evaluated.times.size(), timed.size());
+  for (std::size_t i = 0; i < timed.size(); ++i) {
+    EXPECT_EQ(evaluated.times[i].method, timed[i]);
+    EXPECT_GT(evaluated.times[i].milliseconds, 0.01);
+  }
+}
+
+TEST_F(RequestEvaluationTest, ReplayPlansSearchOnceAColumnAndBaselinesNever) {
+  EXPECT_EQ(requestRowMethods(plan_), kHistoryMethods);
+  EXPECT_THAT(attackingRowMethods(plan_),
+              ElementsAre("search_full_definitions", "replay_full_definitions"));
+  plan_.believable = false;
+  EXPECT_EQ(requestRowMethods(plan_), kAnyDrivingMethods);
+  plan_.mode = Mode::kReplay;
+  EXPECT_THAT(
+      requestRowMethods(plan_),
+      ElementsAre("constant_velocity", "nominal", "search_angle_bands", "search_full_definitions"));
+  EXPECT_EQ(rowsPerRequest(plan_), 4u);
+  EXPECT_EQ(
+      rowOf(evaluate(asked(CollisionType::kLaneChange)), "search_full_definitions").confidence,
+      1.0);
+  plan_.method = "nominal";
+  EXPECT_THAT(requestRowMethods(plan_), ElementsAre("constant_velocity", "nominal"));
+  EXPECT_EQ(evaluate(asked(CollisionType::kLaneChange)).rows.size(), rowsPerRequest(plan_));
+}
+
+TEST_F(RequestEvaluationTest, SearchesAreTheAnswerersWithTheirRulesAgainstTheRecording) {
+  int answered = 0;
+  for (const CollisionType type : kCollisionTypes) {
+    const SceneRequest request = asked(type);
+    plan_.believable = type == CollisionType::kRearEnd;
+    plan_.limits = plan_.believable ? LimitSet::kDrivable : LimitSet::kStrict;
+    const EvaluatedRequest evaluated = evaluate(request);
+    for (const auto& [rules, column] : {std::pair(TypeRules::kAngle, "angle_bands"),
+                                        std::pair(TypeRules::kFull, "full_definitions")}) {
+      if (plan_.believable && rules == TypeRules::kAngle) continue;
+      for (const auto& [mode, name] :
+           {std::pair(Mode::kHistory, "search_"), std::pair(Mode::kReplay, "replay_")}) {
+        CrashDefinition crash = config_.crash;
+        crash.rules = rules;
+        crash.limits = plan_.limits;
+        crash.believable = plan_.believable;
+        crash.min_confidence = 0.0;
+        SceneRequest in_mode = request;
+        in_mode.request.mode = mode;
+        const Realization answer =
+            RequestAnswerer(scenes_, {"search", builtInMethods(), config_.attack, {}}, crash,
+                            config_.ego_vehicle, config_.adaptive)
+                .answer(in_mode)
+                .answer;
+        const ResultRow& row = rowOf(evaluated, std::string(name) + column);
+        EXPECT_EQ(row.status, toString(answer.status.code));
+        if (answer.status.code != StatusCode::kOk) {
+          EXPECT_EQ(row.note, answer.status.message);
+          EXPECT_THAT(row.meets, testing::Each(false));
+          continue;
+        }
+        ++answered;
+        const StrictOutcome outcome = outcomeOf(request, answer.trajectory);
+        EXPECT_EQ(meets(row, "angle_bands"), outcome.meetsAngleBands());
+        EXPECT_EQ(meets(row, "full_definitions"), outcome.meetsFullDefinitions());
+        EXPECT_EQ(row.contact_after.has_value(), outcome.report.contact);
+        EXPECT_EQ(row.confidence, answer.report.confidence);
+        EXPECT_TRUE(mode == Mode::kHistory || meets(row, column));
+        ASSERT_TRUE(row.request->attack);
+        EXPECT_EQ(row.request->attack->attacker_id, answer.trajectory.attacker_id);
+        EXPECT_EQ(row.request->attack->road.on_lane, answer.report.road.on_lane);
+        EXPECT_EQ(row.request->believable.has_value(), outcome.report.contact);
+        if (!outcome.report.contact) continue;
+        EXPECT_EQ(*row.request->believable, outcome.report.believable());
+      }
+    }
+  }
+  EXPECT_GT(answered, 8);
+}
+
+TEST_F(RequestEvaluationTest, AdaptiveAttackersStandBesideTheFixedOnes) {
+  plan_.mode = Mode::kHistory;
+  const EvaluatedRequest fixed = evaluate(asked(CollisionType::kLaneChange));
+  plan_.mode = Mode::kAdaptive;
+  EXPECT_THAT(requestRowMethods(plan_),
+              ElementsAre("constant_velocity", "nominal", "adaptive_full_definitions",
+                          "search_full_definitions", "replay_full_definitions"));
+  const EvaluatedRequest evaluated = evaluate(asked(CollisionType::kLaneChange));
+  ASSERT_EQ(evaluated.rows.size(), rowsPerRequest(plan_));
+  EXPECT_EQ(toCsv(rowOf(evaluated, "search_full_definitions")),
+            toCsv(rowOf(fixed, "search_full_definitions")));
+  const ResultRow& row = rowOf(evaluated, "adaptive_full_definitions");
+  ASSERT_EQ(row.status, "OK") << row.note;
+  EXPECT_TRUE(meets(row, "limits_kept"));
+  EXPECT_EQ(row.request->attack.has_value(), meets(row, "contact"));
+  const auto looks = std::count_if(
+      evaluated.times.begin(), evaluated.times.end(),
+      [](const SearchTime& time) { return time.method == "adaptive, a look at a frame"; });
+  EXPECT_GT(looks, 4);
+}
+
+TEST_F(RequestEvaluationTest, ConfiguredCrashChangesNothingButByThePlan) {
+  const SceneRequest request = asked(CollisionType::kRearEnd);
+  const EvaluatedRequest shipped = evaluate(request);
+  ASSERT_EQ(rowOf(shipped, "search_full_definitions").status, "OK");
+  config_.crash.min_confidence = 1.0;
+  config_.crash.limits = LimitSet::kStrict;
+  config_.crash.believable = false;
+  config_.crash.rules = TypeRules::kAngle;
+  EXPECT_EQ(linesOf(evaluate(request)), linesOf(shipped));
+}
+
+TEST_F(RequestEvaluationTest, BaselinesOfAnyAttackerMeetWhatOneOfTheCandidatesMeets) {
+  plan_.method = "nominal";
+  int met = 0;
+  for (const CollisionType type : kCollisionTypes) {
+    for (const double tta : {2.0, 4.0}) {
+      SceneRequest request = asked(type);
+      request.request.tta = tta;
+      const EvaluatedRequest any = evaluate(request);
+      const Snapshot snapshot =
+          std::get<Moment>(momentAt(scene("scene-0001"), request.now, 8)).snapshot;
+      for (const char* measure : {"angle_bands", "full_definitions", "contact"}) {
+        for (const char* method : {"constant_velocity", "nominal"}) {
+          bool by_one = false;
+          for (const Track& agent : snapshot.agents) {
+            request.request.attacker = agent.id;
+            const EvaluatedRequest named = evaluate(request);
+            by_one = by_one ||
+                     (rowOf(named, method).status == "OK" && meets(rowOf(named, method), measure));
+          }
+          EXPECT_EQ(meets(rowOf(any, method), measure), by_one) << toString(type) << method;
+          met += by_one;
+        }
+      }
+    }
+  }
+  EXPECT_GT(met, 10);
+}
+
+TEST_F(RequestEvaluationTest, BaselinesAreHeldToTheStrictLimitsAlone) {
+  int kept = 0;
+  for (const CollisionType type : kCollisionTypes) {
+    for (const double tta : {2.0, 4.0, 6.0}) {
+      SceneRequest request = asked(type);
+      request.request.tta = tta;
+      plan_.method = "nominal";
+      plan_.believable = true;
+      plan_.limits = LimitSet::kDrivable;
+      const EvaluatedRequest by_default = evaluate(request);
+      plan_.believable = false;
+      plan_.limits = LimitSet::kStrict;
+      EXPECT_EQ(linesOf(evaluate(request)), linesOf(by_default));
+      for (const ResultRow& row : by_default.rows) {
+        kept += meets(row, "contact") && meets(row, "limits_kept");
+        EXPECT_FALSE(row.request->attack);
+      }
+    }
+  }
+  EXPECT_GT(kept, 0);
+}
+
+TEST_F(RequestEvaluationTest, RowsTellWhetherTheRoadAllowsTheRequest) {
+  int allowed = 0;
+  int refused = 0;
+  for (const CollisionType type : kCollisionTypes) {
+    const SceneRequest request = asked(type);
+    const auto moment = std::get<Moment>(momentAt(scene(request.scene), request.now, 8));
+    CollisionRequest judged = request.request;
+    judged.crash = config_.crash;
+    const bool allows = roadAllows(moment.recorded->ego, request.now, judged, *moment.lanes,
+                                   config_.attack.verification.believability);
+    (allows ? allowed : refused) += 1;
+    for (const ResultRow& row : evaluate(request).rows) {
+      EXPECT_EQ(row.request->road_allows, allows);
+      const bool knows = row.method == "replay_full_definitions";
+      EXPECT_FALSE(knows && !allows && row.status == "OK");
+    }
+  }
+  EXPECT_GT(allowed, 0);
+  EXPECT_GT(refused, 0);
+}
+
+TEST_F(RequestEvaluationTest, NobodyToAttackLeavesBaselinesWithoutAnAnswer) {
+  config_.attack.prediction.candidate_radius = 0.1;
+  const EvaluatedRequest evaluated = evaluate(asked(CollisionType::kRearEnd));
+  ASSERT_FALSE(evaluated.rows.empty());
+  for (const ResultRow& row : evaluated.rows) {
+    EXPECT_EQ(row.status, "NO_CANDIDATE") << row.method;
+    EXPECT_THAT(row.note, HasSubstr("candidate_radius"));
+    EXPECT_THAT(row.meets, testing::Each(false));
+  }
+}
+
+TEST_F(RequestEvaluationTest, RequestsThatNobodyCanAnswerHaveTheirStatusInEveryRow) {
+  std::vector<std::pair<SceneRequest, std::string>> impossible(
+      3, {asked(CollisionType::kRearEnd), "UNKNOWN_ATTACKER"});
+  impossible[0].first.request.attacker = "nobody";
+  impossible[1].first.now += 0.1;
+  impossible[1].second = "NO_SCENE";
+  impossible[2].first.now = scene("scene-0001").scene.frame_times.back();
+  impossible[2].second = "BEYOND_RECORDING";
+  for (const auto& [request, status] : impossible) {
+    const EvaluatedRequest evaluated = evaluate(request);
+    EXPECT_EQ(evaluated.rows.size(), rowsPerRequest(plan_));
+    for (const ResultRow& row : evaluated.rows) {
+      EXPECT_EQ(row.status, status) << row.method;
+      EXPECT_THAT(row.meets, testing::Each(false));
+      EXPECT_FALSE(row.note.empty());
+      EXPECT_FALSE(row.confidence);
+    }
+  }
+}
+
+TEST_F(RequestEvaluationTest, OwnShareOffTheRoadIsThatOfTheRecordedTrackUpToTheContact) {
+  plan_.method = "nominal";
+  RequestListOptions list = config_.requests;
+  list.types = {CollisionType::kJunctionCrossing};
+  list.ttas = {4.0, 6.0};
+  list.attackers = Attackers::kEach;
+  const RequestEvaluator evaluator(scenes_, config_, {}, builtInMethods(), plan_);
+  const IndexedScene& indexed = scene("scene-0007");
+  int off_road = 0;
+  int not_recorded = 0;
+  for (const SceneRequest& request :
+       listRequests(indexed.scene, list, config_.attack.prediction, config_.crash.time_tolerance)) {
+    const auto own =
+        std::find_if(indexed.scene.agents.begin(), indexed.scene.agents.end(),
+                     [&](const Track& agent) { return agent.id == *request.request.attacker; });
+    const EvaluatedRequest evaluated = evaluator.evaluate("1", request);
+    for (const ResultRow& row : evaluated.rows) {
+      EXPECT_EQ(row.off_road_share.has_value(), row.contact_after.has_value());
+      if (!row.contact_after) continue;
+      double sum = 0.0;
+      int poses = 0;
+      bool is_recorded = own->states.back().time >= request.now + *row.contact_after;
+      for (double after = 0.0; after <= *row.contact_after; after += 0.5, ++poses) {
+        const auto state = stateAt(*own, request.now + after);
+        is_recorded = is_recorded && state;
+        if (state) sum += indexed.lanes->offRoadShare({state->pose, own->size}).value();
+      }
+      ASSERT_EQ(row.own_off_road_share.has_value(), is_recorded);
+      if (!is_recorded) {
+        ++not_recorded;
+        continue;
+      }
+      EXPECT_NEAR(*row.own_off_road_share, sum / poses, 1e-6);
+      off_road += sum > 0.0;
+    }
+  }
+  EXPECT_GT(off_road, 0);
+  EXPECT_GT(not_recorded, 0);
+}
+
+TEST_F(RequestEvaluationTest, NetworkIsARowOfItsOwnAndItsSearchNamedAfterIt) {
+  const SceneRequest request = listRequests(scene("scene-0001").scene, config_.requests,
+                                            config_.attack.prediction, config_.crash.time_tolerance)
+                                   .at(20);
+  const Foresight foresight = loadForesight(config_);
+  plan_.method = "network";
+  plan_.is_seeded = false;
+  EXPECT_EQ(requestRowMethods(plan_),
+            (std::vector<std::string>{"constant_velocity", "nominal", "network"}));
+  EXPECT_EQ(RequestEvaluator(scenes_, config_, foresight, builtInMethods(), plan_)
+                .evaluate("7", request)
+                .rows.size(),
+            rowsPerRequest(plan_));
+  plan_.method = "network+search";
+  plan_.is_seeded = true;
+  EXPECT_EQ(requestRowMethods(plan_).at(2), "network+search_full_definitions");
+  EXPECT_EQ(RequestEvaluator(scenes_, config_, foresight, builtInMethods(), plan_)
+                .evaluate("7", request)
+                .rows.size(),
+            rowsPerRequest(plan_));
+  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, builtInMethods(), plan_),
+               std::invalid_argument);
+}
+
+TEST_F(RequestEvaluationTest, OtherProtocolsAndMethodsAreRefused) {
+  plan_.method = "recorded";
+  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, builtInMethods(), plan_),
+               std::invalid_argument);
+  plan_.method = "search";
+  plan_.protocol = Protocol::kPublished;
+  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, builtInMethods(), plan_),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace forge

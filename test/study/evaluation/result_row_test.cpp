@@ -1,0 +1,180 @@
+#include "collision_forge/study/evaluation/result_row.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace forge {
+namespace {
+
+ResultRow sampleRow() {
+  ResultRow row;
+  row.name = "data_hcis_v4.5_x";
+  row.scene = "scene-0001";
+  row.type = CollisionType::kLtap;
+  row.tta = 2.5;
+  row.method = "search";
+  row.seed = 3;
+  row.status = "OK";
+  row.meets = {true, false};
+  row.contact_after = -0.1;
+  row.relative_heading = M_PI / 4.0;
+  row.confidence = 0.75;
+  row.off_road_share = 0.123456;
+  row.own_off_road_share = 0.0;
+  row.note = "max_speed 26.000 > 25.000";
+  return row;
+}
+
+TEST(ResultRow, LineHoldsWhatTheHeaderSays) {
+  EXPECT_EQ(csvHeader(Protocol::kPublished),
+            "name,scene,type,tta,method,seed,status,collision,similar,contact_after,"
+            "relative_heading,confidence,off_road_share,own_off_road_share,note");
+  EXPECT_EQ(toCsv(sampleRow()),
+            "data_hcis_v4.5_x,scene-0001,ltap,2.5,search,3,OK,1,0,-0.100,45.00,0.7500,"
+            "0.1235,0.0000,max_speed 26.000 > 25.000");
+}
+
+TEST(ResultRow, RequestsHaveMoreColumns) {
+  ResultRow row = sampleRow();
+  row.request.emplace();
+  const std::string header = csvHeader(Protocol::kPublished, RowsOf::kRequests);
+  EXPECT_NE(header.find(",own_off_road_share,road_allows,believable,attacker,"), std::string::npos);
+  const auto commas = [](const std::string& line) {
+    return std::count(line.begin(), line.end(), ',');
+  };
+  EXPECT_EQ(commas(toCsv(row)), commas(header));
+  auto copy = rowFromCsv(toCsv(row), Protocol::kPublished);
+  ASSERT_TRUE(copy && copy->request);
+  EXPECT_FALSE(copy->request->road_allows);
+  EXPECT_FALSE(copy->request->believable);
+  EXPECT_FALSE(copy->request->attack);
+  row.request->road_allows = true;
+  row.request->believable = false;
+  row.request->attack.emplace().least_gap = 1.5;
+  EXPECT_EQ(commas(toCsv(row)), commas(header));
+  copy = rowFromCsv(toCsv(row), Protocol::kPublished);
+  ASSERT_TRUE(copy && copy->request && copy->request->attack);
+  EXPECT_EQ(copy->request->road_allows, true);
+  EXPECT_EQ(copy->request->believable, false);
+  EXPECT_EQ(copy->request->attack->least_gap, 1.5);
+  EXPECT_EQ(copy->note, row.note);
+  EXPECT_EQ(toCsv(*copy), toCsv(row));
+  EXPECT_FALSE(rowFromCsv(toCsv(sampleRow()), Protocol::kPublished)->request);
+}
+
+TEST(ResultRow, NamesThatWouldBreakTheLineAreRefused) {
+  ResultRow row = sampleRow();
+  row.scene = "scene, the first";
+  EXPECT_THROW(toCsv(row), std::runtime_error);
+}
+
+TEST(ResultRow, ReadsBackAsItself) {
+  const auto row = rowFromCsv(toCsv(sampleRow()), Protocol::kPublished);
+  ASSERT_TRUE(row);
+  EXPECT_EQ(row->name, "data_hcis_v4.5_x");
+  EXPECT_EQ(row->scene, "scene-0001");
+  EXPECT_EQ(row->type, CollisionType::kLtap);
+  EXPECT_EQ(row->tta, 2.5);
+  EXPECT_EQ(row->method, "search");
+  EXPECT_EQ(row->seed, 3u);
+  EXPECT_EQ(row->status, "OK");
+  EXPECT_EQ(row->meets, (std::vector<bool>{true, false}));
+  EXPECT_EQ(row->contact_after, -0.1);
+  EXPECT_NEAR(*row->relative_heading, M_PI / 4.0, 1e-9);
+  EXPECT_EQ(row->confidence, 0.75);
+  EXPECT_EQ(row->off_road_share, 0.1235);
+  EXPECT_EQ(row->own_off_road_share, 0.0);
+  EXPECT_EQ(row->note, "max_speed 26.000 > 25.000");
+}
+
+TEST(ResultRow, RoundedRowIsWrittenTheSameAgain) {
+  ResultRow row = sampleRow();
+  for (int i = 0; i < 1000; ++i) {
+    row.contact_after = std::sin(0.1 * i) * 7.0;
+    row.relative_heading = std::cos(0.37 * i) * M_PI;
+    const std::string line = toCsv(row);
+    ASSERT_EQ(toCsv(*rowFromCsv(line, Protocol::kPublished)), line);
+  }
+}
+
+TEST(ResultRow, NoContactLeavesItsColumnsEmpty) {
+  ResultRow row = sampleRow();
+  row.contact_after.reset();
+  row.relative_heading.reset();
+  row.confidence.reset();
+  row.off_road_share.reset();
+  row.own_off_road_share.reset();
+  row.note.clear();
+  const auto copy = rowFromCsv(toCsv(row), Protocol::kPublished);
+  ASSERT_TRUE(copy);
+  EXPECT_FALSE(copy->contact_after);
+  EXPECT_FALSE(copy->relative_heading);
+  EXPECT_FALSE(copy->confidence);
+  EXPECT_FALSE(copy->off_road_share);
+  EXPECT_FALSE(copy->own_off_road_share);
+}
+
+TEST(ResultRow, CommasOfATextDoNotBreakTheRow) {
+  ResultRow row = sampleRow();
+  row.note = "a, b\nc";
+  const auto copy = rowFromCsv(toCsv(row), Protocol::kPublished);
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(copy->note, "a; b c");
+}
+
+TEST(ResultRow, OtherLinesAreNoRows) {
+  const std::string line = toCsv(sampleRow());
+  EXPECT_FALSE(rowFromCsv("", Protocol::kPublished));
+  EXPECT_FALSE(rowFromCsv(csvHeader(Protocol::kPublished), Protocol::kPublished));
+  EXPECT_FALSE(rowFromCsv(line, Protocol::kStrict));
+  ResultRow turned = sampleRow();
+  turned.relative_heading = 2.0 * M_PI;
+  EXPECT_FALSE(rowFromCsv(toCsv(turned), Protocol::kPublished)) << "no heading";
+  ResultRow sure = sampleRow();
+  sure.confidence = 1e12;
+  EXPECT_FALSE(rowFromCsv(toCsv(sure), Protocol::kPublished)) << "no confidence";
+  EXPECT_FALSE(rowFromCsv(line.substr(0, line.find(",0,-0.1")), Protocol::kPublished));
+  std::string other = line;
+  EXPECT_FALSE(rowFromCsv(other.replace(other.find("ltap"), 4, "xyzw"), Protocol::kPublished));
+  other = line;
+  EXPECT_FALSE(rowFromCsv(other.replace(other.find("2.5"), 3, "two"), Protocol::kPublished));
+  other = line;
+  EXPECT_FALSE(rowFromCsv(other.replace(other.find("OK,1"), 4, "OK,2"), Protocol::kPublished));
+  other = line;
+  EXPECT_FALSE(rowFromCsv(other.replace(other.find("45.00"), 5, "north"), Protocol::kPublished));
+}
+
+TEST(ResultRow, HeaderHasTheMeasuresOfTheProtocol) {
+  for (const Protocol protocol : {Protocol::kPublished, Protocol::kStrict}) {
+    for (const Measure& measure : measuresOf(protocol)) {
+      EXPECT_NE(csvHeader(protocol).find("," + measure.name + ","), std::string::npos);
+      EXPECT_LT(measure.given.value_or(0), measuresOf(protocol).size());
+    }
+  }
+}
+
+TEST(ReadResultRows, GivesTheRowsOfOneItem) {
+  const std::string line = toCsv(sampleRow());
+  const auto rows =
+      readResultRows("here", line + "\n" + line, Protocol::kPublished, sampleRow().name);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(toCsv(rows[1]), line);
+}
+
+TEST(ReadResultRows, NamesTheLineThatIsNotOfTheItem) {
+  const std::string line = toCsv(sampleRow());
+  for (const auto& [lines, name] :
+       {std::pair{line, std::string("another")}, std::pair{line + "\nx", sampleRow().name}}) {
+    try {
+      readResultRows("results.csv: line 2", lines, Protocol::kPublished, name);
+      FAIL() << lines;
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(std::string(error.what()).find("results.csv: line 2: \""), 0u) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace forge

@@ -1,0 +1,272 @@
+#include "collision_forge/study/generators/mid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "study/generators/sample_traffic.h"
+
+namespace forge {
+namespace {
+
+std::shared_ptr<TrafficGenerator> makeSeeded(const GeneratorOptions& options) {
+  torch::manual_seed(0);
+  return makeMid(options.c_mid, options.traffic, torch::kCPU);
+}
+
+TrafficBatch sampleHistory(const std::vector<TrafficClip>& clips, const TrafficOptions& options) {
+  return historyOf(sampleBatch(clips, options), options.history_frames);
+}
+
+/// Sample clips that swerve after now, every second one, of another type, to the right.
+std::vector<TrafficClip> swervingClips(const TrafficOptions& options, int count) {
+  std::vector<TrafficClip> clips = sampleClips(options, count);
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    if (i % 2 == 1) clips[i].type = CollisionType::kJunctionCrossing;
+    for (AgentFrames& frames : clips[i].agents) {
+      for (std::size_t t = 8; t < frames.size(); ++t) {
+        frames[t]->y += (i % 2 == 0 ? 0.3 : -0.3) * std::pow(static_cast<double>(t) - 7.0, 2);
+      }
+    }
+  }
+  return clips;
+}
+
+/// Puts the numbers of one network into another of the same sizes.
+void copyNetwork(const TrafficGenerator& from, TrafficGenerator& to) {
+  const torch::NoGradGuard no_gradients;
+  const auto source = from.network()->parameters();
+  const auto sink = to.network()->parameters();
+  for (std::size_t i = 0; i < source.size(); ++i) sink[i].copy_(source[i]);
+}
+
+bool areEqual(const TrafficGenerator& a, const TrafficGenerator& b) {
+  const auto first = a.network()->parameters();
+  const auto second = b.network()->parameters();
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (!torch::equal(first[i], second[i])) return false;
+  }
+  return true;
+}
+
+TEST(NoiseSchedule, IsThatOfThePaper) {
+  const NoiseSchedule schedule = noiseSchedule(shippedConfig().generators.c_mid);
+  ASSERT_EQ(schedule.alpha_bar.size(), 101u);
+  EXPECT_EQ(schedule.alpha_bar[0], 1.0);
+  EXPECT_DOUBLE_EQ(schedule.beta[1], 1e-4);
+  EXPECT_DOUBLE_EQ(schedule.beta[100], 5e-2);
+  // of MID's models/diffusion.py, linear
+  EXPECT_NEAR(schedule.alpha_bar[1], 0.9999, 1e-4);
+  EXPECT_NEAR(schedule.alpha_bar[20], 0.9066, 1e-4);
+  EXPECT_NEAR(schedule.alpha_bar[50], 0.5338, 1e-4);
+  EXPECT_NEAR(schedule.alpha_bar[100], 0.0782, 1e-4);
+}
+
+TEST(Mid, HasTheSizeOfThePublishedOneAtItsSizes) {
+  GeneratorOptions options = blindOptions();
+  options.c_mid.width = 512;
+  options.c_mid.layers = 3;
+  options.c_mid.heads = 4;
+  options.c_mid.feed_forward = 1024;
+  options.c_mid.encoder = 128;
+  const auto mid = makeMid(options.c_mid, options.traffic, torch::kCPU);
+  long count = 0;
+  for (const torch::Tensor& parameter : mid->network()->parameters()) count += parameter.numel();
+  // 6,940,432 of MID's denoiser and 142,336 of its two LSTMs; 6 numbers more into gate and shift
+  // of each layer's outputs
+  EXPECT_EQ(count, 6940432 + 142336 + 6 * 2 * (512 + 256 + 128 + 2));
+}
+
+TEST(Mid, LearnsAHandfulOfClipsByHeart) {
+  GeneratorOptions options = blindOptions();
+  options.c_mid.dropout = 0.0;
+  options.c_mid.encoder_dropout = 0.0;
+  options.c_mid.encoder = 32;
+  options.c_mid.width = 64;
+  options.c_mid.layers = 1;
+  const auto mid = makeSeeded(options);
+  std::vector<TrafficClip> clips;  // each four times, for so many steps of the diffusion at once
+  for (int i = 0; i < 4; ++i) {
+    for (const TrafficClip& clip : swervingClips(options.traffic, 4)) clips.push_back(clip);
+  }
+  const TrafficBatch batch = sampleBatch(clips, options.traffic);
+  EXPECT_GT(driveError(*mid, batch, options.traffic), 1.0);
+  mid->network()->train();
+  for (int step = 0; step < 500; ++step) {
+    const std::vector<double> losses = mid->trainStep(batch);
+    ASSERT_EQ(losses.size(), mid->lossNames().size());
+    ASSERT_TRUE(std::isfinite(losses[0]));
+  }
+  EXPECT_LT(driveError(*mid, batch, options.traffic), 0.5) << "by DDIM";
+  options.c_mid.sampling_steps = options.c_mid.diffusion_steps;
+  const auto slow = makeSeeded(options);
+  copyNetwork(*mid, *slow);
+  EXPECT_LT(driveError(*slow, batch, options.traffic), 0.5) << "by DDPM";
+}
+
+TEST(Mid, DrawsByItsNoiseAlone) {
+  const GeneratorOptions options = blindOptions();
+  const auto mid = makeSeeded(options);
+  const TrafficBatch history = sampleHistory(sampleClips(options.traffic, 2), options.traffic);
+  const torch::Tensor first = mid->predict(history, noiseOf(5));
+  EXPECT_TRUE(torch::equal(first, mid->predict(history, noiseOf(5))));
+  EXPECT_FALSE(torch::equal(first, mid->predict(history, noiseOf(6))));
+}
+
+TEST(Mid, StaysFiniteWithAllStepsAndWithFewer) {
+  GeneratorOptions options = blindOptions();
+  const TrafficBatch history = sampleHistory(sampleClips(options.traffic, 2), options.traffic);
+  for (const int steps : {1, 5, 50, 100}) {
+    options.c_mid.sampling_steps = steps;
+    const torch::Tensor driven = makeSeeded(options)->predict(history, noiseOf(5));
+    EXPECT_EQ(driven.size(2), options.traffic.future_frames);
+    EXPECT_TRUE(driven.isfinite().all().item<bool>()) << steps;
+  }
+}
+
+TEST(Mid, TurnsAndMovesWithItsScene) {
+  const GeneratorOptions options = blindOptions();
+  const auto mid = makeSeeded(options);
+  const TrafficBatch history = sampleHistory(sampleClips(options.traffic, 2), options.traffic);
+  const double angle = 2.0;
+  const torch::Tensor turn =
+      torch::tensor({std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle)})
+          .view({2, 2})
+          .to(torch::kFloat);
+  const torch::Tensor shift = torch::tensor({30.0f, -20.0f});
+  const auto moved = [&](const torch::Tensor& poses) {
+    return torch::cat({poses.slice(3, 0, 2).matmul(turn) + shift, poses.slice(3, 2) + angle}, 3);
+  };
+  TrafficBatch elsewhere = history;
+  elsewhere.poses = moved(history.poses);
+  const torch::Tensor expected = moved(mid->predict(history, noiseOf(5)));
+  const torch::Tensor driven = mid->predict(elsewhere, noiseOf(5));
+  const torch::Tensor apart = driven - expected;
+  EXPECT_LT(apart.slice(3, 0, 2).abs().max().item<double>(), 1e-3);
+  EXPECT_LT((apart.slice(3, 2) / 2.0).sin().abs().max().item<double>(), 1e-3);
+}
+
+TEST(Mid, WhoWasNotSeenThroughoutIsNobodysNeighbour) {
+  const GeneratorOptions options = blindOptions();
+  const auto mid = makeSeeded(options);
+  std::vector<TrafficClip> clips = sampleClips(options.traffic, 1);
+  const auto driven = [&] {
+    const TrafficBatch history = batchOf({{&clips[0], 7}}, options.traffic, 0);
+    return mid->predict(history, noiseOf(5)).slice(1, 0, 2).clone();
+  };
+  const auto drivenWith = [&](double x) {
+    for (auto& pose : clips[0].agents[2]) {
+      if (pose) pose->x = x;
+    }
+    return driven();
+  };
+  const torch::Tensor alone = driven();
+  clips[0].agents.push_back(clips[0].agents[1]);
+  clips[0].agents[2][0].reset();
+  EXPECT_TRUE(torch::equal(drivenWith(3.0), alone));
+  EXPECT_TRUE(torch::equal(drivenWith(40.0), alone));
+  clips[0].agents[2][0] = clips[0].agents[2][1];
+  const torch::Tensor in_company = drivenWith(40.0);
+  EXPECT_FALSE(torch::equal(drivenWith(3.0), in_company));
+}
+
+TEST(Mid, SeesNeighboursWithinReachAlone) {
+  const GeneratorOptions options = blindOptions();
+  const auto mid = makeSeeded(options);
+  std::vector<TrafficClip> clips = sampleClips(options.traffic, 1);
+  const auto egoWithAttackerAt = [&](double y) {
+    for (auto& pose : clips[0].agents[kAttackerAgent]) pose->y = y;
+    const TrafficBatch history = batchOf({{&clips[0], 7}}, options.traffic, 0);
+    return mid->predict(history, noiseOf(5)).select(1, kEgoAgent).clone();
+  };
+  const double reach = options.c_mid.neighbour_reach;
+  EXPECT_FALSE(torch::equal(egoWithAttackerAt(0.3 * reach), egoWithAttackerAt(0.4 * reach)));
+  EXPECT_TRUE(torch::equal(egoWithAttackerAt(1.3 * reach), egoWithAttackerAt(1.4 * reach)));
+}
+
+TEST(Mid, IsToldTheTypeAndTheTime) {
+  const GeneratorOptions options = blindOptions();
+  const auto mid = makeSeeded(options);
+  const TrafficBatch history = sampleHistory(sampleClips(options.traffic, 1), options.traffic);
+  const torch::Tensor driven = mid->predict(history, noiseOf(5));
+  for (int number = 0; number < kConditionNumbers; ++number) {
+    TrafficBatch other = history;
+    other.condition = history.condition.clone();
+    other.condition.select(1, number) += 0.5;
+    EXPECT_FALSE(torch::equal(mid->predict(other, noiseOf(5)), driven)) << number;
+  }
+}
+
+TEST(Mid, FramesThatNobodyKnowsTeachNothing) {
+  const GeneratorOptions options = blindOptions();
+  const auto trainedWith = [&](double x) {
+    TrafficBatch batch = sampleBatch(sampleClips(options.traffic, 2), options.traffic);
+    batch.seen.select(2, options.traffic.history_frames + 1).zero_();
+    batch.seen.select(1, kEgoAgent).slice(1, options.traffic.history_frames).zero_();
+    const torch::Tensor hidden = 1.0 - batch.seen.unsqueeze(3);
+    batch.poses = batch.poses + hidden * x;
+    const auto mid = makeSeeded(options);
+    torch::manual_seed(3);
+    mid->network()->train();
+    mid->trainStep(batch);
+    return mid;
+  };
+  EXPECT_FALSE(areEqual(*trainedWith(0.0), *makeSeeded(options)));
+  EXPECT_TRUE(areEqual(*trainedWith(0.0), *trainedWith(7.0)));
+}
+
+TEST(Mid, TheAttackerCountsMore) {
+  GeneratorOptions options = blindOptions();
+  const TrafficBatch batch = sampleBatch(sampleClips(options.traffic, 2), options.traffic);
+  const auto lossWith = [&](double weight) {
+    options.c_mid.attacker_weight = weight;
+    const auto mid = makeSeeded(options);
+    torch::manual_seed(3);
+    return mid->trainStep(batch)[0];
+  };
+  const double attackers = lossWith(1e6);
+  const double others = lossWith(1e-6);
+  ASSERT_GT(std::abs(attackers - others), 1e-3);
+  // one attacker for one other: means of the two, by their weights
+  EXPECT_NEAR(lossWith(1.0), 0.5 * attackers + 0.5 * others, 1e-4);
+  EXPECT_NEAR(lossWith(3.0), 0.75 * attackers + 0.25 * others, 1e-4);
+}
+
+TEST(Mid, GoesOnWithTrainingAsIfItHadNotStopped) {
+  const GeneratorOptions options = blindOptions();
+  const TrafficBatch batch = sampleBatch(sampleClips(options.traffic, 2), options.traffic);
+  const auto mid = makeSeeded(options);
+  mid->trainStep(batch);
+  const auto other = makeSeeded(options);
+  copyNetwork(*mid, *other);
+  std::stringstream file;
+  torch::serialize::OutputArchive written;
+  mid->saveTraining(written);
+  written.save_to(file);
+  torch::serialize::InputArchive read;
+  read.load_from(file);
+  other->loadTraining(read);
+  torch::manual_seed(3);
+  mid->trainStep(batch);
+  torch::manual_seed(3);
+  other->trainStep(batch);
+  EXPECT_TRUE(areEqual(*mid, *other));
+}
+
+TEST(Mid, ThrowsWhereItsNumbersAreNotFinite) {
+  const GeneratorOptions options = blindOptions();
+  const auto mid = makeSeeded(options);
+  const TrafficBatch batch = sampleBatch(sampleClips(options.traffic, 1), options.traffic);
+  {
+    const torch::NoGradGuard no_gradients;
+    mid->network()->parameters().back().fill_(std::numeric_limits<float>::quiet_NaN());
+  }
+  EXPECT_THROW(mid->predict(historyOf(batch, options.traffic.history_frames), noiseOf(5)),
+               std::runtime_error);
+  EXPECT_THROW(mid->trainStep(batch), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace forge
