@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 #include <string>
 
-#include "collision_forge/io/export/crash_writer.h"
+#include "collision_forge/io/export/export_formats.h"
 #include "collision_forge/io/logs/scenario_net_logs.h"
 #include "io/logs/nuscenes_fixture.h"
 #include "properties/plane_change.h"

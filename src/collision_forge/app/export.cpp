@@ -11,7 +11,7 @@
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/output.h"
 #include "collision_forge/io/batch/run.h"
-#include "collision_forge/io/export/crash_writer.h"
+#include "collision_forge/io/export/export_formats.h"
 #include "collision_forge/io/json/json_line.h"
 #include "collision_forge/planner_test/settings/config_fingerprint.h"
 

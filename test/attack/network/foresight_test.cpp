@@ -1,4 +1,4 @@
-#include "collision_forge/attack/network/foresight.h"
+#include "collision_forge/attack/network/network_ego_futures.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@ namespace {
 
 std::vector<Track> sampled(const Foresight& foresight) {
   const Snapshot snapshot = junctionSnapshot();
-  return foresight.egoFutures(shippedEgoFutureOptions())
-      ->sample(snapshot, lanesOf(snapshot), 6.0, 32, 0);
+  return NetworkEgoFutures(shippedEgoFutureOptions(), foresight)
+      .sample(snapshot, lanesOf(snapshot), 6.0, 32, 0);
 }
 
 bool areSame(const std::vector<Track>& a, const std::vector<Track>& b) {

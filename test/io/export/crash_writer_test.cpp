@@ -1,4 +1,4 @@
-#include "collision_forge/io/export/crash_writer.h"
+#include "collision_forge/io/export/export_formats.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

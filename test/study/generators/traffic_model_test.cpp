@@ -1,4 +1,4 @@
-#include "collision_forge/study/generators/traffic_model.h"
+#include "collision_forge/study/generators/make_traffic_model.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

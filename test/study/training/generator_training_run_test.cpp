@@ -6,6 +6,7 @@
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/study/settings/study_config.h"
 #include "collision_forge/study/training/run_folder.h"
+#include "collision_forge/study/training/train.h"
 #include "io/collide/collide_fixture.h"
 #include "io/logs/nuscenes_fixture.h"
 

@@ -4,11 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "collision_forge/attack/forecast/ego_futures.h"
 #include "collision_forge/attack/forecast/speed_forecaster.h"
 #include "collision_forge/attack/network/pattern_network.h"
-#include "collision_forge/attack/search/options.h"
-#include "collision_forge/attack/search/pattern_predictor.h"
+#include "collision_forge/base/scene/collision_type.h"
 
 namespace forge {
 
@@ -25,9 +23,6 @@ struct Foresight {
   Foresight withoutNetwork() const { return {speeds, nullptr, std::nullopt, unseen_scene}; }
   /// For a scene on test: models that know nothing of it, where there are any.
   Foresight withoutScene(const std::string& scene) const;
-
-  std::shared_ptr<const EgoFutureSampler> egoFutures(const EgoFutureOptions& options) const;
-  std::unique_ptr<const PatternPredictor> patterns(const AttackOptions& options) const;
 };
 
 }  // namespace forge

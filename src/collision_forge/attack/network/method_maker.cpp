@@ -3,11 +3,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/attack/network/network_pattern_predictor.h"
+
 namespace forge {
 namespace {
 
 MethodForesight foresightOf(const AttackOptions& options, const Foresight& foresight) {
-  return {foresight.egoFutures(options.ego_futures), foresight.patterns(options)};
+  return {std::make_shared<NetworkEgoFutures>(options.ego_futures, foresight),
+          std::make_unique<NetworkPatternPredictor>(options, foresight)};
 }
 
 }  // namespace

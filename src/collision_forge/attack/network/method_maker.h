@@ -4,6 +4,7 @@
 #include <string>
 
 #include "collision_forge/attack/network/foresight.h"
+#include "collision_forge/attack/network/network_ego_futures.h"
 #include "collision_forge/attack/search/method_registry.h"
 
 namespace forge {
@@ -28,11 +29,12 @@ class MethodMaker {
   }
   /// How the ego may drive on.
   std::shared_ptr<const EgoFutureSampler> egoFutures() const {
-    return foresight_.egoFutures(options_.ego_futures);
+    return std::make_shared<NetworkEgoFutures>(options_.ego_futures, foresight_);
   }
   /// How the ego of a scene on test may drive on, by models that know nothing of it.
   std::shared_ptr<const EgoFutureSampler> egoFuturesWithoutScene(const std::string& scene) const {
-    return foresight_.withoutScene(scene).egoFutures(options_.ego_futures);
+    return std::make_shared<NetworkEgoFutures>(options_.ego_futures,
+                                               foresight_.withoutScene(scene));
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "collision_forge/attack/network/network_ego_futures.h"
 #include "collision_forge/attack/network/predicted_scene.h"
 
 namespace forge {
@@ -62,7 +63,7 @@ Pose2 egoAtImpact(const PredictedScene& scene, const CollisionRequest& request,
 NetworkPatternPredictor::NetworkPatternPredictor(const AttackOptions& options, Foresight foresight)
     : options_(options),
       foresight_(std::move(foresight)),
-      kinematic_(options, foresight_.egoFutures(options.ego_futures)) {}
+      kinematic_(options, std::make_shared<NetworkEgoFutures>(options.ego_futures, foresight_)) {}
 
 PatternPrediction NetworkPatternPredictor::predict(const Snapshot& snapshot, const LaneIndex& lanes,
                                                    const CollisionRequest& request,

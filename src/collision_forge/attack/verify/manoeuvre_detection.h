@@ -1,6 +1,7 @@
 #pragma once
 
-#include "collision_forge/attack/verify/verification.h"
+#include "collision_forge/attack/verify/options.h"
+#include "collision_forge/attack/verify/verification_input.h"
 #include "collision_forge/base/scene/attack.h"
 
 namespace forge {

@@ -3,19 +3,11 @@
 #include <optional>
 
 #include "collision_forge/attack/verify/options.h"
-#include "collision_forge/base/map/lane_queries.h"
+#include "collision_forge/attack/verify/verification_input.h"
 #include "collision_forge/base/scene/attack.h"
 #include "collision_forge/base/scene/scene.h"
 
 namespace forge {
-
-/// Everything that a trajectory is held against.
-struct VerificationInput {
-  const Snapshot& snapshot;
-  const Future& future;  ///< ego and others from now on; the attacker's own track is left out
-  const CollisionRequest& request;
-  const LaneIndex& lanes;
-};
 
 /// The limits that an attacker keeps if it drives by its class.
 DriveLimits driveLimitsOf(const Track& attacker, const VerificationOptions& options);

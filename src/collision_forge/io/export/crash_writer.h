@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,11 +35,5 @@ struct ExportPlan {
   ExportOptions options;
   DriveLimitOptions limits;
 };
-
-/// The formats by their names: "openscenario", ...
-std::vector<std::string> exportFormats();
-
-/// Throws std::invalid_argument for an unknown name, and for a plan that the format cannot keep.
-std::unique_ptr<CrashWriter> makeCrashWriter(const std::string& format, const ExportPlan& plan);
 
 }  // namespace forge

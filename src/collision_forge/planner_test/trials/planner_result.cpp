@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "collision_forge/attack/network/network_ego_futures.h"
 #include "collision_forge/attack/policy/adaptive_attacker.h"
 #include "collision_forge/attack/verify/strict_outcome.h"
 #include "collision_forge/io/scenarios/scenario_file.h"
@@ -141,7 +142,8 @@ std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind 
   return std::make_unique<AdaptiveAttacker>(
       AttackerTask{scenario.snapshot, scenario.lanes, scenario.ego, one.request, one.pattern,
                    scenario.attacker, one.effort},
-      AttackerSetup{foresight.withoutScene(one.scene).egoFutures(options.attack.ego_futures),
+      AttackerSetup{std::make_shared<NetworkEgoFutures>(options.attack.ego_futures,
+                                                        foresight.withoutScene(one.scene)),
                     options.attack, options.adaptive});
 }
 

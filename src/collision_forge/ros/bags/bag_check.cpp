@@ -23,7 +23,7 @@
 #include <string_view>
 #include <vector>
 
-#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/bags/bag_error.h"
 #include "collision_forge/ros/bags/message_fields.h"
 
 namespace forge {

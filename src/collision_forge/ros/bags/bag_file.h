@@ -3,17 +3,12 @@
 #include <rosbag/bag.h>
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 #include "collision_forge/base/files/aside_file.h"
+#include "collision_forge/ros/bags/bag_error.h"
 
 namespace forge {
-
-/// A bag that cannot be read or written; names the path, and the topic and time if it has them.
-struct BagError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// The name in a bag of a topic of topic_names.h.
 inline std::string bagTopic(const char* name) { return std::string("/") + name; }

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "collision_forge/ros/bags/bag_file.h"
-#include "collision_forge/ros/bags/mcap_export.h"
 #include "collision_forge/ros/markers/crash_scene.h"
 #include "collision_forge/ros/messages/conversions.h"
 #include "collision_forge/ros/messages/ros_bytes.h"

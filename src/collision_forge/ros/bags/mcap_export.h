@@ -8,10 +8,6 @@
 
 namespace forge {
 
-/// What MCAP's profile ros1 calls the bytes of messages and the text of their definitions.
-inline constexpr char kRos1Encoding[] = "ros1";
-inline constexpr char kRos1Definition[] = "ros1msg";
-
 /// Writes a bag as an MCAP file of profile ros1, aside and renamed. Every message has its bytes,
 /// its topic and the bag's time; every connection is a channel with what its header says. Beside
 /// them there are CrashTopics. Holds a chunk of either file and the bag's index. `on_progress` is

@@ -11,6 +11,10 @@
 
 namespace forge {
 
+/// What MCAP's profile ros1 calls the bytes of messages and the text of their definitions.
+inline constexpr char kRos1Encoding[] = "ros1";
+inline constexpr char kRos1Definition[] = "ros1msg";
+
 struct McapSchema {
   std::string name;
   std::string encoding;

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <sstream>
 
-#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/bags/bag_error.h"
 
 namespace forge {
 namespace {

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/bags/bag_error.h"
 
 namespace forge {
 namespace {

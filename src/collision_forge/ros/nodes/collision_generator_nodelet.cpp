@@ -16,6 +16,7 @@
 #include <optional>
 #include <variant>
 
+#include "collision_forge/attack/network/network_ego_futures.h"
 #include "collision_forge/io/batch/printable.h"
 #include "collision_forge/planner_test/settings/config_fingerprint.h"
 #include "collision_forge/ros/injection/live_attacker.h"
@@ -197,11 +198,12 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
       live_->setOut(attack);
       return;
     }
-    attack = live_->setOut(attack,
-                           {moment.snapshot, moment.lanes, config_.ego_vehicle, request, answer.aim,
-                            answer.trajectory, answer.effort},
-                           {finder_->foresight().egoFutures(config_.attack.ego_futures),
-                            config_.attack, config_.adaptive});
+    attack = live_->setOut(
+        attack,
+        {moment.snapshot, moment.lanes, config_.ego_vehicle, request, answer.aim, answer.trajectory,
+         answer.effort},
+        {std::make_shared<NetworkEgoFutures>(config_.attack.ego_futures, finder_->foresight()),
+         config_.attack, config_.adaptive});
   }
 
   bool generateEach(collision_forge::GenerateCollisions::Request& message,

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "collision_forge/attack/search/pattern_predictor.h"
+#include "collision_forge/attack/network/network_pattern_predictor.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/ros/messages/conversions.h"
 #include "collision_forge/ros/messages/topic_names.h"
@@ -17,8 +17,9 @@ class PatternPredictorNodelet : public QueuedNodelet {
  private:
   void start(ros::NodeHandle node) override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
-    predictor_ =
-        loadLogged("foresight", [&] { return loadForesight(config_).patterns(config_.attack); });
+    predictor_ = loadLogged("foresight", [&] {
+      return std::make_unique<NetworkPatternPredictor>(config_.attack, loadForesight(config_));
+    });
     map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     service_ = std::make_unique<OwnThreadService>(node, names::kPredictPattern,
                                                   &PatternPredictorNodelet::answer, this);

@@ -10,7 +10,7 @@
 #include "collision_forge/base/files/output_lock.h"
 #include "collision_forge/io/batch/progress_line.h"
 #include "collision_forge/io/collide/collide_set.h"
-#include "collision_forge/io/drawing/scenario_grid.h"
+#include "collision_forge/io/drawing/draw_grid.h"
 #include "collision_forge/io/logs/city_maps.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/study/commands/clip_options.h"

@@ -12,7 +12,7 @@
 #include "collision_forge/study/commands/clip_options.h"
 #include "collision_forge/study/commands/study_commands.h"
 #include "collision_forge/study/settings/study_config.h"
-#include "collision_forge/study/training/training_run.h"
+#include "collision_forge/study/training/train.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,5 @@
 #include "collision_forge/study/generators/generator_file.h"
+#include "collision_forge/study/generators/make_traffic_model.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -126,4 +126,10 @@ Realization GeneratorMethod::answer(const Moment& moment, const CollisionRequest
   });
 }
 
+std::unique_ptr<const AttackMethod> TrafficGenerator::method(const std::string&,
+                                                             const AttackOptions& options) const {
+  return std::make_unique<GeneratorMethod>(
+      std::static_pointer_cast<const TrafficGenerator>(shared_from_this()), options);
+}
+
 }  // namespace forge

@@ -2,12 +2,10 @@
 
 #include <memory>
 
+#include "collision_forge/study/generators/published_head.h"
 #include "collision_forge/study/generators/traffic_model.h"
 
 namespace forge {
-
-/// How the published network tells the ego's place at the crash (arXiv 2510.12206, Sec. 3.3).
-enum class PublishedHead { kRegionProposal, kTargetPoints, kRegression };
 
 /// The collision-pattern network as published (arXiv 2510.12206, Sec. 3, and its released code):
 /// VectorNet over the ego's history and the lanes, joined with the type and the time; heads for the

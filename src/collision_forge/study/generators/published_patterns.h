@@ -2,7 +2,8 @@
 
 #include <memory>
 
-#include "collision_forge/study/generators/published_network.h"
+#include "collision_forge/study/generators/published_head.h"
+#include "collision_forge/study/generators/traffic_model.h"
 
 namespace forge {
 

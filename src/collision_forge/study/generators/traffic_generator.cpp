@@ -1,7 +1,5 @@
 #include "collision_forge/study/generators/traffic_generator.h"
 
-#include "collision_forge/study/generators/generator_method.h"
-
 namespace forge {
 
 std::vector<std::string> TrafficGenerator::errorNames() const { return {"attacker_m", "all_m"}; }
@@ -19,12 +17,6 @@ std::vector<ErrorSum> TrafficGenerator::errorsOn(const TrafficBatch& batch,
   };
   return {{sumOf(apart.select(1, attacker)), sumOf(counted.select(1, attacker))},
           {sumOf(apart), sumOf(counted)}};
-}
-
-std::unique_ptr<const AttackMethod> TrafficGenerator::method(const std::string&,
-                                                             const AttackOptions& options) const {
-  return std::make_unique<GeneratorMethod>(
-      std::static_pointer_cast<const TrafficGenerator>(shared_from_this()), options);
 }
 
 torch::Tensor yawsAlong(const torch::Tensor& steps, torch::Tensor yaw, double min_step) {

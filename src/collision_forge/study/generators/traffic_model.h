@@ -49,11 +49,6 @@ class TrafficModel : public std::enable_shared_from_this<TrafficModel> {
                                                      const AttackOptions& options) const = 0;
 };
 
-/// The options of a model that sees no lanes are made to have none. Throws std::invalid_argument
-/// for an unknown name. `seed` of the weights before training.
-std::shared_ptr<TrafficModel> makeTrafficModel(const std::string& name, GeneratorOptions options,
-                                               torch::Device device, std::uint64_t seed);
-
 /// A source of random numbers of its own.
 torch::Generator noiseOf(std::uint64_t seed);
 

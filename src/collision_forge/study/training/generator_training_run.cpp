@@ -12,7 +12,9 @@
 #include "collision_forge/io/collide/collide_set.h"
 #include "collision_forge/io/logs/city_maps.h"
 #include "collision_forge/study/generators/generator_file.h"
+#include "collision_forge/study/generators/make_traffic_model.h"
 #include "collision_forge/study/training/run_folder.h"
+#include "collision_forge/study/training/train.h"
 #include "collision_forge/study/training/training_device.h"
 
 namespace forge {

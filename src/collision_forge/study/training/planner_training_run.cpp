@@ -7,7 +7,7 @@
 #include "collision_forge/base/files/output_lock.h"
 #include "collision_forge/io/batch/progress_line.h"
 #include "collision_forge/study/training/planner_trainer.h"
-#include "collision_forge/study/training/training_run.h"
+#include "collision_forge/study/training/train.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision_forge/study/training/training_run.h"
+#include "collision_forge/study/training/train.h"
 
 #include <malloc.h>
 

@@ -1,4 +1,4 @@
-#include "collision_forge/io/drawing/scenario_grid.h"
+#include "collision_forge/io/drawing/draw_grid.h"
 
 #include <cmath>
 #include <stdexcept>
