@@ -2,8 +2,9 @@
 of the package's own code is used."""
 import json
 import math
-import re
 from pathlib import Path
+
+import yaml
 
 CONFIG = Path(__file__).resolve().parent.parent / 'config'
 VERSIONS = (5, 6)
@@ -17,70 +18,26 @@ LENGTHS = ('car', 'van', 'truck')
 ROWS = {'car': 'car', 'truck': 'truck', 'bus': 'bus', 'construction_vehicle': 'construction',
         'emergency_vehicle': 'emergency', 'motorcycle': 'motorcycle'}
 
-COMMENT = re.compile(r'(^|\s)#.*')
-KEY = re.compile(r'( *)(\w+):\s*(.*)')
-
 
 class BadInput(Exception):
     """Names file, line or field, and value."""
 
 
-def logical_lines(text):
-    """(number, line) without comments; what is in braces is on the line of its key."""
-    lines = []
-    for number, line in enumerate(text.splitlines(), 1):
-        line = COMMENT.sub('', line).rstrip()
-        if not line:
-            continue
-        if lines and (line.lstrip().startswith('{') or lines[-1][1].count('{') > lines[-1][1].count('}')):
-            lines[-1] = (lines[-1][0], lines[-1][1] + ' ' + line.strip())
-        else:
-            lines.append((number, line))
-    return lines
-
-
-def read_number(path, number, key, text):
-    try:
-        return float(text)
-    except ValueError:
-        raise BadInput('{}: line {}: {} = "{}" is no number'.format(path, number, key, text)) from None
-
-
-def read_braces(path, number, key, text):
-    fields = [part.partition(':') for part in text.strip('{} ').split(',')]
-    return {name.strip(): read_number(path, number, '{}.{}'.format(key, name.strip()), value.strip())
-            for name, _, value in fields}
-
-
 def read_yaml(path):
-    """Sections within sections, with numbers as leaves: as much of YAML as the file of limits needs."""
-    sections = [(-1, {})]
-    for number, line in logical_lines(path.read_text(encoding='utf-8')):
-        match = KEY.fullmatch(line)
-        if match is None:
-            raise BadInput('{}: line {}: no key in "{}"'.format(path, number, line.strip()))
-        indent, key, value = len(match.group(1)), match.group(2), match.group(3)
-        while sections[-1][0] >= indent:
-            sections.pop()
-        parent = sections[-1][1]
-        if value.startswith('{'):
-            parent[key] = read_braces(path, number, key, value)
-        elif value:
-            parent[key] = read_number(path, number, key, value)
-        else:
-            parent[key] = {}
-            sections.append((indent, parent[key]))
-    return sections[0][1]
+    try:
+        return yaml.safe_load(path.read_text(encoding='utf-8'))
+    except yaml.YAMLError as error:
+        raise BadInput('{}: {}'.format(path, error)) from None
 
 
 def section_of(path, parent, name, keys):
     """The section of that name, which has a positive number of each key."""
-    section = parent.get(name)
+    section = parent.get(name) if isinstance(parent, dict) else None
     if not isinstance(section, dict):
         raise BadInput('{}: {} is missing'.format(path, name))
     for key in keys:
         value = section.get(key)
-        if not isinstance(value, float) or not 0.0 < value < math.inf:
+        if not isinstance(value, (int, float)) or not 0.0 < value < math.inf:
             raise BadInput('{}: {}.{} is missing or not positive'.format(path, name, key))
     return section
 

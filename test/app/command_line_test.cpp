@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
 #include <stdexcept>
 
 #include "collision_forge/app/options.h"
@@ -135,14 +134,6 @@ TEST(CommandLine, EveryCommandHasHelpOfItsOwn) {
   }
 }
 
-TEST(CommandLine, CompleteLinesAreRead) {
-  for (const auto& [name, options] : kComplete) {
-    const Reading reading = read(name + options);
-    EXPECT_EQ(reading.exit_code, std::nullopt) << name << ": " << reading.err;
-    EXPECT_EQ(reading.name, "forge " + name);
-  }
-}
-
 TEST(CommandLine, WhatIsRequiredIsMissed) {
   for (const auto& [name, options] : kComplete) {
     const std::size_t out = options.find(" --out ");
@@ -152,14 +143,6 @@ TEST(CommandLine, WhatIsRequiredIsMissed) {
     EXPECT_EQ(reading.exit_code, kExitUsage) << name;
     EXPECT_THAT(reading.err, HasSubstr("forge " + name + ": --out is required")) << name;
   }
-}
-
-TEST(CommandLine, ALineWithoutACommandIsWrong) {
-  EXPECT_EQ(read("").exit_code, kExitUsage);
-  EXPECT_EQ(read("study measure").exit_code, kExitUsage);
-  const Reading unknown = read("fabricate");
-  EXPECT_EQ(unknown.exit_code, kExitUsage);
-  EXPECT_THAT(unknown.err, HasSubstr("fabricate"));
 }
 
 TEST(CommandLine, WrongValuesAreNamedWithTheirOption) {
@@ -202,13 +185,6 @@ TEST(CommandLine, OptionsOfClipsAndOfLogsExcludeEachOther) {
   EXPECT_EQ(read("test" + kLogs + " --out out").exit_code, kExitUsage);
 }
 
-TEST(CommandLine, MethodsAndProtocolsOfClipsAreRefusedForRequests) {
-  const std::string line = "study evaluate" + kComplete.at("study evaluate");
-  EXPECT_EQ(read(line + " --method search").exit_code, std::nullopt);
-  EXPECT_THAT(read(line + " --method recorded").err, HasSubstr("\"recorded\" is none of search,"));
-  EXPECT_THAT(read(line + " --protocol published").err, HasSubstr("published is of clips alone"));
-}
-
 TEST(CommandLine, AnUnknownMethodIsRefusedWithTheKnownOnes) {
   for (const std::string command : {"generate", "inject", "possible", "study measure controls"}) {
     const std::string line = command + kComplete.at(command) + " --method ";
@@ -228,13 +204,6 @@ TEST(CommandLine, AnUnknownMethodIsRefusedWithTheKnownOnes) {
   EXPECT_THAT(methods.err, HasSubstr("--methods: method \"magic\" is none of recorded,"));
 }
 
-TEST(CommandLine, WordsInCapitalsAreHandedOnAsTheyAreKnown) {
-  Forge forge;
-  forge.read("test" + kComplete.at("test") + " --planners IDM,Pdm");
-  const CLI::App* test = forge.app().get_subcommands().front();
-  EXPECT_EQ(test->get_option("--planners")->results(), (std::vector<std::string>{"idm", "pdm"}));
-}
-
 TEST(CommandLine, HelpTellsDefaults) {
   EXPECT_THAT(read("generate --help").out, AllOf(HasSubstr("{history,replay,adaptive}=replay"),
                                                  HasSubstr("{jsonl,csv-collide}=jsonl")));
@@ -252,14 +221,6 @@ TEST(CommandLine, CollisionsOfRecordingsAreMadeInReplayModeAndMethodsMeasuredInH
        {"study evaluate", "study compare", "study measure methods", "study measure latency"}) {
     EXPECT_THAT(read(command + " --help").out, HasSubstr("}=history")) << command;
   }
-}
-
-TEST(CommandLine, TheVersionIsPrintedWithTheLicences) {
-  const Reading version = read("--version");
-  EXPECT_EQ(version.exit_code, kExitOk);
-  EXPECT_THAT(version.out,
-              testing::MatchesRegex("collision_forge [0-9]+\\.[0-9]+\\.[0-9]+\n"
-                                    "licence: BSD-3-Clause; weights .*CC BY-NC-SA.*\n"));
 }
 
 TEST(CommandLine, HelpOfEveryCommandEndsWithTheExitCodes) {
@@ -286,13 +247,6 @@ TEST(CommandLine, MistypedWordsAreAnsweredWithTheNearest) {
   }
 }
 
-TEST(CommandLine, WordsThatAreLikeNoOtherAreAnsweredWithoutAHint) {
-  for (const std::string& line :
-       {std::string("fabricate"), "inject" + kComplete.at("inject") + " --nonsense"}) {
-    EXPECT_THAT(read(line).err, Not(HasSubstr("did you mean"))) << line;
-  }
-}
-
 TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {
   for (const std::string command : {"inject", "generate", "requests"}) {
     const std::string line = command + kComplete.at(command);
@@ -315,14 +269,6 @@ TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {
   }
 }
 
-TEST(CommandLine, AVersionNeedsASourceWhoseOlderNameIsDataroot) {
-  const std::string line = "report" + kComplete.at("report");
-  EXPECT_EQ(read(line + " --dataroot " + kDataroot + " --version v").exit_code, std::nullopt);
-  EXPECT_EQ(read(line + " --dataroot " + kDataroot).exit_code, std::nullopt);
-  EXPECT_EQ(read(line + " --source " + kDataroot).exit_code, std::nullopt);
-  EXPECT_EQ(read(line + " --version v").exit_code, kExitUsage);
-}
-
 TEST(CommandLine, BulkCommandsEndWithAPageWhereOneIsAskedFor) {
   for (const std::string command :
        {"generate", "study evaluate", "test", "tune", "study dataset"}) {
@@ -337,16 +283,6 @@ TEST(CommandLine, BulkCommandsEndWithAPageWhereOneIsAskedFor) {
   const Reading published = read("study evaluate" + clips + " --protocol published");
   EXPECT_EQ(published.exit_code, kExitUsage);
   EXPECT_THAT(published.err, HasSubstr("--report: a page is of the strict protocol alone"));
-}
-
-TEST(CommandLine, AlternativesAreAskedForInLists) {
-  for (const std::string command : {"generate", "requests"}) {
-    const std::string line = command + kComplete.at(command) + " --alternatives ";
-    EXPECT_EQ(read(line + "16").exit_code, std::nullopt) << command;
-    for (const char* bad : {"0", "17", "few"}) {
-      EXPECT_EQ(read(line + bad).exit_code, kExitUsage) << command << bad;
-    }
-  }
 }
 
 TEST(RequestControls, SayWhatIsGivenAlone) {
@@ -370,12 +306,6 @@ TEST(RequestControls, SayWhatIsGivenAlone) {
   controls.applyTo(request);
   EXPECT_FALSE(request.attacker);
   EXPECT_EQ(request.choice, AttackerChoice::kNew);
-}
-
-TEST(CommandLine, WordsOfDefaultsAreAcceptedAsValues) {
-  EXPECT_EQ(read("generate" + kComplete.at("generate") + " --mode history").exit_code,
-            std::nullopt);
-  EXPECT_EQ(read("generate" + kComplete.at("generate") + " --mode replay").exit_code, std::nullopt);
 }
 
 TEST(CommandLine, AnErrorBeginsWithTheNameOfTheCommand) {

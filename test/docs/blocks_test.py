@@ -42,13 +42,6 @@ class Blocks(unittest.TestCase):
     def test_with_a_path_in_a_comment_are_saved(self):
         self.assertEqual([None, None, 'folder/program.py'], [block.path for block in blocks(PAGE)])
 
-    def test_of_the_shell_are_never_saved(self):
-        self.assertIsNone(blocks('```\n# folder/program.py\n```')[0].path)
-
-    def test_that_do_not_end_are_refused(self):
-        with self.assertRaisesRegex(ValueError, 'line 2'):
-            blocks('text\n```\nfirst')
-
     def test_have_the_output_that_follows(self):
         self.assertEqual([(4, 14), (18, None)], [(block.line, shown and shown.line)
                                                  for block, shown in with_outputs(blocks(PAGE))])

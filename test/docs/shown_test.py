@@ -23,10 +23,6 @@ class Matches(unittest.TestCase):
     def test_no_other_number(self):
         self.check(False, PRINTED.replace('4.53', '4.54'))
 
-    def test_no_line_that_is_left_out_without_dots(self):
-        for line in PRINTED.split('\n')[:-1]:
-            self.check(False, PRINTED.replace(line + '\n', ''))
-
     def test_no_line_that_is_not_printed(self):
         self.check(False, PRINTED + '4 more\n')
         self.check(False, '...\n4 more\n')
@@ -41,10 +37,6 @@ class Matches(unittest.TestCase):
     def test_lines_in_the_printed_order_alone(self):
         self.check(False, '...\n3 lead_slow: touches nobody in 6.0 s\n...\n1 cut_in: touches nobody in 6.0 s\n...')
 
-    def test_whole_lines_beside_dots(self):
-        self.check(False, '...\ndrift: touches the attacker 0c96e8bc after 4.53 s\n...')
-        self.check(False, '...\n2 drift: touches the attacker\n...')
-
     def test_dots_in_a_line_as_any_text_of_that_line(self):
         self.check(True, '...\n2 drift: touches ... after 4.53 s\n...')
         self.check(True, 'Point(x=...)', 'Point(x=1.5, y=2)')
@@ -54,15 +46,6 @@ class Matches(unittest.TestCase):
     def test_lines_that_the_document_wraps(self):
         self.check(True, 'one two\nthree\nfour', 'one two three\nfour\n')
         self.check(True, '...\ntwo ...\nfour', 'one\ntwo three four\n')
-
-    def test_no_lines_that_the_document_joins(self):
-        self.check(False, 'one two', 'one\ntwo\n')
-
-    def test_any_white_space(self):
-        self.check(True, '| a | b |\n\n| c | d |', '  | a   | b |\n| c   | d |\n')
-
-    def test_many_lines_quickly(self):
-        self.check(False, '...\nline 7\n' * 20 + 'end', '\n'.join('line {}'.format(k % 10) for k in range(1000)))
 
 
 class Rewritten(unittest.TestCase):
@@ -84,25 +67,6 @@ class Rewritten(unittest.TestCase):
     def test_keeps_dots_in_a_line(self):
         self.check('...\n2 drift: ... after 4.53 s\n...', '...\n2 drift: ... after 4.60 s\n...')
         self.check('A(x=..., z=4)', 'A(x=..., z=5)', 'A(x=1, y=2, z=4)')
-
-    def test_keeps_dots_in_a_line_after_dots_for_lines(self):
-        self.check('first\n...\n... 2 failed in ...', 'first\n...\n... 3 failed in ...',
-                   'first\nmore\n=== 2 failed in 4.31 s ===\n')
-
-    def test_has_new_lines_where_there_are_no_dots(self):
-        self.check(PRINTED.strip(), PRINTED.replace('reading\n', ''))
-
-    def test_has_no_line_that_is_not_printed_any_more(self):
-        self.check('...\nall: 3 drives', '...\nall: 4 drives\nwarning: old')
-
-    def test_has_whole_lines_beside_dots_where_words_changed(self):
-        self.check('reading\n1 cut_in: touches nobody in 6.0 s\n...', 'reading\n1 turn: hits nobody\n...')
-
-    def test_keeps_dots_between_numbers_that_stay(self):
-        self.check('1\n...\n7\n8\n9', '1\n...\n7\n8\n10', '\n'.join('123456789'))
-
-    def test_keeps_the_spaces_of_a_table(self):
-        self.check('| a   | b |\n| cc  | 4 |\n...', '| a | b |\n| cc | 3 |\n...', '| a   | b |\n| cc  | 4 |\nmore\n')
 
     def test_is_wrapped_as_a_document(self):
         text = rewritten('old', ' '.join(['word'] * 50))

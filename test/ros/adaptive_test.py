@@ -146,11 +146,6 @@ class AdaptiveTest(live.LiveTest):
         until(is_lost, 'the attacker to give up', interval=0.1)
         self.assertEqual(self.attacks()[-1].phase, 'driving_on')
 
-    def test_mode_adaptive_is_the_same(self):
-        first = self.ask(adaptive=True).attack
-        again = self.ask(mode='adaptive')
-        self.assert_close(again.attack, first)
-
     def test_markers_tell_what_was_driven(self):
         self.ask(adaptive=True)
         self.play_on(NOW + 2.0)

@@ -72,19 +72,6 @@ TEST(AttackerInjector, OneThatWasRecordedTwiceIsThereOnce) {
   EXPECT_EQ(injector.inject(recorded).agents.size(), 2u);
 }
 
-TEST(AttackerInjector, OneThatStartsLateTakesTheHeightFromTheFirstFrameThatHasIt) {
-  AttackerInjector injector(trajectory(), limits());
-  auto without = frame(10.2, 1.6);
-  without.agents.pop_back();
-  EXPECT_EQ(injector.inject(without).agents[1].size.z, 0.0);
-  for (const double height : {1.6, 1.7}) {
-    const auto injected = injector.inject(frame(10.5, height));
-    EXPECT_EQ(injected.agents[1].size.z, 1.6);
-    EXPECT_EQ(injected.agents[1].pose.position.z, 0.8);
-    EXPECT_EQ(injected.agents[1].pose.position.x, 5.0);
-  }
-}
-
 /// Nobody recorded it: at x = -10 at 9 s, -5 at 9.5 s, 0 at 10 s.
 collision_forge::AttackerTrajectory addedTrajectory() {
   collision_forge::AttackerTrajectory message = trajectory();
@@ -132,32 +119,6 @@ TEST(AttackerInjector, TheTrajectoryIsLeftAtTheContact) {
   EXPECT_NEAR(injector.inject(frame(20.0, 1.6)).agents[1].pose.position.y, 2.5, 1e-9);
   injector.setCrash(std::nullopt);
   EXPECT_EQ(injector.inject(frame(11.0, 1.6)).agents[1].pose.position.x, 10.0);
-}
-
-TEST(AttackerInjector, OneThatWasAddedIsAsHighAsTheNearestOfItsClass) {
-  AttackerInjector injector(addedTrajectory(), limits());
-  auto recorded = frame(9.5, 1.6);
-  recorded.agents[0].agent_class = collision_forge::Agent::TRUCK;
-  recorded.agents[0].size.z = 3.0;
-  recorded.agents[0].pose.position.x = 50.0;
-  recorded.agents[0].pose.position.z = 1.7;
-  for (const collision_forge::Agent& added :
-       {injector.inject(recorded).agents[2], injector.inject(frame(10.5, 1.6)).agents[2]}) {
-    EXPECT_EQ(added.size.z, 3.0);
-    EXPECT_EQ(added.pose.position.z, 1.7);
-  }
-}
-
-TEST(AttackerInjector, AChangedTrajectoryIsDrivenAtTheSameHeight) {
-  AttackerInjector injector(trajectory(), limits());
-  injector.inject(frame(10.0, 1.6));
-  auto changed = trajectory();
-  for (auto& point : changed.points) point.pose.position.y = -2.0;
-  EXPECT_TRUE(injector.change(changed));
-  const auto injected = injector.inject(frame(10.5, 1.7));
-  EXPECT_EQ(injected.agents[1].pose.position.y, -2.0);
-  EXPECT_EQ(injected.agents[1].pose.position.z, 0.8);
-  EXPECT_EQ(injected.agents[1].size.z, 1.6);
 }
 
 TEST(AttackerInjector, ATrajectoryOfAnotherAttackIsNoChange) {

@@ -106,14 +106,6 @@ class ClientTest(road.RoadTest):
         with self.assertRaisesRegex(ForgeError, 'ends'):
             player.step()
 
-    def test_going_back_starts_anew_with_the_same_scene(self):
-        player = self.play()
-        first = self.forge.scene
-        player.until(8.0)
-        self.assertGreater(self.forge.scene.now, first.now)
-        player.until(NOW)
-        self.assert_close(self.forge.scene.message, first.message, tolerance=1e-9)
-
     def test_an_instant_after_the_end_of_the_bag_is_refused(self):
         with self.assertRaisesRegex(ForgeError, r'until\(25\.0\): the last frame .* is at 20\.0 s'):
             self.play().until(25.0)
@@ -156,12 +148,6 @@ class ClientTest(road.RoadTest):
                 return 'publishes /clock already' in str(error)
             return False
         wait_until(lambda: [] if is_refused() else ['the refusal'], 20.0)
-
-    def test_refuses_a_bag_without_agents(self):
-        empty = self.path('empty.bag')
-        road.copy_bag(self.bag(SCENE), empty, lambda topic, message: None if topic == '/agents' else message)
-        with self.assertRaisesRegex(ForgeError, 'no frame of /agents'):
-            self.forge.play(empty)
 
     # Attacks.
 
@@ -215,13 +201,6 @@ class ClientTest(road.RoadTest):
         self.assertGreater(len(seen), 1)
         self.assertEqual((drive.report.attacker, drive.report.now), (drive.first.attacker, drive.first.now))
 
-    def test_asks_about_an_earlier_frame(self):
-        stamp = self.play().stamp
-        expected = self.forge.generate(TYPE, TTA)
-        self.forge.player.until(NOW + 2.0)
-        self.assertGreater(self.forge.player.stamp, stamp)
-        self.assert_close(self.forge.generate(TYPE, TTA, at=stamp).message, expected.message, tolerance=0.0)
-
     def test_plays_the_attack_that_a_bag_brings_along(self):
         expected, expected_report = self.offline()
         self.forge.play(self.path('offline.bag')).until(NOW + 1.0)
@@ -242,12 +221,6 @@ class ClientTest(road.RoadTest):
             with self.assertRaisesRegex(ForgeError, 'no message can hold'):
                 self.forge.generate(TYPE, TTA, **arguments)
 
-    def test_reset_forgets_the_attack(self):
-        self.play()
-        self.forge.generate(TYPE, TTA)
-        self.forge.reset()
-        self.assertIsNone(self.forge.attack)
-
     def test_what_is_possible_can_be_generated(self):
         self.play()
         possible = self.forge.possible([TYPE, 'rear_end'], [TTA])
@@ -257,11 +230,6 @@ class ClientTest(road.RoadTest):
             attack = self.forge.generate(collision)
             self.assertEqual((attack.collision_type, attack.attacker_class, attack.added, attack.report.manoeuvre),
                              (collision.collision_type, collision.attacker_class, collision.added, collision.manoeuvre))
-
-    def test_what_is_possible_can_be_generated_by_another_method(self):
-        self.play()
-        possible = self.forge.possible([TYPE], [TTA])
-        self.assertEqual(self.forge.generate(possible[0], method='search').method, 'search')
 
     def test_answers_for_each_type_and_time(self):
         self.play()

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace forge {
 namespace {
@@ -106,14 +105,6 @@ TEST(MapScene, ShowsLanesConnectorsAndEdges) {
       << "rings are closed";
 }
 
-TEST(MapScene, LeavesOutWhatIsNotFinite) {
-  collision_forge::LaneMap map;
-  map.lanes.resize(1);
-  map.lanes[0].centerline.resize(2);
-  map.lanes[0].centerline[1].x = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(entityOf(mapScene(map), "lanes").lines, IsEmpty());
-}
-
 TEST(CrashScene, ShowsBoxesOnTheGroundWithLabels) {
   const auto frame = frameOf({agent("0123456789", 1, 20.0), agent("cone", 10, 50.0)});
   const SceneUpdate update = crashScene({headerAt(kNow), kEgoBox, nullptr, nullptr}, frame);
@@ -131,23 +122,6 @@ TEST(CrashScene, ShowsBoxesOnTheGroundWithLabels) {
   EXPECT_THAT(entityOf(update, "agent cone").texts, IsEmpty());
 }
 
-TEST(CrashScene, LeavesOutWhoHasNoPlaceOrSize) {
-  auto nowhere = agent("nowhere", 0, std::numeric_limits<double>::quiet_NaN());
-  auto flat = agent("flat", 0, 1.0);
-  flat.size.x = 0.0;
-  const auto frame = frameOf({nowhere, flat});
-  EXPECT_THAT(crashScene({headerAt(kNow), std::nullopt, nullptr, nullptr}, frame).entities,
-              IsEmpty());
-}
-
-TEST(CrashScene, TheAttackerIsRedAndSaysSo) {
-  const SceneUpdate update = attackedAt(kNow);
-  const SceneEntity& attacker = entityOf(update, "agent attacker-1");
-  EXPECT_EQ(attacker.cubes.at(0).color.red, colors::kAttacker.red);
-  EXPECT_EQ(attacker.texts.at(0).text, "attacker");
-  EXPECT_EQ(entityOf(update, "agent other").texts.at(0).text, "car other");
-}
-
 TEST(CrashScene, ShowsTheWayToTheContactAndWhereItIs) {
   const SceneUpdate update = attackedAt(kNow + 0.5);
   const SceneEntity& shown = entityOf(update, "attack");
@@ -157,11 +131,6 @@ TEST(CrashScene, ShowsTheWayToTheContactAndWhereItIs) {
   EXPECT_EQ(shown.lines[1].points.size(), 2U * 4);
   EXPECT_NEAR(shown.spheres.at(0).pose.position.x, 12.7, 0.01);
   EXPECT_EQ(shown.texts.at(0).text, "contact in 0.5 s");
-}
-
-TEST(CrashScene, SaysWhatCameOfIt) {
-  EXPECT_THAT(entityOf(attackedAt(kContact), "attack").texts.at(0).text,
-              testing::StartsWith("contact as asked"));
 }
 
 }  // namespace

@@ -7,7 +7,6 @@ import os
 import re
 import shutil
 import subprocess
-import time
 
 import jsonschema
 
@@ -136,46 +135,6 @@ class BuildDatasetTest(road.RoadTest):
                      env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(content(ranks), self.expected)
-
-    def test_a_killed_run_goes_on(self):
-        out = self.path('killed')
-        words = command(out, '--config', self.config, '--jobs', 1)
-        process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        part = out / 'attempts.jsonl.part'
-        deadline = time.monotonic() + 60.0
-        while (not part.exists() or part.read_bytes().count(b'\n') < 5) and time.monotonic() < deadline:
-            time.sleep(0.01)
-        process.kill()
-        process.wait()
-        self.assertTrue(part.exists(), 'ended before it was killed')
-        other = run(words + ['--seed', '1'])
-        self.assertEqual(other.returncode, 1)
-        self.assertIn('begun with', other.stderr)
-        result = run(words)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn('clips were done before', result.stderr)
-        self.assertEqual(content(out), self.expected)
-
-    def test_another_seed_makes_another_set(self):
-        out = self.path('seed')
-        result = run(command(out, '--config', self.config, '--seed', 1))
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertNotEqual((out / 'attempts.jsonl').read_bytes(), self.expected['attempts.jsonl'])
-
-    def test_bad_input_is_refused(self):
-        full = self.path('full')
-        full.mkdir()
-        (full / 'notes.txt').write_text('mine')
-        for words, complaint in ((command(full), 'other files'),
-                                 (command(self.path('a'), '--scene', 'scene-0099'), 'scene-0099'),
-                                 ([word.replace(VERSION, 'v9') for word in command(self.path('b'))], 'v9')):
-            result = run(words)
-            self.assertEqual(result.returncode, 1, words)
-            self.assertIn(complaint, result.stderr)
-        self.assertEqual(content(full), {'notes.txt': b'mine'})
-        self.assertEqual(run(command(self.path('c'), '--jobs', '0')).returncode, 2)
-        self.assertEqual(road.run('study', 'dataset', '--dataroot', self.path('none'), '--version', VERSION,
-                                  '--out', self.path('d')).returncode, 2)
 
 
 if __name__ == '__main__':

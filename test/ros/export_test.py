@@ -81,19 +81,6 @@ class ExportTest(road.RoadTest):
         self.assertIn(str(recorded) + ': no attack', result.stderr)
         self.assertFalse((out / 'index.jsonl').exists())
 
-    def test_threads_and_an_interruption_do_not_change_a_byte(self):
-        out, again = self.path('out'), self.path('again')
-        self.assertEqual(self.export(out, 'openscenario', '--jobs', 1).returncode, 0)
-        self.assertEqual(self.export(again, 'openscenario', '--jobs', 3).returncode, 0)
-        self.assertEqual(self.files_in(out), self.files_in(again))
-        index = again / 'index.jsonl'
-        lines = index.read_bytes().splitlines(keepends=True)
-        index.unlink()
-        road.leave_part(index, b''.join(lines[:2]) + lines[2][:9])
-        (again / json.loads(lines[3])['files'][0]).unlink()
-        self.assertEqual(self.export(again).returncode, 0)
-        self.assertEqual(self.files_in(out), self.files_in(again))
-
     def test_another_format_does_not_go_on(self):
         out = self.path('out')
         self.assertEqual(self.export(out).returncode, 0)
@@ -115,18 +102,6 @@ class ExportTest(road.RoadTest):
             self.assertIn(told, result.stderr)
             self.assertFalse((out / 'index.jsonl').exists())
         self.assertFalse((self.folder / 'evil').exists())
-
-    def test_wrong_words_are_refused(self):
-        out = self.path('out')
-        for words, told in ((('--to', 'mcap', '--scenarios', self.scenarios, *LOGS), '--bag'),
-                            (('--to', 'magic', '--bag', self.scenarios), 'openscenario'),
-                            (('--to', 'openscenario', '--scenarios', self.scenarios), '--source')):
-            result = road.run('export', *words, '--out', out)
-            self.assertEqual(result.returncode, 2)
-            self.assertIn(told, result.stderr)
-        result = self.export(out, 'scenarionet', '--ego', 'free')
-        self.assertEqual(result.returncode, 1)
-        self.assertFalse(out.exists() and any(out.iterdir()))
 
 
 if __name__ == '__main__':

@@ -403,37 +403,6 @@ TEST_F(ForeignBagTest, TheEgoMayBeInTransforms) {
   EXPECT_THAT(complaint(), HasSubstr("no pose of the ego on /tf"));
 }
 
-TEST_F(ForeignBagTest, APoseOfTheMiddleOfTheBoxIsTakenBackToBaseLink) {
-  mapping_.ego.reference = EgoReference::kBoxMiddle;
-  write();
-  const auto pose = read().ego_poses.at(0);
-  EXPECT_LT((pose.translation - Eigen::Vector3d(1.0, -kEgo.center_offset, 0.5)).norm(), 1e-9)
-      << "it is turned to +y";
-}
-
-TEST_F(ForeignBagTest, YawAndNumbersMayStandForFields) {
-  mapping_.agents.pose.orientation = NumberSource("objects[].twist.linear.y");
-  mapping_.agents.pose.position[2] = 0.75;
-  write();
-  const NuScenesAnnotation agent = read().frames.at(0).annotations.at(0);
-  EXPECT_NEAR(yawOf(agent.rotation), 3.5 - 2.0 * M_PI, 1e-12);
-  EXPECT_EQ(agent.translation.z(), 0.75);
-}
-
-TEST_F(ForeignBagTest, VelocitiesThatNobodyGivesAreDerived) {
-  mapping_.agents.velocity.reset();
-  write();
-  const NuScenesAnnotation agent = read().frames.at(1).annotations.at(0);
-  EXPECT_NEAR(agent.velocity.y(), 3.0, 1e-6);
-}
-
-TEST_F(ForeignBagTest, AClassThatIsNotInTheTableIsTheDefault) {
-  objects_[0].objects[0].classification = 11;
-  mapping_.agents.default_class = AgentClass::kAnimal;
-  write();
-  EXPECT_EQ(read().frames.at(0).annotations.at(0).category, "animal");
-}
-
 TEST_F(ForeignBagTest, AgentsThatCannotBeUsedAreLeftOut) {
   auto& objects = objects_[0].objects;
   objects.assign(7, objectAt(1, 1.0));
@@ -473,29 +442,6 @@ TEST_F(ForeignBagTest, StampsThatGoBackOrAreNotSetAreLeftOut) {
                           "1 frames of agents whose stamp is not set left out"));
 }
 
-TEST_F(ForeignBagTest, OfPosesAndFramesOfOneInstantTheFirstIsKept) {
-  for (const unsigned nanoseconds : {400u, 1000u}) {
-    ego_.push_back(odometryAt(1.2));
-    ego_.back().header.stamp += ros::Duration(0, static_cast<int>(nanoseconds));
-    ego_.back().pose.pose.position.x += 0.1;
-    objects_.push_back(objectsAt(1.2));
-    objects_.back().header.stamp += ros::Duration(0, static_cast<int>(nanoseconds));
-  }
-  write();
-  const NuScenesRecording recording = read();
-  EXPECT_EQ(recording.ego_poses.size(), 3U);
-  EXPECT_DOUBLE_EQ(recording.ego_poses.back().translation.x(), 1.2);
-  EXPECT_EQ(recording.frames.size(), 3U);
-}
-
-TEST_F(ForeignBagTest, PosesOfOneInstantThatContradictEachOtherNameTopicAndTime) {
-  ego_.push_back(odometryAt(1.2));
-  ego_.back().pose.pose.position.x += 4.0;
-  write();
-  EXPECT_THAT(complaint(),
-              HasSubstr("/odom: two poses of the ego at 1.200000 s are 4.000000 m apart"));
-}
-
 TEST_F(ForeignBagTest, WhatIsNotAsTheMappingSaysIsAnError) {
   objects_[2].header.frame_id = "base_link";
   write();
@@ -516,15 +462,6 @@ TEST_F(ForeignBagTest, WhatIsNotAsTheMappingSaysIsAnError) {
   mapping_ = right;
   mapping_.ego.fields.stamp = "header.seq";
   EXPECT_THAT(complaint(), AllOf(HasSubstr("/odom"), HasSubstr("not a time")));
-}
-
-TEST_F(ForeignBagTest, BytesThatAreCutOffAreAnError) {
-  mapping_ = shipped("autoware");
-  ForeignMessage message = trackedObjectsAt(1.0);
-  message.bytes.resize(message.bytes.size() / 2);
-  const std::string topic = "/perception/object_recognition/tracking/objects";
-  write("/localization/kinematic_state", ego_, topic, std::vector<ForeignMessage>{message});
-  EXPECT_THAT(complaint(), AllOf(HasSubstr(topic), HasSubstr("end within objects")));
 }
 
 TEST_F(ForeignBagTest, BagsThatCannotBeReadOrHaveNothingAreErrors) {

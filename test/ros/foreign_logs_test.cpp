@@ -67,16 +67,6 @@ TEST_F(ForeignLogsTest, EveryBagIsASceneWithTheLanesThatItHas) {
   EXPECT_EQ(logged.lanes->map().location, "somewhere");
 }
 
-TEST_F(ForeignLogsTest, OneBagIsASource) {
-  const auto logs = openForeignBags(folder_.path() + "/two.bag", how_, reading_);
-  EXPECT_THAT(logs->names(), ElementsAre("two"));
-  EXPECT_EQ(logs->recording("two").recording.name, "two");
-}
-
-TEST_F(ForeignLogsTest, AFolderWithoutBagsIsNone) {
-  EXPECT_THROW(openForeignBags(COLLISION_FORGE_SOURCE_DIR "/config", how_, reading_), BagError);
-}
-
 TEST_F(ForeignLogsTest, WantedScenesAloneAreRead) {
   reading_.scenes = {"two"};
   EXPECT_THAT(open()->names(), ElementsAre("two"));

@@ -63,12 +63,5 @@ TEST(FrameAfter, MovesThoseOfTheNewestFrameOnAsTheyMovedAndTurned) {
   EXPECT_NEAR(std::atan2(moved.velocity.y, moved.velocity.x), 0.04, 1e-6);
 }
 
-TEST(FrameAfter, WithoutAFrameBeforeEverybodyStands) {
-  collision_forge::AgentArray newest;
-  newest.header.stamp = ros::Time(10.5);
-  newest.agents = {agent("a", 4.0, 0.0)};
-  EXPECT_NEAR(frameAfter(nullptr, newest, ros::Time(10.7)).agents[0].pose.position.x, 4.0, 1e-9);
-}
-
 }  // namespace
 }  // namespace forge

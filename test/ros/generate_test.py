@@ -2,7 +2,6 @@
 """forge requests and generate: what is in their files, how a run goes on after any end, threads and ranks alike."""
 import csv
 import json
-import math
 import os
 import random
 import re
@@ -148,40 +147,10 @@ class RequestsTest(road.RoadTest):
                                       impact_speed={'min': 2, 'max': 9.5}, overlap={'min': 0.25, 'max': 1})
                                  for request in plain])
 
-    def test_controls_that_contradict_each_other_are_refused(self):
-        for arguments, words in ((['--types', 'RE', '--manoeuvre', 'cut_in'], 'manoeuvre = cut_in is none of type rear_end'),
-                                 (['--impact-speed', '9', '2'], 'impact_speed = 9 to 2 m/s'),
-                                 (['--overlap', '0.5', '1.5'], 'overlap = 0.5 to 1.5'),
-                                 (['--limits', 'strict'], 'believable = false')):
-            result = make_requests(self.path('none.jsonl'), *arguments)
-            self.assertEqual(result.returncode, 1, arguments)
-            self.assertIn(words, result.stderr)
-        for arguments in (['--manoeuvre', 'swerve'], ['--attacker-class', 'pedestrian'], ['--believable', 'yes'],
-                          ['--limits', 'none'], ['--ego-side', 'top'], ['--impact-speed', '3'],
-                          ['--overlap', '0.3']):
-            result = make_requests(self.path('none.jsonl'), *arguments)
-            self.assertEqual(result.returncode, 2, arguments)
-            self.assertIn(arguments[0], result.stderr)
-
     def test_a_faster_ego_than_any_leaves_no_request(self):
         result = make_requests(self.path('none.jsonl'), '--min-ego-speed', 100)
         self.assertEqual(result.returncode, 1)
         self.assertIn('no request', result.stderr)
-        self.assertFalse(self.path('none.jsonl').exists())
-
-    def test_unknown_scenes_and_options_are_refused(self):
-        result = make_requests(self.path('none.jsonl'), '--scene', 'scene-0099')
-        self.assertEqual(result.returncode, 1)
-        self.assertIn('scene-0099', result.stderr)
-        for arguments in (['--types', 'drift'], ['--attackers', 'all'], ['--stride', '0'],
-                          ['--stride', 'nan'], ['--tta', '-1'], ['--tta', '4', 'nan'], ['--tta', 'inf'],
-                          ['--min-ego-speed', 'nan']):
-            result = make_requests(self.path('none.jsonl'), *arguments)
-            self.assertEqual(result.returncode, 2, arguments)
-            self.assertIn(arguments[0], result.stderr)
-        result = make_requests(self.path('none.jsonl'), '--stride', '1e-9')
-        self.assertEqual(result.returncode, 1)
-        self.assertIn('stride = 1e-09', result.stderr)
         self.assertFalse(self.path('none.jsonl').exists())
 
 
@@ -309,28 +278,6 @@ class GenerateTest(road.RoadTest):
             change(scenario)
             self.assertFalse(validator.is_valid(scenario))
 
-    def test_trajectories_run_from_now_to_two_seconds_after_the_impact(self):
-        for line in lines_of(self.expected):
-            scenario = json.loads(line)
-            if scenario['status']['code'] != 'OK':
-                continue
-            times = [point['t'] for point in scenario['attacker']['trajectory']]
-            self.assertEqual(times, [round(0.1 * i, 6) for i in range(len(times))])
-            self.assertAlmostEqual(times[-1], scenario['request']['tta'] + 2.0)
-            self.assertLessEqual(abs(scenario['report']['contact_t'] - scenario['request']['tta']), 0.5)
-
-    def test_replay_is_its_own_mode(self):
-        result = run(generate_command(self.requests, self.out, '--mode', 'replay'))
-        self.assertEqual(result.returncode, 0, result.stderr)
-        for line in lines_of(self.out):
-            self.assertEqual(json.loads(line)['request']['mode'], 'replay')
-        self.assertNotEqual(self.out.read_bytes(), self.expected.read_bytes())
-
-    def test_same_bytes_whatever_the_number_of_jobs(self):
-        result = run(generate_command(self.requests, self.out, '--jobs', 5))
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
-
     def test_same_bytes_whatever_the_number_of_ranks(self):
         for ranks in (1, 2, 4):
             out = self.path('{}.jsonl'.format(ranks))
@@ -339,11 +286,6 @@ class GenerateTest(road.RoadTest):
             self.assertEqual(out.read_bytes(), self.expected.read_bytes(), ranks)
             self.assertEqual(result.stdout.count('requests answered'), 1, 'rank 0 alone reports')
             self.assertLessEqual(result.stderr.count('requests 100 %'), 1, 'and shows progress')
-
-    def test_ranks_may_have_threads(self):
-        result = run(ranks_command(2, self.requests, self.out, '--jobs', 2), env=ranks_environment())
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
 
     def test_random_lists_have_the_same_bytes_whatever_the_numbers_of_ranks_and_jobs(self):
         for seed in range(SEED, SEED + LISTS):
@@ -367,12 +309,6 @@ class GenerateTest(road.RoadTest):
                 out.unlink()
                 Path(str(out) + '.options').unlink()
 
-    def test_a_killed_run_goes_on(self):
-        process = self.start_and_wait_for_lines(generate_command(self.requests, self.out, '--jobs', 1), 5)
-        process.kill()
-        process.wait()
-        self.assert_goes_on(5)
-
     def test_an_interrupted_run_says_so_and_goes_on(self):
         for signal_sent in (signal.SIGINT, signal.SIGTERM):
             process = self.start_and_wait_for_lines(generate_command(self.requests, self.out, '--jobs', 2), 5)
@@ -383,13 +319,6 @@ class GenerateTest(road.RoadTest):
             self.assertIn(str(self.part), errors)
             self.assert_goes_on(5)
             self.out.unlink()
-
-    def test_a_half_written_line_is_written_again(self):
-        lines = self.expected.read_bytes().splitlines(keepends=True)
-        run(generate_command(self.requests, self.out))
-        self.out.unlink()
-        road.leave_part(self.out, b''.join(lines[:7]) + lines[7][:100])
-        self.assert_goes_on(7)
 
     def test_tables_and_maps_that_were_changed_are_not_gone_on_with(self):
         lines = self.expected.read_bytes().splitlines(keepends=True)
@@ -411,16 +340,6 @@ class GenerateTest(road.RoadTest):
             file.write_bytes(original)
         self.assertEqual(run(command).returncode, 0)
         self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
-
-    def test_an_altered_line_is_not_taken(self):
-        lines = self.expected.read_bytes().splitlines(keepends=True)
-        shutil.copy(str(self.expected) + '.options', str(self.out) + '.options')
-        road.leave_part(self.out, b''.join(lines[:7]))
-        self.part.write_bytes(b''.join(lines[:2]) + lines[2].replace(b'"confidence":0', b'"confidence":1') +
-                              b''.join(lines[3:7]))
-        self.assert_refused(['{}: line 3: is not as it was written'.format(self.part)])
-        self.part.write_bytes(b''.join(lines[:2]))
-        self.assert_goes_on(2)
 
     def test_a_run_that_loses_a_rank_goes_on(self):
         command = ranks_command(3, self.requests, self.out)
@@ -444,17 +363,6 @@ class GenerateTest(road.RoadTest):
         self.assertTrue(self.part.read_bytes().endswith(b'\n'), 'no half of a line')
         self.assert_goes_on(3)
 
-    def test_a_complete_file_is_left_alone(self):
-        shutil.copy(str(self.expected), str(self.out))
-        shutil.copy(str(self.expected) + '.options', str(self.out) + '.options')
-        os.utime(str(self.out), (0, 0))
-        result = run(generate_command(self.requests, self.out))
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn('{0} of {0} requests were done before'.format(self.count), result.stderr)
-        self.assertEqual(self.out.stat().st_mtime, 0)
-        self.assert_refused(['mode = history, now mode = replay'], '--mode', 'replay')
-        self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
-
     def test_a_run_does_not_go_on_with_what_another_began(self):
         begun = b''.join(self.expected.read_bytes().splitlines(keepends=True)[:4])
         road.leave_part(self.out, begun)
@@ -470,26 +378,6 @@ class GenerateTest(road.RoadTest):
         self.assertEqual(self.part.read_bytes(), begun)
         self.assert_goes_on(4)
 
-    def test_a_run_does_not_go_on_after_lines_that_answer_something_else(self):
-        lines = self.expected.read_bytes().splitlines(keepends=True)
-        shutil.copy(str(self.expected) + '.options', str(self.out) + '.options')
-        road.leave_part(self.out, lines[0] + lines[2])
-        self.assert_refused([str(self.part) + ': line 2', 'answers'])
-        road.leave_part(self.out, lines[0] + b'{"format": "something else"}\n')
-        self.assert_refused([str(self.part) + ': line 2', 'field format'])
-        road.leave_part(self.out, b''.join(lines) + lines[0])
-        self.assert_refused(['line {}'.format(self.count + 1), '{} requests only'.format(self.count)])
-
-    def test_two_runs_do_not_write_one_file(self):
-        process = self.start_and_wait_for_lines(generate_command(self.requests, self.out, '--jobs', 1), 1)
-        process.send_signal(signal.SIGSTOP)
-        try:
-            self.assert_refused(['{}: is being written by process {}'.format(self.out, process.pid)])
-        finally:
-            process.send_signal(signal.SIGCONT)
-        process.kill()
-        process.wait()
-
     def test_malformed_lists_are_refused_before_anything_is_written(self):
         good = json.loads(lines_of(self.requests)[0])
         for change, named in ((dict(type='drift'), 'field type = "drift"'), (dict(scene='scene-0099'), 'scene-0099'),
@@ -502,24 +390,6 @@ class GenerateTest(road.RoadTest):
         self.assert_refused([self.path('none')], requests=self.path('none'))
         self.assertFalse(self.part.exists())
         self.assertFalse(self.out.exists())
-
-    def test_what_cannot_be_met_is_answered_with_its_code(self):
-        good = json.loads(lines_of(self.requests)[0])
-        requests = self.path('impossible.jsonl')
-        rows = [dict(good, attacker='nobody'), dict(good, tta=60), dict(good, now=good['now'] + 0.1)]
-        requests.write_text(''.join(json.dumps(row) + '\n' for row in rows))
-        result = run(generate_command(requests, self.out))
-        self.assertEqual(result.returncode, 0, result.stderr)
-        scenarios = [json.loads(line) for line in lines_of(self.out)]
-        self.assertEqual([scenario['status']['code'] for scenario in scenarios],
-                         ['UNKNOWN_ATTACKER', 'TTA_OUT_OF_RANGE', 'NO_SCENE'])
-        for scenario in scenarios:
-            self.assertNotEqual(scenario['status']['message'], '')
-            self.assertEqual([scenario[key] for key in ('attacker', 'pattern', 'confidence', 'report')], [None] * 4)
-
-    def test_wrong_commands(self):
-        for arguments in (['--mode', 'live'], ['--jobs', '0'], ['--nonsense']):
-            self.assertEqual(run(generate_command(self.requests, self.out, *arguments)).returncode, 2, arguments)
 
 
 class CollideFormatTest(road.RoadTest):
@@ -551,21 +421,12 @@ class CollideFormatTest(road.RoadTest):
     def copy(self):
         shutil.copytree(str(self.expected), str(self.out))
 
-    def first_clip(self):
-        """The first that is written."""
-        return min(self.clips, key=lambda clip: int(clip.split('_')[7].split('-')[1]))
-
     def assert_like_expected(self, out):
         files = {path.relative_to(out): path.read_bytes() for path in out.rglob('*') if path.is_file()}
         expected = {path.relative_to(self.expected): path.read_bytes()
                     for path in self.expected.rglob('*') if path.is_file()}
         self.assertEqual(sorted(files), sorted(expected))
         self.assertEqual(files, expected)
-
-    def assert_completed(self, out, *arguments):
-        result = run(self.command(out, *arguments))
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assert_like_expected(out)
 
     def test_scenarios_are_those_of_the_other_format(self):
         result = run(generate_command(self.requests, self.out, '--mode', 'replay', '--format', 'jsonl'))
@@ -582,44 +443,6 @@ class CollideFormatTest(road.RoadTest):
         self.assertIn('{} clips in {}'.format(len(self.clips), self.clips_of(self.expected)), self.result.stdout)
         self.assertEqual(sum(int(reason.split()[0]) for reason in reasons.split(', ')), int(without))
 
-    def test_names_say_what_the_scenarios_do(self):
-        scenes = {row['name']: row for row in json.loads((DATAROOT / VERSION / 'scene.json').read_text())}
-        logs = {row['token']: row for row in json.loads((DATAROOT / VERSION / 'log.json').read_text())}
-        short = {'lane_change': 'LC', 'opposite_direction': 'HO', 'rear_end': 'RE', 'junction_crossing': 'JC',
-                 'ltap': 'LTAP'}
-        placements = {'LC': {'0', '1'}, 'HO': {'5'}, 'RE': {'4'}, 'JC': {'2', '3'}, 'LTAP': {'2', '3'}}
-        for clip in self.clips:
-            data, hcis, batch, trainval, city, kind, scene, counts, angle, attacker = clip[:-len('.csv')].split('_')
-            self.assertEqual((data, hcis, batch, trainval), ('data', 'hcis', 'collision-forge', 'trainval'))
-            placement, index, normalized, frame = counts.split('-')
-            scenario = self.scenarios[int(index)]
-            self.assertEqual(scene, scenario['scene'])
-            self.assertEqual(city, logs[scenes[scene]['log_token']]['location'])
-            self.assertEqual(kind, short[scenario['request']['type']])
-            self.assertIn(placement, placements[kind])
-            self.assertEqual(int(frame), 7 + 2 * scenario['request']['tta'])
-            self.assertAlmostEqual(float(normalized), (int(frame) - 8) / 12)
-            self.assertAlmostEqual(float(angle), abs(math.degrees(scenario['report']['relative_heading'])), delta=0.0051)
-            self.assertEqual(attacker, scenario['attacker']['id'])
-
-    def test_attackers_start_where_they_were_recorded(self):
-        for clip in self.clips:
-            scenario = self.scenarios[int(clip.split('_')[7].split('-')[1])]
-            with (self.clips_of(self.expected) / clip).open() as file:
-                rows = [row for row in csv.DictReader(file) if row['TRACK_ID'] == scenario['attacker']['id']]
-            start = scenario['attacker']['trajectory'][0]
-            self.assertEqual(int(rows[7]['TIMESTAMP']), round(scenario['now'] * 1e6))
-            self.assertAlmostEqual(float(rows[7]['X']), start['x'], places=6)
-            self.assertAlmostEqual(float(rows[7]['Y']), start['y'], places=6)
-
-    def test_same_bytes_whatever_the_number_of_jobs_and_ranks(self):
-        self.assert_completed(self.out, '--jobs', 2)
-        out = self.path('ranks')
-        result = run(['mpirun', '--oversubscribe', '-np', '2'] + self.command(out), env=ranks_environment())
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(result.stdout.count('clips in'), 1, 'rank 0 alone writes')
-        self.assert_like_expected(out)
-
     def test_clips_can_be_evaluated(self):
         result = road.run('study', 'evaluate', '--collide', self.expected, '--dataroot', DATAROOT, '--split', 'val',
                           '--protocol', 'published', '--mode', 'replay', '--out', self.out)
@@ -630,44 +453,6 @@ class CollideFormatTest(road.RoadTest):
         self.assertEqual(len(rows), len(self.clips))
         self.assertGreater(sum(row['collision'] == '1' for row in rows), len(rows) / 2)
 
-    def test_missing_clips_are_written_again_and_others_left_alone(self):
-        self.copy()
-        clips = [self.clips_of(self.out) / clip for clip in self.clips]
-        for clip in clips:
-            os.utime(str(clip), (0, 0))
-        clips[0].unlink()
-        clips[1].rename(str(clips[1]) + '.part')
-        self.assert_completed(self.out)
-        self.assertEqual([clip.stat().st_mtime == 0 for clip in clips], [False] * 2 + [True] * (len(clips) - 2))
-
-    def test_a_full_disk_is_told_and_the_run_goes_on(self):
-        self.copy()
-        shutil.rmtree(str(self.out / 'trajectory'))
-
-        def limit():
-            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
-
-        result = run(self.command(self.out), preexec_fn=limit)
-        self.assertEqual(result.returncode, 1, result.stderr)
-        self.assertIn('{}: cannot be written'.format(self.clips_of(self.out) / self.first_clip()), result.stderr)
-        self.assertEqual(list(self.clips_of(self.out).glob('*.csv')), [])
-        self.assert_completed(self.out)
-
-    def test_an_interrupted_run_says_so_and_goes_on(self):
-        process = subprocess.Popen(self.command(self.out, '--jobs', 1), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                   stdin=subprocess.DEVNULL, universal_newlines=True)
-        self.addCleanup(lambda: (process.kill(), process.communicate()))
-        deadline = time.monotonic() + WAIT
-        while complete_lines(self.out / 'scenarios.jsonl.part') < 3:
-            self.assertLess(time.monotonic(), deadline)
-            time.sleep(0.005)
-        process.send_signal(signal.SIGINT)
-        _, errors = process.communicate(timeout=WAIT)
-        self.assertEqual(process.returncode, -signal.SIGINT)
-        self.assertIn('interrupted; what was done is in {}'.format(self.out / 'scenarios.jsonl.part'), errors)
-        self.assertFalse(self.clips_of(self.out).exists())
-        self.assert_completed(self.out)
-
     def test_clips_of_something_else_are_not_taken_for_this_runs(self):
         self.copy()
         (self.out / 'scenarios.jsonl').unlink()
@@ -675,19 +460,6 @@ class CollideFormatTest(road.RoadTest):
         self.assertEqual(result.returncode, 1)
         self.assertIn('{}: holds clips already'.format(self.clips_of(self.out)), result.stderr)
         self.assertFalse((self.out / 'scenarios.jsonl.part').exists())
-
-    def test_a_file_is_no_folder(self):
-        self.out.write_text('mine')
-        result = run(self.command(self.out))
-        self.assertEqual(result.returncode, 1)
-        self.assertIn(str(self.out), result.stderr)
-        self.assertEqual(self.out.read_text(), 'mine')
-
-    def test_unknown_formats_are_refused(self):
-        result = run(generate_command(self.requests, self.out, '--format', 'csv'))
-        self.assertEqual(result.returncode, 2)
-        self.assertIn('csv-collide', result.stderr)
-        self.assertFalse(self.out.exists())
 
 
 if __name__ == '__main__':

@@ -237,13 +237,6 @@ TEST_F(InjectIntoBagTest, EverybodyMovesLinearlyAndTheAttackerAlongItsTrajectory
   }
 }
 
-TEST_F(InjectIntoBagTest, WhoSeesOnlyRecordedFramesIsShownThem) {
-  inject();
-  const Scene before = readBag(in_, config_);
-  const Scene after = readBag(out_, config_);
-  EXPECT_EQ(after.frame_times, before.frame_times);
-}
-
 TEST_F(InjectIntoBagTest, BothStandAtTheSamePlaceToEachOtherAfterTheContact) {
   inject();
   const double y = 8.0 - 8.0 * (kContact - kNow);
@@ -338,26 +331,6 @@ TEST_F(InjectIntoBagTest, WhoDrivesOnStaysInTheSceneWhereItsTrajectoryEnds) {
   }
 }
 
-TEST_F(InjectIntoBagTest, WithoutContactTheEgoIsAsRecorded) {
-  for (const AfterContact after : {AfterContact::kStop, AfterContact::kEnd}) {
-    attack_.tested_report.contact = false;
-    attack_.after_contact = after;
-    inject();
-    const auto transforms = read<tf2_msgs::TFMessage>(names::kTf);
-    EXPECT_EQ(transforms.size(), 9u);
-    EXPECT_EQ(transforms.back(), transformAt(14.0));
-  }
-}
-
-TEST_F(InjectIntoBagTest, OneThatWasAddedIsThereFromItsFirstStateOn) {
-  attack_.attack.trajectory = trajectoryUntil(12.0, true);
-  inject();
-  for (const auto& frame : frames()) {
-    const std::size_t expected = frame.header.stamp < ros::Time(9.0) ? 1 : 2;
-    EXPECT_EQ(frame.agents.size(), expected) << frame.header.stamp;
-  }
-}
-
 /// The marker of a namespace; nothing where there is none.
 const visualization_msgs::Marker* markerOf(const visualization_msgs::MarkerArray& markers,
                                            const std::string& name_space) {
@@ -390,33 +363,10 @@ TEST_F(InjectIntoBagTest, MarkersShowEgoAndAttackerWhereTheyAre) {
   EXPECT_NEAR(markerOf(markers.back(), "ego")->pose.position.x, transform.translation.x, 1e-6);
 }
 
-TEST_F(InjectIntoBagTest, MapMarkersComeEverySecondSoThatEveryRoundOfALoopShowsTheRoad) {
-  inject();
-  const auto markers = read<visualization_msgs::MarkerArray>(bagTopic(names::kMapMarkers));
-  ASSERT_FALSE(markers.empty());
-  for (const auto& array : markers) EXPECT_EQ(array.markers, markers.front().markers);
-  const std::vector<double> expected = {8.5, 9.5, 10.5, 11.5, 14.0};  // none is recorded in the gap
-  EXPECT_EQ(timesOf(names::kMapMarkers), expected);
-}
-
 TEST_F(InjectIntoBagTest, TestedReportIsWrittenAtTheContact) {
   inject();
   EXPECT_EQ(timesOf(names::kTestedReport), std::vector<double>{kContact});
   EXPECT_EQ(timesOf(names::kAttack), std::vector<double>{kNow});
-}
-
-TEST_F(InjectIntoBagTest, TestedReportWithoutContactIsWrittenAtTheTrajectorysEnd) {
-  attack_.tested_report.contact = false;
-  inject();
-  ASSERT_EQ(timesOf(names::kTestedReport).size(), 1u);
-  EXPECT_NEAR(timesOf(names::kTestedReport).front(), 12.0, 1e-6);
-}
-
-TEST_F(InjectIntoBagTest, TestedReportIsWrittenBeforeTheBagEnds) {
-  writeRecording({8.5, 9.0, 9.5, 10.0, 10.5, 11.0});
-  attack_.tested_report.contact = false;
-  inject();
-  EXPECT_EQ(timesOf(names::kTestedReport), std::vector<double>{11.0});
 }
 
 TEST_F(InjectIntoBagTest, AnotherRecordClockChangesNothingButTheRecordTimes) {
@@ -456,40 +406,6 @@ TEST_F(InjectIntoBagTest, ARecordingOfASlowReplayHasTheAttackAtItsStamps) {
   }
   EXPECT_EQ(timesOf(names::kAttack), std::vector<double>{recordedAt(kNow).toSec()});
   EXPECT_NEAR(timesOf(names::kTestedReport).front(), recordedAt(kContact).toSec(), 1e-6);
-}
-
-/// From now to the trajectory's end.
-void expectPathOver(const nav_msgs::Path& path, const collision_forge::AttackerTrajectory& over) {
-  EXPECT_EQ(path.header.frame_id, names::kMapFrame);
-  ASSERT_FALSE(path.poses.empty());
-  EXPECT_EQ(path.header.stamp, path.poses.front().header.stamp);
-  EXPECT_NEAR((path.poses.front().header.stamp - over.points.front().stamp).toSec(), 0.0, 1e-6);
-  EXPECT_NEAR((path.poses.back().header.stamp - over.points.back().stamp).toSec(), 0.0, 1e-6);
-}
-
-TEST_F(InjectIntoBagTest, TheAttackersPathIsItsTrajectory) {
-  inject();
-  const auto path = read<nav_msgs::Path>(bagTopic(names::kAttackPath));
-  ASSERT_EQ(path.size(), 1u);
-  const auto& trajectory = attack_.attack.trajectory;
-  expectPathOver(path.front(), trajectory);
-  ASSERT_EQ(path.front().poses.size(), trajectory.points.size());
-  for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
-    const auto& pose = path.front().poses[i];
-    EXPECT_NEAR((pose.header.stamp - trajectory.points[i].stamp).toSec(), 0.0, 1e-6);
-    EXPECT_EQ(pose.pose.position, trajectory.points[i].pose.position);
-  }
-}
-
-TEST_F(InjectIntoBagTest, TheEgosPathIsAsRecorded) {
-  inject();
-  const auto path = read<nav_msgs::Path>(bagTopic(names::kAttackEgoPath));
-  ASSERT_EQ(path.size(), 1u);
-  expectPathOver(path.front(), attack_.attack.trajectory);
-  for (const auto& pose : path.front().poses) {
-    EXPECT_NEAR(pose.pose.position.x, egoAt(pose.header.stamp.toSec()), 1e-5);
-    EXPECT_EQ(pose.pose.position.z, 0.0);
-  }
 }
 
 /// Without the package that they are of: read by their size alone, see object_array_test.cpp.
@@ -564,16 +480,6 @@ TEST_F(InjectIntoBagTest, WhatIsNotFiniteIsLeftOutAndTold) {
   }
   EXPECT_EQ(read<nav_msgs::Odometry>(bagTopic(names::kOdometry)).size(), 8u);
   EXPECT_EQ(read<tf2_msgs::TFMessage>(names::kTf).size(), 8u);
-}
-
-TEST_F(InjectIntoBagTest, TellsItsProgressUpToTheEnd) {
-  std::vector<double> shares;
-  injectIntoBag(in_, out_, attack_,
-                {ego_, 0.0, config_.attack.verification.drivable, config_.attacked_bag},
-                [&](double share) { shares.push_back(share); });
-  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-  EXPECT_GT(shares.size(), 30u);
-  EXPECT_EQ(shares.back(), 1.0);
 }
 
 }  // namespace

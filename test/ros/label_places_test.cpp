@@ -9,13 +9,6 @@ namespace {
 
 const OrientedBox kCar{{0.0, 0.0, M_PI / 6}, {4.6, 1.9}};
 
-TEST(LabelPlaces, GrowWithLinesAndLetters) {
-  const BoxSize one = textSize("abc", 1.0);
-  EXPECT_DOUBLE_EQ(textSize("abcdef", 1.0).length, 2 * one.length);
-  EXPECT_DOUBLE_EQ(textSize("abc\na", 1.0).width, 2 * one.width);
-  EXPECT_DOUBLE_EQ(textSize("abc\na", 1.0).length, one.length);
-}
-
 TEST(LabelPlaces, LieBesideTheirBoxAndOnNoOther) {
   const BoxSize text = textSize("012345", 1.0);
   std::vector<OrientedBox> boxes{kCar};

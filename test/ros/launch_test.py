@@ -26,26 +26,11 @@ class LaunchTest(road.RoadTest):
         self.assertEqual(self.refusal('replay.launch', 'bag:=/nowhere.bag', 'rviz:=false'),
                          'launch argument bag:=/nowhere.bag: no such file or folder')
 
-    def test_a_replay_without_a_bag_says_that_it_wants_one(self):
-        self.assertIn('bag:=: it is required', self.refusal('replay.launch', 'rviz:=false'))
-
     def test_an_unknown_word_of_after_contact_is_named_with_those_that_are_known(self):
         for launch, arguments in (('collision_forge.launch', []),
                                   ('replay.launch', ['bag:={}'.format(self.bag('scene-0007')), 'rviz:=false'])):
             self.assertEqual(self.refusal(launch, 'after_contact:=fly', *arguments),
                              'launch argument after_contact:=fly: neither stop nor drive_on')
-
-    def test_a_missing_recording_is_named(self):
-        self.assertIn('recording:=/nowhere.bag: no such file',
-                      self.refusal('collision_forge.launch', 'recording:=/nowhere.bag'))
-
-    def test_a_missing_file_of_scenarios_is_named(self):
-        self.assertIn('scenarios:=/nowhere.jsonl: no such file', self.refusal(
-            'planner_test.launch', 'scenarios:=/nowhere.jsonl', 'source:={}'.format(self.folder), 'rviz:=false'))
-
-    def test_a_missing_source_of_scenes_is_named(self):
-        self.assertIn('source:=/nowhere: no such file', self.refusal(
-            'planner_test.launch', 'scenarios:={}'.format(self.bag('scene-0007')), 'source:=/nowhere', 'rviz:=false'))
 
     def test_a_missing_folder_of_configuration_is_named(self):
         for launch, arguments in (('collision_forge.launch', []),

@@ -145,26 +145,6 @@ TEST_F(LiveInjectorTest, FramesComeWithTheEgoAndNoneAreMadeUpWhereARecordedOneIs
       {10.1, 10.2, 10.3, 10.4, 10.45, 10.55});  // too late for its stamp, and a shorter gap
 }
 
-TEST_F(LiveInjectorTest, AnAttackThatIsAnsweredLateIsNotCaughtUpOn) {
-  play(9.0, 10.25);
-  injector_.setAttack(attack());
-  published_.clear();
-  showEgo(10.3);
-  expectStamps({10.3});
-}
-
-TEST_F(LiveInjectorTest, AnAttackByNobodyEndsIt) {
-  play(9.0, 10.0);
-  injector_.setAttack(attack());
-  published_.clear();
-  injector_.addFrame(frame(10.5));
-  EXPECT_TRUE(published_.empty());
-  injector_.setAttack({});
-  showEgo(10.9);
-  ASSERT_EQ(published_.size(), 1u);
-  EXPECT_EQ(published_[0], *frame(10.5));
-}
-
 TEST_F(LiveInjectorTest, AtTheContactTheAttackerBeginsToSlideToAStand) {
   is_in_the_way_ = true;
   play(9.0, 10.0);
@@ -218,17 +198,6 @@ TEST_F(LiveInjectorTest, AReplayThatGoesBackShowsTheAttackAgain) {
   }
 }
 
-TEST_F(LiveInjectorTest, GoneBackToAfterTheContactItStandsAsBefore) {
-  is_in_the_way_ = true;
-  play(9.0, 10.0);
-  injector_.setAttack(attack());
-  play(10.5, 14.0);
-  const double stands = attackerAt(14.0);
-  published_.clear();
-  play(12.5, 13.5);
-  EXPECT_EQ(attackerAt(13.5), stands);
-}
-
 TEST_F(LiveInjectorTest, AnAttackerThatReactsFollowsItsNewestTrajectoryUpToItsContact) {
   is_in_the_way_ = true;
   auto changed = attack();
@@ -248,16 +217,6 @@ TEST_F(LiveInjectorTest, AnAttackerThatReactsFollowsItsNewestTrajectoryUpToItsCo
   published_.clear();
   play(9.0, 11.0);
   EXPECT_NEAR(agentAt(10.7, "a").pose.position.y, 0.0, 1e-5) << "it sets out anew";
-}
-
-TEST_F(LiveInjectorTest, ATrajectoryThatSaysNothingChangesNothing) {
-  play(9.0, 10.0);
-  injector_.setAttack(attack());
-  auto broken = attack("other");
-  broken.trajectory.points.clear();
-  EXPECT_THROW(injector_.setAttack(broken), std::runtime_error);
-  play(10.5, 10.5);
-  EXPECT_NEAR(attackerAt(10.5), 5.0, 1e-5);
 }
 
 }  // namespace

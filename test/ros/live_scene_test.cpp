@@ -89,14 +89,6 @@ class LiveSceneTest : public testing::Test {
   LiveScene live_;
 };
 
-TEST_F(LiveSceneTest, MovesBoxesBetweenFrames) {
-  ASSERT_EQ(shown("ego").size(), 1U);
-  EXPECT_NEAR(shown("ego")[0].pose.position.x, 2.0, 1e-6);
-  EXPECT_NEAR(shownArea(live_)->middle().x(), 2.0, 1e-6);
-  EXPECT_EQ(shown("agents").size(), 2U);
-  EXPECT_EQ(shown("trails").size(), 3U);
-}
-
 TEST_F(LiveSceneTest, NamesWhatCanAttackNearTheEgoShortly) {
   ASSERT_EQ(shown("ids").size(), 1U);
   EXPECT_EQ(shown("ids")[0].text, "012345");
@@ -126,13 +118,6 @@ TEST_F(LiveSceneTest, ShowsTheAttackerDriveBesideItsRecordedGhost) {
   EXPECT_EQ(shown("words")[0].text.substr(0, 12), "contact in 0");
 }
 
-TEST_F(LiveSceneTest, ShowsTheEgoWhereItsNewestPoseIs) {
-  live_.ego = Pose2{2.5, 0.5, 0.0};
-  EXPECT_NEAR(shown("ego")[0].pose.position.x, 2.5, 1e-6);
-  EXPECT_NEAR(shown("ego")[0].pose.position.y, 0.5, 1e-6);
-  EXPECT_NEAR(shownArea(live_)->middle().x(), 2.5, 1e-6);
-}
-
 TEST_F(LiveSceneTest, ShowsTheCrashFromTheContactOnBeforeTheVerdictIsThere) {
   showCrash(13.2);
   EXPECT_NEAR(shown("attacker")[0].pose.position.x, live_.crash->attackerAt(13.2).pose.x, 1e-6);
@@ -143,13 +128,6 @@ TEST_F(LiveSceneTest, ShowsTheCrashFromTheContactOnBeforeTheVerdictIsThere) {
   EXPECT_EQ(shown("words")[0].text, "contact; verification follows");
 }
 
-TEST_F(LiveSceneTest, ShowsTheVerdictOnTheCrashOnceItIsThere) {
-  showCrash(13.2);
-  live_.verdict = &tested_;
-  EXPECT_NEAR(shown("attacker")[0].pose.position.x, live_.crash->attackerAt(13.2).pose.x, 1e-6);
-  EXPECT_EQ(shown("words")[0].text.find("contact not as asked"), 0U);
-}
-
 TEST_F(LiveSceneTest, TheContactStaysMarkedWhereTheBoxesTouchedAndTheWordsStandStill) {
   showCrash(13.0);
   const Marker disc = shown("contact")[0];
@@ -157,30 +135,6 @@ TEST_F(LiveSceneTest, TheContactStaysMarkedWhereTheBoxesTouchedAndTheWordsStandS
   live_.now = ros::Time(13.6);
   EXPECT_EQ(shown("contact")[0].pose, disc.pose);
   EXPECT_EQ(shown("words")[0].pose, words.pose);
-}
-
-TEST_F(LiveSceneTest, ShowsTheAttackerInItsOwnColourOverItsRecordedGhost) {
-  live_.attack = &attack_;
-  const Marker attacker = shown("attacker")[0];
-  const Marker ghost = shown("recorded")[0];
-  const double bottom = attacker.pose.position.z - attacker.scale.z / 2;
-  const double top = attacker.pose.position.z + attacker.scale.z / 2;
-  EXPECT_EQ(attacker.color.a, 1.0F);
-  EXPECT_GT(ghost.pose.position.z, bottom);
-  EXPECT_LT(ghost.pose.position.z, top) << "the ghost would tint the attacker";
-}
-
-TEST_F(LiveSceneTest, WritesTheIdBesideTheWords) {
-  live_.attack = &attack_;
-  live_.verdict = &tested_;
-  tested_.contact = false;  // the words stand beside the attacker, as its id does
-  live_.now = ros::Time(15.0);
-  const auto box_of = [](const Marker& text) {
-    return OrientedBox{{text.pose.position.x, text.pose.position.y, 0.0},
-                       textSize(text.text, text.scale.z)};
-  };
-  ASSERT_EQ(shown("ids").size(), 1U);
-  EXPECT_FALSE(overlaps(box_of(shown("ids")[0]), box_of(shown("words")[0])));
 }
 
 TEST_F(LiveSceneTest, KeepsTheWordsInTheirPlaceWhileOthersPassUnderThem) {
@@ -198,21 +152,6 @@ TEST_F(LiveSceneTest, KeepsTheWordsInTheirPlaceWhileOthersPassUnderThem) {
   EXPECT_EQ(place_of_words(), before);
 }
 
-TEST_F(LiveSceneTest, KeepsAnIdOnItsSideBetweenFrames) {
-  const auto offset = [this] {
-    return shown("ids")[0].pose.position.y - scene_.agents[0].states.back().pose.y;
-  };
-  const double before = offset();
-  scene_.agents[1].states.back().velocity_x = -20.0;
-  scene_.agents[1].states.back().pose.y = scene_.agents[0].states.back().pose.y + before;
-  scene_.agents[1].states.back().pose.x = scene_.agents[0].states.back().pose.x + 15.0;
-  for (double later : {0.0, 0.2, 0.4, 0.6}) {
-    live_.now = scene_.header.stamp + ros::Duration(later);
-    ASSERT_EQ(shown("ids").size(), 1U);
-    EXPECT_DOUBLE_EQ(offset(), before) << later;
-  }
-}
-
 TEST_F(LiveSceneTest, LooksAtEgoAttackerAndContact) {
   attack_.report.attacker_at_contact.x = 74.0;
   attack_.report.ego_at_contact.x = 69.0;
@@ -228,15 +167,6 @@ TEST_F(LiveSceneTest, LooksAtEgoAttackerAndContact) {
   const double half = textSize(words.text, words.scale.z).length / 2;
   EXPECT_LT(words.pose.position.x + half, area.highest.x());
   EXPECT_GT(words.pose.position.x - half, area.lowest.x());
-}
-
-TEST_F(LiveSceneTest, LooksAtTheContactForAWhile) {
-  showCrash(13.0 + kCrashView - 0.1);
-  const double between =
-      (live_.crash->egoAt(20.0).pose.x + live_.crash->attackerAt(20.0).pose.x) / 2;
-  EXPECT_NEAR(shownArea(live_)->middle().x(), between, 3.0) << "words beside both";
-  live_.now = ros::Time(13.0 + kCrashView + 0.1);
-  EXPECT_NEAR(shownArea(live_)->middle().x(), 8.0 * 0.6, 1e-6);
 }
 
 }  // namespace

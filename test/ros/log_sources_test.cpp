@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <stdexcept>
-
 #include "collision_forge/io/logs/scenario_net_logs.h"
 #include "collision_forge/io/logs/scene_source.h"
 #include "collision_forge/planner_test/settings/config.h"
@@ -82,16 +80,6 @@ TEST_F(LogSourcesTest, BagsGiveTheVeryNumbersOfTheTables) {
   EXPECT_NEAR(scene.ego.states[5].velocity.x(), expected.ego.states[5].velocity.x(), 1e-9);
 }
 
-TEST_F(LogSourcesTest, ABagAloneIsASource) {
-  writeBagOf("scene-0001");
-  const LogSource source = logSourceAt(folder_.path() + "/scene-0001.bag", "");
-  EXPECT_THAT(readSceneNames(source), ElementsAre("scene-0001"));
-  const auto reader = source.format->open(source, {{}, config_, {}, {}});
-  EXPECT_EQ(reader->read("scene-0001").scene.name, "scene-0001");
-  EXPECT_THROW(reader->recording("scene-0001"), std::runtime_error);
-  EXPECT_THROW(readSceneNames({"/nowhere", "", &bagFormat()}), BagError);
-}
-
 TEST_F(LogSourcesTest, ABagIsHeldToTheLimitsOfInput) {
   LoggedScene far = logged("scene-0001");
   far.recording.ego_poses[0].translation.x() = 1e9;
@@ -99,17 +87,6 @@ TEST_F(LogSourcesTest, ABagIsHeldToTheLimitsOfInput) {
   EXPECT_THAT(errorOf<InputError>([&] { readSource(path); }),
               AllOf(HasSubstr(path), HasSubstr("ego: states[0].x = 1000000"),
                     HasSubstr("outside -50000 to 50000")));
-}
-
-TEST_F(LogSourcesTest, TheMapOfABagIsHeldToThem) {
-  const LoggedScene whole = logged("scene-0001");
-  LaneMap map = whole.lanes->map();
-  map.lanes[0].centerline.back().x = 1e9;
-  const std::string path = folder_.path() + "/map.bag";
-  writeBag(path, whole.recording, map);
-  EXPECT_THAT(
-      errorOf<InputError>([&] { readSource(path); }),
-      AllOf(HasSubstr(path + ": lane \"" + map.lanes[0].id + "\""), HasSubstr("= 1000000000")));
 }
 
 TEST_F(LogSourcesTest, AgentsOfABagBeyondThemAreLeftOut) {

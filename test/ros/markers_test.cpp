@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <tuple>
 
 #include "collision_forge/ros/markers/marker_colors.h"
 #include "collision_forge/ros/markers/marker_fill.h"
@@ -165,14 +164,6 @@ TEST(FillTriangles, CoverAConcavePolygonWithoutItsHole) {
   EXPECT_NEAR(area(fillTriangles(u_shape)), 24.0 - 4.0 - 1.0, 1e-12);
 }
 
-TEST(FillTriangles, DoNotDependOnTheRingsOrientation) {
-  Polygon polygon{{{0, 0}, {7, 1}, {5, 6}, {3, 2}, {1, 5}}, {}};
-  const double expected = area(fillTriangles(polygon));
-  std::reverse(polygon.exterior.begin(), polygon.exterior.end());
-  EXPECT_NEAR(expected, 21.0, 1e-12);
-  EXPECT_NEAR(area(fillTriangles(polygon)), expected, 1e-12);
-}
-
 TEST(FillTriangles, AreNoneForNothingAndForNumbersThatAreNot) {
   EXPECT_TRUE(fillTriangles({}).empty());
   EXPECT_TRUE(fillTriangles({{{0, 0}, {1, 1}}, {}}).empty());
@@ -212,23 +203,6 @@ TEST(MapMarkers, KeepEveryCentrelineWithinThreeCentimetresWithFewPoints) {
   }
 }
 
-TEST(MapMarkers, LeaveOutWhatIsNotFinite) {
-  collision_forge::LaneMap map = junctionMap();
-  map.lanes[0].centerline[1].x = kNan;
-  map.drivable_area[0].exterior.points[0].x = std::numeric_limits<float>::infinity();
-  const MarkerArray array = mapMarkers(map);
-  expectValid(array, 1.0);
-  EXPECT_TRUE(inNamespace(array, "drivable_area").empty());
-}
-
-TEST(MapMarkers, OfNothingDeleteWhatWas) {
-  collision_forge::LaneMap map;
-  map.header = header(2.0);
-  const MarkerArray array = mapMarkers(map);
-  expectValid(array, 2.0);
-  EXPECT_EQ(array.markers.size(), 1U);
-}
-
 TEST(AttackMarkers, HoldAGhostEveryHalfSecondUpToContact) {
   const MarkerArray array = attackMarkers(attack());
   expectValid(array, 10.0);
@@ -258,23 +232,6 @@ TEST(AttackMarkers, ShowWhereOneThatWasAddedComesFrom) {
   expectValid(array, 10.0);
   ASSERT_EQ(inNamespace(array, "added_past").size(), 1U);
   EXPECT_EQ(inNamespace(array, "added_past")[0].points.size(), 2U * 3);
-}
-
-TEST(AttackMarkers, ShowTheWholePathAndThePatternWithoutContact) {
-  collision_forge::Attack missed = attack();
-  missed.report.contact = missed.report.verified = false;
-  const MarkerArray array = attackMarkers(missed);
-  expectValid(array, 10.0);
-  EXPECT_TRUE(inNamespace(array, "contact").empty());
-  EXPECT_EQ(inNamespace(array, "attacker_ghosts").size(), 9U);
-  EXPECT_EQ(inNamespace(array, "pattern_ego").size(), 1U);
-  EXPECT_EQ(inNamespace(array, "pattern_attacker").size(), 1U);
-}
-
-TEST(AttackMarkers, OfEmptyMessagesAreValid) {
-  collision_forge::Attack empty;
-  empty.header = header(4.0);
-  expectValid(attackMarkers(empty), 4.0);
 }
 
 /// `count` patterns of agents "a0", "a1" ..., five metres left of each other, all in the scene.
@@ -317,25 +274,6 @@ TEST(PatternMarkers, ShowTheFirstOnesFainterAndFainter) {
       EXPECT_LT(attackers[i].color.a, attackers[i - 1].color.a);
     }
   }
-}
-
-TEST(PatternMarkers, LeaveOutWhoIsNotInTheScene) {
-  auto [patterns, scene] = predicted(2);
-  scene.agents.erase(scene.agents.begin());
-  EXPECT_EQ(inNamespace(patternMarkers(patterns, scene), "predicted_attacker").size(), 1U);
-}
-
-TEST(PatternMarkers, OfNothingDeleteWhatWas) {
-  const auto [patterns, scene] = predicted(0);
-  EXPECT_EQ(patternMarkers(patterns, scene).markers.size(), 1U);
-}
-
-TEST(PastAttackMarkers, KeepTheWayToTheContactAlone) {
-  const MarkerArray array = pastAttackMarkers(attack(), attack().report);
-  expectValid(array, 10.0);
-  ASSERT_EQ(array.markers.size(), 2U);
-  EXPECT_EQ(array.markers[1].ns, "attacker_path");
-  EXPECT_EQ(array.markers[1].points.back().y, 0.0);
 }
 
 TEST(CrashMarkers, CountDownAndThenTellTheVerdict) {
@@ -384,29 +322,10 @@ TEST(AnnotationMarkers, HoldABoxForEverybodyAndANameForWhatCanAttack) {
   EXPECT_EQ(inNamespace(array, "ids")[0].text, "c0ffee");
 }
 
-TEST(AnnotationMarkers, OfNobodyDeleteWhatWas) {
-  collision_forge::AgentArray nobody;
-  nobody.header = header(6.0);
-  EXPECT_EQ(annotationMarkers(nobody).markers.size(), 1U);
-}
-
 TEST(NoMarkers, DeleteWhatWas) {
   const MarkerArray array = noMarkers(header(7.0));
   expectValid(array, 7.0);
   EXPECT_EQ(array.markers.size(), 1U);
-}
-
-TEST(MarkerColors, TellEverythingApart) {
-  std::vector<colors::MarkerColor> all(colors::kAgentClasses.begin(), colors::kAgentClasses.end());
-  all.insert(all.end(), {colors::kEgo, colors::kAttacker, colors::kAdded, colors::kPatternEgo,
-                         colors::kPatternAttacker, colors::kContact, colors::kDrivableArea});
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t k = i + 1; k < all.size(); ++k) {
-      const double difference = std::hypot(all[i].red - all[k].red, all[i].green - all[k].green,
-                                           all[i].blue - all[k].blue);
-      EXPECT_GT(difference, 0.12) << i << " and " << k;
-    }
-  }
 }
 
 TEST(AttackMarkers, ShowWhatWasDrivenApartFromThePlan) {

@@ -207,11 +207,6 @@ TEST_F(ExportToMcapTest, SpeedsAreThoseOfEgoAndAttacker) {
   }
 }
 
-TEST_F(ExportToMcapTest, LiveRecordingsShowTheFramesWithTheAttackerInThem) {
-  writeRecording(names::kInjectedAgents);
-  EXPECT_EQ(exported().of("/collision_forge/scene").size(), 5U);
-}
-
 TEST_F(ExportToMcapTest, BagsWithoutAScenePassAsTheyAre) {
   {
     NewBag bag(in_);
@@ -278,11 +273,6 @@ TEST_F(ExportToMcapTest, AMessageOfNoTimeIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
-TEST_F(ExportToMcapTest, ABagWithoutMessagesIsRefused) {
-  rosbag::Bag(in_, rosbag::bagmode::Write).close();
-  EXPECT_EQ(complaint(), in_ + ": has no messages");
-}
-
 TEST_F(ExportToMcapTest, WhatIsNoWholeBagIsRefused) {
   writeRecording();
   const std::string bytes = bytesOf(in_);
@@ -295,25 +285,6 @@ TEST_F(ExportToMcapTest, WhatIsNoWholeBagIsRefused) {
   std::filesystem::remove(in_);
   EXPECT_THAT(complaint(), StartsWith(in_ + ": cannot be read"));
   EXPECT_FALSE(std::filesystem::exists(out_));
-}
-
-TEST_F(ExportToMcapTest, ADamagedMessageLeavesNothingBehind) {
-  writeRecording();
-  std::string bytes = bytesOf(in_);
-  for (std::size_t i = 5500; i < 5900; ++i) bytes[i] = 'x';
-  writeBytes(in_, bytes);
-  EXPECT_THAT(complaint(), StartsWith(in_ + ": "));
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << "the bag alone";
-}
-
-TEST_F(ExportToMcapTest, ProgressGrowsToAll) {
-  writeRecording();
-  double last = -1.0;
-  exportToMcap(in_, out_, optionsOfTest(), [&](double share) {
-    EXPECT_GE(share, last);
-    last = share;
-  });
-  EXPECT_EQ(last, 1.0);
 }
 
 }  // namespace

@@ -76,13 +76,6 @@ TEST(MessageFields, EveryBuiltinTypeIsRead) {
               ElementsAre(row(std::int64_t{1700000000000000007})));
 }
 
-TEST(MessageFields, ConstantsCommentsAndEmptyLinesAreNoFields) {
-  const std::string definition =
-      "# a cage\n\nuint8 BIG=1  # m\nstring WORD=a # b\n  uint8   size # BIG\r\n";
-  EXPECT_THAT(read(definition, {{"size"}}, bytesOf(std::uint8_t{9})).front(),
-              ElementsAre(row(9.0)));
-}
-
 const std::string kCage =
     std::string("Header header\nAnimal[] animals\nother_msgs/Door door\n") + kRule +
     "MSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring frame_id\n" + kRule +
@@ -138,40 +131,6 @@ TEST(MessageFields, PathsLeadThroughMessagesAndArrays) {
   EXPECT_THAT(values[9], ElementsAre(row(dog)));
   EXPECT_THAT(values[10], ElementsAre(row(-3.0))) << "Limb is that of its own package";
   EXPECT_EQ(values[11], values[2]);
-}
-
-TEST(MessageFields, AnArrayThatIsEmptyHasNoRows) {
-  const auto values =
-      read(kCage, {{"animals[].name", FieldKind::kText}, {"animals[0].name", FieldKind::kText}},
-           bytesOf(header(), std::uint32_t{0}, std::uint32_t{0}));
-  EXPECT_THAT(values[0], IsEmpty());
-  EXPECT_THAT(values[1], ElementsAre(IsEmpty()));
-}
-
-TEST(MessageFields, BytesThatEndAnywhereAreRefused) {
-  const std::string bytes = cageBytes();
-  for (const std::vector<FieldPath>& paths :
-       {std::vector<FieldPath>{}, std::vector<FieldPath>{{"animals[].limbs[].length"}}}) {
-    for (std::size_t size = 0; size < bytes.size(); ++size) {
-      EXPECT_THAT(complaintOf(kCage, paths, bytes.substr(0, size)), HasSubstr("end within "))
-          << size;
-    }
-    EXPECT_EQ(complaintOf(kCage, paths, bytes), "");
-    EXPECT_THAT(complaintOf(kCage, paths, bytes + "x"), HasSubstr("1 bytes more"));
-  }
-  EXPECT_THAT(complaintOf(kCage, {}, bytes.substr(0, bytes.size() - 1)),
-              HasSubstr("end within door.parts"));
-}
-
-TEST(MessageFields, LengthsBeyondTheBytesCostNothing) {
-  const std::uint32_t huge = 0xffffffff;
-  EXPECT_THAT(complaintOf(kCage, {}, bytesOf(header(), huge)), HasSubstr("end within animals"));
-  EXPECT_THAT(complaintOf("string name\n", {}, bytesOf(huge)), HasSubstr("end within name"));
-  EXPECT_THAT(complaintOf("float64[999999999999999] x\n", {{"x[7]"}}), HasSubstr("end within x"));
-  EXPECT_THAT(complaintOf("uint8[] x\n", {{"x", FieldKind::kText}}, bytesOf(huge)),
-              HasSubstr("end within x"));
-  const std::string nothing = std::string("Nothing[] x\n") + kRule + "MSG: zoo_msgs/Nothing\n";
-  EXPECT_EQ(complaintOf(nothing, {}, bytesOf(huge)), "");
 }
 
 /// 5^25 bytes: they cannot be there, and nobody looks for them.
@@ -233,23 +192,6 @@ TEST(MessageFields, PathsThatLeadNowhereAreRefused) {
     EXPECT_THAT(complaintOf(kCage, {{path, kind}}),
                 testing::AllOf(HasSubstr(std::string("field ") + path), HasSubstr(complaint)));
   }
-}
-
-TEST(MessageFields, ObjectArraysAreReadWithoutTheirPackage) {
-  ObjectArray array;
-  array.objects.resize(2);
-  array.objects[1].id = 77;
-  array.objects[1].pose.position.x = -4.5;
-  array.objects[1].size.y = 2.5;
-  const std::string bytes = bytesOf(array);
-  const auto values = MessageFields("derived_object_msgs/ObjectArray", kObjectArrayDefinition,
-                                    {{"objects[].id", FieldKind::kText},
-                                     {"objects[].pose.position.x"},
-                                     {"objects[].shape.dimensions[1]"}})
-                          .read(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-  EXPECT_THAT(values[0], ElementsAre(row(std::string("0")), row(std::string("77"))));
-  EXPECT_THAT(values[1], ElementsAre(row(0.0), row(-4.5)));
-  EXPECT_THAT(values[2], ElementsAre(row(0.0), row(2.5)));
 }
 
 }  // namespace

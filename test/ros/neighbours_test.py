@@ -111,9 +111,6 @@ class NeighboursTest(road.RoadTest):
         self.assert_neighbours('inject', 'inject', '--bag', self.bag('scene-0001'), '--type', 'rear_end', '--tta', 4,
                                '--now', 4)
 
-    def test_requests(self):
-        self.assert_neighbours('requests', 'requests', *LOGS, *SCENE)
-
     def test_generate(self):
         self.assert_neighbours('generate', 'generate', *LOGS, '--requests', self.requests)
         self.assert_neighbours('generate clips', 'generate', *LOGS, '--requests', self.requests, '--mode', 'replay',
@@ -126,22 +123,6 @@ class NeighboursTest(road.RoadTest):
 
     def test_report(self):
         self.assert_neighbours('report', 'report', self.scenarios, *LOGS)
-
-    def test_evaluate(self):
-        self.assert_neighbours('study evaluate', 'study', 'evaluate', *LOGS, '--requests', self.requests)
-
-    def test_measure_controls(self):
-        self.assert_neighbours('study measure controls', 'study', 'measure', 'controls', *LOGS, '--requests', self.requests)
-
-    def test_test(self):
-        self.assert_neighbours('test', 'test', *LOGS, '--scenarios', self.scenarios, '--planners', 'idm')
-
-    def test_tune(self):
-        self.assert_neighbours('tune', 'tune', *LOGS, '--planner', 'idm', '--grid', self.grid, '--train',
-                               self.scenarios, '--test', self.other)
-
-    def test_dataset(self):
-        self.assert_neighbours('study dataset', 'study', 'dataset', *LOGS, *SCENE, '--config', self.config)
 
     def test_train(self):
         self.assert_neighbours('study train', 'study', 'train', *LOGS, '--config', self.config, '--fold', 1, '--folds', 2)

@@ -106,14 +106,8 @@ class SeparateNodesTest(live.WholeRoadTest):
     def test_frozen_pattern_predictor(self):
         self.check_frozen('pattern_predictor')
 
-    def test_frozen_trajectory_realizer(self):
-        self.check_frozen('trajectory_realizer')
-
     def test_killed_pattern_predictor(self):
         self.check_killed('pattern_predictor')
-
-    def test_killed_trajectory_realizer(self):
-        self.check_killed('trajectory_realizer')
 
     def check_restarted(self, name):
         """A node that was killed is back after a while, connected to all others, and the road is whole again."""
@@ -124,9 +118,6 @@ class SeparateNodesTest(live.WholeRoadTest):
         answer, attacked = self.play_and_ask('rear_end', 'history', 4)
         self.assert_published(answer)
         self.assert_played_on(answer, attacked)
-
-    def test_restarted_scene_encoder(self):
-        self.check_restarted('scene_encoder')
 
     def test_restarted_collision_generator(self):
         self.check_restarted('collision_generator')

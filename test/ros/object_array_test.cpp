@@ -56,14 +56,6 @@ TEST(ObjectArray, EveryAgentIsABoxThatMoves) {
   EXPECT_EQ(message.number("objects[1].id"), 71.0);
 }
 
-TEST(ObjectArray, WhatIsNotKnownIsZeroOrEmpty) {
-  const RosDecoder message = decoded(agentsOf({Agent::CAR}));
-  EXPECT_EQ(message.number("objects[0].twist.angular.z"), 0.0);
-  EXPECT_EQ(message.number("objects[0].accel.linear.x"), 0.0);
-  EXPECT_EQ(message.size("objects[0].polygon.points"), 0U);
-  EXPECT_EQ(message.number("objects[0].classification_age"), 0.0);
-}
-
 TEST(ObjectArray, ClassesAreThoseOfTheMessage) {
   const std::pair<std::uint8_t, int> classes[] = {
       {Agent::CAR, 6},        {Agent::TRUCK, 7},        {Agent::BUS, 9},
@@ -77,11 +69,6 @@ TEST(ObjectArray, ClassesAreThoseOfTheMessage) {
     EXPECT_EQ(message.number("objects[0].object_classified"), is_known ? 1.0 : 0.0);
     EXPECT_EQ(message.number("objects[0].classification_certainty"), is_known ? 255.0 : 0.0);
   }
-}
-
-TEST(ObjectArray, AnIdThatIsANumberIsThatNumber) {
-  EXPECT_EQ(objectId("0"), 0U);
-  EXPECT_EQ(objectId("4294967295"), 4294967295U);
 }
 
 /// Values of Python's zlib.crc32().

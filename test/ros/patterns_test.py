@@ -85,13 +85,6 @@ class PatternsTest(MadeUpTest):
         self.assertLess(answer.attack.miss_distance, NEAR)
         self.assertLess(self.corner_miss(answer.attack, answer.attack.pattern.ego_size), NEAR)
 
-    def test_exactly_where_nobody_can_come_is_refused_with_the_distance(self):
-        def across(pattern):
-            pattern.attacker_offset.y = -pattern.attacker_offset.y  # the right side, but heading to the right
-        answer = self.realize_exactly(across)
-        self.assertEqual(road.CODES[answer.code], 'NO_ATTACK_WITHIN_LIMITS')
-        self.assertTrue(answer.message)
-
     def test_a_node_that_does_not_answer_is_asked_again_over_another_connection(self):
         self.show(drive(8, beside))
         self.ask_for_code('OK', 'lane_change', 4.0)

@@ -85,26 +85,11 @@ TEST(RolloutMarkers, ShowEverybodyAtTheInstantWithoutTheOutcome) {
   EXPECT_EQ(reportOf(array), "idm drives, 1.0 s");
 }
 
-TEST(RolloutMarkers, StandAtTheEndFromThenOn) {
-  const MarkerArray end = rolloutMarkers(standing(), scenario(), "idm", kEnd);
-  const MarkerArray later = rolloutMarkers(standing(), scenario(), "idm", kEnd + 5.0);
-  EXPECT_EQ(inNamespace(later, "attacker")[0].pose.position,
-            inNamespace(end, "attacker")[0].pose.position);
-  EXPECT_EQ(reportOf(later), reportOf(end));
-}
-
 TEST(RolloutMarkers, ShowThoseWhoReactAsTheyDrove) {
   PlannerTrial trial = standing();
   trial.outcome.others = {futureTrack("parked", kCarSize, {50.0, -4.0, 0.0}, 0.0)};
   const MarkerArray array = rolloutMarkers(trial, scenario(), "idm", kNow);
   EXPECT_NEAR(inNamespace(array, "agents")[0].pose.position.x, 50.0, 1e-6);
-}
-
-TEST(RolloutMarkers, KeepTheWordsInTheirPlace) {
-  const auto place = [](double time) {
-    return inNamespace(rolloutMarkers(standing(), scenario(), "idm", time), "report")[0].pose;
-  };
-  EXPECT_GT(place(kNow).position.y * place(kEnd).position.y, 0.0) << "the same side of the ego";
 }
 
 TEST(RolloutMarkers, WithoutAContactTellWhatHappenedAtTheEnd) {
@@ -141,15 +126,6 @@ TEST(RolloutMarkers, ShowTheContactAtTheEnd) {
   const MarkerArray other = rolloutMarkers(trial, scenario(), "pdm", kEnd);
   EXPECT_NE(reportOf(other).find("touches parked\n"), std::string::npos);
   EXPECT_NE(reportOf(other).find("\nat fault\n"), std::string::npos);
-}
-
-TEST(RolloutArea, HoldsEgoAttackerAndTheEnd) {
-  PlannerTrial trial = standing();
-  for (TrajectoryPoint& point : trial.outcome.driven) point.pose.x = 60.0 * (point.time - kNow);
-  const ShownArea area = rolloutArea(trial, scenario(), kNow);
-  EXPECT_LT(area.lowest.x(), 0.0);
-  EXPECT_GT(area.highest.x(), 120.0);
-  EXPECT_LT(rolloutArea(trial, scenario(), kEnd).size().x(), area.size().x()) << "it comes nearer";
 }
 
 }  // namespace

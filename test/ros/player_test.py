@@ -143,10 +143,6 @@ class PlayerAloneTest(PlayerTest):
         self.addCleanup(thread.join)
         self.assertIn('cut.bag cannot be read', self.refusal('_bag:={}'.format(cut)))
 
-    def test_a_rate_that_is_none_is_refused(self):
-        for rate in ('0', '-1', 'fast'):
-            self.assertIn('the parameter rate is', self.refusal('_bag:={}'.format(self.bag(SCENE)), '_rate:=' + rate))
-
     def test_pauses_at_the_end_and_begins_anew_when_it_is_to_go_on(self):
         frames = self.frames()
         with Program(self.command('_bag:={}'.format(self.bag(SCENE)), '_rate:=10', '_loop:=false'), self.path('log')):
@@ -175,10 +171,9 @@ class PlayerAloneTest(PlayerTest):
                                   if stamp.header.stamp == first]), 1)
 
     def test_a_start_outside_the_bag_is_refused_with_the_bags_length(self):
-        for start in ('-1', '20.5', 'soon'):
-            said = self.refusal('_bag:={}'.format(self.bag(SCENE)), '_start:=' + start)
-            self.assertIn('the parameter start is', said)
-        self.assertIn('0 to 20', self.refusal('_bag:={}'.format(self.bag(SCENE)), '_start:=20.5'))
+        said = self.refusal('_bag:={}'.format(self.bag(SCENE)), '_start:=20.5')
+        self.assertIn('the parameter start is', said)
+        self.assertIn('0 to 20', said)
 
 
 class ReplayStartTest(PlayerTest):
@@ -258,7 +253,13 @@ class ReplayTest(PlayerTest):
         until(lambda: self.call('step').success and self.times()[-1] >= end[0], 'the frame', interval=0.1)
         return end[1]
 
-    def test_shows_the_first_frame_and_steps_from_one_to_the_next(self):
+    def test_steps_seeks_and_plays_as_its_services_are_told(self):
+        self.check_steps()
+        self.check_seeks()
+        self.check_plays()
+
+    def check_steps(self):
+        """From the first frame, which is shown, to the next ones."""
         frames = self.frames()
         self.assertEqual(self.agents.all()[-1].header.stamp, frames[0][1])
         for time_of, stamp in frames[1:4]:
@@ -271,7 +272,8 @@ class ReplayTest(PlayerTest):
         time.sleep(0.3)
         self.assertEqual(self.times()[-1], frames[3][0], 'time stands still')
 
-    def test_seeks_forwards_and_back_and_says_where_it_is(self):
+    def check_seeks(self):
+        """Forwards and back, and says where it is."""
         position = Heard('/player/position', Float64)
         self.addCleanup(position.subscriber.unregister)
         seek = rospy.ServiceProxy('/player/seek', Seek)
@@ -291,7 +293,8 @@ class ReplayTest(PlayerTest):
             self.assertFalse(answer.success)
             self.assertIn('is outside the bag: 0 to', answer.message)
 
-    def test_plays_with_a_steady_clock_until_it_is_paused(self):
+    def check_plays(self):
+        """With a steady clock, until it is paused."""
         self.assertTrue(self.call('pause', False).success)
         self.wait_for_state(False)
         self.clock.clear()
@@ -308,11 +311,6 @@ class ReplayTest(PlayerTest):
         stands = self.times()[-1]
         time.sleep(0.3)
         self.assertEqual(self.times()[-1], stands)
-
-    def test_back_to_now_without_an_attack_says_so(self):
-        answer = self.call('back_to_now')
-        self.assertFalse(answer.success)
-        self.assertIn('there is no attack', answer.message)
 
     def test_back_to_now_shows_the_attack_again_and_a_new_request_is_answered_at_once(self):
         now = self.step_to(NOW)

@@ -65,21 +65,6 @@ TEST_F(PosedFramesTest, AFrameWaitsForItsPose) {
   EXPECT_EQ(ready(), Times({0.5})) << "between two poses";
 }
 
-TEST_F(PosedFramesTest, FramesThatWaitedComeInTheirOrder) {
-  pose(0.0);
-  for (const double time : {0.5, 1.0, 1.5, 2.0}) frame(time);
-  pose(2.5);
-  EXPECT_EQ(ready(), Times({0.5, 1.0, 1.5, 2.0}));
-}
-
-TEST_F(PosedFramesTest, AFrameFromBeforeAllPosesHoldsNobodyUp) {
-  frame(0.0);
-  frame(0.5);
-  pose(0.5);
-  EXPECT_EQ(ready(), Times({0.5}));
-  EXPECT_EQ(dropped_, 1u);
-}
-
 TEST_F(PosedFramesTest, NoFrameIsLostWhereAReplayStartsAgain) {
   // Longer than tf2 remembers, so that what is left of the replay before would hide the new poses.
   for (const bool frames_first : {false, true}) {

@@ -53,28 +53,10 @@ class PossibleTest(road.RoadTest):
                                   '--attacker', row['id'])
         self.assertEqual(by_short_id.returncode, 0, by_short_id.stderr)
 
-    def test_types_times_and_alternatives_can_be_named(self):
-        found = rows(of_the_root('--type', 'RE', 'lane_change', '--tta', '3', '4', '--alternatives', '8'))
-        self.assertEqual({row['type'] for row in found}, {'rear_end', 'lane_change'})
-        self.assertEqual({row['tta'] for row in found}, {'3', '4'})
-        self.assertGreater(len(found), 4)
-        of_one = [float(row['confidence']) for row in found if (row['type'], row['tta']) == ('lane_change', '3')]
-        self.assertEqual(of_one, sorted(of_one, reverse=True))
-
     def test_nothing_possible_is_an_exit_code(self):
         result = of_the_root('--type', 'ltap', '--tta', '2')
         self.assertEqual(result.returncode, 3)
         self.assertRegex(result.stdout, '\ndeclined\nltap  .* [A-Z_]+: ')
-
-    def test_bad_command_lines_are_told(self):
-        for arguments, code, words in (
-                ((), 2, '--bag'), (('--dataroot', DATAROOT), 2, '--scene'),
-                (('--bag', 'nowhere.bag'), 1, 'nowhere.bag'),
-                (('--bag', self.bag(SCENE), '--type', 'sideswipe'), 2, 'sideswipe')):
-            result = possible(*arguments)
-            self.assertEqual(result.returncode, code, result.stderr)
-            self.assertIn(words, result.stderr)
-        self.assertIn('0 to 20', road.run('possible', '--now', 99, '--bag', self.bag(SCENE)).stderr)
 
 
 if __name__ == '__main__':

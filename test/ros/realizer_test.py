@@ -87,11 +87,6 @@ class RealizerTest(MadeUpTest):
         answer = self.ask(leap, choice='existing')
         self.assert_code(answer, 'NO_ATTACK_WITHIN_LIMITS')
 
-    def test_its_attack_is_declined_where_it_misses_the_ego(self):
-        answer = self.ask(lambda message: straight_on(message, jerk=0.0), choice='existing')
-        self.assert_code(answer, 'NO_ATTACK_WITHIN_LIMITS')
-        self.assertIn('missed the ego', answer.message)
-
     def test_class_and_size_are_those_of_the_scene(self):
         def truck(message):
             answer = straight_on(message)

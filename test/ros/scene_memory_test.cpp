@@ -6,7 +6,6 @@
 #include <chrono>
 #include <future>
 #include <string>
-#include <thread>
 
 #include "collision_forge/ros/messages/conversions.h"
 
@@ -42,11 +41,6 @@ class SceneMemoryTest : public testing::Test {
   SceneMemory memory_{options()};
 };
 
-TEST_F(SceneMemoryTest, BeforeTheFirstThereIsNone) {
-  EXPECT_EQ(codeOf(memory_.newest(kClock)), StatusCode::kNoScene);
-  EXPECT_EQ(codeOf(memory_.at(ros::Time(1.0))), StatusCode::kNoScene);
-}
-
 TEST_F(SceneMemoryTest, TheNewestIsStaleWhereNoneComesAnyMore) {
   add(100.0, kClock);
   add(100.5, kClock + 0.5);
@@ -81,12 +75,6 @@ TEST_F(SceneMemoryTest, AFrameOfAgentsIsNamedByItsStampHoweverFineThatIs) {
   }
 }
 
-TEST_F(SceneMemoryTest, OldOnesAreForgotten) {
-  for (int i = 0; i <= 40; ++i) add(100.0 + 0.5 * i);
-  EXPECT_EQ(codeOf(memory_.at(ros::Time(109.9))), StatusCode::kNoScene);
-  EXPECT_EQ(stampOf(memory_.at(ros::Time(110.0))), 110.0);
-}
-
 TEST_F(SceneMemoryTest, OneThatIsStillToComeIsWaitedFor) {
   LiveOptions patient = options();
   patient.wait_for = 30.0;
@@ -99,14 +87,6 @@ TEST_F(SceneMemoryTest, OneThatIsStillToComeIsWaitedFor) {
     memory.add(scene, kClock);
   }
   EXPECT_EQ(stampOf(found.get()), 101.0);
-}
-
-TEST_F(SceneMemoryTest, OneThatDoesNotComeIsStale) {
-  add(100.0);
-  const Found none = memory_.at(ros::Time(107.0));
-  EXPECT_EQ(codeOf(none), StatusCode::kStaleScene);
-  EXPECT_NE(messageOf(none).find("107.000"), std::string::npos) << messageOf(none);
-  EXPECT_NE(messageOf(none).find("100.000"), std::string::npos) << messageOf(none);
 }
 
 TEST_F(SceneMemoryTest, AReplayThatStartsAgainForgetsTheOneBefore) {

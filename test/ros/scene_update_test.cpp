@@ -44,12 +44,6 @@ class SceneUpdateTest : public testing::Test {
   const RosDecoder decoded_{sceneUpdateDefinition(), toRosBytes(twoEntities())};
 };
 
-TEST_F(SceneUpdateTest, DeletesWhatWasShownBefore) {
-  EXPECT_EQ(decoded_.size("deletions"), 1U);
-  EXPECT_EQ(decoded_.number("deletions[0].type"), 1.0) << "ALL";
-  EXPECT_EQ(decoded_.number("deletions[0].timestamp"), 12.5);
-}
-
 TEST_F(SceneUpdateTest, EntitiesStayAndMoveWithTheirFrame) {
   ASSERT_EQ(decoded_.size("entities"), 2U);
   for (const std::string entity : {"entities[0]", "entities[1]"}) {
@@ -85,15 +79,6 @@ TEST_F(SceneUpdateTest, LinesAreAListAndTextsTurnToTheViewer) {
   EXPECT_EQ(decoded_.number("entities[0].texts[0].font_size"), 0.7);
   EXPECT_EQ(decoded_.number("entities[0].texts[0].pose.position.y"), 6.0);
   EXPECT_EQ(decoded_.text("entities[0].texts[0].text"), "two\nlines");
-}
-
-TEST_F(SceneUpdateTest, WhatIsNotUsedIsEmpty) {
-  for (const char* list : {"arrows", "cylinders", "triangles", "models"}) {
-    EXPECT_EQ(decoded_.size(std::string("entities[0].") + list), 0U) << list;
-  }
-  for (const char* list : {"cubes", "lines", "texts", "metadata"}) {
-    EXPECT_EQ(decoded_.size(std::string("entities[1].") + list), 0U) << list;
-  }
 }
 
 }  // namespace

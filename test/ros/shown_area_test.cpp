@@ -34,15 +34,5 @@ TEST(ShownArea, ScalesLettersSoThatTheirSizeOnTheScreenStays) {
   EXPECT_DOUBLE_EQ(letters(120.0), letters(kUsualWidth));
 }
 
-TEST(ShownArea, IsAPolygonOfItsCorners) {
-  std_msgs::Header header;
-  header.frame_id = "map";
-  const auto message = toMessage({{1.0, 2.0}, {3.0, 5.0}}, header);
-  EXPECT_EQ(message.header.frame_id, "map");
-  ASSERT_EQ(message.polygon.points.size(), 4U);
-  EXPECT_FLOAT_EQ(message.polygon.points[0].x, 1.0F);
-  EXPECT_FLOAT_EQ(message.polygon.points[2].y, 5.0F);
-}
-
 }  // namespace
 }  // namespace forge

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "collision_forge/base/scene/scene.h"
 
 namespace forge {
@@ -33,11 +31,6 @@ TEST(ShownMotion, OfATurnIsTheSumOfItsSmallSteps) {
   EXPECT_NEAR(moved.x, step.pose.x, 1e-3);
   EXPECT_NEAR(moved.y, step.pose.y, 1e-3);
   EXPECT_NEAR(moved.yaw, step.pose.yaw, 1e-9);
-}
-
-TEST(ShownMotion, TurnsAsBetweenTheLastStatesAndNotWhileStanding) {
-  EXPECT_NEAR(lastTurnRate(turning(5.0)), 0.2, 1e-9);
-  EXPECT_EQ(lastTurnRate(turning(0.1)), 0.0);
 }
 
 TEST(ShownMotion, OfPosesIsBetweenThemAndGoesOnForALittleWhile) {

@@ -98,34 +98,5 @@ TEST(SlidingEgo, IsThereAtTheContactOnceBetweenTwoMessages) {
   EXPECT_FALSE(ego.atContact(messageAt(10.6)));
 }
 
-TEST(SlidingEgo, IsNotMadeWhereAMessageHasThatStamp) {
-  SlidingEgo before(sideways({}), 0.0);
-  before.changed(messageAt(10.0));
-  EXPECT_FALSE(before.atContact(messageAt(10.3)));
-  SlidingEgo soon_after(sideways({}), 0.0);
-  soon_after.changed(messageAt(10.0 - 1e-4));
-  EXPECT_TRUE(soon_after.atContact(messageAt(10.3)));
-}
-
-TEST(SlidingEgo, OdometryAtTheContactMovesAsBetweenTheMessages) {
-  SlidingEgo ego(sideways({5.0, 0.0, 0.0}), 0.0);
-  nav_msgs::Odometry message;
-  message.pose.pose.orientation.w = 1.0;
-  message.header.stamp = ros::Time(9.9);
-  message.twist.twist.linear.x = 8.0;
-  message.twist.twist.angular.z = 0.1;
-  ego.changed(message);
-  message.header.stamp = ros::Time(10.3);
-  message.twist.twist.linear.x = 4.0;
-  message.twist.twist.angular.z = 0.5;
-  const auto made = ego.atContact(message);
-  ASSERT_TRUE(made);
-  EXPECT_EQ(made->message.header.stamp, ros::Time(10.0));
-  EXPECT_NEAR(made->message.pose.pose.position.x, 5.0, 1e-9);
-  EXPECT_NEAR(made->message.twist.twist.linear.x, 7.0, 1e-9);
-  EXPECT_NEAR(made->message.twist.twist.angular.z, 0.2, 1e-9);
-  EXPECT_FALSE(ego.atContact(message));
-}
-
 }  // namespace
 }  // namespace forge

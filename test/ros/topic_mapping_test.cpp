@@ -68,14 +68,6 @@ TEST(ReadTopicMapping, DerivedObjectsHaveTheirPlaces) {
   EXPECT_EQ(pathOf(agents.velocity->velocity[0]), "objects[].twist.linear.x");
 }
 
-TEST(ReadTopicMapping, AutowaresObjectsHaveTheirPlaces) {
-  const AgentsMapping agents = readTopicMapping(shipped("autoware")).agents;
-  EXPECT_EQ(agents.id, "objects[].object_id.uuid");
-  EXPECT_EQ(agents.classification, "objects[].classification[].label");
-  EXPECT_EQ(agents.probability, "objects[].classification[].probability");
-  EXPECT_EQ(agents.velocity->frame, VelocityFrame::kObject);
-}
-
 TEST(ReadTopicMapping, TransformsHaveTheirPlacesByTheirType) {
   const TemporaryFolder folder;
   std::stringstream content;

@@ -62,29 +62,6 @@ class TrainTest(road.RoadTest):
         for name in ('weights.bin', 'metrics.csv'):
             self.assertEqual((out / name).read_bytes(), (again / name).read_bytes(), name)
 
-    def test_other_ranks_do_not_go_on(self):
-        out = self.trained('two', '--stop-after', 1, ranks=2)
-        result = self.train(out)
-        self.assertEqual(result.returncode, 1)
-        self.assertIn('"ranks = 2", not "ranks = 1"', result.stderr)
-
-    def test_another_configuration_does_not_go_on(self):
-        out = self.trained('configured', '--stop-after', 1)
-        path = self.config / 'prediction.yaml'
-        shipped = path.read_text()
-        path.write_text(shipped + '# changed\n')
-        result = self.train(out)
-        path.write_text(shipped)
-        self.assert_refused(result, 'the run was started with "config/prediction.yaml = fingerprint ')
-        self.trained('configured')
-
-    def test_a_stopped_run_ends_the_same(self):
-        whole = self.trained('whole')
-        stopped = self.trained('stopped', '--stop-after', 1)
-        self.trained('stopped')
-        for name in ('weights.bin', 'metrics.csv'):
-            self.assertEqual((whole / name).read_bytes(), (stopped / name).read_bytes(), name)
-
     def test_logs_of_every_kind_train_the_same_network(self):
         whole = self.trained('tables', '--stop-after', 1)
         for kind in ('bag', 'scenarionet'):
@@ -112,20 +89,6 @@ class TrainTest(road.RoadTest):
             self.assertEqual(len(archive.read(name).split()), 2)
         self.assertEqual(self.train(out, '--planner', '--stop-after', 1).returncode, 2)
 
-    def test_a_fold_beyond_the_last_is_refused(self):
-        out = self.folder / 'beyond'
-        result = self.train(out, '--fold', 3, '--folds', 2)
-        self.assertEqual(result.returncode, 2)
-        self.assertIn('--fold: 3 is none of the 2 of --folds', result.stderr)
-        self.assertFalse(out.exists())
-        self.trained('last', '--fold', 2, '--folds', 2, '--stop-after', 1)
-
-    def test_a_fold_without_scenes_is_refused(self):
-        out = self.folder / 'empty'
-        result = self.train(out, '--fold', 11, '--folds', 20)
-        self.assert_refused(result, '--fold: 11 has none of the 10 scenes')
-        self.assertFalse(out.exists())
-
     def test_speeds_that_no_model_fits_are_told(self):
         profiles = self.folder / 'profiles.csv'
         result = road.run('study', 'speeds', 'collect', '--source', DATAROOT, '--out', profiles)
@@ -143,14 +106,6 @@ class TrainTest(road.RoadTest):
         complaints = [line for line in result.stderr.splitlines() if line.startswith('forge {}: '.format(command))]
         self.assertEqual(result.stderr.splitlines()[-1:], complaints, result.stderr)
         self.assertIn(message, complaints[0])
-
-    def test_a_damaged_state_and_a_full_disk_are_told_in_a_line(self):
-        out = self.trained('damaged', '--stop-after', 1)
-        state = out / 'state.pt'
-        room = state.stat().st_size // 2  # less than the state, more than the weights
-        self.assert_refused(self.train(out, room=room), '{}: cannot be written'.format(state))
-        state.write_bytes(state.read_bytes()[:1000])
-        self.assert_refused(self.train(out), '{}: is not as it was written'.format(state))
 
 
 if __name__ == '__main__':

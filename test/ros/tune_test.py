@@ -115,11 +115,6 @@ class TunePlannerTest(road.RoadTest):
             rows = list(csv.DictReader(file))
         self.assertLessEqual({'tuned_collision', 'collision_avoidable', 'progress'}, {row['measure'] for row in rows})
 
-    def test_threads_do_not_change_a_byte(self):
-        out = self.path('out')
-        self.assertEqual(self.tune(out, '--jobs', 3).returncode, 0)
-        self.assert_same(out)
-
     def mpirun(self, *words):
         command = ['mpirun', '--oversubscribe', '-np', 2, 'forge', *words]
         return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -131,37 +126,6 @@ class TunePlannerTest(road.RoadTest):
         result = self.mpirun(*self.words(out))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assert_same(out)
-
-    def test_interrupted_run_is_gone_on_with(self):
-        for name in ('train.jsonl', 'test.jsonl'):
-            out = self.path(name)
-            out.mkdir()
-            for file in (name, name + '.options', 'train.jsonl', 'train.jsonl.options'):
-                (out / file).write_bytes((self.expected / file).read_bytes())
-            lines = (out / name).read_bytes().splitlines(keepends=True)
-            (out / name).unlink()
-            road.leave_part(out / name, b''.join(lines[:2]) + lines[2][:20])
-            result = self.tune(out)
-            self.assertEqual(result.returncode, 0, result.stderr)
-            self.assert_same(out)
-            self.assertFalse((out / (name + '.part')).exists())
-
-    def test_another_grid_does_not_go_on(self):
-        out, grid = self.path('out'), self.path('grid.yaml')
-        self.assertEqual(self.tune(out).returncode, 0)
-        grid.write_text(GRID.replace('4.0', '5.0'))
-        result = self.tune(out, grid=grid)
-        self.assertEqual(result.returncode, 1)
-        self.assertIn('grid', result.stderr)
-        self.assert_same(out)
-
-    def test_shared_scenes_are_refused(self):
-        out, mixed = self.path('out'), self.path('mixed.jsonl')
-        mixed.write_text(self.test.read_text() + self.train.read_text())
-        result = self.tune(out, test=mixed)
-        self.assertEqual(result.returncode, 1)
-        self.assertIn('scene-0001', result.stderr)
-        self.assertFalse(out.exists())
 
     def clips(self):
         """A folder of clips: the attacks of both files."""
@@ -187,31 +151,6 @@ class TunePlannerTest(road.RoadTest):
             options = (out / (part + '.jsonl.options')).read_text()
             self.assertIn('attacker history by ' + method + ', unverified', options)
         self.assertIn('Test: ', result.stdout)
-
-    def test_wrong_words_about_clips_are_refused(self):
-        out, clips = self.path('out'), self.clips()
-        for words, told in ((('--train-method', 'magic'), '--train-method: method "magic" is none of'),
-                            (('--version', VERSION, '--train', self.train, '--test', self.test), '--train')):
-            result = self.tune_on(clips, out, *words)
-            self.assertEqual(result.returncode, 2)
-            self.assertIn(told, result.stderr)
-        for path in (clips / 'trajectory' / 'val').glob('*scene-0007*'):
-            path.unlink()
-        result = self.tune_on(clips, out)
-        self.assertEqual(result.returncode, 1)
-        self.assertIn('all clips are of one scene', result.stderr)
-        self.assertFalse(out.exists())
-
-    def test_bad_grids_are_refused(self):
-        out, grid = self.path('out'), self.path('grid.yaml')
-        for text, word in (('pdm:\n  pdm.idm.min_gap: [1.0]\n', 'idm is missing'),
-                           ('idm:\n  idm.standard.gap: [1.0]\n', 'no key idm.standard.gap'),
-                           ('idm:\n  idm.standard.min_gap: [-1.0]\n', 'min_gap = -1')):
-            grid.write_text(text)
-            result = self.tune(out, grid=grid)
-            self.assertEqual(result.returncode, 1)
-            self.assertIn(word, result.stderr)
-            self.assertFalse(out.exists())
 
     def test_training_without_an_avoidable_crash_ends_all_ranks(self):
         out, train = self.path('out'), self.path('bad.jsonl')

@@ -43,10 +43,6 @@ TEST(AttackText, NamesTypeClassManoeuvreAndBelief) {
   EXPECT_THAT(text, HasSubstr("yes"));
 }
 
-TEST(AttackText, ShowsIdsAsTheyAreWritten) {
-  EXPECT_THAT(attackText(attackAt(10.0)).toStdString(), HasSubstr("a&lt;b"));
-}
-
 TEST(AttackText, NamesTheAttackerByTheIdInThePicture) {
   collision_forge::Attack attack = attackAt(10.0);
   attack.trajectory.attacker_id = "626d04ddfb6ad0fbce7bb269ab4d03e5";
@@ -86,17 +82,6 @@ TEST(AttackText, SaysWhyNobodyWouldDriveSo) {
   EXPECT_THAT(attackText(attack).toStdString(), HasSubstr("no: it drives on a walkway"));
 }
 
-TEST(AttackText, SaysThatAnAttackerWasAdded) {
-  collision_forge::Attack attack = attackAt(10.0);
-  attack.trajectory.added = true;
-  EXPECT_THAT(attackText(attack).toStdString(), HasSubstr("by an added car"));
-}
-
-TEST(AttackText, IsEmptyForAnAttackByNobody) {
-  EXPECT_TRUE(attackText({}).isEmpty());
-  EXPECT_TRUE(crashText({}, nullptr, ros::Time(1.0)).isEmpty());
-}
-
 TEST(CrashText, CountsDownUntilTheContact) {
   const collision_forge::Attack attack = attackAt(10.0);
   const collision_forge::CollisionReport tested = testedOf(attack);
@@ -113,13 +98,6 @@ TEST(CrashText, GivesTheVerdictInGreenOrRed) {
   const std::string not_as_asked = crashAt(14.5, attack, &tested);
   EXPECT_THAT(not_as_asked, HasSubstr("at another time"));
   EXPECT_NE(as_asked.substr(0, as_asked.find('>')), not_as_asked.substr(0, not_as_asked.find('>')));
-}
-
-TEST(FailureText, HasNameNumberAndMessage) {
-  const std::string text = failureText(6, "nobody near").toStdString();
-  EXPECT_THAT(text, HasSubstr("NO_CANDIDATE"));
-  EXPECT_THAT(text, HasSubstr("(6)"));
-  EXPECT_THAT(text, HasSubstr("nobody near"));
 }
 
 }  // namespace

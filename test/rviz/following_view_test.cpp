@@ -7,28 +7,10 @@ namespace {
 
 constexpr double kFrame = 1.0 / 30.0;  // s
 
-geometry_msgs::Polygon rectangle(float left, float low, float right, float high) {
-  geometry_msgs::Polygon polygon;
-  polygon.points.resize(4);
-  polygon.points[0].x = polygon.points[3].x = left;
-  polygon.points[1].x = polygon.points[2].x = right;
-  polygon.points[0].y = polygon.points[1].y = low;
-  polygon.points[2].y = polygon.points[3].y = high;
-  return polygon;
-}
-
 /// The view that comes to rest.
 TopView settled(FollowingView& following, TopView shown, const TopView& goal) {
   for (int i = 0; i < 300; ++i) shown = following.next(shown, goal, kFrame);
   return shown;
-}
-
-TEST(ViewOf, HoldsTheAreaInTheMiddleOfWhateverPicture) {
-  const TopView wide = viewOf(rectangle(10.0F, 0.0F, 110.0F, 20.0F), 1000, 800);
-  EXPECT_DOUBLE_EQ(wide.x, 60.0);
-  EXPECT_DOUBLE_EQ(wide.y, 10.0);
-  EXPECT_DOUBLE_EQ(wide.scale, 10.0);
-  EXPECT_DOUBLE_EQ(viewOf(rectangle(0.0F, 0.0F, 20.0F, 100.0F), 1000, 800).scale, 8.0);
 }
 
 TEST(FollowingView, BeginsWithTheGoalAndMovesSmoothlyToTheNextOne) {

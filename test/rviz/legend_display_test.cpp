@@ -18,12 +18,5 @@ TEST(Legend, HasEveryClass) {
   }
 }
 
-TEST(Legend, ShowsColoursAsThePictureDoes) {
-  const std::string text = legendText().toStdString();
-  EXPECT_THAT(text, HasSubstr("<font color=#1f66cc>&#9632;</font>&nbsp;ego"));  // 0.12, 0.40, 0.80
-  // The same with alpha 0.35 on white: 1 - 0.35 * (1 - 0.12), ...
-  EXPECT_THAT(text, HasSubstr("<font color=#b0c9ed>&#9632;</font>&nbsp;pale"));
-}
-
 }  // namespace
 }  // namespace forge

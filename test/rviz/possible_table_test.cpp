@@ -5,8 +5,6 @@
 #include <QApplication>
 #include <QScrollBar>
 
-#include <optional>
-
 namespace forge {
 namespace {
 
@@ -34,15 +32,6 @@ TEST(PossibleTable, ShowsACollisionARow) {
   EXPECT_EQ(table.item(1, 2)->text(), "added truck");
   table.setCollisions({});
   EXPECT_EQ(table.rowCount(), 0);
-}
-
-TEST(PossibleTable, HasNoScrollBarsOverEmptySpace) {
-  PossibleTable table;
-  table.resize(250, 120);
-  table.show();
-  QApplication::processEvents();
-  EXPECT_FALSE(table.horizontalScrollBar()->isVisible());
-  EXPECT_FALSE(table.verticalScrollBar()->isVisible());
 }
 
 TEST(PossibleTable, MarksARowWithoutTellingThatItWasChosen) {

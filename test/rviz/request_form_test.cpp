@@ -31,10 +31,6 @@ TEST(RequestForm, AsksForWhatWasChosen) {
   EXPECT_EQ(request.choice, "existing");
 }
 
-TEST(RequestForm, AsksForAnyTypeUnlessOneIsChosen) {
-  EXPECT_EQ(RequestForm().request().collision_type, "");
-}
-
 TEST(RequestForm, AsksForACollisionOfTheTableWithoutChangingItsFields) {
   RequestForm form;
   const auto request = form.requestOf(cutIn());
@@ -64,27 +60,6 @@ TEST(RequestForm, OffersAttackersByTheIdsInThePictureAndAsksForTheWholeId) {
                                      [](const QComboBox* box) { return box->isEditable(); });
   EXPECT_EQ((*attacker)->currentText().toStdString(), "626d04");
   EXPECT_EQ(form.request().attacker_id, collision.attacker_id);
-}
-
-TEST(RequestForm, OffersTheWholeIdWhereTwoBeginAlike) {
-  RequestForm form;
-  form.setAttackers({"0123456789", "0123459876"});
-  collision_forge::PossibleCollision collision = cutIn();
-  for (const char* id : {"0123456789", "0123459876"}) {
-    collision.attacker_id = id;
-    form.choose(collision);
-    EXPECT_EQ(form.request().attacker_id, id);
-  }
-}
-
-TEST(RequestForm, AsksForANewVehicleWhereThatWasChosen) {
-  RequestForm form;
-  form.choose(cutIn());
-  collision_forge::PossibleCollision added = cutIn();
-  added.added = true;
-  form.choose(added);
-  EXPECT_EQ(form.request().attacker_id, "");
-  EXPECT_EQ(form.request().choice, "new");
 }
 
 TEST(RequestForm, ForgetsAManoeuvreThatAnotherTypeDoesNotHave) {
@@ -119,13 +94,6 @@ TEST(RequestForm, KeepsTheAttackerWhenOthersComeAndGo) {
   EXPECT_EQ(form.request().attacker_id, "a1") << "it may come again";
 }
 
-TEST(RequestForm, KeepsTheMethodWhenNamesCome) {
-  RequestForm form;
-  EXPECT_EQ(form.method(), "");
-  form.setMethods({"search", "random"});
-  EXPECT_EQ(form.method(), "");
-}
-
 TEST(RequestForm, IsSavedAndLoaded) {
   RequestForm saved;
   saved.setMethods({"search", "random"});
@@ -142,16 +110,6 @@ TEST(RequestForm, IsSavedAndLoaded) {
   EXPECT_EQ(request.attacker_id, expected.attacker_id);
   EXPECT_EQ(request.choice, expected.choice);
   EXPECT_EQ(request.alternatives, expected.alternatives);
-}
-
-TEST(RequestForm, TellsThatItChanged) {
-  RequestForm form;
-  int changes = 0;
-  QObject::connect(&form, &RequestForm::changed, [&changes] { ++changes; });
-  form.setAttackers({"b2"});
-  EXPECT_EQ(changes, 0) << "who is there is no setting";
-  form.choose(cutIn());
-  EXPECT_GT(changes, 0);
 }
 
 }  // namespace

@@ -84,22 +84,6 @@ class AblateHeads(unittest.TestCase):
         self.assertEqual(rows[0]['head'], 'regression')
         self.assertEqual(float(rows[0]['displacement']), 4.0)
 
-    def test_asks_forge_for_what_each_split_means(self):
-        self.ablate('--epochs', '5', '--folds', '4')
-        published, by_scene = (
-            [next(line for line in self.called(command) if '/{}-'.format(split) in line)
-             for command in ('train', 'measure', 'evaluate')] for split in ('published', 'by_scene'))
-        self.assertIn('--fold 0 --folds 4', published[0])
-        self.assertIn('--fold 1 --folds 4', by_scene[0])
-        self.assertIn('--seen-scenes', published[1])
-        self.assertIn('--unseen', by_scene[1])
-        self.assertIn('--seen-scenes', published[2])
-        self.assertNotIn('--seen-scenes', by_scene[2])
-        config = self.root / 'out' / 'by_scene-regression-1' / 'config'
-        self.assertIn('epochs: 5\n', (config / 'training.yaml').read_text(encoding='utf-8'))
-        self.assertIn(str(self.root / 'out' / 'by_scene-regression-1' / 'run' / 'weights.bin'),
-                      (config / 'models.yaml').read_text(encoding='utf-8'))
-
     def test_goes_on_where_it_was_stopped(self):
         self.assertEqual(self.ablate('--seeds', '1').returncode, 0)
         self.assertEqual(len(self.called('train')), 6)

@@ -12,7 +12,6 @@ import unittest
 from pathlib import Path
 
 from check_limits_test import PACKAGE, Vehicle, moved, random_drive, vehicles
-from kinematic_drive import scenario
 
 INSTALLED = importlib.util.find_spec('commonroad_dc') is not None
 
@@ -54,10 +53,6 @@ class WithTheChecker(FeasibilityTest):
         self.assertIn('feasible bus: 1.0000 (2 of 2), by trajectory_feasibility() alone 1.0000\n', result.stdout)
         self.assertIn('\nfeasible: 1.0000 (12 of 12), ', result.stdout)
 
-    def test_coming_to_a_standstill_is_feasible_and_silent(self):
-        result = self.check([vehicle.drive(vehicle.max_braking, -vehicle.max_braking) for vehicle in vehicles()])
-        self.assertEqual((result.returncode, result.stderr), (0, ''), result.stdout)
-
     def test_what_cannot_be_driven_is_not_feasible(self):
         car, bus = Vehicle('car'), Vehicle('bus')
         for what, line in (('is led where nothing leads in the step at 0.0 s', car.drive(5.0, slip=0.3)),
@@ -71,25 +66,6 @@ class WithTheChecker(FeasibilityTest):
             self.assertEqual(result.returncode, 1, result.stderr)
             self.assertIn(what, result.stdout)
             self.assertIn('\nfeasible: 0.0000 (0 of 1)', result.stdout)
-
-    def test_the_sample_is_drawn_by_its_seed(self):
-        lines = [Vehicle('car').drive(5.0, slip=0.3)] * 12 + [scenario(None)]
-        told = [self.check(lines, '--sample', 3, '--seed', seed).stdout.splitlines() for seed in (1, 1, 2)]
-        self.assertEqual(told[0][:3], told[1][:3])
-        self.assertNotEqual(told[0][:3], told[2][:3])
-        self.assertTrue(told[0][3].startswith('3 of 12 trajectories, 90 steps'))
-        self.assertIn('12 of 12 trajectories', self.check(lines, '--sample', 0).stdout)
-
-    def test_what_cannot_be_judged_is_no_success(self):
-        car = Vehicle('car').drive(5.0)
-        coarse = dict(car, attacker=dict(car['attacker'], trajectory=car['attacker']['trajectory'][::5]))
-        for lines, named in (([], 'no trajectory'), ([scenario(None)], 'no trajectory'),
-                             ([scenario(car['attacker']['trajectory'], 'bicycle', 2.0)], 'line 1: there are no limits'),
-                             ([coarse], 'samples 0.0 s and 0.5 s are not 0.1 s apart'),
-                             ([dict(car, report={})], 'malformed')):
-            result = self.check(lines)
-            self.assertEqual(result.returncode, 2, named)
-            self.assertIn(named, result.stderr)
 
 
 if __name__ == '__main__':

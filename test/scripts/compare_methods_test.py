@@ -146,55 +146,6 @@ class CompareMethods(unittest.TestCase):
         self.assertEqual(self.compare('--only', 'trainings').returncode, 2)
         self.assertEqual(self.compare('--only', 'trainings', '--trainings', *others * 3).returncode, 2)
 
-    def test_runs_are_those_of_rows_scenes_and_protocols(self):
-        self.done('--only', 'published,strict', '--methods', 'recorded,constant_velocity,network', '--seeds', '2')
-        calls = self.called()
-        self.assertEqual(len(calls), 8, 'baselines share a run')
-        for protocol in ('published', 'strict'):
-            for method in ('recorded', 'network'):
-                some = [call for call in calls if '--protocol {} --method {} '.format(protocol, method) in call]
-                self.assertEqual(['--seen-scenes' in call for call in some], [True, False])
-                self.assertTrue(all('--mode history --seeds 2 ' in call for call in some))
-
-    def test_strict_rates_are_of_all_conditions_by_angle_bands(self):
-        text = self.done('--only', 'strict', '--methods', 'network')
-        title = 'Strict protocol, all conditions, angle bands, %, history mode, val, '
-        self.assertIn('| network | 10 | 14.5 | - |', self.section(text, title + 'seen'))
-        self.assertIn('| network | 10 | 14.0 | - |', self.section(text, title + 'unseen'))
-        self.assertNotIn('paper, test', text)
-
-    def test_slow_methods_get_fewer_clips_from_everywhere(self):
-        text = self.done('--only', 'strict', '--methods', 'network,strive_optimised', '--slow-limit', '2')
-        self.assertIn('| strive_optimised | 2 | ', text)
-        self.assertIn('| network | 10 | ', text)
-        self.assertEqual(sorted(os.listdir(self.out / 'clips' / 'val-2' / 'trajectory' / 'val')),
-                         ['clip0.csv', 'clip5.csv'])
-        self.out = self.root / 'other'
-        text = self.done('--only', 'strict', '--methods', 'network,strive_optimised', '--slow-limit', '5', '--limit',
-                         '4')
-        self.assertIn('| strive_optimised | 4 | ', text)
-        self.assertIn('| network | 4 | ', text)
-
-    def test_requests_over_logs(self):
-        text = self.done('--only', 'drivable', '--requests', self.requests, '--methods', 'recorded,network',
-                         '--limit', '4')
-        self.assertIn('| network | 4 | 44.0 | - |', text)
-        self.assertNotIn('| recorded |', text)
-        self.assertNotIn('--limits', self.called()[0])
-        text = self.done('--only', 'drivable', '--requests', self.requests, '--methods', 'network+search:adaptive')
-        self.assertIn('| network+search:adaptive | 8 | 55.0 | - |', text)
-        self.assertIn('--version V', self.called()[0])
-
-    def test_planners_against_attackers_of_three_sources(self):
-        text = self.done('--only', 'planners')
-        for row in ('| idm_published | recorded | 5 | 4 | 50.0 |', '| rule_based | c_strive | 5 | 4 | 62.1 |',
-                    '| pdm | network+search | 5 | 4 | 65.2 |',
-                    '| pdm | the paper (paper, test split) | - | - | 19 | 37 |'):
-            self.assertIn(row, text)
-        self.assertEqual(len(self.called()), 3)
-        self.assertNotIn('--method', self.called()[0])
-        self.assertIn('--drive history --method c_strive --unverified', self.called()[1])
-
     def test_tuning_is_compared_in_scenes_not_tuned_on(self):
         text = self.done('--only', 'tuning', '--tuning-clips', '4')
         for row in ('| default | - | 6 | 70.0 |', '| tuned on c_strive | 7 | 6 | 30.0 |',
@@ -202,17 +153,6 @@ class CompareMethods(unittest.TestCase):
             self.assertIn(row, text)
         self.assertEqual(len(self.called()), 2, 'default and tuned are of one run')
         self.assertIn('/clips/val-4 ', self.called()[0])
-
-    def test_attacks_that_nothing_can_be_tuned_on_are_no_failure(self):
-        none = self.root / 'none'
-        self.config.rename(none)
-        self.config = none
-        text = self.done('--only', 'tuning')
-        self.assertIn('| tuned on c_strive | none to avoid | - | - |', text)
-        self.assertIn('| tuned on network+search | 7 | 6 | 20.0 |', text)
-
-    def test_times(self):
-        self.assertIn('| network | 2 | 1.500 | 2.500 | 3.500 |', self.done('--only', 'latency', '--methods', 'network'))
 
     def test_a_run_that_is_done_is_not_done_again(self):
         words = ('--only', 'strict', '--methods', 'network')
@@ -236,15 +176,6 @@ class CompareMethods(unittest.TestCase):
         self.calls.unlink()
         self.assertIn('| network | 10 | 14.0 |', self.done(*words))
         self.assertEqual(len(self.called()), 2)
-
-    def test_without_requests_their_parts_are_left_out_or_refused(self):
-        result = self.compare('--only', 'drivable')
-        self.assertEqual(result.returncode, 2)
-        self.assertIn('needs --requests', result.stderr)
-        self.assertEqual(self.compare('--only', 'all').returncode, 2)
-        text = self.done('--methods', 'recorded')
-        self.assertNotIn('Crashes as asked', text)
-        self.assertIn('## Latency', text)
 
 
 if __name__ == '__main__':

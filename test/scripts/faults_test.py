@@ -55,15 +55,6 @@ class FaultsTest(unittest.TestCase):
         self.pretend(full.format('forge requests: $out: no'))
         self.assert_passes(self.faults('requests', 'full'))
 
-    def test_a_last_run_that_fails_is_found(self):
-        self.pretend('[[ $out == */alone/* ]] || { echo "forge requests: $out: no" >&2; exit 1; }; echo same > "$out"')
-        self.assert_fails(self.faults('requests', 'kill'), 'exit code 1')
-
-    def test_what_is_no_command_and_no_kind_is_refused(self):
-        result = self.faults('requests', 'wrong')
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("invalid choice: 'wrong'", result.stderr)
-
 
 if __name__ == '__main__':
     unittest.main()

@@ -28,13 +28,6 @@ class Lines(unittest.TestCase):
         self.assertEqual([], violations_of('x' * 120))
         self.assertEqual(['README.md:2: the line has 121 columns, more than 120'], violations_of('x\n' + 'x' * 121))
 
-    def test_a_row_of_a_table_may_be_longer(self):
-        self.assertEqual([], violations_of('| ' + 'x' * 121 + ' |'))
-
-    def test_code_may_not_be_longer(self):
-        self.assertEqual(['README.md:2: the line has 121 columns, more than 120'],
-                         violations_of('```\n' + 'x' * 121 + '\n```'))
-
     def test_a_readme_over_150_lines_is_found_at_the_root_alone(self):
         self.assertEqual([], violations_of('\n' * 150))
         self.assertEqual(['README.md:151: the file has 151 lines, more than 150'], violations_of('\n' * 151))
@@ -51,25 +44,9 @@ class Sentences(unittest.TestCase):
         self.assertEqual(['README.md:3: the sentence "A word word word word ..." has 31 words, more than 30'],
                          violations_of('x\n\nFirst. A ' + words(15) + '\n' + words(15) + '.'))
 
-    def test_sentences_end_with_points_and_question_and_exclamation_marks(self):
-        self.assertEqual([], self.found('A {0}. "A {0}?" A {0}!\nA {0} (A {0}.) `a` {0}.'.format(words(7))))
-
     def test_no_sentence_ends_within_a_number_or_at_an_abbreviation(self):
         self.assertEqual(['README.md:1:'], self.found('{0} 1.5 {0}'.format(words(15))))
         self.assertEqual(['README.md:1:'], self.found('{0}, e.g. A\n{0}'.format(words(15))))
-
-    def test_a_colon_or_semicolon_within_a_paragraph_ends_no_sentence(self):
-        self.assertEqual(['README.md:1:'], self.found('{0}: A\n{0}'.format(words(16))))
-        self.assertEqual(['README.md:1:'], self.found('{0}; A\n{0}'.format(words(16))))
-
-    def test_a_code_span_or_link_is_one_word(self):
-        self.assertEqual([], self.found('`{0}`\n[{0}](docs/page.md) {0}'.format(words(20))))
-
-    def test_list_items_and_lead_ins_end_sentences(self):
-        self.assertEqual([], self.found('{0}:\n- {0}\n- {0}\n1. {0}\n\n{0}:\n```\n{0}\n```\n{0}'.format(words(20))))
-
-    def test_tables_headings_and_fenced_code_are_left_out(self):
-        self.assertEqual([], self.found('# {0}\n| {0} |\n```\n{0}\n```'.format(words(31).replace('word', 'is'))))
 
 
 class Links(unittest.TestCase):
@@ -77,9 +54,6 @@ class Links(unittest.TestCase):
         self.assertEqual([], violations_of('# Here\n[a](docs) [a](docs/page.md) ![a](docs/page.md)\n[a](#here)'))
         self.assertEqual([], violations_of('[a](docs/page.md#what-it-does-now) [b](docs/page.md#files-1)'))
         self.assertEqual([], violations_of('[a](../../docs/page.md#files)', 'data/weights/README.md'))
-
-    def test_links_to_elsewhere_and_code_pass(self):
-        self.assertEqual([], violations_of('[a](https://example.org/a) `[a](b.md)`\n```\n[a](b.md)\n```'))
 
     def test_a_link_to_no_file_is_found(self):
         self.assertEqual(['README.md:2: the link docs/way.md leads to no file',
@@ -92,15 +66,6 @@ class Links(unittest.TestCase):
                          violations_of('[a](docs/page.md#files-2)'))
         self.assertEqual(['README.md:3: the link #there leads to no heading'],
                          violations_of('# Here\n\n[a](#there)'))
-
-
-class Documents(unittest.TestCase):
-    def test_all_documents_are_read(self):
-        for name in ['README.md', 'CONTRIBUTING.md', 'docs/other.md', 'data/README.md', 'data/weights/README.md']:
-            self.assertEqual([name + ':1: the link a.md leads to no file'], violations_of('[a](a.md)', name))
-
-    def test_other_files_are_not(self):
-        self.assertEqual([], violations_of('[a](a.md)', 'CHANGELOG.md'))
 
 
 if __name__ == '__main__':

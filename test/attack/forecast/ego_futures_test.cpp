@@ -85,21 +85,6 @@ TEST(EgoFutures, StartNowAndMoveSmoothly) {
   expectSane(tracks, pose);
 }
 
-TEST(EgoFutures, AsManyAreDrawnAsAskedFor) {
-  for (const int count : {0, 1, 3, 17}) {
-    EXPECT_EQ(sampleOn(evenFork(), {-20, 0, 0}, 8.0, evenDrivers(), count).size(),
-              static_cast<std::size_t>(count));
-  }
-}
-
-TEST(EgoFutures, AreTheSameForTheSameSeedAlone) {
-  const auto x = [](std::uint64_t seed) {
-    return lastX(sampleOn(evenFork(), {-20, 0, 0}, 8.0, evenDrivers(), kCount, seed));
-  };
-  EXPECT_EQ(x(7), x(7));
-  EXPECT_NE(x(7), x(8));
-}
-
 TEST(EgoFutures, OnAStraightLaneKeepToIt) {
   const auto tracks = sampleOn(twoLaneRoad(), {-100, 0, 0}, 10.0, evenDrivers());
   const auto beside = std::count_if(tracks.begin(), tracks.end(), [](const Track& track) {
@@ -136,30 +121,6 @@ TEST(EgoFutures, WaysOfTheSameCostAreTakenEquallyOften) {
   }
   EXPECT_NEAR(left, right, 1);
   EXPECT_GE(left + right, 56);
-}
-
-TEST(EgoFutures, WithoutLanesTurnOnAndSpread) {
-  Track ego{kEgoId, AgentClass::kCar, kEgoSize, {}};
-  for (int i = -7; i <= 0; ++i) {  // a circle of 50 m radius at 10 m/s
-    const double yaw = 0.1 * i;
-    ego.states.push_back(
-        {kNow + 0.5 * i, {50 * std::sin(yaw), 50 - 50 * std::cos(yaw), yaw}, Vector2::Zero()});
-  }
-  const KinematicEgoFutures sampler(kOptions, evenDrivers());
-  const auto tracks =
-      sampler.sample(snapshotOf(ego, {}, emptyMap()), LaneIndex(emptyMap()), kHorizon, kCount, 1);
-  expectSane(tracks, ego.states.back().pose);
-  double mean = 0.0;
-  double highest = -1e9;
-  double lowest = 1e9;
-  for (const Track& track : tracks) {
-    const double yaw = track.states.back().pose.yaw;
-    mean += yaw / kCount;
-    highest = std::max(highest, yaw);
-    lowest = std::min(lowest, yaw);
-  }
-  EXPECT_NEAR(mean, 0.2 * 2.3, 0.1);  // the turn rate fades by 1/e in 2.3 s
-  EXPECT_GT(highest - lowest, 0.3);
 }
 
 TEST(EgoFutures, WithoutProfilesThePresentAccelerationFades) {
@@ -212,23 +173,6 @@ TEST(EgoFutures, AStandingEgoStandsOrSetsOff) {
     expectSane(tracks, pose);
     EXPECT_GE(lastX(tracks).front(), -20.0 - 1e-6);
   }
-}
-
-TEST(EgoFutures, AReversingEgoStops) {
-  const auto tracks = sampleOn(twoLaneRoad(), {-100, 0, 0}, -2.0, nullptr);
-  expectSane(tracks, {-100, 0, 0});
-  EXPECT_NEAR(lastX(tracks)[8], -100.0, 0.5);
-}
-
-TEST(EgoFutures, ProfilesThatEndEarlyGoOnAtTheirLastSpeed) {
-  std::vector<SpeedProfileRow> rows;
-  for (int i = 0; i < 60; ++i) {
-    for (int frame = 0; frame < 6; ++frame) {
-      rows.push_back({"scene-" + std::to_string(i), frame, 10.0, {}});
-    }
-  }
-  const auto x = lastX(sampleOn(twoLaneRoad(), {-100, 0, 0}, 10.0, profilesOf(rows)));
-  EXPECT_NEAR(x[kCount / 2], -20.0, 0.2);
 }
 
 TEST(EgoFutures, RefuseWhatCannotBeSampled) {

@@ -47,17 +47,6 @@ TEST(SampledPath, FollowsALineAndGoesStraightOnBeyondBothEnds) {
   EXPECT_NEAR(path.poseAt(500.0, 0.0).x, 500.0, 1e-6);
 }
 
-TEST(SampledPath, TurnsWithALineWithoutWrapping) {
-  std::vector<Vector2> circle;
-  for (int i = 0; i <= 400; ++i) {
-    circle.emplace_back(20 * std::sin(i * 0.025), 20 - 20 * std::cos(i * 0.025));
-  }
-  const SampledPath path(circle, 190.0);
-  const Pose2 pose = path.poseAt(180.0, 1.0);
-  EXPECT_NEAR(pose.yaw, 9.0, 0.02);
-  EXPECT_NEAR((pose.position() - Vector2(0, 20)).norm(), 19.0, 0.1);
-}
-
 TEST(SampledPath, AnArcFadesToAStraightLine) {
   const SampledPath path({5, 6, 0.3}, 0.05, 20.0, 200.0);
   EXPECT_NEAR(path.poseAt(0.0, 0.0).x, 5.0, 1e-9);
@@ -108,16 +97,6 @@ TEST(EgoPaths, TakeEveryBranchAndTheFreeWay) {
   EXPECT_GT(paths[1].weight, 0.1);
 }
 
-TEST(EgoPaths, AFastEgoHardlyTakesASharpTurn) {
-  const LaneIndex lanes(junction());
-  const auto slow = egoPaths(egoAt({-10, 0, 0}, 4.0), lanes, kHorizon, kOptions);
-  const auto fast = egoPaths(egoAt({-10, 0, 0}, 14.0), lanes, kHorizon, kOptions);
-  EXPECT_GT(slow[1].weight, 0.2);
-  EXPECT_LT(fast[1].weight, 0.01);
-  EXPECT_GT(fast[1].ahead.bend_braking, 2.0);
-  EXPECT_LT(slow[1].ahead.bend_braking, 0.0);
-}
-
 TEST(EgoPaths, ATurningEgoTakesTheTurn) {
   Track ego{kEgoId, AgentClass::kCar, kEgoSize, {}};
   for (int i = -4; i <= 0; ++i) {  // on the quarter circle at 5 m/s, now 6 m into it
@@ -139,13 +118,6 @@ TEST(EgoPaths, WaysThatAreTheSameComeOnce) {
   map->lanes.push_back(straightLane("twin", {-200.0, 0.1}, {200.0, 0.1}));
   const LaneIndex lanes(map);
   EXPECT_EQ(egoPaths(egoAt({-20, 0, 0}, 6.0), lanes, kHorizon, kOptions).size(), 3u);
-}
-
-TEST(EgoPaths, WithoutLanesTheFreeWayIsTheOnlyOne) {
-  const auto paths = egoPaths(egoAt({5, 5, 1.0}, 6.0), LaneIndex(emptyMap()), kHorizon, kOptions);
-  ASSERT_EQ(paths.size(), 1u);
-  EXPECT_EQ(paths[0].weight, 1.0);
-  EXPECT_NEAR(paths[0].line.poseAt(40.0, 0.0).x, 5 + 40 * std::cos(1.0), 1e-6);
 }
 
 TEST(EgoPaths, TheFollowedPathIsTheNearestToTheTrack) {

@@ -70,31 +70,11 @@ TEST(PredictFuture, KeepsTheVelocityOfVehiclesOnNoLane) {
   }
 }
 
-TEST(PredictFuture, KeepsTheVelocityOfReversingVehiclesOnALane) {
-  const Track track = predicted(pastTrack("a", kCarSize, {0.0, 0.0, 0.0}, -2.0), twoLaneRoad());
-  expectPose(stateAt(track, kNow + 5.0)->pose, {-10.0, 0.0, 0.0}, 1e-6);
-}
-
-TEST(PredictFuture, KeepsTheVelocityOfPedestriansOnALane) {
-  Track past = pastTrack("a", {0.7, 0.7}, {0.0, 1.0, 0.3}, 1.5);
-  past.agent_class = AgentClass::kPedestrian;
-  expectPose(stateAt(predicted(past, twoLaneRoad()), kNow + 4.0)->pose,
-             compose({0.0, 1.0, 0.3}, {6.0, 0.0, 0.0}), 1e-6);
-}
-
 TEST(PredictFuture, LeavesStandingVehiclesWhereTheyAre) {
   const Track track = predicted(pastTrack("a", kCarSize, {0.0, 1.0, 0.1}, 0.4), twoLaneRoad());
   for (const AgentState& state : track.states) {
     expectPose(state.pose, {0.0, 1.0, 0.1}, 1e-9);
     EXPECT_EQ(state.velocity, Vector2(0.0, 0.0));
-  }
-}
-
-TEST(PredictFuture, LeavesAnyAgentBelowTheStandstillSpeedWhereItIs) {
-  for (const AgentClass agent_class : {AgentClass::kStaticObject, AgentClass::kPedestrian}) {
-    Track past = pastTrack("a", {0.5, 0.5}, {0.0, 1.0, 0.0}, 0.2);
-    past.agent_class = agent_class;
-    expectPose(predicted(past, twoLaneRoad()).states.back().pose, {0.0, 1.0, 0.0}, 1e-9);
   }
 }
 

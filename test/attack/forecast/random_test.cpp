@@ -43,12 +43,5 @@ TEST(Random, BellsHaveTheDeviationAskedForAndNoTails) {
   EXPECT_NEAR(std::sqrt(squares / kDraws), 3.0, 0.06);
 }
 
-TEST(Random, IndicesStayBelowTheCount) {
-  Random random(3);
-  int counts[3] = {};
-  for (int i = 0; i < 3000; ++i) ++counts[random.index(3)];
-  for (const int count : counts) EXPECT_NEAR(count, 1000, 120);
-}
-
 }  // namespace
 }  // namespace forge

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 namespace forge {
 namespace {
@@ -83,14 +82,6 @@ TEST(CheckForecasts, CoverageIsTheShareOfCentralRanks) {
   EXPECT_NEAR(errors[0].covered[0], 0.4, 1e-3);
   EXPECT_NEAR(errors[0].covered[1], 0.6, 1e-3);
   EXPECT_NEAR(errors[0].covered[2], 0.8, 1e-3);
-}
-
-TEST(CheckForecasts, RanksOfEqualDistancesAreShared) {
-  // Seven tenths of the forecast are the recording itself, the others are above.
-  const SameGains forecaster(Eigen::Vector2d(0.0, 5.0), Eigen::Vector2d(0.7, 0.3));
-  const auto errors = checkForecasts(oneStep({0.0}), forecaster, 0.0, kFastest, {0.5});
-  EXPECT_NEAR(errors[0].covered[0], 0.45 / 0.7, 1e-9);
-  EXPECT_NEAR(errors[0].covered[1], 0.6 / 0.7, 1e-9);
 }
 
 TEST(CheckForecasts, TakesRowsOfTheSpeedsThatLastAndAreForecast) {

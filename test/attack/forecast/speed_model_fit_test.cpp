@@ -152,54 +152,6 @@ TEST(FitSpeedModel, ShortProfilesHaveTheirSay) {
   EXPECT_NEAR(meanOf(forecast)[3], 14.4 - 0.8, 0.15);
 }
 
-TEST(FitSpeedModel, IntervalsThatTooFewProfilesLastAreLeftAway) {
-  const SpeedSituations recorded(linearDrivers(30, 8, 0.1, 1));
-  const SpeedModel model(fitSpeedModel(recorded, {}, kOptions, 0));
-  EXPECT_EQ(model.forecast(linearSituation(8.0, 0.0), 18).speeds.cols(), 6);  // 60 rows
-}
-
-/// Drivers who stand, eight of ten for good; where the bend turns by 1 rad they all set off.
-TEST(FitSpeedModel, WhoStandsMostlyStays) {
-  std::vector<SpeedProfileRow> rows = linearDrivers(40, 30, 0.1, 5);
-  for (int scene = 0; scene < 60; ++scene) {
-    WayAhead ahead;
-    ahead.bend_turn = scene % 3 == 0 ? 1.0 : 0.0;
-    const bool sets_off = scene % 3 == 0 || scene % 5 == 1;
-    for (int frame = 0; frame < 23; ++frame) {
-      const double speed = sets_off && frame > 4 ? std::min(0.5 * (frame - 4), 8.0) : 0.0;
-      rows.push_back({"standing-" + std::to_string(scene), frame, speed, ahead});
-    }
-  }
-  const SpeedModel model(fitSpeedModel(SpeedSituations(rows), {}, kOptions, 0));
-  const auto staying = [&](double turn) {
-    DrivingSituation situation;
-    situation.ahead.bend_turn = turn;
-    const SpeedForecast forecast = model.forecast(situation, 18);
-    EXPECT_GE(forecast.speeds.minCoeff(), 0.0);
-    return (forecast.speeds.rowwise().sum().array() < 0.5).select(forecast.weights, 0.0).sum();
-  };
-  EXPECT_NEAR(staying(0.0), 0.8, 0.08);
-  EXPECT_LT(staying(1.0), 0.1);
-}
-
-TEST(FitSpeedModel, SpeedsAreNeverNegative) {
-  std::vector<SpeedProfileRow> rows;
-  for (int scene = 0; scene < 40; ++scene) {
-    for (int frame = 0; frame < 25; ++frame) {
-      const double speed = std::max(6.0 + 0.1 * scene - 0.8 * frame, 0.0);
-      rows.push_back({"scene-" + std::to_string(scene), frame, speed, {}});
-    }
-  }
-  const SpeedModel model(fitSpeedModel(SpeedSituations(rows), {}, kOptions, 0));
-  for (const double speed : {-2.0, 0.0, 0.3, 1.0, 3.0, 9.0}) {
-    DrivingSituation situation;
-    for (std::size_t i = 0; i < 5; ++i) {
-      situation.past_speeds[i] = speed + 0.8 * static_cast<double>(i);
-    }
-    EXPECT_GE(model.forecast(situation, 18).speeds.minCoeff(), 0.0) << speed;
-  }
-}
-
 TEST(FitSpeedModel, LeftOutScenesHaveNoSay) {
   std::vector<SpeedProfileRow> kept = linearDrivers(40, 25, 0.2, 6);
   std::vector<SpeedProfileRow> all = kept;
@@ -234,17 +186,6 @@ TEST(FitSpeedModel, FoldsLeaveEachSceneOutOnce) {
   });
   EXPECT_EQ(fitted, (std::vector<std::size_t>{1, 2, 3, 4, 5}));
   EXPECT_TRUE(fitSpeedModelWithFolds(recorded, 0, kOptions, 1).folds().empty());
-}
-
-TEST(FitSpeedModel, TheSameArgumentsGiveTheSameWeights) {
-  const SpeedSituations recorded(linearDrivers(40, 25, 0.2, 6));
-  const SpeedModelWeights a = fitSpeedModel(recorded, {}, kOptions, 1);
-  const SpeedModelWeights b = fitSpeedModel(recorded, {}, kOptions, 1);
-  EXPECT_EQ(a.centers, b.centers);
-  EXPECT_EQ(a.gains, b.gains);
-  EXPECT_EQ(a.log_spreads, b.log_spreads);
-  EXPECT_EQ(a.residuals.profiles, b.residuals.profiles);
-  EXPECT_NE(a.centers, fitSpeedModel(recorded, {}, kOptions, 2).centers);
 }
 
 TEST(FitSpeedModel, RefusesWhatIsTooLittle) {

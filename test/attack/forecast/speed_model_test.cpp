@@ -79,16 +79,6 @@ TEST(SpeedModel, SituationsOutsideOfWhatWasFittedAreTakenAtItsEdge) {
   EXPECT_NEAR(model.forecast(driving(50.0, 30.0), 1).speeds(0, 0), 50.0 + 10.0 + 1.0, 1e-12);
 }
 
-TEST(SpeedModel, SpeedsAreNeverNegative) {
-  const SpeedModel model(plainWeights());
-  for (const double speed : {-3.0, -0.5, 0.0, 0.05, 0.4, 2.0}) {
-    for (const double acceleration : {-4.0, -1.0, 0.0, 2.0}) {
-      const SpeedForecast forecast = model.forecast(driving(speed, acceleration), 4);
-      EXPECT_GE(forecast.speeds.minCoeff(), 0.0) << speed << " " << acceleration;
-    }
-  }
-}
-
 TEST(SpeedModel, WhoStandsHasProfilesOfItsOwn) {
   const SpeedModel model(plainWeights());
   DrivingSituation situation = driving(0.0, 0.0);
@@ -102,20 +92,6 @@ TEST(SpeedModel, WhoStandsHasProfilesOfItsOwn) {
   EXPECT_NEAR(model.forecast(situation, 4).weights[1], 1.0, 1e-5);
   EXPECT_NEAR(model.forecast(situation, 4).weights.sum(), 1.0, 1e-12);
   EXPECT_EQ(model.forecast(driving(0.2, 0.0), 4).speeds(0, 0), 1.2);
-}
-
-TEST(SpeedModel, WithoutProfilesOfItsOwnStandingIsAsDriving) {
-  SpeedModelWeights weights = plainWeights();
-  weights.standing.resize(0, 0);
-  weights.standing_shares.resize(1 + kSpeedFeatures, 0);
-  EXPECT_EQ(SpeedModel(weights).forecast(driving(0.0, 0.0), 4).speeds(0, 0), 1.0);
-}
-
-TEST(SpeedModel, NoMoreIntervalsThanAreKnown) {
-  const SpeedModel model(plainWeights());
-  EXPECT_EQ(model.forecast(driving(8.0, 0.0), 3).speeds.cols(), 3);
-  EXPECT_EQ(model.forecast(driving(8.0, 0.0), 30).speeds.cols(), 4);
-  EXPECT_EQ(model.forecast(driving(0.0, 0.0), 30).speeds.cols(), 4);
 }
 
 TEST(SpeedModel, AFoldForecastsTheScenesThatItLeftOut) {

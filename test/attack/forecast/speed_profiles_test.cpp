@@ -68,15 +68,6 @@ TEST(SpeedProfiles, ALeftOutSceneHasNoSay) {
   EXPECT_EQ(profiles.withoutScene("elsewhere"), nullptr);
 }
 
-TEST(SpeedProfiles, SpeedsAreNeverNegative) {
-  std::vector<SpeedProfileRow> rows;
-  for (int i = 0; i < 20; ++i) addScene(rows, std::to_string(i), 20, 10.0, -0.5 - 0.02 * i);
-  const SpeedForecast forecast = profilesOf(rows).forecast(driving(2.0, -0.6), 10);
-  ASSERT_EQ(forecast.speeds.cols(), 10);
-  EXPECT_EQ(forecast.speeds.minCoeff(), 0.0);
-  EXPECT_LT(forecast.speeds.maxCoeff(), 3.0);
-}
-
 TEST(SpeedProfiles, OnlyProfilesThatLastAreUsed) {
   std::vector<SpeedProfileRow> rows;
   for (int i = 0; i < 20; ++i) addScene(rows, "short" + std::to_string(i), 5, 3.0, 0.0);
@@ -86,20 +77,6 @@ TEST(SpeedProfiles, OnlyProfilesThatLastAreUsed) {
   const SpeedForecast forecast = profiles.forecast(driving(9.0, 0.0), 20);
   EXPECT_EQ(forecast.speeds.cols(), 14);
   EXPECT_NEAR(forecast.speeds.minCoeff(), 9.0, 0.01);
-}
-
-TEST(SpeedProfiles, AGapEndsAProfile) {
-  std::vector<SpeedProfileRow> rows;
-  for (int i = 0; i < 10; ++i) addScene(rows, std::to_string(i), 12, 5.0, 0.0);
-  for (SpeedProfileRow& row : rows) row.frame *= 2;
-  EXPECT_EQ(profilesOf(rows).forecast(driving(5.0, 0.0), 4).speeds.cols(), 0);
-}
-
-TEST(SpeedProfiles, TooFewProfilesAnswerNothing) {
-  EXPECT_EQ(profilesOf({}).forecast(driving(5.0, 0.0), 4).speeds.cols(), 0);
-  std::vector<SpeedProfileRow> rows;
-  addScene(rows, "one", 7, 5.0, 0.0);
-  EXPECT_EQ(profilesOf(rows).forecast(driving(5.0, 0.0), 4).speeds.cols(), 0);
 }
 
 }  // namespace

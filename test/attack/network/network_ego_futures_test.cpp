@@ -42,29 +42,6 @@ double drivenAt(const Track& track, double time) {
   return driven;
 }
 
-TEST(NetworkEgoFutures, AreKinematicWithoutANetwork) {
-  const Snapshot snapshot = junctionSnapshot();
-  const LaneIndex lanes = lanesOf(snapshot);
-  const auto plain = KinematicEgoFutures(shippedEgoFutureOptions(), nullptr)
-                         .sample(snapshot, lanes, kHorizon, kCount, 3);
-  const auto tracks = sampled(nullptr, snapshot, 3);
-  ASSERT_EQ(tracks.size(), plain.size());
-  for (std::size_t i = 0; i < tracks.size(); ++i) {
-    EXPECT_EQ(tracks[i].states.back().pose.x, plain[i].states.back().pose.x);
-  }
-}
-
-TEST(NetworkEgoFutures, StartNowAndReachTheHorizon) {
-  const Snapshot snapshot = junctionSnapshot();
-  const auto tracks = sampled(networkOf(modestWeights()), snapshot);
-  ASSERT_EQ(tracks.size(), static_cast<std::size_t>(kCount));
-  for (const Track& track : tracks) {
-    EXPECT_EQ(track.states.front().time, kNow);
-    EXPECT_GE(track.states.back().time, kNow + kHorizon - 1e-9);
-    for (const AgentState& state : track.states) EXPECT_TRUE(state.pose.isFinite());
-  }
-}
-
 TEST(NetworkEgoFutures, FollowFromTheSeed) {
   const Snapshot snapshot = junctionSnapshot();
   const auto network = networkOf(modestWeights());
@@ -146,16 +123,6 @@ TEST(NetworkEgoFutures, FollowAWayThatHasNoChanceAtTimes) {
   for (const Track& track : tracks) {
     for (const AgentState& state : track.states) EXPECT_TRUE(state.pose.isFinite());
   }
-}
-
-TEST(NetworkEgoFutures, RefuseBadArguments) {
-  const Snapshot snapshot = junctionSnapshot();
-  const LaneIndex lanes = lanesOf(snapshot);
-  const NetworkEgoFutures futures(shippedEgoFutureOptions(),
-                                  {nullptr, networkOf(randomWeights()), {}});
-  EXPECT_THROW(futures.sample(snapshot, lanes, 0.0, 1, 0), std::invalid_argument);
-  EXPECT_THROW(futures.sample(snapshot, lanes, 1.0, -1, 0), std::invalid_argument);
-  EXPECT_TRUE(futures.sample(snapshot, lanes, 1.0, 0, 0).empty());
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
 #include "attack/network/sample_network.h"
 #include "collision_forge/attack/forecast/kinematic_prediction.h"
@@ -38,13 +36,6 @@ std::vector<std::string> attackersOf(const PatternPrediction& prediction) {
     if (ids.empty() || ids.back() != pattern.attacker_id) ids.push_back(pattern.attacker_id);
   }
   return ids;
-}
-
-TEST(NetworkPatternPredictor, IsKinematicWithoutANetwork) {
-  const PatternPrediction without = predicted(nullptr);
-  ASSERT_FALSE(without.patterns.empty());
-  const auto ids = attackersOf(without);
-  EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), 3U);
 }
 
 TEST(NetworkPatternPredictor, TypeTellsTheEgosPlaceInKnownScenesAlone) {
@@ -131,15 +122,6 @@ TEST(NetworkPatternPredictor, TellsWhenNobodyCanAttack) {
       NetworkPatternPredictor(shippedOptions(), {nullptr, networkOf(0), {}})
           .predict(snapshot, lanes, crossing(), nullptr);
   EXPECT_EQ(prediction.status.code, StatusCode::kNoCandidate);
-}
-
-TEST(PredictedScene, RefusesAStranger) {
-  const Snapshot snapshot = junctionSnapshot();
-  const LaneIndex lanes = lanesOf(snapshot);
-  const PatternNetwork network(randomWeights());
-  const PredictedScene scene(network, snapshot, lanes, 4.0, shippedEgoFutureOptions());
-  const Track stranger = pastTrack("stranger", kCarSize, {0.0, 0.0, 0.0}, 1.0);
-  EXPECT_THROW(scene.judge({&stranger}, {}, 4.0, CollisionType::kLtap), std::invalid_argument);
 }
 
 }  // namespace

@@ -7,13 +7,6 @@
 namespace forge {
 namespace {
 
-TEST(EgoHead, NamesAreReadBack) {
-  for (const EgoHead head :
-       {EgoHead::kRegionProposal, EgoHead::kTargetPoints, EgoHead::kRegression}) {
-    EXPECT_EQ(egoHeadFromString(toString(head)), head);
-  }
-}
-
 TEST(EgoHead, UnknownNameIsRefused) {
   try {
     egoHeadFromString("anchors");

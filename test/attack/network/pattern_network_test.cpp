@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -55,15 +54,6 @@ TEST(PatternNetwork, OrderOfAgentsAndLanesDoesNotMatter) {
   EXPECT_GT((network.encode(other) - a).cwiseAbs().maxCoeff(), 1e-4F);
 }
 
-TEST(PatternNetwork, MaskedValuesAreNotSeen) {
-  const PatternNetwork network(randomWeights());
-  SceneFeatures features = sampleFeatures();
-  features.agent_mask.segment(8, 4).setZero();
-  const Eigen::VectorXf a = network.encode(features);
-  features.agents.middleRows(8, 4).setConstant(7.0F);
-  EXPECT_EQ(a, network.encode(features));
-}
-
 TEST(PatternNetwork, ProbabilitiesSumToOneAndSpreadsArePositive) {
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
@@ -79,28 +69,10 @@ TEST(PatternNetwork, ProbabilitiesSumToOneAndSpreadsArePositive) {
   EXPECT_NEAR(sum, 1.0, 1e-5);
 }
 
-TEST(PatternNetwork, ScenesWithoutLanesOrOthersHaveAnAnswer) {
-  Snapshot snapshot = junctionSnapshot();
-  snapshot.agents.clear();
-  snapshot.map = emptyMap();
-  const LaneIndex lanes = lanesOf(snapshot);
-  const PatternNetwork network(randomWeights());
-  const PredictedScene scene(network, snapshot, lanes, 9.0, shippedEgoFutureOptions());
-  EXPECT_TRUE(medianPose(scene.egoAfter(kTta, CollisionType::kLtap)).isFinite());
-  EXPECT_TRUE(scene.judge({}, {}, kTta, CollisionType::kLtap).empty());
-}
-
 TEST(PatternNetwork, RefusesNumbersThatAreNotFinite) {
   const PatternNetwork network(randomWeights());
   SceneFeatures features = sampleFeatures();
   features.lanes(3, 2) = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(network.encode(features), std::invalid_argument);
-}
-
-TEST(PatternNetwork, RefusesFeaturesOfAnotherSize) {
-  const PatternNetwork network(randomWeights());
-  SceneFeatures features = sampleFeatures();
-  features.agents.conservativeResize(16, kAgentVector);
   EXPECT_THROW(network.encode(features), std::invalid_argument);
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 namespace forge {
 namespace {
@@ -93,31 +92,6 @@ TEST(SceneEncoding, putsAgentsIntoTheFrameOfTheEgoNow) {
   expectNear(row(encoding.agent_features, 2, 0), {0, 3, 0, -1, 0, -1, 4.5F, 1.8F});
 }
 
-TEST(SceneEncoding, masksWhatWasNotSeen) {
-  const SceneEncoding encoding = encodeScene(tinySnapshot(), tinyMap(), kFrames, tinyOptions());
-  EXPECT_EQ(encoding.agent_mask.shape, (std::vector<std::uint32_t>{3, kFrames}));
-  EXPECT_EQ(encoding.agent_mask.data, (std::vector<float>{1, 1, 1, 0, 1, 1, 1, 0, 0}));
-  const std::vector<float> nothing(kAgentFeatures, 0.0F);
-  EXPECT_EQ(row(encoding.agent_features, 1, 0), nothing);
-  EXPECT_EQ(row(encoding.agent_features, 2, 1), nothing);
-  EXPECT_EQ(row(encoding.agent_features, 2, 2), nothing);
-}
-
-TEST(SceneEncoding, leavesTheOldestFramesEmptyWhenHistoryIsShort) {
-  const SceneEncoding encoding = encodeScene(tinySnapshot(), tinyMap(), 5, tinyOptions());
-  EXPECT_EQ(encoding.agent_mask.shape, (std::vector<std::uint32_t>{3, 5}));
-  EXPECT_EQ(encoding.agent_mask.data,
-            (std::vector<float>{0, 0, 1, 1, 1, 0, 0, 0, 1, 1, 0, 0, 1, 0, 0}));
-  expectNear(row(encoding.agent_features, 0, 4), {0, 0, 1, 0, 4, 0, 4, 2});
-  EXPECT_EQ(row(encoding.agent_features, 0, 1), std::vector<float>(kAgentFeatures, 0.0F));
-}
-
-TEST(SceneEncoding, takesTheNewestFramesOfALongHistory) {
-  const SceneEncoding encoding = encodeScene(tinySnapshot(), tinyMap(), 2, tinyOptions());
-  EXPECT_EQ(encoding.agent_mask.data, (std::vector<float>{1, 1, 1, 1, 0, 0}));
-  expectNear(row(encoding.agent_features, 0, 0), {-2, 0, 1, 0, 4, 0, 4, 2});
-}
-
 TEST(SceneEncoding, turnsByAnyAngle) {
   Snapshot snapshot = tinySnapshot();
   snapshot.ego.states.back().pose.yaw = M_PI / 6.0;
@@ -148,26 +122,6 @@ TEST(SceneEncoding, keepsTheNearestLanesWhenThereAreTooMany) {
   const SceneEncoding encoding = encodeScene(tinySnapshot(), tinyMap(), kFrames, options);
   EXPECT_EQ(encoding.lane_ids, std::vector<std::string>{"short"});
   EXPECT_EQ(encoding.lane_features.shape.front(), 1U);
-}
-
-TEST(SceneEncoding, worksWithoutLanesAndAgents) {
-  Snapshot snapshot = tinySnapshot();
-  snapshot.agents.clear();
-  const LaneIndex nothing(std::make_shared<const LaneMap>());
-  const SceneEncoding encoding = encodeScene(snapshot, nothing, kFrames, tinyOptions());
-  EXPECT_EQ(encoding.agent_mask.data, (std::vector<float>{1, 1, 1}));
-  EXPECT_EQ(encoding.lane_features.shape, (std::vector<std::uint32_t>{0, 4, kLaneFeatures}));
-  EXPECT_TRUE(encoding.lane_features.data.empty());
-  EXPECT_TRUE(encoding.lane_mask.data.empty());
-  EXPECT_TRUE(encoding.lane_ids.empty());
-}
-
-TEST(SceneEncoding, needsTheEgoNow) {
-  Snapshot snapshot = tinySnapshot();
-  snapshot.now = 101.5;
-  EXPECT_THROW(encodeScene(snapshot, tinyMap(), kFrames, tinyOptions()), std::invalid_argument);
-  snapshot.ego.states.clear();
-  EXPECT_THROW(encodeScene(snapshot, tinyMap(), kFrames, tinyOptions()), std::invalid_argument);
 }
 
 }  // namespace

@@ -124,29 +124,6 @@ TEST(SceneFeatures, LanesTellWhatFollows) {
   EXPECT_EQ(west.tail(5).cwiseAbs().sum(), 0.0F);
 }
 
-TEST(SceneFeatures, NoLanesAndNoOthersAreFine) {
-  Snapshot snapshot = junctionSnapshot();
-  snapshot.agents.clear();
-  snapshot.map = emptyMap();
-  const SceneFeatures features = featuresOf(snapshot);
-  EXPECT_EQ(features.lane_mask.sum(), 0.0F);
-  EXPECT_EQ(features.agent_mask.sum(), 8.0F);
-  EXPECT_TRUE(features.agents.allFinite());
-}
-
-TEST(SceneFeatures, TakeTheNearestOfManyAgents) {
-  Snapshot snapshot = junctionSnapshot();
-  snapshot.agents.clear();
-  for (int i = 0; i < 300; ++i) {
-    const double x = 500.0 - i;
-    snapshot.agents.push_back(
-        pastTrack("agent " + std::to_string(i), kCarSize, {x, 30.0, 0.0}, 1.0));
-  }
-  const SceneFeatures features = featuresOf(snapshot);
-  EXPECT_EQ(features.agents.rows(), 5 * 8);
-  EXPECT_NEAR(features.agents(15, 0), (201.0F + 30.0F) / 30.0F, kTolerance);
-}
-
 TEST(SceneFeatures, RefuseWhatIsNotFinite) {
   Snapshot snapshot = junctionSnapshot();
   snapshot.agents[2].states[3].pose.y = std::numeric_limits<double>::quiet_NaN();

@@ -49,12 +49,5 @@ TEST_F(AdaptiveAnswerTest, AMissIsDeclinedWithTheReason) {
   EXPECT_TRUE(declined.plans.empty());
 }
 
-TEST_F(AdaptiveAnswerTest, WhereNobodyCanAttackNobodySetsOut) {
-  chase_.request.tta = 50.0;
-  const AdaptiveAnswer answer = ask([](double) { return 8.0; });
-  EXPECT_EQ(answer.attack.status.code, StatusCode::kTtaOutOfRange);
-  EXPECT_TRUE(answer.plans.empty());
-}
-
 }  // namespace
 }  // namespace forge

@@ -74,23 +74,6 @@ TEST(AdaptiveAttacker, ChangesNothingBeforeItsReactionTimeIsOver) {
   EXPECT_GT(changes, 0);
 }
 
-TEST(AdaptiveAttacker, WithoutReactionTimeItLooksUntilLessThanAStepBeforeItsPlanEnds) {
-  const Chase chase;
-  AttackerSetup setup = shippedSetupOfAttackers();
-  setup.adaptive.fairness.reaction_time = 0.0;
-  const Realization first = chase.firstAttack();
-  AdaptiveAttacker attacker(
-      {chase.snapshot, chase.lanes, chase.ego, chase.request, first.aim, first.trajectory}, setup);
-  const Track ego = egoAt(steady);
-  const double end = attacker.trajectory().points.back().time;
-  watch(attacker, ego, end - kNow - 0.15);
-  // Within the resolution of times of the last point but one.
-  attacker.observe(frameOf(ego, end - 0.1 + 0.5 * kTimeEpsilon));
-  for (const TrajectoryPoint& point : attacker.trajectory().points) {
-    EXPECT_TRUE(point.pose.isFinite()) << point.time;
-  }
-}
-
 TEST(AdaptiveAttacker, KnowsNothingOfWhatComes) {
   const Chase chase;
   AdaptiveAttacker one = chase.attacker();
@@ -108,19 +91,6 @@ TEST(AdaptiveAttacker, KnowsNothingOfWhatComes) {
     parted = parted || a.pose.x != b.pose.x;
   }
   EXPECT_TRUE(parted);
-}
-
-TEST(AdaptiveAttacker, TheSameFramesGiveTheSameTrajectory) {
-  const Chase chase;
-  AdaptiveAttacker one = chase.attacker();
-  AdaptiveAttacker other = chase.attacker();
-  watch(one, egoAt(braking), 5.5);
-  watch(other, egoAt(braking), 5.5);
-  ASSERT_EQ(one.trajectory().points.size(), other.trajectory().points.size());
-  for (std::size_t i = 0; i < one.trajectory().points.size(); ++i) {
-    EXPECT_EQ(one.trajectory().points[i].pose.x, other.trajectory().points[i].pose.x);
-    EXPECT_EQ(one.trajectory().points[i].curvature, other.trajectory().points[i].curvature);
-  }
 }
 
 TEST(AdaptiveAttacker, TheWholeDriveKeepsTheLimitsWhateverTheEgoDoes) {
@@ -179,18 +149,6 @@ TEST(AdaptiveAttacker, GivesUpWhereTheEgoJumps) {
   attacker.observe(jumped);
   EXPECT_EQ(attacker.phase(), AttackerPhase::kDrivingOn);
   EXPECT_EQ(lastPlan(attacker).reason, "the ego jumped");
-}
-
-TEST(AdaptiveAttacker, GivesUpWhereTheEgoIsGoneForLong) {
-  const Chase chase;
-  AdaptiveAttacker attacker = chase.attacker();
-  watch(attacker, egoAt(steady), 1.0);
-  const double nowhere = std::numeric_limits<double>::quiet_NaN();
-  attacker.observe({kNow + 1.5, {nowhere, nowhere, nowhere}, {}});
-  EXPECT_EQ(attacker.phase(), AttackerPhase::kAttacking) << "for a moment nothing is given up";
-  attacker.observe({kNow + 2.5, {nowhere, nowhere, nowhere}, {}});
-  EXPECT_EQ(attacker.phase(), AttackerPhase::kDrivingOn);
-  EXPECT_EQ(lastPlan(attacker).reason, "the ego is out of sight");
 }
 
 TEST(AdaptiveAttacker, GivesUpAndTouchesNobodyWhereTheEgoIsFarAway) {
@@ -295,35 +253,6 @@ TEST(AdaptiveAttacker, CommitsWhereItIsTooLateToChangeAnything) {
   EXPECT_EQ(attacker.phase(), AttackerPhase::kCommitted);
   watch(attacker, ego, 5.0);
   EXPECT_EQ(attacker.phase(), AttackerPhase::kDrivingOn);
-}
-
-TEST(AdaptiveAttacker, NobodySeenTellsNothingOfWhereAnybodyIs) {
-  const Chase chase;
-  AdaptiveAttacker attacker = chase.attacker();
-  const Track ego = egoAt(steady);
-  Track wall = pastTrack("wall", {4.6, 4.0}, {34.0, 0.0, 0.0}, 0.0);
-  for (int i = 1; i <= 10; ++i) {
-    const double time = kNow + 0.1 * i;
-    wall.states = {{time, {34.0, 0.0, 0.0}, {0.0, 0.0}}};
-    attacker.observe(frameOf(ego, time, {wall}));
-  }
-  const double nowhere = std::numeric_limits<double>::quiet_NaN();
-  attacker.observe({kNow + 2.2, {nowhere, nowhere, nowhere}, {}});
-  EXPECT_EQ(lastPlan(attacker).reason, "the ego is out of sight");
-  EXPECT_LT(attacker.trajectory().points.back().pose.x + 0.5 * kCarSize.length, 34.0 - 2.3)
-      << "the wall is still there";
-}
-
-TEST(AdaptiveAttacker, FramesAfterOneOfNobodyAreSeenAgain) {
-  const Chase chase;
-  AdaptiveAttacker attacker = chase.attacker();
-  const Track ego = egoAt(braking);
-  watch(attacker, ego, 0.5);
-  const double nowhere = std::numeric_limits<double>::quiet_NaN();
-  attacker.observe({kNow + 0.9, {nowhere, nowhere, nowhere}, {}});
-  EXPECT_EQ(attacker.outlook().ego.states[5].time, kNow + 0.5);
-  for (int i = 10; i <= 55; ++i) attacker.observe(frameOf(ego, kNow + 0.1 * i));
-  EXPECT_TRUE(reportOf(attacker, ego, chase).verified()) << lastPlan(attacker).reason;
 }
 
 TEST(AdaptiveAttacker, ItsOutlookIsWhatWasSeenAndThenAForecast) {

@@ -65,18 +65,6 @@ TEST_F(DriveOnTest, WhoIsNearerThanTheClearanceComesNoNearer) {
   EXPECT_FALSE(firstTouch(points, kCarSize, {&wall}));
 }
 
-TEST_F(DriveOnTest, OffTheLanesItGoesStraightOn) {
-  const LaneIndex nothing(emptyMap());
-  const auto points = driveFrom({3.0, 4.0, 0.5}, 5.0, {}, nothing);
-  EXPECT_NEAR(points.back().pose.yaw, 0.5, 0.02);
-  EXPECT_NEAR(points.back().speed, 5.0, 0.5);
-}
-
-TEST_F(DriveOnTest, WhoStandsStays) {
-  const auto points = driveFrom({3.0, 0.0, 0.0}, 0.0, {}, road_);
-  EXPECT_NEAR(points.back().pose.x, 3.0, 0.1);
-}
-
 TEST(FirstTouch, IsTheTimeOfTheFirstPointThatOverlaps) {
   const AttackerTrajectory drive = straightDrive({0.0, 0.0, 0.0}, 10.0, 3.0);
   const Track wall = futureTrack("wall", kCarSize, {20.0, 0.0, 0.0}, 0.0);

@@ -85,14 +85,6 @@ TEST_F(AddedDrivesTest, PlacesAheadAreThoseOfTheirTimesWhateverTheContactIs) {
   EXPECT_NEAR(drive_.step() * static_cast<double>(drive_.on.size()), 1.33, 1e-9);
 }
 
-TEST_F(AddedDrivesTest, WhoCruisesEndsWhereTheWayBegins) {
-  ASSERT_TRUE(plan(meetingAt(Side::kRear), {AddedManner::kCruise, 17.0}));
-  ASSERT_LT(drive_.back.size(), 121u);
-  EXPECT_LT(drive_.back.back(), 0.0);
-  EXPECT_GE(drive_.back[drive_.back.size() - 2], 0.0);
-  EXPECT_EQ(drive_.at(-120), drive_.back.back());
-}
-
 TEST_F(AddedDrivesTest, ATrainKeepsTheEgosDistanceUntilNow) {
   const AddedMeeting meeting = meetingAt(Side::kRear);
   ASSERT_TRUE(plan(meeting, {AddedManner::kTrain, 1.2}));
@@ -101,12 +93,6 @@ TEST_F(AddedDrivesTest, ATrainKeepsTheEgosDistanceUntilNow) {
   ASSERT_EQ(drive_.back.size(), ego.size());
   for (std::size_t i = 0; i < ego.size(); ++i) EXPECT_NEAR(drive_.back[i] - ego[i], gap, 1e-6);
   EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
-}
-
-TEST_F(AddedDrivesTest, NoTrainIsTooNearOrGoesBackwards) {
-  EXPECT_FALSE(plan(meetingAt(Side::kRear), {AddedManner::kTrain, 0.0})) << "would touch the ego";
-  EXPECT_FALSE(plan(meetingAt(Side::kFront), {AddedManner::kTrain, -2.1})) << "beyond a standstill";
-  EXPECT_TRUE(plan(meetingAt(Side::kFront), {AddedManner::kTrain, -1.9}));
 }
 
 TEST_F(AddedDrivesTest, WhoFollowsDrivesAsAFlowLaterOrEarlier) {
@@ -160,12 +146,6 @@ TEST_F(AddedDrivesTest, WhoIsParkedStandsBeforeTheMeetingAndFartherOut) {
   EXPECT_FALSE(plan(meeting, {AddedManner::kPark, 30.0})) << "too far off the lane";
 }
 
-TEST_F(AddedDrivesTest, KeepAsideOfTheMiddle) {
-  const AddedMeeting meeting = meetingAt(Side::kFront, 1);
-  ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 8.0, false, 0.7}));
-  EXPECT_NEAR(drive_.poseAt(meeting.way->path, 0).y, 3.5 - 0.7, 1e-6) << "left of who drives west";
-}
-
 TEST_F(AddedDrivesTest, InRearEndsOnlyWhoIsAheadStands) {
   const AddedMeeting ahead = meetingAt(Side::kFront);
   EXPECT_FALSE(has(kindsOf(meetingAt(Side::kRear)), AddedManner::kStand));
@@ -193,23 +173,6 @@ TEST_F(AddedDrivesTest, InLaneChangesParkWhereThatIsAskedForOrTheEgoHasTheLane) 
   EXPECT_FALSE(has(kindsOf(own), AddedManner::kPark));
 }
 
-TEST_F(AddedDrivesTest, BesideTheEgoInItsLaneMotorcyclesRide) {
-  scene_.request.type = CollisionType::kLaneChange;
-  const AddedMeeting own = meetingAt(Side::kRight);
-  for (const AddedManner& manner : drives_->mannersOf(own)) {
-    EXPECT_NE(manner.rides, manner.kind == AddedManner::kPark);
-  }
-  for (const AddedManner& manner : drives_->mannersOf(meetingAt(Side::kLeft, 1))) {
-    EXPECT_FALSE(manner.rides);
-  }
-  AddedManner ride{AddedManner::kCruise, 8.0};
-  ride.rides = true;
-  const BoxSize motorcycle{2.1, 0.8};
-  ASSERT_TRUE(drives_->plan(own, ride, motorcycle, drive_));
-  const double side = -0.5 * kEgoSize.width - 0.5 * motorcycle.width;
-  EXPECT_NEAR(drive_.poseAt(own.way->path, 0).y, side - options_.added.riding_gap, 0.05);
-}
-
 TEST_F(AddedDrivesTest, WhoCruisesVariesItsSpeedAndMeetsTheEgoAllTheSame) {
   const AddedMeeting meeting = meetingAt(Side::kRear);
   ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 8.0}));
@@ -227,35 +190,6 @@ TEST_F(AddedDrivesTest, WhoCruisesVariesItsSpeedAndMeetsTheEgoAllTheSame) {
   }
   EXPECT_GT(most, 0.3);
   EXPECT_LT(most, 2.0 * variation.amplitude / variation.frequency());
-}
-
-TEST_F(AddedDrivesTest, OncomingOnesAreQuickAndAtLastNearerToTheEgo) {
-  scene_.request.type = CollisionType::kOppositeDirection;
-  const AddedMeeting meeting = meetingAt(Side::kFront, 1);
-  ASSERT_NEAR(meeting.across, 3.5, 1e-6);
-  AddedVehicleOptions& added = options_.added;
-  added.speeds.push_back(0.5 * added.least_crossing_speed);
-  const std::vector<AddedManner> manners = drives_->mannersOf(meeting);
-  ASSERT_EQ(manners.size() % 2, 0u);
-  for (std::size_t i = 0; i < manners.size(); ++i) {
-    EXPECT_EQ(manners[i].aside, i < manners.size() / 2 ? 0.0 : added.aside) << i;
-    if (manners[i].kind == AddedManner::kCruise) {
-      EXPECT_GE(manners[i].value, added.least_crossing_speed);
-    }
-  }
-}
-
-TEST_F(AddedDrivesTest, CrossingOnesCruiseOrStartInTurn) {
-  scene_.request.type = CollisionType::kJunctionCrossing;
-  const std::vector<AddedManner> manners = drives_->mannersOf(meetingAt(Side::kLeft));
-  ASSERT_GE(manners.size(), 4u);
-  EXPECT_EQ(manners[0].kind, AddedManner::kCruise);
-  EXPECT_EQ(manners[0].value, AddedScene::kEgoSpeed) << "as the ego does";
-  EXPECT_EQ(manners[1].kind, AddedManner::kStart);
-  EXPECT_FALSE(manners[1].waits);
-  EXPECT_EQ(manners[2].kind, AddedManner::kStart);
-  EXPECT_TRUE(manners[2].waits);
-  EXPECT_EQ(manners[3].kind, AddedManner::kCruise);
 }
 
 }  // namespace

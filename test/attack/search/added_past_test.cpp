@@ -63,8 +63,6 @@ TEST_F(AddedPastTest, TouchesNobodyBeforeTheContact) {
   EXPECT_STREQ(drive(200.0, 8.0), "touch somebody else first");
 }
 
-TEST_F(AddedPastTest, IsOnItsWayNow) { EXPECT_STREQ(drive(-1.0, 8.0), "come from beyond the map"); }
-
 TEST_F(AddedPastTest, ComesOutOfSightWhereItWasNotThereAtFirst) {
   // Its lane begins 160 m behind the ego, and 20 m behind it.
   EXPECT_STREQ(drive(80.0, 14.0), nullptr);
@@ -75,10 +73,6 @@ TEST_F(AddedPastTest, ComesOutOfSightWhereItWasNotThereAtFirst) {
             options_.added.sensing_range);
   scene_.map->lanes[0] = straightLane("east", {-170.0, 0.0}, {200.0, 0.0});
   EXPECT_STREQ(drive(140.0, 16.0), "would appear in sight");
-}
-
-TEST_F(AddedPastTest, KeepsToItsLane) {
-  EXPECT_STREQ(drive(200.0, 8.0, -3.0), "leave their lane or the road");
 }
 
 TEST_F(AddedPastTest, IsNotParkedAgainstTheTraffic) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
 #include <string>
 
 #include "attack/search/test_scenes.h"
@@ -124,29 +123,6 @@ TEST(AddedVehicle, ComesTheWrongWayIfThatIsAskedFor) {
   }
 }
 
-TEST(AddedVehicle, IsTakenEvenIfNothingIsPromised) {
-  Case scene;
-  Future future = scene.future();
-  // The ego drives on in the half of its futures that is searched, and stands in the other.
-  for (int i = 0; i < 8; ++i) {
-    future.ego_samples.push_back(futureTrack(kEgoId, kEgoSize, scene.ego, i % 2 == 0 ? 8.0 : 0.0));
-  }
-  scene.request.crash.min_confidence = 0.0;
-  const Realization answer = scene.resultIn(future);
-  ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
-  EXPECT_EQ(answer.report.confidence, 0.0);
-  EXPECT_FALSE(answer.trajectory.points.empty());
-}
-
-TEST(AddedVehicle, MayDriveInAnyMotionFromNowOn) {
-  const Case scene;
-  const Realization answer = scene.resultIn(scene.future(), SearchedMotion::kAny);
-  ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
-  EXPECT_TRUE(isAsAsked(answer.report, scene.request));
-  EXPECT_TRUE(answer.trajectory.isAdded());
-  EXPECT_EQ(answer.effort, 0.0) << "of routes alone";
-}
-
 TEST(AddedVehicle, HasAPastAtAllFramesUntilNow) {
   const Case scene;
   const AddedVehicles vehicles = scene.vehicles();
@@ -164,17 +140,6 @@ TEST(AddedVehicle, HasAPastAtAllFramesUntilNow) {
     for (const CollisionPattern& pattern : vehicle.patterns) {
       EXPECT_EQ(pattern.attacker_id, vehicle.track.id);
     }
-  }
-}
-
-TEST(AddedVehicle, HasANameOfItsOwn) {
-  Case scene;
-  scene.others = {longPast("added-1", kCarSize, {-40.0, 60.0, 0.0}, 0.0)};
-  std::set<std::string> names = {"added-1"};
-  const AddedVehicles vehicles = scene.vehicles();
-  ASSERT_GE(vehicles.found.size(), 2u) << vehicles.status.message;
-  for (const AddedVehicle& vehicle : vehicles.found) {
-    EXPECT_TRUE(names.insert(vehicle.track.id).second) << vehicle.track.id;
   }
 }
 
@@ -245,18 +210,6 @@ TEST(AddedVehicle, IsOfTheClassAskedFor) {
     for (const AddedVehicle& vehicle : vehicles.found) {
       EXPECT_EQ(vehicle.track.agent_class, asked);
     }
-  }
-}
-
-TEST(AddedVehicle, IsTheSameForTheSameSeed) {
-  const Case scene;
-  const AddedVehicles first = scene.vehicles();
-  const AddedVehicles second = scene.vehicles();
-  ASSERT_EQ(first.found.size(), second.found.size());
-  for (std::size_t i = 0; i < first.found.size(); ++i) {
-    EXPECT_EQ(first.found[i].track.size.length, second.found[i].track.size.length);
-    EXPECT_EQ(first.found[i].track.states.front().pose.x,
-              second.found[i].track.states.front().pose.x);
   }
 }
 

@@ -83,18 +83,6 @@ TEST_F(AddedWaysTest, CapSpeedsInABendAndBeforeAndAfterIt) {
   EXPECT_EQ(way.cap(1e4), way.caps.back());
 }
 
-TEST_F(AddedWaysTest, KnowWhereTheEgoWasInTheirDirection) {
-  const AddedWay& east = wayTo(kEast);
-  ASSERT_EQ(east.ego.size(), 121u) << "twelve seconds";
-  EXPECT_EQ(stepsBack(scene_.past), 120u);
-  EXPECT_NEAR(east.ego[0] - east.ego[10], AddedScene::kEgoSpeed, 1e-6);
-  EXPECT_NEAR(east.path.at(east.ego[0]).pose.x, AddedScene::kEgoX, 1e-6);
-  EXPECT_NEAR(east.ego_across, 0.0, 1e-6);
-  const AddedWay& west = *ways_->to(kWest).front();
-  EXPECT_TRUE(west.ego.empty()) << "comes the other way";
-  EXPECT_NEAR(west.ego_across, 3.5, 1e-6) << "to the left of who drives west";
-}
-
 TEST_F(AddedWaysTest, TellTheSpeedsOfThoseWhoDriveThere) {
   scene_.add("ahead", {-10.0, 0.3, 0.0}, 9.0);
   scene_.add("as fast", {10.0, 0.0, 0.0}, 9.4);
@@ -128,12 +116,6 @@ TEST_F(AddedWaysTest, EndAFlowWhereItLeavesTheWay) {
   const AddedWay& way = wayTo(kEast);
   ASSERT_EQ(way.flows.size(), 1u);
   EXPECT_NEAR(way.flows.front().times.back(), -2.5, 1e-6);
-}
-
-TEST_F(AddedWaysTest, AreMadeOnce) {
-  const AddedWay* way = &wayTo(kEast);
-  ways_->to(kWest);
-  EXPECT_EQ(ways_->to(kEast).front().get(), way);
 }
 
 TEST(AddSpeed, LeavesOutThoseThatAreThere) {

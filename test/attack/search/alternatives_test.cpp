@@ -127,37 +127,6 @@ TEST(FindAlternatives, HasTheSurestFirstAndNoAlternativesOfAlternatives) {
   for (const Realization& other : found) EXPECT_TRUE(other.alternatives.empty());
 }
 
-TEST(FindAlternatives, AreTellableByIdAndManoeuvre) {
-  const Realization first = Case().answer();
-  std::set<std::pair<std::string, Manoeuvre>> kinds = {
-      {first.trajectory.attacker_id, first.report.manoeuvre}};
-  for (const Realization& other : first.alternatives) {
-    EXPECT_TRUE(kinds.emplace(other.trajectory.attacker_id, other.report.manoeuvre).second)
-        << other.trajectory.attacker_id;
-    EXPECT_TRUE(!other.trajectory.isAdded() ||
-                other.aim.attacker_id == other.trajectory.attacker_id);
-  }
-}
-
-TEST(FindAlternatives, AreDistinctAndVerifiedOnARoad) {
-  Case road;
-  road.request.alternatives = 4;
-  const AttackOptions options = shippedOptions();
-  const auto method = searchMethod(options);
-  const Realization first =
-      generateCollision(method, road.moment, road.request, options.prediction);
-  ASSERT_EQ(first.status.code, StatusCode::kOk) << first.status.message;
-  ASSERT_FALSE(first.alternatives.empty());
-  std::vector<Realization> all = first.alternatives;
-  all.push_back(first);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    EXPECT_TRUE(isAsAsked(all[i].report, road.request));
-    for (std::size_t j = 0; j < i; ++j) {
-      EXPECT_TRUE(areDistinct(all[i], all[j], road.moment.snapshot)) << i << " " << j;
-    }
-  }
-}
-
 TEST(AreDistinct, ByManoeuvreOrAttackerAndAddedOnesByClassOrSide) {
   const Case scene;
   const auto attack = [](const std::string& id, Manoeuvre manoeuvre) {

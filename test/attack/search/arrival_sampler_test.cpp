@@ -113,35 +113,6 @@ TEST_F(Arrivals, SpreadAlongTheSideThatThePatternTouchesOverAllHeadingsOfTheType
   EXPECT_TRUE(egos[0] && egos[1] && egos[2]);
 }
 
-TEST_F(Arrivals, SpreadToBothSidesOfStraightOnAndOfStraightBack) {
-  for (const auto& [type, offset] :
-       {std::pair(CollisionType::kRearEnd, Pose2{-4.4, 0.0, 0.05}),
-        std::pair(CollisionType::kOppositeDirection, Pose2{4.4, 0.0, M_PI - 0.05})}) {
-    aimAt(type, offset);
-    int left = 0;
-    for (int i = 0; i < 200; ++i) {
-      if (sampler_->wide(contender(), aim(), true).offset.yaw > 0.0) ++left;
-    }
-    EXPECT_GT(left, 50) << toString(type);
-    EXPECT_LT(left, 150) << toString(type);
-  }
-}
-
-TEST_F(Arrivals, MoveFartherAtALargerScale) {
-  aimAt(CollisionType::kLaneChange, kBehindLeft);
-  const auto moved = [&](double scale) {
-    double sum = 0.0;
-    for (int i = 0; i < 200; ++i) {
-      AimedArrival aimed = sampler_->own(contender(), aim(), true);
-      sampler_->move(aimed, scale);
-      sum += missBetween(aim().touching, aimed.offset).distance / 200.0;
-    }
-    return sum;
-  };
-  EXPECT_EQ(moved(0.0), 0.0);
-  EXPECT_NEAR(moved(1.0), 2.0 * moved(0.5), 0.2 * moved(1.0));
-}
-
 TEST_F(Arrivals, ShiftByWhatIsSeenFromTheEgo) {
   aimAt(CollisionType::kLaneChange, kBehindLeft);
   AimedArrival aimed = sampler_->own(contender(), aim(), true);

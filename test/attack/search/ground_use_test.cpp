@@ -26,21 +26,12 @@ TEST(GroundUse, CountsThePlacesOffTheRoad) {
   EXPECT_NEAR(offRoad(road, {0.0, -1.5, 0.0}), 1.0 / 3.0, 1e-9) << "one row of three";
 }
 
-TEST(GroundUse, WithoutADrivableAreaNobodyIsOffIt) {
-  EXPECT_EQ(offRoad(emptyMap(), {0.0, 0.0, 0.0}), 0.0);
-}
-
 TEST(GroundUse, LooksAtEveryStridethPoint) {
   // Leaves the road at the end: only the first point is looked at.
   EXPECT_EQ(offRoad(twoLaneRoad(), {0.0, 0.0, -M_PI / 2.0}, 1000),
             offRoad(twoLaneRoad(), {0.0, 0.0, -M_PI / 2.0}, 21));
   EXPECT_GT(offRoad(twoLaneRoad(), {0.0, 0.0, -M_PI / 2.0}, 5),
             offRoad(twoLaneRoad(), {0.0, 0.0, -M_PI / 2.0}, 21));
-}
-
-TEST(GroundUse, LooksNoFurtherThanItIsTold) {
-  EXPECT_EQ(offRoad(twoLaneRoad(), {0.0, 2.0, M_PI_2}, 1, kNow), 0.0);
-  EXPECT_GT(offRoad(twoLaneRoad(), {0.0, 2.0, M_PI_2}, 1, kNow + 2.0), 0.0);
 }
 
 TEST(GroundUse, AKerbIsCrossedByWhoComesToAWalkway) {

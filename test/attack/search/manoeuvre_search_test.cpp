@@ -129,77 +129,6 @@ TEST_F(ManoeuvreSearchTest, ABusDrivesAsABusCan) {
                                answer.report.contact_time, limits));
 }
 
-TEST_F(ManoeuvreSearchTest, OneThatIsUnderwayGoesOnFromItsStateOrFindsBetter) {
-  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 7.0, {pastTrack("back", kCarSize, {-22.0, 0.0, 0.0}, 8.0)});
-  CollisionRequest request = believableRequestFor(CollisionType::kRearEnd);
-  request.mode = Mode::kReplay;
-  request.attacker = "back";
-  const Realization answer = generateCollision(
-      searchMethod(options_), {snapshot_, recorded_, std::make_shared<const LaneIndex>(map_)},
-      request, options_.prediction);
-  ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
-  const std::size_t from = 10;
-  const auto& points = answer.trajectory.points;
-  const auto middle = points.begin() + from;
-  const DriveLimits limits = driveLimitsOf(snapshot_.agents[0], options_.verification);
-  std::vector<AgentState> seen;
-  Underway underway{snapshot_,
-                    seen,
-                    driveStateOf(points[from], limits),
-                    {points.begin(), middle},
-                    {middle, points.end()},
-                    ReferencePath(Polyline({{-22.0, 0.0}, {100.0, 0.0}})),
-                    std::nullopt};
-  request.tta = 4.0 - 0.1 * from;
-  Snapshot later = snapshot_;
-  later.now = points[from].time;
-  later.agents[0].states.push_back({later.now, points[from].pose, {points[from].speed, 0.0}});
-  for (int i = 0; i < static_cast<int>(from); ++i) {
-    seen.push_back({kNow + 0.1 * i, {0.7 * i, 0.0, 0.0}, {7.0, 0.0}});
-  }
-  const auto searched = [&](const Track& ego) {
-    const std::vector<const Track*> egos = {&ego};
-    const std::vector<CollisionPattern> patterns = {answer.aim};
-    const LaneIndex lanes(map_);
-    SearchInput input{later, recorded_, egos, patterns, request, lanes};
-    input.underway = &underway;
-    return searchManoeuvres(input, options_);
-  };
-  const auto kept = searched(recorded_.ego);
-  ASSERT_FALSE(kept.empty());
-  EXPECT_TRUE(kept.front().is_underway) << "it meets the ego as it is";
-  EXPECT_EQ(kept.front().points.size(), underway.planned.size());
-  const Track slower =
-      straightTrack("ego", kEgoSize, {7.0, 0.0, 0.0}, 3.0, kNow + 1.0, kNow + 1.0, kNow + 10.0);
-  const auto changed = searched(slower);
-  ASSERT_FALSE(changed.empty());
-  EXPECT_FALSE(changed.front().is_underway);
-  EXPECT_GT(changed.front().score.share, 0.0);
-  EXPECT_FALSE(findBrokenDrive(changed.front().points, underway.state, kNow + 4.0, limits));
-  EXPECT_TRUE(changed.back().is_underway) << "what it means to do comes last";
-  // The plan underway pays for how it drives as other plans do.
-  const auto objectiveOf = [&] { return searched(slower).back().objective; };
-  const double calm = objectiveOf();
-  underway.effort = 0.1;
-  EXPECT_NEAR(objectiveOf(), calm - 0.1, 1e-9);
-  underway.draft = changed.front().drafted->draft;
-  underway.draft->departure = 0.0;
-  const double with_draft = objectiveOf();
-  underway.style = options_.route.styles.size() - 1;
-  EXPECT_NEAR(objectiveOf(), with_draft - options_.route.styles.back().cost, 1e-9);
-  underway.style = changed.front().drafted->style;
-  // With the draft of the better plan, and the manoeuvre named, which the whole drive tells.
-  underway.way = changed.front().drafted->way;
-  underway.draft = changed.front().drafted->draft;
-  underway.planned = changed.front().points;
-  request.manoeuvre = Manoeuvre::kFollowerCloses;
-  const auto again = searched(slower);
-  ASSERT_FALSE(again.empty());
-  EXPECT_GT(again.front().objective, 0.0) << "it is as asked";
-  request.manoeuvre = Manoeuvre::kLeadBrakes;
-  for (const FoundAttack& attack : searched(slower)) EXPECT_LT(attack.objective, 0.0);
-}
-
 TEST_F(ManoeuvreSearchTest, OfManyVehiclesTheOneThatCanIsFound) {
   // All but the leader are too far away to be there in time.
   std::vector<Track> others;
@@ -211,16 +140,6 @@ TEST_F(ManoeuvreSearchTest, OfManyVehiclesTheOneThatCanIsFound) {
   others.push_back(pastTrack("lead", kCarSize, {18.0, 0.2, 0.0}, 9.0));
   scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 9.0, others);
   EXPECT_EQ(expectAttack(CollisionType::kRearEnd).trajectory.attacker_id, "lead");
-}
-
-TEST_F(ManoeuvreSearchTest, SameSeedSameAnswer) {
-  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 9.0, {pastTrack("lead", kCarSize, {18.0, 0.2, 0.0}, 9.0)});
-  const Realization first = ask(CollisionType::kRearEnd);
-  const Realization second = ask(CollisionType::kRearEnd);
-  ASSERT_EQ(first.trajectory.points.size(), second.trajectory.points.size());
-  for (std::size_t i = 0; i < first.trajectory.points.size(); ++i) {
-    EXPECT_EQ(first.trajectory.points[i].pose.x, second.trajectory.points[i].pose.x);
-  }
 }
 
 }  // namespace

@@ -65,15 +65,6 @@ TEST(KinematicPatternPredictor, PlacesARearEndAttackerBehindAndFasterFirst) {
       << "the ego may run into it";
 }
 
-TEST(KinematicPatternPredictor, PlacesAnOppositeAttackerInFront) {
-  const auto pattern =
-      predict(CollisionType::kOppositeDirection, {pastTrack("a", kCarSize, {75.0, 3.5, M_PI}, 9.0)})
-          .patterns.at(0);
-  EXPECT_NEAR(pattern.attacker_offset.x, 0.5 * (kEgoSize.length + kCarSize.length), 1e-4);
-  EXPECT_NEAR(std::abs(pattern.attacker_offset.yaw), M_PI, 1e-4);
-  EXPECT_NEAR(pattern.attacker_speed, 9.0, 1e-6);
-}
-
 TEST(KinematicPatternPredictor, PlacesSideAttackersOnBothSidesHeadingForTheEgo) {
   for (const CollisionType type : {CollisionType::kLaneChange, CollisionType::kJunctionCrossing}) {
     const auto prediction = predict(type, {pastTrack("a", kCarSize, {10.0, 30.0, -M_PI_2}, 1.0)});
@@ -124,34 +115,6 @@ TEST(KinematicPatternPredictor, ConsidersCandidatesOnly) {
   EXPECT_NE(nobody.status.message.find("candidate_radius"), std::string::npos);
 }
 
-TEST(KinematicPatternPredictor, ConsidersTheAttackerThatIsAskedForAlone) {
-  const std::vector<Track> agents{pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0),
-                                  pastTrack("b", kCarSize, {-25.0, 3.5, 0.0}, 12.0)};
-  EXPECT_EQ(attackers(predict(CollisionType::kRearEnd, agents, "b")),
-            (std::vector<std::string>{"b", "b"}));
-  EXPECT_EQ(predict(CollisionType::kRearEnd, agents).patterns.size(), 4u);
-}
-
-TEST(KinematicPatternPredictor, ConsidersVehiclesOfTheClassAskedForAlone) {
-  Track truck = pastTrack("truck", kCarSize, {-25.0, 3.5, 0.0}, 12.0);
-  truck.agent_class = AgentClass::kTruck;
-  const Snapshot snapshot =
-      snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0),
-                 {pastTrack("car", kCarSize, {-20.0, 0.0, 0.0}, 12.0), truck}, twoLaneRoad());
-  CollisionRequest request = requestFor(CollisionType::kRearEnd);
-  request.attacker_class = AgentClass::kTruck;
-  EXPECT_EQ(attackers(kinematicPredictor(shippedOptions())
-                          .predict(snapshot, LaneIndex(snapshot.map), request, nullptr)),
-            (std::vector<std::string>{"truck", "truck"}));
-}
-
-TEST(KinematicPatternPredictor, ConsidersTheAttackerThatIsAskedForAnywhere) {
-  const std::vector<Track> agents{pastTrack("far", kCarSize, {-200.0, 0.0, 0.0}, 12.0)};
-  EXPECT_EQ(predict(CollisionType::kRearEnd, agents).status.code, StatusCode::kNoCandidate);
-  EXPECT_EQ(attackers(predict(CollisionType::kRearEnd, agents, "far")),
-            (std::vector<std::string>{"far", "far"}));
-}
-
 TEST(KinematicPatternPredictor, RanksAttackersWhoseSpeedFitsTheDistanceFirst) {
   // From x to 35.7 m in 4 s at a mean of 13 m/s: the fitting one starts 16.3 m behind.
   const std::vector<Track> agents{pastTrack("far", kCarSize, {-60.0, 0.0, 0.0}, 12.0),
@@ -180,17 +143,6 @@ TEST(KinematicPatternPredictor, ConsidersAttackersThatApproachAsTheTypeWants) {
       }
     }
   }
-}
-
-TEST(KinematicPatternPredictor, ByTheAngleRulesConsidersAttackersFromAnywhere) {
-  const auto map = emptyMap();
-  const Snapshot snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0),
-                                       {pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)}, map);
-  CollisionRequest request = requestFor(CollisionType::kLtap);
-  request.crash.rules = TypeRules::kAngle;
-  const auto prediction =
-      kinematicPredictor(shippedOptions()).predict(snapshot, LaneIndex(map), request, nullptr);
-  EXPECT_EQ(prediction.status.code, StatusCode::kOk);
 }
 
 TEST(KinematicPatternPredictor, TheLikeliestFutureOfTheEgoIsTheMostCentralSample) {
@@ -222,13 +174,6 @@ TEST(KinematicPatternPredictor, SamplesTheEgoInHistoryOnly) {
   recorded.ego = futureTrack(kEgoId, kEgoSize, {}, 5.0);
   EXPECT_TRUE(
       predict(CollisionType::kRearEnd, agents, std::nullopt, &recorded).future.ego_samples.empty());
-}
-
-TEST(KinematicPatternPredictor, SaysWhichTypeNobodyApproachesFor) {
-  const auto prediction =
-      predict(CollisionType::kLtap, {pastTrack("a", kCarSize, {-20.0, 0.0, 0.0}, 12.0)});
-  EXPECT_EQ(prediction.status.code, StatusCode::kNoCandidate);
-  EXPECT_NE(prediction.status.message.find("ltap"), std::string::npos);
 }
 
 TEST(KinematicPatternPredictor, UsesTheRecordedFutureInReplay) {

@@ -133,20 +133,6 @@ TEST(TouchingOffset, IsOnTheLineToTheEgosMiddleWhereTheBoxesJustTouch) {
   }
 }
 
-TEST(TouchingOffset, OfAnAttackerInTheVeryMiddleIsWhereItComesFrom) {
-  const Pose2 offset = touchingOffset(kEgo, kAttacker, {0.0, 0.0, -M_PI_2});
-  EXPECT_NEAR(offset.x, 0.0, 1e-9);
-  EXPECT_NEAR(offset.y, 0.5 * (kEgo.width + kAttacker.length), 1e-9);
-}
-
-TEST(AttackerOffset, SlidesAsAShareOfHalfTheSideThatIsHit) {
-  for (const double slide : {-1.0, -0.3, 0.0, 0.8, 1.0}) {
-    EXPECT_NEAR(attackerOffset(kEgo, kAttacker, Side::kLeft, -0.3, slide, 0.1).x, 2.0 * slide,
-                1e-12);
-    EXPECT_NEAR(attackerOffset(kEgo, kAttacker, Side::kRear, 0.1, slide, 0.1).y, slide, 1e-12);
-  }
-}
-
 TEST(PlacementsAlong, ALaneThatCrossesIsMetAtItsOwnHeading) {
   const TypeDefinition band = shippedCrash().types.at(CollisionType::kJunctionCrossing);
   const auto found =
@@ -170,15 +156,6 @@ TEST(PlacementsAlong, HeadingsAreHeldToTheBandAndNotTooFarFromTheLane) {
   EXPECT_EQ(beside[1].side, Side::kLeft);
   EXPECT_DOUBLE_EQ(beside[1].heading, -band.min_heading - 0.03);
   EXPECT_TRUE(along(1.4).empty());
-}
-
-TEST(PlacementsAlong, StraightOnIsOneHeading) {
-  const TypeDefinition band = shippedCrash().types.at(CollisionType::kRearEnd);
-  const auto found =
-      placementsAlong(0.0, CollisionType::kRearEnd, band, DrivingSide::kRight, 0.03, 0.6);
-  ASSERT_EQ(found.size(), 2U) << "behind and ahead";
-  EXPECT_EQ(found[0].heading, 0.0);
-  EXPECT_EQ(found[1].heading, 0.0);
 }
 
 }  // namespace

@@ -94,18 +94,6 @@ TEST(QuinticFamily, InMapAxesMeetsTheStartAndTheArrival) {
   }
 }
 
-TEST(QuinticFamily, InMapAxesMeetsTheAccelerationsAtBothEnds) {
-  // Straight on: the speed is that of the one axis.
-  Arrival arrival = arrivalAt(4.0, {40.0, 0.0, 0.0}, 10.0);
-  arrival.start_acceleration = 2.0;
-  arrival.end_acceleration = -3.0;
-  DriveStart start = startAt({}, 10.0, 4001);
-  start.step = 0.001;
-  const auto points = driven({}, start, arrival);
-  EXPECT_NEAR(points[0].acceleration, 2.0, 0.02);
-  EXPECT_NEAR(points[3998].acceleration, -3.0, 0.02);
-}
-
 TEST(QuinticFamily, GoesStraightOnAfterTheArrival) {
   const Pose2 target{30.0, 3.0, 0.2};
   const Arrival arrival = arrivalAt(2.55, target, 11.0);
@@ -151,21 +139,6 @@ TEST(QuinticFamily, OnACurvedPathMeetsTheStartAndTheArrival) {
   }
 }
 
-TEST(QuinticFamily, FarBesideABendMeetsTheStartAndTheArrivalToo) {
-  const ReferencePath path = bend();
-  for (const double lateral : {-15.0, -8.0, 6.0, 12.0}) {
-    for (double s = 65.0; s < 66.0; s += 0.1) {
-      const Pose2 start = compose(path.at(s - 25.0).pose, {0.0, lateral, 0.0});
-      const Arrival arrival = arrivalAt(4.0001, compose(path.at(s).pose, {0.0, lateral, 0.0}), 5.0);
-      const auto points = driven(QuinticFamily(path), startAt(start, 5.0), arrival);
-      EXPECT_NEAR((points[0].pose.position() - start.position()).norm(), 0.0, 2e-3) << lateral;
-      // The last point on the path's axes is that at the arrival, but for a ten-thousandth.
-      EXPECT_NEAR((points[40].pose.position() - arrival.pose.position()).norm(), 0.0, 5e-3)
-          << lateral;
-    }
-  }
-}
-
 TEST(QuinticFamily, OnACurvedPathKeepsToTheLane) {
   const ReferencePath path = bend();
   const Pose2 start = path.at(10.0).pose;
@@ -184,18 +157,6 @@ TEST(QuinticFamily, OnACurvedPathKeepsToTheLane) {
   }
   EXPECT_LT(farthest_in_lane, 0.05);
   EXPECT_GT(farthest_freely, 1.0) << "or the bend would prove nothing";
-}
-
-TEST(QuinticFamily, OnAPathLeavesTheLaneNoMoreThanTheArrivalDoes) {
-  const ReferencePath path = bend();
-  const Pose2 start = compose(path.at(10.0).pose, {0.0, -0.5, 0.0});
-  const Pose2 target = compose(path.at(60.0).pose, {0.0, 2.0, 0.0});
-  for (const auto& point :
-       driven(QuinticFamily(path), startAt(start, 10.0, 51), arrivalAt(5.0, target, 10.0))) {
-    const Pose2 place = path.at(path.project(point.pose.position())).pose;
-    EXPECT_GT(relativeTo(place, point.pose).y, -0.55);
-    EXPECT_LT(relativeTo(place, point.pose).y, 2.05);
-  }
 }
 
 /// What a point says of speed, acceleration and curvature against its neighbours' positions; the
@@ -233,24 +194,6 @@ TEST(QuinticFamily, DerivedSpeedAccelerationAndCurvatureAgreeWithThePositions) {
   }
 }
 
-TEST(QuinticFamily, OnACurvedPathTheyAgreeWithThePositionsToo) {
-  const ReferencePath path = bend();
-  const Pose2 start = compose(path.at(10.0).pose, {0.0, -1.0, 0.05});
-  const Pose2 target = compose(path.at(60.0).pose, {0.0, 1.5, 0.1});
-  const auto points =
-      driven(QuinticFamily(path), startAt(start, 9.0), arrivalAt(5.0, target, 11.0));
-  for (std::size_t i = 1; i < 48; ++i) expectDerived(points, i, 0.02, 0.05);
-}
-
-TEST(QuinticFamily, HoldsItsHeadingWhileItStands) {
-  const Pose2 pose{5.0, 5.0, 2.0};
-  for (const auto& point : driven({}, startAt(pose, 0.0), arrivalAt(3.0, pose, 0.0))) {
-    EXPECT_NEAR(point.pose.yaw, 2.0, 1e-9);
-    EXPECT_NEAR(point.speed, 0.0, 1e-9);
-    EXPECT_NEAR(point.curvature, 0.0, 1e-9);
-  }
-}
-
 TEST(QuinticFamily, HasNoMotionForAnArrivalAgainstThePath) {
   const ReferencePath path = bend();
   std::vector<TrajectoryPoint> points;
@@ -270,20 +213,6 @@ TEST(QuinticFamily, HasNoMotionForAnArrivalAgainstThePath) {
           << sign * turn << " at the start";
       EXPECT_TRUE(QuinticFamily().drive(startAt({}, 10.0), arrivalAt(3.0, target, 10.0), points));
     }
-  }
-}
-
-TEST(QuinticFamily, HasNoMotionWhereThePathsNormalsMeet) {
-  // 24 m to the left of a bend of 30 m radius is 0.8 of the way to its middle.
-  const ReferencePath path = bend();
-  std::vector<TrajectoryPoint> points;
-  for (const auto& [lateral, drivable] : std::vector<std::pair<double, bool>>{
-           {-26.0, false}, {10.0, true}, {22.0, true}, {26.0, false}}) {
-    const Pose2 target = compose(path.at(70.0).pose, {0.0, lateral, 0.0});
-    EXPECT_EQ(QuinticFamily(path).drive(startAt(path.at(50.0).pose, 10.0),
-                                        arrivalAt(3.0, target, 5.0), points),
-              drivable)
-        << lateral;
   }
 }
 

@@ -57,12 +57,6 @@ TEST(ListRequests, KeepTheToleranceBeforeTheRecordingsEnd) {
   EXPECT_EQ(nowsOf(tenSeconds(), options).back(), 104.0);
 }
 
-TEST(ListRequests, EndWithTheEgosPoses) {
-  Scene scene = tenSeconds();
-  scene.ego.states.resize(scene.ego.states.size() - 2);  // to 109 s
-  EXPECT_EQ(nowsOf(scene, everyTwoSeconds()).back(), 104.0);
-}
-
 TEST(ListRequests, TakeTheNearestFrameWhereTheClockJitters) {
   Scene scene = tenSeconds();
   for (std::size_t i = 0; i < scene.frame_times.size(); ++i) {
@@ -147,8 +141,6 @@ TEST(ListRequests, TtasOutOfTheSuitesRangeAreLeftOut) {
   options.ttas = {0.4};
   EXPECT_TRUE(nowsOf(tenSeconds(), options).empty());
 }
-
-TEST(ListRequests, AnEmptySceneHasNone) { EXPECT_TRUE(nowsOf(Scene{}, everyTwoSeconds()).empty()); }
 
 TEST(ListRequests, RefuseAStrideThatIsNotPositive) {
   RequestListOptions options = everyTwoSeconds();

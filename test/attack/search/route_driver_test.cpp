@@ -41,13 +41,6 @@ class RouteTest : public testing::Test {
     return speed->style;
   }
 
-  RouteDriver wanderingFrom(double x, double speed, const SpeedVariation& variation) const {
-    DriveState now;
-    now.axle = {x - limits_.axle_to_middle, 0.0, 0.0};
-    now.speed = speed;
-    return {ReferencePath(bend()), now, limits_, options_, variation};
-  }
-
   static double speedAt(const std::vector<PlannedStep>& planned, std::size_t i) {
     return (planned[i + 1].middle.position() - planned[i].middle.position()).norm() / kStep;
   }
@@ -137,25 +130,6 @@ TEST_F(RouteTest, BrakesLateWhereThatIsAskedFor) {
   EXPECT_LT(speedAt(planned, 38) + 3.0, speedAt(planned, 24));
 }
 
-TEST_F(RouteTest, TheOffsetFromTheLaneFades) {
-  const RouteDriver route = routeAt(2.0, 1.0, 10.0);
-  const double start = route.start().along;
-  EXPECT_NEAR(route.keptOffset(start), 1.0, 0.01);
-  EXPECT_NEAR(route.keptOffset(start + 0.1), 1.0, 0.001) << "it does not lean now";
-  EXPECT_NEAR(route.keptOffset(start + options_.return_distance), 2.0 * std::exp(-1.0), 0.01);
-  EXPECT_LT(std::abs(route.keptOffset(start + 8.0 * options_.return_distance)), 0.01);
-}
-
-TEST_F(RouteTest, WhoLeansNowGoesOnSo) {
-  DriveState now;
-  now.axle = {2.0, 0.0, 0.1};
-  now.speed = 8.0;
-  const RouteDriver route(ReferencePath(bend()), now, limits_, options_);
-  const double start = route.start().along;
-  EXPECT_NEAR((route.keptOffset(start + 0.01) - route.keptOffset(start)) / 0.01, std::tan(0.1),
-              0.01);
-}
-
 TEST_F(RouteTest, WhoStandsMayWait) {
   const RouteDriver route = routeAt(2.0, 0.0, 0.0);
   std::vector<PlannedStep> planned;
@@ -166,39 +140,6 @@ TEST_F(RouteTest, WhoStandsMayWait) {
   ASSERT_TRUE(plan(route, wanted, planned));
   for (std::size_t i = 0; i <= 25; ++i) EXPECT_NEAR(planned[i].middle.x, 2.0, 1e-6) << i;
   EXPECT_NEAR(planned[50].middle.x, 5.0, 0.4);
-}
-
-TEST_F(RouteTest, LeadsStraightOnBeforeTheArrival) {
-  const RouteDriver route = routeAt(2.0, 0.0, 8.0);
-  std::vector<PlannedStep> planned;
-  RoutePlan wanted;
-  wanted.arrival = 4.0;
-  wanted.at = {36.0, 2.0, 0.0};
-  wanted.departure = 2.0;
-  wanted.lead = 0.6;
-  ASSERT_TRUE(plan(route, wanted, planned));
-  EXPECT_LT(planned[27].middle.y, 1.5);
-  for (std::size_t i = 34; i <= 40; ++i) EXPECT_NEAR(planned[i].middle.y, 2.0, 1e-6) << i;
-}
-
-TEST_F(RouteTest, WandersAndArrivesAllTheSame) {
-  RoutePlan wanted;
-  wanted.arrival = 4.0;
-  wanted.at = {36.0, 0.0, 0.0};
-  wanted.departure = 1.0;
-  std::vector<PlannedStep> even;
-  std::vector<PlannedStep> planned;
-  ASSERT_TRUE(plan(routeAt(2.0, 0.0, 8.0), wanted, even));
-  const SpeedVariation variation{0.8, 5.0, 0.5};
-  ASSERT_TRUE(plan(wanderingFrom(2.0, 8.0, variation), wanted, planned));
-  const auto end = static_cast<std::size_t>(wanted.arrival / kStep);
-  EXPECT_NEAR(planned[end].middle.x, 36.0, options_.precision);
-  double most = 0.0;
-  for (std::size_t i = 0; i < end; ++i) {
-    most = std::max(most, std::abs(speedAt(planned, i) - speedAt(even, i)));
-  }
-  EXPECT_GT(most, 0.2);
-  EXPECT_LT(most, 2.0);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "attack/search/test_scenes.h"
@@ -99,14 +98,6 @@ TEST(SteeringSearch, TurnsRoundWhoDrivesTheSameWay) {
   ahead.expectHit(found.front());
 }
 
-TEST(SteeringSearch, KeepsAwayUntilItIsTime) {
-  // Side by side at the same speed: a rear end in three seconds must not be a sideswipe now.
-  const Case beside(CollisionType::kRearEnd, 3.0, {0.0, 0.0, 0.0}, 8.0, {-1.0, 2.6, 0.0}, 8.0);
-  const auto found = beside.found();
-  ASSERT_FALSE(found.empty());
-  beside.expectHit(found.front());
-}
-
 TEST(SteeringSearch, NothingIsNearWhatIsOutOfReach) {
   const Case far(CollisionType::kRearEnd, 2.0, {0.0, 0.0, 0.0}, 10.0, {-80.0, 0.0, 0.0}, 3.0);
   EXPECT_TRUE(far.found().empty());
@@ -139,30 +130,6 @@ TEST(SteeringSearch, NearestFirstAndNoMoreThanAreConsidered) {
   oncoming.options.steering.rounds = 1;
   oncoming.options.steering.first_population = 16;
   EXPECT_TRUE(oncoming.found().empty());
-}
-
-TEST(SteeringSearch, TheSeedDecides) {
-  const Case oncoming(CollisionType::kOppositeDirection, 3.0, {0.0, 0.0, 0.0}, 8.0,
-                      {50.0, 3.0, M_PI}, 8.0);
-  const auto knotsOf = [&](std::uint64_t seed) {
-    return oncoming.found(seed).front().acceleration;
-  };
-  EXPECT_EQ(knotsOf(4), knotsOf(4));
-  EXPECT_NE(knotsOf(4), knotsOf(5));
-}
-
-TEST(SteeringSearch, WhereTheCityIsDoesNotMatter) {
-  const Pose2 here{0.0, 0.0, 0.0};
-  const Pose2 city{12000.0, -8000.0, 0.0};
-  const auto at = [](const Pose2& origin) {
-    return Case(CollisionType::kLaneChange, 3.0, origin, 8.0, compose(origin, {-6.0, 3.5, 0.0}),
-                9.0);
-  };
-  const auto near = at(here).found();
-  const auto far = at(city).found();
-  ASSERT_FALSE(near.empty());
-  ASSERT_FALSE(far.empty());
-  EXPECT_NEAR(near[0].curvature[2], far[0].curvature[2], 1e-3);
 }
 
 }  // namespace

@@ -47,12 +47,6 @@ TEST(RoadUse, WrongWayIsAgainstTheLaneWithNoneAlong) {
   EXPECT_EQ(useOf(twoLaneRoad(), {0.0, 1.75, M_PI}).wrong_way, 0.0) << "both lanes are near";
 }
 
-TEST(RoadUse, SharesAreThoseOfThePoints) {
-  // Along the lane's last metres: 21 points 0.5 m apart, on it to 2 m beyond its end at x = 200.
-  const RoadUse use = useOf(twoLaneRoad(), {194.9, 0.0, 0.0});
-  EXPECT_NEAR(use.on_lane, 15.0 / 21.0, 1e-9);
-}
-
 TEST(RoadUse, LooksUpToTheFirstPointThen) {
   EXPECT_NEAR(useOf(twoLaneRoad(), {194.9, 0.0, 0.0}, 5.0, kNow + 1.55).on_lane, 15.0 / 17.0, 1e-9);
   EXPECT_EQ(useOf(twoLaneRoad(), {201.9, 0.0, 0.0}, 5.0, kNow).on_lane, 1.0);
@@ -111,13 +105,6 @@ TEST(RoadUse, AMedianIsAnIsland) {
   EXPECT_EQ(useOf(dividedRoad(), {0.0, 20.0, 0.0}).on_island, 0.0) << "road on one side only";
 }
 
-TEST(RoadUse, WithoutPointsOrMapThereIsNone) {
-  for (const RoadUse& use : {roadUse({}, kCarSize, kNow, LaneIndex(dividedRoad()), kOptions),
-                             useOf(emptyMap(), {0.0, 0.0, 0.0})}) {
-    EXPECT_EQ(use.on_lane + use.wrong_way + use.off_road + use.on_walkway + use.on_island, 0.0);
-  }
-}
-
 TEST(OnIsland, AWideFieldIsNone) {
   const LaneIndex lanes(dividedRoad());
   EXPECT_TRUE(isOnIsland({0.0, 0.0, 0.3}, lanes, 3.0));
@@ -147,15 +134,6 @@ TEST(FittingLanes, OnAStraightRoadAreTheOwnAndTheOncomingOne) {
   EXPECT_EQ(fitting(twoLaneRoad(), CollisionType::kLtap, ego), Names{});
 }
 
-TEST(FittingLanes, AtAJunctionCrossFromBothSides) {
-  const Pose2 ego{0.0, -1.75, 0.0};
-  EXPECT_EQ(fitting(fourWayJunction(), CollisionType::kJunctionCrossing, ego),
-            (Names{"north", "south"}));
-  EXPECT_EQ(fitting(fourWayJunction(), CollisionType::kJunctionCrossing, {-50.0, -1.75, 0.0}),
-            Names{})
-      << "before it nobody crosses";
-}
-
 TEST(FittingLanes, WhoTurnedAcrossTheEgosPathGoesToItsRightInRightHandTraffic) {
   const Pose2 ego{0.0, -1.75, 0.0};
   auto map = fourWayJunction();
@@ -182,28 +160,6 @@ TEST(FittingLanes, PassTheBoxNearby) {
     EXPECT_EQ(fitting(twoLaneRoad(), CollisionType::kRearEnd, {0.0, -edge - off, 0.0}).size(),
               off < 0.0 ? 1U : 0U);
   }
-}
-
-TEST(FittingLanes, TellTheFittingPlaceNearestToTheEgo) {
-  // A quarter of a circle of 20 m about (0, 20): along x at the origin, along y at (20, 20).
-  auto map = emptyMap();
-  Lane bend;
-  bend.id = "bend";
-  for (int i = 0; i <= 90; ++i) {
-    const double yaw = i * kDegree;
-    bend.centerline.push_back({20.0 * std::sin(yaw), 20.0 - 20.0 * std::cos(yaw), yaw});
-  }
-  map->lanes = {straightLane("far", {-50.0, 80.0}, {50.0, 80.0}), bend};
-  const LaneIndex lanes(map);
-  const auto found =
-      fittingLanes({{20.0, 20.0, 0.0}, kEgoSize}, shippedCrash().types.at(CollisionType::kLtap),
-                   CollisionType::kJunctionCrossing, lanes, kOptions);
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found.front().lane, 1U);
-  EXPECT_NEAR(found.front().arc_length, 10.0 * M_PI, 0.01) << "at the bend's end";
-  const Pose2 there = lanes.centerline(1)->poseAt(found.front().arc_length);
-  EXPECT_NEAR((found.front().pose.position() - there.position()).norm(), 0.0, 1e-9);
-  EXPECT_NEAR(angleBetween(found.front().pose.yaw, there.yaw), 0.0, 1e-9);
 }
 
 TEST(FittingLanes, AgreeWithALookAtEverySample) {

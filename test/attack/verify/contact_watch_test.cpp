@@ -62,16 +62,6 @@ TEST_F(ContactWatchTest, TheVelocityAtTheContactIsThatOfTheWholeRecording) {
   EXPECT_DOUBLE_EQ(watch_.crash()->egoAt(20.0).pose.x, expected->egoAt(20.0).pose.x);
 }
 
-TEST_F(ContactWatchTest, AContactBeforeTheNextPoseIsPredicted) {
-  watch_.start(trajectory());
-  drive(9.5, 10.98);
-  EXPECT_FALSE(watch_.crashBefore(ego(10.99)));
-  const auto predicted = watch_.crashBefore(ego(11.02));
-  ASSERT_TRUE(predicted);
-  EXPECT_NEAR(predicted->contactTime(), 11.0, 1e-2);
-  EXPECT_FALSE(watch_.crash()) << "no pose has confirmed it";
-}
-
 TEST_F(ContactWatchTest, AContactBeforeTheAttackIsStartedIsFound) {
   drive(9.5, 11.5);
   EXPECT_FALSE(watch_.crash());

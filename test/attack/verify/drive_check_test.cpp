@@ -77,14 +77,6 @@ TEST(DriveCheck, KeepsASingleTrackAtItsLimits) {
   EXPECT_EQ(brokenBy(driven(start, controls, limits), start), "");
 }
 
-TEST(DriveCheck, KeepsAStartFromRestWithWheelsTurned) {
-  Controls controls;
-  controls.steering = [](double) { return 0.55; };
-  controls.acceleration = [](double t) { return ramp(t, 10.0, 1.0); };
-  const DriveState start = startAt(0.0);
-  EXPECT_EQ(brokenBy(driven(start, controls, carLimits()), start), "");
-}
-
 struct Breach {
   const char* name;
   double speed;
@@ -178,14 +170,6 @@ TEST(DriveCheck, ABoxThatTurnsAboutItsMiddleSlips) {
   DriveState behind = start;
   behind.axle = compose(start.axle, {-limits.axle_to_middle, 0.0, 0.0});
   EXPECT_EQ(brokenBy(points, behind), "no_slip");
-}
-
-TEST(DriveCheck, WhatComesAfterwardsIsNotLookedAt) {
-  const DriveState start = startAt(10.0);
-  auto points = driven(start, {}, carLimits());
-  points[30].pose.y += 1.0;
-  EXPECT_FALSE(findBrokenDrive(points, start, kNow + 2.5, carLimits()));
-  EXPECT_TRUE(findBrokenDrive(points, start, kNow + 3.5, carLimits()));
 }
 
 TEST(DriveLimits, PickUpsAreVansAndLongTrucksPullTrailers) {

@@ -46,14 +46,6 @@ class ManoeuvreTest : public testing::Test {
   std::unique_ptr<LaneIndex> lanes_;
 };
 
-TEST_F(ManoeuvreTest, ALeaderThatStands) {
-  road(twoLaneRoad());
-  ego({0.0, 0.0, 0.0}, 8.0);
-  report_.ego_side = Side::kFront;
-  attacker([](double) { return TrajectoryPoint{0.0, {36.0, 0.0, 0.0}, 0.0, 0.0, 0.0}; });
-  EXPECT_EQ(detect(CollisionType::kRearEnd).manoeuvre, Manoeuvre::kLeadStopped);
-}
-
 TEST_F(ManoeuvreTest, ALeaderThatBrakesFromThenOn) {
   road(twoLaneRoad());
   ego({0.0, 0.0, 0.0}, 8.0);
@@ -152,17 +144,6 @@ TEST_F(ManoeuvreTest, AnOncomingCarCrossesTheCentreLineOrOvertakes) {
   EXPECT_EQ(detect(CollisionType::kOppositeDirection).manoeuvre, Manoeuvre::kCentreLineCrossing);
   future_.agents = {futureTrack("slow", kCarSize, {40.0, 3.5, M_PI}, 4.0)};
   EXPECT_EQ(detect(CollisionType::kOppositeDirection).manoeuvre, Manoeuvre::kOvertaking);
-}
-
-TEST_F(ManoeuvreTest, WhoComesAlongTheEgosLaneDrivesTheWrongWay) {
-  auto map = emptyMap();
-  map->lanes = {straightLane("east", {-200.0, 0.0}, {200.0, 0.0})};
-  road(map);
-  ego({0.0, 0.0, 0.0}, 8.0);
-  attacker([](double t) {
-    return TrajectoryPoint{0.0, {64.0 - 8.0 * t, 0.0, M_PI}, 8.0, 0.0, 0.0};
-  });
-  EXPECT_EQ(detect(CollisionType::kOppositeDirection).manoeuvre, Manoeuvre::kWrongWay);
 }
 
 TEST_F(ManoeuvreTest, StraightOnOrTurningAtAJunction) {

@@ -77,13 +77,6 @@ TEST(Section, KeysThatAreMissingUnknownOrTwiceAreNamed) {
   EXPECT_NE(complaint("a: [", [](Section&) {}).find("car.yaml: "), std::string::npos);
 }
 
-TEST(Section, AChoiceIsOneOfItsNames) {
-  const std::vector<std::pair<std::string, int>> sides = {{"right", 1}, {"left", 2}};
-  EXPECT_EQ(sectionOf("a: left").choice<int>("a", sides), 2);
-  EXPECT_EQ(complaint("a: Left", [&](Section& s) { s.choice<int>("a", sides); }),
-            "car.yaml: a = Left is none of right, left");
-}
-
 TEST(Section, APathIsSeenFromTheFolderOfTheFile) {
   EXPECT_EQ(openConfigText("etc/car.yaml", "a: b/c").path("a"), "etc/b/c");
   EXPECT_EQ(openConfigText("etc/car.yaml", "a: /b/c").path("a"), "/b/c");

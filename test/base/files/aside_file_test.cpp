@@ -77,20 +77,6 @@ TEST_F(AsideFileTest, RefusesToReplaceAnUnfinishedRun) {
   EXPECT_FALSE(fs::exists(path_));
 }
 
-TEST_F(AsideFileTest, WithoutCommitAllIsAsBefore) {
-  writeText(path_, "before");
-  { AsideFile(path_).stream() << "after"; }
-  EXPECT_EQ(contentOf(path_), "before");
-  EXPECT_FALSE(fs::exists(part_));
-}
-
-TEST_F(AsideFileTest, MovesWhatOthersWroteByName) {
-  AsideFile file(path_);
-  std::ofstream(file.partPath()) << "by name";
-  file.commit();
-  EXPECT_EQ(contentOf(path_), "by name");
-}
-
 TEST_F(AsideFileTest, SaysWhyItCannotBeMade) {
   EXPECT_EQ(complaintOf([&] { AsideFile(folder_ + "/none/file"); }),
             folder_ + "/none/file: cannot be written: No such file or directory");

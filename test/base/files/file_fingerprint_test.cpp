@@ -52,13 +52,6 @@ TEST_F(FileFingerprintTest, IsOfContentsNotOfTimesAndPlaces) {
   EXPECT_EQ(fingerprintOfTree(tree_), before);
 }
 
-TEST_F(FileFingerprintTest, IsOfWhatHasTheEndingAlone) {
-  const std::string before = fingerprintOfTree(tree_, ".json");
-  folder_.write("tree/c.txt", "other");
-  EXPECT_EQ(fingerprintOfTree(tree_, ".json"), before);
-  EXPECT_EQ(fingerprintOfTree(tree_ + "/a.json", ".bag"), fingerprintOfFiles({tree_ + "/a.json"}));
-}
-
 TEST_F(FileFingerprintTest, OfALargeFileIsOfSizeTimeAndEnds) {
   const std::string path = folder_.path() + "/large";
   const std::uintmax_t size = (std::uintmax_t{64} << 20U) + 1;

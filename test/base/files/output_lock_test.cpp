@@ -64,11 +64,6 @@ TEST_F(OutputLockTest, EndsWithoutATrace) {
   EXPECT_EQ(complaintOfFolder(), "");
 }
 
-TEST_F(OutputLockTest, FilesOfOneFolderAreLockedByThemselves) {
-  const OutputLock one = OutputLock::ofFile(file_);
-  EXPECT_EQ(complaintOf([&] { return OutputLock::ofFile(folder_.path() + "/other.bag"); }), "");
-}
-
 TEST_F(OutputLockTest, OfAKilledProcessIsTakenOver) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -126,18 +121,6 @@ TEST_F(OutputLockTest, FollowsNoLink) {
   EXPECT_EQ(complaintOf([&] { return OutputLock::ofFile(file_); }),
             file_ + ": cannot be written: " + file_ + ".lock: Too many levels of symbolic links");
   EXPECT_EQ(fs::file_size(other), 16u);
-}
-
-TEST_F(OutputLockTest, NeedsNoRoom) {
-  const FileSizeLimit limit(0);
-  EXPECT_EQ(complaintOfFolder(), "");
-}
-
-TEST_F(OutputLockTest, IsOfFilesThatCanBe) {
-  EXPECT_EQ(complaintOf([] { return OutputLock::ofFile("/dev/null"); }),
-            "/dev/null: is there and no file");
-  EXPECT_EQ(complaintOf([&] { return OutputLock::ofFile(out_ + "/file"); }),
-            out_ + "/file: cannot be written: " + out_ + "/file.lock: No such file or directory");
 }
 
 }  // namespace

@@ -127,13 +127,6 @@ TEST_F(ResumableFileTest, WhatHasNoChecksumYetIsDoneAgain) {
   }
 }
 
-TEST_F(ResumableFileTest, FollowsNoLink) {
-  const std::string other = folder_.write("other", "of somebody else");
-  fs::create_symlink(other, part_);
-  EXPECT_THAT(complaint(), HasSubstr(part_ + ": cannot be opened"));
-  EXPECT_EQ(contentOf(other), "of somebody else");
-}
-
 TEST_F(ResumableFileTest, WhatTheReaderThrowsLeavesTheFile) {
   {
     ResumableFile file(path_, kOptions);
@@ -172,14 +165,6 @@ TEST_F(ResumableFileTest, OtherOptionsAreRefusedOnceThereAreLines) {
   EXPECT_EQ(contentOf(part_), "one\n");
 }
 
-TEST_F(ResumableFileTest, LinesOfUnknownOptionsAreRefused) {
-  std::ofstream(part_) << "one\n";
-  EXPECT_THAT(complaint(), HasSubstr(path_ + ".options"));
-  fs::remove(part_);
-  std::ofstream(path_) << "one\n";
-  EXPECT_THAT(complaint(), HasSubstr(path_ + ".options"));
-}
-
 TEST_F(ResumableFileTest, TwoWritersAtOnceAreRefused) {
   const ResumableFile file(path_, kOptions);
   EXPECT_THAT(complaint(), AllOf(HasSubstr(part_), HasSubstr("is being written")));
@@ -200,15 +185,6 @@ TEST_F(ResumableFileTest, AFullDiskKeepsTheLinesBefore) {
   EXPECT_EQ(contentOf(part_), "one\n");
 }
 
-TEST_F(ResumableFileTest, AFolderThatIsNotThereIsNamed) {
-  try {
-    const ResumableFile file(folder_.path() + "/none/lines", kOptions);
-    FAIL() << "opened";
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr(folder_.path() + "/none/lines.part"));
-  }
-}
-
 TEST_F(ResumableFileTest, AnItemOfSeveralLinesIsCutOffWhole) {
   const ItemLayout layout = {"header", 2};
   {
@@ -227,24 +203,6 @@ TEST_F(ResumableFileTest, AnItemOfSeveralLinesIsCutOffWhole) {
     EXPECT_EQ(items, length < 13 ? 0u : length < 19 ? 1u : 2u) << length;
     EXPECT_EQ(contentOf(part_), whole.substr(0, 7 + 6 * items)) << length;
   }
-}
-
-TEST_F(ResumableFileTest, AnotherHeaderIsRefused) {
-  { ResumableFile(path_, kOptions).append("one"); }
-  ResumableFile file(path_, kOptions, {"header", 1});
-  EXPECT_THROW(resumed(file), std::runtime_error);
-  EXPECT_EQ(contentOf(part_), "one\n");
-}
-
-TEST_F(ResumableFileTest, ACompleteFileIsReadToo) {
-  {
-    ResumableFile file(path_, kOptions);
-    resumed(file);
-    file.append("one");
-    file.complete();
-  }
-  ResumableFile again(path_, kOptions);
-  EXPECT_THAT(resumed(again), ElementsAre("one"));
 }
 
 }  // namespace

@@ -48,15 +48,6 @@ ArcPath randomPath(reference::Random& random) {
   return path;
 }
 
-TEST(ArcPath, QuarterTurnsEndWhereTheyShould) {
-  const double quarter = 10.0 * M_PI_2;
-  ArcPath path{{1.0, 2.0, 0.0}, {'L', 'S', 'R'}, 10.0, {quarter, 5.0, quarter}};
-  EXPECT_NEAR(path.length(), 2.0 * quarter + 5.0, 1e-12);
-  expectSamePose(poseAt(path, quarter), {11.0, 12.0, M_PI_2}, 1e-12);
-  expectSamePose(poseAt(path, quarter + 5.0), {11.0, 17.0, M_PI_2}, 1e-12);
-  expectSamePose(poseAt(path, path.length()), {21.0, 27.0, 0.0}, 1e-12);
-}
-
 TEST(ArcPath, AgreesWithNumericalIntegration) {
   reference::Random random(2);
   for (int i = 0; i < 300; ++i) {
@@ -65,18 +56,6 @@ TEST(ArcPath, AgreesWithNumericalIntegration) {
     expectSamePose(poseAt(path, arc_length), integrate(path, arc_length), 1e-5);
     expectSamePose(poseAt(path, path.length()), integrate(path, path.length()), 1e-5);
   }
-}
-
-TEST(ArcPath, ClampsTheArcLength) {
-  const ArcPath path{{0.0, 0.0, 0.0}, {'S', 'S', 'S'}, 1.0, {1.0, 1.0, 1.0}};
-  expectSamePose(poseAt(path, -1.0), {0.0, 0.0, 0.0}, 0.0);
-  expectSamePose(poseAt(path, 9.0), {3.0, 0.0, 0.0}, 0.0);
-}
-
-TEST(ArcPath, RefusesAnUnknownLetter) {
-  ArcPath path;
-  path.shape[1] = 'X';
-  EXPECT_THROW(poseAt(path, 0.0), std::invalid_argument);
 }
 
 TEST(ArcPath, DiscretizesLikeThePublishedCode) {

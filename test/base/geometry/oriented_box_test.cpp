@@ -30,14 +30,6 @@ TEST(OrientedBox, CornersGoCounterClockwiseFromFrontLeft) {
   }
 }
 
-TEST(OrientedBox, TheFrontEdgeHasTheFrontCornersAndNoLength) {
-  const OrientedBox box{{10.0, 20.0, 0.7}, {4.0, 2.0}};
-  const auto all = corners(box), front = corners(frontEdge(box));
-  EXPECT_NEAR((front[0] - all[0]).norm(), 0.0, 1e-12);
-  EXPECT_NEAR((front[3] - all[3]).norm(), 0.0, 1e-12);
-  EXPECT_EQ(frontEdge(box).size.length, 0.0);
-}
-
 TEST(OrientedBox, ShrinksEverySide) {
   const OrientedBox box{{1.0, 2.0, 0.3}, {4.0, 2.0}};
   EXPECT_DOUBLE_EQ(shrunk(box, 0.25).size.length, 3.5);
@@ -63,27 +55,6 @@ TEST(OrientedBox, OverlapAndDistanceAgreeWithEdgeByEdge) {
   }
   EXPECT_GT(overlapping, kPairs / 5);
   EXPECT_LT(overlapping, kPairs * 4 / 5);
-}
-
-TEST(OrientedBox, APointIsABoxWithoutASize) {
-  reference::Random random(9);
-  for (int i = 0; i < kPairs; ++i) {
-    const OrientedBox box = random.box(6.0);
-    const OrientedBox point{random.box(6.0).center, {}};
-    EXPECT_NEAR(distanceToPoint(box, point.center.position()), distance(box, point), 1e-9);
-  }
-}
-
-TEST(OrientedBox, PlacesStandInThreeRows) {
-  const auto places = placesOf({{10.0, 20.0, M_PI_2}, {5.0, 2.5}});
-  std::size_t count = 0;
-  for (const double ahead : {-2.0, 0.0, 2.0}) {
-    for (const double left : {-1.0, 0.0, 1.0}) {
-      const Vector2 place = places[count++];
-      EXPECT_NEAR((place - Vector2(10.0 - left, 20.0 + ahead)).norm(), 0.0, 1e-12);
-    }
-  }
-  EXPECT_EQ(count, places.size());
 }
 
 TEST(OrientedBox, LargestAxisGapBoundsTheDistance) {
@@ -116,12 +87,6 @@ TEST(OrientedBox, SharedAreaAgreesWithSortedCrossings) {
     const double joint = a.size.length * a.size.width + b.size.length * b.size.width - expected;
     EXPECT_NEAR(intersectionOverUnion(a, b), expected / joint, 1e-8);
   }
-}
-
-TEST(OrientedBox, SharedAreaKeepsItsPrecisionFarFromTheOrigin) {
-  const OrientedBox a{{1e6, -1e6, 0.0}, {4.0, 2.0}};
-  const OrientedBox b{{1e6 + 3.0, -1e6 + 1.0, M_PI_2}, {4.0, 4.0}};
-  EXPECT_NEAR(intersectionArea(a, b), 2.0, 1e-8);
 }
 
 TEST(OrientedBox, KnownCases) {
@@ -204,13 +169,6 @@ TEST(SideOverlap, IsWhatLinesAlongTheNormalMeet) {
       }
     }
   }
-}
-
-TEST(TouchedSide, NamesAreReadBack) {
-  for (const Side side : {Side::kFront, Side::kRear, Side::kLeft, Side::kRight}) {
-    EXPECT_EQ(sideFromString(toString(side)), side);
-  }
-  EXPECT_FALSE(sideFromString("top"));
 }
 
 }  // namespace

@@ -52,11 +52,6 @@ TEST(Polyline, YawTurnsLinearlyBetweenSegmentMiddles) {
   EXPECT_NEAR((line.poseAt(5.0).position() - Vector2(4.0, 1.0)).norm(), 0.0, 1e-12);
 }
 
-TEST(Polyline, YawTurnsTheShortWayAcrossPi) {
-  const Polyline line({{0, 0}, {-4, 1}, {-8, 0}});
-  EXPECT_NEAR(std::abs(line.poseAt(0.5 * line.length()).yaw), M_PI, 1e-9);
-}
-
 TEST(Polyline, GoesStraightOnBeyondItsEnds) {
   const Polyline line({{0, 0}, {4, 0}, {4, 8}});
   const Pose2 before = line.poseAt(-3.0);
@@ -140,15 +135,6 @@ TEST(Polyline, SideAtASharpVertexIsItsOuterSide) {
     EXPECT_DOUBLE_EQ(found.arc_length, 4.0);
     EXPECT_NEAR(found.lateral, -(query - Vector2(4, 0)).norm(), 1e-12);
   }
-}
-
-TEST(Polyline, LateralBeyondAnEndIsThatOfTheStraightExtension) {
-  const Polyline line({{0, 0}, {4, 0}});
-  const PolylineProjection after = line.project({7.0, 4.0});
-  EXPECT_DOUBLE_EQ(after.arc_length, 4.0);
-  EXPECT_DOUBLE_EQ(after.distance, 5.0);
-  EXPECT_DOUBLE_EQ(after.lateral, 4.0);
-  EXPECT_DOUBLE_EQ(line.project({-3.0, -4.0}).lateral, -4.0);
 }
 
 }  // namespace

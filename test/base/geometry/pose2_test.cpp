@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "base/geometry/reference_geometry.h"
 
@@ -37,12 +36,6 @@ TEST(Angle, BetweenIsTheShorterTurn) {
   EXPECT_NEAR(angleBetween(0.0, M_PI), M_PI, 1e-12);
 }
 
-TEST(Pose2, ComposesInTheBaseFrame) {
-  // Facing +y, two metres ahead and one to the left.
-  expectSamePose(compose({10.0, 20.0, M_PI_2}, {2.0, 1.0, M_PI_2}), {9.0, 22.0, M_PI}, 1e-12);
-  expectSamePose(relativeTo({10.0, 20.0, M_PI_2}, {9.0, 22.0, M_PI}), {2.0, 1.0, M_PI_2}, 1e-12);
-}
-
 TEST(Pose2, RelativeToUndoesCompose) {
   reference::Random random(1);
   for (int i = 0; i < 1000; ++i) {
@@ -60,17 +53,6 @@ TEST(Pose2, InterpolatesAlongTheShorterTurn) {
   expectSamePose(interpolate(a, b, 1.0), b, 1e-12);
   expectSamePose(interpolate(a, b, 0.5), {2.0, 1.0, M_PI}, 1e-12);
   expectSamePose(interpolate(a, b, 0.25), {1.0, 1.5, 3.0 + 0.5 * (M_PI - 3.0)}, 1e-12);
-}
-
-TEST(Pose2, HeadingIsAUnitVector) {
-  EXPECT_NEAR((Pose2{5.0, 5.0, M_PI_2}.heading() - Vector2(0.0, 1.0)).norm(), 0.0, 1e-12);
-}
-
-TEST(Pose2, KnowsWhenItIsNotFinite) {
-  EXPECT_TRUE((Pose2{1.0, 2.0, 3.0}.isFinite()));
-  EXPECT_FALSE((Pose2{NAN, 2.0, 3.0}.isFinite()));
-  EXPECT_FALSE((Pose2{1.0, std::numeric_limits<double>::infinity(), 3.0}.isFinite()));
-  EXPECT_FALSE((Pose2{1.0, 2.0, NAN}.isFinite()));
 }
 
 }  // namespace

@@ -14,9 +14,5 @@ TEST(NearestShare, IsAnEndBeyondThePiece) {
   EXPECT_EQ(nearestShare({1.0, 1.0}, {5.0, 1.0}, {7.0, -9.0}), 1.0);
 }
 
-TEST(NearestShare, IsTheStartOfAPieceWithoutLength) {
-  EXPECT_EQ(nearestShare({1.0, 1.0}, {1.0, 1.0}, {7.0, -9.0}), 0.0);
-}
-
 }  // namespace
 }  // namespace forge

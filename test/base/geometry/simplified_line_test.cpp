@@ -17,11 +17,6 @@ TEST(Simplified, KeepsCornersBeyondTheTolerance) {
   EXPECT_EQ(simplified(corner, 0.1), corner);
 }
 
-TEST(Simplified, KeepsShortLines) {
-  EXPECT_TRUE(simplified({}, 1.0).empty());
-  EXPECT_EQ(simplified({{0, 0}, {0, 0}}, 1.0).size(), 2u);
-}
-
 TEST(Simplified, LeavesALineWithAPointThatIsNotFiniteAsItIs) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(simplified({{0, 0}, {1, infinity}, {2, 0}}, 1.0).size(), 3u);

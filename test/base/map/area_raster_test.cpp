@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <random>
 #include <thread>
 
@@ -102,22 +101,6 @@ TEST(AreaRaster, AgreesWithThePolygonsAwayFromTheirEdges) {
   }
 }
 
-TEST(AreaRaster, AgreesWithTheIndexsOffRoadShareAwayFromEdges) {
-  const auto map = std::make_shared<LaneMap>(stars(42));
-  const LaneIndex index(map);
-  Random random(7);
-  int compared = 0;
-  for (int i = 0; i < 5000; ++i) {
-    const Vector2 point = random.in(-80.0, 80.0) + Vector2(1000.0, -500.0);
-    if (distanceToEdges(*map, point) < kHalfCell + 0.2) continue;
-    const auto share = index.offRoadShare({{point.x(), point.y(), 0.3}, {0.2, 0.2}});
-    ASSERT_TRUE(share);
-    EXPECT_EQ(index.drivable().contains(point), *share == 0.0) << point.transpose();
-    ++compared;
-  }
-  EXPECT_GT(compared, 2000);
-}
-
 TEST(AreaRaster, IsHalfACellWrongAtMost) {
   // Edges that are not on the grid of cells, which begins at the lower left corner.
   LaneMap map;
@@ -160,15 +143,6 @@ TEST(AreaRaster, NothingIsDrivableBeyondTheMap) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(raster.contains({nan, 0.0}));
   EXPECT_FALSE(raster.contains({0.0, nan}));
-}
-
-TEST(AreaRaster, IsEmptyWithoutPolygons) {
-  const std::vector<Polygon> none;
-  const AreaRaster raster(none);
-  EXPECT_TRUE(raster.empty());
-  EXPECT_FALSE(raster.contains({0.0, 0.0}));
-  const std::vector<Polygon> some = {rectangle(0.0, 0.0, 1.0, 1.0)};
-  EXPECT_FALSE(AreaRaster(some).empty());
 }
 
 TEST(AreaRaster, AnswersTheSameToManyThreadsAtOnce) {

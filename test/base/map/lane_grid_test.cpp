@@ -15,7 +15,6 @@ namespace forge {
 namespace {
 
 constexpr double kEverywhere = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegree = M_PI / 180.0;
 
 LaneIndex indexOf(const LaneMap& map) { return LaneIndex(std::make_shared<LaneMap>(map)); }
@@ -120,23 +119,6 @@ TEST(LaneGrid, WrongWayIsWhoHasOnlyOncomingLanesNear) {
   EXPECT_FALSE(isWrong({0.0, 1.8, 0.0})) << "between both";
   EXPECT_FALSE(isWrong({0.0, 0.0, 0.0}));
   EXPECT_FALSE(isWrong({0.0, 10.0, 0.0})) << "no lane there";
-}
-
-TEST(LaneGrid, IsEmptyWithoutLanes) {
-  const LaneIndex index = indexOf({});
-  EXPECT_FALSE(index.grid().isOnLane({}, kEverywhere, M_PI));
-  EXPECT_FALSE(index.grid().isWrongWay({}, kEverywhere));
-  EXPECT_TRUE(allSamples(index).empty());
-}
-
-TEST(LaneGrid, NothingIsNearWhatIsNoPlace) {
-  const LaneIndex index = indexOf(road());
-  EXPECT_FALSE(index.grid().isOnLane({kNaN, 0.0, 0.0}, 2.0, M_PI));
-  EXPECT_FALSE(index.grid().isOnLane({0.0, 0.0, kNaN}, 2.0, 1.0));
-  EXPECT_FALSE(index.grid().isOnLane({0.0, kEverywhere, 0.0}, 2.0, M_PI));
-  EXPECT_FALSE(index.grid().isOnLane({0.0, 0.0, 0.0}, kNaN, M_PI));
-  EXPECT_FALSE(index.grid().isWrongWay({0.0, 3.5, kNaN}, 2.0));
-  EXPECT_FALSE(index.grid().isOnLane({1e300, -1e300, 0.0}, 2.0, M_PI));
 }
 
 TEST(LaneGrid, FindsLanesFarFromTheOrigin) {

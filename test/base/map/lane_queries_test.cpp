@@ -42,13 +42,6 @@ TEST(LaneIndex, RefusesBadMaps) {
   EXPECT_THROW(makeIndex(map), std::invalid_argument);
 }
 
-TEST(LaneIndex, AnswersOnAnEmptyMap) {
-  const LaneIndex index = makeIndex({});
-  EXPECT_TRUE(index.lanesNear({}, 5.0, 1.0).empty());
-  EXPECT_TRUE(index.lanesWithin({0, 0}, 1e9).empty());
-  EXPECT_THROW(index.pathAhead(0, 0.0, 10.0), std::invalid_argument);
-}
-
 TEST(LaneIndex, ResolvesSuccessorsAndIgnoresUnknownIds) {
   LaneMap map = fork();
   map.lanes[5].outgoing = {"nowhere", "in"};
@@ -96,16 +89,6 @@ TEST(LanesNear, KeepsToDistanceAndHeading) {
             (std::vector<std::string>{"in", "oncoming"}));
   EXPECT_EQ(idsOf(index, index.lanesNear({10.0, 1.0, M_PI - 0.1}, 4.0, 0.5)),
             (std::vector<std::string>{"oncoming"}));
-}
-
-TEST(LanesNear, TellsPartingLanesByHeading) {
-  // A hair to the left of the parting, so that distance alone would always choose the same lane.
-  const LaneIndex index = makeIndex(fork());
-  const auto first = [&](double yaw) {
-    return idsOf(index, index.lanesNear({20.0, 2e-4, yaw}, 1.0, 1.5))[0];
-  };
-  EXPECT_EQ(first(0.3), "left");
-  EXPECT_EQ(first(-0.3), "right");
 }
 
 TEST(LanesNear, AgreesWithTryingEveryLane) {
@@ -174,16 +157,6 @@ TEST(LanesWithin, AgreesWithDenseSampling) {
   }
 }
 
-TEST(LanesWithin, SortsEqualsByIndex) {
-  LaneMap map;
-  for (int i = 0; i < 5; ++i) {
-    map.lanes.push_back(makeLane(std::to_string(i), {{5, -1}, {5, 1}}));
-  }
-  EXPECT_EQ(makeIndex(map).lanesWithin({0, 0}, 5.0), (std::vector<std::size_t>{0, 1, 2, 3, 4}));
-  EXPECT_TRUE(makeIndex(map).lanesWithin({0, 0}, 4.99).empty());
-  EXPECT_TRUE(makeIndex(map).lanesWithin({0, 0}, -5.0).empty());
-}
-
 TEST(PathAhead, FollowsTheStraightestSuccessor) {
   const LaneIndex index = makeIndex(fork());
   EXPECT_EQ(index.straightestSuccessor(0), 2u);
@@ -213,19 +186,6 @@ TEST(PathAhead, EndsWithTheLanesAndGoesStraightOn) {
   EXPECT_NEAR((path.poseAt(100.0).position() - Vector2(120, 0)).norm(), 0.0, 0.01);
   const Polyline left = index.pathAhead(1, 0.0, 500.0);
   EXPECT_NEAR(left.poseAt(100.0).yaw, 0.95 * M_PI_2, 1e-9);
-}
-
-TEST(PathAhead, IsALineEvenAtTheVeryEnd) {
-  const LaneIndex index = makeIndex(fork());
-  for (const double arc_length : {19.0, 19.9999, 20.0, 99.0}) {
-    const Polyline path = index.pathAhead(5, arc_length, 10.0);
-    EXPECT_GE(path.length(), 1.0 - 1e-9);
-    EXPECT_NEAR(path.poseAt(30.0).y, 0.0, 1e-9);
-    EXPECT_NEAR(path.poseAt(0.0).x, 40.0 + std::min(arc_length, 20.0), 1e-9);
-  }
-  EXPECT_NEAR(index.pathAhead(0, -5.0, 0.0).poseAt(0.5).x, 0.5, 1e-9);
-  EXPECT_THROW(index.pathAhead(4, 0.0, 10.0), std::invalid_argument);
-  EXPECT_THROW(index.pathAhead(99, 0.0, 10.0), std::invalid_argument);
 }
 
 TEST(PathAhead, JointsThatDoNotMeetExactlyBendNothing) {
@@ -297,14 +257,6 @@ TEST(PathsAhead, KeepsToTheLargestNumber) {
             (std::vector<std::vector<std::size_t>>{{0, 2, 4}}));
 }
 
-TEST(PathsAhead, RefusesALaneWithoutACentreline) {
-  EXPECT_THROW(makeIndex(fork()).pathsAhead(4, 0.0, 10.0, 3), std::invalid_argument);
-}
-
-TEST(OffRoadShare, IsUnknownWithoutDrivableArea) {
-  EXPECT_FALSE(makeIndex(fork()).offRoadShare({{0, 0, 0}, {4, 2}}).has_value());
-}
-
 LaneMap squareWithHole() {
   LaneMap map;
   map.drivable_area = {
@@ -322,14 +274,6 @@ TEST(OffRoadShare, KnownCases) {
   EXPECT_EQ(index.offRoadShare({{20, 20, 0.0}, {0, 0}}), 0.0);
   EXPECT_EQ(index.offRoadShare({{50, 50, 0.0}, {0, 0}}), 1.0);
   EXPECT_EQ(index.offRoadShare({{50, 39, M_PI_2}, {4, 0}}), 0.25);
-}
-
-TEST(OffRoadShare, PolygonsAddUpAndOneMayFillTheHoleOfAnother) {
-  LaneMap map = squareWithHole();
-  map.drivable_area.push_back({{{50, 30}, {50, 70}, {70, 70}, {70, 30}}, {}});  // clockwise
-  const LaneIndex index = makeIndex(map);
-  EXPECT_EQ(index.offRoadShare({{50, 50, 0.0}, {4, 2}}), 0.5);
-  EXPECT_EQ(index.offRoadShare({{65, 50, 0.4}, {4, 2}}), 0.0) << "in both";
 }
 
 TEST(OffRoadShare, AgreesWithRandomPoints) {

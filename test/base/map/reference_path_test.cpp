@@ -79,20 +79,6 @@ TEST(ReferencePath, HasAnotherOneBesideIt) {
   EXPECT_NEAR(left.beside(-2.0).length(), left.length() * 17.0 / 15.0, 0.6);
 }
 
-TEST(ReferencePath, OfAStraightLineIsThatLine) {
-  const Pose2 start{3.0, -2.0, 0.7};
-  const Vector2 end = compose(start, {30.4, 0.0, 0.0}).position();
-  const ReferencePath path(Polyline({start.position(), end}));
-  EXPECT_NEAR(path.length(), 30.4, 1e-9);
-  for (const double arc_length : {0.0, 0.4, 7.0, 12.75, 30.0}) {
-    const ReferencePath::Place place = path.at(arc_length);
-    const Pose2 apart = relativeTo(compose(start, {arc_length, 0.0, 0.0}), place.pose);
-    EXPECT_NEAR(apart.position().norm(), 0.0, 1e-9) << arc_length;
-    EXPECT_NEAR(apart.yaw, 0.0, 1e-9) << arc_length;
-    EXPECT_NEAR(place.curvature, 0.0, 1e-9) << arc_length;
-  }
-}
-
 TEST(ReferencePath, BeyondEitherEndGoesStraightOn) {
   const ReferencePath path(Polyline(leftBend(20.0, 20.0, 1.0)));
   for (const double beyond : {0.5, 3.0, 50.0}) {
@@ -145,15 +131,6 @@ TEST(ReferencePath, TakesTheKinksOutOfALine) {
   EXPECT_GT(path.at(15.0).pose.y, 0.1);
 }
 
-TEST(ReferencePath, KeepsTheEndsOfTheLine) {
-  const std::vector<Vector2> points = leftBend(12.0, 18.0, 1.0);
-  const Polyline line(points);
-  const ReferencePath path(line);
-  EXPECT_NEAR((path.at(0.0).pose.position() - points.front()).norm(), 0.0, 1e-12);
-  const Vector2 end = line.poseAt(line.length()).position();
-  EXPECT_NEAR((path.at(path.length()).pose.position() - end).norm(), 0.0, 1e-12);
-}
-
 TEST(ReferencePath, ProjectsOntoTheClosestPlace) {
   const ReferencePath path(Polyline(leftBend(20.0, 40.0, 1.0)));
   for (double s = -5.0; s <= 45.0; s += 1.37) {
@@ -184,16 +161,6 @@ TEST(PathsAhead, FollowEveryBranchTheStraightestFirst) {
   EXPECT_LT(paths[2].at(35.0).pose.y, -5.0);
 }
 
-TEST(PathsAhead, EndWithTheLaneThatReachesTheDistance) {
-  const auto lengthFor = [](double distance) {
-    return ahead(fork(), {0.0, 0.0, 0.0}, distance, 1).at(0).length();
-  };
-  EXPECT_NEAR(lengthFor(15.0), 20.0, 1e-9);
-  EXPECT_NEAR(lengthFor(25.0), 40.0, 1e-9);
-  EXPECT_NEAR(lengthFor(45.0), 90.0, 1e-9);
-  EXPECT_NEAR(lengthFor(500.0), 90.0, 1e-9) << "where the lanes end";
-}
-
 TEST(PathsAhead, AreAtMostAsManyAsAskedFor) {
   EXPECT_TRUE(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 0).empty());
   EXPECT_EQ(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 1).size(), 1u);
@@ -211,13 +178,6 @@ TEST(PathsAhead, TakeNearerLanesFirst) {
   EXPECT_EQ(y_at_start(0.7), (std::vector<double>{0.0, 1.5}));
   EXPECT_EQ(y_at_start(0.8), (std::vector<double>{1.5, 0.0}));
   EXPECT_EQ(y_at_start(-0.5), (std::vector<double>{0.0}));
-}
-
-TEST(PathsAhead, AreNoneWithoutALaneThatFits) {
-  EXPECT_TRUE(ahead(fork(), {2.0, -4.0, 0.0}, 30.0, 10).empty()) << "too far";
-  EXPECT_TRUE(ahead(fork(), {2.0, 0.0, 0.6}, 30.0, 10).empty()) << "heading elsewhere";
-  EXPECT_TRUE(ahead(fork(), {89.9, 0.0, 0.0}, 30.0, 10).empty()) << "no metre of lane is left";
-  EXPECT_TRUE(ahead({}, {}, 30.0, 10).empty());
 }
 
 TEST(PathsAhead, ComeToAnEndInARingOfLanes) {

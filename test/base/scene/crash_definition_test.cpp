@@ -28,13 +28,6 @@ TEST(HeadingFits, WithinTheBandOnBothSidesEndsIncluded) {
   }
 }
 
-TEST(HeadingFits, ABandUpToPiHoldsTheOppositeHeading) {
-  const TypeDefinition band{2.9671, 3.1416, 3.1416, 0.0, 3.1416};
-  EXPECT_TRUE(headingFits(M_PI, band));
-  EXPECT_TRUE(headingFits(-M_PI, band));
-  EXPECT_FALSE(headingFits(2.9671 - kBit, band));
-}
-
 TEST(ApproachFits, WithinTheBandOnBothSidesEndsIncluded) {
   const TypeDefinition band{0.2, 0.5, 0.3, 1.0, 2.0};
   for (const double sign : {1.0, -1.0}) {
@@ -114,19 +107,6 @@ TEST(ContactFits, AnLtapTurnedToTheLeftInRightHandTrafficAndMirrored) {
     EXPECT_TRUE(at(kBit, DrivingSide::kLeft));
     EXPECT_FALSE(at(-kBit, DrivingSide::kLeft));
     EXPECT_FALSE(at(-M_PI_2, DrivingSide::kLeft));
-  }
-}
-
-TEST(ContactFits, OppositeDirectionAndCrossingMeetInAnyWay) {
-  for (const CollisionType type :
-       {CollisionType::kOppositeDirection, CollisionType::kJunctionCrossing}) {
-    for (const DrivingSide side : kBothSides) {
-      for (const double yaw : {M_PI, -M_PI_2, 0.0, M_PI_2}) {
-        EXPECT_TRUE(fits(type, {4.5, 0.0, yaw}, side));
-        EXPECT_TRUE(fits(type, {0.0, 0.3, yaw}, side));
-        EXPECT_TRUE(fits(type, {-4.5, -2.0, yaw}, side));
-      }
-    }
   }
 }
 

@@ -22,11 +22,5 @@ TEST(NumberWords, NounsAreInThePluralUnlessThereIsOne) {
   EXPECT_EQ(counted(2, "try", "tries"), "2 tries");
 }
 
-TEST(NumberWords, SharesAreInPercentWithoutDecimals) {
-  EXPECT_EQ(percentText(0.712), "71 %");
-  EXPECT_EQ(percentText(1.0), "100 %");
-  EXPECT_EQ(percentText(0.0), "0 %");
-}
-
 }  // namespace
 }  // namespace forge

@@ -22,13 +22,6 @@ TEST(RequestWords, EveryNameInTheListOfCollisionTypesIsTaken) {
   EXPECT_EQ(types.size(), std::size(kCollisionTypes));
 }
 
-TEST(RequestWords, LimitSetsAreReadBack) {
-  for (const LimitSet limits : {LimitSet::kDrivable, LimitSet::kStrict}) {
-    EXPECT_EQ(limitSetFromString(toString(limits)), limits);
-  }
-  for (const char* name : {"", "STRICT", "none"}) EXPECT_FALSE(limitSetFromString(name)) << name;
-}
-
 TEST(RequestWords, ClassesAreReadBack) {
   for (int number = 0; number <= static_cast<int>(AgentClass::kStaticObject); ++number) {
     const auto agent_class = static_cast<AgentClass>(number);

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
 namespace forge {
@@ -18,16 +17,6 @@ Track seen(const std::string& id, const Pose2& pose) {
 
 Frame frameAt(double time, std::vector<Track> agents = {}) {
   return {time, {4.0 * time, 0.0, 0.1}, std::move(agents)};
-}
-
-TEST(SceneHistory, StartsEmpty) {
-  const SceneHistory history(4, kVehicle);
-  EXPECT_TRUE(history.empty());
-  const Snapshot snapshot = history.snapshot();
-  EXPECT_TRUE(snapshot.ego.states.empty());
-  EXPECT_EQ(snapshot.ego.id, kEgoId);
-  EXPECT_EQ(snapshot.ego.size.width, 1.73);
-  EXPECT_FALSE(snapshot.map);
 }
 
 TEST(SceneHistory, KeepsTheNewestFrames) {
@@ -61,15 +50,6 @@ TEST(SceneHistory, GathersTheFramesOfEachAgentSortedById) {
   EXPECT_DOUBLE_EQ(b.states[2].velocity.x(), 2.0);
 }
 
-TEST(SceneHistory, ForgetsAgentsWithTheirFrames) {
-  SceneHistory history(2, kVehicle);
-  history.add(frameAt(0.0, {seen("gone", {})}));
-  history.add(frameAt(0.5));
-  EXPECT_EQ(history.snapshot().agents.size(), 1u);
-  history.add(frameAt(1.0));
-  EXPECT_TRUE(history.snapshot().agents.empty());
-}
-
 TEST(SceneHistory, LeavesOutAndCountsUnusableAgents) {
   Track flat = seen("flat", {});
   flat.size.width = 0.0;
@@ -84,13 +64,6 @@ TEST(SceneHistory, LeavesOutAndCountsUnusableAgents) {
             5);
   ASSERT_EQ(history.snapshot().agents.size(), 1u);
   EXPECT_EQ(history.snapshot().agents[0].id, "good");
-}
-
-TEST(SceneHistory, LeavesOutAgentsOfInfiniteSize) {
-  Track endless = seen("endless", {});
-  endless.size.length = kInfinity;
-  SceneHistory history(4, kVehicle);
-  EXPECT_EQ(history.add(frameAt(0.0, {endless})), 1);
 }
 
 TEST(SceneHistory, RefusesAnEgoPoseThatIsNotFinite) {
@@ -139,14 +112,6 @@ TEST(SceneHistory, HoweverOftenFramesComeThoseShownAreAnIntervalApart) {
       }
     }
   }
-}
-
-TEST(SceneHistory, RareFramesAreKept) {
-  SceneHistory history(4, kVehicle);
-  for (int i = 0; i < 6; ++i) history.add(frameAt(2.0 * i));
-  const Snapshot snapshot = history.snapshot();
-  ASSERT_EQ(snapshot.ego.states.size(), 4u);
-  EXPECT_EQ(snapshot.ego.states.front().time, 4.0);
 }
 
 TEST(SceneHistory, GoesOnFromASnapshotAndItsMap) {

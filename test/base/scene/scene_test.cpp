@@ -66,12 +66,6 @@ TEST(HistoryTimes, AreAnIntervalApartHoweverOftenFramesCame) {
   EXPECT_EQ(historyTimes({2.3, 2.4, 2.5}, 8), (Times{2.3, 2.5})) << "too short for a second one";
 }
 
-TEST(SnapshotAt, LeavesOutAgentsThatAreInNoneOfItsFrames) {
-  const Snapshot snapshot = snapshotAt(tenFrames(), 102.5, 3);
-  ASSERT_EQ(snapshot.agents.size(), 1u);
-  EXPECT_EQ(snapshot.agents[0].id, "always");
-}
-
 TEST(SnapshotAt, DerivesVelocitiesFromThePastAlone) {
   Scene scene = tenFrames();
   for (AgentState& state : scene.ego.states) {
@@ -90,14 +84,6 @@ TEST(SnapshotAt, DerivesVelocitiesFromThePastAlone) {
   }
 }
 
-TEST(SnapshotAt, TakesWhatThereIsWhenFramesAreFew) {
-  EXPECT_EQ(snapshotAt(tenFrames(), 100.5, 8).ego.states.size(), 2u);
-  const Snapshot before = snapshotAt(tenFrames(), 99.0, 8);
-  EXPECT_TRUE(before.ego.states.empty());
-  EXPECT_TRUE(before.agents.empty());
-  EXPECT_EQ(before.ego.size.length, 6.0);
-}
-
 TEST(RecordedFuture, RunsFromNowToTheEgosEnd) {
   Scene scene = tenFrames();
   scene.agents[0] = drive("always", 100.0, 110.0, 0.5);
@@ -111,12 +97,6 @@ TEST(RecordedFuture, RunsFromNowToTheEgosEnd) {
   EXPECT_EQ(future.agents[0].states.back().time, 104.5);
   EXPECT_EQ(future.agents[1].id, "late");
   EXPECT_EQ(future.agents[1].states.front().time, 103.0);
-}
-
-TEST(RecordedFuture, OfASceneWithoutAnEgoIsEmpty) {
-  const Future future = recordedFuture(Scene{}, 1.0);
-  EXPECT_TRUE(future.ego.states.empty());
-  EXPECT_TRUE(future.agents.empty());
 }
 
 }  // namespace

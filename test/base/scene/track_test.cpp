@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -17,13 +15,6 @@ Track trackOf(const std::vector<std::pair<double, Pose2>>& poses) {
   return track;
 }
 
-TEST(AgentClassNames, DifferAndAreKnown) {
-  std::set<std::string> names = {"unknown"};
-  for (int i = 0; i <= static_cast<int>(AgentClass::kStaticObject); ++i) {
-    EXPECT_TRUE(names.insert(toString(static_cast<AgentClass>(i))).second) << i;
-  }
-}
-
 TEST(CanAttack, HoldsForMotorVehicles) {
   std::vector<std::string> attackers;
   for (int i = 0; i <= static_cast<int>(AgentClass::kStaticObject); ++i) {
@@ -33,12 +24,6 @@ TEST(CanAttack, HoldsForMotorVehicles) {
   EXPECT_THAT(attackers,
               testing::UnorderedElementsAre("car", "truck", "bus", "construction_vehicle",
                                             "emergency_vehicle", "motorcycle"));
-}
-
-TEST(CanAttack, AllButMotorcyclesAreCarLike) {
-  EXPECT_FALSE(isCarLike(AgentClass::kMotorcycle));
-  EXPECT_FALSE(isCarLike(AgentClass::kPedestrian));
-  EXPECT_TRUE(isCarLike(AgentClass::kBus));
 }
 
 TEST(IsVehicle, HoldsForAllButPeopleAnimalsAndThings) {
@@ -62,11 +47,6 @@ TEST(StateAt, InterpolatesPoseAndVelocity) {
   EXPECT_DOUBLE_EQ(state->pose.yaw, 0.1);
   EXPECT_DOUBLE_EQ(state->velocity.x(), 9.0);
   EXPECT_DOUBLE_EQ(state->velocity.y(), 3.0);
-}
-
-TEST(StateAt, TurnsTheShorterWay) {
-  const Track track = trackOf({{0.0, {0.0, 0.0, 3.0}}, {1.0, {0.0, 0.0, -3.0}}});
-  EXPECT_NEAR(std::abs(stateAt(track, 0.5)->pose.yaw), M_PI, 1e-12);
 }
 
 TEST(StateAt, IsEmptyOutsideTheTrack) {
@@ -117,23 +97,6 @@ TEST(DeriveVelocities, DoesNotLookAcrossLongGaps) {
   deriveVelocities(track);
   EXPECT_DOUBLE_EQ(track.states[1].velocity.x(), 2.0);
   EXPECT_DOUBLE_EQ(track.states[2].velocity.x(), 4.0);
-}
-
-TEST(DeriveVelocities, GivesALoneStateStandstill) {
-  Track track = trackOf({{0.0, {1.0, 1.0, 0.0}}, {5.0, {9.0, 9.0, 0.0}}});
-  for (AgentState& state : track.states) state.velocity = {7.0, 7.0};
-  deriveVelocities(track);
-  EXPECT_EQ(track.states[0].velocity, Vector2(0.0, 0.0));
-  EXPECT_EQ(track.states[1].velocity, Vector2(0.0, 0.0));
-  Track empty;
-  EXPECT_NO_THROW(deriveVelocities(empty));
-}
-
-TEST(BoxAt, HasTheTracksSize) {
-  const OrientedBox box = boxAt(trackOf({}), {1.0, 2.0, 3.0});
-  EXPECT_EQ(box.size.length, 4.0);
-  EXPECT_EQ(box.size.width, 2.0);
-  EXPECT_EQ(box.center.yaw, 3.0);
 }
 
 }  // namespace

@@ -42,14 +42,6 @@ TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
   }
 }
 
-TEST_F(RequestAnswererTest, ReplayKnowsTheRecording) {
-  SceneRequest request = asked(CollisionType::kLaneChange);
-  request.request.mode = Mode::kReplay;
-  EXPECT_NE(answerer_.answer(request).answer.status.code, StatusCode::kNoRecording);
-  request.now = scenes_.at("scene-0001")->scene.frame_times.back();
-  EXPECT_EQ(answerer_.answer(request).answer.status.code, StatusCode::kBeyondRecording);
-}
-
 TEST_F(RequestAnswererTest, AnAdaptiveAttackIsAsAskedInTheRecordingOrDeclined) {
   int attacks = 0;
   for (const CollisionType type : kCollisionTypes) {
@@ -70,14 +62,6 @@ TEST_F(RequestAnswererTest, AnAdaptiveAttackIsAsAskedInTheRecordingOrDeclined) {
     EXPECT_TRUE(report.believable()) << report.unbelievable;
   }
   EXPECT_GT(attacks, 0);
-}
-
-TEST_F(RequestAnswererTest, AnAbsentAttackerIsAnswered) {
-  SceneRequest request = asked(CollisionType::kRearEnd);
-  request.request.attacker = "nobody";
-  const Scenario scenario = answerer_.answer(request);
-  EXPECT_EQ(scenario.answer.status.code, StatusCode::kUnknownAttacker);
-  EXPECT_NE(scenario.answer.status.message.find("nobody"), std::string::npos);
 }
 
 TEST_F(RequestAnswererTest, ATimeThatIsNoFrameIsAnsweredWithTheNearest) {

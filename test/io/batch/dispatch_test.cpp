@@ -66,15 +66,6 @@ TEST(Dispatch, TakesInOrderWhateverTheNumberOfJobs) {
   }
 }
 
-TEST(Dispatch, LeavesOutWhatWasDoneBefore) {
-  Taken taken;
-  dispatch(kCount, slowly, std::ref(taken), {2, 250});
-  expectTaken(taken, 250, kCount);
-  Taken none;
-  dispatch(kCount, slowly, std::ref(none), {2, kCount});
-  EXPECT_TRUE(none.indices.empty());
-}
-
 TEST(Dispatch, LargeResultsArriveWhole) {
   const auto work = [](std::size_t index) {
     return std::string(1 << 20, static_cast<char>(index));
@@ -87,15 +78,6 @@ TEST(Dispatch, LargeResultsArriveWhole) {
            },
            {1, 0});
   EXPECT_EQ(count, isMaster() ? 20u : 0u);
-}
-
-TEST(Dispatch, BytesMayBeAnything) {
-  const std::string bytes("\0 \n\xff\0", 5);
-  std::string all;
-  dispatch(
-      3, [&](std::size_t) { return bytes; },
-      [&](std::size_t, const std::string& taken) { all += taken; }, {1, 0});
-  EXPECT_EQ(all, isMaster() ? bytes + bytes + bytes : "");
 }
 
 TEST(Dispatch, TakesOnTheCallersThread) {
@@ -155,18 +137,6 @@ TEST(Dispatch, AnErrorInAnotherRankArrives) {
   EXPECT_EQ(error, is_alone || is_other ? "" : "not here");
   expectTaken(taken, 0, taken.indices.size());
 }
-
-TEST(Dispatch, NothingToDoIsNoError) {
-  Taken taken;
-  dispatch(0, slowly, std::ref(taken), {1, 0});
-  EXPECT_TRUE(taken.indices.empty());
-}
-
-TEST(Dispatch, RefusesNoJobs) {
-  EXPECT_THROW(dispatch(1, slowly, Taken(), {0, 0}), std::invalid_argument);
-}
-
-TEST(Dispatch, HasAtLeastOneJob) { EXPECT_GE(defaultJobs(), 1); }
 
 }  // namespace
 }  // namespace forge

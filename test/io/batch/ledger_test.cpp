@@ -13,14 +13,6 @@ ItemResult failure(std::size_t index) {
   return {index, "", std::make_exception_ptr(std::runtime_error("broken"))};
 }
 
-TEST(Ledger, DealsEveryItemOnce) {
-  Ledger ledger(2, 5, 10);
-  EXPECT_EQ(ledger.deal(), 2u);
-  EXPECT_EQ(ledger.deal(), 3u);
-  EXPECT_EQ(ledger.deal(), 4u);
-  EXPECT_FALSE(ledger.deal());
-}
-
 TEST(Ledger, HandsResultsOnInOrder) {
   Ledger ledger(0, 3, 10);
   ledger.put(result(2));
@@ -58,11 +50,6 @@ TEST(Ledger, DealsNothingAfterAFailureAndHandsOnWhatWasBefore) {
   EXPECT_EQ(ledger.next()->bytes, "0");
   EXPECT_EQ(ledger.next()->bytes, "1");
   EXPECT_TRUE(ledger.next()->error);
-}
-
-TEST(Ledger, NothingToDoIsFinished) {
-  EXPECT_TRUE(Ledger(0, 0, 1).isFinished());
-  EXPECT_TRUE(Ledger(7, 7, 1).isFinished());
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <stdexcept>
 
 #include "io/logs/nuscenes_fixture.h"
@@ -17,14 +16,6 @@ TEST(Output, AFolderThatIsNamedTwiceIsLockedOnce) {
   EXPECT_EQ(locks.size(), 1u);
   EXPECT_THROW(lockFolders({folder.path(), out}), std::runtime_error);
   EXPECT_EQ(lockFolders({folder.path()}).size(), 1u) << "given back after the failure";
-}
-
-TEST(Output, AFileIsLockedInItsFolder) {
-  const TemporaryFolder folder;
-  const std::string path = folder.path() + "/file";
-  const OutputLocks locks = lockFile(path);
-  EXPECT_THROW(lockFile(path), std::runtime_error);
-  EXPECT_EQ(lockFile(path + "2").size(), 1u);
 }
 
 }  // namespace

@@ -8,12 +8,6 @@
 namespace forge {
 namespace {
 
-TEST(Printable, TextStaysAsItIs) {
-  for (const std::string text : {"", "scene-0001, 3 m\n\tand more", "Zürich, 東京, 🚗"}) {
-    EXPECT_EQ(printable(text), text);
-  }
-}
-
 TEST(Printable, WhatATerminalWouldActOnIsEscaped) {
   EXPECT_EQ(printable("\033[2J\033]0;title\a"), "\\x1b[2J\\x1b]0;title\\x07");
   EXPECT_EQ(printable("a\rb\x7f" + std::string(1, '\0')), "a\\x0db\\x7f\\x00");

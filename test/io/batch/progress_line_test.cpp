@@ -7,7 +7,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <functional>
 #include <iostream>
 #include <sstream>
@@ -43,34 +42,6 @@ TEST_F(ProgressLineTest, WhatWasDoneBeforeCountsForTheShareAlone) {
   time_ += 20.0;
   line.show(124, 200);  // 24 in 20 s, 76 to go
   EXPECT_EQ(printed(), "requests  62 %, 1.2/s, 63 s left\n");
-}
-
-TEST_F(ProgressLineTest, SharesHaveNoRate) {
-  ProgressLine line("training", 0.0, output(false));
-  time_ += 600.0;
-  line.show(0.25, "loss 3");  // 1800 s to go
-  EXPECT_EQ(printed(), "training  25 %, 30 min left, loss 3\n");
-}
-
-TEST_F(ProgressLineTest, WorkOfLessThanASecondShowsNoLine) {
-  ProgressLine line("writing", 0.0, output(false));
-  time_ += 0.5;
-  line.show(1.0);
-  EXPECT_EQ(printed(), "");
-}
-
-TEST_F(ProgressLineTest, TheLastLineTellsHowLongTheWorkTook) {
-  ProgressLine line("scenes", 0.0, output(false));
-  time_ += 40.0;
-  line.show(80, 80);
-  EXPECT_EQ(printed(), "scenes 100 %, 2.0/s in 40 s\n");
-}
-
-TEST_F(ProgressLineTest, SlowWorkHasARateByTheHour) {
-  ProgressLine line("cases", 0.0, output(false));
-  time_ += 7200.0;
-  line.show(3, 12);  // 1.5 an hour, 9 to go
-  EXPECT_EQ(printed(), "cases  25 %, 1.5/h, 6.0 h left\n");
 }
 
 TEST_F(ProgressLineTest, PipedThereIsALineEveryTenSecondsAndOneAtTheEnd) {
@@ -160,12 +131,6 @@ TEST(PrintLine, StandsAloneOnATerminalThatShowsProgress) {
     progress.show(1.0);
   });
   EXPECT_THAT(shown, testing::MatchesRegex("warning: odd\r\na row\r\nwork 100 %[^\n]*\r\n"));
-}
-
-TEST(PrintLine, IsALineOfItsOwn) {
-  testing::internal::CaptureStderr();
-  printLine("warning: odd");
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "warning: odd\n");
 }
 
 }  // namespace

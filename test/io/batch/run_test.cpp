@@ -150,12 +150,6 @@ TEST_F(RunTest, OtherOptionsAreRefusedAndNothingIsLost) {
   }
 }
 
-TEST_F(RunTest, AnotherVersionOfTheProgramDoesNotGoOn) {
-  leave(path_, expected());
-  leaveOptions("collision_forge 0.0.1");
-  expectComplaint(squares(), "program = collision_forge 0.0.1, now program = collision_forge ");
-}
-
 TEST_F(RunTest, ItemsThatAreNotTheRunsAreRefusedByLine) {
   leavePartOf(expected(2) + "3\n9\n");
   expectComplaint(squares(), part_ + ": line 6: is not of 2");
@@ -163,11 +157,6 @@ TEST_F(RunTest, ItemsThatAreNotTheRunsAreRefusedByLine) {
   expectComplaint(squares(), part_ + ": line 1");
   leavePartOf(expected(kCount + 1));
   expectComplaint(squares(), "there are 40 numbers only");
-}
-
-TEST_F(RunTest, ACompleteFileWithTooFewItemsIsRefused) {
-  leave(path_, expected(7));
-  expectComplaint(squares(), "holds 7 of 40 numbers");
 }
 
 TEST_F(RunTest, AnErrorKeepsTheItemsBeforeIt) {
@@ -181,18 +170,6 @@ TEST_F(RunTest, AnErrorKeepsTheItemsBeforeIt) {
   if (isMaster()) {
     EXPECT_EQ(contentOf(part_), expected(11));
   }
-}
-
-TEST_F(RunTest, AnInterruptionTellsWhatIsKept) {
-  if (Ranks::areLaunched()) GTEST_SKIP() << "ends the process";
-  forge::Run run = squares();
-  run.jobs = 1;
-  run.work = [](std::size_t index) {
-    if (index == 3) ::raise(SIGINT);
-    return std::to_string(index) + "\n" + std::to_string(index * index);
-  };
-  EXPECT_EXIT(carryOut(run), testing::KilledBySignal(SIGINT),
-              "interrupted; what was done is in .*squares.part: run the same command again");
 }
 
 TEST(RunAgree, AllRanksHaveTheMastersDecision) {

@@ -16,15 +16,6 @@ TEST(Silence, NamesWhoIsSilentForLonger) {
   EXPECT_EQ(silence.longerThan(4.5), 2);
 }
 
-TEST(Silence, IsOverWithAWord) {
-  Silence silence(1, 1.0);
-  silence.expect(0);
-  silence.pass(1.0);
-  silence.hear(0);
-  silence.pass(0.5);
-  EXPECT_EQ(silence.longerThan(0.75), std::nullopt);
-}
-
 TEST(Silence, NothingIsExpectedOfWhoHasLeftOrHasNotCome) {
   Silence silence(2, 1.0);
   silence.expect(0);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <map>
 #include <stdexcept>
 
 namespace forge {
@@ -12,19 +11,6 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kPatience{10'000};
-
-TEST(WorkerPool, AnswersEveryItemOnce) {
-  WorkerPool pool(3, [](std::size_t index) { return std::to_string(index); });
-  std::map<std::size_t, std::string> answers;
-  std::size_t given = 0;
-  while (answers.size() < 100) {
-    while (given < 100 && pool.wantsMore()) pool.give(given++);
-    for (ItemResult& result : pool.collect(kPatience)) {
-      EXPECT_TRUE(answers.emplace(result.index, result.bytes).second) << result.index << " twice";
-    }
-  }
-  for (const auto& [index, bytes] : answers) EXPECT_EQ(bytes, std::to_string(index));
-}
 
 TEST(WorkerPool, WorksOnAsManyItemsAtATimeAsItHasThreads) {
   std::atomic<int> inside{0};
@@ -82,11 +68,6 @@ TEST(WorkerPool, DropsWhatIsNotBegunWhenItEnds) {
   }
   EXPECT_GE(worked, 1) << "the one begun was finished";
   EXPECT_LT(worked, 5) << "others were dropped";
-}
-
-TEST(WorkerPool, CollectsNothingWhereNothingIsFinished) {
-  WorkerPool pool(1, [](std::size_t) { return std::string(); });
-  EXPECT_TRUE(pool.collect(milliseconds(1)).empty());
 }
 
 }  // namespace

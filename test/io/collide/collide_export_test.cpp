@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <stdexcept>
 
 #include "base/scene/shipped_limits.h"
 #include "collision_forge/io/collide/collide_set.h"
@@ -124,50 +123,12 @@ TEST(CollideExport, PlacementIsThatOfTheTypeAndTheContact) {
   EXPECT_EQ(placementAt(CollisionType::kOppositeDirection, ego, at(10.0, 24.0, 3.1)), 5);
 }
 
-TEST(CollideExport, FramesAreThoseOfTheRecordingWithNowInFrameSeven) {
-  const CollideClip clip = clipOf(attack());
-  ASSERT_EQ(clip.times.size(), kCollisionFrame + 1u);
-  for (int frame = 0; frame <= kCollisionFrame; ++frame) {
-    EXPECT_EQ(clip.times[frame], frameTime(kFirst + frame)) << frame;
-  }
-  EXPECT_EQ(clip.now(), frameTime(kNow));
-}
-
 TEST(CollideExport, CollisionFrameIsTheNearestToTheTta) {
   Scenario scenario = attack();
   for (const auto& [tta, frame] : {std::pair(0.5, 8), {3.74, 14}, {3.76, 15}, {4.24, 15}}) {
     scenario.asked.request.tta = tta;
     EXPECT_EQ(clipOf(scenario).collision_frame, frame) << tta;
   }
-}
-
-TEST(CollideExport, EgoIsTheMiddleOfItsBoxInEveryFrame) {
-  const CollideClip clip = clipOf(attack());
-  for (int frame = 0; frame <= kCollisionFrame; ++frame) {
-    const auto& state = clip.ego().frames[frame];
-    ASSERT_TRUE(state) << frame;
-    EXPECT_NEAR(state->pose.x, xOfEgo(clip.times[frame]), 1e-6);
-    EXPECT_EQ(state->pose.y, 50.0);
-    EXPECT_NEAR(state->speed, kEgoSpeed, 1e-9);
-  }
-}
-
-TEST(CollideExport, AttackerIsAsRecordedUpToNowThenOnItsTrajectory) {
-  const CollideClip clip = clipOf(attack());
-  for (int frame = 0; frame <= kCollisionFrame; ++frame) {
-    const CollideState& state = *clip.attacker().frames[frame];
-    const double elapsed = clip.times[frame] - clip.now();
-    const bool attacks = frame > kCollideNowFrame;
-    EXPECT_NEAR(state.pose.x, 100.0 - kGap + (attacks ? kAttackSpeed : kEgoSpeed) * elapsed, 1e-5)
-        << frame;
-    EXPECT_NEAR(state.speed, attacks ? kAttackSpeed + elapsed : kEgoSpeed, 1e-5) << frame;
-  }
-}
-
-TEST(CollideExport, AMotorcycleAttacksInNoClip) {
-  Scenario scenario = attack();
-  scenario.answer.trajectory.agent_class = AgentClass::kMotorcycle;
-  EXPECT_EQ(obstacleOf(scenario), ClipObstacle::kNoCar);
 }
 
 TEST(CollideExport, AnAddedAttackerIsAsItsPastSaysUpToNow) {
@@ -185,14 +146,6 @@ TEST(CollideExport, AnAddedAttackerIsAsItsPastSaysUpToNow) {
   }
   trajectory.past.erase(trajectory.past.begin(), trajectory.past.begin() + kFirst + 1);
   EXPECT_EQ(obstacleOf(scenario), ClipObstacle::kAttackerMissing);
-}
-
-TEST(CollideExport, HeadingOnTheTrajectoryTurnsTheShorterWay) {
-  Scenario scenario = attack();
-  // Frame 8 is 0.54 s after now: between the points at 0.5 and 0.6 s.
-  scenario.answer.trajectory.points[5].pose.yaw = 179.0 * kDegree;
-  scenario.answer.trajectory.points[6].pose.yaw = -179.0 * kDegree;
-  EXPECT_NEAR(clipOf(scenario).attacker().frames[8]->pose.yaw / kDegree, 179.8, 1e-3);
 }
 
 TEST(CollideExport, OthersAreTheVehiclesInTheFramesInWhichTheyAre) {
@@ -279,18 +232,6 @@ TEST(CollideExport, WhatTheLayoutCannotHoldHasItsObstacle) {
   EXPECT_EQ(obstacleOf(attack(), underscore), ClipObstacle::kUnfitName);
 }
 
-TEST(CollideExport, TheFirstAndLastFrameOfARecordingCanBeUsed) {
-  Scenario scenario = attack();
-  scenario.asked.now = frameTime(kCollideNowFrame);
-  for (TrajectoryPoint& point : scenario.answer.trajectory.points) {
-    point.time += frameTime(kCollideNowFrame) - frameTime(kNow);
-  }
-  EXPECT_EQ(clipOf(scenario).times.front(), frameTime(0));
-  scenario = attack();
-  scenario.asked.request.tta = 0.5 * (kFrames - 1 - kNow);
-  EXPECT_EQ(clipOf(scenario).times.back(), frameTime(kFrames - 1));
-}
-
 TEST(CollideExport, ObstaclesAreCountedAndNamed) {
   const TemporaryFolder folder;
   CollideExporter exporter(folder.path());
@@ -314,15 +255,6 @@ TEST(CollideExport, ObstaclesAreCountedAndNamed) {
   EXPECT_EQ(listCollideClips(folder.path(), "val").size(), 1u);
 }
 
-TEST(CollideExport, EveryObstacleHasATextOfItsOwn) {
-  std::vector<std::string> texts;
-  for (int i = 0; i <= static_cast<int>(ClipObstacle::kUnfitName); ++i) {
-    texts.emplace_back(toString(static_cast<ClipObstacle>(i)));
-  }
-  std::sort(texts.begin(), texts.end());
-  EXPECT_EQ(std::unique(texts.begin(), texts.end()), texts.end());
-}
-
 TEST(CollideExport, ClipsThatAreThereAreLeftAloneAndMissingOnesWritten) {
   const TemporaryFolder folder;
   const auto exportTwo = [&] {
@@ -344,15 +276,6 @@ TEST(CollideExport, ClipsThatAreThereAreLeftAloneAndMissingOnesWritten) {
   EXPECT_EQ(std::filesystem::last_write_time(paths[0]), old);
   EXPECT_NE(std::filesystem::last_write_time(paths[1]), old);
   EXPECT_EQ(readCollideClip(paths[1], shippedLimits()).tracks.size(), 3u);
-}
-
-TEST(CollideExport, AnotherRecordingAndARefusalAreMisuse) {
-  Scenario refusal = attack();
-  refusal.answer.status.code = StatusCode::kNoCandidate;
-  EXPECT_THROW(toCollideClip(refusal, recording(), 0), std::invalid_argument);
-  Scenario between = attack();
-  between.asked.now += 0.1;
-  EXPECT_THROW(toCollideClip(between, recording(), 0), std::invalid_argument);
 }
 
 TEST(CollideExport, ClipsOfASplitLieInItsFolder) {

@@ -69,17 +69,6 @@ TEST(CollideScene, AttackersDerivedMotionIsItsRecordedSpeed) {
   EXPECT_NEAR(motion.yaw_rate, 0.0, 1e-9);
 }
 
-TEST(CollideScene, AttackerIsSeenInTwoFramesWhateverTheirDistance) {
-  CollideClip clip = clipWithThird();
-  for (std::size_t frame = 0; frame < clip.times.size(); ++frame) {
-    clip.times[frame] = kClipStart + 0.55 * static_cast<double>(frame);
-  }
-  const Snapshot snapshot = snapshotAt(toScene(clip, kOptions, nullptr), clip.now(), 8);
-  const Track& attacker = agent(snapshot.agents, "attacker");
-  ASSERT_EQ(attacker.states.size(), 2u);
-  EXPECT_NEAR(estimateMotion(attacker, 4).speed, 8.0, 1e-5);
-}
-
 TEST(CollideScene, FutureIsRecordedThenStraightOn) {
   CollideClip clip = clipWithThird();
   // The ego's last interval: 3 m ahead and 1 m left, heading 0.5 rad.
@@ -100,35 +89,6 @@ TEST(CollideScene, FutureIsRecordedThenStraightOn) {
   const auto attacker = stateAt(agent(future.agents, "attacker"), clip.times.back());
   ASSERT_TRUE(attacker);
   EXPECT_NEAR(attacker->pose.x, -20.0 + 8.0 * 2.0, 1e-4);
-}
-
-TEST(CollideScene, WhoLeavesBeforeTheLastFrameIsNotPutOn) {
-  CollideClip clip = clipWithThird();
-  clip.tracks[2].frames[kLastFrame].reset();
-  const Future future = recordedFuture(toScene(clip, kOptions, nullptr), clip.now());
-  EXPECT_EQ(agent(future.agents, "third").states.back().time, clip.times[kLastFrame - 1]);
-}
-
-TEST(CollideScene, WhoIsThereInTheLastFrameAloneGoesOnAtItsRecordedSpeed) {
-  CollideClip clip = clipWithThird();
-  for (int frame = 0; frame < kLastFrame; ++frame) clip.tracks[2].frames[frame].reset();
-  const Pose2 last = clip.tracks[2].frames[kLastFrame]->pose;
-  const Future future = recordedFuture(toScene(clip, kOptions, nullptr), clip.now());
-  const auto after = stateAt(agent(future.agents, "third"), clip.times.back() + 1.0);
-  ASSERT_TRUE(after);
-  EXPECT_NEAR(after->pose.x, last.x + 4.0, 1e-4);
-}
-
-TEST(CollideScene, OneFrameOfThePastAndNobodyAtAllAreTaken) {
-  CollideClip clip = clipWithThird();
-  for (int frame = 0; frame <= kLastFrame; ++frame) {
-    if (frame != 3) clip.tracks[2].frames[frame].reset();
-  }
-  clip.tracks.push_back({"nobody", {}});
-  clip.tracks.back().frames.resize(kLastFrame + 1);
-  const Scene scene = toScene(clip, kOptions, nullptr);
-  EXPECT_EQ(agent(scene.agents, "third").states.size(), 1u);
-  EXPECT_THROW(agent(scene.agents, "nobody"), std::out_of_range);
 }
 
 }  // namespace

@@ -75,16 +75,6 @@ TEST(CollideSet, HalvesHoldEveryClipOnceAndEveryOtherScene) {
   EXPECT_THROW(halvesByScene({}), CollideError);
 }
 
-TEST(CollideSet, HeldOutShareOfManyScenesIsTheShareAskedFor) {
-  constexpr int kScenes = 10000;
-  for (const double share : {0.0, 0.1, 0.5, 1.0}) {
-    int held_out = 0;
-    for (int scene = 0; scene < kScenes; ++scene)
-      held_out += isHeldOutScene(sceneName(scene), share);
-    EXPECT_NEAR(held_out, share * kScenes, 200) << share;  // 4 standard deviations at one half
-  }
-}
-
 TEST(CollideSet, AbsentAndEmptyFoldersAndOtherFilesAreErrors) {
   const TemporaryFolder folder;
   EXPECT_THROW(listCollideClips(folder.path(), "val"), CollideError);

@@ -15,27 +15,12 @@ CaptionRow rowOf(const ScenarioView& view, const std::string& name) {
   return {};
 }
 
-std::string valueOf(const ScenarioView& view, const std::string& name) {
-  return rowOf(view, name).value;
-}
-
 TEST(CaptionText, NamesTheAttackersClassAndOrigin) {
   ScenarioView view = sampleView();
   view.trajectory.agent_class = AgentClass::kConstructionVehicle;
   EXPECT_NE(detailsText(view).find("by a recorded construction vehicle, veh"), std::string::npos);
   view.trajectory.past = view.snapshot.agents.front().states;
   EXPECT_NE(detailsText(view).find("by an added construction vehicle"), std::string::npos);
-}
-
-TEST(CaptionText, TellsSpeedsNowAndAtContact) {
-  ScenarioView view = sampleView();
-  for (TrajectoryPoint& point : view.trajectory.points) {
-    point.speed = 10.0 - (point.time - view.snapshot.now);  // brakes with 1 m/s2
-  }
-  EXPECT_EQ(valueOf(view, "Ego, m/s"), "5.0 now, 5.0 at contact");
-  EXPECT_EQ(valueOf(view, "Attacker, m/s"), "10.0 now, 8.0 at contact");
-  view.report.contact = false;
-  EXPECT_EQ(valueOf(view, "Attacker, m/s"), "10.0 now, 8.0 then");
 }
 
 TEST(CaptionText, TheVerdictSaysWhatTheRecordingHasAndTheFirstConditionThatFails) {
@@ -78,19 +63,6 @@ TEST(CaptionText, AnEscapeHasNoContactAndThatIsWanted) {
   EXPECT_EQ(verdictOf(view), Verdict::kWanted);
   EXPECT_EQ(rowOf(view, "Contact").value, "none (hit: +3.25 s)");
   EXPECT_EQ(rowOf(view, "Contact").passed, true);
-}
-
-TEST(CaptionText, AManoeuvreIsInPlainWords) {
-  ScenarioView view = sampleView();
-  view.report.manoeuvre = Manoeuvre::kWrongWay;
-  view.report.manoeuvre_begin = view.snapshot.now + 1.0;
-  EXPECT_EQ(valueOf(view, "Manoeuvre"), "wrong way from +1.0 s");
-}
-
-TEST(CaptionText, AShareIsWholePercent) {
-  ScenarioView view = sampleView();
-  view.report.confidence = 0.712;
-  EXPECT_EQ(rowOf(view, "Confidence").value, "71 %");
 }
 
 TEST(CaptionText, AnOutcomeTellsTimeAngleAndWhatIsNotAsAsked) {

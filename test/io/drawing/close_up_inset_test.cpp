@@ -7,26 +7,6 @@
 namespace forge {
 namespace {
 
-const PixelRect kArea{100.0, 200.0, 80.0, 60.0};
-
-void expectAt(const PixelRect& corner, double x, double y) {
-  EXPECT_EQ(corner.x, x);
-  EXPECT_EQ(corner.y, y);
-  EXPECT_EQ(corner.width, 20.0);
-  EXPECT_EQ(corner.height, 20.0);
-}
-
-TEST(FreeCorner, CoversAsFewPointsAsPossible) {
-  const Vector2 upper_right(170.0, 210.0);
-  const Vector2 upper_left(110.0, 210.0);
-  const Vector2 lower_right(170.0, 250.0);
-  const Vector2 middle = kArea.center();
-  expectAt(freeCorner(kArea, 20.0, 5.0, {middle}), 155.0, 205.0);
-  expectAt(freeCorner(kArea, 20.0, 5.0, {middle, upper_right}), 105.0, 205.0);
-  expectAt(freeCorner(kArea, 20.0, 5.0, {upper_right, upper_left}), 155.0, 235.0);
-  expectAt(freeCorner(kArea, 20.0, 5.0, {upper_right, upper_left, lower_right}), 105.0, 235.0);
-}
-
 TEST(CloseUpInset, FollowsTheVehiclesAfterTheContact) {
   const ScenarioView view = sampleCrash();
   const DrawingOptions options = sampleOptions();

@@ -3,7 +3,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <stdexcept>
 #include <vector>
 
 #include "collision_forge/io/drawing/draw_scenario.h"
@@ -132,43 +131,12 @@ TEST_F(DrawGif, EgoAndAttackerComeToRestAfterTheContact) {
   EXPECT_TRUE(looksLike(animation.at(kContactFrame, pixelOf({10.0, -0.6})), ego));
 }
 
-TEST_F(DrawGif, TheContactMarkAppearsAtContact) {
-  const Animation animation = draw();
-  ASSERT_EQ(animation.frames.size(), kFrames);
-  const Color& mark = options_.contact_color;
-  EXPECT_FALSE(looksLike(animation.at(kContactFrame - 1, pixelOf({8, 0})), mark));
-  EXPECT_TRUE(looksLike(animation.at(kContactFrame, pixelOf({8, 0})), mark));
-}
-
-TEST_F(DrawGif, StartsNoEarlierThanTheKnownPast) {
-  view_.snapshot.ego.states.erase(view_.snapshot.ego.states.begin(),
-                                  view_.snapshot.ego.states.begin() + 2);
-  EXPECT_EQ(draw().delays.size(), kFrames - 10);
-}
-
 TEST_F(DrawGif, SameInputGivesTheSameBytes) {
   draw();
   const std::string first = readBytes(path_);
   draw();
   EXPECT_FALSE(first.empty());
   EXPECT_EQ(first, readBytes(path_));
-}
-
-TEST_F(DrawGif, NamesAnUnwritablePathAndLeavesNothing) {
-  path_ = temporaryPath("missing") + "/scenario.gif";
-  try {
-    drawScenarioGif(path_, view_, options_);
-    FAIL() << "no error";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find(path_), std::string::npos);
-  }
-  EXPECT_FALSE(exists(path_ + ".part"));
-}
-
-TEST_F(DrawGif, RefusesAFrameRateOfZero) {
-  options_.gif_frames_per_second = 0.0;
-  EXPECT_THROW(drawScenarioGif(path_, view_, options_), std::runtime_error);
-  EXPECT_FALSE(exists(path_));
 }
 
 }  // namespace

@@ -20,7 +20,6 @@ class Picture {
   explicit Picture(const std::string& path)
       : surface_(cairo_image_surface_create_from_png(path.c_str()), &cairo_surface_destroy) {}
 
-  bool valid() const { return cairo_surface_status(surface_.get()) == CAIRO_STATUS_SUCCESS; }
   int width() const { return cairo_image_surface_get_width(surface_.get()); }
   int height() const { return cairo_image_surface_get_height(surface_.get()); }
   std::uint32_t at(const Vector2& pixel) const {
@@ -63,24 +62,6 @@ std::string errorOf(const Draw& draw) {
   return "";
 }
 
-TEST_F(DrawPng, HasTheAskedWidthAndAtMostTheAskedHeight) {
-  draw();
-  const Picture picture(path_);
-  ASSERT_TRUE(picture.valid());
-  EXPECT_EQ(picture.width(), options_.png_width);
-  EXPECT_LE(picture.height(), options_.png_height);
-}
-
-TEST_F(DrawPng, OfAStraightRoadTheMapEndsOneAndAHalfMarginsBesideTheDrives) {
-  options_.view_margin = 6.0;
-  const Viewport map = painter().mapViewport();
-  // Both drive along y = 0 and are 2 m wide.
-  EXPECT_NEAR(map.area().height, 20.0 * map.pixelsPerMetre(), 1.0);
-  draw();
-  EXPECT_EQ(Picture(path_).height(), painter().height());
-  EXPECT_LT(painter().height(), options_.png_height);
-}
-
 TEST_F(DrawPng, ARoadThatLeadsNorthLiesLevelWithNorthToTheRight) {
   const auto turn = [](Pose2& pose) { pose = {-pose.y, pose.x, pose.yaw + M_PI_2}; };
   const double level = painter().mapViewport().pixelsPerMetre();
@@ -102,22 +83,6 @@ TEST_F(DrawPng, ARoadThatLeadsNorthLiesLevelWithNorthToTheRight) {
   EXPECT_GT(north.y(), 0.0);
 }
 
-TEST_F(DrawPng, OfAnEgoThatTurnsTheRoadOfTheContactIsLevel) {
-  for (AgentState& state : view_.snapshot.ego.states) state.pose.yaw = 0.8;
-  const Viewport map = painter().mapViewport();
-  const Vector2 middle = map.area().center();
-  const Vector2 right = map.toWorld(middle + Vector2(10, 0)) - map.toWorld(middle);
-  EXPECT_GT(right.x(), 0.0);
-  EXPECT_NEAR(right.y(), 0.0, 1e-9);
-}
-
-TEST_F(DrawPng, NorthIsUpWhereTheEgoDrivesWest) {
-  for (AgentState& state : view_.snapshot.ego.states) state.pose.yaw = M_PI;
-  const Viewport map = painter().mapViewport();
-  const Vector2 middle = map.area().center();
-  EXPECT_LT(map.toPixel(map.toWorld(middle) + Vector2(0, 5)).y(), middle.y());
-}
-
 TEST_F(DrawPng, ShowsEverybodyWhereTheyAreAtContact) {
   options_.view_margin = 12.0;
   draw();
@@ -135,88 +100,6 @@ TEST_F(DrawPng, MarksTheContactOnMapAndCloseUp) {
   EXPECT_EQ(onCloseUp({8, 0}), packedColor(options_.contact_color));
   EXPECT_EQ(onCloseUp({10, -0.5}), packedColor(options_.ego_color));
   EXPECT_EQ(onCloseUp({5, 0}), packedColor(options_.attacker_color));
-}
-
-TEST_F(DrawPng, WithoutContactThereIsNoMark) {
-  view_.report.contact = false;
-  draw();
-  EXPECT_NE(onCloseUp({7.8, 0}), packedColor(options_.contact_color));
-}
-
-TEST_F(DrawPng, OfATestTheContactAloneIsShownOfTheReport) {
-  const auto otherwise = [](CollisionReport report) {
-    report.limits_kept = !report.limits_kept;
-    report.type_kept = !report.type_kept;
-    report.on_time = !report.on_time;
-    report.first_other_id = "truck";
-    report.off_road_share = 0.52;
-    report.confidence = 0.25;
-    report.manoeuvre = Manoeuvre::kWrongWay;
-    report.unbelievable = "drives against its lane for 90 %";
-    return report;
-  };
-  const auto bytesWith = [this](const std::string& planner, const CollisionReport& report) {
-    view_.planner = planner;
-    view_.report = report;
-    draw();
-    return readBytes(path_);
-  };
-  const CollisionReport known = sampleView().report;
-  const std::string alone = bytesWith("idm", known);
-  EXPECT_EQ(bytesWith("idm", otherwise(known)), alone);
-  EXPECT_NE(bytesWith("", known), alone);
-  CollisionReport harder = known;
-  harder.impact_speed += 1.0;
-  EXPECT_NE(bytesWith("idm", harder), alone);
-}
-
-TEST_F(DrawPng, TheCaptionTellsManoeuvreBeliefAndWhetherTheAttackerWasAdded) {
-  const auto bytesWith = [this](const ScenarioView& view) {
-    view_ = view;
-    draw();
-    return readBytes(path_);
-  };
-  ScenarioView plain = sampleView();
-  plain.report.manoeuvre = Manoeuvre::kMerge;
-  const std::string bytes = bytesWith(plain);
-  ScenarioView other = plain;
-  other.report.manoeuvre = Manoeuvre::kCutIn;
-  EXPECT_NE(bytesWith(other), bytes);
-  other = plain;
-  other.report.manoeuvre_begin = plain.snapshot.now + 1.5;
-  EXPECT_NE(bytesWith(other), bytes);
-  other = plain;
-  other.report.unbelievable = "is on a walkway for 12 %";
-  EXPECT_NE(bytesWith(other), bytes);
-  other = plain;
-  other.trajectory.past = plain.snapshot.agents.front().states;
-  EXPECT_NE(bytesWith(other), bytes);
-}
-
-TEST_F(DrawPng, NeedsNoMap) {
-  view_.snapshot.map = nullptr;
-  draw();
-  EXPECT_EQ(onMap({30, 3}), packedColor(options_.background_color));
-}
-
-TEST_F(DrawPng, SameInputGivesTheSameBytes) {
-  draw();
-  const std::string first = readBytes(path_);
-  draw();
-  EXPECT_FALSE(first.empty());
-  EXPECT_EQ(first, readBytes(path_));
-}
-
-TEST_F(DrawPng, NamesAnUnwritablePathAndLeavesNothing) {
-  path_ = temporaryPath("missing") + "/scenario.png";
-  EXPECT_NE(errorOf([this] { draw(); }).find(path_), std::string::npos);
-  EXPECT_FALSE(exists(path_ + ".part"));
-}
-
-TEST_F(DrawPng, LeavesNoTemporaryFileWhenThePathIsAFolder) {
-  ASSERT_EQ(mkdir(path_.c_str(), 0700), 0);
-  EXPECT_NE(errorOf([this] { draw(); }).find(path_), std::string::npos);
-  EXPECT_FALSE(exists(path_ + ".part"));
 }
 
 TEST_F(DrawPng, RefusesWhatCannotBeDrawnAndKeepsTheOldFile) {
@@ -262,18 +145,6 @@ TEST_F(DrawPng, ASheetHasThePicturesRowByRow) {
       ASSERT_EQ(sheet.at({x, y}), packedColor(options_.background_color));
     }
   }
-}
-
-TEST_F(DrawPng, ASheetOfNothingAndAPictureThatCannotBeDrawnAreRefused) {
-  EXPECT_THROW(drawScenarioSheet(path_, {}, 2, options_), std::invalid_argument);
-  EXPECT_THROW(drawScenarioSheet(path_, {view_}, 0, options_), std::invalid_argument);
-  ScenarioView empty = view_;
-  empty.trajectory.points.clear();
-  EXPECT_NE(errorOf([&] {
-              drawScenarioSheet(path_, {view_, empty}, 2, options_);
-            }).find(path_),
-            std::string::npos);
-  EXPECT_FALSE(exists(path_));
 }
 
 }  // namespace

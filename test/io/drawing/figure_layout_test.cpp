@@ -24,22 +24,6 @@ TEST_P(LayoutFigure, PartsDoNotOverlapAndStayInside) {
   EXPECT_DOUBLE_EQ(layout.close_up.width, layout.close_up.height);
 }
 
-TEST_P(LayoutFigure, HasRoomForEveryCaptionRow) {
-  const FigureLayout layout = layoutFigure(GetParam());
-  const double last_baseline =
-      layout.legend.y + GetParam().font_size + kCaptionRows * layout.line_height;
-  EXPECT_LE(last_baseline + 0.25 * GetParam().font_size, GetParam().height);
-}
-
-TEST_P(LayoutFigure, WithALowerMapWhatIsBelowMovesUp) {
-  const FigureLayout whole = layoutFigure(GetParam());
-  const FigureLayout low = withMapHeight(whole, whole.map.height - 90);
-  EXPECT_DOUBLE_EQ(low.map.height, whole.map.height - 90);
-  EXPECT_DOUBLE_EQ(low.legend.y, whole.legend.y - 90);
-  EXPECT_DOUBLE_EQ(low.report.y, whole.report.y - 90);
-  EXPECT_DOUBLE_EQ(low.close_up.y, whole.close_up.y - 90);
-}
-
 INSTANTIATE_TEST_SUITE_P(Sizes, LayoutFigure,
                          testing::Values(FigureSize{900, 960, 14.0}, FigureSize{600, 640, 10.5},
                                          FigureSize{1600, 700, 14.0}));

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
-
 namespace forge {
 namespace {
 
@@ -49,30 +47,6 @@ TEST(LayoutGrid, NamesLabelsAndCaptionsBelongToTheirCells) {
       EXPECT_EQ(layout.captions[row][column].y, bottom(cell));
     }
   }
-}
-
-TEST(LayoutGrid, CellsAndLabelsAreAsWideAsTheirTexts) {
-  const GridLayout narrow = layoutGrid({1, 1, 10.0, 50.0, 60.0});
-  const GridLayout wide = layoutGrid({1, 1, 10.0, 150.0, 800.0});
-  EXPECT_LT(narrow.cells[0][0].width, 800.0);
-  EXPECT_GT(wide.cells[0][0].width, 800.0);
-  EXPECT_GE(wide.cells[0][0].x - wide.labels[0].x, 150.0);
-  EXPECT_EQ(wide.cells[0][0].height, narrow.cells[0][0].height);
-}
-
-TEST(LayoutGrid, CellsAreWholePixels) {
-  const GridLayout layout = layoutGrid({2, 2, 10.3, 50.7, 60.2});
-  for (const auto& row : layout.cells) {
-    for (const PixelRect& cell : row) {
-      for (const double value : {cell.x, cell.y, cell.width, cell.height}) {
-        EXPECT_EQ(value, static_cast<int>(value));
-      }
-    }
-  }
-}
-
-TEST(LayoutGrid, RefusesAFontWithoutSize) {
-  EXPECT_THROW(layoutGrid({1, 1, 0.0, 50.0, 60.0}), std::invalid_argument);
 }
 
 }  // namespace

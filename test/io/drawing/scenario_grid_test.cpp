@@ -64,24 +64,6 @@ TEST_F(DrawScenarioGrid, EveryCellIsItsScenarioAtItsContact) {
   EXPECT_EQ(at(image, grid, 0, 1, {-18.9, 0}), packedColor(options_.attacker_color));
 }
 
-TEST_F(DrawScenarioGrid, ARefusalShowsTheEgoAsRecordedAndNoAttacker) {
-  const GridPainter grid = painter();
-  const Image image = grid.paintContacts();
-  EXPECT_EQ(at(image, grid, 0, 2, {10, 0}), packedColor(options_.ego_color));
-  EXPECT_NE(at(image, grid, 0, 2, {5.5, 0}), packedColor(options_.attacker_color));
-}
-
-TEST_F(DrawScenarioGrid, CellsOfARowAreAtOneScaleAndShowTheSameGround) {
-  const GridPainter grid = painter();
-  for (const std::size_t column : {1, 2}) {
-    const Viewport& first = grid.viewport(0, 0);
-    const Viewport& other = grid.viewport(0, column);
-    EXPECT_EQ(other.pixelsPerMetre(), first.pixelsPerMetre());
-    EXPECT_LT((other.toWorld(other.area().center()) - first.toWorld(first.area().center())).norm(),
-              1e-9);
-  }
-}
-
 TEST_F(DrawScenarioGrid, WhatCameIsToldWhenItHasComeRefusalsAtOnce) {
   const GridPainter grid = painter(PictureKind::kAnimation);
   const Image before = grid.paint(2.0);
@@ -131,75 +113,12 @@ TEST_F(DrawScenarioGrid, EndsWhereNothingMoreIsKnown) {
   EXPECT_NEAR(painter().end(), 3.0, 1e-6) << "an attacker that goes on";
 }
 
-TEST_F(DrawScenarioGrid, GoesOnUntilTheLastCrashHasComeToAStand) {
-  grid_.rows.pop_back();
-  for (GridCell& cell : grid_.rows[0]) cell = {sampleCrash(), ""};
-  EXPECT_NEAR(painter(PictureKind::kAnimation).end(), 3.04 + 0.5, 1e-6);
-}
-
-TEST_F(DrawScenarioGrid, FarContactsAreShownFromNearToo) {
-  // As seen at one pixel a metre no car is seen well.
-  options_.view_margin = 100.0;
-  const GridPainter grid = painter();
-  const Image image = grid.paintContacts();
-  const auto pixelsOf = [&](const Color& color, std::size_t column) {
-    const PixelRect& cell = grid.viewport(0, column).area();
-    int count = 0;
-    for (int y = static_cast<int>(cell.y); y < cell.y + cell.height / 2 - 10; ++y) {
-      for (int x = static_cast<int>(cell.x); x < cell.x + cell.width; ++x) {
-        count += image.pixel(x, y) == packedColor(color) ? 1 : 0;
-      }
-    }
-    return count;
-  };
-  EXPECT_GT(pixelsOf(options_.contact_color, 0), 0);
-  EXPECT_GT(pixelsOf(options_.text_color, 0), 0) << "its frame";
-  EXPECT_EQ(pixelsOf(options_.text_color, 1), 0) << "no contact, no close-up";
-}
-
-TEST_F(DrawScenarioGrid, SameInputGivesTheSameBytes) {
-  for (const bool moves : {false, true}) {
-    const auto draw = [&] {
-      moves ? drawScenarioGridGif(path_, grid_, options_)
-            : drawScenarioGridPng(path_, grid_, options_);
-      return readBytes(path_);
-    };
-    const std::string first = draw();
-    EXPECT_EQ(first.substr(0, 4), moves ? "GIF8" : "\x89PNG");
-    EXPECT_EQ(draw(), first);
-    EXPECT_FALSE(exists(path_ + ".part"));
-  }
-}
-
-TEST_F(DrawScenarioGrid, TellsHowFarTheAnimationIs) {
-  std::vector<std::size_t> done;
-  std::size_t all = 0;
-  drawScenarioGridGif(path_, grid_, options_, [&](std::size_t now, std::size_t of) {
-    done.push_back(now);
-    all = of;
-  });
-  ASSERT_EQ(done.size(), all);
-  for (std::size_t i = 0; i < all; ++i) EXPECT_EQ(done[i], i + 1);
-}
-
 TEST_F(DrawScenarioGrid, GridsOfNothingAndUnevenOnesAreRefused) {
   EXPECT_THROW(drawScenarioGridPng(path_, {{"one"}, {}}, options_), std::invalid_argument);
   EXPECT_THROW(drawScenarioGridGif(path_, {{}, {{}}}, options_), std::invalid_argument);
   grid_.rows[1].pop_back();
   EXPECT_THROW(drawScenarioGridPng(path_, grid_, options_), std::invalid_argument);
   EXPECT_FALSE(exists(path_));
-}
-
-TEST_F(DrawScenarioGrid, WhatCannotBeDrawnIsRefusedWithTheFile) {
-  grid_.rows[1][1].view.trajectory.points.clear();
-  try {
-    drawScenarioGridPng(path_, grid_, options_);
-    FAIL() << "drew an attack without a trajectory";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find(path_), std::string::npos);
-  }
-  EXPECT_FALSE(exists(path_));
-  EXPECT_FALSE(exists(path_ + ".part"));
 }
 
 }  // namespace

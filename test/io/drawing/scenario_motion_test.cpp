@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "io/drawing/sample_view.h"
 
 namespace forge {
@@ -44,14 +42,6 @@ TEST(ScenarioMotion, EgoAndAttackerMoveAsTheCrashHasItFromTheContactOn) {
   EXPECT_NEAR(motion.egoAt(103.5)->center.x, 13.875, 1e-6);
 }
 
-TEST(ScenarioMotion, StayWhereTheyTouchedInAViewWithoutACrash) {
-  const ScenarioView view = sampleView();
-  const ScenarioMotion motion(view);
-  EXPECT_DOUBLE_EQ(motion.egoAt(103.0)->center.x, 10.0);
-  EXPECT_DOUBLE_EQ(motion.attackerAt(103.0)->center.x, 5.5);
-  EXPECT_DOUBLE_EQ(motion.standTime(), 102.04);
-}
-
 TEST(ScenarioMotion, AnAnimationEndsSomeSecondsAfterTheStandOrWithTheRecording) {
   ScenarioView view = sampleCrash();
   EXPECT_NEAR(ScenarioMotion(view).endTime(), 103.54, 1e-6);
@@ -61,34 +51,6 @@ TEST(ScenarioMotion, AnAnimationEndsSomeSecondsAfterTheStandOrWithTheRecording) 
   EXPECT_NEAR(ScenarioMotion(view).endTime(), 104.0, 1e-6) << "the others are known up to then";
   for (Track& track : view.future.agents) track.states.resize(6);
   EXPECT_NEAR(ScenarioMotion(view).endTime(), 103.04, 1e-6) << "not before both stand";
-}
-
-TEST(ScenarioMotion, GoesOnWithoutContact) {
-  ScenarioView view = sampleView();
-  view.report.contact = false;
-  const ScenarioMotion motion(view);
-  EXPECT_DOUBLE_EQ(motion.keyTime(), 102.0);
-  EXPECT_NEAR(motion.egoAt(103.0)->center.x, 10 + 5 * 0.96, 1e-9);
-  EXPECT_NEAR(motion.attackerAt(103.0)->center.x, 5.5 + 10 * 0.96, 1e-9);
-}
-
-TEST(ScenarioMotion, OthersLeaveOutTheAttacker) {
-  const ScenarioView view = sampleView();
-  const ScenarioMotion motion(view);
-  for (const double time : {99.0, 101.0}) {
-    const std::vector<AgentBox> others = motion.othersAt(time);
-    ASSERT_EQ(others.size(), 1U);
-    EXPECT_DOUBLE_EQ(others.front().box.center.y, 8.0);
-  }
-}
-
-TEST(ScenarioMotion, KnowsWhatARecordedAttackerDidAndOfAnAddedOneNothing) {
-  ScenarioView view = sampleView();
-  EXPECT_NEAR(ScenarioMotion(view).recordedAttackerAt(102.04)->center.x, 40.0, 1e-9);
-  EXPECT_NEAR(ScenarioMotion(view).recordedAttackerAt(103.04)->center.x, 50.0, 1e-9);
-  EXPECT_FALSE(ScenarioMotion(view).recordedAttackerAt(99.0));
-  view.trajectory.past = view.snapshot.agents.front().states;
-  EXPECT_FALSE(ScenarioMotion(view).recordedAttackerAt(102.0));
 }
 
 TEST(ScenarioMotion, OthersInThePathAtContactWereElsewhereWhenPassed) {
@@ -104,14 +66,6 @@ TEST(ScenarioMotion, OthersInThePathAtContactWereElsewhereWhenPassed) {
   EXPECT_NEAR(passed.front().at_key_time.box.center.y, 0.0, 1e-9);
   // The attacker's rear, 2.5 m behind its middle, leaves the truck's front at x = -3: 0.6 s before.
   EXPECT_NEAR(passed.front().then.box.center.y, 6.0, 1.0 + 1e-6);
-}
-
-TEST(ScenarioMotion, BoxesReachBothEnds) {
-  const ScenarioView view = sampleView();
-  const std::vector<OrientedBox> boxes = ScenarioMotion(view).egoBoxes(100.0, 102.04);
-  EXPECT_EQ(boxes.size(), 22U);
-  EXPECT_NEAR(boxes.front().center.x, 10 - 5 * 2.04, 1e-9);
-  EXPECT_DOUBLE_EQ(boxes.back().center.x, 10.0);
 }
 
 TEST(ScenarioMotion, OfAnEscapeTheKeyTimeIsThatOfTheHit) {

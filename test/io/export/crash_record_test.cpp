@@ -38,12 +38,6 @@ TEST(CrashRecord, BeginsAtZeroWithTheHistoryAndEndsAfterTheContact) {
   EXPECT_NEAR(record.ego.states[50].pose.x, 30.0, 1e-6);
 }
 
-TEST(CrashRecord, HistoryIsAsLongAsWasRecordedAndNoneWhereNoneIsWanted) {
-  EXPECT_DOUBLE_EQ(slowCarRecord(10.0).now, 3.0);
-  EXPECT_DOUBLE_EQ(slowCarRecord(0.0).now, 0.0);
-  EXPECT_NEAR(*slowCarRecord(0.0).contact, 3.5, 1e-3);
-}
-
 TEST(CrashRecord, AttackerIsAsRecordedThenDrivesItsAttack) {
   const CrashRecord record = slowCarRecord();
   EXPECT_NEAR(record.attacker.states.front().time, 1.0, 1e-9);
@@ -70,12 +64,6 @@ TEST(CrashRecord, OthersAreThoseNearAtTheStepsAtWhichTheyWereSeen) {
   EXPECT_NEAR(stretches[0].back().time, 1.0, 1e-9);
   EXPECT_NEAR(stretches[1].front().time, 3.0, 1e-9);
   EXPECT_NEAR(stretches[1].back().time, 4.0, 1e-9);
-}
-
-TEST(CrashRecord, LanesAreThoseNear) {
-  const CrashRecord record = slowCarRecord();
-  ASSERT_EQ(record.lanes.lanes.size(), 2u);
-  EXPECT_EQ(record.lanes.lanes[0].outgoing, std::vector<std::string>{"second"});
 }
 
 TEST(CrashRecord, WithoutAContactItEndsWithTheTrajectoryOrTheRecording) {

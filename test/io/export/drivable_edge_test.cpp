@@ -21,11 +21,6 @@ Polygon rectangle(double left, double bottom, double right, double top) {
   return {{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, {}};
 }
 
-TEST(DrivableEdge, ALonePolygonsGoesAllAround) {
-  EXPECT_THAT(drivableEdges({rectangle(0, 0, 8, 4)}, kOrigin, kFar),
-              ElementsAre(Line{{0.0, 0.0}, {8.0, 0.0}, {8.0, 4.0}, {0.0, 4.0}, {0.0, 0.0}}));
-}
-
 TEST(DrivableEdge, AHoleIsAnEdge) {
   Polygon square = rectangle(0, 0, 30, 30);
   square.holes = {rectangle(10, 10, 20, 20).exterior};
@@ -43,11 +38,6 @@ TEST(DrivableEdge, WhatLiesBetweenPolygonsIsNone) {
                          Line{{10.0, 0.0}, {20.0, 0.0}, {20.0, 4.0}, {10.0, 4.0}}));
 }
 
-TEST(DrivableEdge, WhatLiesWithinAnotherPolygonIsNone) {
-  EXPECT_EQ(drivableEdges({rectangle(0, 0, 20, 20), rectangle(5, 5, 9, 9)}, kOrigin, kFar).size(),
-            1u);
-}
-
 TEST(DrivableEdge, ALineIsCutWhereItLeadsIntoAnotherPolygon) {
   // A street from the left runs into one from bottom to top.
   const auto lines =
@@ -58,11 +48,6 @@ TEST(DrivableEdge, ALineIsCutWhereItLeadsIntoAnotherPolygon) {
   EXPECT_EQ(street->front(), Vector2(-30, -2));
   EXPECT_NEAR(street->back().x(), -3.0, kEdgePiece);
   EXPECT_EQ(street->size(), 2u);
-}
-
-TEST(DrivableEdge, AnEdgeOfTwoPolygonsIsToldOnce) {
-  EXPECT_EQ(drivableEdges({rectangle(0, 0, 8, 4), rectangle(0, 0, 8, 4)}, kOrigin, kFar).size(),
-            1u);
 }
 
 TEST(DrivableEdge, OnlyWhatIsNearIsTold) {

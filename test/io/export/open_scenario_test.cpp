@@ -1,9 +1,7 @@
 #include "collision_forge/io/export/open_scenario.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <pugixml.hpp>
 #include <set>
 
@@ -40,31 +38,6 @@ class OpenScenario : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(OpenScenario, PlacesAreThoseOfRearAxlesAboutTheLocalOrigin) {
-  const CrashRecord record = slowCarRecord();
-  const auto document = written(record, ".xosc");
-  const auto ego = document.select_nodes((driveOf("ego") + "//Vertex").c_str());
-  constexpr std::size_t kMoving = 60;  // of who stands, at the end, two vertices are enough
-  ASSERT_GT(ego.size(), kMoving);
-  const Vector2 origin = localOrigin(record);
-  EXPECT_EQ(origin, Vector2(-20.0, 0.0));
-  for (std::size_t i = 0; i < kMoving; ++i) {
-    const xml_node vertex = ego[static_cast<std::ptrdiff_t>(i)].node();
-    EXPECT_EQ(vertex.attribute("time").as_double(), record.ego.states[i].time);
-    const xml_node position = vertex.child("Position").child("WorldPosition");
-    EXPECT_NEAR(position.attribute("x").as_double(), record.ego.states[i].pose.x - 1.4 - origin.x(),
-                1e-9);
-  }
-  EXPECT_DOUBLE_EQ(at(document, "//ScenarioObject[@name='ego']//Center").attribute("x").as_double(),
-                   1.4);
-  const xml_node walker = at(document, "//ScenarioObject[.//Property[@value='walker']]");
-  EXPECT_TRUE(walker.child("Pedestrian"));
-  const xml_node center = walker.child("Pedestrian").child("BoundingBox").child("Center");
-  EXPECT_EQ(center.attribute("x").as_double(), 0.0);
-  EXPECT_EQ(std::string(at(document, "//LogicFile").attribute("filepath").value()),
-            "scene-0001_17.xodr");
-}
-
 TEST_F(OpenScenario, WhoComesLaterIsAddedAndWhoGoesIsDeleted) {
   const auto document = written(slowCarRecord(), ".xosc");
   std::set<std::string> there;
@@ -98,13 +71,6 @@ TEST_F(OpenScenario, ParametersTellTheCrashAndTheStoryboardEndsWithTheRecord) {
   const xml_node stop = at(document, "/OpenSCENARIO/Storyboard/StopTrigger");
   EXPECT_EQ(stop.select_node(".//SimulationTimeCondition").node().attribute("value").as_double(),
             record.end());
-}
-
-TEST_F(OpenScenario, AFreeEgoHasAStartAlone) {
-  const auto document = written(slowCarRecord(0.0), ".xosc", true);
-  EXPECT_TRUE(document.select_node("//Init//Private[@entityRef='ego']"));
-  EXPECT_FALSE(document.select_node(driveOf("ego").c_str()));
-  EXPECT_TRUE(document.select_node(driveOf("attacker").c_str()));
 }
 
 TEST_F(OpenScenario, HeadingsGoOnOverPi) {
@@ -169,21 +135,6 @@ TEST_F(OpenScenario, ForksAreJunctionsWithTheirLaneLinks) {
             2u);
   EXPECT_EQ(document.select_nodes("//road[@junction!='-1']").size(), 2u);
   EXPECT_FALSE(document.select_node("//road[@junction='-1']//lane/link/successor"));
-}
-
-TEST_F(OpenScenario, TheSameRecordGivesTheSameBytes) {
-  const auto bytes = [&] {
-    makeOpenScenarioWriter(planFor(folder_.path()))->write(slowCarRecord());
-    std::string all;
-    for (const char* ending : {".xosc", ".xodr"}) {
-      std::ifstream file(folder_.path() + "/scene-0001_17" + ending, std::ios::binary);
-      all.append(std::istreambuf_iterator<char>(file), {});
-    }
-    return all;
-  };
-  const std::string once = bytes();
-  EXPECT_GT(once.size(), 5000u);
-  EXPECT_EQ(bytes(), once);
 }
 
 }  // namespace

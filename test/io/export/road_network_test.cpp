@@ -129,30 +129,6 @@ TEST(RoadNetwork, WhereLanesPartWithoutConnectorsAShortPieceConnectsThem) {
   EXPECT_NEAR(roads.at("c").length(), 0.4, 1e-12);  // a third of a short lane at most
 }
 
-TEST(RoadNetwork, AConnectorReachesALaneThatLostItsBeginning) {
-  Map map;
-  map.add("a", false, straight({0, 0, 0}, 10.0), {"c", "d"});
-  map.add("c", true, straight({10, 0, 0}, 5.0), {"b"});
-  map.add("d", true, straight({10, 0, 0.05}, 5.0), {});
-  map.add("e", false, straight({5, 0, 0}, 10.0), {"b"});
-  map.add("b", false, straight({15, 0, 0}, 20.0), {});
-  const RoadNetwork network = map.network();
-  expectSound(network);
-  const auto roads = byLane(network);
-  EXPECT_NEAR(roads.at("c").length(), 5.0 + kForkPiece, 1e-12);
-}
-
-TEST(RoadNetwork, ConnectorsThatFollowConnectorsAreSound) {
-  Map map;
-  map.add("a", false, straight({0, 0, 0}, 10.0), {"c", "d"});
-  map.add("c", true, straight({10, 0, 0}, 5.0), {"e", "f"});
-  map.add("d", true, straight({10, 0, 0.05}, 5.0), {});
-  map.add("e", true, straight({15, 0, 0}, 5.0), {"b"});
-  map.add("f", true, straight({15, 0, -0.05}, 5.0), {});
-  map.add("b", false, straight({20, 0, 0}, 20.0), {});
-  expectSound(map.network());
-}
-
 TEST(RoadNetwork, LinksAcrossAGapAndLanesWithoutACourseAreLeftOut) {
   Map map;
   map.add("a", false, straight({0, 0, 0}, 10.0), {"b", "none", "a", "short"});

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <stdexcept>
 
 #include "collision_forge/base/files/aside_file.h"
 #include "io/export/inlined.h"
@@ -44,21 +43,12 @@ class ScenarioNetSummary : public testing::Test {
   PickleWorkers workers_;
 };
 
-TEST(ScenarioNetDescription, FilesAreNamedAsTheFormatWants) {
-  EXPECT_EQ(scenarioNetFile("scene-0001_7"), "sd_collision_forge_v1_scene-0001_7.pkl");
-}
-
 TEST(ScenarioNetDescription, MetadataTellRowsPlaceAndWhoDrivesItself) {
   const std::string json = inlined(scenarioNamed("s1"));
   EXPECT_THAT(json, HasSubstr(R"("length":3,)"));
   EXPECT_THAT(json, HasSubstr(R"("map":"a-town")"));
   EXPECT_THAT(json, HasSubstr(R"("ts":[0,0.1,0.2],"current_time_index":1,"sdc_id":"ego")"));
   EXPECT_THAT(json, HasSubstr(R"("num_map_features":1)"));
-}
-
-TEST(ScenarioNetDescription, RowsThatAreNotEvenHaveNoRate) {
-  EXPECT_THAT(inlined(scenarioNamed("s1")), HasSubstr(R"("sample_rate":0.1)"));
-  EXPECT_THAT(inlined(scenarioNamed("s1", std::nullopt)), Not(HasSubstr("sample_rate")));
 }
 
 TEST(ScenarioNetDescription, WhatTheFormatHasNoWordForIsAddedToTheOwn) {
@@ -90,15 +80,6 @@ TEST_F(ScenarioNetSummary, TheNamesOfAFolderAreThoseOfItsScenarios) {
     writeText(pathOf(file), "");
   }
   EXPECT_THAT(scenarioNetNames(folder_), ElementsAre("s1.a", "s2"));
-}
-
-TEST_F(ScenarioNetSummary, AFileThatIsGoneIsNamed) {
-  try {
-    writeScenarioNetSummary(folder_, {"gone_1"}, workers_);
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("sd_collision_forge_v1_gone_1.pkl: cannot be read"));
-  }
 }
 
 }  // namespace

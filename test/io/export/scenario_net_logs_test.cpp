@@ -135,16 +135,6 @@ TEST_F(ScenarioNetLogsTest, WhatWasRecordedComesBack) {
   EXPECT_EQ(back.map->driving_side, map.driving_side);
 }
 
-TEST_F(ScenarioNetLogsTest, AFileOfEvenStepsHasTheFramesThatWereRecorded) {
-  SceneSource tables({kEmbedded, ""}, {"scene-0002"}, shippedConfig(), 1);
-  const Scene& told = tables.at("scene-0002")->scene;
-  const LoggedScene back = read(scenarioNetOf(told, RowTimes::kEveryStep, shippedConfig().exports));
-  ASSERT_EQ(back.recording.frames.size(), told.frame_times.size());
-  EXPECT_NEAR(1e-6 * static_cast<double>(back.recording.frames.at(3).timestamp_us),
-              told.frame_times.at(3), 1e-6);
-  EXPECT_THAT(warnings_, IsEmpty());
-}
-
 TEST_F(ScenarioNetLogsTest, ReadsWhatOthersConvert) {
   const LoggedScene logged = read(Description().content());
   EXPECT_EQ(logged.recording.name, "sd_waymo_v1_a");
@@ -180,22 +170,6 @@ TEST_F(ScenarioNetLogsTest, APolylineMayBeAListOfPoints) {
   EXPECT_EQ(lane.centerline[1].y, 0.5);
 }
 
-TEST_F(ScenarioNetLogsTest, NumbersOfLanesAreKeptExactly) {
-  const std::int64_t id = (std::int64_t{1} << 53) + 1;  // no double
-  PickleContent content = Description().content();
-  const std::string list = R"(["13","nowhere"])";
-  content.json.replace(content.json.find(R"("13":{)"), 4, '"' + std::to_string(id) + '"');
-  const std::string at = std::to_string(content.items.size() / sizeof(id));
-  content.items.append(reinterpret_cast<const char*>(&id), sizeof(id));
-  for (const std::string& links :
-       {'[' + std::to_string(id) + ']', R"({"ndarray":[1],"dtype":"i8","at":)" + at + '}'}) {
-    PickleContent changed = content;
-    changed.json.replace(changed.json.find(list), list.size(), links);
-    EXPECT_THAT(read(changed).lanes->map().lanes.at(0).outgoing, ElementsAre(std::to_string(id)))
-        << links;
-  }
-}
-
 TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsTurned) {
   Description description;
   description.length = 2.0;
@@ -205,12 +179,6 @@ TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsTurned) {
   std::swap(description.length, description.width);
   EXPECT_EQ(read(description.content()).recording.frames.at(0).annotations.at(0).category,
             "vehicle.truck");
-}
-
-TEST_F(ScenarioNetLogsTest, ALaneWithoutLengthHasNoCenterline) {
-  Description short_lane;
-  short_lane.lane_end = 10.0 + 1e-8;
-  EXPECT_TRUE(read(short_lane.content()).lanes->map().lanes[1].centerline.empty());
 }
 
 TEST_F(ScenarioNetLogsTest, NamesWhatIsWrong) {
@@ -231,12 +199,6 @@ TEST_F(ScenarioNetLogsTest, NamesWhatIsWrong) {
               testing::ThrowsMessage<std::runtime_error>(
                   HasSubstr("map_features.12.speed_limit_kmh: is no finite number")));
   EXPECT_THROW(readBytes("cos\nsystem\n."), PickleError);
-}
-
-TEST_F(ScenarioNetLogsTest, TwoFilesOfOneNameAreRefused) {
-  folder_.write("a/sd_x_v1_1.pkl", "");
-  folder_.write("b/sd_x_v1_1.pkl", "");
-  EXPECT_THROW(readSceneNames({folder_.path(), "", &scenarioNetFormat()}), std::runtime_error);
 }
 
 }  // namespace

@@ -18,10 +18,6 @@ Lane lane(const std::string& id, double x) {
   return lane;
 }
 
-std::string featuresOf(const LaneMap& map) {
-  return inlined([&](PickleWriter& writer) { writeMapFeatures(writer, map, {}); });
-}
-
 TEST(ScenarioNetMap, LanesLeadToLanesThatAreThere) {
   LaneMap map;
   map.lanes = {lane("l1", 0.0), lane("l2", 20.0), lane("point", 40.0)};
@@ -40,15 +36,6 @@ TEST(ScenarioNetMap, LanesLeadToLanesThatAreThere) {
   EXPECT_THAT(json, HasSubstr(R"("type":"LANE_SURFACE_STREET","is_intersection":false,)"));
   EXPECT_THAT(json, HasSubstr(R"("exit_lanes":["l2"])"));
   EXPECT_THAT(json, Not(HasSubstr("point")));
-}
-
-TEST(ScenarioNetMap, AnOutlineFarFromItsLaneIsLeftOut) {
-  LaneMap map;
-  map.lanes = {lane("l1", 0.0)};
-  map.lanes[0].polygon = {{0.0, -1.5}, {20.0, -1.5}, {20.0, 1.5}};
-  EXPECT_THAT(featuresOf(map), HasSubstr(R"("polygon":[[0,-1.5],[20,-1.5],[20,1.5]])"));
-  map.lanes[0].polygon = {{400.0, -1.5}, {20.0, -1.5}, {20.0, 1.5}};
-  EXPECT_THAT(featuresOf(map), Not(HasSubstr("polygon")));
 }
 
 TEST(ScenarioNetMap, WalkwaysAndTheEdgeOfTheRoadAreTold) {

@@ -55,26 +55,6 @@ std::string statesItem(const Track& track, std::size_t rows, const StateOfRow& s
          arrayItem("velocity", velocities, 2);
 }
 
-TEST(ScenarioNetScene, RowsAsRecordedAreTheFramesToTheLastBit) {
-  Scene scene = sampleScene();
-  // Frames of nuScenes are not even.
-  for (std::size_t i = 1; i < scene.frame_times.size(); ++i) {
-    const double time = scene.frame_times[i] + 1e-3 * static_cast<double>(i % 3) + 1e-6;
-    scene.frame_times[i] = scene.ego.states[i].time = time;
-  }
-  std::vector<double> times;
-  for (const double time : scene.frame_times) times.push_back(time - scene.frame_times[0]);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    EXPECT_EQ(scene.frame_times[0] + times[i], scene.frame_times[i]);
-  }
-  const std::string json = told(scene, RowTimes::kAsRecorded);
-  EXPECT_THAT(json, HasSubstr(arrayItem("ts", times)));
-  EXPECT_THAT(json, HasSubstr(statesItem(scene.ego, times.size(), [&](std::size_t row) {
-                return std::optional(scene.ego.states[row]);
-              })));
-  EXPECT_THAT(json, Not(HasSubstr("sample_rate")));
-}
-
 TEST(ScenarioNetScene, RowsEveryStepAreBetweenTheFrames) {
   const Scene scene = sampleScene();
   std::vector<double> times;
@@ -86,20 +66,6 @@ TEST(ScenarioNetScene, RowsEveryStepAreBetweenTheFrames) {
   std::vector<bool> seen(91, true);
   std::fill(seen.begin(), seen.begin() + 20, false);
   EXPECT_THAT(json, HasSubstr(validItem(seen)));
-}
-
-TEST(ScenarioNetScene, AStepAtAFrameIsOfThatFrameWhateverTheRounding) {
-  const Scene scene = sampleScene();
-  for (std::size_t frame = 1; frame < scene.frame_times.size(); ++frame) {
-    for (const double shift : {-6e-7, 6e-7}) {  // s
-      Scene shifted = scene;
-      const double time = scene.frame_times[frame] + shift;
-      shifted.frame_times[frame] = shifted.ego.states[frame].time = time;
-      shifted.agents = {{"once", AgentClass::kCar, {4.0, 2.0}, {{time, {3.0, 3.0, 0.0}, {}}}}};
-      EXPECT_THAT(told(shifted, RowTimes::kEveryStep), HasSubstr(R"("object_id":"once")"))
-          << frame << " " << shift;
-    }
-  }
 }
 
 TEST(ScenarioNetScene, WhoIsOutOfSightForATimeIsZeroThere) {
@@ -132,24 +98,6 @@ TEST(ScenarioNetScene, AFrameAtWhichSomebodyWasNotAnnotatedIsFilledAtStepsAlone)
   EXPECT_NE(json.find(always), json.rfind(always));  // of the ego and the walker
 }
 
-TEST(ScenarioNetScene, EverybodyIsToldHoweverFarAndWhoIsNeverSeenIsNot) {
-  Scene scene = sampleScene();
-  scene.agents.push_back({"before", AgentClass::kCar, {4.0, 2.0}, {{kNow - 20.0, {}, {}}}});
-  scene.agents.push_back({"between", AgentClass::kCar, {4.0, 2.0}, {{kNow + 0.25, {}, {}}}});
-  for (const RowTimes rows : {RowTimes::kEveryStep, RowTimes::kAsRecorded}) {
-    const std::string json = told(scene, rows);
-    for (const char* id : {kEgoId, "a", "walker", "bus", "bicycle"}) {
-      EXPECT_THAT(json, HasSubstr(R"("object_id":")" + std::string(id) + '"'));
-    }
-    EXPECT_THAT(json, Not(HasSubstr(R"("before")")));
-    EXPECT_THAT(json, Not(HasSubstr(R"("between")")));
-  }
-}
-
-TEST(ScenarioNetScene, TheMapIsWhole) {
-  EXPECT_THAT(told(sampleScene(), RowTimes::kEveryStep), HasSubstr(R"("far":{)"));
-}
-
 TEST(ScenarioNetScene, TheMetadataTellClockFramesAndGround) {
   Scene scene = sampleScene();
   auto map = std::make_shared<LaneMap>(*scene.map);
@@ -180,18 +128,6 @@ TEST(ScenarioNetScene, FramesWithoutTheEgoAreLeftOut) {
   EXPECT_THAT(json, HasSubstr(R"("start":1533153455.9,)"));
   EXPECT_THAT(json, HasSubstr(R"("length":17,)"));
   EXPECT_THAT(told(scene, RowTimes::kEveryStep), HasSubstr(R"("length":81,)"));
-}
-
-TEST(ScenarioNetScene, AnEgoThatIsLostBetweenFramesHasNoSteps) {
-  Scene scene = sampleScene();
-  scene.ego.states.erase(scene.ego.states.begin() + 4, scene.ego.states.begin() + 7);
-  EXPECT_THAT(told(scene, RowTimes::kAsRecorded), HasSubstr(R"("length":16,)"));
-  try {
-    told(scene, RowTimes::kEveryStep);
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "the ego is lost for a time in scene-0001");
-  }
 }
 
 TEST(ScenarioNetScene, ASceneWithoutAFrameOfTheEgoIsRefused) {

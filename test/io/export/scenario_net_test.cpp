@@ -4,9 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 
 #include "collision_forge/base/files/plain_name.h"
 #include "io/export/inlined.h"
@@ -73,31 +70,6 @@ class ScenarioNet : public testing::Test {
   const std::string folder_ = testing::TempDir() + "scenario_net_test";
 };
 
-TEST_F(ScenarioNet, AFileIsNamedAsItsCrash) {
-  EXPECT_THAT(makeScenarioNetWriter(planIn(folder_))->write(sampleRecord()),
-              ElementsAre("sd_collision_forge_v1_scene-0001_7.pkl"));
-}
-
-TEST_F(ScenarioNet, TheSameRecordGivesTheSameBytes) {
-  const auto bytes = [&] {
-    std::ifstream file(fileOf(sampleRecord()), std::ios::binary);
-    return std::string{std::istreambuf_iterator<char>(file), {}};
-  };
-  const std::string once = bytes();
-  EXPECT_GT(once.size(), 1000u);
-  EXPECT_EQ(bytes(), once);
-}
-
-TEST_F(ScenarioNet, EgoAttackerAndOthersHaveARowAStep) {
-  const std::string json = written(sampleRecord());
-  EXPECT_THAT(json, HasSubstr(R"("ts":[0,0.1,0.2,0.30000000000000004],)"));
-  for (const char* id : {R"("object_id":"ego")", R"("object_id":"a1")", R"("object_id":"b1")"}) {
-    EXPECT_THAT(json, HasSubstr(id));
-  }
-  EXPECT_THAT(json, HasSubstr(R"("valid":[false,true,true,true])"));
-  EXPECT_THAT(json, HasSubstr(R"("sdc_id":"ego")"));
-}
-
 TEST_F(ScenarioNet, TheEdgeOfTheRoadIsToldAlongTheWaysOfEgoAndAttacker) {
   CrashRecord record = sampleRecord();
   const std::string edge = "ROAD_EDGE_BOUNDARY";
@@ -129,12 +101,6 @@ TEST_F(ScenarioNet, TheSummaryIsOfAllCrashes) {
   writer->finish({{"scene-0001_7", "scene-0001", "a-town", 4}});
   EXPECT_TRUE(std::filesystem::exists(folder_ + "/dataset_summary.pkl"));
   EXPECT_TRUE(std::filesystem::exists(folder_ + "/dataset_mapping.pkl"));
-}
-
-TEST_F(ScenarioNet, RefusesAFreeEgo) {
-  ExportPlan plan = planIn(folder_);
-  plan.ego_free = true;
-  EXPECT_THROW(makeScenarioNetWriter(plan), std::invalid_argument);
 }
 
 }  // namespace

@@ -17,11 +17,6 @@ using testing::HasSubstr;
 
 const LogSource kEmbedded{COLLISION_FORGE_SOURCE_DIR "/data/embedded", ""};
 
-TEST(LogSource, TheOnlyVersionNeedsNoName) {
-  EXPECT_EQ(versionOf(kEmbedded), "v1.0-embedded");
-  EXPECT_EQ(versionOf({kEmbedded.path, "v2"}), "v2");
-}
-
 TEST(LogSource, SeveralVersionsAreNamed) {
   const TemporaryFolder folder;
   EXPECT_THAT(errorOf([&] { versionOf({folder.path(), ""}); }), HasSubstr("no folder in it"));
@@ -32,11 +27,6 @@ TEST(LogSource, SeveralVersionsAreNamed) {
                 versionOf({folder.path(), ""});
               }),
               HasSubstr("v1.0-mini, v1.0-trainval"));
-}
-
-TEST(LogSource, ItsTitleIsShort) {
-  EXPECT_EQ((LogSource{"/logs/nuscenes", "v1.0-mini"}.title()), "v1.0-mini");
-  EXPECT_EQ((LogSource{"/logs/waymo/", ""}.title()), "waymo");
 }
 
 TEST(LogSource, WantedScenesAreInItsOrder) {

@@ -42,16 +42,6 @@ TEST(NuScenesJson, readsNumbersToTheLastBit) {
   });
 }
 
-TEST(NuScenesJson, aRowForgetsTheOneBefore) {
-  const TemporaryFolder folder;
-  const std::string path =
-      folder.write("table.json", R"([{"token": "a", "n": 1}, {"token": "b"}])");
-  const std::string error = errorOf([&] {
-    readTable(path, {"token", "n"}, [](const JsonRow& row) { row.integer(1); });
-  });
-  EXPECT_EQ(error, path + ": token b: field n is missing");
-}
-
 TEST(NuScenesJson, namesTheByteWhereAFileIsCutOff) {
   const std::string whole = R"([{"token": "a"}, {"token": "b"}])";
   EXPECT_EQ(errorOfTable(whole), "");
@@ -66,8 +56,6 @@ TEST(NuScenesJson, survivesNestingThatWouldExhaustTheStack) {
   const std::string deep(1000000, '[');
   EXPECT_THAT(errorOfTable("[{\"x\": " + deep), HasSubstr("is nested too deeply"));
 }
-
-TEST(NuScenesJson, anEmptyTableHasNoRows) { EXPECT_EQ(errorOfTable("[]"), ""); }
 
 TEST(NuScenesJson, namesAFileThatIsNotThere) {
   EXPECT_THAT(errorOf([] { readTable("/nowhere/a.json", {"token"}, [](const JsonRow&) {}); }),

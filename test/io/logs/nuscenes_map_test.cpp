@@ -67,14 +67,6 @@ TEST(NuScenesMap, readsLanesConnectorsAndArea) {
   EXPECT_TRUE(contains(map.walkways[0], {15.0, 0.0}));
 }
 
-TEST(NuScenesMap, linksAreMutual) {
-  const Result result = readTiny(tinyMap());
-  EXPECT_THAT(laneOf(result.map, "a").outgoing, ElementsAre("b"));
-  EXPECT_THAT(laneOf(result.map, "b").incoming, ElementsAre("a"));
-  EXPECT_THAT(laneOf(result.map, "b").outgoing, ElementsAre("c"));
-  EXPECT_THAT(laneOf(result.map, "c").incoming, ElementsAre("b"));
-}
-
 TEST(NuScenesMap, resolutionSetsThePosesOfACenterline) {
   const auto fine = laneOf(readTiny(tinyMap(), 0.5).map, "a").centerline;
   const auto coarse = laneOf(readTiny(tinyMap(), 2.0).map, "a").centerline;
@@ -245,14 +237,6 @@ TEST(NuScenesMap, cropKeepsWhatIsNearAndCutsLinks) {
   EXPECT_EQ(cropped(map, {{15.0, 0.0}}, 5.5).lanes.size(), 3U) << "b's links stay with a and c";
   EXPECT_TRUE(cropped(map, {{-5.0, 0.0}}, 4.9).lanes.empty());
   EXPECT_TRUE(cropped(map, {}, 1e6).lanes.empty());
-}
-
-TEST(NuScenesMap, cropKeepsALargeAreaAroundThePoint) {
-  LaneMap map;
-  map.drivable_area = {{{{0, 0}, {100, 0}, {100, 100}, {0, 100}}, {}}};
-  EXPECT_EQ(cropped(map, {{50.0, 50.0}}, 1.0).drivable_area.size(), 1U);
-  EXPECT_EQ(cropped(map, {{100.5, 50.0}}, 1.0).drivable_area.size(), 1U);
-  EXPECT_TRUE(cropped(map, {{102.0, 50.0}}, 1.0).drivable_area.empty());
 }
 
 }  // namespace

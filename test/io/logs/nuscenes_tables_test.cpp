@@ -55,23 +55,6 @@ TEST(NuScenesTables, takesOnlyLidarPosesInOrderOfTime) {
   EXPECT_NEAR(recording.ego_poses[2].rotation.w(), 0.7071067811865476, 1e-15);
 }
 
-TEST(NuScenesTables, oneSceneIsTheSameAloneAsAmongAll) {
-  const TemporaryFolder folder;
-  const NuScenesRoot all = tinyRoot(folder);
-  const NuScenesRoot one = tinyRoot(folder, {"scene-0001"});
-  EXPECT_THAT(one.sceneNames(), ElementsAre("scene-0001"));
-  const NuScenesRecording a = all.readScene("scene-0001");
-  const NuScenesRecording b = one.readScene("scene-0001");
-  ASSERT_EQ(a.frames.size(), b.frames.size());
-  for (std::size_t i = 0; i < a.frames.size(); ++i) {
-    ASSERT_EQ(a.frames[i].annotations.size(), b.frames[i].annotations.size());
-    for (std::size_t j = 0; j < a.frames[i].annotations.size(); ++j) {
-      EXPECT_EQ(a.frames[i].annotations[j].token, b.frames[i].annotations[j].token);
-      EXPECT_EQ(a.frames[i].annotations[j].velocity, b.frames[i].annotations[j].velocity);
-    }
-  }
-}
-
 TEST(NuScenesTables, rowsOfOtherScenesAreNotChecked) {
   const TemporaryFolder folder;
   auto tables = tinyTables();
@@ -83,22 +66,6 @@ TEST(NuScenesTables, rowsOfOtherScenesAreNotChecked) {
   EXPECT_EQ(root.readScene("scene-0002").frames.size(), 1U);
   EXPECT_THAT(errorOf([&] { root.readScene("scene-0001"); }),
               HasSubstr("scene-0001 is not among the scenes asked for"));
-}
-
-TEST(NuScenesTables, reportsProgressUpToTheLastByte) {
-  const TemporaryFolder folder;
-  writeTables(folder, tinyTables());
-  std::uint64_t last = 0;
-  std::uint64_t total = 0;
-  NuScenesReadOptions options;
-  options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
-    EXPECT_GE(done, last);
-    last = done;
-    total = all;
-  };
-  const NuScenesRoot root(folder.path(), "v1.0-tiny", options);
-  EXPECT_GT(total, 0U);
-  EXPECT_EQ(last, total);
 }
 
 TEST(NuScenesTables, namesTheNearestScenes) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <map>
@@ -43,12 +42,6 @@ TEST(SceneSource, HasTheSceneWithItsMap) {
   EXPECT_EQ(scenes.at("scene-0007")->lanes->map().driving_side, DrivingSide::kLeft);
 }
 
-TEST(SceneSource, SharesOneMapAmongScenesOfAPlace) {
-  SceneSource scenes = source(2);
-  EXPECT_EQ(scenes.at("scene-0001")->lanes, scenes.at("scene-0002")->lanes);
-  EXPECT_NE(scenes.at("scene-0001")->lanes, scenes.at("scene-0007")->lanes);
-}
-
 TEST(SceneSource, HoldsTheScenesUsedLast) {
   SceneSource scenes = source(2);
   const std::weak_ptr<const IndexedScene> first = scenes.at("scene-0001");
@@ -59,18 +52,6 @@ TEST(SceneSource, HoldsTheScenesUsedLast) {
   EXPECT_TRUE(second.expired()) << "used longest ago";
   EXPECT_FALSE(first.expired());
   EXPECT_EQ(scenes.at("scene-0001"), first.lock()) << "not read again";
-}
-
-TEST(SceneSource, MayBeAskedByManyThreads) {
-  SceneSource scenes = source(1);
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 4; ++i) {
-    threads.emplace_back([&scenes, i] {
-      const std::string name = i % 2 == 0 ? "scene-0001" : "scene-0007";
-      for (int j = 0; j < 20; ++j) EXPECT_EQ(scenes.at(name)->scene.name, name);
-    });
-  }
-  for (std::thread& thread : threads) thread.join();
 }
 
 /// Scenes without anything in them. Reading one ends when as many scenes are being read as wanted.

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "base/scene/shipped_limits.h"
 #include "io/logs/nuscenes_fixture.h"
 
@@ -64,30 +62,6 @@ TEST(RequestFile, FingerprintsTellListsApart) {
   EXPECT_NE(fingerprintOf({request(), request()}), both);
 }
 
-TEST(RequestFile, ALineIsReadAsItWasWritten) {
-  const SceneRequest read = readRequestLine("", kLine);
-  EXPECT_EQ(read.scene, "scene-0001");
-  EXPECT_EQ(read.now, 1531883530.949817);
-  EXPECT_EQ(read.request.type, CollisionType::kLtap);
-  EXPECT_EQ(read.request.tta, 4.5);
-  EXPECT_EQ(read.request.attacker, "a1");
-  EXPECT_EQ(read.request.seed, 18446744073709551615u);
-}
-
-TEST(RequestFile, WhatIsNotByDefaultIsAFieldMore) {
-  SceneRequest asked = request();
-  asked.request.choice = AttackerChoice::kExisting;
-  asked.request.crash.believable = false;
-  asked.request.ego_side = Side::kLeft;
-  const std::string line = requestLine(asked);
-  EXPECT_THAT(line, HasSubstr(R"(615,"choice":"existing","believable":false,"ego_side":"left"})"));
-  const CollisionRequest read = readRequestLine("", line).request;
-  EXPECT_EQ(read.choice, AttackerChoice::kExisting);
-  EXPECT_FALSE(read.crash.believable);
-  EXPECT_EQ(read.ego_side, Side::kLeft);
-  EXPECT_FALSE(read.manoeuvre);
-}
-
 TEST(RequestFile, TheRequestPrecedesTheConfiguration) {
   CrashDefinition configured;
   configured.believable = false;
@@ -128,17 +102,6 @@ TEST(RequestFile, MalformedFieldsAreNamed) {
   EXPECT_THAT(complaintAbout(kLine, "\"seed\"", "\"choice\":\"none\",\"seed\""), field("choice"));
 }
 
-TEST(RequestFile, LinesAreNoLongerThanTheLimit) {
-  const TemporaryFolder folder;
-  const std::string path = folder.path() + "/requests.jsonl";
-  writeRequests(path, {request(), request()});
-  InputLimits limits;
-  limits.max_line = static_cast<int>(requestLine(request()).size());
-  EXPECT_EQ(readRequests(path, {"scene-0001"}, limits).size(), 2u);
-  std::ofstream(path, std::ios::app) << requestLine(request()) << " ";
-  EXPECT_THROW(readRequests(path, {"scene-0001"}, limits), InputError);
-}
-
 TEST(RequestFile, AFileIsReadAsItWasWritten) {
   const TemporaryFolder folder;
   const std::string path = folder.path() + "/requests.jsonl";
@@ -167,17 +130,6 @@ TEST(RequestFile, ProblemsOfAFileNameFileAndLine) {
   EXPECT_THAT(complaintAboutFile(folder.write("cut", good + good.substr(0, 40))),
               HasSubstr("cut: line 2: invalid JSON"));
   EXPECT_EQ(complaintAboutFile(folder.write("no_line_end", kLine)), "");
-}
-
-TEST(RequestFile, AFileThatCannotBeWrittenIsNamed) {
-  const TemporaryFolder folder;
-  const std::string path = folder.path() + "/no/such/folder/requests.jsonl";
-  try {
-    writeRequests(path, {request()});
-    FAIL() << "written";
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr(path));
-  }
 }
 
 }  // namespace

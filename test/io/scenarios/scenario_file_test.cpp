@@ -3,9 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
-
 #include "base/scene/shipped_limits.h"
 #include "base/scene/whole_attack.h"
 #include "collision_forge/attack/search/request_check.h"
@@ -97,13 +94,6 @@ Scenario addedAttack() {
   return scenario;
 }
 
-Scenario threeAttacks() {
-  Scenario scenario = attack();
-  scenario.asked.request.alternatives = 3;
-  scenario.answer.alternatives = {addedAttack().answer, attack().answer};
-  return scenario;
-}
-
 /// The attacker braked after half a second, and committed.
 Scenario adaptiveAttack() {
   Scenario scenario = attack();
@@ -135,17 +125,6 @@ std::string complaintAbout(std::string line, const std::string& from, const std:
   return "";
 }
 
-TEST(ScenarioFile, ThePlansOfAnAdaptiveAttackerReadBack) {
-  const std::string line = scenarioLine(adaptiveAttack());
-  EXPECT_THAT(line, HasSubstr(R"({"seen_t":0.5,"from_t":0.8,"phase":"attacking",)"
-                              R"("reason":"meets 94 %","trajectory":[{"t":0.1,)"));
-  const Scenario read = readScenarioLine("here", line, shippedLimits());
-  ASSERT_EQ(read.plans.size(), 3u);
-  EXPECT_EQ(read.plans[2].phase, AttackerPhase::kCommitted);
-  EXPECT_TRUE(read.plans[2].points.empty());
-  EXPECT_EQ(scenarioLine(read), line);
-}
-
 TEST(ScenarioFile, PlansGoWithAdaptiveAttacksAlone) {
   const std::string line = scenarioLine(adaptiveAttack());
   EXPECT_THAT(complaintAbout(line, R"("mode":"adaptive")", R"("mode":"history")"),
@@ -167,65 +146,6 @@ TEST(ScenarioFile, ARefusalHasNullsAndItsMessage) {
           HasSubstr(
               R"("status":{"code":"NO_CANDIDATE","message":"nobody \"near\""},"attacker":null,)"
               R"("pattern":null,"confidence":null,"effort":null,"report":null,"alternatives":[],"plans":[],"ego":{)")));
-}
-
-TEST(ScenarioFile, LinesAreReadAsTheyWereWritten) {
-  for (const Scenario& scenario : {attack(), addedAttack(), threeAttacks(), refusal()}) {
-    const std::string line = scenarioLine(scenario);
-    EXPECT_EQ(scenarioLine(readScenarioLine("", line, shippedLimits())), line);
-  }
-}
-
-TEST(ScenarioFile, ControlsAreReadAsTheyWereAskedFor) {
-  const Scenario read = readScenarioLine("", scenarioLine(addedAttack()), shippedLimits());
-  const CollisionRequest& request = read.asked.request;
-  EXPECT_EQ(request.choice, AttackerChoice::kNew);
-  EXPECT_TRUE(request.crash.believable);
-  EXPECT_EQ(request.crash.limits, LimitSet::kDrivable);
-  EXPECT_EQ(request.attacker_class, AgentClass::kTruck);
-  EXPECT_EQ(request.manoeuvre, Manoeuvre::kFollowerCloses);
-  EXPECT_EQ(request.ego_side, Side::kRear);
-  ASSERT_TRUE(request.impact_speed);
-  EXPECT_EQ(request.impact_speed->min, 3.0);
-  EXPECT_EQ(request.impact_speed->max, 6.5);
-  ASSERT_TRUE(request.overlap);
-  EXPECT_EQ(request.overlap->min, 0.25);
-  EXPECT_EQ(request.overlap->max, 1.0);
-}
-
-TEST(ScenarioFile, AlternativesAreReadLikeTheFirstAttack) {
-  const Realization read =
-      readScenarioLine("", scenarioLine(threeAttacks()), shippedLimits()).answer;
-  ASSERT_EQ(read.alternatives.size(), 2u);
-  EXPECT_TRUE(read.alternatives[0].trajectory.isAdded());
-  EXPECT_FALSE(read.alternatives[1].trajectory.isAdded());
-  for (const Realization& alternative : read.alternatives) {
-    EXPECT_EQ(alternative.status.code, StatusCode::kOk);
-    EXPECT_EQ(alternative.report.confidence, read.report.confidence);
-    EXPECT_EQ(alternative.aim.attacker_id, alternative.trajectory.attacker_id);
-  }
-}
-
-TEST(ScenarioFile, ARefusalHasNoAlternatives) {
-  const std::string line = scenarioLine(threeAttacks());
-  const std::size_t begin = line.find(R"("alternatives":[)");
-  const std::size_t end = line.rfind(R"(,"plans":[)");
-  EXPECT_THAT(complaintAbout(scenarioLine(refusal()), R"("alternatives":[])",
-                             line.substr(begin, end - begin)),
-              HasSubstr("alternatives"));
-}
-
-TEST(ScenarioFile, AnAddedVehicleHasAPastAndItsClass) {
-  const std::string line = scenarioLine(addedAttack());
-  EXPECT_THAT(line, AllOf(HasSubstr(R"("origin":"added")"),
-                          HasSubstr(R"("past":[{"t":-0.5,"x":-8,"y":2,"yaw":0.3,"v":9.123457},)")));
-  const AttackerTrajectory read = readScenarioLine("", line, shippedLimits()).answer.trajectory;
-  EXPECT_TRUE(read.isAdded());
-  EXPECT_EQ(read.agent_class, AgentClass::kTruck);
-  ASSERT_EQ(read.past.size(), 2u);
-  EXPECT_NEAR(read.past[0].time, kNow - 0.5, 5e-7);
-  EXPECT_NEAR(read.past[0].velocity.x(), 9.1234567 * std::cos(0.3), 1e-6);
-  EXPECT_FALSE(readScenarioLine("", kAttackLine, shippedLimits()).answer.trajectory.isAdded());
 }
 
 TEST(ScenarioFile, AWholeAttackIsReadBack) {
@@ -251,18 +171,6 @@ TEST(ScenarioFile, EveryFieldOfAWholeAttackIsFilled) {
   }
 }
 
-TEST(ScenarioFile, TheTimeOfAnothersTouchIsThereWithTheOther) {
-  Scenario scenario = attack();
-  scenario.answer = wholeAttack(kNow);
-  const std::string line = scenarioLine(scenario);
-  EXPECT_THAT(complaintAbout(line, R"("first_other_t":3.25)", R"("first_other_t":null)"),
-              HasSubstr("file: line 9: field report.first_other_t"));
-  EXPECT_THAT(complaintAbout(line, R"("first_other":"b7")", R"("first_other":null)"),
-              HasSubstr("file: line 9: field report.first_other_t"));
-  EXPECT_THAT(complaintAbout(line, R"("first_other_t":3.25)", R"("first_other_t":1e300)"),
-              HasSubstr("file: line 9: field report.first_other_t"));
-}
-
 /// A line without the fields that version 5 did not have.
 std::string asOfVersion5(std::string line) {
   for (const char* field : {R"("tolerance":1.5,)", R"("effort":0.03125,)",
@@ -285,17 +193,6 @@ TEST(ScenarioFile, AFileOfVersion5IsReadWithTheToleranceOfItsSearch) {
 TEST(ScenarioFile, AFieldOfVersion6InAFileOfVersion5IsRefused) {
   EXPECT_THAT(complaintAbout(kAttackLine, R"("version":6)", R"("version":5)"),
               HasSubstr("file: line 9: field "));
-}
-
-TEST(ScenarioFile, WhatTheAttackerDoesIsReadBack) {
-  const CollisionReport read = readScenarioLine("", kAttackLine, shippedLimits()).answer.report;
-  EXPECT_EQ(read.manoeuvre, Manoeuvre::kFollowerCloses);
-  EXPECT_NEAR(read.manoeuvre_begin, kNow + 1.5, 5e-7);
-  EXPECT_EQ(read.road.on_lane, 0.5);
-  EXPECT_EQ(read.road.wrong_way, 0.25);
-  EXPECT_EQ(read.road.on_walkway, 0.125);
-  EXPECT_EQ(read.road.on_island, 0.0625);
-  EXPECT_EQ(read.unbelievable, "is on a walkway for 12 %");
 }
 
 TEST(ScenarioFile, OlderVersionsAreToBeGeneratedAnew) {
@@ -406,22 +303,6 @@ TEST(ScenarioFile, TrajectoriesHaveOneToAsManyPointsAsTheLimitsHave) {
   EXPECT_EQ(complaintAbout(scenarioLine(scenario), "", ""), "");
 }
 
-TEST(ScenarioFile, LinesAreNoLongerThanTheLimit) {
-  const std::string line = scenarioLine(attack());
-  InputLimits limits = shippedLimits();
-  limits.max_line = static_cast<int>(line.size());
-  EXPECT_NO_THROW(readScenarioLine("here", line, limits));
-  --limits.max_line;
-  try {
-    readScenarioLine("here", line, limits);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.what(),
-              "here: length = " + std::to_string(line.size()) +
-                  " bytes is more than max_line = " + std::to_string(limits.max_line));
-  }
-}
-
 /// As many as may be asked for, by vehicles with as long a past as may be.
 TEST(ScenarioFile, TheLimitOfLinesLeavesRoomForAllAttacksWithTheirPasts) {
   Scenario scenario = addedAttack();
@@ -436,12 +317,6 @@ TEST(ScenarioFile, TheLimitOfLinesLeavesRoomForAllAttacksWithTheirPasts) {
   scenario.answer.alternatives.assign(kMaxAlternatives - 1, scenario.answer);
   const std::string line = scenarioLine(scenario);
   EXPECT_NO_THROW(readScenarioLine("here", line, shippedLimits()));
-}
-
-TEST(ScenarioFile, NumbersThatAreNoneAreNotWritten) {
-  Scenario scenario = attack();
-  scenario.answer.trajectory.points[0].curvature = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(scenarioLine(scenario), std::invalid_argument);
 }
 
 }  // namespace

@@ -91,34 +91,6 @@ TEST_F(PatternNetworkFile, OtherArchitecturesAreRefused) {
   EXPECT_NE(complaintAfter("network 1\"", "network 9\"").find("format"), std::string::npos);
 }
 
-TEST_F(PatternNetworkFile, LayersOfAnotherShapeAreRefused) {
-  const std::string complaint = complaintAfter("\"hidden\":8", "\"hidden\":9");
-  EXPECT_NE(complaint.find("layer agent_first is 8 x 8, not 9 x 8"), std::string::npos)
-      << complaint;
-}
-
-TEST_F(PatternNetworkFile, UnknownHeadsAreRefused) {
-  EXPECT_NE(complaintAfter("region_proposal", "region_proposed").find("features.head"),
-            std::string::npos);
-}
-
-TEST_F(PatternNetworkFile, FeaturesOutOfRangeAreRefused) {
-  EXPECT_NE(complaintAfter("\"spacing_exponent\":1.5", "\"spacing_exponent\":1e20")
-                .find("features.spacing_exponent"),
-            std::string::npos);
-  EXPECT_NE(complaintAfter("\"lane_radius\":60", "\"lane_radius\":1e9").find("lane_radius"),
-            std::string::npos);
-  EXPECT_NE(complaintAfter("\"max_ways\":4", "\"max_ways\":257").find("max_ways"),
-            std::string::npos);
-  EXPECT_NE(complaintAfter("\"way_anchors\":9", "\"way_anchors\":2").find("way_anchors"),
-            std::string::npos);
-}
-
-TEST_F(PatternNetworkFile, MoreFramesOfAgentsThanOfHistoryAreRefused) {
-  EXPECT_NE(complaintAfter("\"agent_frames\":8", "\"agent_frames\":9").find("agent_frames"),
-            std::string::npos);
-}
-
 TEST_F(PatternNetworkFile, AbsentIsRefused) {
   EXPECT_THROW(readPatternWeights(path_ + ".not"), PatternNetworkFileError);
   EXPECT_THROW(loadPatternNetwork(path_ + ".not"), PatternNetworkFileError);

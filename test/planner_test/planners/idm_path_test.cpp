@@ -36,11 +36,6 @@ TEST(IdmPath, PositionAndHeadingAreLinearBetweenNodes) {
   EXPECT_EQ(path.at(-3.0).x, 0.0);
 }
 
-TEST(IdmPath, IsNotCutShortByAPieceOfAWholeRoad) {
-  const IdmPath path({{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}});
-  EXPECT_NEAR(path.end(), 80.0, 1e-9);
-}
-
 TEST(IdmPath, NeedsTwoNodes) {
   EXPECT_THROW(IdmPath({{1.0, 2.0, 0.0}, {1.0, 2.0, 0.0}}), std::invalid_argument);
 }
@@ -55,22 +50,6 @@ bool touches(const OrientedBox& box, double from) {
 TEST(IdmCorridor, IsAsWideAsAskedFor) {
   EXPECT_TRUE(touches(boxOf(8.0, 1.45), 0.0));
   EXPECT_FALSE(touches(boxOf(8.0, 1.55), 0.0));
-}
-
-TEST(IdmCorridor, BeginsHalfAWidthBehindTheStart) {
-  EXPECT_TRUE(touches(boxOf(8.0, 0.0), 9.4));
-  EXPECT_FALSE(touches(boxOf(8.0, 0.0), 9.6));
-  EXPECT_FALSE(touches(boxOf(8.0, 0.0), 16.0));
-}
-
-TEST(IdmCorridor, EndsHalfAWidthBehindThePathsEnd) {
-  EXPECT_TRUE(touches(boxOf(20.0, 16.4), 0.0));
-  EXPECT_FALSE(touches(boxOf(20.0, 16.6), 0.0));
-}
-
-TEST(IdmCorridor, IsRoundOutsideACorner) {
-  EXPECT_TRUE(touches(boxOf(21.4, 0.0), 0.0));
-  EXPECT_FALSE(touches(boxOf(21.3, -1.3), 0.0));  // 0.8 m off either way: 1.13 m
 }
 
 /// Three turns of a spiral, so that a box near one turn is not far from another.

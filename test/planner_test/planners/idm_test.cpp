@@ -27,23 +27,11 @@ std::vector<TrajectoryPoint> planStandard(double speed, const std::vector<Track>
   return planner.plan({egoAt(speed), agents});
 }
 
-double standardAcceleration(double speed, double lead_speed, double gap) {
-  return plainIdmAcceleration(standard().law, speed, lead_speed, gap);
-}
-
 TEST(IdmPlanner, StartsAtTheEgoAndLastsTheHorizon) {
   const auto plan = planStandard(5.0, {});
   ASSERT_EQ(plan.size(), 17u);
   EXPECT_EQ(plan.front().time, kNow);
   EXPECT_NEAR(plan.back().time, kNow + standard().horizon, 1e-9);
-}
-
-TEST(IdmPlanner, OnAFreeRoadTheLastNodeButOneOfThePathLeads) {
-  // The lane has a node every 5 m and ends at 200 m.
-  const auto plan = planStandard(5.0, {});
-  const double gap = 195.0 - 0.5 * kEgoSize.length;
-  EXPECT_NEAR(plan[1].pose.x, 0.5 * 5.0, 1e-9);
-  EXPECT_NEAR(plan[1].speed, 5.0 + 0.5 * standardAcceleration(5.0, 0.0, gap), 1e-9);
 }
 
 TEST(IdmPlanner, StartsOnThePathBesideTheEgo) {
@@ -52,27 +40,6 @@ TEST(IdmPlanner, StartsOnThePathBesideTheEgo) {
   const auto plan = planner.plan({{kNow, {0.0, 0.5, 0.1}, 5.0, 0.0, 0.0}, {}});
   EXPECT_NEAR(plan.front().pose.y, 0.0, 1e-9);
   EXPECT_NEAR(plan.front().pose.yaw, 0.0, 1e-9);
-}
-
-TEST(IdmPlanner, ALeadStandsStillButItsSpeedCounts) {
-  const double x = 20.0 + 0.5 * (kEgoSize.length + kCarSize.length);
-  const auto plan = planStandard(5.0, {pastTrack("lead", kCarSize, {x, 0.0, 0.0}, 4.0)});
-  const double speed = 5.0 + 0.5 * standardAcceleration(5.0, 4.0, 20.0);
-  EXPECT_NEAR(plan[1].speed, speed, 1e-9);
-  EXPECT_NEAR(plan[2].speed, speed + 0.5 * standardAcceleration(speed, 4.0, 20.0 - 2.5), 1e-9);
-}
-
-TEST(IdmPlanner, AnObjectsSpeedDoesNotCount) {
-  const double x = 20.0 + 0.5 * (kEgoSize.length + kCarSize.length);
-  Track lead = pastTrack("lead", kCarSize, {x, 0.0, 0.0}, 4.0);
-  lead.agent_class = AgentClass::kStaticObject;
-  const auto plan = planStandard(5.0, {lead});
-  EXPECT_NEAR(plan[1].speed, 5.0 + 0.5 * standardAcceleration(5.0, 0.0, 20.0), 1e-9);
-}
-
-TEST(IdmPlanner, WhoeverTouchesTheEgoLeadsEvenFromBehind) {
-  const auto plan = planStandard(5.0, {pastTrack("behind", kCarSize, {-4.0, 0.0, 0.0}, 5.0)});
-  EXPECT_NEAR(plan[1].speed, 5.0 - 0.5 * standard().law.braking, 1e-9);
 }
 
 TEST(IdmPlanner, LooksAtNobodyBesideTheCorridorOrFarAway) {
@@ -89,12 +56,6 @@ TEST(IdmPlanner, StopsBehindAStandingLead) {
   EXPECT_LT(plan.back().speed, 0.5);
   EXPECT_LT(plan.back().pose.x, bumper);
   EXPECT_GT(plan.back().pose.x, bumper - 5.0);
-}
-
-TEST(IdmPlanner, NeverDrivesBackwards) {
-  const auto plan = planStandard(1.0, {pastTrack("lead", kCarSize, {4.5, 0.0, 0.0}, 0.0)});
-  for (const TrajectoryPoint& point : plan) EXPECT_GE(point.speed, 0.0);
-  for (std::size_t i = 1; i < plan.size(); ++i) EXPECT_GE(plan[i].pose.x, plan[i - 1].pose.x);
 }
 
 TEST(IdmPlanner, AimsAtTheLimitOrAtItsOwnSpeedWhicheverIsHigher) {
@@ -149,10 +110,6 @@ TEST(PublishedIdmPlanner, TakesTheAttackerAtCentreDistanceWhereverItIs) {
     EXPECT_NEAR(point.speed, expected, 1e-3) << x;
     EXPECT_NEAR(point.pose.x, published().step * point.speed, 1e-9) << x;
   }
-}
-
-TEST(PublishedIdmPlanner, StopsWhereTheIntegrationFails) {
-  EXPECT_EQ(publishedIdmSpeed(published(), 5.0, 5.0, 0.3), 0.0);
 }
 
 TEST(PublishedIdmPlanner, LooksAtNobodyElse) {

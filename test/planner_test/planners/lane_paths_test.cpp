@@ -22,16 +22,6 @@ TEST(NodePaths, EndWhenTheyAreLongEnough) {
   EXPECT_EQ(nodePaths(fork(), 0, PathDirection::kAhead, 0.0, 9), (std::vector<NodePath>{{0}}));
 }
 
-TEST(NodePaths, LeadBackToo) {
-  EXPECT_EQ(nodePaths(fork(), 2, PathDirection::kBehind, 10.0, 9),
-            (std::vector<NodePath>{{2, 1, 0}, {2, 1, 5}}));
-}
-
-TEST(NodePaths, AreNoMoreThanAskedFor) {
-  EXPECT_EQ(nodePaths(fork(), 0, PathDirection::kAhead, 10.0, 1),
-            (std::vector<NodePath>{{0, 1, 2, 3}}));
-}
-
 TEST(NodePaths, GoRoundACircle) {
   const LaneGraph circle({{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}, {{0, 1}, {1, 2}, {2, 0}});
   EXPECT_EQ(nodePaths(circle, 0, PathDirection::kAhead, 4.0, 9),

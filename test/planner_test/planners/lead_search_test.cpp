@@ -25,24 +25,11 @@ TEST(LeadSearch, GivesTheGapFromBumperToBumper) {
   EXPECT_NEAR(lead->speed, 3.0, 1e-9);
 }
 
-TEST(LeadSearch, TakesTheNearest) {
-  const auto lead = leadOf({carAt("far", {30.0, 0.0, 0.0}), carAt("near", {15.0, 0.0, 0.0}),
-                            carAt("middle", {22.0, 0.0, 0.0})});
-  ASSERT_TRUE(lead);
-  EXPECT_EQ(lead->id, "near");
-}
-
 TEST(LeadSearch, ACrossingCarLeadsAtItsFlank) {
   const auto lead = leadOf({carAt("crossing", {20.0, 1.0, M_PI_2}, 8.0)});
   ASSERT_TRUE(lead);
   EXPECT_NEAR(lead->gap, 20.0 - 0.5 * (kEgoSize.length + kCarSize.width), 1e-9);
   EXPECT_NEAR(lead->speed, 0.0, 1e-9);
-}
-
-TEST(LeadSearch, AnOncomingCarHasANegativeSpeed) {
-  const auto lead = leadOf({carAt("oncoming", {20.0, 0.0, M_PI}, 6.0)});
-  ASSERT_TRUE(lead);
-  EXPECT_NEAR(lead->speed, -6.0, 1e-9);
 }
 
 TEST(LeadSearch, LeavesOutWhoIsBesideBehindOrTooFar) {

@@ -59,23 +59,6 @@ TEST(PdmPlanner, WeighsFifteenProposalsAndGivesOutEightSeconds) {
   for (std::size_t i = 1; i < points.size(); ++i) EXPECT_GT(points[i].time, points[i - 1].time);
 }
 
-TEST(PdmPlanner, OnAnEmptyRoadTheFastestProposalInTheMiddleWins) {
-  PdmPlanner planner = plannerOn(taskOn(threeLaneRoad()));
-  const std::vector<TrajectoryPoint> points = planner.plan({egoAt({0.0, 0.0, 0.0}, 10.0), {}});
-  EXPECT_EQ(best(planner).proposal.desired_speed, 15.0);
-  EXPECT_EQ(best(planner).proposal.lateral, 0U);
-  EXPECT_NEAR(points.back().speed, 15.0, 1.0);
-  EXPECT_NEAR(points.back().pose.y, 0.0, 0.05);
-}
-
-TEST(PdmPlanner, KeepsTheLimitOfItsLane) {
-  auto map = std::make_shared<LaneMap>(threeLaneRoad()->map());
-  map->lanes[0].speed_limit = 6.0;
-  PdmPlanner planner = plannerOn(taskOn(std::make_shared<const LaneIndex>(map)));
-  planner.plan({egoAt({0.0, 0.0, 0.0}, 5.0), {}});
-  EXPECT_EQ(planner.closed()->candidates().back().proposal.desired_speed, 6.0);
-}
-
 TEST(PdmPlanner, StaysBehindAStandingCar) {
   const std::vector<Track> agents = {agentAt("lead", {45.0, 0.0, 0.0}, 0.0)};
   PdmPlanner planner = plannerOn(taskOn(threeLaneRoad()));
@@ -96,22 +79,6 @@ TEST(PdmPlanner, GoesAroundWhatReachesALittleIntoItsWay) {
   EXPECT_EQ(best(planner).proposal.lateral, 1U);
   EXPECT_FALSE(touchesAnybody(points, agents));
   EXPECT_GT(points.back().pose.x, 50.0);
-}
-
-TEST(PdmPlanner, FollowsABend) {
-  PdmPlanner planner = plannerOn(taskOn(bentRoad(30.0)));
-  TrajectoryPoint ego = egoAt({-40.0, 0.0, 0.0}, 8.0);
-  for (int tick = 0; tick < 120; ++tick) {
-    const std::vector<TrajectoryPoint> points = planner.plan({ego, {}});
-    ego = points[1];
-    ego.time = 0.0;
-    const Vector2 place = ego.pose.position();
-    if (place.x() > 0.0 && place.y() < 30.0) {
-      EXPECT_NEAR((place - Vector2(0.0, 30.0)).norm(), 30.0, 1.5) << tick;
-    }
-  }
-  EXPECT_GT(ego.pose.y, 35.0);
-  EXPECT_NEAR(ego.pose.x, 30.0, 1.2);
 }
 
 TEST(PdmPlanner, BrakesInAnEmergency) {

@@ -60,15 +60,6 @@ inline std::shared_ptr<const LaneIndex> bentRoad(double radius) {
   return std::make_shared<const LaneIndex>(map);
 }
 
-/// The lane graph of a road along x from -50 m that parts at `fork`: straight on, and to `left`.
-inline LaneGraph forkedGraph(double fork, const Vector2& left) {
-  auto map = std::make_shared<LaneMap>();
-  map->lanes = {straightLane("in", {-50.0, 0.0}, {fork, 0.0}, {"straight", "left"}),
-                straightLane("straight", {fork, 0.0}, {fork + 100.0, 0.0}),
-                straightLane("left", {fork, 0.0}, left)};
-  return laneGraphOf(LaneIndex(map), shippedConfig().planners.rule_based.node_spacing);
-}
-
 /// The points of a centreline.
 inline std::vector<Vector2> routeAlong(const LaneIndex& lanes, std::size_t lane) {
   return lanes.centerline(lane)->points();

@@ -41,12 +41,6 @@ TEST(RouteCenterline, ARouteBesideItsLaneForAWhileDoesNotChangeLanes) {
   for (const Vector2& point : line.points()) EXPECT_NEAR(point.y(), 0.0, 0.1) << point.x();
 }
 
-TEST(RouteCenterline, LanesAgainstTheRouteAreNotTaken) {
-  const auto lanes = threeLaneRoad();
-  const Polyline line = centerlineOf(*lanes, {{0.0, 9.0}, {100.0, 9.0}});
-  for (const Vector2& point : line.points()) EXPECT_NEAR(point.y(), 9.0, 1e-6);
-}
-
 TEST(RouteCenterline, FollowsTheConnectorThatTheRouteTakes) {
   auto map = std::make_shared<LaneMap>();
   map->lanes = {straightLane("in", {0.0, 0.0}, {50.0, 0.0}, {"straight", "slip"}),
@@ -55,11 +49,6 @@ TEST(RouteCenterline, FollowsTheConnectorThatTheRouteTakes) {
   const LaneIndex lanes(map);
   const Polyline line = centerlineOf(lanes, {{10.0, 0.0}, {50.0, 0.0}, {98.0, 14.0}});
   EXPECT_NEAR(line.project({90.0, 11.667}).lateral, 0.0, 0.1);
-}
-
-TEST(RouteCenterline, ShortRoutesAreKept) {
-  const Polyline line = centerlineOf(*threeLaneRoad(), {{0.0, 0.5}, {0.5, 0.5}});
-  EXPECT_NEAR(line.length(), 0.5, 1e-9);
 }
 
 TEST(RouteCenterline, OnePlaceIsNoRoute) {

@@ -40,13 +40,6 @@ TEST(RouteRoad, ARouteOnTheOncomingLaneIsOnTheRoute) {
   EXPECT_FALSE(placeAt(roadOf(*lanes, {{-100.0, 12.0}, {200.0, 12.0}}), 12.0).is_wrong_way);
 }
 
-TEST(RouteRoad, TheDrivableAreaIsThatOfTheMap) {
-  const auto lanes = threeLaneRoad();
-  const RouteRoad road = roadOf(*lanes, routeAlong(*lanes, 0));
-  EXPECT_FALSE(placeAt(road, -0.5).is_off_road);
-  EXPECT_TRUE(placeAt(road, -2.0).is_off_road);
-}
-
 TEST(RouteRoad, NeedsARoute) {
   EXPECT_THROW(roadOf(*threeLaneRoad(), {{1.0, 1.0}}), std::invalid_argument);
 }

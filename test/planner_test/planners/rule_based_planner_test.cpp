@@ -76,21 +76,6 @@ TEST(RuleBasedPlanner, PlansFiveSecondsInSteps) {
   }
 }
 
-TEST(RuleBasedPlanner, TheSecondPointIsWhereAStepLeads) {
-  RuleBasedPlanner planner(published());
-  planner.initialize(taskOn(crossing()));
-  const TrajectoryPoint ego = egoAt({0.0, 1.2, 0.1}, 8.0);
-  const std::vector<TrajectoryPoint> points = planner.plan({ego, {}});
-  EXPECT_NEAR((points[1].pose.position() - ego.pose.position()).norm(), 0.2 * points[1].speed,
-              1e-9);
-}
-
-TEST(RuleBasedPlanner, KeepsDrivingOnAnEmptyRoad) {
-  const auto driven = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 8.0), {}, 8.0);
-  EXPECT_NEAR(driven.back().speed, published().max_speed, 0.5);
-  EXPECT_NEAR(driven.back().pose.y, 0.0, 0.01);
-}
-
 TEST(RuleBasedPlanner, StopsForACrossingCarThatItCanSee) {
   // Slow and long: in the way of the ego, which would be there after 5 s, from 1 to 15 s.
   const Track car = agentAt("a", {60.0, -8.0, 0.5 * M_PI}, 1.0, {12.0, 2.5});
@@ -100,26 +85,6 @@ TEST(RuleBasedPlanner, StopsForACrossingCarThatItCanSee) {
   for (const TrajectoryPoint& point : driven) slowest = std::min(slowest, point.speed);
   EXPECT_LT(slowest, 1.0);
   EXPECT_GT(driven.back().pose.x, 65.0);
-}
-
-TEST(RuleBasedPlanner, StandsBeforeACarThatBlocksTheCrossing) {
-  const Track car = agentAt("a", {60.0, 0.0, 0.5 * M_PI}, 0.0);
-  const auto driven = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 10.0), {car}, 15.0);
-  EXPECT_LT(driven.back().speed, 0.1);
-  EXPECT_GT(closest(driven, car), 0.3);
-  EXPECT_LT(closest(driven, car), 15.0);
-}
-
-TEST(RuleBasedPlanner, PassesACrossingCarThatItNeedNotStopFor) {
-  // It has left the crossing long before.
-  const Track gone = agentAt("a", {60.0, 4.0, 0.5 * M_PI}, 7.0);
-  const auto empty = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 10.0), {}, 8.0);
-  const auto after = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 10.0), {gone}, 8.0);
-  EXPECT_EQ(after.back().pose.x, empty.back().pose.x);
-  // It comes long after.
-  const Track late = agentAt("b", {60.0, -120.0, 0.5 * M_PI}, 7.0);
-  const auto before = drive(crossing(), egoAt({0.0, 0.0, 0.0}, 10.0), {late}, 8.0);
-  EXPECT_EQ(before.back().pose.x, empty.back().pose.x);
 }
 
 TEST(RuleBasedPlanner, PassesTrafficTwoLanesAwayButNotInTheNext) {

@@ -111,12 +111,5 @@ TEST(PlannerRecord, HasTheMotionWhereItWasDrivenAgain) {
   EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("escape":{"t":[0,100)"));
 }
 
-TEST(PlannerRecord, LinksToPictures) {
-  ShownTest shown;
-  shown.pictures = {{"The hit", "../worst/idm_fixed_1.gif"}};
-  EXPECT_THAT(plannerRecord(PlannerTestResult(), PlannerRow(), shown),
-              HasSubstr(R"("pictures":[{"name":"The hit","link":"../worst/idm_fixed_1.gif"}])"));
-}
-
 }  // namespace
 }  // namespace forge

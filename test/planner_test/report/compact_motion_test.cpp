@@ -17,16 +17,5 @@ TEST(Differences, AddUpToTheValuesWithinHalfAUnit) {
   }
 }
 
-TEST(WriteTrajectory, HasTimesFromTheOriginInWholeUnits) {
-  JsonLineWriter writer;
-  writer.beginObject();
-  writeTrajectory(
-      writer, "motion",
-      {{10.0, {1.0, 2.0, 0.5}, 3.0, -1.0, 0.0}, {10.1, {1.5, 2.0, 0.5}, 3.0, -2.0, 0.0}}, 9.0);
-  writer.endObject();
-  EXPECT_EQ(writer.line(), R"({"motion":{"t":[1000,100],"x":[100,50],"y":[200,0],"yaw":[500,0],)"
-                           R"("v":[300,0],"a":[-100,-100]}})");
-}
-
 }  // namespace
 }  // namespace forge

@@ -1,7 +1,5 @@
 #include "collision_forge/planner_test/report/deflated_text.h"
 
-#include <gmock/gmock.h>
-
 namespace forge {
 namespace {
 
@@ -20,10 +18,6 @@ TEST(DeflatedText, IsBase64InWholeGroupsOfFour) {
 TEST(DeflatedText, IsWhatZlibMakes) {
   // python3: base64.b64encode(zlib.compress(b'hello', 9))
   EXPECT_EQ(deflatedText("hello"), "eNrLSM3JyQcABiwCFQ==");
-}
-
-TEST(DeflatedText, MakesRepetitionsShort) {
-  EXPECT_LT(deflatedText(std::string(100000, '1')).size(), 400u);
 }
 
 }  // namespace

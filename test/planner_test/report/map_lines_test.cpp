@@ -28,9 +28,5 @@ TEST(ClippedRing, CutsAtEveryBorder) {
   EXPECT_DOUBLE_EQ(areaOf(clippedRing({{-50, -50}, {50, -50}, {50, 50}, {-50, 50}}, kBox)), 100.0);
 }
 
-TEST(ClippedRing, LeavesNothingOfWhatIsOutside) {
-  EXPECT_TRUE(clippedRing({{20, 20}, {30, 20}, {30, 30}}, kBox).empty());
-}
-
 }  // namespace
 }  // namespace forge

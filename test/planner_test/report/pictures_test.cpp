@@ -62,10 +62,5 @@ TEST(PicturesBeside, OfAWeaknessShowHitAndEscape) {
   EXPECT_THAT(pictures.at({"case:1", "idm"})[1].path, EndsWith("weaknesses/1_escape.gif"));
 }
 
-TEST(PicturesBeside, WithoutAnyThereAreNone) {
-  const TemporaryFolder folder;
-  EXPECT_TRUE(picturesBeside(folder.path() + "/results.jsonl", {hit(1)}, shippedLimits()).empty());
-}
-
 }  // namespace
 }  // namespace forge

@@ -69,23 +69,6 @@ TEST(ReadReportLines, LeaveTheHeaderOut) {
   EXPECT_DOUBLE_EQ(read, 1.0);
 }
 
-TEST(ReadReportLines, AreNoLongerThanTheLimit) {
-  const TemporaryFolder folder;
-  folder.write("rows.csv", kHeader + "\n" + kHeader + ",\n");
-  InputLimits limits;
-  limits.max_line = static_cast<int>(kHeader.size());
-  const ReportFile file = opened(folder.path() + "/rows.csv", limits);
-  try {
-    readReportLines(file, limits,
-                    [](const std::string&, std::size_t, const std::string&, double) {});
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("rows.csv: line 2: length = "));
-  }
-  --limits.max_line;
-  EXPECT_THROW(opened(folder.path() + "/rows.csv", limits), InputError);
-}
-
 TEST(LinkTo, IsRelativeAndQuoted) {
   EXPECT_EQ(linkTo("/a/b/c.jsonl", "/a/page"), "../b/c.jsonl");
   EXPECT_EQ(linkTo("/a/page/x \"y\".jsonl", "/a/page"), "x%20%22y%22.jsonl");

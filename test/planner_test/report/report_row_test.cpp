@@ -101,19 +101,6 @@ TEST(RowOfTest, OfACaseThatCannotBeReadTellsWhy) {
   EXPECT_FALSE(row.tta);
 }
 
-TEST(WriteColumns, NameEveryWordOnce) {
-  ReportRow row;
-  row.scene = "s";
-  row.tta = 2.5;
-  JsonLineWriter writer;
-  writer.beginObject();
-  writeColumns(writer, {row, row, {}});
-  writer.endObject();
-  EXPECT_THAT(writer.line(), HasSubstr(R"("scene":{"words":["s",""],"values":[0,0,1]})"));
-  EXPECT_THAT(writer.line(), HasSubstr(R"("tta":{"unit":0.001,"missing":-1e+15,)"
-                                       R"("values":[2500,2500,-1e+15]})"));
-}
-
 /// Both round to 9.7 as they are, and to 9.8 by way of 9.75.
 TEST(WriteColumns, RoundNothingThatIsRoundedForDisplay) {
   ReportRow row;

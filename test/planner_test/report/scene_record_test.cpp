@@ -27,12 +27,6 @@ Track standing(const std::string& id, double x) {
   return track;
 }
 
-TEST(SceneRecord, HasTheEgoWithinTheExtentAlone) {
-  // Frames 4 to 8 of the scene: 2000 ms after its first one, then every 500 ms, 5 m on.
-  EXPECT_THAT(sceneRecord(straightScene(), extentFromNow(), kOptions),
-              HasSubstr(R"("ego":{"t":[2000,500,500,500,500],"x":[0,500,500,500,500])"));
-}
-
 TEST(SceneRecord, LeavesOutWhoIsFarAway) {
   Scene scene = straightScene();
   scene.agents = {standing("near", 60.0), standing("far", 200.0)};
@@ -46,13 +40,6 @@ TEST(SceneRecord, CutsTheRoadAtTheMargin) {
   const std::string record = sceneRecord(straightScene(), extentFromNow(), kOptions);
   EXPECT_THAT(record, HasSubstr(R"("drivable":[{"rings":[)"));
   EXPECT_THAT(record, Not(HasSubstr("1e+06")));
-}
-
-TEST(SceneExtent, Widens) {
-  SceneExtent extent = extentFromNow();
-  extent.include(kNow - 1.0, kNow + 1.0, {});
-  EXPECT_EQ(extent.begin, kNow - 1.0);
-  EXPECT_EQ(extent.end, kNow + 2.0);
 }
 
 }  // namespace

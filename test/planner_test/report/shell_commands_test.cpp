@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
-
 #include "io/logs/nuscenes_fixture.h"
 #include "planner_test/report/report_scenes.h"
 
@@ -45,14 +43,6 @@ TEST(CommandsOfAttack, AskForWhatTheRequestControls) {
   EXPECT_THAT(commandsOf(scenario)[0].lines, HasSubstr(" --attacker 0c96e8 --believable"));
 }
 
-TEST(CommandsOfAttack, TakeABagThatTheSourceHas) {
-  const TemporaryFolder folder;
-  folder.write("straight.bag", "");
-  const auto commands = commandsOfAttack(rearEnd(), 1, 5.0, {folder.path(), ""}, {});
-  EXPECT_THAT(commands[0].lines,
-              StartsWith("forge inject --bag " + folder.path() + "/straight.bag --type"));
-}
-
 TEST(CommandsOfAttack, GenerateTheLineAnewWhereTheRecordingIsUnknown) {
   const auto commands = commandsOfAttack(rearEnd(), 1, {}, {}, {});
   ASSERT_THAT(commands, SizeIs(1));
@@ -77,11 +67,6 @@ TEST(CommandsOfTest, TestThePlannerOnThatLineAlone) {
             "sed -n 11p 'out/my runs.jsonl' > one.jsonl\n"
             "forge test --source data/embedded --scenarios one.jsonl --planners pdm "
             "--attacker-policy adaptive --background idm --out one --report one/page");
-}
-
-TEST(CommandsRecord, HasTitlesAndLines) {
-  EXPECT_EQ(commandsRecord({{"A bag", "a\nb"}}),
-            R"({"commands":[{"title":"A bag","lines":"a\nb"}]})");
 }
 
 }  // namespace

@@ -29,24 +29,6 @@ TEST(WeaknessFiles, ACaseThatHitsTwoPlannersIsOneScenario) {
   EXPECT_EQ(hits[2].row, "pdm against adaptive");
 }
 
-TEST(WeaknessFiles, AFolderWithoutAnyHasNone) {
-  const TemporaryFolder folder;
-  EXPECT_THAT(weaknessCases(folder.path(), shippedLimits()), IsEmpty());
-}
-
-TEST(WeaknessFiles, LinesAreNoLongerThanTheLimit) {
-  const TemporaryFolder folder;
-  folder.write("witnesses.jsonl", line("a", "idm", "fixed") + line("ab", "idm", "fixed"));
-  InputLimits limits;
-  limits.max_line = static_cast<int>(line("a", "idm", "fixed").size()) - 1;
-  try {
-    readWitnessedHits(folder.path(), limits);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("witnesses.jsonl: line 2: length = "));
-  }
-}
-
 TEST(WeaknessFiles, NamesTheLineThatIsWrong) {
   const TemporaryFolder folder;
   folder.write("witnesses.jsonl", line("a", "idm", "fixed") + line("a", "idm", "kind"));

@@ -37,14 +37,6 @@ TEST(PageFile, CountsItsRecords) {
   EXPECT_THAT(content, HasSubstr("</html>"));
 }
 
-TEST(WriteReportPage, HasARowForEveryAttack) {
-  const TemporaryFolder folder;
-  Scenario two = rearEnd();
-  two.answer.alternatives.push_back(rearEnd().answer);
-  folder.write("a.jsonl", scenarioLine(rearEnd()) + "\n" + scenarioLine(two) + "\n");
-  EXPECT_EQ(write({{folder.path() + "/a.jsonl"}, {}}, folder.path() + "/page"), 3u);
-}
-
 TEST(WriteReportPage, FetchesNothingAndRunsNothingElse) {
   const TemporaryFolder folder;
   folder.write("a.jsonl", scenarioLine(rearEnd()) + "\n");
@@ -66,19 +58,6 @@ TEST(WriteReportPage, NamesTheLineThatIsWrong) {
     EXPECT_THAT(error.what(), HasSubstr("a.jsonl: line 2"));
   }
   EXPECT_EQ(contentOf(folder.path() + "/index.html"), "");
-}
-
-TEST(WriteReportPage, NamesASceneThatTheLogsDoNotHave) {
-  const TemporaryFolder folder;
-  folder.write("a.jsonl", scenarioLine(rearEnd()) + "\n");
-  try {
-    write({{folder.path() + "/a.jsonl"},
-           {COLLISION_FORGE_SOURCE_DIR "/data/embedded", "v1.0-embedded"}},
-          folder.path());
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("a.jsonl: line 1: scene = \"straight\" is not in"));
-  }
 }
 
 }  // namespace

@@ -30,16 +30,6 @@ TEST(RateTable, AnotherUnitHasItsNameAndScale) {
             "Speed, m/s\n\n| method | all |\n|---|---|\n| a | 7.2 [5, 9] |\n| of | 3 |\n");
 }
 
-TEST(RateTable, OneSceneIsShownWithoutAnInterval) {
-  RateTable table;
-  table.measure.name = "hits";
-  table.methods = {"a"};
-  table.groups = {"all"};
-  table.rates = {{{20, 0.85, {}}}};
-  EXPECT_NE(toMarkdown(table).find("| a | 85.0 |\n"), std::string::npos);
-  EXPECT_EQ(toCsv(table), "hits,a,all,20,0.8500,,\n");
-}
-
 TEST(RateTable, CsvHasALineAMethodAndGroup) {
   RateTable table;
   table.measure.name = "hits";

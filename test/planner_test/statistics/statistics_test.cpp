@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
 namespace forge {
@@ -45,15 +44,6 @@ TEST(Statistics, RateOfOtherValuesIsTheirMeanWithItsInterval) {
   EXPECT_GT(rate.interval->high, 0.25);
   EXPECT_LT(rate.interval->high, 1.0);
 }
-
-TEST(Statistics, QuantilesAreLinearBetweenSortedValues) {
-  EXPECT_EQ(quantile({3.0}, 0.95), 3.0);
-  EXPECT_EQ(quantile({1.0, 2.0, 4.0}, 0.5), 2.0);
-  EXPECT_EQ(quantile({1.0, 2.0, 4.0}, 0.75), 3.0);
-  EXPECT_EQ(quantile({1.0, 2.0, 4.0}, 1.0), 4.0);
-}
-
-TEST(Statistics, NoTrialsGiveNoRate) { EXPECT_EQ(pooledRate({}, kOptions).trials, 0); }
 
 TEST(Statistics, EqualScenesLeaveNoInterval) {
   std::vector<Trial> trials;
@@ -103,12 +93,6 @@ TEST(Statistics, OrderOfTrialsDoesNotMatterTheSeedDoes) {
     differs = differs || other.interval->low != pooledRate(trials, {40, 0.95, 7}).interval->low;
   }
   EXPECT_TRUE(differs);
-}
-
-TEST(Statistics, ConfidenceWidensTheInterval) {
-  const auto trials = clustered(100, 1);
-  const Rate half = pooledRate(trials, {4000, 0.5, 7});
-  EXPECT_NEAR(half.interval->high - half.interval->low, 2.0 * 0.674 * 0.05, 0.015);
 }
 
 TEST(Statistics, GroupsAreTypesThenTtasThenAll) {

@@ -54,14 +54,6 @@ TEST_F(AttackerStressTest, TheEgoDoesWhatItsNameSays) {
   EXPECT_EQ(evades.front().x, jumps.front().x) << "all begin as recorded";
 }
 
-TEST_F(AttackerStressTest, TheSameSeedIsTheSameDrive) {
-  const auto once = seenBy(EgoConduct::kEvades, 5);
-  const auto again = seenBy(EgoConduct::kEvades, 5);
-  const auto other = seenBy(EgoConduct::kEvades, 6);
-  EXPECT_EQ(once.back().x, again.back().x);
-  EXPECT_NE(once.back().x, other.back().x);
-}
-
 TEST_F(AttackerStressTest, TellsABrokenLimitAndWhoWasTouched) {
   one_.request.crash.limits = LimitSet::kDrivable;
   AttackerTrajectory odd = one_.scenario.attacker;

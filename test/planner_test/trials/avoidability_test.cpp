@@ -111,18 +111,6 @@ TEST(Avoidability, BehindAWallThatIsTooNearNothingHelps) {
   EXPECT_TRUE(found.from_now.empty());
 }
 
-TEST(Avoidability, BeforeAWallItIsBrakingAlone) {
-  AttackerTrajectory wall = straightDrive({12.0, 0.0, 0.0}, 0.0, 4.0);
-  wall.size = {2.0, 60.0};
-  const CrashScenario scenario = roadScenario(8.0, wall);
-  const Avoidability found = avoidabilityOf(scenario);
-  ASSERT_TRUE(found.isAvoidable());
-  EXPECT_NE(found.find(EvasiveManoeuvre::kBraking), nullptr);
-  EXPECT_EQ(found.find(EvasiveManoeuvre::kSteering), nullptr);
-  EXPECT_EQ(found.find(EvasiveManoeuvre::kAccelerating), nullptr);
-  expectSound(scenario, *found.last);
-}
-
 TEST(Avoidability, AFasterCarFromBehindIsEvadedByAcceleratingOrSteering) {
   const CrashScenario scenario = roadScenario(6.0, straightDrive({-20.0, 0.0, 0.0}, 10.0, 7.0));
   const Avoidability found = avoidabilityOf(scenario);
@@ -167,20 +155,6 @@ TEST(Avoidability, ContactsBetweenThePointsOfAMotionAreFound) {
     avoidances += found.from_now.size();
   }
   EXPECT_GT(avoidances, 0u);
-}
-
-TEST(Avoidability, TheSameAgainIsTheSame) {
-  const CrashScenario scenario = roadScenario(8.0, straightDrive({40.0, 0.3, M_PI}, 5.0, 6.0));
-  const Avoidability one = avoidabilityOf(scenario);
-  const Avoidability two = avoidabilityOf(scenario);
-  ASSERT_EQ(one.from_now.size(), two.from_now.size());
-  EXPECT_EQ(one.last->start, two.last->start);
-  EXPECT_EQ(one.last->motion.back().pose.y, two.last->motion.back().pose.y);
-}
-
-TEST(Avoidability, ManoeuvresAreReadByName) {
-  EXPECT_EQ(evasiveManoeuvreFromString(toString(EvasiveManoeuvre::kBoth)), EvasiveManoeuvre::kBoth);
-  EXPECT_EQ(evasiveManoeuvreFromString("flying"), std::nullopt);
 }
 
 }  // namespace

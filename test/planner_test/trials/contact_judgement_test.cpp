@@ -30,32 +30,6 @@ TEST(ContactJudgement, TellsCausesApart) {
   EXPECT_EQ(causeOf(ego, side({-1.0, kEgoSize.width, 0.0}, 8.0)), ContactCause::kLateral);
 }
 
-TEST(ContactJudgement, AnObjectStandsWhateverItsVelocitySays) {
-  ContactSide barrier = side({kEgoSize.length, 0.0, 0.0}, 4.0);
-  barrier.is_object = true;
-  EXPECT_EQ(causeOf(side({0.0, 0.0, 0.0}, 8.0), barrier), ContactCause::kStoppedOther);
-}
-
-TEST(ContactJudgement, BehindIsToldFromTheRearAxle) {
-  // The other's middle is 2 m behind the ego's and 1 m to its left: 153 degrees from the middle,
-  // but 122 from the rear axle.
-  const ContactSide ego = side({0.0, 0.0, 0.0}, 8.0);
-  const ContactSide other = side({-2.0, 1.0, 0.0}, 8.0);
-  EXPECT_NEAR(angleToOther(ego.box, 0.0, other.box), std::atan2(1.0, -2.0), 1e-12);
-  EXPECT_NEAR(angleToOther(ego.box, kAxleBehind, other.box), std::atan2(1.0, kAxleBehind - 2.0),
-              1e-12);
-  EXPECT_EQ(causeOf(ego, other), ContactCause::kLateral);
-}
-
-TEST(ContactJudgement, BlamesTheFrontAndWhoHitsOneThatStands) {
-  const LaneIndex lanes(twoLaneRoad());
-  const OrientedBox ego{{0.0, 0.0, 0.0}, kEgoSize};
-  EXPECT_FALSE(isAtFault(ContactCause::kStoppedEgo, ego, lanes, options()));
-  EXPECT_FALSE(isAtFault(ContactCause::kRear, ego, lanes, options()));
-  EXPECT_TRUE(isAtFault(ContactCause::kStoppedOther, ego, lanes, options()));
-  EXPECT_TRUE(isAtFault(ContactCause::kFront, ego, lanes, options()));
-}
-
 std::shared_ptr<LaneMap> outlinedRoad() {
   auto map = twoLaneRoad();
   map->lanes[0].polygon = rectangle(-200.0, -1.75, 200.0, 1.75).exterior;
@@ -117,11 +91,6 @@ TEST(ContactJudgement, TellsLanesFromJunctionsAndTheRest) {
   EXPECT_EQ(placeOf({10.0, 90.0}, lanes, 15.0), ContactPlace::kElsewhere);
   EXPECT_EQ(contactPlaceFromString("junction"), ContactPlace::kJunction);
   EXPECT_EQ(contactPlaceFromString("field"), std::nullopt);
-}
-
-TEST(ContactJudgement, CausesAreReadByName) {
-  EXPECT_EQ(contactCauseFromString(toString(ContactCause::kLateral)), ContactCause::kLateral);
-  EXPECT_EQ(contactCauseFromString("sideways"), std::nullopt);
 }
 
 }  // namespace

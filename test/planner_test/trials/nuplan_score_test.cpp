@@ -75,17 +75,6 @@ TEST_F(NuplanScoring, LittleProgressIsNone) {
   EXPECT_EQ(judge().score({}, -3.0, 0.5).progress, 0.0);
 }
 
-TEST_F(NuplanScoring, SomebodyCloseAheadIsTooClose) {
-  const double reach = 0.5 * (4.6 + shippedConfig().ego_vehicle.size.length);
-  // 40 m driven, then 9 m within 0.9 s.
-  EXPECT_EQ(driven(straight(10.0), {agentAt("a", {49.1 + reach, 0.0, 0.0}, 0.0)}).time_to_collision,
-            1.0);
-  EXPECT_EQ(driven(straight(10.0), {agentAt("a", {48.9 + reach, 0.0, 0.0}, 0.0)}).time_to_collision,
-            0.0);
-  EXPECT_EQ(driven(straight(10.0), {agentAt("ignored", {30.0, 0.0, 0.0}, 0.0)}).time_to_collision,
-            1.0);
-}
-
 TEST_F(NuplanScoring, SomebodyBesideCountsInSeveralLanesAlone) {
   // Comes from the right, at the ego's rear half.
   const std::vector<Track> crossing = {agentAt("a", {-1.0, -3.0, 0.5 * M_PI}, 2.0, {2.0, 1.0})};
@@ -124,12 +113,6 @@ TEST_F(NuplanScoring, SpeedLimitsCountWhereTheyAreKnown) {
   EXPECT_NEAR(*scored(10.0).speed_limit, 1.0 - 1.0 / options.max_overspeed, 1e-12);
   EXPECT_EQ(scored(12.0).speed_limit, 0.0);
   EXPECT_NEAR(scored(12.0).total, 12.0 / 16.0, 1e-12);
-}
-
-TEST_F(NuplanScoring, AMomentTellsNothingOfComfort) {
-  NuplanJudge judge = this->judge();
-  judge.see({0.0, {}, 10.0, -9.0, 0.0}, {}, {});
-  EXPECT_EQ(judge.score({}, 1.0, 1.0).comfort, 1.0);
 }
 
 }  // namespace

@@ -89,10 +89,6 @@ TEST(PlannerValues, AreChangedAndAllElseStays) {
       "f: \"4.0\"\n");
 }
 
-TEST(PlannerValues, ThatAreThereAlreadyStayAsWritten) {
-  EXPECT_EQ(withPlannerValues("p.yaml", kText, {{"a.b", 1.0}, {"a.c.d", 2.0}}), kText);
-}
-
 TEST(PlannerValues, OfKeysThatAreNoNumbersAreRefused) {
   const auto complaint = [](const std::string& key) {
     return complaintOf([&] { withPlannerValues("p.yaml", kText, {{key, 1.0}}); });

@@ -61,18 +61,6 @@ TEST(PlannerReport, CountsContactsWithTheAttacker) {
   EXPECT_DOUBLE_EQ(rateOf(results(), "other").value, 0.25);
 }
 
-TEST(PlannerReport, AFailureCountsAsThatAlone) {
-  EXPECT_EQ(rateOf(results(), "failure").trials, 5);
-  EXPECT_DOUBLE_EQ(rateOf(results(), "failure").value, 0.2);
-  EXPECT_EQ(rateOf(results(), "off_road").trials, 4);
-}
-
-TEST(PlannerReport, HasMeansOfSpeedAndProgress) {
-  EXPECT_EQ(rateOf(results(), "impact_speed").trials, 2);
-  EXPECT_DOUBLE_EQ(rateOf(results(), "impact_speed").value, 6.0);
-  EXPECT_DOUBLE_EQ(rateOf(results(), "progress").value, 0.5);
-}
-
 TEST(PlannerReport, TellsSoftCollisionsAndThoseAtFault) {
   std::vector<PlannerTestResult> all = results();
   all[0].rows[0].outcome.contact->impact_speed = 0.49;
@@ -82,19 +70,6 @@ TEST(PlannerReport, TellsSoftCollisionsAndThoseAtFault) {
   EXPECT_DOUBLE_EQ(rateOf(all, "soft").value, 0.5);
   EXPECT_EQ(rateOf(all, "collision_at_fault").trials, 2);
   EXPECT_DOUBLE_EQ(rateOf(all, "collision_at_fault").value, 0.5);
-}
-
-TEST(PlannerReport, CountsAvoidableCases) {
-  EXPECT_EQ(rateOf(results(), "avoidable").trials, 5);
-  EXPECT_DOUBLE_EQ(rateOf(results(), "avoidable").value, 0.8);
-}
-
-TEST(PlannerReport, SourcesHaveRowsOfTheirOwn) {
-  auto all = results();
-  all[3].source = "replay";
-  const RateTable table = plannerTables(all, {"idm"}).front().table;
-  EXPECT_EQ(table.methods, (std::vector<std::string>{"idm / history", "idm / replay"}));
-  EXPECT_EQ(table.rates[1].back().trials, 1);
 }
 
 TEST(PlannerReport, TheWorstAreTheHardestFairImpactsOneAScene) {
@@ -125,12 +100,6 @@ TEST(PlannerReport, TellsWhichCollisionsCouldBeEscaped) {
   all[1].rows[0].escape = AvoidabilitySummary{};
   EXPECT_EQ(rateOf(all, "escape").trials, 2);
   EXPECT_DOUBLE_EQ(rateOf(all, "escape").value, 0.5);
-}
-
-TEST(PlannerReport, SaysWhyCasesWereNotTested) {
-  const std::string text = describeCases(results());
-  EXPECT_NE(text.find("6 cases, of which were tested: 5"), std::string::npos);
-  EXPECT_NE(text.find("NO_CANDIDATE: 1"), std::string::npos);
 }
 
 }  // namespace

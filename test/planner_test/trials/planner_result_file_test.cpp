@@ -39,22 +39,6 @@ TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
   EXPECT_EQ(plannerResultLine(read), line);
 }
 
-TEST(PlannerResultFile, OfACaseThatCannotBeReadOnlyTheNameIsKnown) {
-  PlannerCase nothing;
-  nothing.name = "crashes:3";
-  const PlannerTestResult result = untested(nothing, kUnreadable, "no scenario");
-  const std::string line = plannerResultLine(result);
-  EXPECT_NE(line.find(R"("name":"crashes:3","source":null,"scene":null,"type":null,"tta":null,)"
-                      R"("now":null,"status":"UNREADABLE","message":"no scenario")"),
-            std::string::npos)
-      << line;
-  EXPECT_EQ(plannerResultLine(readPlannerResultLine("here", line)), line);
-  EXPECT_EQ(plannerResultCsvRows(result).front().find("crashes:3,,,,,UNREADABLE,"), 0u);
-  std::string invented = line;
-  invented.replace(invented.find("\"tta\":null"), 10, "\"tta\":4");
-  EXPECT_THROW(readPlannerResultLine("here", invented), JsonLineError);
-}
-
 TEST(PlannerResultFile, AnotherFormatIsRefusedByField) {
   std::string line = plannerResultLine(tested());
   line.replace(line.find("\"version\":4"), 11, "\"version\":2");

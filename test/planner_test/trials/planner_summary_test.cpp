@@ -56,28 +56,6 @@ TEST(PlannerSummary, CountsAsAvoidableOnlyHitsThatCouldBeEscaped) {
   EXPECT_EQ(summaryOf(results).avoidable, 1);
 }
 
-TEST(PlannerSummary, CountsAContactWithSomebodyElseAsNoHit) {
-  PlannerTestResult one = result("s:1", "a", {row("idm", 4.0)});
-  one.rows[0].outcome.contact->is_attacker = false;
-  EXPECT_EQ(summaryOf({one}).hits, 0);
-  EXPECT_FALSE(summaryOf({one}).worst);
-}
-
-TEST(PlannerSummary, CountsAFailureAsACaseWithoutAHit) {
-  PlannerTestResult one = result("s:1", "a", {row("idm", 4.0)});
-  one.rows[0].outcome.failure = PlannerFailure::kOffMap;
-  const PlannerSummary summary = summaryOf({one});
-  EXPECT_EQ(summary.cases, 1);
-  EXPECT_EQ(summary.failures, 1);
-  EXPECT_EQ(summary.hits, 0);
-}
-
-TEST(PlannerSummary, LeavesOutCasesThatWereNotTested) {
-  PlannerTestResult one = result("s:1", "a", {row("idm", 4.0)});
-  one.status = kUnfit;
-  EXPECT_EQ(summaryOf({one}).cases, 0);
-}
-
 TEST(PlannerSummary, TellsPoliciesOfAnAttackerApart) {
   PlannerRow adaptive = row("idm", 4.0);
   adaptive.attacker.policy = PolicyKind::kAdaptive;

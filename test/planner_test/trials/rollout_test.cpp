@@ -138,17 +138,6 @@ TEST(Rollout, FindsWhoIsHitFirst) {
   EXPECT_TRUE(outcome.contact->at_fault);
 }
 
-TEST(Rollout, BeingRammedFromBehindIsNotTheEgosFault) {
-  const CrashScenario scenario = roadScenario(5.0, straightDrive({-20.0, 0.0, 0.0}, 12.0, 6.0));
-  FunctionPlanner planner = keepingSpeed();
-  const RolloutOutcome outcome = drive(planner, scenario);
-  ASSERT_TRUE(outcome.contact);
-  EXPECT_EQ(outcome.contact->type, CollisionType::kRearEnd);
-  EXPECT_EQ(outcome.contact->cause, ContactCause::kRear);
-  EXPECT_FALSE(outcome.contact->at_fault);
-  EXPECT_NEAR(outcome.contact->impact_speed, 7.0, 1e-2);
-}
-
 TEST(Rollout, WithoutAContactItLastsAsLongAsTheAttackerDrives) {
   const CrashScenario scenario = roadScenario(5.0, straightDrive({20.0, 3.5, M_PI}, 5.0, 4.05));
   FunctionPlanner planner = keepingSpeed();
@@ -159,16 +148,6 @@ TEST(Rollout, WithoutAContactItLastsAsLongAsTheAttackerDrives) {
   EXPECT_EQ(outcome.driven.size(), 41u);
   EXPECT_LT(outcome.max_braking, 0.1);
   EXPECT_NEAR(outcome.off_road_share, 0.0, 1e-9);
-}
-
-TEST(Rollout, MeasuresHardBraking) {
-  const CrashScenario scenario = roadScenario(10.0, straightDrive({-60.0, 3.5, 0.0}, 5.0, 4.0));
-  FunctionPlanner planner([](const Observation& seen) { return straightPlan(seen.ego, -7.0); });
-  const RolloutOutcome outcome = drive(planner, scenario);
-  EXPECT_GT(outcome.max_braking, 5.0);
-  EXPECT_GT(outcome.hard_braking, 0.5);
-  EXPECT_LT(outcome.driven.back().speed, 0.3);
-  EXPECT_LT(outcome.progress, outcome.recorded_progress);
 }
 
 TEST(Rollout, AnExactDriveFollowsThePlanWhateverACarCanDo) {
@@ -274,26 +253,10 @@ TEST(Rollout, LeavingTheMapEndsIt) {
   EXPECT_GT(outcome.off_road_share, 0.0);
 }
 
-TEST(Rollout, SomebodyWhoOverlapsTheEgoFromTheStartIsNotLookedAt) {
-  const CrashScenario scenario = roadScenario(5.0, straightDrive({-60.0, 3.5, 0.0}, 5.0, 3.0),
-                                              {straightCar("mistake", {1.0, 0.5, 0.0}, 5.0)});
-  FunctionPlanner planner = keepingSpeed();
-  EXPECT_FALSE(drive(planner, scenario).contact);
-}
-
 TEST(Rollout, AnAttackerThatTouchesTheEgoAlreadyIsRefused) {
   const CrashScenario scenario = roadScenario(5.0, straightDrive({3.0, 0.0, 0.0}, 5.0, 3.0));
   FunctionPlanner planner = keepingSpeed();
   EXPECT_THROW(drive(planner, scenario), std::invalid_argument);
-}
-
-TEST(Rollout, IdmBrakesForAnAttackerThatCutsInAndStands) {
-  const CrashScenario scenario = roadScenario(8.0, straightDrive({35.0, 0.0, 0.0}, 0.0, 8.0));
-  const PlannerUnderTest idm = makePlanner("idm", shippedConfig().planners, "attacker");
-  const RolloutOutcome outcome = rollout(*idm.planner, idm.driving, scenario, shippedSetup());
-  EXPECT_FALSE(outcome.contact);
-  EXPECT_LT(outcome.driven.back().speed, 1.0);
-  EXPECT_GT(outcome.progress, 20.0);
 }
 
 TEST(Rollout, BackgroundTrafficBrakesForAnEgoThatStops) {
@@ -310,26 +273,6 @@ TEST(Rollout, BackgroundTrafficBrakesForAnEgoThatStops) {
   EXPECT_EQ(outcome.others[0].id, "behind");
   ASSERT_EQ(outcome.others[0].states.size(), outcome.driven.size());
   EXPECT_LT(outcome.others[0].states.back().pose.x, outcome.driven.back().pose.x);
-}
-
-TEST(Rollout, TheSameAgainIsTheSame) {
-  const CrashScenario scenario = roadScenario(8.0, straightDrive({40.0, 0.3, M_PI}, 5.0, 6.0));
-  const auto run = [&] {
-    const PlannerUnderTest idm = makePlanner("idm", shippedConfig().planners, "attacker");
-    return rollout(*idm.planner, idm.driving, scenario, shippedSetup());
-  };
-  const RolloutOutcome one = run();
-  const RolloutOutcome two = run();
-  ASSERT_EQ(one.driven.size(), two.driven.size());
-  for (std::size_t i = 0; i < one.driven.size(); ++i) {
-    EXPECT_EQ(one.driven[i].pose.x, two.driven[i].pose.x);
-    EXPECT_EQ(one.driven[i].speed, two.driven[i].speed);
-  }
-}
-
-TEST(Rollout, FailuresAreReadByName) {
-  EXPECT_EQ(plannerFailureFromString(toString(PlannerFailure::kOffMap)), PlannerFailure::kOffMap);
-  EXPECT_EQ(plannerFailureFromString("tired"), std::nullopt);
 }
 
 }  // namespace

@@ -48,14 +48,6 @@ const Track& find(const Traffic& traffic, const std::string& id) {
   throw std::out_of_range(id);
 }
 
-TEST(Traffic, StartsWithWhatWasSeen) {
-  const CrashScenario scenario = scenarioWith({straightCar("other", {20.0, 3.5, M_PI}, 4.0)});
-  const Traffic traffic(scenario, fixed(scenario), Background::kReplay, idm(), 10.0);
-  ASSERT_EQ(traffic.agents().size(), 2u);
-  EXPECT_EQ(find(traffic, "other").states.size(), 8u);
-  EXPECT_EQ(find(traffic, "other").states.back().time, kNow);
-}
-
 TEST(Traffic, ReplaysTheRecording) {
   const CrashScenario scenario = scenarioWith({straightCar("other", {20.0, 3.5, M_PI}, 4.0)});
   Traffic traffic(scenario, fixed(scenario), Background::kReplay, idm(), 2.0);
@@ -93,17 +85,6 @@ TEST(Traffic, ShowsNothingOfTheFuture) {
   EXPECT_NE(find(first, "other").states.back().pose.y, find(second, "other").states.back().pose.y);
 }
 
-TEST(Traffic, SomebodyWhoLeavesIsNotThere) {
-  auto other = straightCar("other", {20.0, 3.5, M_PI}, 4.0);
-  other.second.states.resize(3);  // to 1 s
-  const CrashScenario scenario = scenarioWith({other});
-  Traffic traffic(scenario, fixed(scenario), Background::kReplay, idm(), 2.0);
-  traffic.advance(kNow + 1.0, egoAt(kNow, 0.0));
-  EXPECT_EQ(traffic.agents().size(), 2u);
-  traffic.advance(kNow + 1.1, egoAt(kNow + 1.0, 0.0));
-  EXPECT_EQ(traffic.agents().size(), 1u);
-}
-
 TEST(Traffic, ReplayDrivesThroughAnEgoThatStandsAndIdmDoesNot) {
   const CrashScenario scenario = scenarioWith({straightCar("behind", {-30.0, 0.0, 0.0}, 8.0)});
   Traffic replay(scenario, fixed(scenario), Background::kReplay, idm(), 2.0);
@@ -117,13 +98,6 @@ TEST(Traffic, ReplayDrivesThroughAnEgoThatStandsAndIdmDoesNot) {
   const double bumper = -0.5 * (kEgoSize.length + kCarSize.length);
   EXPECT_LT(find(reacting, "behind").states.back().pose.x, bumper);
   EXPECT_GT(find(reacting, "behind").states.back().pose.x, bumper - 6.0);
-}
-
-TEST(Traffic, WithAFreeRoadIdmIsTheRecording) {
-  const CrashScenario scenario = scenarioWith({straightCar("behind", {-90.0, 3.5, 0.0}, 8.0)});
-  Traffic traffic(scenario, fixed(scenario), Background::kIdm, idm(), 2.0);
-  for (int i = 1; i <= 30; ++i) traffic.advance(kNow + 0.1 * i, egoAt(kNow + 0.1 * (i - 1), 0.0));
-  EXPECT_NEAR(find(traffic, "behind").states.back().pose.x, -90.0 + 24.0, 1e-6);
 }
 
 TEST(Traffic, WhoWasHeldUpNeverGetsAheadOfTheRecording) {

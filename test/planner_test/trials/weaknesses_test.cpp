@@ -73,17 +73,5 @@ TEST(Weaknesses, AreShownByFollowersOnlyWhereThePlannerIsAtFault) {
   EXPECT_TRUE(found[0].at_fault);
 }
 
-TEST(Weaknesses, AreNotShownByHitsIntoTheEgosRear) {
-  std::vector<PlannerTestResult> results(3, hit(5.0));
-  results[0].rows[0].outcome.contact->cause = ContactCause::kRear;
-  results[1].rows[0].outcome.contact->cause = ContactCause::kStoppedEgo;
-  results[1].rows[0].outcome.contact->ego_side = Side::kRear;
-  results[2].rows[0].outcome.contact->cause = ContactCause::kStoppedEgo;
-  results[2].rows[0].outcome.contact->ego_side = Side::kLeft;
-  const auto found = weaknessesOf(results, std::vector<Manoeuvre>(3, Manoeuvre::kCutIn));
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].results, std::vector<std::size_t>{2});
-}
-
 }  // namespace
 }  // namespace forge

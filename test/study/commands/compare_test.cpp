@@ -98,15 +98,6 @@ TEST_F(Compare, DrawsBothPicturesAndNamesTheClips) {
                                  HasSubstr(out() + ".gif")));
 }
 
-TEST_F(Compare, TheSameLineGivesTheSameBytes) {
-  std::vector<std::string> found;
-  for (int i = 0; i < 2; ++i) {
-    ASSERT_EQ(run({"--methods", "recorded,search", "--count", "1"}).exit_code, kExitOk);
-    found.push_back(bytesOf(out() + ".png") + bytesOf(out() + ".gif"));
-  }
-  EXPECT_EQ(found[0], found[1]);
-}
-
 TEST_F(Compare, DrawsTheClipsThatAreNamedInTheirOrder) {
   const Outcome outcome = run({"--methods", "recorded", "--clips", names_[3], names_[1]});
   EXPECT_EQ(outcome.exit_code, kExitOk) << outcome.err;

@@ -40,11 +40,6 @@ TEST(Balance, LeastShareIsKeptByTheMostThatCan) {
   }
 }
 
-TEST(Balance, AnEmptyGroupTakesNothingFromTheOthers) {
-  EXPECT_THAT(withMinShare({20, 0, 10}, 0.4), ElementsAre(15, 0, 10));
-  EXPECT_THAT(withMinShare({0, 0}, 0.4), ElementsAre(0, 0));
-}
-
 TEST(Balance, SharesThatNobodyCanHaveAreRefused) {
   EXPECT_THROW(withMinShare({5, 5, 5}, 0.34), std::invalid_argument);
   EXPECT_NO_THROW(withMinShare({5, 5, 5}, 1.0 / 3.0));
@@ -104,19 +99,6 @@ TEST(Balance, ChosenClipsKeepBothQuotas) {
   }
   EXPECT_TRUE(std::is_sorted(chosen.begin(), chosen.end()));
   EXPECT_EQ(std::adjacent_find(chosen.begin(), chosen.end()), chosen.end());
-}
-
-TEST(Balance, TheSeedDrawsWhoIsKept) {
-  const std::vector<ClipKind> clips = manyClips();
-  const auto chosen = chooseBalanced(clips, {0.15, 2.0}, 3);
-  EXPECT_EQ(chooseBalanced(clips, {0.15, 2.0}, 3), chosen);
-  const auto other = chooseBalanced(clips, {0.15, 2.0}, 4);
-  EXPECT_NE(other, chosen);
-  EXPECT_EQ(other.size(), chosen.size());
-}
-
-TEST(Balance, NothingIsChosenOfNothing) {
-  EXPECT_THAT(chooseBalanced({}, {0.15, 2.0}, 0), IsEmpty());
 }
 
 }  // namespace

@@ -78,14 +78,6 @@ TEST(ClipRequests, EveryBeginAndTypeGetsItsLengths) {
   }
 }
 
-TEST(ClipRequests, AllLengthsAreDrawn) {
-  std::set<double> ttas;
-  for (const SceneRequest& request : list(sceneOf(framesEvery(0.5, 40)), options())) {
-    ttas.insert(request.request.tta);
-  }
-  EXPECT_THAT(ttas, ElementsAre(1.0, 1.5, 2.0, 2.5));
-}
-
 TEST(ClipRequests, TtaIsTheRecordedTimeToTheImpactsFrame) {
   std::vector<double> times = framesEvery(0.5, 12);
   for (std::size_t i = 0; i < times.size(); i += 2) times[i] += 0.03;
@@ -113,16 +105,6 @@ TEST(ClipRequests, SeedsDifferAndFollowFromTheSeed) {
   EXPECT_EQ(seeds.count(list(scene, options(), 1).front().request.seed), 0U);
 }
 
-TEST(ClipRequests, BeginsAreAStrideApart) {
-  DatasetOptions sparse = options();
-  sparse.begin_stride = 1.5;
-  std::set<double> nows;
-  for (const SceneRequest& request : list(sceneOf(framesEvery(0.5, 20)), sparse)) {
-    nows.insert(request.now);
-  }
-  EXPECT_THAT(nows, ElementsAre(kStart + 3.5, kStart + 5.0, kStart + 6.5, kStart + 8.0));
-}
-
 TEST(ClipRequests, FramesThatDoNotComeAtTwoHertzHaveNone) {
   EXPECT_TRUE(list(sceneOf(framesEvery(0.6, 40)), options()).empty());
   std::vector<double> gap = framesEvery(0.5, 20);
@@ -139,12 +121,6 @@ TEST(ClipRequests, SlowEgosAreLeftOut) {
   fast.min_ego_speed = 4.5;
   EXPECT_FALSE(list(sceneOf(framesEvery(0.5, 20)), fast).empty());
   EXPECT_FALSE(list(sceneOf(framesEvery(0.5, 20), 0.0), options()).empty());
-}
-
-TEST(ClipRequests, ShortRecordingsHaveNone) {
-  EXPECT_TRUE(list(sceneOf({}), options()).empty());
-  EXPECT_TRUE(list(sceneOf(framesEvery(0.5, 10)), options()).empty());
-  EXPECT_FALSE(list(sceneOf(framesEvery(0.5, 11)), options()).empty());
 }
 
 }  // namespace

@@ -114,19 +114,6 @@ TEST(AttackFigures, ColumnsReadBackAsThemselves) {
   }
 }
 
-TEST(AttackFigures, NoAttackIsEmptyColumnsAndOthersAreNone) {
-  std::optional<AttackFigures> copy = Case().figures();
-  ASSERT_TRUE(readAttackColumns(attackColumns({}), "scene", copy));
-  EXPECT_FALSE(copy);
-  const std::vector<std::string> columns = attackColumns(Case().figures());
-  for (std::size_t i = 1; i < columns.size(); ++i) {
-    std::vector<std::string> broken = columns;
-    broken[i] = "north";
-    EXPECT_FALSE(readAttackColumns(broken, "scene", copy)) << i;
-  }
-  EXPECT_FALSE(readAttackColumns({"attacker"}, "scene", copy));
-}
-
 TEST(RecordedMotion, IsOfEveryWindowWithItsRoadAndGap) {
   const Case c;
   const auto map = twoLaneRoad();

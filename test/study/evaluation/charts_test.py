@@ -38,10 +38,6 @@ class ChartsTest(unittest.TestCase):
                          [('hit', 'a', 'all', 0.8125, (0.776, 0.844)), ('hit', 'b', 'RE', 0.85, None),
                           ('fair', 'a', 'all', 0.5, None)])
 
-    def test_whiskers_reach_from_the_value_to_the_ends_in_percent(self):
-        below, above = charts.whiskers([0.5, 0.2], [(0.25, 1.0), None])
-        self.assertEqual((below, above), ([25.0, 0.0], [50.0, 0.0]))
-
     def test_every_file_has_its_chart_and_it_is_the_same_again(self):
         arguments = ('--rates', self.folder / 'table.csv', '--measures', 'hit', '--calibration',
                      self.folder / 'calibration.csv', '--curves', self.folder / 'metrics.csv', '--columns', 'loss',
@@ -58,9 +54,6 @@ class ChartsTest(unittest.TestCase):
         self.assertEqual(result.returncode, 1)
         self.assertRegex(result.stderr, "^charts.py: FileNotFoundError: .*none.csv'\n$")
         self.assertEqual(list(self.folder.glob('*.png')), [])
-
-    def test_without_measures_all_are_drawn(self):
-        self.assertEqual(set(self.draw('--rates', self.folder / 'table.csv')), {'hit.png', 'fair.png'})
 
 
 if __name__ == '__main__':

@@ -130,22 +130,6 @@ TEST(Baselines, RecordedMotionDependsOnTheSixFramesAroundAlone) {
   EXPECT_GT(std::abs(trajectory.points[25].curvature), 1e-3);
 }
 
-TEST(Baselines, RecordedHeadingsAreInterpolatedBetweenFrames) {
-  CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {}, 5.0);
-  clip.tracks[0].frames[9]->pose.yaw = 0.4;
-  const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, search());
-  EXPECT_NEAR(trajectory.points[5].pose.yaw, 0.0, kRounding);   // frame 8
-  EXPECT_NEAR(trajectory.points[7].pose.yaw, 0.16, kRounding);  // 2/5 on the way to frame 9
-  EXPECT_NEAR(trajectory.points[10].pose.yaw, 0.4, kRounding);
-}
-
-TEST(Baselines, RecordedAttackerThatDrivesBackwardsHasANegativeSpeed) {
-  CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {}, -3.0);
-  for (const TrajectoryPoint& point : recordedAttacker(clip, kBox, search()).points) {
-    EXPECT_NEAR(point.speed, -3.0, 1e-4);
-  }
-}
-
 TEST(Baselines, RecordedAttackerGoesStraightOnAfterTheLastFrame) {
   const CollideClip clip = quinticClip();
   const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, search());
@@ -155,16 +139,6 @@ TEST(Baselines, RecordedAttackerGoesStraightOnAfterTheLastFrame) {
   expectPose(end.pose, last.pose.x + 2.0 * last.speed * std::cos(last.pose.yaw),
              last.pose.y + 2.0 * last.speed * std::sin(last.pose.yaw), last.pose.yaw);
   EXPECT_EQ(end.acceleration, 0.0);
-}
-
-TEST(Baselines, ConstantVelocityKeepsTheSpeedAndHeadingOfNow) {
-  const CollideClip clip =
-      straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {3.0, 4.0, M_PI_2}, 6.0);
-  const AttackerTrajectory trajectory = constantVelocityAttacker(clip, kBox, search());
-  EXPECT_EQ(trajectory.points.front().time, clip.now());
-  EXPECT_NEAR(trajectory.points.back().time, clip.times.back() + 2.0, kRounding);
-  expectPose(trajectory.points.back().pose, 3.0, 4.0 + 6.0 * 5.0, M_PI_2);
-  EXPECT_EQ(trajectory.points.back().speed, 6.0);
 }
 
 TEST(Baselines, ConstantVelocityOfAnAgentIsThatOfItsHistory) {
@@ -194,12 +168,6 @@ TEST(Baselines, NominalPlacesAreThoseOfTheSet) {
   const double ahead = 15.0 + 2.0 + std::sin(0.35);
   expectPose(nominal(CollisionType::kLaneChange, 3.0).end().pose, ahead, side, -0.35);
   expectPose(nominal(CollisionType::kLaneChange, -3.0).end().pose, ahead, -side, 0.35);
-}
-
-TEST(Baselines, NominalStartsAndArrivesWithTheSpeedOfNow) {
-  const Nominal attack = nominal(CollisionType::kRearEnd, 0.5);
-  EXPECT_NEAR(attack.trajectory().points.front().speed, 7.0, 1e-4);
-  EXPECT_NEAR(attack.end().speed, 7.0, 1e-4);
 }
 
 TEST(Baselines, NominalAimsAtTheEgoAsKnownInItsMode) {

@@ -52,13 +52,6 @@ TEST(DrawClips, OneOfEachTypeFirstInTheirOrder) {
   EXPECT_EQ(typesOf(drawClips(somePaths(), 5, 2.0, 0)), first);
 }
 
-TEST(DrawClips, EveryLongClipOnceAndNoShortOne) {
-  const std::vector<std::string> drawn = drawClips(somePaths(), 12, 2.0, 3);
-  EXPECT_EQ(std::set<std::string>(drawn.begin(), drawn.end()).size(), 12u);
-  for (const std::string& path : drawn) EXPECT_GE(parseCollideName(path).collision_frame, 11);
-  EXPECT_EQ(drawClips(somePaths(), 16, 1.5, 3).size(), 16u);
-}
-
 TEST(DrawClips, TheSeedAloneDecidesAndMoreClipsBeginWithFewer) {
   const std::vector<std::string> paths = somePaths();
   const std::vector<std::string> drawn = drawClips(paths, 8, 2.0, 1);
@@ -89,11 +82,6 @@ TEST(ClipNamed, TakesTheNameOrAPartThatIsOfOneAlone) {
   EXPECT_EQ(clipNamed(paths, name), paths[1]);
   EXPECT_EQ(clipNamed(paths, name.substr(0, name.size() - 4)), paths[1]);
   EXPECT_EQ(clipNamed(paths, "LTAP_scene-0001"), paths[2]);
-}
-
-TEST(ClipNamed, AWholeNameComesBeforeAPartOfAnother) {
-  const std::vector<std::string> paths = {"val/long-one.csv", "val/one.csv", "val/one-long.csv"};
-  EXPECT_EQ(clipNamed(paths, "one"), "val/one.csv");
 }
 
 TEST(ClipNamed, UnknownAndAmbiguousNamesAreRefusedWithWhatThereIs) {

@@ -70,19 +70,6 @@ TEST(ClipEvaluation, EveryPlanHasTheBaselinesAndItsSeeds) {
   }
 }
 
-TEST(ClipEvaluation, RowsSayWhichClipTheyAreOf) {
-  const CollideClip clip = rearEnd();
-  const std::vector<ResultRow> rows = Evaluation().rows(clip);
-  ASSERT_FALSE(rows.empty());
-  for (const ResultRow& row : rows) {
-    EXPECT_EQ(row.name, clip.name);
-    EXPECT_EQ(row.scene, "scene-0001");
-    EXPECT_EQ(row.type, CollisionType::kRearEnd);
-    EXPECT_EQ(row.tta, 2.0);
-    EXPECT_EQ(row.status, "OK");
-  }
-}
-
 TEST(ClipEvaluation, StrictRowsHaveEveryCondition) {
   Evaluation evaluation;
   for (const char* method : {"recorded", "constant_velocity"}) {
@@ -129,18 +116,6 @@ TEST(ClipEvaluation, PublishedRowsCountFromNow) {
   EXPECT_EQ(miss.note, "ego touches third");
 }
 
-TEST(ClipEvaluation, SearchFindsAnAttack) {
-  Evaluation evaluation;
-  evaluation.plan.method = "search";
-  evaluation.plan.mode = Mode::kReplay;
-  const CollideClip clip =
-      straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
-  const ResultRow row = evaluation.row(clip, "search");
-  EXPECT_EQ(row.status, "OK");
-  EXPECT_EQ(row.confidence, 1.0);
-  EXPECT_TRUE(meets(row, Protocol::kStrict, "full_definitions"));
-}
-
 /// The ego brakes from now on; its past does not tell.
 CollideClip brakingEgo(double deceleration) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
@@ -167,14 +142,6 @@ TEST(ClipEvaluation, AnAdaptiveAttackerReactsToWhatTheClipReveals) {
   evaluation.plan.mode = Mode::kHistory;
   EXPECT_EQ(evaluation.row(clip, "nominal").contact_after, baseline);
   EXPECT_THROW(evaluation.row(clip, "first_plan"), std::out_of_range);
-}
-
-TEST(ClipEvaluation, MethodsWithNetworksNeedThem) {
-  Evaluation evaluation;
-  for (const char* method : {"network", "network+search", "network+published_search"}) {
-    evaluation.plan.method = method;
-    EXPECT_THROW(evaluation.rows(rearEnd()), std::invalid_argument) << method;
-  }
 }
 
 TEST(ClipEvaluation, NetworksForeseeAndTheSearchWithoutThemStandsBeside) {
@@ -208,32 +175,6 @@ TEST(ClipEvaluation, NetworkDrivesToItsLikeliestPattern) {
   EXPECT_EQ(row.status, "OK");
   EXPECT_TRUE(meets(row, Protocol::kStrict, "contact"));
   EXPECT_TRUE(meets(row, Protocol::kStrict, "type_angle_bands"));
-}
-
-TEST(ClipEvaluation, SeenScenesTakeTheNetworkOfAllScenes) {
-  Evaluation evaluation;
-  evaluation.foresight = loadForesight(evaluation.config);
-  CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
-  clip.scene = evaluation.foresight.network->folds().back()->weights().left_out_scenes.front();
-  evaluation.plan.method = "network";
-  evaluation.plan.is_seeded = false;
-  const auto unseen = evaluation.row(clip, "network").contact_after;
-  evaluation.plan.seen_scenes = true;
-  EXPECT_NE(evaluation.row(clip, "network").contact_after, unseen);
-}
-
-TEST(ClipEvaluation, SearchWithoutAnAnswerMeetsNothing) {
-  for (const Protocol protocol : {Protocol::kPublished, Protocol::kStrict}) {
-    Evaluation evaluation;
-    evaluation.plan.method = "search";
-    evaluation.plan.protocol = protocol;
-    const CollideClip clip =
-        straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-500.0, 0.0, 0.0}, 10.0);
-    const ResultRow row = evaluation.row(clip, "search");
-    EXPECT_EQ(row.status, "NO_ATTACK_WITHIN_LIMITS");
-    EXPECT_EQ(row.meets, std::vector<bool>(measuresOf(protocol).size(), false));
-    EXPECT_NE(row.note.find("limits"), std::string::npos);
-  }
 }
 
 TEST(ClipEvaluation, SearchAsksForTheAngleBandsAlone) {

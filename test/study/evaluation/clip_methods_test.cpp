@@ -1,6 +1,5 @@
 #include "collision_forge/study/evaluation/clip_methods.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "collision_forge/io/collide/collide_scene.h"
@@ -62,10 +61,6 @@ TEST(ClipMethods, LookaheadArrivesAsTheSetsOwnAttacker) {
   const auto at = static_cast<std::size_t>(2.0 / lookahead.config.attack.search.step);
   EXPECT_NEAR(answer.trajectory.points[at].speed, 12.0, 1e-6);
   EXPECT_NEAR(answer.trajectory.points[at - 1].acceleration, (12.0 - 10.0) / 0.5, 1.0);
-}
-
-TEST(ClipMethods, LookaheadRefusesAsTheNetworkDoes) {
-  EXPECT_EQ(Lookahead(StatusCode::kNoCandidate).answer().status.code, StatusCode::kNoCandidate);
 }
 
 TEST(ClipMethods, LookaheadIsThereWithTheNetworkAlone) {

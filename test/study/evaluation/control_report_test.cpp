@@ -55,13 +55,6 @@ TEST(ControlRates, CountWhatIsAnsweredAndOfThatWhatIsKept) {
   }
 }
 
-TEST(ControlRates, AreRowsOfATable) {
-  const std::string table = toMarkdown(controlRates(questions()));
-  EXPECT_THAT(table, HasSubstr("| control | value | asked | declined for the road | answered |"));
-  EXPECT_THAT(table, HasSubstr("| overlap | 0 to 0.25 | 4 | 1 | 2 | 66.7 | 0.50 |"));
-  EXPECT_THAT(table, HasSubstr("| manoeuvre | lead_slow | 1 | 0 | 0 | 0.0 | - |"));
-}
-
 TEST(ControlRates, AreLinesOfACsvFile) {
   const std::string csv = toCsv(controlRates(questions()));
   EXPECT_EQ(csv.rfind("control,value,type,trials,answered,low,high,kept\n", 0), 0u);

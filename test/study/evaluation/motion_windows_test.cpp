@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "attack/search/test_scenes.h"
 
 namespace forge {
@@ -41,12 +39,6 @@ TEST(RecordedWindows, LeaveOutVehiclesThatStand) {
             1u);
   EXPECT_TRUE(
       recordedWindows("scene", straightTrack("car", kCarSize, {}, 0.3, 0.0, 0.0, 3.0)).empty());
-}
-
-TEST(RecordedWindows, LeaveOutWhoCannotAttack) {
-  Track track = straightTrack("walker", kCarSize, {}, 5.0, 0.0, 0.0, 3.0);
-  track.agent_class = AgentClass::kPedestrian;
-  EXPECT_TRUE(recordedWindows("scene", track).empty());
 }
 
 /// Recorded on y = 0; made to drive on 0.2 m beside it.
@@ -99,13 +91,6 @@ TEST(AttackWindow, IsEmptyWhereThePastIsMissing) {
   late.recorded.states.erase(late.recorded.states.begin(), late.recorded.states.end() - 3);
   EXPECT_FALSE(late.window(3.0));  // needs 1.5 s
   EXPECT_TRUE(late.window(3.5));   // needs 1 s
-}
-
-TEST(AttackWindow, IsEmptyWhereNothingIsGenerated) {
-  EXPECT_FALSE(AttackCase().window(1.9));
-  AttackCase none;
-  none.trajectory.points.clear();
-  EXPECT_FALSE(none.window(4.0));
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "collision_forge/attack/search/request_list.h"
 #include "collision_forge/attack/verify/believability.h"
@@ -281,17 +280,6 @@ TEST_F(RequestEvaluationTest, RowsTellWhetherTheRoadAllowsTheRequest) {
   EXPECT_GT(refused, 0);
 }
 
-TEST_F(RequestEvaluationTest, NobodyToAttackLeavesBaselinesWithoutAnAnswer) {
-  config_.attack.prediction.candidate_radius = 0.1;
-  const EvaluatedRequest evaluated = evaluate(asked(CollisionType::kRearEnd));
-  ASSERT_FALSE(evaluated.rows.empty());
-  for (const ResultRow& row : evaluated.rows) {
-    EXPECT_EQ(row.status, "NO_CANDIDATE") << row.method;
-    EXPECT_THAT(row.note, HasSubstr("candidate_radius"));
-    EXPECT_THAT(row.meets, testing::Each(false));
-  }
-}
-
 TEST_F(RequestEvaluationTest, RequestsThatNobodyCanAnswerHaveTheirStatusInEveryRow) {
   std::vector<std::pair<SceneRequest, std::string>> impossible(
       3, {asked(CollisionType::kRearEnd), "UNKNOWN_ATTACKER"});
@@ -310,80 +298,6 @@ TEST_F(RequestEvaluationTest, RequestsThatNobodyCanAnswerHaveTheirStatusInEveryR
       EXPECT_FALSE(row.confidence);
     }
   }
-}
-
-TEST_F(RequestEvaluationTest, OwnShareOffTheRoadIsThatOfTheRecordedTrackUpToTheContact) {
-  plan_.method = "nominal";
-  RequestListOptions list = config_.requests;
-  list.types = {CollisionType::kJunctionCrossing};
-  list.ttas = {4.0, 6.0};
-  list.attackers = Attackers::kEach;
-  const RequestEvaluator evaluator(scenes_, config_, {}, builtInMethods(), plan_);
-  const IndexedScene& indexed = scene("scene-0007");
-  int off_road = 0;
-  int not_recorded = 0;
-  for (const SceneRequest& request :
-       listRequests(indexed.scene, list, config_.attack.prediction, config_.crash.time_tolerance)) {
-    const auto own =
-        std::find_if(indexed.scene.agents.begin(), indexed.scene.agents.end(),
-                     [&](const Track& agent) { return agent.id == *request.request.attacker; });
-    const EvaluatedRequest evaluated = evaluator.evaluate("1", request);
-    for (const ResultRow& row : evaluated.rows) {
-      EXPECT_EQ(row.off_road_share.has_value(), row.contact_after.has_value());
-      if (!row.contact_after) continue;
-      double sum = 0.0;
-      int poses = 0;
-      bool is_recorded = own->states.back().time >= request.now + *row.contact_after;
-      for (double after = 0.0; after <= *row.contact_after; after += 0.5, ++poses) {
-        const auto state = stateAt(*own, request.now + after);
-        is_recorded = is_recorded && state;
-        if (state) sum += indexed.lanes->offRoadShare({state->pose, own->size}).value();
-      }
-      ASSERT_EQ(row.own_off_road_share.has_value(), is_recorded);
-      if (!is_recorded) {
-        ++not_recorded;
-        continue;
-      }
-      EXPECT_NEAR(*row.own_off_road_share, sum / poses, 1e-6);
-      off_road += sum > 0.0;
-    }
-  }
-  EXPECT_GT(off_road, 0);
-  EXPECT_GT(not_recorded, 0);
-}
-
-TEST_F(RequestEvaluationTest, NetworkIsARowOfItsOwnAndItsSearchNamedAfterIt) {
-  const SceneRequest request = listRequests(scene("scene-0001").scene, config_.requests,
-                                            config_.attack.prediction, config_.crash.time_tolerance)
-                                   .at(20);
-  const Foresight foresight = loadForesight(config_);
-  plan_.method = "network";
-  plan_.is_seeded = false;
-  EXPECT_EQ(requestRowMethods(plan_),
-            (std::vector<std::string>{"constant_velocity", "nominal", "network"}));
-  EXPECT_EQ(RequestEvaluator(scenes_, config_, foresight, builtInMethods(), plan_)
-                .evaluate("7", request)
-                .rows.size(),
-            rowsPerRequest(plan_));
-  plan_.method = "network+search";
-  plan_.is_seeded = true;
-  EXPECT_EQ(requestRowMethods(plan_).at(2), "network+search_full_definitions");
-  EXPECT_EQ(RequestEvaluator(scenes_, config_, foresight, builtInMethods(), plan_)
-                .evaluate("7", request)
-                .rows.size(),
-            rowsPerRequest(plan_));
-  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, builtInMethods(), plan_),
-               std::invalid_argument);
-}
-
-TEST_F(RequestEvaluationTest, OtherProtocolsAndMethodsAreRefused) {
-  plan_.method = "recorded";
-  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, builtInMethods(), plan_),
-               std::invalid_argument);
-  plan_.method = "search";
-  plan_.protocol = Protocol::kPublished;
-  EXPECT_THROW(RequestEvaluator(scenes_, config_, {}, builtInMethods(), plan_),
-               std::invalid_argument);
 }
 
 }  // namespace

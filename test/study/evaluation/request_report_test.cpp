@@ -138,17 +138,6 @@ TEST(RequestReport, AnswersToWhatTheRoadDoesNotAllowHaveARowOfTheirOwn) {
   EXPECT_EQ(answered.rates[0].back().trials, 1);
 }
 
-TEST(RequestReport, BelievablePlansHaveNoAngleBands) {
-  const auto tables = requestTables(withRoad(sampleRows()), believablePlan());
-  for (const std::string& name : namesOf(tables)) {
-    EXPECT_EQ(name.find("angle_bands"), std::string::npos) << name;
-  }
-  EXPECT_THAT(tableNamed(tables, "on_time").methods,
-              ElementsAre("constant_velocity", "nominal", "search_full_definitions",
-                          "replay_full_definitions"));
-  EXPECT_EQ(requestCalibrations(sampleRows(), believablePlan()).size(), 1u);
-}
-
 TEST(RequestReport, BelievableAreCountedOfThoseThatTouchTheEgo) {
   std::vector<ResultRow> rows = sampleRows();
   rows[0].request->believable = true;  // both of constant_velocity
@@ -169,19 +158,6 @@ TEST(RequestReport, AnySeedOfReplayMakesARequestOneThatReplayMeets) {
   const auto tables = requestTables(rows, searchPlan());
   const RateTable& full = tableNamed(tables, "full_definitions_given_replay");
   EXPECT_EQ(full.rates[0].back().trials, 2);
-}
-
-TEST(RequestReport, ReplayPlansHaveNeitherCeilingNorCalibration) {
-  const EvaluationPlan plan = searchPlan(Mode::kReplay);
-  for (const RateTable& table : requestTables(sampleRows(), plan)) {
-    EXPECT_EQ(table.measure.name.find("given_replay"), std::string::npos);
-    EXPECT_EQ(std::count(table.methods.begin(), table.methods.end(), "replay"), 0);
-  }
-  EXPECT_TRUE(requestCalibrations(sampleRows(), plan).empty());
-  EvaluationPlan nominal = searchPlan();
-  nominal.method = "nominal";
-  nominal.is_seeded = false;
-  EXPECT_TRUE(requestCalibrations(sampleRows(), nominal).empty());
 }
 
 TEST(RequestReport, OffRoadTableHasTheAttackTheOwnMotionAndTheDifference) {

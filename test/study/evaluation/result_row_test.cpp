@@ -89,41 +89,6 @@ TEST(ResultRow, ReadsBackAsItself) {
   EXPECT_EQ(row->note, "max_speed 26.000 > 25.000");
 }
 
-TEST(ResultRow, RoundedRowIsWrittenTheSameAgain) {
-  ResultRow row = sampleRow();
-  for (int i = 0; i < 1000; ++i) {
-    row.contact_after = std::sin(0.1 * i) * 7.0;
-    row.relative_heading = std::cos(0.37 * i) * M_PI;
-    const std::string line = toCsv(row);
-    ASSERT_EQ(toCsv(*rowFromCsv(line, Protocol::kPublished)), line);
-  }
-}
-
-TEST(ResultRow, NoContactLeavesItsColumnsEmpty) {
-  ResultRow row = sampleRow();
-  row.contact_after.reset();
-  row.relative_heading.reset();
-  row.confidence.reset();
-  row.off_road_share.reset();
-  row.own_off_road_share.reset();
-  row.note.clear();
-  const auto copy = rowFromCsv(toCsv(row), Protocol::kPublished);
-  ASSERT_TRUE(copy);
-  EXPECT_FALSE(copy->contact_after);
-  EXPECT_FALSE(copy->relative_heading);
-  EXPECT_FALSE(copy->confidence);
-  EXPECT_FALSE(copy->off_road_share);
-  EXPECT_FALSE(copy->own_off_road_share);
-}
-
-TEST(ResultRow, CommasOfATextDoNotBreakTheRow) {
-  ResultRow row = sampleRow();
-  row.note = "a, b\nc";
-  const auto copy = rowFromCsv(toCsv(row), Protocol::kPublished);
-  ASSERT_TRUE(copy);
-  EXPECT_EQ(copy->note, "a; b c");
-}
-
 TEST(ResultRow, OtherLinesAreNoRows) {
   const std::string line = toCsv(sampleRow());
   EXPECT_FALSE(rowFromCsv("", Protocol::kPublished));
@@ -144,15 +109,6 @@ TEST(ResultRow, OtherLinesAreNoRows) {
   EXPECT_FALSE(rowFromCsv(other.replace(other.find("OK,1"), 4, "OK,2"), Protocol::kPublished));
   other = line;
   EXPECT_FALSE(rowFromCsv(other.replace(other.find("45.00"), 5, "north"), Protocol::kPublished));
-}
-
-TEST(ResultRow, HeaderHasTheMeasuresOfTheProtocol) {
-  for (const Protocol protocol : {Protocol::kPublished, Protocol::kStrict}) {
-    for (const Measure& measure : measuresOf(protocol)) {
-      EXPECT_NE(csvHeader(protocol).find("," + measure.name + ","), std::string::npos);
-      EXPECT_LT(measure.given.value_or(0), measuresOf(protocol).size());
-    }
-  }
 }
 
 TEST(ReadResultRows, GivesTheRowsOfOneItem) {

@@ -72,18 +72,6 @@ TEST(GeneratorMethod, DrivesOnAfterTheTimeAskedFor) {
               1e-9);
 }
 
-TEST(GeneratorMethod, SeedsDrawDifferentWays) {
-  const GeneratorMethod method = methodOf(std::make_shared<StraightGenerator>());
-  CollisionRequest request = requestFor();
-  request.attacker = "closing";
-  const auto endOf = [&](std::uint64_t seed) {
-    request.seed = seed;
-    return method.answer(closingIn(), request).trajectory.points.back().pose.y;
-  };
-  EXPECT_EQ(endOf(1), endOf(1));
-  EXPECT_NE(endOf(1), endOf(2));
-}
-
 TEST(GeneratorMethod, NumbersThatAreNotFiniteAreAnError) {
   const GeneratorMethod method = methodOf(std::make_shared<StraightGenerator>(NAN));
   EXPECT_THROW(method.answer(closingIn(), requestFor()), std::runtime_error);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 
 #include "attack/search/test_scenes.h"
 #include "study/generators/sample_traffic.h"
@@ -158,57 +157,6 @@ TEST(PublishedNetwork, LearnsAHandfulOfClipsByHeart) {
   }
 }
 
-TEST(PublishedNetwork, TellsALossForEachName) {
-  const GeneratorOptions options = quickOptions();
-  for (const PublishedHead head : kHeads) {
-    const auto model = makeSeeded(head, options);
-    const std::vector<double> losses = model->trainStep(crashBatch(options.traffic));
-    EXPECT_EQ(losses.size(), model->lossNames().size());
-    for (const double loss : losses) EXPECT_GT(loss, 0.0);
-  }
-}
-
-TEST(PublishedNetwork, GoesOnLearningFromItsFile) {
-  const GeneratorOptions options = quickOptions();
-  const TrafficBatch batch = crashBatch(options.traffic);
-  const auto model = makeSeeded(PublishedHead::kRegionProposal, options);
-  model->trainStep(batch);
-  torch::serialize::OutputArchive saved, saved_weights;
-  model->saveTraining(saved);
-  model->network()->save(saved_weights);
-  std::stringstream file, weights_file;
-  saved.save_to(file);
-  saved_weights.save_to(weights_file);
-  torch::serialize::InputArchive archive, weights;
-  archive.load_from(file);
-  weights.load_from(weights_file);
-  const auto other = makePublishedNetwork(PublishedHead::kRegionProposal, options.published_network,
-                                          options.traffic, torch::kCPU);
-  other->network()->load(weights);
-  other->loadTraining(archive);
-  model->trainStep(batch);
-  other->trainStep(batch);
-  EXPECT_EQ(model->trainStep(batch), other->trainStep(batch));
-}
-
-TEST(PublishedNetwork, LearnsEverSlower) {
-  GeneratorOptions options = quickOptions();
-  options.published_network.decay_from = 2;
-  options.published_network.decay_every = 1;
-  options.published_network.decay = 0.0;
-  const auto model = makeSeeded(PublishedHead::kRegression, options);
-  const TrafficBatch batch = crashBatch(options.traffic);
-  const auto isChanged = [&] {
-    const torch::Tensor weights = model->network()->parameters().front();
-    const torch::Tensor before = weights.detach().clone();
-    model->trainStep(batch);
-    return !torch::equal(before, weights);
-  };
-  EXPECT_TRUE(isChanged());
-  EXPECT_TRUE(isChanged());
-  EXPECT_FALSE(isChanged()) << "the rate is multiplied by 0";
-}
-
 TEST(PublishedNetwork, DrivesWhomItSelectsToThePatternOfTheType) {
   for (const PublishedHead head : kHeads) {
     SCOPED_TRACE(static_cast<int>(head));
@@ -228,18 +176,6 @@ TEST(PublishedNetwork, DrivesWhomItSelectsToThePatternOfTheType) {
     EXPECT_EQ(opposite.trajectory.attacker_id, "ahead");
     EXPECT_NEAR(opposite.aim.attacker_offset.x, 4.0, 0.5);
     EXPECT_NEAR(std::abs(opposite.aim.attacker_offset.yaw), M_PI, 0.1);
-  }
-}
-
-TEST(PublishedNetwork, LaterCrashesAreFartherOn) {
-  for (const PublishedHead head : kHeads) {
-    SCOPED_TRACE(static_cast<int>(head));
-    const auto placeAfter = [&](double tta) {
-      return answerOf(*trained(head), crashMoment(), requestFor(CollisionType::kRearEnd, tta))
-          .aim.ego.center.x;
-    };
-    EXPECT_NEAR(placeAfter(1.5), 9.0, 1.01);
-    EXPECT_NEAR(placeAfter(3.5), 21.0, 1.01);
   }
 }
 
@@ -293,18 +229,6 @@ TEST(PublishedNetwork, TheAnswerMovesWithTheScene) {
   }
 }
 
-TEST(PublishedNetwork, TheAttackerComesFromTheSideThatItIsOn) {
-  const auto model = makeSeeded(PublishedHead::kRegression, quickOptions());
-  const auto yawOf = [&](double y) {
-    Moment moment = crashMoment();
-    moment.snapshot.agents = {pastTrack("crossing", kCarSize, {0.0, y, 0.0}, 9.0)};
-    return answerOf(*model, moment, requestFor(CollisionType::kJunctionCrossing, 2.5))
-        .aim.attacker_offset.yaw;
-  };
-  EXPECT_NE(yawOf(40.0), 0.0);
-  EXPECT_NEAR(yawOf(40.0), -yawOf(-40.0), 1e-6);
-}
-
 TEST(PublishedNetwork, WithoutLanesAnchorsTellWhyThereIsNoAnswer) {
   Moment moment = crashMoment();
   moment.snapshot.map = emptyMap();
@@ -318,29 +242,6 @@ TEST(PublishedNetwork, WithoutLanesAnchorsTellWhyThereIsNoAnswer) {
   }
   EXPECT_EQ(answerOf(*trained(PublishedHead::kRegression), moment, request).status.code,
             StatusCode::kOk);
-}
-
-TEST(PublishedNetwork, ClipsWithoutLanesAreLearnedFrom) {
-  const GeneratorOptions options = quickOptions();
-  const LaneIndex lanes(emptyMap());
-  const TrafficClip clip = trafficOf(crashClip(CollisionType::kRearEnd, 12), {{4.7, 2.0}, 2.0, 0.1},
-                                     options.traffic, &lanes);
-  const TrafficBatch batch = sampleBatch({clip}, options.traffic);
-  for (const PublishedHead head : kHeads) {
-    const auto model = makeSeeded(head, options);
-    for (const double loss : model->trainStep(batch)) EXPECT_TRUE(std::isfinite(loss));
-    for (const auto& parameter : model->network()->parameters()) {
-      EXPECT_TRUE(parameter.isfinite().all().item<bool>());
-    }
-  }
-}
-
-TEST(PublishedNetwork, WithoutACandidateThereIsNoAnswer) {
-  Moment moment = crashMoment();
-  moment.snapshot.agents.clear();
-  const Realization answer = answerOf(*trained(PublishedHead::kRegression), moment,
-                                      requestFor(CollisionType::kRearEnd, 2.5));
-  EXPECT_EQ(answer.status.code, StatusCode::kNoCandidate);
 }
 
 }  // namespace

@@ -39,17 +39,6 @@ TEST(SocialGan, LearnsAHandfulOfClipsByHeart) {
   EXPECT_LT(after, 0.5);
 }
 
-TEST(SocialGan, DrawsByItsNoiseAlone) {
-  const GeneratorOptions options = blindOptions();
-  const auto gan = makeSeeded(options);
-  const std::vector<TrafficClip> clips = sampleClips(options.traffic, 2);
-  const TrafficBatch history =
-      historyOf(sampleBatch(clips, options.traffic), options.traffic.history_frames);
-  const torch::Tensor first = gan->predict(history, noiseOf(5));
-  EXPECT_TRUE(torch::equal(first, gan->predict(history, noiseOf(5))));
-  EXPECT_FALSE(torch::equal(first, gan->predict(history, noiseOf(6))));
-}
-
 TEST(SocialGan, WhoWasNotSeenThroughoutIsNotPooled) {
   const GeneratorOptions options = blindOptions();
   const auto gan = makeSeeded(options);

@@ -56,13 +56,6 @@ TEST_F(StriveAttacks, FindsTheCrashThatTheModelAloneDoesNotDrive) {
   EXPECT_NEAR(found.report.relative_heading, 0.0, 0.3);
 }
 
-TEST_F(StriveAttacks, DrawsNoRandomNumbers) {
-  const Moment moment = farBehind();
-  const Realization first = answer("strive_optimised", moment);
-  const Realization second = answer("strive_optimised", moment);
-  EXPECT_EQ(first.trajectory.points.back().pose.x, second.trajectory.points.back().pose.x);
-}
-
 TEST(StriveAttack, NumbersThatAreNotFiniteAreAnError) {
   GeneratorOptions options = shippedConfig().generators;
   options.strive_optimised.iterations = 1;

@@ -28,18 +28,6 @@ TEST(Strive, LearnsAHandfulOfClipsByHeart) {
   EXPECT_LT(driveError(*strive, batch, options.traffic), 0.5);
 }
 
-TEST(Strive, DrawsByItsNoiseAlone) {
-  const GeneratorOptions options = shippedConfig().generators;
-  const auto strive = striveOf(options);
-  strive->network()->eval();
-  const TrafficBatch history =
-      historyOf(sampleBatch(sampleClips(options.traffic, 2), options.traffic),
-                options.traffic.history_frames);
-  const torch::Tensor first = strive->predict(history, noiseOf(5));
-  EXPECT_TRUE(torch::equal(first, strive->predict(history, noiseOf(5))));
-  EXPECT_FALSE(torch::equal(first, strive->predict(history, noiseOf(6))));
-}
-
 TEST(Strive, WhoWasNotSeenThroughoutIsNotHeard) {
   const GeneratorOptions options = shippedConfig().generators;
   const auto strive = striveOf(options);

@@ -32,17 +32,6 @@ TEST(BatchOf, IsSeenFromEachWindowsEgo) {
   EXPECT_EQ(batch.seen.sum().item<double>(), 2 * 2 * 12);
 }
 
-TEST(BatchOf, SaysTypeAndTimeThatIsLeft) {
-  const TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
-  const TrafficClip clip = sampleClips(options, 1).front();
-  const torch::Tensor condition = batchOf({{&clip, 7}, {&clip, 8}}, options, 4).condition;
-  const auto type = static_cast<long>(CollisionType::kRearEnd);
-  EXPECT_EQ(condition.slice(1, 0, 5).sum().item<double>(), 2.0);
-  EXPECT_EQ(condition[0][type].item<double>(), 1.0);
-  EXPECT_NEAR(condition[0][5].item<double>(), (12 - 8) / 12.0, 1e-6);
-  EXPECT_NEAR(condition[1][5].item<double>(), (12 - 9) / 12.0, 1e-6);
-}
-
 TEST(BatchOf, MarksWhoIsNotSeen) {
   const TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   TrafficClip clip = sampleClips(options, 1).front();

@@ -51,20 +51,6 @@ class GeneratorTrainingRun : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(GeneratorTrainingRun, OneThatIsStoppedGivesTheSame) {
-  trainGenerator(runTo("whole", 0));
-  trainGenerator(runTo("parts", 1));
-  const std::string metrics = folder_.path() + "/parts/metrics.csv";
-  EXPECT_THAT(readText(metrics), testing::Not(testing::HasSubstr("\n2,")));
-  trainGenerator(runTo("parts", 0));
-  EXPECT_THAT(readText(metrics), testing::HasSubstr("\n2,"));
-  for (const char* file : {"/metrics.csv", "/weights.pt", "/curves.png"}) {
-    const std::string whole = readText(folder_.path() + "/whole" + file);
-    EXPECT_FALSE(whole.empty()) << file;
-    EXPECT_EQ(whole, readText(folder_.path() + "/parts" + file)) << file;
-  }
-}
-
 TEST_F(GeneratorTrainingRun, OneThatIsKilledBetweenTwoFilesGivesTheSame) {
   trainGenerator(runTo("whole", 0));
   trainGenerator(runTo("before", 1));
@@ -111,15 +97,6 @@ TEST_F(GeneratorTrainingRun, GoesOnWithWhatItWroteAlone) {
   const std::size_t version = readText(folder_.path() + "/run/run.txt").find(program);
   EXPECT_THAT(complaintWith("run.txt", version + program.size()),
               testing::StartsWith(": line 2: the run was started with \"" + program));
-}
-
-TEST_F(GeneratorTrainingRun, WithoutClipsOrOnAnAbsentDeviceIsRefused) {
-  TrainingRun run = runTo("none", 0);
-  run.device = "abacus";
-  EXPECT_THROW(trainGenerator(run), std::runtime_error);
-  run = runTo("none", 0);
-  run.sources.collide.clear();
-  EXPECT_THROW(trainGenerator(run), std::runtime_error);
 }
 
 }  // namespace

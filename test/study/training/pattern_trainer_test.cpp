@@ -248,33 +248,6 @@ class TwoRanks {
   int rounds_ = 0;
 };
 
-TEST(PatternTrainer, TwoRanksLearnTheSame) {
-  const auto samples = samplesOf(smallFeatures(), 7);
-  TrainingOptions options = quickTraining();
-  options.epochs = 60;
-  options.dropout = options.context_dropout = 0.0;
-  options.mirrored_share = 0.0;
-  TwoRanks ranks;
-  PatternTrainer first = trainerOf(options);
-  PatternTrainer second = trainerOf(options);
-  first.trainTogether(ranks.rank(0));
-  second.trainTogether(ranks.rank(1));
-  const double before = first.losses(samples, all(samples)).total;
-  TrainingLosses of_first;
-  TrainingLosses of_second;
-  const auto train = [&](PatternTrainer& trainer, TrainingLosses& losses) {
-    for (int i = 0; i < options.epochs; ++i) losses = trainer.trainEpoch(samples, all(samples));
-  };
-  std::thread other([&] { train(second, of_second); });
-  train(first, of_first);
-  other.join();
-  EXPECT_LT(first.losses(samples, all(samples)).total, before - 0.5);
-  EXPECT_EQ(of_first.total, of_second.total);
-  for (const auto& [name, layer] : first.weights().layers) {
-    EXPECT_EQ(layer.matrix, second.weights().layers.at(name).matrix) << name;
-  }
-}
-
 TEST(PatternTrainer, TwoRanksStepByTheMeanOfTheirGradients) {
   // two ranks with one moment each, and one process with both
   const std::vector<TrainingSample> samples = {samplesOf(smallFeatures(), 2)[1],
@@ -320,11 +293,6 @@ TEST(PatternTrainer, RefusesDamagedAndForeignStates) {
   EXPECT_EQ(complaint.find('\n'), std::string::npos);
   EXPECT_THROW(same.load(path + ".not"), TrainingError);
   fs::remove(path);
-}
-
-TEST(PatternTrainer, RefusesADeviceThatIsNotThere) {
-  EXPECT_THROW(PatternTrainer(smallFeatures(), smallLayers(), quickTraining(), "tpu", 1, 0),
-               TrainingError);
 }
 
 }  // namespace

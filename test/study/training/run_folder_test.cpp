@@ -39,13 +39,6 @@ TEST(OpenRunFolder, NamesTheFirstLineThatDiffers) {
             "line 2: the run was started with \"fold = 2\", not \"fold = 3\"");
 }
 
-TEST(OpenRunFolder, ComparesUpToTheEndOfBoth) {
-  EXPECT_EQ(differenceOf("seed = 1\nfold = 2\n", "seed = 1\n"),
-            "line 2: the run was started with \"fold = 2\", not the end of the file");
-  EXPECT_EQ(differenceOf("seed = 1\n", "seed = 1\nfold = 2\n"),
-            "line 2: the run was started with the end of the file, not \"fold = 2\"");
-}
-
 /// Of a run on the embedded logs; drawing.yaml stands for the file that a network is trained by.
 std::string describedWith(const std::map<std::string, std::string>& config_files) {
   TrainingRun run;
@@ -117,10 +110,6 @@ class EpochTableTest : public testing::Test {
     table.keep("state of 3");
   }
 
-  std::string complaintAfter(int epochs) const {
-    return errorOf<std::runtime_error>([&] { EpochTable(run_, kColumns, epochs); });
-  }
-
   const std::vector<std::string> kColumns = {"loss", "validation"};
   TemporaryFolder folder_;
   TrainingRun run_;
@@ -142,16 +131,6 @@ TEST_F(EpochTableTest, KeepsTheRowsOfEpochsThatAreDone) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() + "/curves.png"));
 }
 
-TEST_F(EpochTableTest, GoesOnWithLossesThatAreNoFiniteNumbers) {
-  EpochTable table(run_, kColumns, 3);
-  EXPECT_FALSE(table.add({std::nan(""), -std::nan("")}));
-  table.keep("state of 4");
-  EXPECT_FALSE(table.add({HUGE_VAL, HUGE_VAL}));
-  table.keep("state of 5");
-  EpochTable again(run_, kColumns, 5);
-  EXPECT_TRUE(again.add({1.0, 1.25}));
-}
-
 TEST_F(EpochTableTest, GoesOnWhereTheProcessWasKilledBetweenTwoFiles) {
   const std::string sums = readText(sums_);
   EpochTable(run_, kColumns, 3).add({1.0, 1.0});  // the row is there, its checksum is not
@@ -168,49 +147,6 @@ TEST_F(EpochTableTest, GoesOnWhereTheProcessWasKilledBetweenTwoFiles) {
   EXPECT_EQ(readText(path_), rows_ + "4,1.000000,1.000000\n");
   EXPECT_EQ(readText(sums_).substr(0, sums.size()), sums);
   EXPECT_EQ(readText(sums_).size(), sums.size() / 3 * 4);
-}
-
-TEST_F(EpochTableTest, RefusesADamagedDigit) {
-  rows_[rows_.find("2.500000") + 2] = '4';
-  writeText(path_, rows_);
-  EXPECT_THAT(complaintAfter(3),
-              testing::StartsWith(path_ +
-                                  ": line 3: \"2,2.000000,2.400000\" is not as it was written: its "
-                                  "checksum in " +
-                                  sums_ + " is another"));
-  EXPECT_NO_THROW(EpochTable(run_, kColumns, 1));
-}
-
-TEST_F(EpochTableTest, RefusesWhatIsNoNumber) {
-  rows_[rows_.find("2.500000") + 1] = 'x';
-  writeText(path_, rows_);
-  EXPECT_EQ(complaintAfter(3), path_ + ": line 3: validation is \"2x500000\", not a number");
-}
-
-TEST_F(EpochTableTest, RefusesTooFewRows) {
-  writeText(path_, rows_.substr(0, rows_.find("3,1.0")));
-  EXPECT_EQ(complaintAfter(3), path_ + ": has 2 rows, not 3, the epochs of " + statePath(run_));
-  writeText(path_, rows_.substr(0, rows_.rfind(',')) + "\n");
-  EXPECT_EQ(complaintAfter(3), path_ + ": line 4: \"3,1.000000\" has 2 columns, not 3");
-  std::filesystem::remove(path_);
-  EXPECT_EQ(complaintAfter(3), path_ + ": has 0 rows, not 3, the epochs of " + statePath(run_));
-}
-
-TEST_F(EpochTableTest, RefusesAnotherHeader) {
-  writeText(path_, "epoch,loss,validatiom" + rows_.substr(rows_.find('\n')));
-  EXPECT_EQ(complaintAfter(3), path_ +
-                                   ": line 1: \"epoch,loss,validatiom\" is another header than "
-                                   "\"epoch,loss,validation\"");
-}
-
-TEST_F(EpochTableTest, SaysWhatCannotBeWritten) {
-  EpochTable table(run_, kColumns, 3);
-  {
-    const FileSizeLimit limit(8);  // bytes
-    EXPECT_THAT(errorOf<std::runtime_error>([&] { table.keep("state of 4"); }),
-                testing::StartsWith(sums_ + ": cannot be written"));
-  }
-  EXPECT_TRUE(hasState(run_));
 }
 
 TEST_F(EpochTableTest, AStateThatWasAlteredIsRefused) {

@@ -67,20 +67,6 @@ TEST(RandomDraw, MirrorsAllButLeftTurns) {
   EXPECT_EQ(shareOfDraws(clip(CollisionType::kLtap), mirrors), 0.0);
 }
 
-TEST(RandomDraw, ExpectsTheEgoAsUncertainlyAsTold) {
-  const TrainingSample sample = clip(CollisionType::kRearEnd);
-  std::mt19937_64 engine(2);
-  double along = 0.0;
-  double across = 0.0;
-  for (int i = 0; i < kDraws; ++i) {  // the ego heads along y
-    const Pose2 expected = randomDraw(sample, drawOptions(), engine).expected_ego;
-    along += std::pow(expected.y - 4.0, 2);
-    across += std::pow(expected.x - 30.0, 2);
-  }
-  EXPECT_NEAR(std::sqrt(along / kDraws), 0.2 * 25.0, 0.3);
-  EXPECT_NEAR(std::sqrt(across / kDraws), 0.1 * 5.0, 0.03);
-}
-
 TEST(EvenDraw, SpreadsItsTimesAndChangesNothing) {
   const TrainingSample sample = clip(CollisionType::kRearEnd);
   const TrainingDraw draw = evenDraw(sample, drawOptions());
