@@ -187,7 +187,7 @@ class EvaluateRequestsTest(road.RoadTest):
 
     def test_scorecard_holds_attacks_against_recorded_vehicles(self):
         with open(str(self.expected / 'scorecard.csv')) as file:
-            lines = {(row['study', 'measure'], row['method'], row['group']): row for row in csv.DictReader(file)}
+            lines = {(row['measure'], row['method'], row['group']): row for row in csv.DictReader(file)}
         answered = [row for row in rows_of(self.expected) if row['method'] == 'replay_full_definitions' and row['attacker']]
         counted = lines['on_lane', 'replay_full_definitions', 'all']
         self.assertEqual(int(counted['trials']), len(answered))
