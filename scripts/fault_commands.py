@@ -5,7 +5,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 DATA = ROOT / 'data' / 'embedded'
-PROFILES = ROOT / 'data' / 'speed_profiles' / 'embedded.csv'
 SCENES = ['scene-0001', 'scene-0007']
 LOGS = ['--dataroot', DATA, '--version', 'v1.0-embedded']
 OVER_RANKS = ('convert', 'dataset', 'evaluate', 'export', 'generate', 'test', 'train', 'tune')
@@ -45,15 +44,13 @@ def commands(folder):
         'export-commonroad': ['export', '--to', 'commonroad', *LOGS, '--scenarios', answered],
         'export-mcap': ['export', '--to', 'mcap', '--bag', folder / 'bags' / (SCENES[0] + '.bag')],
         'export-scenarionet': ['export', '--to', 'scenarionet', *LOGS, '--scenarios', answered],
-        'futures': ['study', 'measure', 'ego-futures', *LOGS, '--profiles', PROFILES],
         'generate': ['generate', *LOGS, *asked],
         'generate-clips': ['generate', *LOGS, *asked, '--format', 'csv-collide'],
         'inject': ['inject', '--bag', folder / 'bags' / (SCENES[0] + '.bag'), '--type', 'lane_change', '--tta', '3',
                    '--now', '5'],
         'report': ['report', answered, *LOGS],
         'requests': inputs(folder)[folder / 'both_requests.jsonl'],
-        'speeds': ['study', 'speeds', 'fit', '--profiles', PROFILES],
-        'speeds-collect': ['study', 'speeds', 'collect', *LOGS],
+        'speeds': ['study', 'speeds', 'fit', *LOGS],
         'test': ['test', *LOGS, '--scenarios', answered, '--planners', 'idm'],
         'test-clips': ['study', 'test', *clips, '--planners', 'idm'],
         'test-until-hit': ['test', *LOGS, '--until-hit', '--tries', '2', '--scene', *SCENES, '--planners', 'idm'],

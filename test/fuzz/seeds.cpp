@@ -10,7 +10,6 @@
 #include "collision_forge/io/scenarios/scenario_file.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/io/weights/speed_model_file.h"
-#include "collision_forge/io/weights/speed_profiles_file.h"
 #include "fuzz/embedded_seeds.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
@@ -146,8 +145,7 @@ Seeds speedSeeds() {
   options.profiles = 3;
   options.standing_profiles = 2;
   const SpeedModel model = fitSpeedModelWithFolds(SpeedSituations(steadyRows()), 2, options, 0);
-  return {writtenBy([&](const std::string& path) { writeSpeedModel(model, path); }),
-          writtenBy([](const std::string& path) { writeSpeedProfiles(steadyRows(), path); })};
+  return {writtenBy([&](const std::string& path) { writeSpeedModel(model, path); })};
 }
 
 Seeds tableSeeds() { return {joined(tinyTables()), joined(embeddedTables())}; }

@@ -48,7 +48,7 @@ class ArcSource {
 struct AttackLines {
   struct Line {
     std::size_t number;  ///< from 1
-    std::string text;
+    Scenario scenario;
   };
   std::string path;
   std::vector<Line> lines;
@@ -67,10 +67,10 @@ AttackLines readAttacks(const std::string& path, const InputLimits& limits) {
   std::set<std::string> seen;
   for (std::string text; readInputLine(file, text, found.where(found.scenarios + 1), limits);) {
     found.fingerprint = fingerprint(text, found.fingerprint);
-    const Scenario scenario = readScenarioLine(found.where(++found.scenarios), text, limits);
+    Scenario scenario = readScenarioLine(found.where(++found.scenarios), text, limits);
     if (scenario.answer.status.code != StatusCode::kOk) continue;
     if (seen.insert(scenario.asked.scene).second) found.scenes.push_back(scenario.asked.scene);
-    found.lines.push_back({found.scenarios, text});
+    found.lines.push_back({found.scenarios, std::move(scenario)});
   }
   if (found.lines.empty()) throw std::runtime_error(path + ": has no attacks");
   return found;
@@ -101,8 +101,7 @@ class ScenarioAttacks : public AttackSource {
   }
 
   CrashRecord record(std::size_t index, double history) override {
-    const Scenario scenario =
-        readScenarioLine(where(index), attacks_.lines[index].text, config_.input_limits);
+    const Scenario& scenario = attacks_.lines[index].scenario;
     const auto indexed = scenes_.at(scenario.asked.scene);
     return crashRecord(scenario, numberOf(index), history,
                        {*indexed, arcs_.at(indexed->scene.map->location), config_.exports,

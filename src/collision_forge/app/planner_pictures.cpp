@@ -9,28 +9,29 @@ namespace {
 /// In place of how they were recorded.
 void show(const std::vector<Track>& driven, std::vector<Track>& agents) {
   for (Track& agent : agents) {
-    if (const Track* as_driven = findTrack(driven, agent.id)) agent = *as_driven;
+    if (const Track* as_driven = findTrack(driven, agent.id)) agent.states = as_driven->states;
   }
 }
 
-ScenarioView viewOf(const PlannerCase& one, const std::string& planner, PolicyKind policy,
+ScenarioView viewOf(const PlannerCase& one, const PlannerRow& row,
                     const std::vector<TrajectoryPoint>& ego, const AttackerTrajectory& attacker) {
   const CrashScenario& scenario = one.scenario;
+  const PolicyKind policy = row.attacker.policy;
   const Mode mode = policy == PolicyKind::kAdaptive ? Mode::kAdaptive : one.request.mode;
   ScenarioView view{one.scene,         one.request.tta, mode,     scenario.snapshot,
                     scenario.recorded, one.pattern,     attacker, {}};
-  view.planner = rowName(planner, policy);
+  view.planner = rowName(row.planner, policy);
   view.future.ego.states = toStates(ego);
   return view;
 }
 
 }  // namespace
 
-ScenarioView viewOfHit(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                       const RolloutOutcome& outcome, const Config& config) {
+ScenarioView viewOfHit(const PlannerCase& one, const PlannerRow& row, const Config& config) {
   const CrashScenario& scenario = one.scenario;
+  const RolloutOutcome& outcome = row.outcome;
   const PlannerContact& contact = *outcome.contact;
-  ScenarioView view = viewOf(one, planner, policy, outcome.driven, outcome.attacker);
+  ScenarioView view = viewOf(one, row, outcome.driven, outcome.attacker);
   show(outcome.others, view.future.agents);
   CollisionReport& report = view.report;
   report.contact = true;
@@ -51,11 +52,11 @@ ScenarioView viewOfHit(const PlannerCase& one, const std::string& planner, Polic
   return view;
 }
 
-ScenarioView viewOfEscape(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                          const RolloutOutcome& outcome, const Escape& escape) {
+ScenarioView viewOfEscape(const PlannerCase& one, const PlannerRow& row) {
+  const Escape& escape = *row.escape_drive;
   ScenarioView view =
-      viewOf(one, planner, policy, wholeEscape(outcome.driven, escape.ego), escape.attacker);
-  view.escaped_hit = outcome.contact->time;
+      viewOf(one, row, wholeEscape(row.outcome.driven, escape.ego), escape.attacker);
+  view.escaped_hit = row.outcome.contact->time;
   return view;
 }
 

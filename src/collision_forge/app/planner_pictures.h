@@ -11,15 +11,13 @@
 /// Pictures of planners under test.
 namespace forge {
 
-/// The hit of a planner: the ego and the attacker as they drove, up to the contact of the outcome,
-/// which must have one, and what follows a contact with the attacker.
-ScenarioView viewOfHit(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                       const RolloutOutcome& outcome, const Config& config);
+/// The hit of a planner: the ego and the attacker as they drove, up to the contact of the row's
+/// outcome, which must have one and its motions, and what follows a contact with the attacker.
+ScenarioView viewOfHit(const PlannerCase& one, const PlannerRow& row, const Config& config);
 
-/// The escape from that hit: what the ego could have done instead of the outcome, and the attacker
-/// as it reacts to that.
-ScenarioView viewOfEscape(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                          const RolloutOutcome& outcome, const Escape& escape);
+/// The escape from that hit, which the row must have: what the ego could have done instead, and the
+/// attacker as it reacts to that.
+ScenarioView viewOfEscape(const PlannerCase& one, const PlannerRow& row);
 
 /// PATH.png and PATH.gif.
 void drawView(const std::string& path, const ScenarioView& view, const DrawingOptions& drawing);

@@ -18,6 +18,7 @@
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/planner_test/planners/planner_factory.h"
 #include "collision_forge/planner_test/statistics/rate_table.h"
+#include "collision_forge/planner_test/trials/kept_drives.h"
 #include "collision_forge/planner_test/trials/planner_report.h"
 #include "collision_forge/planner_test/trials/planner_result_file.h"
 #include "collision_forge/planner_test/trials/planner_summary.h"
@@ -123,7 +124,7 @@ ResumableFile::Options PlannerTestRun::runOptions(const PlannerCases& cases) con
   options["planners"] = joined(arguments_.planners);
   options["attacker_policy"] = joined(arguments_.policies);
   addPlannerFingerprint(options, arguments_.planners, config_.planners);
-  options["background"] = arguments_.background == Background::kIdm ? "idm" : "replay";
+  options["background"] = toString(arguments_.background);
   return options;
 }
 
@@ -140,7 +141,8 @@ void PlannerTestRun::writeTables(const std::vector<PlannerTestResult>& results) 
 }
 
 void PlannerTestRun::drawWorst(const PlannerCases& cases,
-                               const std::vector<PlannerTestResult>& results) const {
+                               const std::vector<PlannerTestResult>& results,
+                               const KeptDrives& drives) const {
   const fs::path folder = fs::path(arguments_.out) / "worst";
   fs::remove_all(folder);
   fs::create_directories(folder);
@@ -152,10 +154,8 @@ void PlannerTestRun::drawWorst(const PlannerCases& cases,
         const PlannerCase one = cases.at(worst.result);
         const std::string name =
             planner + "_" + toString(policy) + "_" + std::to_string(++ranks[row]);
-        const RolloutOutcome outcome =
-            driveAgain(one, planner, policy, plan_, config_, config_.planners);
-        if (!outcome.contact) continue;  // of a planner that is timed by the wall clock
-        drawView((folder / name).string(), viewOfHit(one, planner, policy, outcome, config_),
+        drawView((folder / name).string(),
+                 viewOfHit(one, drives.rowOf(one, worst.result, planner, policy), config_),
                  config_.drawing);
       }
     }
@@ -178,14 +178,14 @@ std::vector<PlannerTestResult> PlannerTestRun::run(const PlannerCases& cases) co
   checkTested(results, run.path);
   writeTables(results);
   printSummary(results, times, plan_, arguments_.out);
-  drawWorst(cases, results);
+  drawWorst(cases, results, KeptDrives(results_path_));
   return results;
 }
 
 void PlannerTestRun::writePage(const std::vector<std::string>& attacks,
                                const LogSource& logs) const {
   if (arguments_.report.empty()) return;
-  ReportInputs inputs{attacks, logs, arguments_.background, arguments_.jobs};
+  ReportInputs inputs{attacks, logs};
   inputs.files.push_back(results_path_);
   writeReport(inputs, arguments_.report, config_);
 }

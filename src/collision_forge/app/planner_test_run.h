@@ -9,6 +9,7 @@
 #include "collision_forge/io/logs/log_source.h"
 #include "collision_forge/planner_test/report/write_report.h"
 #include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/planner_test/trials/kept_drives.h"
 #include "collision_forge/planner_test/trials/planner_cases.h"
 #include "collision_forge/planner_test/trials/planner_run.h"
 
@@ -52,7 +53,8 @@ class PlannerTestRun {
  private:
   ResumableFile::Options runOptions(const PlannerCases& cases) const;
   void writeTables(const std::vector<PlannerTestResult>& results) const;
-  void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& results) const;
+  void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& results,
+                 const KeptDrives& drives) const;
 
   const PlannerTestArguments arguments_;
   Config config_;

@@ -72,7 +72,7 @@ ResumableFile::Options runOptions(const Tuning& tuning) {
   ResumableFile::Options options = inputsOf(tuning.config, arguments.config, arguments.logs);
   options["planner"] = arguments.planner;
   addPlannerFingerprint(options, {arguments.planner}, tuning.config.planners);
-  options["background"] = arguments.background == Background::kIdm ? "idm" : "replay";
+  options["background"] = toString(arguments.background);
   std::string found;
   for (const PlannerVariant& variant : tuning.variants) {
     for (const auto& [key, value] : variant.values) {
@@ -156,15 +156,10 @@ void report(const Tuning& tuning, std::size_t best, const std::vector<PlannerTes
             << ": planners.yaml (with the best values), table.md, variants.csv\n";
 }
 
-ReportInputs reportInputs(const Tuning& tuning, std::size_t best) {
+ReportInputs reportInputs(const Tuning& tuning) {
   const TuningArguments& arguments = tuning.arguments;
   const std::vector<std::string>& files = tuning.cases.test_files;
-  ReportInputs inputs{files,
-                      files.empty() ? LogSource() : arguments.logs,
-                      arguments.background,
-                      arguments.jobs,
-                      arguments.planner,
-                      comparedVariants(tuning, best)};
+  ReportInputs inputs{files, files.empty() ? LogSource() : arguments.logs};
   inputs.files.push_back((fs::path(arguments.out) / "test.jsonl").string());
   return inputs;
 }
@@ -187,7 +182,7 @@ int tunePlanner(const TuningArguments& arguments,
   if (!isMaster()) return kExitOk;
   report(tuning, *best, train, test);
   if (!arguments.report.empty()) {
-    writeReport(reportInputs(tuning, *best), arguments.report, config);
+    writeReport(reportInputs(tuning), arguments.report, config);
   }
   return kExitOk;
 }

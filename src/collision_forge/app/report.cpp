@@ -7,7 +7,6 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/base/files/output_lock.h"
 #include "collision_forge/base/scene/number_words.h"
-#include "collision_forge/io/batch/dispatch.h"
 
 namespace forge {
 namespace {
@@ -16,12 +15,10 @@ struct Arguments {
   ReportInputs inputs;
   std::string out;
   std::string config;
-  std::string planner_file;
 };
 
 int report(const Arguments& arguments, const std::vector<RowFormat>& formats) {
-  Config config = loadConfig(arguments.config);
-  usePlannerFile(arguments.planner_file, {}, config.planners);
+  const Config config = loadConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFolder(arguments.out);
   writeReport(arguments.inputs, arguments.out, config, formats);
   return kExitOk;
@@ -31,9 +28,9 @@ int report(const Arguments& arguments, const std::vector<RowFormat>& formats) {
 
 void writeReport(const ReportInputs& inputs, const std::string& folder, const Config& config,
                  const std::vector<RowFormat>& formats) {
-  const std::size_t rows = writeReportPage(inputs, folder,
-                                           {config.report, config.drawing, config, config.planners,
-                                            config.attacked_bag.seconds_after_stand, formats});
+  const std::size_t rows = writeReportPage(
+      inputs, folder,
+      {config.report, config.drawing, config, config.attacked_bag.seconds_after_stand, formats});
   std::cout << counted(rows, "row") << " in " << folder << "/index.html\n";
 }
 
@@ -45,16 +42,12 @@ CLI::Option* addReportOption(CLI::App& app, std::string& folder) {
 void addReportCommand(CommandLine& line, const std::string& heading, const std::string& name,
                       const std::string& files, const std::vector<RowFormat>& formats) {
   const auto arguments = std::make_shared<Arguments>();
-  arguments->inputs.jobs = defaultJobs();
   CLI::App& app = line.add(heading, name, "Shows results on a page for the browser.",
                            [arguments, formats] { return report(*arguments, formats); });
   app.add_option("results", arguments->inputs.files, files)->required()->check(CLI::ExistingFile);
   addOut(app, arguments->out, "folder to write; the page is index.html in it");
   addSource(app, arguments->inputs.logs,
             "scenes that the results are of, so that the page shows map and traffic, too");
-  addBackground(app, arguments->inputs.background);
-  addPlannerFile(app, arguments->planner_file);
-  addJobs(app, arguments->inputs.jobs, "planner tests driven again at a time");
   addConfig(app, arguments->config);
 }
 

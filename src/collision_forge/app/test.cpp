@@ -44,7 +44,8 @@ int testOnDraw(const Arguments& arguments) {
   const DrawnCases drawn(arguments, test.config());
   const std::vector<PlannerTestResult> results = test.run(drawn.requests);
   if (!isMaster()) return kExitOk;
-  reportWeaknesses(drawn.requests, results, test.plan(), arguments.out, test.config());
+  reportWeaknesses(drawn.requests, results, KeptDrives(test.resultsPath()), arguments.out,
+                   test.config());
   const std::string weaknesses = arguments.out + "/weaknesses.jsonl";
   if (std::filesystem::file_size(weaknesses) == 0) {
     test.writePage({}, {});

@@ -1,16 +1,14 @@
 #include "collision_forge/app/until_hit.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <optional>
 #include <set>
 
 #include "collision_forge/app/planner_pictures.h"
 #include "collision_forge/base/files/aside_file.h"
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/base/scene/number_words.h"
-#include "collision_forge/io/batch/progress_line.h"
 #include "collision_forge/io/json/json_line.h"
 #include "collision_forge/io/scenarios/scenario_file.h"
 #include "collision_forge/planner_test/trials/avoidance_words.h"
@@ -22,26 +20,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The hardest hit of a weakness, driven again.
+/// The hardest hit of a weakness.
 struct Shown {
   Scenario scenario;
   PlannerCase one;
-  RolloutOutcome outcome;
-  Escape escape;
+  PlannerRow row;
 };
 
-/// Empty where it does not come again, as with a planner that is timed by the wall clock.
-std::optional<Shown> show(const Weakness& weakness, const RequestCases& cases, const TestPlan& plan,
-                          const Config& config) {
+Shown show(const Weakness& weakness, const RequestCases& cases, const KeptDrives& drives) {
   const std::size_t hardest = weakness.results.front();
-  Shown shown{cases.scenario(hardest), cases.at(hardest), {}, {}};
-  shown.outcome =
-      driveAgain(shown.one, weakness.planner, weakness.policy, plan, config, config.planners);
-  if (!shown.outcome.contact || !shown.outcome.contact->is_attacker) return std::nullopt;
-  const auto escape =
-      escapeAgain(shown.one, shown.outcome, weakness.policy, plan, config, config.planners);
-  if (!escape) return std::nullopt;
-  shown.escape = *escape;
+  Shown shown{cases.scenario(hardest), {}, {}};
+  shown.one = cases.caseOf(shown.scenario, hardest);
+  shown.row = drives.rowOf(shown.one, hardest, weakness.planner, weakness.policy);
   return shown;
 }
 
@@ -62,7 +52,7 @@ void writeMotion(JsonLineWriter& writer, const char* key,
 
 std::string witnessLine(const Weakness& weakness, const Shown& shown) {
   const double now = shown.one.scenario.snapshot.now;
-  const Avoidance& escape = shown.escape.ego;
+  const Avoidance& escape = shown.row.escape_drive->ego;
   JsonLineWriter writer;
   writer.beginObject();
   writer.text("name", shown.one.name);
@@ -70,19 +60,19 @@ std::string witnessLine(const Weakness& weakness, const Shown& shown) {
   writer.text("policy", toString(weakness.policy));
   writer.text("manoeuvre", toString(escape.manoeuvre));
   writer.number("start_t", fromNow(escape.start, now));
-  writeMotion(writer, "ego", wholeEscape(shown.outcome.driven, escape), now);
-  writeMotion(writer, "attacker", shown.escape.attacker.points, now);
+  writeMotion(writer, "ego", wholeEscape(shown.row.outcome.driven, escape), now);
+  writeMotion(writer, "attacker", shown.row.escape_drive->attacker.points, now);
   writer.endObject();
   return writer.line();
 }
 
 std::string tableRow(int rank, const Weakness& weakness, const Shown& shown) {
-  const PlannerContact& contact = *shown.outcome.contact;
-  const Avoidance& escape = shown.escape.ego;
-  char numbers[160];
-  std::snprintf(numbers, sizeof(numbers), "%.1f m/s | %.1f s | %s, up to %.1f s before | %zu",
-                contact.impact_speed, fromNow(contact.time, shown.one.scenario.snapshot.now),
-                toString(escape.manoeuvre), contact.time - escape.start, weakness.results.size());
+  const PlannerContact& contact = *shown.row.outcome.contact;
+  const Avoidance& escape = shown.row.escape_drive->ego;
+  const std::string numbers =
+      formatted("%.1f m/s | %.1f s | %s, up to %.1f s before | %zu", contact.impact_speed,
+                fromNow(contact.time, shown.one.scenario.snapshot.now), toString(escape.manoeuvre),
+                contact.time - escape.start, weakness.results.size());
   return "| " + std::to_string(rank) + " | " + rowName(weakness.planner, weakness.policy) + " | " +
          shown.one.name + " | " + toString(weakness.manoeuvre) + " | " +
          (weakness.at_fault ? "planner" : "attacker") + " | " + toString(weakness.place) + " | " +
@@ -101,15 +91,14 @@ std::size_t triesTo(const std::vector<Weakness>& weaknesses) {
 
 /// The weakness as a line for a terminal.
 std::string printedLine(int rank, const Weakness& weakness, const Shown& shown) {
-  const PlannerContact& contact = *shown.outcome.contact;
-  const Avoidance& escape = shown.escape.ego;
+  const PlannerContact& contact = *shown.row.outcome.contact;
+  const Avoidance& escape = shown.row.escape_drive->ego;
   const double now = shown.one.scenario.snapshot.now;
-  char numbers[96];
-  std::snprintf(numbers, sizeof(numbers), " after %.1f s at %.1f m/s, avoidable ",
-                fromNow(contact.time, now), contact.impact_speed);
   return "  " + std::to_string(rank) + " " + rowName(weakness.planner, weakness.policy) + ": " +
          toString(weakness.manoeuvre) + " (" + toString(weakness.place) + ", " +
-         (weakness.at_fault ? "planner" : "attacker") + " at fault)" + numbers +
+         (weakness.at_fault ? "planner" : "attacker") + " at fault)" +
+         formatted(" after %.1f s at %.1f m/s, avoidable ", fromNow(contact.time, now),
+                   contact.impact_speed) +
          avoidanceWords(escape.manoeuvre, fromNow(escape.start, now), true) + "; " +
          counted(weakness.results.size(), "hit") + ", the hardest in " + shown.one.name + "\n";
 }
@@ -164,7 +153,7 @@ class WeaknessList {
 }  // namespace
 
 void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestResult>& results,
-                      const TestPlan& plan, const std::string& folder, const Config& config) {
+                      const KeptDrives& drives, const std::string& folder, const Config& config) {
   const auto weaknesses = findWeaknesses(
       results, [&](std::size_t index) { return *cases.request(index).manoeuvre; },
       config.planners.until_hit);
@@ -177,23 +166,13 @@ void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestRe
   std::set<std::size_t> written;
   for (const Weakness& weakness : weaknesses) {
     const std::size_t hardest = weakness.results.front();
-    const auto shown = show(weakness, cases, plan, config);
-    if (!shown) {
-      printLine(cases.names()[hardest] + ": " + weakness.planner +
-                " was hit, but is not when it is driven again: left out");
-      continue;
-    }
-    list.add(weakness, *shown);
-    if (written.insert(hardest).second) scenarios += scenarioLine(shown->scenario) + "\n";
-    witnesses += witnessLine(weakness, *shown) + "\n";
+    const Shown shown = show(weakness, cases, drives);
+    list.add(weakness, shown);
+    if (written.insert(hardest).second) scenarios += scenarioLine(shown.scenario) + "\n";
+    witnesses += witnessLine(weakness, shown) + "\n";
     const std::string picture = (pictures / std::to_string(list.count())).string();
-    drawView(picture,
-             viewOfHit(shown->one, weakness.planner, weakness.policy, shown->outcome, config),
-             config.drawing);
-    drawView(
-        picture + "_escape",
-        viewOfEscape(shown->one, weakness.planner, weakness.policy, shown->outcome, shown->escape),
-        config.drawing);
+    drawView(picture, viewOfHit(shown.one, shown.row, config), config.drawing);
+    drawView(picture + "_escape", viewOfEscape(shown.one, shown.row), config.drawing);
   }
   writeText(folder + "/weaknesses.md", list.table());
   writeText(folder + "/weaknesses.jsonl", scenarios);

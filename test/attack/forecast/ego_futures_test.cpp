@@ -7,8 +7,7 @@
 #include <limits>
 
 #include "attack/search/test_scenes.h"
-#include "collision_forge/attack/forecast/folds.h"
-#include "collision_forge/attack/forecast/speed_profiles.h"
+#include "collision_forge/attack/forecast/speed_forecaster.h"
 
 namespace forge {
 namespace {
@@ -17,23 +16,35 @@ constexpr double kHorizon = 8.0;  // s
 constexpr int kCount = 64;
 const EgoFutureOptions kOptions = shippedEgoFutureOptions();
 
-std::shared_ptr<const SpeedForecaster> profilesOf(
-    const std::vector<SpeedProfileRow>& rows,
-    const SpeedProfileOptions& options = shippedSpeedProfileOptions()) {
-  return std::make_shared<SpeedProfiles>(SpeedSituations(rows), options);
-}
+/// 40 drivers, each of whom gains or loses speed evenly, as far as that is known.
+class EvenDrivers : public SpeedForecaster {
+ public:
+  explicit EvenDrivers(double gain = 0.02, int intervals_known = 40)
+      : gain_(gain), intervals_known_(intervals_known) {}
 
-/// 40 drivers at 8 to 12 m/s, each of whom gains or loses speed evenly.
-std::shared_ptr<const SpeedForecaster> evenDrivers() {
-  std::vector<SpeedProfileRow> rows;
-  for (int i = 0; i < 40; ++i) {
-    for (int frame = 0; frame < 40; ++frame) {
-      const double gain = 0.02 * (i % 9 - 4);
-      rows.push_back({"scene-" + std::to_string(i), frame, 8.0 + i % 5 + frame * gain, {}});
+  SpeedForecast forecast(const DrivingSituation& situation, int intervals) const override {
+    constexpr int kDrivers = 40;
+    SpeedForecast forecast;
+    forecast.speeds.resize(kDrivers, std::min(intervals, intervals_known_));
+    forecast.weights = Eigen::VectorXd::Constant(kDrivers, 1.0 / kDrivers);
+    for (int i = 0; i < kDrivers; ++i) {
+      for (int j = 0; j < forecast.speeds.cols(); ++j) {
+        const double speed = situation.past_speeds[0] + gain_ * (i % 9 - 4) * (j + 1);
+        forecast.speeds(i, j) = std::max(speed, 0.0);
+      }
     }
+    return forecast;
   }
-  return profilesOf(rows);
-}
+  std::shared_ptr<const SpeedForecaster> withoutScene(const std::string&) const override {
+    return nullptr;
+  }
+
+ private:
+  double gain_;  // m/s an interval
+  int intervals_known_;
+};
+
+std::shared_ptr<const SpeedForecaster> evenDrivers() { return std::make_shared<EvenDrivers>(); }
 
 /// Eastbound to x = 0, then two ways apart by 45 degrees to either side.
 std::shared_ptr<LaneMap> evenFork() {
@@ -137,32 +148,6 @@ TEST(EgoFutures, WithoutProfilesThePresentAccelerationFades) {
   const double steady = (10.0 - 0.25) * kHorizon;  // over the last 0.5 s
   EXPECT_NEAR(0.5 * (x[kCount / 2 - 1] + x[kCount / 2]), steady + 1.0 * (kHorizon - 1.0), 2.0);
   EXPECT_GT(x.back() - x.front(), 20.0);
-}
-
-TEST(EgoFutures, ProfilesOfTheLeftOutSceneAreNotUsed) {
-  std::vector<SpeedProfileRow> rows;
-  for (int i = 0; i < 12; ++i) {
-    const bool stops = i == 0;
-    for (int frame = 0; frame < 40; ++frame) {
-      rows.push_back({"scene-" + std::to_string(i),
-                      frame,
-                      stops && frame % 20 > 2 ? 0.0 : 10.0 + 0.01 * i,
-                      {}});
-    }
-  }
-  const Snapshot snapshot =
-      snapshotOf(pastTrack(kEgoId, kEgoSize, {-100, 0, 0}, 10.0), {}, twoLaneRoad());
-  const LaneIndex lanes(twoLaneRoad());
-  SpeedProfileOptions options = shippedSpeedProfileOptions();
-  options.ridge = 1.0;
-  const auto profiles = profilesOf(rows, options);
-  const auto shortest = [&](const std::string& left_out) {
-    return lastX(KinematicEgoFutures(kOptions, withoutScene(profiles, left_out))
-                     .sample(snapshot, lanes, kHorizon, 400, 1))
-        .front();
-  };
-  EXPECT_GT(shortest("scene-0"), -21.5);
-  EXPECT_LT(shortest("scene-1"), -50.0);
 }
 
 TEST(EgoFutures, AStandingEgoStandsOrSetsOff) {

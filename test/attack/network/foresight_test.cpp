@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "attack/network/sample_network.h"
-#include "collision_forge/attack/forecast/speed_profiles.h"
+#include "collision_forge/attack/forecast/speed_forecaster.h"
 
 namespace forge {
 namespace {
@@ -20,6 +20,15 @@ bool areSame(const std::vector<Track>& a, const std::vector<Track>& b) {
   }
   return a.size() == b.size();
 }
+
+/// Drivers of scene-x, who foretell nothing.
+class DriversOfAScene : public SpeedForecaster {
+ public:
+  SpeedForecast forecast(const DrivingSituation&, int) const override { return {}; }
+  std::shared_ptr<const SpeedForecaster> withoutScene(const std::string& scene) const override {
+    return scene == "scene-x" ? std::make_shared<DriversOfAScene>() : nullptr;
+  }
+};
 
 TEST(Foresight, ASceneOnTestIsForeseenByTheNetworkThatLeftItOut) {
   PatternWeights fold = randomWeights(7);
@@ -47,12 +56,10 @@ TEST(Foresight, WithoutASceneNothingIsCopiedAndTheTypeStaysKnown) {
 }
 
 TEST(Foresight, SpeedsOfASceneOnTestAreLeftOut) {
-  const auto profiles = std::make_shared<const SpeedProfiles>(
-      SpeedSituations({{"scene-x", 0, 3.0, {}}, {"scene-x", 1, 3.0, {}}}),
-      shippedSpeedProfileOptions());
-  const Foresight foresight{profiles, nullptr, {}};
-  EXPECT_NE(foresight.withoutScene("scene-x").speeds, profiles);
-  EXPECT_EQ(foresight.withoutScene("scene-y").speeds, profiles);
+  const auto drivers = std::make_shared<const DriversOfAScene>();
+  const Foresight foresight{drivers, nullptr, {}};
+  EXPECT_NE(foresight.withoutScene("scene-x").speeds, drivers);
+  EXPECT_EQ(foresight.withoutScene("scene-y").speeds, drivers);
   EXPECT_EQ(Foresight{}.withoutScene("scene-x").speeds, nullptr);
 }
 

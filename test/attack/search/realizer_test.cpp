@@ -210,26 +210,26 @@ TEST(Realize, CountsWhyTheBestAttacksDoNotVerify) {
 TEST(Realize, RefusesPatternsThatMakeNoSense) {
   Case stranger;
   stranger.pattern.attacker_id = "nobody";
-  EXPECT_THROW(stranger.result(), std::invalid_argument);
+  EXPECT_THROW(stranger.result(), InputError);
   Case past;
   past.pattern.time = kNow;
-  EXPECT_THROW(past.result(), std::invalid_argument);
+  EXPECT_THROW(past.result(), InputError);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (double CollisionPattern::*number :
        {&CollisionPattern::attacker_speed, &CollisionPattern::tolerance}) {
     Case broken;
     broken.pattern.*number = nan;
-    EXPECT_THROW(broken.result(), std::invalid_argument);
+    EXPECT_THROW(broken.result(), InputError);
   }
   Case aside;
   aside.pattern.attacker_offset.y = nan;
-  EXPECT_THROW(aside.result(), std::invalid_argument);
+  EXPECT_THROW(aside.result(), InputError);
   Case nowhere;
   nowhere.pattern.ego.center.yaw = nan;
-  EXPECT_THROW(nowhere.result(), std::invalid_argument);
+  EXPECT_THROW(nowhere.result(), InputError);
   Case negative;
   negative.pattern.tolerance = -0.5;
-  EXPECT_THROW(negative.result(), std::invalid_argument);
+  EXPECT_THROW(negative.result(), InputError);
 }
 
 TEST(ConfidenceOf, IsLinearBetweenThePointsOfTheCurve) {

@@ -27,10 +27,6 @@ inline AttackOptions shippedOptions() {
   return options;
 }
 
-inline SpeedProfileOptions shippedSpeedProfileOptions() {
-  return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").recorded_speeds;
-}
-
 inline BelievabilityOptions shippedBelievability() {
   static const BelievabilityOptions options = shippedOptions().verification.believability;
   return options;

@@ -65,5 +65,12 @@ TEST(WorkerProcess, EndsWithItsObject) {
   EXPECT_NE(kill(pid, 0), 0);
 }
 
+TEST(RunProgram, SaysHowTheProgramEnded) {
+  EXPECT_EQ(runProgram({"/bin/sh", "-c", "exit 0"}), std::nullopt);
+  EXPECT_EQ(runProgram({"/bin/sh", "-c", "exit 3"}), "with exit code 3");
+  EXPECT_EQ(runProgram({"/bin/sh", "-c", "kill -9 $$"}), "by signal 9");
+  EXPECT_THROW(runProgram({"/nowhere/program"}), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace forge

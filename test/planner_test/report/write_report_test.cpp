@@ -5,6 +5,7 @@
 #include "collision_forge/io/scenarios/scenario_file.h"
 #include "collision_forge/planner_test/report/page_file.h"
 #include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/planner_test/trials/planner_result_file.h"
 #include "io/logs/nuscenes_fixture.h"
 #include "planner_test/report/report_scenes.h"
 
@@ -21,9 +22,9 @@ std::string contentOf(const std::string& path) {
 
 std::size_t write(const ReportInputs& inputs, const std::string& folder) {
   static const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
-  return writeReportPage(inputs, folder,
-                         {config.report, config.drawing, config, config.planners,
-                          config.attacked_bag.seconds_after_stand});
+  return writeReportPage(
+      inputs, folder,
+      {config.report, config.drawing, config, config.attacked_bag.seconds_after_stand});
 }
 
 TEST(PageFile, CountsItsRecords) {
@@ -35,6 +36,30 @@ TEST(PageFile, CountsItsRecords) {
   const std::string content = contentOf(folder.path() + "/index.html");
   EXPECT_THAT(content, HasSubstr("<!doctype html>"));
   EXPECT_THAT(content, HasSubstr("</html>"));
+}
+
+TEST(WriteReportPage, HasTheMotionOfAPlannerTestWhoseAttackIsAmongTheFiles) {
+  const TemporaryFolder folder;
+  PlannerTestResult test;
+  test.name = "a:1";
+  test.status = "OK";
+  test.now = rearEnd().asked.now;
+  PlannerRow& row = test.rows.emplace_back();
+  row.planner = "idm";
+  row.outcome.driven = rearEnd().answer.trajectory.points;
+  folder.write("a.jsonl", scenarioLine(rearEnd()) + "\n");
+  const auto size_of_page = [&](const std::vector<std::string>& files) {
+    folder.write("results.jsonl", plannerResultLine(test) + "\n");
+    write({files, {}}, folder.path() + "/page");
+    return contentOf(folder.path() + "/page/index.html").size();
+  };
+  const std::string attacks = folder.path() + "/a.jsonl";
+  const std::string results = folder.path() + "/results.jsonl";
+  const std::size_t alone = size_of_page({results});
+  const std::size_t with_attack = size_of_page({attacks, results});
+  dropMotions(test);
+  EXPECT_EQ(size_of_page({results}), alone);
+  EXPECT_LT(size_of_page({attacks, results}), with_attack);
 }
 
 TEST(WriteReportPage, FetchesNothingAndRunsNothingElse) {

@@ -19,6 +19,7 @@ TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
   result.rows[1].attacker = {
       PolicyKind::kAdaptive, AttackerPhase::kDrivingOn, 7, "max_jerk 9 > 8", "somebody", true};
   result.rows[1].escape = AvoidabilitySummary{true, {}, EvasiveManoeuvre::kBoth, 2.5, 0.25};
+  dropMotions(result);
   result.rows[1].is_fair = false;
   const std::string line = plannerResultLine(result);
   const PlannerTestResult read = readPlannerResultLine("here", line);
@@ -39,9 +40,56 @@ TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
   EXPECT_EQ(plannerResultLine(read), line);
 }
 
+TEST(PlannerResultFile, KeepsTheMotionsToTheMicrometre) {
+  PlannerCase one = rearEnd();
+  one.request.crash.limits = LimitSet::kDrivable;
+  const TestPlan plan{{"idm"}, Background::kIdm, {PolicyKind::kAdaptive}, {}};
+  PlannerTestResult result = testPlanners(one, plan, config(), config().planners);
+  PlannerRow& row = result.rows.front();
+  ASSERT_TRUE(row.escape_drive);
+  Track& agent = row.outcome.others.emplace_back();
+  agent.id = "reacts";
+  agent.states = {{result.now, {1.0, 2.0, 0.0}, {3.0, 0.0}}};
+  const std::string line = plannerResultLine(result);
+  const PlannerTestResult read = readPlannerResultLine("here", line);
+  const PlannerRow& kept = read.rows.front();
+  EXPECT_EQ(plannerResultLine(read), line);
+  EXPECT_EQ(read.background, Background::kIdm);
+  const auto expect_same = [](const std::vector<TrajectoryPoint>& found,
+                              const std::vector<TrajectoryPoint>& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_NEAR(found[i].time, expected[i].time, 1e-6);
+      EXPECT_LT((found[i].pose.position() - expected[i].pose.position()).norm(), 2e-6);
+      EXPECT_NEAR(found[i].pose.yaw, expected[i].pose.yaw, 1e-6);
+      EXPECT_NEAR(found[i].speed, expected[i].speed, 1e-6);
+      EXPECT_NEAR(found[i].acceleration, expected[i].acceleration, 1e-6);
+    }
+  };
+  expect_same(kept.outcome.driven, row.outcome.driven);
+  expect_same(kept.outcome.attacker.points, row.outcome.attacker.points);
+  expect_same(kept.escape_drive->ego.motion, row.escape_drive->ego.motion);
+  expect_same(kept.escape_drive->attacker.points, row.escape_drive->attacker.points);
+  EXPECT_EQ(kept.escape_drive->ego.manoeuvre, row.escape_drive->ego.manoeuvre);
+  EXPECT_NEAR(kept.escape_drive->ego.start, row.escape_drive->ego.start, 1e-6);
+  ASSERT_EQ(kept.outcome.attacker_plans.size(), row.outcome.attacker_plans.size());
+  EXPECT_EQ(kept.outcome.attacker_plans.back().phase, row.outcome.attacker_plans.back().phase);
+  expect_same(kept.outcome.attacker_plans.back().points, row.outcome.attacker_plans.back().points);
+  ASSERT_EQ(kept.outcome.others.size(), row.outcome.others.size());
+  EXPECT_EQ(kept.outcome.others.back().id, "reacts");
+  EXPECT_EQ(kept.outcome.others.back().states.front().velocity, Vector2(3.0, 0.0));
+}
+
+TEST(PlannerResultFile, AMotionWhoseListsDifferInLengthIsRefused) {
+  std::string line = plannerResultLine(tested());
+  const std::size_t list = line.find("\"t\":[", line.find("\"drive\""));
+  line.insert(line.find('[', list) + 1, "0,");
+  EXPECT_THROW(readPlannerResultLine("here", line), JsonLineError);
+}
+
 TEST(PlannerResultFile, AnotherFormatIsRefusedByField) {
   std::string line = plannerResultLine(tested());
-  line.replace(line.find("\"version\":4"), 11, "\"version\":2");
+  line.replace(line.find("\"version\":5"), 11, "\"version\":2");
   try {
     readPlannerResultLine("results.jsonl: line 4", line);
     ADD_FAILURE();

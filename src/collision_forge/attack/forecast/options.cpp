@@ -34,13 +34,6 @@ static void readOptions(Section& section, FeatureWeights& weights) {
   }
 }
 
-void readOptions(Section& section, SpeedProfileOptions& options) {
-  options.neighbors = section.count("neighbors", 1);
-  options.ridge = section.positive("ridge");
-  options.residual_scale = section.nonNegative("residual_scale");
-  section.read("feature_weights", options.feature_weights);
-}
-
 void readOptions(Section& section, SpeedModelFitOptions& options) {
   options.intervals = section.count("intervals", 1);
   options.centers = section.count("centers", 1);

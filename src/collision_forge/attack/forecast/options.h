@@ -32,14 +32,6 @@ struct PredictionOptions {
 inline constexpr int kSpeedFeatures = 10;
 using FeatureWeights = std::array<double, kSpeedFeatures>;
 
-/// config/models.yaml, section recorded_speeds
-struct SpeedProfileOptions {
-  int neighbors = 0;
-  double ridge = 0.0;
-  double residual_scale = 0.0;
-  FeatureWeights feature_weights = {};  ///< in the order of the keys of feature_weights
-};
-
 /// config/speed_model_fit.yaml
 struct SpeedModelFitOptions {
   int intervals = 0;
@@ -86,7 +78,6 @@ struct EgoFutureOptions {
 };
 
 void readOptions(Section& section, PredictionOptions& options);
-void readOptions(Section& section, SpeedProfileOptions& options);
 void readOptions(Section& section, SpeedModelFitOptions& options);
 /// `step` is that of PredictionOptions: all futures have states at the same intervals.
 void readOptions(Section& section, EgoFutureOptions& options, double step);

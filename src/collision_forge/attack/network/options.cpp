@@ -3,9 +3,16 @@
 #include <stdexcept>
 
 #include "collision_forge/base/config/section.h"
+#include "collision_forge/base/geometry/enum_words.h"
 
 namespace forge {
 namespace {
+
+constexpr EnumWord<EgoHead> kHeadWords[] = {
+    {EgoHead::kRegionProposal, "region_proposal"},
+    {EgoHead::kTargetPoints, "target_points"},
+    {EgoHead::kRegression, "regression"},
+};
 
 int countOf(Section& section, const char* key, int min = 1) {
   return section.count(key, min, kMaxFeatureCount);
@@ -17,23 +24,10 @@ double lengthOf(Section& section, const char* key) {
 
 }  // namespace
 
-const char* toString(EgoHead head) {
-  switch (head) {
-    case EgoHead::kRegionProposal:
-      return "region_proposal";
-    case EgoHead::kTargetPoints:
-      return "target_points";
-    case EgoHead::kRegression:
-      return "regression";
-  }
-  return "unknown";
-}
+const char* toString(EgoHead head) { return wordOf(kHeadWords, head); }
 
 EgoHead egoHeadFromString(const std::string& name) {
-  for (const EgoHead head :
-       {EgoHead::kRegionProposal, EgoHead::kTargetPoints, EgoHead::kRegression}) {
-    if (name == toString(head)) return head;
-  }
+  if (const auto head = valueOf(kHeadWords, name)) return *head;
   throw std::invalid_argument("head = " + name +
                               " is none of region_proposal, target_points, regression");
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "collision_forge/base/scene/find_track.h"
+
 namespace forge {
 
 PredictedScene::PredictedScene(const PatternNetwork& network, const Snapshot& snapshot,
@@ -27,10 +29,8 @@ std::vector<CandidateAnswer> PredictedScene::judge(const std::vector<const Track
                                                    CollisionType type) const {
   RowMatrix features(static_cast<Eigen::Index>(vehicles.size()), kCandidateFeatures);
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
-    const auto known =
-        std::find_if(observed_.agents.begin(), observed_.agents.end(),
-                     [&](const Track& agent) { return agent.id == vehicles[i]->id; });
-    if (known == observed_.agents.end()) {
+    const Track* known = findTrack(observed_.agents, vehicles[i]->id);
+    if (!known) {
       throw std::invalid_argument("agent " + vehicles[i]->id + " is not in the snapshot");
     }
     features.row(static_cast<Eigen::Index>(i)) =

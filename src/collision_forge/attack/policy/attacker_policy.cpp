@@ -1,25 +1,32 @@
 #include "collision_forge/attack/policy/attacker_policy.h"
 
+#include "collision_forge/base/geometry/enum_words.h"
+
 namespace forge {
 
-const char* toString(AttackerPhase phase) {
-  switch (phase) {
-    case AttackerPhase::kAttacking:
-      return "attacking";
-    case AttackerPhase::kCommitted:
-      return "committed";
-    case AttackerPhase::kDrivingOn:
-      break;
-  }
-  return "driving_on";
-}
+namespace {
+
+constexpr EnumWord<AttackerPhase> kPhaseWords[] = {
+    {AttackerPhase::kAttacking, "attacking"},
+    {AttackerPhase::kCommitted, "committed"},
+    {AttackerPhase::kDrivingOn, "driving_on"},
+};
+
+}  // namespace
+
+namespace {
+
+constexpr EnumWord<PolicyKind> kPolicyWords[] = {
+    {PolicyKind::kFixed, "fixed"},
+    {PolicyKind::kAdaptive, "adaptive"},
+};
+
+}  // namespace
+
+const char* toString(AttackerPhase phase) { return wordOf(kPhaseWords, phase); }
 
 std::optional<AttackerPhase> attackerPhaseFromString(const std::string& name) {
-  for (const AttackerPhase phase :
-       {AttackerPhase::kAttacking, AttackerPhase::kCommitted, AttackerPhase::kDrivingOn}) {
-    if (name == toString(phase)) return phase;
-  }
-  return std::nullopt;
+  return valueOf(kPhaseWords, name);
 }
 
 AttackerPlan firstPlan(const AttackerTrajectory& trajectory, AttackerPhase phase) {
@@ -27,13 +34,10 @@ AttackerPlan firstPlan(const AttackerTrajectory& trajectory, AttackerPhase phase
   return {now, now, phase, "sets out", trajectory.points};
 }
 
-const char* toString(PolicyKind kind) { return kind == PolicyKind::kFixed ? "fixed" : "adaptive"; }
+const char* toString(PolicyKind kind) { return wordOf(kPolicyWords, kind); }
 
 std::optional<PolicyKind> policyKindFromString(const std::string& name) {
-  for (const PolicyKind kind : {PolicyKind::kFixed, PolicyKind::kAdaptive}) {
-    if (name == toString(kind)) return kind;
-  }
-  return std::nullopt;
+  return valueOf(kPolicyWords, name);
 }
 
 }  // namespace forge

@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "collision_forge/attack/search/judge.h"
+#include "collision_forge/base/scene/find_track.h"
+#include "collision_forge/base/scene/input_limits.h"
 #include "collision_forge/base/scene/number_words.h"
 
 namespace forge {
@@ -12,25 +14,22 @@ namespace {
 
 void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot& snapshot) {
   for (const CollisionPattern& pattern : patterns) {
-    const bool known =
-        std::any_of(snapshot.agents.begin(), snapshot.agents.end(),
-                    [&](const Track& agent) { return agent.id == pattern.attacker_id; });
-    if (!known) {
-      throw std::invalid_argument("the pattern's attacker_id \"" + pattern.attacker_id +
-                                  "\" is nobody in the scene");
+    if (!findTrack(snapshot.agents, pattern.attacker_id)) {
+      throw InputError("the pattern's attacker_id \"" + pattern.attacker_id +
+                       "\" is nobody in the scene");
     }
     if (!(pattern.time > snapshot.now)) {
-      throw std::invalid_argument("the pattern's time is not after now");
+      throw InputError("the pattern's time is not after now");
     }
     if (!pattern.ego.center.isFinite() || !pattern.attacker_offset.isFinite() ||
         !std::isfinite(pattern.attacker_speed)) {
-      throw std::invalid_argument("the pattern of attacker_id \"" + pattern.attacker_id +
-                                  "\" has an ego, an attacker_offset or an attacker_speed that is "
-                                  "not finite");
+      throw InputError("the pattern of attacker_id \"" + pattern.attacker_id +
+                       "\" has an ego, an attacker_offset or an attacker_speed that is "
+                       "not finite");
     }
     if (!(pattern.tolerance >= 0.0)) {
-      throw std::invalid_argument("the pattern's tolerance = " + numberText(pattern.tolerance) +
-                                  " is not 0 m or more");
+      throw InputError("the pattern's tolerance = " + numberText(pattern.tolerance) +
+                       " is not 0 m or more");
     }
   }
 }

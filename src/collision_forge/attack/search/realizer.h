@@ -20,7 +20,7 @@ struct RealizationTask {
 
 /// Searches (searchAttacks()) from the patterns, and returns the first attack that AttackJudge
 /// accepts, the best first, with the pattern that it came from. Same input and seed, same answer.
-/// Throws std::invalid_argument for a pattern whose attacker is not in the snapshot, whose time is
+/// Throws InputError for a pattern whose attacker is not in the snapshot, whose time is
 /// not after now, or with a number that is not finite or a tolerance below 0.
 Realization realize(const RealizationTask& task, const AttackOptions& options);
 

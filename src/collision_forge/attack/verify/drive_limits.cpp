@@ -4,9 +4,21 @@
 #include <cmath>
 
 #include "collision_forge/base/config/section.h"
+#include "collision_forge/base/geometry/enum_words.h"
 
 namespace forge {
 namespace {
+
+constexpr EnumWord<VehicleClass> kClassWords[] = {
+    {VehicleClass::kCar, "car"},
+    {VehicleClass::kVan, "van"},
+    {VehicleClass::kEmergency, "emergency"},
+    {VehicleClass::kTruck, "truck"},
+    {VehicleClass::kBus, "bus"},
+    {VehicleClass::kArticulated, "articulated"},
+    {VehicleClass::kConstruction, "construction"},
+    {VehicleClass::kMotorcycle, "motorcycle"},
+};
 
 void readRow(Section& section, DriveLimits& row) {
   row.wheelbase = section.share("wheelbase_share");
@@ -24,27 +36,7 @@ void readRow(Section& section, DriveLimits& row) {
 
 double DriveLimits::maxCurvature() const { return std::tan(max_steering_angle) / wheelbase; }
 
-const char* toString(VehicleClass vehicle_class) {
-  switch (vehicle_class) {
-    case VehicleClass::kCar:
-      return "car";
-    case VehicleClass::kVan:
-      return "van";
-    case VehicleClass::kEmergency:
-      return "emergency";
-    case VehicleClass::kTruck:
-      return "truck";
-    case VehicleClass::kBus:
-      return "bus";
-    case VehicleClass::kArticulated:
-      return "articulated";
-    case VehicleClass::kConstruction:
-      return "construction";
-    case VehicleClass::kMotorcycle:
-      return "motorcycle";
-  }
-  return "";
-}
+const char* toString(VehicleClass vehicle_class) { return wordOf(kClassWords, vehicle_class); }
 
 VehicleClass vehicleClassOf(AgentClass agent_class, const BoxSize& size,
                             const DriveLimitOptions& options) {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "collision_forge/base/scene/formatted.h"
 
 namespace forge {
 namespace {
@@ -106,9 +107,7 @@ std::optional<BrokenLimit> findBrokenPositions(const std::vector<TrajectoryPoint
 }
 
 std::string describe(const BrokenLimit& broken) {
-  char text[128];
-  std::snprintf(text, sizeof(text), "%s %.3f > %.3f", broken.name, broken.value, broken.limit);
-  return text;
+  return formatted("%s %.3f > %.3f", broken.name, broken.value, broken.limit);
 }
 
 double effort(const std::vector<TrajectoryPoint>& points, double until,

@@ -15,6 +15,7 @@
 #include "collision_forge/attack/verify/limits.h"
 #include "collision_forge/attack/verify/manoeuvre_detection.h"
 #include "collision_forge/base/geometry/swept_contact.h"
+#include "collision_forge/base/scene/find_track.h"
 
 namespace forge {
 namespace {
@@ -168,20 +169,17 @@ CollisionReport verifyDrive(const AttackerTrajectory& trajectory, const Verifica
   const double until = report.contact ? *contact : end;
   findFirstOther(trajectory, input.future, until, tolerance, report);
 
-  const auto attacker =
-      std::find_if(input.snapshot.agents.begin(), input.snapshot.agents.end(),
-                   [&](const Track& agent) { return agent.id == trajectory.attacker_id; });
-  const bool is_known = attacker != input.snapshot.agents.end();
+  const Track* attacker = findTrack(input.snapshot.agents, trajectory.attacker_id);
   std::optional<BrokenLimit> broken;
   if (input.request.crash.limits == LimitSet::kStrict) {
     const double start_yaw =
-        is_known ? attacker->states.back().pose.yaw : trajectory.points.front().pose.yaw;
+        attacker ? attacker->states.back().pose.yaw : trajectory.points.front().pose.yaw;
     broken = findBrokenLimit(trajectory.points, start_yaw, until, options.limits);
     if (!broken) broken = findBrokenPositions(trajectory.points, until, options.limits);
   } else {
     const DriveLimits limits =
         driveLimitsOf(trajectory.agent_class, trajectory.size, options.drivable);
-    const DriveState start = is_known ? driveStateNow(*attacker, options)
+    const DriveState start = attacker ? driveStateNow(*attacker, options)
                                       : driveStateOf(trajectory.points.front(), limits);
     broken = findBrokenDrive(trajectory.points, start, until, limits);
   }

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 
 extern char** environ;
@@ -27,27 +28,44 @@ double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Starts the program with `stream` as its kWorkerStream; what it prints goes to stderr. It is in a
-/// group of its own, so that Ctrl-C is not for it: whoever asked for it decides when it ends.
-int spawn(const std::vector<std::string>& command, int stream, pid_t& pid) {
+/// Starts the program; what it prints goes to stderr. With a `stream`, which becomes its
+/// kWorkerStream, it is in a group of its own, so that Ctrl-C is not for it: whoever asked for it
+/// decides when it ends.
+pid_t spawn(const std::vector<std::string>& command, std::optional<int> stream = {}) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, stream, kWorkerStream);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
   sigset_t none;
   sigemptyset(&none);
-  posix_spawnattr_setsigmask(&attributes, &none);
+  if (stream) {
+    posix_spawn_file_actions_adddup2(&actions, *stream, kWorkerStream);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+    posix_spawnattr_setsigmask(&attributes, &none);
+  }
+  pid_t pid = 0;
   const int problem =
       posix_spawn(&pid, command.front().c_str(), &actions, &attributes, arguments.data(), environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
-  return problem;
+  if (problem == 0) return pid;
+  throw std::runtime_error(command.front() + ": cannot be started: " + std::strerror(problem));
+}
+
+int statusAtEnd(pid_t pid) {
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+std::string howEnded(int status) {
+  return WIFSIGNALED(status) ? "by signal " + std::to_string(WTERMSIG(status))
+                             : "with exit code " + std::to_string(WEXITSTATUS(status));
 }
 
 }  // namespace
@@ -58,17 +76,25 @@ std::string packageProgram(const std::string& name) {
   return std::filesystem::absolute(library.dli_fname).parent_path() / "collision_forge" / name;
 }
 
+std::optional<std::string> runProgram(const std::vector<std::string>& command) {
+  const int status = statusAtEnd(spawn(command));
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
+  return howEnded(status);
+}
+
 WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     throw std::runtime_error(command.front() + ": " + std::strerror(errno));
   }
   stream_ = ends[0];
-  const int problem = spawn(command, ends[1], pid_);
+  try {
+    pid_ = spawn(command, ends[1]);
+  } catch (...) {
+    for (const int end : ends) close(end);
+    throw;
+  }
   close(ends[1]);
-  if (problem == 0) return;
-  close(stream_);
-  throw std::runtime_error(command.front() + ": cannot be started: " + std::strerror(problem));
 }
 
 WorkerProcess::~WorkerProcess() {
@@ -79,8 +105,7 @@ WorkerProcess::~WorkerProcess() {
 int WorkerProcess::end() {
   if (pid_ <= 0) return status_;
   kill(pid_, SIGKILL);
-  while (waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
-  }
+  status_ = statusAtEnd(pid_);
   pid_ = 0;
   return status_;
 }
@@ -137,12 +162,6 @@ double WorkerProcess::processorTime() const {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-void WorkerProcess::failGone() {
-  const int status = end();
-  const std::string how = WIFSIGNALED(status)
-                              ? "by signal " + std::to_string(WTERMSIG(status))
-                              : "with exit code " + std::to_string(WEXITSTATUS(status));
-  throw std::runtime_error("its process ended " + how);
-}
+void WorkerProcess::failGone() { throw std::runtime_error("its process ended " + howEnded(end())); }
 
 }  // namespace forge

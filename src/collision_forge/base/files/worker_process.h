@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,6 +16,11 @@ inline constexpr int kWorkerStream = 3;
 /// The path of a program of this package. It lies in a folder beside the package's libraries, built
 /// and installed.
 std::string packageProgram(const std::string& name);
+
+/// Runs `command`, the path of a program and its arguments, and waits for its end; what it prints
+/// goes to stderr. Returns how it ended, as "by signal 9" or "with exit code 1"; nullopt for exit
+/// code 0. Throws std::runtime_error if it cannot be started.
+std::optional<std::string> runProgram(const std::vector<std::string>& command);
 
 /// A process that does not answer in time.
 struct WorkerTimeout : std::runtime_error {

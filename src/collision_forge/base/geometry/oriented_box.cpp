@@ -3,8 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/base/geometry/enum_words.h"
+
 namespace forge {
 namespace {
+
+constexpr EnumWord<Side> kSideWords[] = {
+    {Side::kFront, "front"},
+    {Side::kRear, "rear"},
+    {Side::kLeft, "left"},
+    {Side::kRight, "right"},
+};
 
 Vector2 leftOf(const Vector2& direction) { return {-direction.y(), direction.x()}; }
 
@@ -173,26 +182,9 @@ double intersectionOverUnion(const OrientedBox& a, const OrientedBox& b) {
   return joint > 0.0 ? std::min(shared / joint, 1.0) : 0.0;
 }
 
-const char* toString(Side side) {
-  switch (side) {
-    case Side::kFront:
-      return "front";
-    case Side::kRear:
-      return "rear";
-    case Side::kLeft:
-      return "left";
-    case Side::kRight:
-      return "right";
-  }
-  return "unknown";
-}
+const char* toString(Side side) { return wordOf(kSideWords, side); }
 
-std::optional<Side> sideFromString(const std::string& name) {
-  for (const Side side : {Side::kFront, Side::kRear, Side::kLeft, Side::kRight}) {
-    if (name == toString(side)) return side;
-  }
-  return std::nullopt;
-}
+std::optional<Side> sideFromString(const std::string& name) { return valueOf(kSideWords, name); }
 
 Side touchedSide(const OrientedBox& box, const OrientedBox& other) {
   const LocalExtent extent = extentOf(other, box.center);

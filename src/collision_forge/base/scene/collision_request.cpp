@@ -1,90 +1,59 @@
 #include "collision_forge/base/scene/collision_request.h"
 
+#include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/base/scene/request_words.h"
 
 namespace forge {
-const char* toString(Mode mode) {
-  switch (mode) {
-    case Mode::kHistory:
-      return "history";
-    case Mode::kReplay:
-      return "replay";
-    case Mode::kAdaptive:
-      break;
-  }
-  return "adaptive";
-}
+namespace {
+
+constexpr EnumWord<Mode> kModeWords[] = {
+    {Mode::kHistory, "history"},
+    {Mode::kReplay, "replay"},
+    {Mode::kAdaptive, "adaptive"},
+};
+
+constexpr EnumWord<AttackerChoice> kAttackerWords[] = {
+    {AttackerChoice::kAny, "any"},
+    {AttackerChoice::kExisting, "existing"},
+    {AttackerChoice::kNew, "new"},
+};
+
+constexpr EnumWord<StatusCode> kStatusWords[] = {
+    {StatusCode::kOk, "OK"},
+    {StatusCode::kUnknownType, "UNKNOWN_TYPE"},
+    {StatusCode::kTtaOutOfRange, "TTA_OUT_OF_RANGE"},
+    {StatusCode::kUnknownAttacker, "UNKNOWN_ATTACKER"},
+    {StatusCode::kAbsentAttacker, "ABSENT_ATTACKER"},
+    {StatusCode::kTooLittleHistory, "TOO_LITTLE_HISTORY"},
+    {StatusCode::kNoCandidate, "NO_CANDIDATE"},
+    {StatusCode::kNoAttackWithinLimits, "NO_ATTACK_WITHIN_LIMITS"},
+    {StatusCode::kNoScene, "NO_SCENE"},
+    {StatusCode::kNoRecording, "NO_RECORDING"},
+    {StatusCode::kBeyondRecording, "BEYOND_RECORDING"},
+    {StatusCode::kInvalidInput, "INVALID_INPUT"},
+    {StatusCode::kNodeUnavailable, "NODE_UNAVAILABLE"},
+    {StatusCode::kLowConfidence, "LOW_CONFIDENCE"},
+    {StatusCode::kNotBelievable, "NOT_BELIEVABLE"},
+    {StatusCode::kRoadDoesNotAllow, "ROAD_DOES_NOT_ALLOW"},
+    {StatusCode::kStaleScene, "STALE_SCENE"},
+    {StatusCode::kInternalError, "INTERNAL_ERROR"},
+};
+
+}  // namespace
+
+const char* toString(Mode mode) { return wordOf(kModeWords, mode); }
 
 std::optional<Mode> modeFromString(const std::string& name) {
-  const std::string key = lowered(name);
-  for (const Mode mode : kModes) {
-    if (key == toString(mode)) return mode;
-  }
-  return std::nullopt;
+  return valueOf(kModeWords, lowered(name));
 }
 
-const char* toString(AttackerChoice choice) {
-  switch (choice) {
-    case AttackerChoice::kAny:
-      return "any";
-    case AttackerChoice::kExisting:
-      return "existing";
-    case AttackerChoice::kNew:
-      return "new";
-  }
-  return "";
-}
+const char* toString(AttackerChoice choice) { return wordOf(kAttackerWords, choice); }
 
 std::optional<AttackerChoice> attackerChoiceFromString(const std::string& name) {
-  const std::string key = lowered(name);
-  for (const AttackerChoice choice :
-       {AttackerChoice::kAny, AttackerChoice::kExisting, AttackerChoice::kNew}) {
-    if (key == toString(choice)) return choice;
-  }
-  return std::nullopt;
+  return valueOf(kAttackerWords, lowered(name));
 }
 
-const char* toString(StatusCode code) {
-  switch (code) {
-    case StatusCode::kOk:
-      return "OK";
-    case StatusCode::kUnknownType:
-      return "UNKNOWN_TYPE";
-    case StatusCode::kTtaOutOfRange:
-      return "TTA_OUT_OF_RANGE";
-    case StatusCode::kUnknownAttacker:
-      return "UNKNOWN_ATTACKER";
-    case StatusCode::kAbsentAttacker:
-      return "ABSENT_ATTACKER";
-    case StatusCode::kTooLittleHistory:
-      return "TOO_LITTLE_HISTORY";
-    case StatusCode::kNoCandidate:
-      return "NO_CANDIDATE";
-    case StatusCode::kNoAttackWithinLimits:
-      return "NO_ATTACK_WITHIN_LIMITS";
-    case StatusCode::kNoScene:
-      return "NO_SCENE";
-    case StatusCode::kNoRecording:
-      return "NO_RECORDING";
-    case StatusCode::kBeyondRecording:
-      return "BEYOND_RECORDING";
-    case StatusCode::kInvalidInput:
-      return "INVALID_INPUT";
-    case StatusCode::kNodeUnavailable:
-      return "NODE_UNAVAILABLE";
-    case StatusCode::kLowConfidence:
-      return "LOW_CONFIDENCE";
-    case StatusCode::kNotBelievable:
-      return "NOT_BELIEVABLE";
-    case StatusCode::kRoadDoesNotAllow:
-      return "ROAD_DOES_NOT_ALLOW";
-    case StatusCode::kStaleScene:
-      return "STALE_SCENE";
-    case StatusCode::kInternalError:
-      return "INTERNAL_ERROR";
-  }
-  return "UNKNOWN";
-}
+const char* toString(StatusCode code) { return wordOf(kStatusWords, code, "UNKNOWN"); }
 
 bool isOfTheScene(StatusCode code) {
   switch (code) {
@@ -101,12 +70,7 @@ bool isOfTheScene(StatusCode code) {
 }
 
 std::optional<StatusCode> statusCodeFromString(const std::string& name) {
-  for (auto number = static_cast<int>(StatusCode::kOk);
-       number <= static_cast<int>(StatusCode::kInternalError); ++number) {
-    const auto code = static_cast<StatusCode>(number);
-    if (name == toString(code)) return code;
-  }
-  return std::nullopt;
+  return valueOf(kStatusWords, name);
 }
 
 }  // namespace forge

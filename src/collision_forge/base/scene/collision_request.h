@@ -13,7 +13,6 @@ namespace forge {
 /// kHistory: only what was observed up to now. kReplay: the recorded future may be used. kAdaptive:
 /// as kHistory, and the attacker looks again at every frame that comes.
 enum class Mode { kHistory, kReplay, kAdaptive };
-inline constexpr Mode kModes[] = {Mode::kHistory, Mode::kReplay, Mode::kAdaptive};
 const char* toString(Mode mode);
 std::optional<Mode> modeFromString(const std::string& name);
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "collision_forge/base/scene/clock.h"
+#include "collision_forge/base/scene/formatted.h"
 
 namespace forge {
 namespace {
@@ -16,11 +16,9 @@ double nearestFrame(const Scene& scene, double time) {
 }
 
 Status noFrame(double now, double nearest) {
-  char message[160];
-  std::snprintf(message, sizeof(message),
-                "now = %.6f s is the time of no frame of the scene; the nearest is at %.6f s", now,
-                nearest);
-  return {StatusCode::kNoScene, message};
+  return {StatusCode::kNoScene,
+          formatted("now = %.6f s is the time of no frame of the scene; the nearest is at %.6f s",
+                    now, nearest)};
 }
 
 }  // namespace

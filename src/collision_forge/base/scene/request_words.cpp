@@ -3,7 +3,18 @@
 #include <algorithm>
 #include <cctype>
 
+#include "collision_forge/base/geometry/enum_words.h"
+
 namespace forge {
+
+namespace {
+
+constexpr EnumWord<LimitSet> kLimitWords[] = {
+    {LimitSet::kDrivable, "drivable"},
+    {LimitSet::kStrict, "strict"},
+};
+
+}  // namespace
 
 std::string lowered(std::string word) {
   std::transform(word.begin(), word.end(), word.begin(),
@@ -16,24 +27,10 @@ std::string collisionTypeWords() {
          "junction_crossing (JC), ltap (LTAP)";
 }
 
-const char* toString(LimitSet limits) {
-  return limits == LimitSet::kDrivable ? "drivable" : "strict";
-}
+const char* toString(LimitSet limits) { return wordOf(kLimitWords, limits); }
 
 std::optional<LimitSet> limitSetFromString(const std::string& name) {
-  for (const LimitSet limits : {LimitSet::kDrivable, LimitSet::kStrict}) {
-    if (name == toString(limits)) return limits;
-  }
-  return std::nullopt;
-}
-
-std::optional<AgentClass> agentClassFromString(const std::string& name) {
-  for (auto number = static_cast<int>(AgentClass::kCar);
-       number <= static_cast<int>(AgentClass::kStaticObject); ++number) {
-    const auto agent_class = static_cast<AgentClass>(number);
-    if (name == toString(agent_class)) return agent_class;
-  }
-  return std::nullopt;
+  return valueOf(kLimitWords, name);
 }
 
 std::string manoeuvreNames(CollisionType type) {

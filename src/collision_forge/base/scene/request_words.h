@@ -20,9 +20,6 @@ std::string collisionTypeWords();
 const char* toString(LimitSet limits);
 std::optional<LimitSet> limitSetFromString(const std::string& name);
 
-/// The opposite of toString(AgentClass).
-std::optional<AgentClass> agentClassFromString(const std::string& name);
-
 /// The names of all manoeuvres of a collision type, with commas between them.
 std::string manoeuvreNames(CollisionType type);
 

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/base/scene/clock.h"
 
 namespace forge {
 namespace {
 
-constexpr std::array<std::pair<AgentClass, const char*>, 11> kClassNames = {{
+constexpr EnumWord<AgentClass> kClassNames[] = {
     {AgentClass::kCar, "car"},
     {AgentClass::kTruck, "truck"},
     {AgentClass::kBus, "bus"},
@@ -22,15 +23,14 @@ constexpr std::array<std::pair<AgentClass, const char*>, 11> kClassNames = {{
     {AgentClass::kPedestrian, "pedestrian"},
     {AgentClass::kAnimal, "animal"},
     {AgentClass::kStaticObject, "static_object"},
-}};
+};
 
 }  // namespace
 
-const char* toString(AgentClass agent_class) {
-  for (const auto& [value, name] : kClassNames) {
-    if (value == agent_class) return name;
-  }
-  return "unknown";
+const char* toString(AgentClass agent_class) { return wordOf(kClassNames, agent_class); }
+
+std::optional<AgentClass> agentClassFromString(const std::string& name) {
+  return valueOf(kClassNames, name);
 }
 
 bool canAttack(AgentClass agent_class) {

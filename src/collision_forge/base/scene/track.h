@@ -24,6 +24,7 @@ enum class AgentClass {
 
 /// Lower-case name as in messages and files, for instance "construction_vehicle".
 const char* toString(AgentClass agent_class);
+std::optional<AgentClass> agentClassFromString(const std::string& name);
 /// What can be made to attack.
 inline constexpr AgentClass kAttackerClasses[] = {AgentClass::kCar,
                                                   AgentClass::kTruck,

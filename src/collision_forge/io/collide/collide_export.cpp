@@ -1,6 +1,8 @@
 #include "collision_forge/io/collide/collide_export.h"
 #include "collision_forge/base/files/plain_name.h"
+#include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/base/scene/clock.h"
+#include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/base/scene/number_words.h"
 
 #include <algorithm>
@@ -10,6 +12,18 @@
 
 namespace forge {
 namespace {
+
+static_assert(kCollideNowFrame == 7, "the texts say so");
+constexpr EnumWord<ClipObstacle> kObstacleTexts[] = {
+    {ClipObstacle::kShortHistory, "with fewer than 7 frames before now"},
+    {ClipObstacle::kEgoMissing, "without the ego in a frame"},
+    {ClipObstacle::kAttackerMissing, "without the attacker in one of the 7 frames before now"},
+    {ClipObstacle::kNoCollisionFrame, "without a recorded frame at the collision"},
+    {ClipObstacle::kTrajectoryEnds, "with a trajectory that ends before the collision frame"},
+    {ClipObstacle::kNoCar, "by a motorcycle, which readers would take for a car"},
+    {ClipObstacle::kUnfitName,
+     "with a name of map, scene or attacker that cannot be part of a file's"},
+};
 
 namespace fs = std::filesystem;
 
@@ -115,18 +129,6 @@ class ClipBuilder {
     return std::nullopt;
   }
 
-  /// Of an attacker that was added its own, else what was recorded; empty for nobody's.
-  std::optional<Track> pastOf(const AttackerTrajectory& attacker) const {
-    if (attacker.isAdded()) {
-      return Track{attacker.attacker_id, attacker.agent_class, attacker.size, attacker.past};
-    }
-    const auto track =
-        std::find_if(scene_.agents.begin(), scene_.agents.end(),
-                     [&](const Track& agent) { return agent.id == attacker.attacker_id; });
-    if (track == scene_.agents.end()) return std::nullopt;
-    return *track;
-  }
-
   std::optional<ClipObstacle> addEgoAndAttacker() {
     CollideTrack ego{kEgoId, {}};
     for (const double time : clip_.times) ego.frames.push_back(egoInFrame(scene_.ego, time));
@@ -134,11 +136,10 @@ class ClipBuilder {
 
     const AttackerTrajectory& trajectory = scenario_.answer.trajectory;
     if (!isCarLike(trajectory.agent_class)) return ClipObstacle::kNoCar;
-    const std::optional<Track> track = pastOf(trajectory);
-    if (!track) return ClipObstacle::kAttackerMissing;
+    const Track track = attackerPast(trajectory, scene_.agents);
     CollideTrack attacker{trajectory.attacker_id, {}};
     for (std::size_t frame = 0; frame <= kCollideNowFrame; ++frame) {
-      attacker.frames.push_back(stateInFrame(*track, clip_.times[frame]));
+      attacker.frames.push_back(stateInFrame(track, clip_.times[frame]));
     }
     if (!isComplete(attacker)) return ClipObstacle::kAttackerMissing;
     for (std::size_t frame = kCollideNowFrame + 1; frame < clip_.times.size(); ++frame) {
@@ -184,26 +185,7 @@ class ClipBuilder {
 
 }  // namespace
 
-const char* toString(ClipObstacle obstacle) {
-  static_assert(kCollideNowFrame == 7, "the texts say so");
-  switch (obstacle) {
-    case ClipObstacle::kShortHistory:
-      return "with fewer than 7 frames before now";
-    case ClipObstacle::kEgoMissing:
-      return "without the ego in a frame";
-    case ClipObstacle::kAttackerMissing:
-      return "without the attacker in one of the 7 frames before now";
-    case ClipObstacle::kNoCollisionFrame:
-      return "without a recorded frame at the collision";
-    case ClipObstacle::kTrajectoryEnds:
-      return "with a trajectory that ends before the collision frame";
-    case ClipObstacle::kNoCar:
-      return "by a motorcycle, which readers would take for a car";
-    case ClipObstacle::kUnfitName:
-      return "with a name of map, scene or attacker that cannot be part of a file's";
-  }
-  throw std::invalid_argument("an obstacle without a text");
-}
+const char* toString(ClipObstacle obstacle) { return wordOf(kObstacleTexts, obstacle); }
 
 std::variant<CollideClip, ClipObstacle> toCollideClip(const Scenario& scenario, const Scene& scene,
                                                       int variant) {

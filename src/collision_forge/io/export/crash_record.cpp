@@ -9,6 +9,7 @@
 #include "collision_forge/attack/verify/post_crash_motion.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/base/scene/clock.h"
+#include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/io/logs/nuscenes_map.h"
 
@@ -154,19 +155,8 @@ class RecordBuilder {
     return track;
   }
 
-  /// What the attacker did up to now.
-  Track pastOfAttacker() const {
-    Track past{trajectory_.attacker_id, trajectory_.agent_class, trajectory_.size,
-               trajectory_.past};
-    if (trajectory_.isAdded()) return past;
-    for (const Track& agent : scene_.agents) {
-      if (agent.id == trajectory_.attacker_id) return agent;
-    }
-    return past;
-  }
-
   Track attackerTrack() const {
-    const Track past = pastOfAttacker();
+    const Track past = attackerPast(trajectory_, scene_.agents);
     const double now = scenario_.asked.now;
     Track track = sampled(drive_, [&](double time) -> std::optional<AgentState> {
       if (isAfterContact(time)) return crash_->attackerAt(time);

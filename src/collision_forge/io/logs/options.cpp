@@ -36,8 +36,6 @@ static void readOptions(Section& section, std::map<std::string, std::vector<std:
 void readOptions(Section& section, ModelOptions& options) {
   options.pattern_network = section.path("pattern_network");
   options.speed_model = section.path("speed_model");
-  options.speed_profiles = section.path("speed_profiles");
-  section.read("recorded_speeds", options.recorded_speeds);
   section.read("generator_weights", options.generator_weights);
 }
 

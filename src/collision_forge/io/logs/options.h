@@ -40,8 +40,6 @@ struct DataOptions {
 struct ModelOptions {
   std::string pattern_network;
   std::string speed_model;
-  std::string speed_profiles;
-  SpeedProfileOptions recorded_speeds;
   /// By the names of the models: the file of all scenes, then those that left some out.
   std::map<std::string, std::vector<std::string>> generator_weights;
   std::vector<std::string> method_libraries;  ///< see methodsWith()

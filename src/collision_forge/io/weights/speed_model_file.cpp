@@ -10,7 +10,6 @@
 
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/io/json/json_line.h"
-#include "collision_forge/io/weights/speed_profiles_file.h"
 
 namespace forge {
 namespace {
@@ -161,10 +160,6 @@ void writeSpeedModel(const SpeedModel& model, const std::string& path) {
 }
 
 std::shared_ptr<const SpeedForecaster> loadSpeedForecaster(const ModelOptions& options) {
-  if (!options.speed_profiles.empty()) {
-    return std::make_shared<const SpeedProfiles>(
-        readSpeedProfiles(options.speed_profiles, options.recorded_speeds));
-  }
   if (options.speed_model.empty()) return nullptr;
   return std::make_shared<const SpeedModel>(readSpeedModel(options.speed_model));
 }

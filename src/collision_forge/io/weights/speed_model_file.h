@@ -21,8 +21,7 @@ SpeedModel readSpeedModel(const std::string& path);
 /// Writes the same, numbers rounded to five digits. Throws as AsideFile does.
 void writeSpeedModel(const SpeedModel& model, const std::string& path);
 
-/// The recorded profiles that are named, else the model; null when neither is. Throws
-/// SpeedProfilesFileError and SpeedModelFileError.
+/// The model that is named; null when none is. Throws SpeedModelFileError.
 std::shared_ptr<const SpeedForecaster> loadSpeedForecaster(const ModelOptions& options);
 
 }  // namespace forge

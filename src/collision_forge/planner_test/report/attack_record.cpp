@@ -93,13 +93,14 @@ void writeCrash(JsonLineWriter& writer, const ShownCrash& crash, double now) {
   writer.endObject();
 }
 
-void writeDrive(JsonLineWriter& writer, const ShownTest& shown, double now) {
-  const RolloutOutcome& driven = *shown.driven;
+void writeDriveInShort(JsonLineWriter& writer, const PlannerRow& row,
+                       const std::optional<ShownCrash>& crash, double now) {
+  const RolloutOutcome& driven = row.outcome;
   writer.beginObject("drive");
   writeTrajectory(writer, "ego", driven.driven, now);
   writeTrajectory(writer, "attacker", driven.attacker.points, now);
-  if (shown.crash) writeCrash(writer, *shown.crash, now);
-  if (shown.escape) writeTrajectory(writer, "escape", shown.escape->ego.motion, now);
+  if (crash) writeCrash(writer, *crash, now);
+  if (row.escape_drive) writeTrajectory(writer, "escape", row.escape_drive->ego.motion, now);
   writePlansInShort(writer, driven.attacker_plans, now);
   writer.endObject();
 }
@@ -136,7 +137,9 @@ std::string plannerRecord(const PlannerTestResult& result, const PlannerRow& row
   writer.beginObject();
   writeAvoidability(writer, "avoidability", result.avoidability);
   writePlannerRow(writer, row, result.now);
-  if (shown.driven) writeDrive(writer, shown, result.now);
+  if (shown.has_attack && !row.outcome.driven.empty()) {
+    writeDriveInShort(writer, row, shown.crash, result.now);
+  }
   writer.beginArray("pictures");
   for (const PictureLink& picture : shown.pictures) {
     writer.beginObject();

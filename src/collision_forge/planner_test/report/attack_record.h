@@ -38,9 +38,8 @@ struct PictureLink {
 
 /// What is known of a planner's test beyond its results.
 struct ShownTest {
-  std::optional<RolloutOutcome> driven = {};  ///< with its motions, where it was driven again
-  std::optional<ShownCrash> crash = {};       ///< after a contact with the attacker there
-  std::optional<Escape> escape = {};          ///< of the ego that was hit there
+  bool has_attack = false;               ///< the page has the attack, so that motions can be shown
+  std::optional<ShownCrash> crash = {};  ///< after a contact with the attacker
   std::vector<PictureLink> pictures = {};
 };
 

@@ -8,7 +8,6 @@ void readOptions(Section& section, ReportOptions& options) {
   options.seconds_before_now = section.nonNegative("seconds_before_now");
   options.map_margin = section.positive("map_margin");
   options.map_tolerance = section.nonNegative("map_tolerance");
-  options.planner_drives = section.count("planner_drives", 0);
 }
 
 }  // namespace forge

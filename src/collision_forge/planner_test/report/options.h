@@ -9,7 +9,6 @@ struct ReportOptions {
   double seconds_before_now = 0.0;
   double map_margin = 0.0;
   double map_tolerance = 0.0;
-  int planner_drives = 0;
 };
 
 void readOptions(Section& section, ReportOptions& options);

@@ -1,8 +1,6 @@
 #include "collision_forge/planner_test/report/write_report.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -11,9 +9,7 @@
 #include <utility>
 
 #include "collision_forge/io/batch/progress_line.h"
-#include "collision_forge/io/batch/worker_pool.h"
 #include "collision_forge/io/logs/scene_source.h"
-#include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/planner_test/planners/planner_factory.h"
 #include "collision_forge/planner_test/report/attack_record.h"
 #include "collision_forge/planner_test/report/page_file.h"
@@ -31,18 +27,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A planner test of the table, and what it takes to drive it again.
-struct ListedTest {
+/// An attack that planner tests may be of.
+struct ListedAttack {
   std::size_t row = 0;
-  PlannerTestResult result;
-  std::size_t planner = 0;  ///< of the result's rows
-
-  const PlannerRow& tested() const { return result.rows[planner]; }
-  /// The harder the hit the earlier it is driven again.
-  double weight() const {
-    const auto& contact = tested().outcome.contact;
-    return contact ? 1.0 + contact->impact_speed : 0.0;
-  }
+  BoxSize ego;
+  AttackerTrajectory attacker;  ///< without its motion
 };
 
 /// An attack, held against the recording.
@@ -51,41 +40,9 @@ struct Judgement {
   std::optional<ShownCrash> crash;  ///< with a contact
 };
 
-struct KnownPlanner {
-  std::string name;
-  const TrialOptions* options;
-};
-
-/// The same contact, or none, up to what a results file rounds.
-bool isSame(const RolloutOutcome& driven, const RolloutOutcome& tested) {
-  constexpr double kTolerance = 1e-3;  // s
-  if (driven.failure != tested.failure) return false;
-  if (!driven.contact || !tested.contact) return !driven.contact && !tested.contact;
-  return std::abs(driven.contact->time - tested.contact->time) < kTolerance &&
-         driven.contact->other_id == tested.contact->other_id;
-}
-
 bool isPlannerName(const std::string& name) {
   const std::vector<std::string>& names = plannerNames();
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// Calls `work` for all of [0, count) on threads; what it returns, in order.
-std::vector<std::string> workOnAll(std::size_t count, int jobs, const WorkerPool::Work& work) {
-  constexpr std::chrono::milliseconds kPatience(200);
-  ProgressLine progress("planner tests");
-  std::vector<std::string> results(count);
-  WorkerPool pool(jobs, work);
-  for (std::size_t given = 0, done = 0; done < count;) {
-    while (given < count && pool.wantsMore()) pool.give(given++);
-    for (ItemResult& result : pool.collect(kPatience)) {
-      if (result.error) std::rethrow_exception(result.error);
-      results[result.index] = std::move(result.bytes);
-      ++done;
-    }
-    progress.show(done, count);
-  }
-  return results;
 }
 
 void writeColor(JsonLineWriter& writer, const char* key, const Color& color) {
@@ -115,8 +72,6 @@ class ReportBuilder {
         if ((files_[i].kind == ReportFileKind::kScenarios) == is_of_attacks) read(i);
       }
     }
-    findPictures();
-    addTests();
     addScenes();
     page_.commit(index());
     return rows_.size();
@@ -160,6 +115,8 @@ class ReportBuilder {
 
   void read(std::size_t place) {
     const ReportFile& file = files_[place];
+    const TestPictures pictures =
+        file.kind == ReportFileKind::kPlannerTests ? picturesOf(file) : TestPictures();
     ProgressLine progress(file.path);
     const auto take = [&](const std::string& where, std::size_t line, const std::string& text,
                           double share) {
@@ -169,7 +126,7 @@ class ReportBuilder {
           addScenario(where, text, fs::path(file.path).stem().string(), line);
           break;
         case ReportFileKind::kPlannerTests:
-          addPlannerTest(where, text);
+          addPlannerTest(where, text, pictures);
           break;
         case ReportFileKind::kRows:
           addRow(file.format, where, text);
@@ -191,7 +148,9 @@ class ReportBuilder {
       throw std::runtime_error(where + ": scene = \"" + scene + "\" is not in " +
                                inputs_.logs.described());
     }
-    attacks_.emplace(source + ":" + std::to_string(line), rows_.size());
+    ListedAttack listed{rows_.size(), scenario.ego.size, scenario.answer.trajectory};
+    listed.attacker.points.clear();
+    attacks_.emplace(source + ":" + std::to_string(line), std::move(listed));
     int number = 1;
     addAttack(scenario, scenario.answer, number);
     for (const Realization& alternative : scenario.answer.alternatives) {
@@ -254,21 +213,29 @@ class ReportBuilder {
                                                             crash.recorded.ego, options.drivable))};
   }
 
-  void addPlannerTest(const std::string& where, const std::string& text) {
+  void addPlannerTest(const std::string& where, const std::string& text,
+                      const TestPictures& pictures) {
     const PlannerTestResult result = readPlannerResultLine(where, text);
     const auto found = attacks_.find(lineOf(result.name));
-    const std::optional<ReportRow> attack =
-        found != attacks_.end() ? std::optional(rows_[found->second]) : std::nullopt;
-    const ReportRow* known = attack ? &*attack : nullptr;
-    if (result.rows.empty()) rows_.push_back(rowOfTest(result, nullptr, known));
-    for (std::size_t i = 0; i < result.rows.size(); ++i) {
-      const PlannerRow& test = result.rows[i];
-      if (result.isTested()) tests_.push_back({rows_.size(), result, i});
-      ReportRow& row = rows_.emplace_back(rowOfTest(result, &test, known));
-      if (known == nullptr || !isPlannerName(test.planner)) continue;
+    const ListedAttack* attack = found != attacks_.end() ? &found->second : nullptr;
+    const std::optional<ReportRow> known =
+        attack ? std::optional(rows_[attack->row]) : std::nullopt;
+    const ReportRow* known_row = known ? &*known : nullptr;
+    if (result.rows.empty()) rows_.push_back(rowOfTest(result, nullptr, known_row));
+    for (const PlannerRow& test : result.rows) {
+      ReportRow& row = rows_.emplace_back(rowOfTest(result, &test, known_row));
+      if (result.isTested()) {
+        const auto links =
+            pictures.find({result.name, rowName(test.planner, test.attacker.policy)});
+        row.test = page_.add(plannerRecord(
+            result, test,
+            {attack != nullptr, attack ? crashOf(test, *attack) : std::nullopt,
+             links != pictures.end() ? linksTo(links->second) : std::vector<PictureLink>()}));
+      }
+      if (!known || !isPlannerName(test.planner)) continue;
       row.commands = page_.add(
           commandsRecord({commandsOfTest(files_[known->file].path, known->line, test.planner,
-                                         test.attacker.policy, inputs_.background, inputs_.logs)}));
+                                         test.attacker.policy, result.background, inputs_.logs)}));
     }
   }
 
@@ -278,95 +245,35 @@ class ReportBuilder {
     rows_.push_back(*row);
   }
 
-  std::vector<PictureLink> picturesOf(const ListedTest& test) const {
-    const auto file = pictures_.find(rows_[test.row].file);
-    if (file == pictures_.end()) return {};
-    const PlannerRow& row = test.tested();
-    const auto found =
-        file->second.find({test.result.name, rowName(row.planner, row.attacker.policy)});
+  std::vector<PictureLink> linksTo(const std::vector<Picture>& pictures) const {
     std::vector<PictureLink> links;
-    if (found == file->second.end()) return links;
-    for (const Picture& picture : found->second) {
+    for (const Picture& picture : pictures) {
       links.push_back({picture.name, linkTo(picture.path, folder_)});
     }
     return links;
   }
 
-  /// Of every file of planner tests.
-  void findPictures() {
-    std::map<std::size_t, std::vector<PlannerTestResult>> results;
-    for (const ListedTest& test : tests_) {
-      std::vector<PlannerTestResult>& of = results[rows_[test.row].file];
-      if (test.planner == 0) of.push_back(test.result);
-    }
-    for (const auto& [file, of] : results) {
-      pictures_[file] = picturesBeside(files_[file].path, of, settings_.options.input_limits);
-    }
+  /// Of all tests in the file.
+  TestPictures picturesOf(const ReportFile& file) const {
+    std::vector<PlannerTestResult> results;
+    readReportLines(file, settings_.options.input_limits,
+                    [&](const std::string& where, std::size_t, const std::string& text, double) {
+                      dropMotions(results.emplace_back(readPlannerResultLine(where, text)));
+                    });
+    return picturesBeside(file.path, results, settings_.options.input_limits);
   }
 
-  /// Empty where nobody knows how it drove.
-  std::optional<KnownPlanner> plannerOf(const PlannerRow& row) const {
-    for (const PlannerVariant& variant : inputs_.variants) {
-      if (variant.name == row.planner) return KnownPlanner{inputs_.planner, &variant.options};
+  /// Empty without a contact of the planner's ego with the attacker, or without the drive.
+  std::optional<ShownCrash> crashOf(const PlannerRow& test, const ListedAttack& attack) const {
+    const RolloutOutcome& outcome = test.outcome;
+    if (!outcome.contact || !outcome.contact->is_attacker || outcome.driven.empty()) {
+      return std::nullopt;
     }
-    if (!isPlannerName(row.planner)) return std::nullopt;
-    return KnownPlanner{row.planner, &settings_.trials};
-  }
-
-  /// Empty without a contact of the planner's ego with the attacker.
-  std::optional<PostCrashMotion> crashOf(const PlannerCase& one,
-                                         const RolloutOutcome& driven) const {
-    if (!driven.contact || !driven.contact->is_attacker) return std::nullopt;
-    const Track ego{kEgoId, AgentClass::kCar, one.scenario.recorded.ego.size,
-                    toStates(driven.driven)};
-    return motionAfterContact(driven.contact->time, driven.attacker, ego,
-                              settings_.options.attack.verification.drivable);
-  }
-
-  /// The records of all tests, of as many as may be with the motions.
-  void addTests() {
-    std::stable_sort(tests_.begin(), tests_.end(), [](const ListedTest& a, const ListedTest& b) {
-      return a.weight() > b.weight();
-    });
-    std::unique_ptr<PlannerCases> cases;
-    std::map<std::string, std::size_t> places;
-    if (scenes_ && !tests_.empty()) {
-      cases = openScenarioCases(scenarioPaths(), inputs_.logs,
-                                static_cast<std::size_t>(inputs_.jobs) + 1, settings_.options);
-      for (const std::string& name : cases->names()) places.emplace(name, places.size());
-    }
-    TestPlan plan{{}, inputs_.background, {}, loadForesight(settings_.options)};
-    const auto driven = [&](std::size_t index) {
-      const ListedTest& test = tests_[index];
-      const auto place = places.find(lineOf(test.result.name));
-      const auto planner = plannerOf(test.tested());
-      ShownTest shown{{}, {}, {}, picturesOf(test)};
-      if (place == places.end() || !planner) {
-        return plannerRecord(test.result, test.tested(), shown);
-      }
-      const PlannerCase one = cases->at(place->second);
-      const PolicyKind policy = test.tested().attacker.policy;
-      RolloutOutcome outcome =
-          driveAgain(one, planner->name, policy, plan, settings_.options, *planner->options);
-      if (isSame(outcome, test.tested().outcome)) {
-        if (test.tested().escape && test.tested().escape->is_avoidable) {
-          shown.escape =
-              escapeAgain(one, outcome, policy, plan, settings_.options, *planner->options);
-        }
-        shown.crash = shownCrash(crashOf(one, outcome));
-        shown.driven = std::move(outcome);
-      }
-      return plannerRecord(test.result, test.tested(), shown);
-    };
-    const auto count =
-        std::min(tests_.size(), static_cast<std::size_t>(settings_.report.planner_drives));
-    const std::vector<std::string> records = workOnAll(count, inputs_.jobs, driven);
-    for (std::size_t i = 0; i < tests_.size(); ++i) {
-      const ListedTest& test = tests_[i];
-      rows_[test.row].test = page_.add(
-          i < count ? records[i]
-                    : plannerRecord(test.result, test.tested(), {{}, {}, {}, picturesOf(test)}));
-    }
+    AttackerTrajectory attacker = attack.attacker;
+    attacker.points = outcome.attacker.points;
+    const Track ego{kEgoId, AgentClass::kCar, attack.ego, toStates(outcome.driven)};
+    return shownCrash(motionAfterContact(outcome.contact->time, attacker, ego,
+                                         settings_.options.attack.verification.drivable));
   }
 
   void addScenes() {
@@ -430,11 +337,9 @@ class ReportBuilder {
   std::set<std::string> known_;          ///< scenes of the source
   std::unique_ptr<SceneSource> scenes_;  ///< of the scenario files; null without a source
   std::vector<ReportRow> rows_;
-  std::map<std::string, std::size_t> attacks_;  ///< rows of scenarios by the names of their cases
-  std::map<std::string, std::string> lines_;    ///< see lineOf()
-  std::map<std::string, SceneExtent> extents_;  ///< by scene
-  std::vector<ListedTest> tests_;
-  std::map<std::size_t, TestPictures> pictures_;  ///< by the places of their files
+  std::map<std::string, ListedAttack> attacks_;  ///< by the names of their cases
+  std::map<std::string, std::string> lines_;     ///< see lineOf()
+  std::map<std::string, SceneExtent> extents_;   ///< by scene
 };
 
 }  // namespace

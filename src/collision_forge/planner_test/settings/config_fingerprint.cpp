@@ -45,8 +45,7 @@ std::map<std::string, std::string> configFingerprints(const std::string& directo
 std::map<std::string, std::string> fingerprintsOf(const Config& config,
                                                   const std::string& directory) {
   std::map<std::string, std::string> found = configFingerprints(directory);
-  std::map<std::string, std::string> models = {{"speed_profiles", config.speed_profiles},
-                                               {"speed_model", config.speed_model},
+  std::map<std::string, std::string> models = {{"speed_model", config.speed_model},
                                                {"pattern_network", config.pattern_network}};
   for (const auto& [name, paths] : config.generator_weights) {
     for (std::size_t i = 0; i < paths.size(); ++i) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/planner_test/statistics/csv_text.h"
 
 namespace forge {
@@ -41,21 +41,15 @@ RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials) {
 
 std::string toText(const Rate& rate, double scale) {
   if (rate.trials == 0) return "-";
-  char text[96];
-  const int length = std::snprintf(text, sizeof(text), "%.1f", scale * rate.value);
-  if (rate.interval) {
-    std::snprintf(text + length, sizeof(text) - length, " [%.0f, %.0f]", scale * rate.interval->low,
-                  scale * rate.interval->high);
-  }
-  return text;
+  const std::string value = formatted("%.1f", scale * rate.value);
+  if (!rate.interval) return value;
+  return value +
+         formatted(" [%.0f, %.0f]", scale * rate.interval->low, scale * rate.interval->high);
 }
 
 std::string intervalCsv(const Rate& rate) {
-  char text[64] = ",";
-  if (rate.interval) {
-    std::snprintf(text, sizeof(text), "%.4f,%.4f", rate.interval->low, rate.interval->high);
-  }
-  return text;
+  if (!rate.interval) return ",";
+  return formatted("%.4f,%.4f", rate.interval->low, rate.interval->high);
 }
 
 std::string toMarkdown(const RateTable& table, const TableUnit& unit) {
@@ -86,8 +80,7 @@ std::string toCsv(const RateTable& table) {
   for (std::size_t i = 0; i < table.methods.size(); ++i) {
     for (std::size_t group = 0; group < table.groups.size(); ++group) {
       const Rate& rate = table.rates[i][group];
-      char value[32] = "";
-      if (rate.trials > 0) std::snprintf(value, sizeof(value), "%.4f", rate.value);
+      const std::string value = rate.trials > 0 ? formatted("%.4f", rate.value) : "";
       text += table.measure.name + ',' + csvText(table.methods[i]) + ',' + table.groups[group] +
               ',' + std::to_string(rate.trials) + ',' + value + ',' + intervalCsv(rate) + '\n';
     }

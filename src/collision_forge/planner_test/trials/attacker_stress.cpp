@@ -6,11 +6,18 @@
 #include "collision_forge/attack/forecast/random.h"
 #include "collision_forge/attack/policy/adaptive_attacker.h"
 #include "collision_forge/attack/verify/verification.h"
+#include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/base/scene/clock.h"
 #include "collision_forge/planner_test/trials/evasive_drives.h"
 
 namespace forge {
 namespace {
+
+constexpr EnumWord<EgoConduct> kConductWords[] = {
+    {EgoConduct::kEvades, "evades"},     {EgoConduct::kStops, "stops"},
+    {EgoConduct::kReverses, "reverses"}, {EgoConduct::kJumps, "jumps"},
+    {EgoConduct::kVanishes, "vanishes"},
+};
 
 constexpr double kJump = 30.0;         // m ahead
 constexpr double kReverseSpeed = 3.0;  // m/s
@@ -81,21 +88,7 @@ Track egoOf(const CrashScenario& scenario, double tta, EgoConduct conduct, std::
 
 }  // namespace
 
-const char* toString(EgoConduct conduct) {
-  switch (conduct) {
-    case EgoConduct::kEvades:
-      return "evades";
-    case EgoConduct::kStops:
-      return "stops";
-    case EgoConduct::kReverses:
-      return "reverses";
-    case EgoConduct::kJumps:
-      return "jumps";
-    case EgoConduct::kVanishes:
-      break;
-  }
-  return "vanishes";
-}
+const char* toString(EgoConduct conduct) { return wordOf(kConductWords, conduct); }
 
 StressOutcome stressAttacker(const CrashScenario& scenario, const CollisionRequest& asked,
                              EgoConduct conduct, std::uint64_t seed, const RolloutSetup& setup) {

@@ -1,17 +1,12 @@
 #include "collision_forge/planner_test/trials/avoidance_words.h"
 
-#include <cstdio>
-
 #include "collision_forge/base/scene/clock.h"
+#include "collision_forge/base/scene/formatted.h"
 
 namespace forge {
 namespace {
 
-std::string secondsText(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f s", seconds);
-  return text;
-}
+std::string secondsText(double seconds) { return formatted("%.1f s", seconds); }
 
 }  // namespace
 

@@ -5,22 +5,24 @@
 #include <cmath>
 #include <utility>
 
+#include "collision_forge/base/geometry/enum_words.h"
+
 namespace forge {
 namespace {
 
-constexpr std::array<std::pair<ContactCause, const char*>, 5> kCauseNames = {{
+constexpr EnumWord<ContactCause> kCauseNames[] = {
     {ContactCause::kStoppedEgo, "stopped_ego"},
     {ContactCause::kStoppedOther, "stopped_other"},
     {ContactCause::kRear, "rear"},
     {ContactCause::kFront, "front"},
     {ContactCause::kLateral, "lateral"},
-}};
+};
 
-constexpr std::array<std::pair<ContactPlace, const char*>, 3> kPlaceNames = {{
+constexpr EnumWord<ContactPlace> kPlaceNames[] = {
     {ContactPlace::kLane, "lane"},
     {ContactPlace::kJunction, "junction"},
     {ContactPlace::kElsewhere, "elsewhere"},
-}};
+};
 
 bool isOfType(const ContactPoses& poses, CollisionType type, const TypeDefinition& definition,
               DrivingSide driving_side) {
@@ -32,18 +34,10 @@ bool isOfType(const ContactPoses& poses, CollisionType type, const TypeDefinitio
 
 }  // namespace
 
-const char* toString(ContactCause cause) {
-  for (const auto& [value, name] : kCauseNames) {
-    if (value == cause) return name;
-  }
-  return "unknown";
-}
+const char* toString(ContactCause cause) { return wordOf(kCauseNames, cause); }
 
 std::optional<ContactCause> contactCauseFromString(const std::string& name) {
-  for (const auto& [value, text] : kCauseNames) {
-    if (name == text) return value;
-  }
-  return std::nullopt;
+  return valueOf(kCauseNames, name);
 }
 
 double angleToOther(const OrientedBox& ego, double center_offset, const OrientedBox& other) {
@@ -117,18 +111,10 @@ bool isInSeveralLanes(const OrientedBox& box, const LaneIndex& lanes, double rad
   return is_in_any;
 }
 
-const char* toString(ContactPlace place) {
-  for (const auto& [value, name] : kPlaceNames) {
-    if (value == place) return name;
-  }
-  return "unknown";
-}
+const char* toString(ContactPlace place) { return wordOf(kPlaceNames, place); }
 
 std::optional<ContactPlace> contactPlaceFromString(const std::string& name) {
-  for (const auto& [value, text] : kPlaceNames) {
-    if (name == text) return value;
-  }
-  return std::nullopt;
+  return valueOf(kPlaceNames, name);
 }
 
 ContactPlace placeOf(const Vector2& point, const LaneIndex& lanes, double radius) {

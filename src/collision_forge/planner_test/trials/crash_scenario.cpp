@@ -4,15 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "collision_forge/base/scene/find_track.h"
+
 namespace forge {
 
 Track attackerTrack(const CrashScenario& scenario) {
   const AttackerTrajectory& attacker = scenario.attacker;
-  const auto seen =
-      std::find_if(scenario.snapshot.agents.begin(), scenario.snapshot.agents.end(),
-                   [&](const Track& agent) { return agent.id == attacker.attacker_id; });
-  const bool is_known = seen != scenario.snapshot.agents.end();
-  return {attacker.attacker_id, is_known ? seen->agent_class : attacker.agent_class, attacker.size,
+  const Track* seen = findTrack(scenario.snapshot.agents, attacker.attacker_id);
+  return {attacker.attacker_id, seen ? seen->agent_class : attacker.agent_class, attacker.size,
           toStates(attacker.points)};
 }
 

@@ -6,19 +6,20 @@
 
 #include "collision_forge/attack/forecast/random.h"
 #include "collision_forge/attack/verify/verification.h"
+#include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/base/scene/clock.h"
 
 namespace forge {
 namespace {
 
 constexpr double kStanding = 1e-3;  // m/s; no slower car is held by its grip
-constexpr std::array<std::pair<EvasiveManoeuvre, const char*>, 5> kManoeuvreNames = {{
+constexpr EnumWord<EvasiveManoeuvre> kManoeuvreNames[] = {
     {EvasiveManoeuvre::kKeeping, "keeping"},
     {EvasiveManoeuvre::kBraking, "braking"},
     {EvasiveManoeuvre::kAccelerating, "accelerating"},
     {EvasiveManoeuvre::kSteering, "steering"},
     {EvasiveManoeuvre::kBoth, "both"},
-}};
+};
 
 std::vector<EvasivePlan> listPlans(const AvoidabilityOptions& options,
                                    const VehicleLimits& limits) {
@@ -148,18 +149,10 @@ class PlanDriver {
 
 }  // namespace
 
-const char* toString(EvasiveManoeuvre manoeuvre) {
-  for (const auto& [value, name] : kManoeuvreNames) {
-    if (value == manoeuvre) return name;
-  }
-  return "unknown";
-}
+const char* toString(EvasiveManoeuvre manoeuvre) { return wordOf(kManoeuvreNames, manoeuvre); }
 
 std::optional<EvasiveManoeuvre> evasiveManoeuvreFromString(const std::string& name) {
-  for (const auto& [value, text] : kManoeuvreNames) {
-    if (name == text) return value;
-  }
-  return std::nullopt;
+  return valueOf(kManoeuvreNames, name);
 }
 
 double speedOf(const AgentState& state) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -15,15 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A line of a file of scenarios.
-struct ScenarioText {
+struct ScenarioLine {
   std::string where;
-  std::string text;   ///< empty for a line that cannot be read
-  std::string scene;  ///< likewise
-  std::string error;  ///< why it cannot be read
+  std::optional<Scenario> scenario;  ///< of a line that can be read
+  std::string error;                 ///< why it cannot be read
 };
 
-struct ScenarioTexts {
-  std::vector<ScenarioText> lines;
+struct ScenarioLines {
+  std::vector<ScenarioLine> lines;
   std::string fingerprint;
 
   void add(const std::string& path, const InputLimits& limits) {
@@ -34,10 +34,9 @@ struct ScenarioTexts {
     for (std::string text; readInputLine(file, text, where(), limits); ++number) {
       fingerprint = forge::fingerprint(text, fingerprint);
       try {
-        const std::string scene = readScenarioLine(where(), text, limits).asked.scene;
-        lines.push_back({where(), text, scene, ""});
+        lines.push_back({where(), readScenarioLine(where(), text, limits), ""});
       } catch (const JsonLineError& error) {
-        lines.push_back({where(), "", "", error.what()});
+        lines.push_back({where(), std::nullopt, error.what()});
       }
     }
     if (number == 1) throw std::runtime_error(path + ": has no scenarios");
@@ -56,9 +55,9 @@ class ScenarioCases : public PlannerCases {
       if (!sources.insert(source).second) {
         throw std::runtime_error("two scenario files have the same name, " + source);
       }
-      const std::size_t before = texts_.lines.size();
-      texts_.add(path, options.input_limits);
-      for (std::size_t i = before; i < texts_.lines.size(); ++i) {
+      const std::size_t before = read_.lines.size();
+      read_.add(path, options.input_limits);
+      for (std::size_t i = before; i < read_.lines.size(); ++i) {
         names_.push_back(source + ":" + std::to_string(i - before + 1));
         sources_.push_back(source);
       }
@@ -75,13 +74,13 @@ class ScenarioCases : public PlannerCases {
   const std::vector<std::string>& names() const override { return names_; }
 
   std::string fingerprint() const override {
-    return std::to_string(names_.size()) + " scenarios, fingerprint " + texts_.fingerprint;
+    return std::to_string(names_.size()) + " scenarios, fingerprint " + read_.fingerprint;
   }
 
   PlannerCase at(std::size_t index) const override {
-    const ScenarioText& line = texts_.lines[index];
-    if (line.text.empty()) throw std::runtime_error(line.error);
-    const Scenario scenario = readScenarioLine(line.where, line.text, options_.input_limits);
+    const ScenarioLine& line = read_.lines[index];
+    if (!line.scenario) throw std::runtime_error(line.error);
+    const Scenario& scenario = *line.scenario;
     if (known_.count(scenario.asked.scene) == 0) {
       throw std::runtime_error(line.where + ": scene = \"" + scenario.asked.scene +
                                "\" is not in the data");
@@ -97,15 +96,16 @@ class ScenarioCases : public PlannerCases {
   std::vector<std::string> wantedScenes() const {
     std::vector<std::string> wanted;
     std::set<std::string> seen;
-    for (const ScenarioText& line : texts_.lines) {
-      const bool is_known = known_.count(line.scene) > 0;
-      if (is_known && seen.insert(line.scene).second) wanted.push_back(line.scene);
+    for (const ScenarioLine& line : read_.lines) {
+      if (!line.scenario) continue;
+      const std::string& scene = line.scenario->asked.scene;
+      if (known_.count(scene) > 0 && seen.insert(scene).second) wanted.push_back(scene);
     }
     return wanted;
   }
 
   const AnswerOptions& options_;
-  ScenarioTexts texts_;
+  ScenarioLines read_;
   std::vector<std::string> names_;
   std::vector<std::string> sources_;
   std::set<std::string> known_;
@@ -115,11 +115,11 @@ class ScenarioCases : public PlannerCases {
 }  // namespace
 
 std::set<std::string> readScenes(const std::vector<std::string>& paths, const InputLimits& limits) {
-  ScenarioTexts texts;
-  for (const std::string& path : paths) texts.add(path, limits);
+  ScenarioLines read;
+  for (const std::string& path : paths) read.add(path, limits);
   std::set<std::string> scenes;
-  for (const ScenarioText& line : texts.lines) {
-    if (!line.text.empty()) scenes.insert(line.scene);
+  for (const ScenarioLine& line : read.lines) {
+    if (line.scenario) scenes.insert(line.scenario->asked.scene);
   }
   return scenes;
 }

@@ -158,15 +158,11 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
   row.outcome = drive(one, planner, setup);
   row.attacker = summaryOf(one, policy, plan.background, row.outcome, options);
   if (row.outcome.contact && row.outcome.contact->is_attacker) {
-    row.escape =
-        summaryOf(findEscape(one.scenario, row.outcome.driven, setup), one.scenario.snapshot.now);
+    row.escape_drive = findEscape(one.scenario, row.outcome.driven, setup);
+    row.escape = summaryOf(row.escape_drive, one.scenario.snapshot.now);
     row.is_fair = row.escape->is_avoidable &&
                   row.escape->last_after >= options.adaptive.fairness.avoidable_for;
   }
-  row.outcome.driven.clear();
-  row.outcome.others.clear();
-  row.outcome.attacker = {};
-  row.outcome.attacker_plans.clear();
   if (one.published && policy == PolicyKind::kFixed &&
       row.outcome.failure == PlannerFailure::kNone) {
     row.published_hit = isPublishedHit(one, planner, plan.background, options, trials);
@@ -174,32 +170,24 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
   return row;
 }
 
-RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                          const TestPlan& plan, const AnswerOptions& options,
-                          const TrialOptions& trials) {
-  const auto attacker = makeAttacker(one, policy, plan.foresight, options);
-  return drive(
-      one, planner,
-      {trials, options.attack, options.crash.types, plan.background, true, attacker.get()});
-}
-
-std::optional<Escape> escapeAgain(const PlannerCase& one, const RolloutOutcome& outcome,
-                                  PolicyKind policy, const TestPlan& plan,
-                                  const AnswerOptions& options, const TrialOptions& trials) {
-  if (!outcome.contact || !outcome.contact->is_attacker) return std::nullopt;
-  const auto attacker = makeAttacker(one, policy, plan.foresight, options);
-  return findEscape(
-      one.scenario, outcome.driven,
-      {trials, options.attack, options.crash.types, plan.background, true, attacker.get()});
+void dropMotions(PlannerTestResult& result) {
+  for (PlannerRow& row : result.rows) {
+    row.outcome.driven.clear();
+    row.outcome.others.clear();
+    row.outcome.attacker = {};
+    row.outcome.attacker_plans.clear();
+    row.escape_drive.reset();
+  }
 }
 
 PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
                                const AnswerOptions& options, const TrialOptions& trials) {
   PlannerTestResult result = judgeCase(one, options, trials);
+  result.background = plan.background;
   for (const std::string& name : plan.planners) {
     if (result.status == kUnfit && one.published && name == kPublishedIdm) {
       result.rows.push_back(
-          {name, {}, {}, {}, true, one.published->isIdmHit(trials.published_idm)});
+          {name, {}, {}, {}, {}, true, one.published->isIdmHit(trials.published_idm)});
     }
   }
   if (!result.isTested()) return result;

@@ -52,13 +52,15 @@ struct AttackerSummary {
   bool as_asked = false;
 };
 
-/// One planner in one case; of the outcome `driven`, `attacker` and `attacker_plans` are empty.
+/// One planner in one case. The motions of the outcome and `escape_drive` are there until
+/// dropMotions().
 struct PlannerRow {
   std::string planner;
   RolloutOutcome outcome;
   AttackerSummary attacker;
   /// Where the attacker has hit the ego: findEscape().
   std::optional<AvoidabilitySummary> escape = {};
+  std::optional<Escape> escape_drive = {};  ///< with an escape
   /// False of a hit that the ego could not have escaped, driving as it did, for at least
   /// FairnessOptions::avoidable_for.
   bool is_fair = true;
@@ -80,7 +82,8 @@ struct PlannerTestResult {
   std::string scene;
   CollisionType type = CollisionType::kRearEnd;
   double tta = 0.0;
-  double now = 0.0;        ///< s, the scene's clock
+  double now = 0.0;  ///< s, the scene's clock
+  Background background = Background::kReplay;
   std::string status;      ///< "OK", a StatusCode, kUnreadable or kUnfit: nothing to test on
   std::string message;     ///< for people; empty with OK
   bool is_strict = false;  ///< with OK: all conditions of the strict protocol against the recording
@@ -113,16 +116,8 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
                        const TestPlan& plan, const AnswerOptions& options,
                        const TrialOptions& trials);
 
-/// The rollout of testPlanner() once more, with its motions.
-RolloutOutcome driveAgain(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                          const TestPlan& plan, const AnswerOptions& options,
-                          const TrialOptions& trials);
-
-/// The escape of testPlanner() once more, with its motions; `outcome`: of driveAgain(). Empty where
-/// the attacker did not hit the ego, and as findEscape().
-std::optional<Escape> escapeAgain(const PlannerCase& one, const RolloutOutcome& outcome,
-                                  PolicyKind policy, const TestPlan& plan,
-                                  const AnswerOptions& options, const TrialOptions& trials);
+/// Removes the motions from the rows: what the tables need is small.
+void dropMotions(PlannerTestResult& result);
 
 /// Drives every planner of the plan through the case as judgeCase() finds it, against an attacker
 /// of each policy; rows as PlannerTestResult has them. Throws as testPlanner().

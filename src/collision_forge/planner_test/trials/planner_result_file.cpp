@@ -2,17 +2,18 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/io/scenarios/scenario_file.h"
 #include "collision_forge/planner_test/statistics/csv_text.h"
+#include "collision_forge/planner_test/trials/drive_fields.h"
 
 namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/planner_test";
-constexpr int kVersion = 4;
+constexpr int kVersion = 5;
 constexpr int kMaxRows = 10000;  // of a case
 
 void writeNuplan(JsonLineWriter& writer, const NuplanScore& score) {
@@ -177,6 +178,7 @@ PlannerRow readRow(JsonObject& object, double now) {
   row.outcome.nuplan = readNuplan(object.object("nuplan"));
   row.outcome.plans = static_cast<int>(object.count("plans"));
   if (const auto hit = object.numberOrNull("published_hit")) row.published_hit = *hit != 0.0;
+  readDrive(object, row, now);
   object.finish();
   return row;
 }
@@ -184,17 +186,15 @@ PlannerRow readRow(JsonObject& object, double now) {
 /// What describes the case in a row of the CSV file.
 std::string csvStart(const PlannerTestResult& result) {
   if (!result.isRead()) return csvText(result.name) + ",,,,," + result.status;
-  char numbers[64];
-  std::snprintf(numbers, sizeof(numbers), "%.3f", result.tta);
   return csvText(result.name) + ',' + csvText(result.source) + ',' + csvText(result.scene) + ',' +
-         toString(result.type) + ',' + numbers + ',' + result.status;
+         toString(result.type) + ',' + formatted("%.3f", result.tta) + ',' + result.status;
 }
 
 std::string csvContact(const std::optional<PlannerContact>& contact, double now) {
   if (!contact) return std::string(11, ',');
   constexpr double kDegrees = 180.0 / M_PI;
-  char numbers[128];
-  std::snprintf(numbers, sizeof(numbers), "%.3f,%s,%.2f,%s,%s,%.2f,%.2f", contact->time - now,
+  const std::string numbers =
+      formatted("%.3f,%s,%.2f,%s,%s,%.2f,%.2f", contact->time - now,
                 contact->type ? toString(*contact->type) : "", contact->relative_heading * kDegrees,
                 toString(contact->ego_side), toString(contact->other_side), contact->impact_speed,
                 contact->ego_speed);
@@ -213,9 +213,7 @@ std::string nuplanColumns() {
 std::string csvNuplan(const NuplanScore& score) {
   std::string values;
   for (const NuplanPart& part : nuplanParts()) {
-    char text[32];
-    std::snprintf(text, sizeof(text), ",%.4f", score.*part.value);
-    values += text;
+    values += formatted(",%.4f", score.*part.value);
   }
   return values;
 }
@@ -229,9 +227,7 @@ std::string csvAttacker(const AttackerSummary& attacker) {
 /// Manoeuvre and s from now of the last witness; without them where there is none.
 std::string csvLast(const AvoidabilitySummary& summary) {
   if (!summary.is_avoidable) return ",";
-  char text[64];
-  std::snprintf(text, sizeof(text), "%s,%.3f", toString(summary.last), summary.last_after);
-  return text;
+  return formatted("%s,%.3f", toString(summary.last), summary.last_after);
 }
 
 std::string csvHit(const std::optional<bool>& hit) { return hit ? (*hit ? "1" : "0") : ""; }
@@ -310,6 +306,7 @@ std::string plannerResultLine(const PlannerTestResult& result) {
   writer.count("version", kVersion);
   writer.text("name", result.name);
   writeCase(writer, result);
+  writer.text("background", toString(result.background));
   writer.text("status", result.status);
   writer.text("message", result.message);
   writer.flag("strict", result.is_strict);
@@ -318,6 +315,7 @@ std::string plannerResultLine(const PlannerTestResult& result) {
   for (const PlannerRow& row : result.rows) {
     writer.beginObject();
     writePlannerRow(writer, row, result.now);
+    writeDrive(writer, row, result.now);
     writer.endObject();
   }
   writer.endArray();
@@ -334,6 +332,7 @@ PlannerTestResult readPlannerResultLine(const std::string& where, const std::str
   }
   PlannerTestResult result;
   result.name = object.text("name");
+  result.background = readName(object, "background", backgroundFromString);
   result.status = object.text("status");
   readCase(object, result);
   result.message = object.text("message");
@@ -365,10 +364,9 @@ std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
   std::vector<std::string> rows;
   for (const PlannerRow& row : result.rows) {
     const RolloutOutcome& outcome = row.outcome;
-    char numbers[160];
-    std::snprintf(numbers, sizeof(numbers), "%.3f,%.3f,%.3f,%.4f,%.3f,%.3f", outcome.duration,
-                  outcome.max_braking, outcome.hard_braking, outcome.off_road_share,
-                  outcome.progress, outcome.recorded_progress);
+    const std::string numbers = formatted(
+        "%.3f,%.3f,%.3f,%.4f,%.3f,%.3f", outcome.duration, outcome.max_braking,
+        outcome.hard_braking, outcome.off_road_share, outcome.progress, outcome.recorded_progress);
     rows.push_back(start + ',' + row.planner + ',' + csvAttacker(row.attacker) + ',' +
                    (row.escape ? csvLast(*row.escape) : ",") + (row.is_fair ? ",1," : ",0,") +
                    toString(outcome.failure) + ',' + csvContact(outcome.contact, result.now) + ',' +

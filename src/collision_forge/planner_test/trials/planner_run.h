@@ -9,7 +9,8 @@
 
 namespace forge {
 
-/// Tests every case; the results in their order on the master, none elsewhere. A case that cannot
+/// Tests every case; the results without motions, which the file keeps (KeptDrives), in their order
+/// on the master, none elsewhere. A case that cannot
 /// be read is kUnreadable. `run`: path, options and jobs, a line a case. Throws as carryOut() and
 /// readPlannerResultLine(), std::runtime_error for a line of another case.
 std::vector<PlannerTestResult> testCases(

@@ -1,19 +1,16 @@
 #include "collision_forge/planner_test/trials/planner_summary.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iomanip>
 #include <set>
 #include <sstream>
 
+#include "collision_forge/base/scene/formatted.h"
+
 namespace forge {
 namespace {
 
-std::string decimals(double value, int count) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.*f", count, value);
-  return text;
-}
+std::string decimals(double value, int count) { return formatted("%.*f", count, value); }
 
 void addRow(const PlannerTestResult& result, const PlannerRow& row, PlannerSummary& summary) {
   ++summary.cases;

@@ -1,10 +1,10 @@
 #include "collision_forge/planner_test/trials/planner_tuning.h"
 
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
 #include "collision_forge/base/config/section.h"
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/planner_test/statistics/rate_table.h"
 
 namespace forge {
@@ -107,6 +107,7 @@ PlannerTestResult testVariants(const PlannerCase& one, const std::string& planne
                                Background background, const AnswerOptions& options,
                                const TrialOptions& trials) {
   PlannerTestResult result = judgeCase(one, options, trials);
+  result.background = background;
   if (!result.isTested() || (only_avoidable && !result.avoidability.is_avoidable)) return result;
   TestPlan plan;
   plan.background = background;
@@ -115,6 +116,7 @@ PlannerTestResult testVariants(const PlannerCase& one, const std::string& planne
         testPlanner(one, planner, PolicyKind::kFixed, plan, options, variant.options));
     result.rows.back().planner = variant.name;
   }
+  if (only_avoidable) dropMotions(result);  // a line has a row of every variant
   return result;
 }
 
@@ -180,11 +182,8 @@ std::string scoresCsv(const std::vector<PlannerVariant>& variants,
     text += variants[i].name;
     for (const auto& entry : variants[i].values) text += ',' + shortestText(entry.second);
     const auto& [rate, progress] = scores[i];
-    char collision[64];
-    std::snprintf(collision, sizeof(collision), ",%d,%.4f,", rate.trials, rate.value);
-    char rest[64];
-    std::snprintf(rest, sizeof(rest), ",%.3f,%d\n", progress, i == best ? 1 : 0);
-    text += collision + intervalCsv(rate) + rest;
+    text += formatted(",%d,%.4f,", rate.trials, rate.value) + intervalCsv(rate) +
+            formatted(",%.3f,%d\n", progress, i == best ? 1 : 0);
   }
   return text;
 }

@@ -1,6 +1,5 @@
 #include "collision_forge/planner_test/trials/request_cases.h"
 
-#include <cstdio>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "collision_forge/attack/forecast/random.h"
 #include "collision_forge/attack/search/request_list.h"
 #include "collision_forge/base/files/fingerprint.h"
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/io/answers/allowed_requests.h"
 #include "collision_forge/io/scenarios/request_file.h"
 
@@ -41,11 +41,10 @@ std::vector<SceneRequest> everyRequestOf(const Scene& scene, const RequestListOp
 
 /// `start`: s, the scene's first frame.
 std::string nameOf(const SceneRequest& asked, double start) {
-  char text[64];
-  std::snprintf(text, sizeof(text), "/%.1f/%s/%g/", asked.now - start, toString(asked.request.type),
-                asked.request.tta);
-  return asked.scene + text + toString(*asked.request.manoeuvre) + "/" +
-         toString(asked.request.choice);
+  return asked.scene +
+         formatted("/%.1f/%s/%g/", asked.now - start, toString(asked.request.type),
+                   asked.request.tta) +
+         toString(*asked.request.manoeuvre) + "/" + toString(asked.request.choice);
 }
 
 }  // namespace
@@ -92,12 +91,13 @@ std::string RequestCases::fingerprint() const {
 }
 
 Scenario RequestCases::scenario(std::size_t index) const {
-  return readScenarioLine(names_[index], scenarioLine(answerer_.answer(requests_[index])),
-                          options_.input_limits);
+  return answerer_.answer(requests_[index]);
 }
 
-PlannerCase RequestCases::at(std::size_t index) const {
-  PlannerCase one = caseOfScenario(scenario(index), *scenes_.at(requests_[index].scene), options_);
+PlannerCase RequestCases::at(std::size_t index) const { return caseOf(scenario(index), index); }
+
+PlannerCase RequestCases::caseOf(const Scenario& scenario, std::size_t index) const {
+  PlannerCase one = caseOfScenario(scenario, *scenes_.at(requests_[index].scene), options_);
   one.name = names_[index];
   one.source = "until_hit";
   return one;

@@ -40,8 +40,10 @@ class RequestCases : public PlannerCases {
   PlannerCase at(std::size_t index) const override;
 
   const CollisionRequest& request(std::size_t index) const { return requests_[index].request; }
-  /// The first plan of the attacker, as a scenario file has it: cases can be tested again from one.
+  /// The first plan of the attacker. Takes as long as a request.
   Scenario scenario(std::size_t index) const;
+  /// The case of that scenario.
+  PlannerCase caseOf(const Scenario& scenario, std::size_t index) const;
 
  private:
   SceneSource& scenes_;

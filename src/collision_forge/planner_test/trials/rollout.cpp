@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "collision_forge/attack/forecast/motion_estimate.h"
+#include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/base/geometry/swept_contact.h"
 #include "collision_forge/base/scene/clock.h"
 #include "collision_forge/base/scene/find_track.h"
@@ -21,16 +22,12 @@ namespace {
 constexpr double kTimeSlack = 1e-3;    // s; no step is shorter
 constexpr double kLongestPlan = 60.0;  // s; no scenario lasts longer, later points are not driven
 
-constexpr std::array<std::pair<PlannerFailure, const char*>, 8> kFailureNames = {{
-    {PlannerFailure::kNone, "none"},
-    {PlannerFailure::kError, "error"},
-    {PlannerFailure::kEmpty, "empty"},
-    {PlannerFailure::kNotFinite, "not_finite"},
-    {PlannerFailure::kUnordered, "unordered"},
-    {PlannerFailure::kLate, "late"},
-    {PlannerFailure::kTimedOut, "timed_out"},
-    {PlannerFailure::kOffMap, "off_map"},
-}};
+constexpr EnumWord<PlannerFailure> kFailureNames[] = {
+    {PlannerFailure::kNone, "none"},           {PlannerFailure::kError, "error"},
+    {PlannerFailure::kEmpty, "empty"},         {PlannerFailure::kNotFinite, "not_finite"},
+    {PlannerFailure::kUnordered, "unordered"}, {PlannerFailure::kLate, "late"},
+    {PlannerFailure::kTimedOut, "timed_out"},  {PlannerFailure::kOffMap, "off_map"},
+};
 
 struct Failure {
   PlannerFailure kind = PlannerFailure::kNone;
@@ -382,18 +379,10 @@ class Run {
 
 }  // namespace
 
-const char* toString(PlannerFailure failure) {
-  for (const auto& [value, name] : kFailureNames) {
-    if (value == failure) return name;
-  }
-  return "unknown";
-}
+const char* toString(PlannerFailure failure) { return wordOf(kFailureNames, failure); }
 
 std::optional<PlannerFailure> plannerFailureFromString(const std::string& name) {
-  for (const auto& [value, text] : kFailureNames) {
-    if (name == text) return value;
-  }
-  return std::nullopt;
+  return valueOf(kFailureNames, name);
 }
 
 std::unique_ptr<AttackerPolicy> attackerOf(const CrashScenario& scenario,

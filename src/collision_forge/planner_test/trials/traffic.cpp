@@ -5,10 +5,16 @@
 #include <limits>
 #include <utility>
 
+#include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/base/scene/clock.h"
 
 namespace forge {
 namespace {
+
+constexpr EnumWord<Background> kBackgroundWords[] = {
+    {Background::kReplay, "replay"},
+    {Background::kIdm, "idm"},
+};
 
 /// Linear between the states; constant beyond them.
 double arcLengthAt(const std::vector<AgentState>& states, const std::vector<double>& arc_lengths,
@@ -34,6 +40,12 @@ double timeAt(const std::vector<AgentState>& states, const std::vector<double>& 
 }
 
 }  // namespace
+
+const char* toString(Background background) { return wordOf(kBackgroundWords, background); }
+
+std::optional<Background> backgroundFromString(const std::string& name) {
+  return valueOf(kBackgroundWords, name);
+}
 
 Traffic::Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> attacker,
                  Background background, const IdmOptions& idm, double history)

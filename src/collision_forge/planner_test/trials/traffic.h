@@ -12,6 +12,9 @@ namespace forge {
 
 /// How everybody but ego and attacker moves.
 enum class Background { kReplay, kIdm };
+/// "replay", "idm".
+const char* toString(Background background);
+std::optional<Background> backgroundFromString(const std::string& name);
 
 /// Everybody but the ego, step by step. The attacker looks at every step before it is driven, and
 /// follows its policy's trajectory; the others replay their recorded tracks. With kIdm a vehicle

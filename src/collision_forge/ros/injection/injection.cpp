@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "collision_forge/attack/verify/post_crash_motion.h"
+#include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/ros/bags/bag_file.h"
 #include "collision_forge/ros/injection/attacker_injector.h"
 #include "collision_forge/ros/injection/finite_parts.h"
@@ -27,6 +28,12 @@
 
 namespace forge {
 namespace {
+
+constexpr EnumWord<AfterContact> kAfterContactWords[] = {
+    {AfterContact::kStop, "stop"},
+    {AfterContact::kEnd, "end"},
+    {AfterContact::kDriveOn, "drive_on"},
+};
 
 /// What a bag has once an attack is in it.
 constexpr const char* kAttackTopics[] = {names::kAttack,        names::kTestedReport,
@@ -402,17 +409,7 @@ class Injection {
 
 }  // namespace
 
-const char* toString(AfterContact after) {
-  switch (after) {
-    case AfterContact::kStop:
-      return "stop";
-    case AfterContact::kEnd:
-      return "end";
-    case AfterContact::kDriveOn:
-      break;
-  }
-  return "drive_on";
-}
+const char* toString(AfterContact after) { return wordOf(kAfterContactWords, after); }
 
 AfterContact liveAfterContact(const std::string& word) {
   for (const AfterContact after : {AfterContact::kStop, AfterContact::kDriveOn}) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "collision_forge/base/geometry/touch_point.h"
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/base/scene/short_id.h"
 #include "collision_forge/ros/markers/crash_words.h"
 #include "collision_forge/ros/markers/marker_list.h"

@@ -2,8 +2,6 @@
 
 #include <collision_forge/Agent.h>
 
-#include <cstdio>
-
 #include "collision_forge/base/geometry/touch_point.h"
 #include "collision_forge/base/scene/short_id.h"
 #include "collision_forge/ros/markers/label_places.h"
@@ -39,12 +37,6 @@ std::vector<OrientedBox> obstaclesOf(const collision_forge::Attack& attack) {
 }
 
 }  // namespace
-
-std::string formatted(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
 
 BoxSize sizeOf(const geometry_msgs::Vector3& size) { return {size.x, size.y}; }
 

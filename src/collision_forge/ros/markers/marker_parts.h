@@ -31,9 +31,6 @@ inline constexpr double kPathWidth = 0.3;        // m, of lines
 inline constexpr double kContactDiameter = 1.0;  // m
 inline constexpr float kContactAlpha = 0.45F;    // of the vehicles at contact
 
-/// printf() of one number.
-std::string formatted(const char* pattern, double value);
-
 BoxSize sizeOf(const geometry_msgs::Vector3& size);
 
 /// Agent constants.

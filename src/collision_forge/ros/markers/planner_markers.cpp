@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "collision_forge/base/geometry/touch_point.h"
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/base/scene/short_id.h"
 #include "collision_forge/planner_test/trials/avoidance_words.h"
 #include "collision_forge/ros/markers/label_places.h"

@@ -4,11 +4,11 @@
 
 #include "collision_forge/attack/search/request_check.h"
 #include "collision_forge/attack/search/search_method.h"
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/io/batch/printable.h"
 #include "collision_forge/ros/bags/bag_reader.h"
 #include "collision_forge/ros/bags/recorded_attack.h"
-#include "collision_forge/ros/markers/marker_parts.h"
 #include "collision_forge/ros/messages/conversions.h"
 #include "collision_forge/ros/messages/topic_names.h"
 

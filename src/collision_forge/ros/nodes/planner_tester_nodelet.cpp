@@ -56,11 +56,12 @@ void requireAbsolute(const std::string& parameter, const std::string& path) {
 }
 
 Background backgroundOf(const std::string& name) {
-  if (name.empty() || name == "replay") return Background::kReplay;
-  if (name != "idm") {
+  if (name.empty()) return Background::kReplay;
+  const auto background = backgroundFromString(name);
+  if (!background) {
     refuse(Response::INVALID_INPUT, "background = \"" + name + "\" is neither replay nor idm");
   }
-  return Background::kIdm;
+  return *background;
 }
 
 PolicyKind policyOf(const std::string& name) {

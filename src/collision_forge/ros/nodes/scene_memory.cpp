@@ -2,20 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <iterator>
 
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/ros/messages/conversions.h"
 
 namespace forge {
 namespace {
-
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  char message[240];
-  std::snprintf(message, sizeof(message), format, values...);
-  return message;
-}
 
 Status noScene() {
   return {StatusCode::kNoScene, "no encoded_scene yet: agents, lane_map and /tf must be published"};
@@ -44,9 +37,9 @@ std::variant<SceneMemory::Scene, Status> SceneMemory::newest(double clock) const
   if (age <= options_.max_scene_age) return scenes_.back();
   return Status{
       StatusCode::kStaleScene,
-      text("the newest scene, stamp %.3f, came %.1f s ago, and max_scene_age is %g s: are "
-           "agents and /tf still published?",
-           scenes_.back()->header.stamp.toSec(), age, options_.max_scene_age)};
+      formatted("the newest scene, stamp %.3f, came %.1f s ago, and max_scene_age is %g s: are "
+                "agents and /tf still published?",
+                scenes_.back()->header.stamp.toSec(), age, options_.max_scene_age)};
 }
 
 std::variant<SceneMemory::Scene, Status> SceneMemory::at(const ros::Time& asked) const {
@@ -57,17 +50,19 @@ std::variant<SceneMemory::Scene, Status> SceneMemory::at(const ros::Time& asked)
                          [&] { return !scenes_.empty() && scenes_.back()->header.stamp >= stamp; });
   if (scenes_.empty()) return noScene();
   if (!has_come) {
-    return Status{StatusCode::kStaleScene,
-                  text("no scene of stamp %.3f or later has come within %g s; the newest has stamp "
-                       "%.3f",
-                       stamp.toSec(), options_.wait_for, scenes_.back()->header.stamp.toSec())};
+    return Status{
+        StatusCode::kStaleScene,
+        formatted("no scene of stamp %.3f or later has come within %g s; the newest has stamp "
+                  "%.3f",
+                  stamp.toSec(), options_.wait_for, scenes_.back()->header.stamp.toSec())};
   }
   const auto after = std::find_if(scenes_.begin(), scenes_.end(),
                                   [&](const Scene& scene) { return scene->header.stamp > stamp; });
   if (after != scenes_.begin()) return *std::prev(after);
-  return Status{StatusCode::kNoScene, text("stamp %.3f is from before the oldest scene that is "
-                                           "kept, of stamp %.3f",
-                                           stamp.toSec(), scenes_.front()->header.stamp.toSec())};
+  return Status{StatusCode::kNoScene,
+                formatted("stamp %.3f is from before the oldest scene that is "
+                          "kept, of stamp %.3f",
+                          stamp.toSec(), scenes_.front()->header.stamp.toSec())};
 }
 
 }  // namespace forge

@@ -1,35 +1,13 @@
 #include <collision_forge/RealizeTrajectory.h>
 #include <pluginlib/class_list_macros.hpp>
 
-#include <algorithm>
-
 #include "collision_forge/attack/search/realizer.h"
-#include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/ros/messages/conversions.h"
 #include "collision_forge/ros/messages/topic_names.h"
 #include "collision_forge/ros/nodes/node_support.h"
 #include "collision_forge/ros/nodes/served_nodelet.h"
 
 namespace forge {
-namespace {
-
-/// Throws InputError for a pattern of somebody who is not in the snapshot, or of a past time.
-void checkAgainst(const CollisionPattern& pattern, const Snapshot& snapshot) {
-  const auto& agents = snapshot.agents;
-  const bool is_there = std::any_of(agents.begin(), agents.end(), [&](const Track& agent) {
-    return agent.id == pattern.attacker_id;
-  });
-  if (!is_there) {
-    throw InputError("patterns: attacker_id = \"" + pattern.attacker_id +
-                     "\" is nobody in the scene");
-  }
-  if (!(pattern.time > snapshot.now)) {
-    throw InputError("patterns: tta = " + numberText(pattern.time - snapshot.now) +
-                     " of the pattern of " + pattern.attacker_id + " is not above 0");
-  }
-}
-
-}  // namespace
 
 /// Answers realize_trajectory.
 class TrajectoryRealizerNodelet : public QueuedNodelet {
@@ -57,7 +35,6 @@ class TrajectoryRealizerNodelet : public QueuedNodelet {
     for (const auto& pattern : message.patterns) {
       patterns.push_back(fromMessage(pattern));
       checkPattern(patterns.back(), config_.input_limits, "patterns");
-      checkAgainst(patterns.back(), snapshot);
     }
     AttackerWays ways;
     for (const auto& way : message.ways) ways.emplace(way.attacker_id, fromMessage(way));

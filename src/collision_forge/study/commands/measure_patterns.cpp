@@ -28,9 +28,7 @@ struct Arguments {
   std::string collide;
   std::string dataroot;
   std::string split = "val";
-  std::string networks;
   std::string config;
-  bool without_others = false;
   bool unseen = false;
   bool seen_scenes = false;
 };
@@ -119,9 +117,7 @@ void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternN
   const Scene recorded = toScene(clip, config.evaluation.collide, nullptr);
   const Snapshot snapshot =
       snapshotAt(recorded, clip.now(), network.weights().features.history_frames);
-  Snapshot seen = snapshot;
-  if (arguments.without_others) seen.agents.clear();
-  const PredictedScene scene(network, seen, lanes, clip.tta(), config.attack.ego_futures);
+  const PredictedScene scene(network, snapshot, lanes, clip.tta(), config.attack.ego_futures);
   const auto components =
       scene.egoAfter(clip.tta(), arguments.seen_scenes ? std::optional(clip.type) : std::nullopt);
   const Pose2 expected = medianPose(components);
@@ -135,10 +131,9 @@ void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternN
   result.log_density = logDensity(components, truth.position());
   result.along_share = shareBefore(components, expected, truth.position());
   const Vector2 place = stateAt(recorded.ego, clip.times.back())->pose.position();
-  result.kinematic = errorOfMean(kinematic, seen, lanes, clip.times.back(), place);
-  result.sampled = errorOfMean(sampler, seen, lanes, clip.times.back(), place);
-  if (!arguments.without_others)
-    judgeCandidates(scene, clip, snapshot, config, expected, truth, result);
+  result.kinematic = errorOfMean(kinematic, snapshot, lanes, clip.times.back(), place);
+  result.sampled = errorOfMean(sampler, snapshot, lanes, clip.times.back(), place);
+  judgeCandidates(scene, clip, snapshot, config, expected, truth, result);
   totals.clips.push_back(result);
   totals.timing.add(scene, network, lanes, clip.tta(), clip.type, result.candidates,
                     config.attack.ego_futures);
@@ -215,8 +210,7 @@ void print(const Totals& totals) {
 }
 
 int measure(const Arguments& arguments) {
-  StudyConfig config = loadStudyConfig(arguments.config);
-  if (!arguments.networks.empty()) config.pattern_network = arguments.networks;
+  const StudyConfig config = loadStudyConfig(arguments.config);
   const Foresight foresight = loadForesight(config);
   if (!foresight.network) {
     throw std::runtime_error("models.yaml: pattern_network names no file");
@@ -253,10 +247,6 @@ void addMeasurePatterns(CommandLine& line) {
   CLI::Option* collide = addCollide(app, arguments->collide)->required();
   addDataroot(app, arguments->dataroot);
   addSplit(app, arguments->split, collide);
-  app.add_option("--networks", arguments->networks,
-                 "file of networks; that of --config by default");
-  app.add_flag("--without-others", arguments->without_others,
-               "hide all other vehicles, to see what they give away");
   CLI::Option* seen = app.add_flag(
       "--seen-scenes", arguments->seen_scenes,
       "judge by the network of all scenes, and tell it the type, as where splits share scenes");

@@ -1,4 +1,5 @@
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
@@ -7,10 +8,11 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/attack/forecast/speed_forecast_check.h"
 #include "collision_forge/attack/forecast/speed_model_fit.h"
+#include "collision_forge/attack/forecast/speed_profile_collection.h"
 #include "collision_forge/base/files/output_lock.h"
 #include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/logs/scene_source.h"
 #include "collision_forge/io/weights/speed_model_file.h"
-#include "collision_forge/io/weights/speed_profiles_file.h"
 #include "collision_forge/study/commands/study_commands.h"
 #include "collision_forge/study/settings/study_config.h"
 
@@ -21,7 +23,7 @@ const std::vector<double> kHorizons = {2.0, 3.0, 4.0, 5.0, 6.0};  // s
 constexpr double kDriving = 2.0;  // m/s; slower cases are told apart
 
 struct Arguments {
-  std::string profiles;
+  LogSource logs;
   std::string out;
   std::string config;
   int folds = 5;
@@ -42,19 +44,44 @@ void printErrors(const char* title, const SpeedSituations& recorded,
 }
 
 /// Of scenes that a forecast was made without: how far it was off, and how often within.
-void compare(const SpeedSituations& recorded, const SpeedForecaster& model,
-             const SpeedForecaster& profiles) {
+void check(const SpeedSituations& recorded, const SpeedForecaster& model) {
   constexpr double kFastest = std::numeric_limits<double>::infinity();
   std::printf(
       "| held out | s | cases | mean error, m | CRPS, m | in central 50 %% | 80 %% | 90 %% |\n"
       "|---|---|---|---|---|---|---|---|\n");
-  printErrors("model, driving", recorded, model, kDriving, kFastest);
-  printErrors("profiles, driving", recorded, profiles, kDriving, kFastest);
-  printErrors("model, slow", recorded, model, -kFastest, kDriving);
-  printErrors("profiles, slow", recorded, profiles, -kFastest, kDriving);
+  printErrors("driving", recorded, model, kDriving, kFastest);
+  printErrors("slow", recorded, model, -kFastest, kDriving);
 }
 
-/// Names the file in what is wrong.
+/// To thousandths: what only the last digits of a machine differ in must not change the model.
+void roundValues(SpeedProfileRow& row) {
+  constexpr double kThousandths = 1e3;
+  WayAhead& ahead = row.ahead;
+  for (double* const value : {&row.speed, &ahead.turn_rate, &ahead.bend_braking, &ahead.bend_turn,
+                              &ahead.bend_curvature, &ahead.headway, &ahead.closing}) {
+    *value = std::round(*value * kThousandths) / kThousandths + 0.0;
+  }
+}
+
+/// How the egos of all scenes drove.
+SpeedSituations collect(const LogSource& logs, const StudyConfig& config) {
+  SceneSource scenes(logs, {}, config, 1, {}, showReading());
+  const std::vector<std::string> names = scenes.names();
+  std::vector<SpeedProfileRow> rows;
+  ProgressLine progress("scenes");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto indexed = scenes.at(names[i]);
+    for (SpeedProfileRow& row :
+         collectSpeedProfiles(indexed->scene, *indexed->lanes, config.attack.ego_futures.paths)) {
+      roundValues(row);
+      rows.push_back(std::move(row));
+    }
+    progress.show(i + 1, names.size());
+  }
+  return SpeedSituations(std::move(rows));
+}
+
+/// Names the logs in what is wrong.
 SpeedModel fitTo(const SpeedSituations& recorded, const Arguments& arguments,
                  const StudyConfig& config) {
   ProgressLine progress("models");
@@ -63,21 +90,20 @@ SpeedModel fitTo(const SpeedSituations& recorded, const Arguments& arguments,
         recorded, arguments.folds, config.speed_model_fit, arguments.seed,
         [&](std::size_t done, std::size_t all) { progress.show(done, all); });
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(arguments.profiles + ": no model can be fitted: " + error.what());
+    throw std::runtime_error(arguments.logs.path + ": no model can be fitted: " + error.what());
   }
 }
 
 int fit(const Arguments& arguments) {
   const StudyConfig config = loadStudyConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFile(arguments.out);
-  const SpeedSituations recorded = readSpeedSituations(arguments.profiles);
+  const SpeedSituations recorded = collect(arguments.logs, config);
   const SpeedModel fitted = fitTo(recorded, arguments, config);
   writeSpeedModel(fitted, arguments.out);
   std::printf("%d intervals of %zu scenes\n", static_cast<int>(fitted.weights().gains.cols()),
               recorded.scenes().size());
   if (arguments.folds == 0) return kExitOk;
-  const SpeedModel model = readSpeedModel(arguments.out);  // as it is used, rounded
-  compare(recorded, model, SpeedProfiles(recorded, config.recorded_speeds));
+  check(recorded, readSpeedModel(arguments.out));  // as it is used, rounded
   return kExitOk;
 }
 
@@ -86,10 +112,9 @@ int fit(const Arguments& arguments) {
 void addSpeedsFit(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kTraining, "study speeds fit",
-                           "Fits a model of how drivers change their speed to these.",
+                           "Fits a model of how drivers change their speed to recorded egos.",
                            [arguments] { return fit(*arguments); });
-  app.add_option("--profiles", arguments->profiles, "CSV of forge study speeds collect")
-      ->required();
+  addSource(app, arguments->logs)->required();
   addOut(app, arguments->out, "file of the model to write");
   app.add_option(
          "--folds", arguments->folds,

@@ -27,7 +27,6 @@ void addStudyCommands(CommandLine& line) {
       evaluationFormats());
   addDataset(line);
   addTrain(line);
-  addSpeedsCollect(line);
   addSpeedsFit(line);
 }
 

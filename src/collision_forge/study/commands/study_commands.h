@@ -16,7 +16,6 @@ void addMeasureLatency(CommandLine& line);
 void addMeasureMethods(CommandLine& line);
 void addMeasurePatterns(CommandLine& line);
 void addMeasurePlanners(CommandLine& line);
-void addSpeedsCollect(CommandLine& line);
 void addSpeedsFit(CommandLine& line);
 void addTestOnClips(CommandLine& line);
 void addTrain(CommandLine& line);

@@ -1,13 +1,14 @@
 #include "collision_forge/study/dataset/clip_search.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <set>
 
 #include "collision_forge/attack/search/pattern_predictor.h"
 #include "collision_forge/attack/search/search_method.h"
 #include "collision_forge/attack/verify/strict_outcome.h"
+#include "collision_forge/base/scene/find_track.h"
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/io/collide/collide_export.h"
 #include "collision_forge/study/dataset/seeds.h"
 #include "collision_forge/study/evaluation/clip_evaluation.h"
@@ -43,9 +44,8 @@ class ContinuousPatterns : public PatternPredictor {
 
  private:
   static bool isContinuous(const std::string& id, const Snapshot& snapshot) {
-    return std::any_of(snapshot.agents.begin(), snapshot.agents.end(), [&](const Track& agent) {
-      return agent.id == id && agent.states.size() == static_cast<std::size_t>(kHistoryFrames);
-    });
+    const Track* agent = findTrack(snapshot.agents, id);
+    return agent && agent->states.size() == static_cast<std::size_t>(kHistoryFrames);
   }
 
   KinematicPatternPredictor patterns_;  // in replay mode: without a sampler of futures
@@ -94,10 +94,8 @@ std::string objection(const Scenario& scenario, const IndexedScene& indexed, con
       study.attack.verification);
   if (!outcome.meetsFullDefinitions()) return "the recording does not bear the attack out";
   if (outcome.report.off_road_share > options.max_off_road_share) {
-    char text[120];
-    std::snprintf(text, sizeof(text), "leaves the road: off_road_share = %.3f is above %.3f",
-                  outcome.report.off_road_share, options.max_off_road_share);
-    return text;
+    return formatted("leaves the road: off_road_share = %.3f is above %.3f",
+                     outcome.report.off_road_share, options.max_off_road_share);
   }
   const auto clip = toCollideClip(scenario, indexed.scene, 0);
   if (const auto* obstacle = std::get_if<ClipObstacle>(&clip)) {

@@ -1,9 +1,9 @@
 #include "collision_forge/study/dataset/dataset_statistics.h"
 
 #include <cmath>
-#include <cstdio>
 #include <set>
 
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/io/collide/collide_clip.h"
 #include "collision_forge/study/dataset/scene_split.h"
 
@@ -29,11 +29,7 @@ struct Group {
   std::vector<Row> rows;
 };
 
-std::string decimals(double value, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
-  return text;
-}
+std::string decimals(double value, int digits) { return formatted("%.*f", digits, value); }
 
 /// Rows in the order of `keyOf`, named by `nameOf`.
 template <typename KeyOf, typename NameOf>

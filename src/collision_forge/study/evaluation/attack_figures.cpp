@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 #include <utility>
 
 #include "collision_forge/attack/verify/believability.h"
+#include "collision_forge/base/scene/find_track.h"
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/planner_test/statistics/csv_text.h"
 
 namespace forge {
@@ -45,17 +46,6 @@ class LeastGap {
   std::optional<double> least_;
 };
 
-/// The attacker's states up to now: its own, or those of the recording.
-Track pastOf(const AttackerTrajectory& trajectory, const Scene& recording) {
-  if (trajectory.isAdded()) {
-    return {trajectory.attacker_id, trajectory.agent_class, trajectory.size, trajectory.past};
-  }
-  const auto found =
-      std::find_if(recording.agents.begin(), recording.agents.end(),
-                   [&](const Track& agent) { return agent.id == trajectory.attacker_id; });
-  return found == recording.agents.end() ? Track{trajectory.attacker_id, {}, {}, {}} : *found;
-}
-
 DrivePeaks peaksUntil(const AttackerTrajectory& trajectory, double until, double wheelbase) {
   DrivePeaks peaks;
   const TrajectoryPoint* before = nullptr;
@@ -76,11 +66,7 @@ DrivePeaks peaksUntil(const AttackerTrajectory& trajectory, double until, double
   return peaks;
 }
 
-std::string decimals(int places, double value) {
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", places, value);
-  return text;
-}
+std::string decimals(int places, double value) { return formatted("%.*f", places, value); }
 
 std::string windowText(const MotionWindow& window) {
   std::string text = std::to_string(window.generated);
@@ -143,8 +129,9 @@ AttackFigures attackFigures(const Realization& answer, const Scene& recording,
     gap.look({point.pose, trajectory.size}, point.time);
   }
   figures.least_gap = gap.found();
-  figures.window = attackWindow(recording.name, pastOf(trajectory, recording), trajectory, contact,
-                                options.attack.verification.believability.before_contact);
+  figures.window =
+      attackWindow(recording.name, attackerPast(trajectory, recording.agents), trajectory, contact,
+                   options.attack.verification.believability.before_contact);
   return figures;
 }
 

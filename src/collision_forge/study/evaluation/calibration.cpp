@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/planner_test/statistics/csv_text.h"
 #include "collision_forge/planner_test/statistics/rate_table.h"
 
@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::size_t kDeciles = 10;
 constexpr double kPercent = 100.0;
-
-template <typename... Values>
-std::string formatted(const char* format, Values... values) {
-  char text[160];
-  std::snprintf(text, sizeof(text), format, values...);
-  return text;
-}
 
 }  // namespace
 

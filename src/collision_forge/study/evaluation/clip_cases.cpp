@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "collision_forge/base/files/file_fingerprint.h"
+#include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/io/collide/collide_scene.h"
 #include "collision_forge/io/logs/city_maps.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
@@ -48,17 +49,11 @@ Realization answerTo(const CollideClip& clip, const PlannerCase& one, const Meth
   return generateCollision(*made, moment, one.request, study.attack.prediction);
 }
 
-const char* toString(ClipAttacker attacker) {
-  switch (attacker) {
-    case ClipAttacker::kRecorded:
-      return "recorded";
-    case ClipAttacker::kHistory:
-      return "history";
-    case ClipAttacker::kReplay:
-      break;
-  }
-  return "replay";
-}
+constexpr EnumWord<ClipAttacker> kAttackerWords[] = {
+    {ClipAttacker::kRecorded, "recorded"},
+    {ClipAttacker::kHistory, "history"},
+    {ClipAttacker::kReplay, "replay"},
+};
 
 class ClipCases : public PlannerCases {
  public:
@@ -76,15 +71,15 @@ class ClipCases : public PlannerCases {
   const std::vector<std::string>& names() const override { return names_; }
 
   std::string fingerprint() const override {
-    return "clips, attacker " + std::string(toString(attacker_)) + " by " + method_.name() +
-           (answers_ == ClipAnswers::kAll ? ", unverified" : "") + ", " +
+    return "clips, attacker " + std::string(wordOf(kAttackerWords, attacker_)) + " by " +
+           method_.name() + (answers_ == ClipAnswers::kAll ? ", unverified" : "") + ", " +
            fingerprintOfFiles(paths_);
   }
 
   PlannerCase at(std::size_t index) const override {
     const CollideClip clip = readCollideClip(paths_[index], study_.input_limits);
     PlannerCase one = caseOfClip(clip, attacker_, maps_.at(clip.city), method_, study_, answers_);
-    one.source = toString(attacker_);
+    one.source = wordOf(kAttackerWords, attacker_);
     return one;
   }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "collision_forge/attack/search/judge.h"
+#include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/io/answers/request_answerer.h"
 
 namespace forge {
@@ -31,15 +32,11 @@ bool keepsControls(const AttackerTrajectory& trajectory, const CollisionRequest&
   const CollisionReport report =
       verify(trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes}, options);
   if (!isAsAsked(report, request)) return false;
-  const auto& agents = moment.snapshot.agents;
-  const auto attacker = std::find_if(agents.begin(), agents.end(), [&](const Track& agent) {
-    return agent.id == trajectory.attacker_id;
-  });
-  const bool is_recorded = attacker != agents.end();
-  if (request.choice == (is_recorded ? AttackerChoice::kNew : AttackerChoice::kExisting)) {
+  const Track* attacker = findTrack(moment.snapshot.agents, trajectory.attacker_id);
+  if (request.choice == (attacker ? AttackerChoice::kNew : AttackerChoice::kExisting)) {
     return false;
   }
-  const AgentClass agent_class = is_recorded ? attacker->agent_class : trajectory.agent_class;
+  const AgentClass agent_class = attacker ? attacker->agent_class : trajectory.agent_class;
   return request.attacker_class.value_or(agent_class) == agent_class;
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <sstream>
 
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/planner_test/statistics/rate_table.h"
 
 namespace forge {
@@ -19,9 +19,7 @@ struct ControlTrials {
 
 /// "0.8125", empty without trials.
 std::string shareText(const Rate& rate) {
-  char text[32] = "";
-  if (rate.trials > 0) std::snprintf(text, sizeof(text), "%.4f", rate.value);
-  return text;
+  return rate.trials > 0 ? formatted("%.4f", rate.value) : "";
 }
 
 long successes(const Rate& rate) { return std::lround(rate.value * rate.trials); }
@@ -100,8 +98,7 @@ std::string toMarkdown(const std::vector<ControlRates>& rates) {
   for (std::size_t i = 0; i < std::size(kCollisionTypes); ++i) out << "---|";
   out << '\n';
   for (const ControlRates& row : rates) {
-    char kept[32] = "-";
-    if (row.kept.trials > 0) std::snprintf(kept, sizeof(kept), "%.2f", row.kept.value);
+    const std::string kept = row.kept.trials > 0 ? formatted("%.2f", row.kept.value) : "-";
     out << "| " << row.control << " | " << row.value << " | " << row.asked << " | " << row.declined
         << " | " << successes(row.answered) << " | " << toText(row.answered, 100.0) << " | " << kept
         << " |";

@@ -8,6 +8,7 @@
 #include "collision_forge/attack/search/attack_search.h"
 #include "collision_forge/attack/search/baselines.h"
 #include "collision_forge/attack/search/pattern_predictor.h"
+#include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/study/evaluation/clip_attackers.h"
 #include "collision_forge/study/evaluation/published.h"
 
@@ -23,14 +24,13 @@ CollideClip withFuture(CollideClip clip, const Future& future, const Track& ego)
   const std::string ego_id = clip.ego().id;
   for (CollideTrack& track : clip.tracks) {
     if (track.id == clip.attacker_id) continue;
-    const auto known = std::find_if(future.agents.begin(), future.agents.end(),
-                                    [&](const Track& agent) { return agent.id == track.id; });
+    const Track* known = findTrack(future.agents, track.id);
     for (std::size_t frame = kCollideNowFrame + 1; frame < track.frames.size(); ++frame) {
       const double time = clip.times[frame];
       std::optional<AgentState> state;
       if (track.id == ego_id) {
         state = stateAt(ego, time);
-      } else if (known != future.agents.end()) {
+      } else if (known) {
         state = stateAt(*known, time);
       }
       track.frames[frame].reset();

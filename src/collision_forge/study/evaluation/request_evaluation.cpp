@@ -7,6 +7,7 @@
 #include "collision_forge/attack/policy/adaptive_answer.h"
 #include "collision_forge/attack/search/request_check.h"
 #include "collision_forge/attack/verify/strict_outcome.h"
+#include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/io/answers/allowed_requests.h"
 #include "collision_forge/study/evaluation/outcome_row.h"
 
@@ -88,9 +89,8 @@ Status checkCase(const RequestCase& request_case) {
 /// What the agent itself drove, if it was recorded until then without a gap.
 std::optional<AttackerTrajectory> ownMotion(const std::string& id, const Future& recorded,
                                             double until) {
-  const auto track = std::find_if(recorded.agents.begin(), recorded.agents.end(),
-                                  [&](const Track& agent) { return agent.id == id; });
-  if (track == recorded.agents.end()) return std::nullopt;
+  const Track* track = findTrack(recorded.agents, id);
+  if (!track) return std::nullopt;
   AttackerTrajectory own{id, track->agent_class, track->size, {}};
   for (const AgentState& state : track->states) {
     const bool has_gap = !own.points.empty() &&

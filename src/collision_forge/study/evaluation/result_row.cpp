@@ -3,25 +3,28 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/base/geometry/enum_words.h"
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/planner_test/statistics/csv_text.h"
 
 namespace forge {
 namespace {
+
+constexpr EnumWord<Protocol> kProtocolWords[] = {
+    {Protocol::kPublished, "published"},
+    {Protocol::kStrict, "strict"},
+};
 
 constexpr double kDegree = M_PI / 180.0;  // rad
 constexpr std::size_t kFixedColumns = 13;
 constexpr double kLargest = 1e9;  // no figure of a row comes near it, and all of it is written
 
 std::string decimals(const char* format, const std::optional<double>& value) {
-  if (!value) return "";
-  char text[64];
-  std::snprintf(text, sizeof(text), format, *value);
-  return text;
+  return value ? formatted(format, *value) : "";
 }
 
 std::vector<std::string> split(const std::string& line) {
@@ -72,9 +75,7 @@ bool parse(const std::vector<std::string>& columns, const std::string& scene, Re
 
 }  // namespace
 
-const char* toString(Protocol protocol) {
-  return protocol == Protocol::kPublished ? "published" : "strict";
-}
+const char* toString(Protocol protocol) { return wordOf(kProtocolWords, protocol); }
 
 const std::vector<Measure>& measuresOf(Protocol protocol) {
   static const std::vector<Measure> published = {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/io/collide/collide_scene.h"
 
 namespace forge {
@@ -65,9 +66,8 @@ std::vector<Mover> moversOf(const std::vector<Track>& agents, const std::string&
 void fillIn(const Track& ego, const std::vector<Track>& agents, const std::string& attacker,
             const std::vector<double>& times, const TrafficOptions& options, const LaneIndex* lanes,
             TrafficClip& clip) {
-  const auto found = std::find_if(agents.begin(), agents.end(),
-                                  [&](const Track& track) { return track.id == attacker; });
-  if (found == agents.end()) {
+  const Track* found = findTrack(agents, attacker);
+  if (!found) {
     throw std::invalid_argument("no track \"" + attacker + "\" in the snapshot");
   }
   const auto now = static_cast<std::size_t>(options.history_frames) - 1;

@@ -1,0 +1,38 @@
+#include "collision_forge/planner_test/trials/kept_drives.h"
+
+#include <fstream>
+#include <stdexcept>
+
+#include "collision_forge/planner_test/trials/planner_result_file.h"
+
+namespace forge {
+
+KeptDrives::KeptDrives(const std::string& path) : path_(path) {
+  std::ifstream file(path, std::ios::binary);
+  std::streamoff begin = 0;
+  for (std::string line; std::getline(file, line); begin = file.tellg()) lines_.push_back(begin);
+  if (lines_.empty()) throw std::runtime_error(path + ": cannot be read");
+}
+
+PlannerRow KeptDrives::rowOf(const PlannerCase& one, std::size_t index, const std::string& planner,
+                             PolicyKind policy) const {
+  std::ifstream file(path_, std::ios::binary);
+  file.seekg(lines_.at(index));
+  std::string line;
+  std::getline(file, line);
+  const std::string where = path_ + ": line " + std::to_string(index + 1);
+  for (PlannerRow& row : readPlannerResultLine(where, line).rows) {
+    if (row.planner != planner || row.attacker.policy != policy) continue;
+    const auto complete = [&](AttackerTrajectory& attacker) {
+      std::vector<TrajectoryPoint> points = std::move(attacker.points);
+      attacker = one.scenario.attacker;
+      attacker.points = std::move(points);
+    };
+    complete(row.outcome.attacker);
+    if (row.escape_drive) complete(row.escape_drive->attacker);
+    return row;
+  }
+  throw std::out_of_range(where + ": has no row of " + rowName(planner, policy));
+}
+
+}  // namespace forge
