@@ -9,8 +9,8 @@ SCENES = ['scene-0001', 'scene-0007']
 LOGS = ['--dataroot', DATA, '--version', 'v1.0-embedded']
 OVER_RANKS = ('convert', 'dataset', 'evaluate', 'export', 'generate', 'test', 'train', 'tune')
 SETTINGS = {  # by file of config/, so that commands take seconds
-    'training.yaml': {'epochs': 3, 'min_vehicle_speed': 30.0}, 'planner_training.yaml': {'epochs': 3, 'hidden': 8},
-    'generators.yaml': {'epochs': 3}, 'dataset.yaml': {'begin_stride': 2.0, 'junction_crossing': 1, 'ltap': 1},
+    'study/training.yaml': {'epochs': 3, 'min_vehicle_speed': 30.0}, 'study/planner_training.yaml': {'epochs': 3, 'hidden': 8},
+    'study/generators.yaml': {'epochs': 3}, 'study/dataset.yaml': {'begin_stride': 2.0, 'junction_crossing': 1, 'ltap': 1},
     'ranks.yaml': {'max_silence': 3.0, 'max_meeting': 10.0}}
 GRID = 'idm:\n  idm.standard.min_gap: [1.0, 4.0]\n'
 
@@ -62,12 +62,11 @@ def commands(folder):
 
 
 def write_settings(folder):
-    """The configuration with SETTINGS, beside a link to where it finds weights, and the grid of `tune`."""
-    shutil.copytree(str(ROOT / 'config'), str(folder / 'config'))
-    (folder / 'data').symlink_to(ROOT / 'data')
+    """The files of the configuration with SETTINGS, and the grid of `tune`."""
+    (folder / 'config' / 'study').mkdir(parents=True)
     (folder / 'grid.yaml').write_text(GRID)
     for name, values in SETTINGS.items():
-        text = (folder / 'config' / name).read_text()
+        text = (ROOT / 'config' / name).read_text()
         for key, value in values.items():
             text, count = re.subn(r'(?m)^( +{}: )\S+'.format(key), r'\g<1>{}'.format(value), text)
             assert count, key

@@ -16,7 +16,7 @@ DRIVABLE = ('wheelbase_share', 'max_steering_angle', 'max_steering_rate', 'max_l
 LENGTHS = ('car', 'van', 'truck')
 # The row of limits for each class that has one; some are told further by length.
 ROWS = {'car': 'car', 'truck': 'truck', 'bus': 'bus', 'construction_vehicle': 'construction',
-        'emergency_vehicle': 'emergency', 'motorcycle': 'motorcycle'}
+        'emergency_vehicle': 'van', 'motorcycle': 'motorcycle'}
 
 
 class BadInput(Exception):
@@ -28,6 +28,14 @@ def read_yaml(path):
         return yaml.safe_load(path.read_text(encoding='utf-8'))
     except yaml.YAMLError as error:
         raise BadInput('{}: {}'.format(path, error)) from None
+
+
+def merged(below, above):
+    """A configuration file with the keys of an overlay's laid over it."""
+    both = dict(below)
+    for key, value in above.items():
+        both[key] = merged(below[key], value) if isinstance(value, dict) and isinstance(below.get(key), dict) else value
+    return both
 
 
 def section_of(path, parent, name, keys):
@@ -45,9 +53,10 @@ def section_of(path, parent, name, keys):
 class VehicleLimits:
     """config/vehicle_limits.yaml: `strict`, one set of limits for all, and the drivable ones by class."""
 
-    def __init__(self, config):
+    def __init__(self, config=CONFIG):
         path = config / 'vehicle_limits.yaml'
-        root = section_of(path, read_yaml(path), 'vehicle_limits', ())
+        overlay = read_yaml(path) if path.exists() else {}
+        root = section_of(path, merged(read_yaml(CONFIG / path.name), overlay), 'vehicle_limits', ())
         self.strict = section_of(path, root, 'strict', STRICT)
         self.lengths = section_of(path, root, 'lengths', LENGTHS)
         drivable = section_of(path, root, 'drivable', ())

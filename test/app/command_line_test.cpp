@@ -222,6 +222,14 @@ TEST(CommandLine, CollisionsOfRecordingsAreMadeInReplayModeAndMethodsMeasuredInH
   }
 }
 
+TEST(CommandLine, TheVersionIsPrintedWithTheLicences) {
+  const Reading version = read("--version");
+  EXPECT_EQ(version.exit_code, kExitOk);
+  EXPECT_THAT(version.out,
+              testing::MatchesRegex("collision_forge [0-9]+\\.[0-9]+\\.[0-9]+\n"
+                                    "licence: BSD-3-Clause\n(weights .*CC BY-NC-SA.*\n)?"));
+}
+
 TEST(CommandLine, HelpOfEveryCommandEndsWithTheExitCodes) {
   for (const auto& [name, options] : kComplete) {
     EXPECT_THAT(read(name + " --help").out, HasSubstr("\nExit codes: 0 done, 1 error, 2 wrong"))

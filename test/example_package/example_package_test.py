@@ -55,10 +55,10 @@ class ExamplePackage(unittest.TestCase):
         self.assertEqual('7\n', self.run_program(self.folder / 'build' / 'devel' / 'lib' / 'example_package' / 'example_planner'))
 
     def test_forge_generates_with_its_method(self):
-        config = self.folder / 'install' / 'share' / 'collision_forge' / 'config'
+        config = self.folder / 'config'
+        config.mkdir()
         library = self.folder / 'build' / 'devel' / 'lib' / 'libexample_method.so'
-        methods = config / 'methods.yaml'
-        methods.write_text(methods.read_text().replace('libraries: []', 'libraries: ["{}"]'.format(library)))
+        (config / 'methods.yaml').write_text('libraries: ["{}"]\n'.format(library))
         requests, scenarios = self.folder / 'requests.jsonl', self.folder / 'scenarios.jsonl'
         self.forge('requests', *ROOT, '--out', requests, '--config', config)
         self.forge('generate', *ROOT, '--requests', requests, '--out', scenarios, '--config', config, '--mode', 'replay',

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/config/config_folder.h"
 #include "collision_forge/planner_test/trials/planner_grid.h"
 #include "collision_forge/ros/bags/topic_mapping.h"
 #include "fuzz/reading.h"
@@ -64,28 +64,23 @@ const std::map<std::string, ReadFile>& readers() {
       {"believability", readAttack},
       {"conversion", sectionOf<ConversionOptions>()},
       {"crash_definition", crashSectionOf<CrashDefinition>()},
-      {"dataset", crashSectionOf<DatasetOptions>()},
       {"drawing", sectionOf<DrawingOptions>()},
       {"ego_futures", readAttack},
       {"ego_vehicle", sectionOf<EgoVehicle>()},
       {"encoding", sectionOf<EncodingOptions>()},
-      {"evaluation", sectionOf<EvaluationOptions>()},
       {"input_limits", sectionOf<InputLimits>()},
       {"live", sectionOf<LiveOptions>()},
       {"locations", sectionOf<std::map<std::string, DrivingSide>>()},
       {"models", sectionOf<ModelOptions>()},
-      {"planner_training", sectionOf<PlannerTrainingOptions>()},
       {"planners", readPlanners},
       {"prediction", readAttack},
       {"report", sectionOf<ReportOptions>()},
       {"requests", sectionOf<RequestListOptions>()},
       {"search", readAttack},
-      {"speed_model_fit", sectionOf<SpeedModelFitOptions>()},
       {"topics_autoware", readTopics},
       {"topics_derived_object", readTopics},
       {"tuning", readTuning},
       {"vehicle_limits", readAttack},
-      {"verification", readAttack},
   };
   return by_name;
 }
@@ -94,9 +89,11 @@ const std::map<std::string, ReadFile>& readers() {
 class ConfigCopy {
  public:
   ConfigCopy() {
-    std::filesystem::copy(COLLISION_FORGE_SOURCE_DIR "/config", folder_.path());
-    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
-      shipped_.insert(entry.path().filename().string());
+    std::filesystem::copy(COLLISION_FORGE_SOURCE_DIR "/config", folder_.path(),
+                          std::filesystem::copy_options::recursive);
+    const ConfigFolder copied(folder_.path());
+    for (const char* part : {"", "study"}) {
+      for (const std::string& name : copied.files(part)) shipped_.insert(name);
     }
   }
 

@@ -47,9 +47,11 @@ Seeds clipSeeds() {
 
 Seeds configSeeds() {
   Seeds seeds;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(COLLISION_FORGE_SOURCE_DIR "/config")) {
-    seeds.push_back(entry.path().stem().string() + "\n" + bytesOf(entry.path().string()));
+  const std::string folder = COLLISION_FORGE_SOURCE_DIR "/config";
+  for (const char* part : {"", "study"}) {
+    for (const std::string& file : ConfigFolder(folder).files(part)) {
+      seeds.push_back(file.substr(0, file.rfind('.')) + "\n" + bytesOf(folder + "/" + file));
+    }
   }
   std::sort(seeds.begin(), seeds.end());  // folders are in any order
   return seeds;

@@ -17,7 +17,7 @@ SCHEMA = PACKAGE_FOLDER / 'docs' / 'scenario.schema.json'
 SCENES = ['scene-0001', 'scene-0002', 'scene-0007']
 # For a small set and pictures of it.
 CHANGES = {'begin_stride': 1.0, 'lane_change': 3, 'rear_end': 3, 'opposite_direction': 1, 'junction_crossing': 3,
-           'ltap': 1, 'sheet_columns': 2, 'sheet_rows': 1}
+           'ltap': 1}
 SPLITS = ['train', 'val', 'test']
 
 
@@ -45,7 +45,7 @@ class BuildDatasetTest(road.RoadTest):
     def setUpClass(cls):
         super().setUpClass()
         cls.config = road.copy_config(cls.folder / 'config')
-        dataset = cls.config / 'dataset.yaml'
+        dataset = cls.config / 'study/dataset.yaml'
         text = dataset.read_text()
         for key, value in CHANGES.items():
             text, count = re.subn(r'\b{}: [\d.]+'.format(key), '{}: {}'.format(key, value), text)

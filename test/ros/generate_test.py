@@ -371,12 +371,19 @@ class GenerateTest(road.RoadTest):
         other = self.path('other.jsonl')
         other.write_text('\n'.join(lines_of(self.requests)[:-1]) + '\n')
         self.assert_refused([self.part, 'requests = '], requests=other)
-        config = road.copy_config(self.path('config'))
-        path = config / 'search.yaml'
-        path.write_text(path.read_text().replace('draws: 8', 'draws: 9'))
-        self.assert_refused([self.part, 'config/search.yaml'], '--config', config)
+        config = self.path('config')
+        config.mkdir()
+        (config / 'believability.yaml').write_text('believability: {before_contact: 1.0}\n')
+        self.assert_refused([self.part, 'config/believability.yaml'], '--config', config)
         self.assertEqual(self.part.read_bytes(), begun)
         self.assert_goes_on(4)
+
+    def test_methods_that_need_non_commercial_weights_name_the_key_that_switches_them_off(self):
+        config = self.path('config')
+        config.mkdir()
+        (config / 'models.yaml').write_text('models: {non_commercial_weights: false}\n')
+        for method in ('network', 'c_mid'):
+            self.assert_refused([method, 'models.non_commercial_weights'], '--method', method, '--config', config)
 
     def test_malformed_lists_are_refused_before_anything_is_written(self):
         good = json.loads(lines_of(self.requests)[0])

@@ -38,10 +38,12 @@ class LaunchTest(road.RoadTest):
             self.assertIn('config_dir:=/nowhere: no such file',
                           self.refusal(launch, 'config_dir:=/nowhere', *arguments))
 
-    def test_a_folder_without_configuration_is_named_with_the_file_that_is_missing(self):
-        line = self.refusal('collision_forge.launch', 'config_dir:={}'.format(self.folder))
-        self.assertIn('config_dir:={}: '.format(self.folder), line)
-        self.assertIn('.yaml', line)
+    def test_a_mistyped_key_of_configuration_is_named_with_its_file_and_a_near_match(self):
+        folder = self.path('config')
+        folder.mkdir()
+        (folder / 'live.yaml').write_text('live: {kept: 20.0}\n')
+        line = self.refusal('collision_forge.launch', 'config_dir:={}'.format(folder))
+        self.assertIn('live.kept = 20.0 is an unknown key; did you mean kept_for?', line)
 
 
 class MessageClassTest(road.RoadTest):

@@ -21,10 +21,9 @@ def library():
 
 
 def config_with_method(folder):
-    """The configuration with the library of the method in it."""
-    road.copy_config(folder)
-    methods = folder / 'methods.yaml'
-    methods.write_text(methods.read_text().replace('libraries: []', 'libraries: [{}]'.format(library())))
+    """A folder for --config with the library of the method in it."""
+    folder.mkdir()
+    (folder / 'methods.yaml').write_text('libraries: [{}]\n'.format(library()))
     return folder
 
 

@@ -47,9 +47,9 @@ class NeighboursTest(road.RoadTest):
         cls.grid = cls.folder / 'grid.yaml'
         cls.grid.write_text('idm:\n  idm.standard.min_gap: [1.0, 4.0]\n')
         cls.config = road.copy_config(cls.folder / 'config')
-        for file, changes in (('training.yaml', {'max_agents': 4, 'max_lanes': 4, 'lane_points': 4, 'max_ways': 2,
+        for file, changes in (('study/training.yaml', {'max_agents': 4, 'max_lanes': 4, 'lane_points': 4, 'max_ways': 2,
                                                  'way_anchors': 7, 'hidden': 8, 'scene': 8, 'anchor': 8, 'epochs': 1}),
-                              ('dataset.yaml', {'begin_stride': 2.0, 'lane_change': 1, 'rear_end': 1, 'ltap': 1,
+                              ('study/dataset.yaml', {'begin_stride': 2.0, 'lane_change': 1, 'rear_end': 1, 'ltap': 1,
                                                 'opposite_direction': 1, 'junction_crossing': 1})):
             text = (cls.config / file).read_text()
             for key, value in changes.items():

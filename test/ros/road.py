@@ -38,11 +38,8 @@ def run(*arguments):
 
 
 def copy_config(folder):
-    """The shipped configuration in another folder, with a link beside it to where it finds the models."""
+    """The shipped configuration in another folder."""
     shutil.copytree(str(PACKAGE_FOLDER / 'config'), str(folder))
-    data = folder.parent / 'data'
-    if not data.exists():
-        data.symlink_to(PACKAGE_FOLDER / 'data')
     return folder
 
 

@@ -19,7 +19,7 @@ class TrainTest(road.RoadTest):
     def setUpClass(cls):
         super().setUpClass()
         cls.config = road.copy_config(cls.folder / 'config')
-        path = cls.config / 'training.yaml'
+        path = cls.config / 'study/training.yaml'
         text = path.read_text()
         for key, value in FEW.items():
             text, count = re.subn(r'(?m)^(  {}: )\S+'.format(key), r'\g<1>{}'.format(value), text)

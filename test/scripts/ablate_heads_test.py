@@ -15,7 +15,7 @@ words = [word for word in sys.argv[1:] if word != 'study']
 value = lambda name: words[words.index(name) + 1]
 open({calls!r}, 'a').write(' '.join(words) + '\\n')
 config = pathlib.Path(value('--config'))
-head = (config / 'training.yaml').read_text().split('head: ')[1].split()[0]
+head = (config / 'study' / 'training.yaml').read_text().split('head: ')[1].split()[0]
 exec((pathlib.Path(__file__).parent / (words[0] + '.py')).read_text())
 '''
 TRAIN = '''

@@ -16,7 +16,7 @@ sys.path.insert(0, str(PACKAGE / 'scripts'))
 from scenario_files import CONFIG, VehicleLimits  # noqa: E402
 
 ROWS = {'car': 'car', 'truck': 'truck', 'bus': 'bus', 'construction_vehicle': 'construction',
-        'emergency_vehicle': 'emergency', 'motorcycle': 'motorcycle'}  # of the lengths that drives have here
+        'emergency_vehicle': 'van', 'motorcycle': 'motorcycle'}  # of the lengths that drives have here
 
 
 class CheckLimits(unittest.TestCase):
@@ -158,7 +158,7 @@ class DrivableLimits(CheckLimits):
         for agent_class, length, row in (('car', 5.6, 'car'), ('car', 5.61, 'van'), ('truck', 6.29, 'van'),
                                          ('truck', 6.3, 'truck'), ('truck', 13.0, 'truck'),
                                          ('truck', 13.01, 'articulated'), ('bus', 18.0, 'bus'),
-                                         ('emergency_vehicle', 5.0, 'emergency'),
+                                         ('emergency_vehicle', 5.0, 'van'),
                                          ('construction_vehicle', 14.0, 'construction'),
                                          ('motorcycle', 2.0, 'motorcycle')):
             wheelbase = limits.drivable[row]['wheelbase_share'] * length

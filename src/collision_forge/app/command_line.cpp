@@ -7,16 +7,12 @@
 #include <sstream>
 #include <utility>
 
-#include "collision_forge/base/scene/nearest_names.h"
+#include "collision_forge/app/options.h"
+#include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/io/batch/printable.h"
 
 namespace forge {
 namespace {
-
-constexpr char kVersion[] =
-    "collision_forge " COLLISION_FORGE_VERSION
-    "\n"
-    "licence: BSD-3-Clause; weights in data/weights: CC BY-NC-SA 4.0, for non-commercial use";
 
 constexpr char kExitCodes[] =
     "Exit codes: 0 done, 1 error, 2 wrong command line, 3 no crash as asked.";
@@ -42,6 +38,18 @@ bool isOfTheStudy(const std::string& word) {
   const std::vector<std::string> words = {"compare", "dataset", "evaluate",
                                           "measure", "speeds",  "train"};
   return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Version and licences; which weights are in use in the installed configuration.
+std::string versionText() {
+  std::string text = "collision_forge " COLLISION_FORGE_VERSION "\nlicence: BSD-3-Clause";
+  const auto installed = installedConfig();
+  if (!installed) return text;
+  try {
+    return text + "\n" + describeWeights(loadConfig(*installed));
+  } catch (const ConfigError& error) {
+    return text + "\n" + error.what();
+  }
 }
 
 /// The complaint about a word that a command does not know.
@@ -85,7 +93,7 @@ CommandLine::CommandLine()
           "forge COMMAND --help lists the options of a command.",
           "forge") {
   app_.formatter(std::make_shared<ContentsFormatter>());
-  app_.set_version_flag("--version", kVersion, "Print version and licences");
+  app_.set_version_flag("--version", versionText, "Print version and licences");
   app_.footer(kExitCodes);
   app_.failure_message([this](const CLI::App*, const CLI::Error& error) {
     return name() + ": " + complaintOf(error) + "\ntry: " + name() + " --help\n";

@@ -27,7 +27,7 @@ struct Arguments {
   LogSource logs;
   std::vector<std::string> scenes;
   std::string out;
-  std::string config;
+  ConfigFolder config;
   std::string topics;  ///< the mapping of others' bags; empty: the source is not of such
   std::string map;
   int jobs = defaultJobs();

@@ -29,7 +29,7 @@ struct Arguments {
   LogSource logs;
   bool ego_free = false;
   std::string out;
-  std::string config;
+  ConfigFolder config;
   int jobs = defaultJobs();
 };
 
@@ -107,10 +107,9 @@ class CrashExport {
  private:
   /// What the files depend on.
   ResumableFile::Options options() const {
-    ResumableFile::Options options = fingerprintsOf(config_, arguments_.config);
+    ResumableFile::Options options = fingerprintsOf(config_, config_.folder);
     for (const auto& [name, value] : attacks_.fingerprints()) options[name] = value;
-    options["config/export.yaml"] =
-        fingerprintOfFile((fs::path(arguments_.config) / "export.yaml").string());
+    options["config/export.yaml"] = fingerprintOfValues(arguments_.config, "export.yaml");
     options["format"] = arguments_.format;
     options["ego"] = arguments_.ego_free ? "free" : "recorded";
     return options;

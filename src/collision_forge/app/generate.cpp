@@ -31,7 +31,7 @@ struct Arguments {
   LogSource logs;
   std::string requests;
   std::string out;
-  std::string config;
+  ConfigFolder config;
   std::string method;
   std::string report;
   RequestControls controls;
@@ -48,8 +48,9 @@ struct Arguments {
 /// What the answers depend on.
 ResumableFile::Options runOptions(const Arguments& arguments, const Config& config,
                                   const std::vector<SceneRequest>& requests) {
-  ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
+  ResumableFile::Options options = inputsOf(config, arguments.logs);
   if (!arguments.method.empty()) options["method"] = arguments.method;
+  addWeightsOf(arguments.method, config, options);
   options["mode"] = toString(arguments.mode);
   options["requests"] = fingerprintOf(requests);
   return options;

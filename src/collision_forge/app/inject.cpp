@@ -35,7 +35,7 @@ struct Arguments {
   std::string bag;
   std::string out;
   std::string draw;
-  std::string config;
+  ConfigFolder config;
   std::string method;
   double now = 0.0;
   int alternative = 1;
@@ -151,7 +151,7 @@ collision_forge::AttackRequest requestMessage(const TestedAttack& attack,
                                               const Scene& scene, const Arguments& arguments,
                                               const Config& config) {
   collision_forge::AttackRequest message =
-      attackRequest(attack.request, attack_message, fingerprintOfAll(config, arguments.config));
+      attackRequest(attack.request, attack_message, fingerprintOfAll(config, config.folder));
   message.now = attack.now - scene.frame_times.front();
   message.alternative = static_cast<std::uint32_t>(arguments.alternative);
   message.after_contact = toString(arguments.after_contact);

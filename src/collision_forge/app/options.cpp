@@ -4,12 +4,13 @@
 
 #include "collision_forge/attack/search/method_registry.h"
 #include "collision_forge/attack/search/request_check.h"
-#include "collision_forge/base/scene/nearest_names.h"
+#include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/progress_line.h"
 #include "collision_forge/io/logs/scenario_net_logs.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
+#include "collision_forge/io/weights/traffic_generators.h"
 #include "collision_forge/planner_test/planners/planner_factory.h"
 #include "collision_forge/planner_test/settings/config_fingerprint.h"
 
@@ -155,15 +156,23 @@ CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes) {
   return app.add_option("--scene", scenes, "names of scenes; all by default");
 }
 
-void addConfig(CLI::App& app, std::string& folder) {
-  CLI::Option* option = app.add_option("--config", folder, "folder with the configuration files")
-                            ->check(CLI::ExistingDirectory);
-  if (packageFolder().empty()) {
-    option->required();
-  } else {
-    folder = packageFolder() + "/config";
-    option->capture_default_str();
-  }
+std::optional<ConfigFolder> installedConfig() {
+  if (packageFolder().empty()) return std::nullopt;
+  return ConfigFolder(packageFolder() + "/config");
+}
+
+void addConfig(CLI::App& app, ConfigFolder& config) {
+  const auto installed = installedConfig();
+  if (installed) config = *installed;
+  const auto use = [&config, installed](const std::string& folder) {
+    config = installed ? ConfigFolder(packageFolder() + "/config", folder) : ConfigFolder(folder);
+  };
+  app.add_option_function<std::string>(
+         "--config", use,
+         installed ? "folder with the files and keys that differ from the installed configuration"
+                   : "folder with the configuration files")
+      ->check(CLI::ExistingDirectory)
+      ->required(!installed);
 }
 
 void addOut(CLI::App& app, std::string& out, const std::string& text) {
@@ -174,7 +183,7 @@ void addJobs(CLI::App& app, int& jobs, const std::string& text) {
   app.add_option("--jobs", jobs, text)->check(CLI::Range(1, 256))->capture_default_str();
 }
 
-CLI::Option* addMethod(CLI::App& app, std::string& method, const std::string& config) {
+CLI::Option* addMethod(CLI::App& app, std::string& method, const ConfigFolder& config) {
   app.parse_complete_callback([&method, &config] {
     if (!method.empty()) checkMethod("--method", method, config);
   });
@@ -186,7 +195,7 @@ CLI::Option* addMethod(CLI::App& app, std::string& method, const std::string& co
           "or one of the libraries in methods.yaml; by default the suite's own way");
 }
 
-void checkMethod(const std::string& option, const std::string& method, const std::string& config) {
+void checkMethod(const std::string& option, const std::string& method, const ConfigFolder& config) {
   try {
     loadMethods(loadConfig(config)).at(method);
   } catch (const std::invalid_argument& error) {
@@ -226,10 +235,10 @@ void addPlannerFile(CLI::App& app, std::string& file) {
 }
 
 void usePlannerFile(const std::string& file, const std::vector<std::string>& planners,
-                    PlannerOptions& options) {
-  if (!file.empty()) options.torchscript.file = file;
+                    Config& config) {
+  if (!file.empty()) config.planners.torchscript.file = allowedWeights(config, file);
   for (const std::string& name : planners) {
-    if (name == kTorchscript) makePlanner(name, options, "");
+    if (name == kTorchscript) makePlanner(name, config.planners, "");
   }
 }
 
@@ -246,11 +255,16 @@ void addBackground(CLI::App& app, Background& background) {
                         "the others: replay, or idm (they brake for who is in their way)");
 }
 
-ResumableFile::Options inputsOf(const Config& config, const std::string& config_folder,
-                                const LogSource& logs) {
-  ResumableFile::Options options = fingerprintsOf(config, config_folder);
+ResumableFile::Options inputsOf(const Config& config, const LogSource& logs) {
+  ResumableFile::Options options = fingerprintsOf(config, config.folder);
   for (const auto& [name, found] : fingerprintsOf(logs)) options[name] = found;
   return options;
+}
+
+void addWeightsOf(const std::string& method, const Config& config,
+                  ResumableFile::Options& options) {
+  const std::string model = generatorOf(method);
+  if (!model.empty()) addWeights(model, generatorWeights(config)[model], options);
 }
 
 NuScenesProgress showReading() {

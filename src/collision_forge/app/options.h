@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/base/files/resumable_file.h"
 #include "collision_forge/base/scene/collision_request.h"
 #include "collision_forge/base/scene/request_words.h"
@@ -73,9 +74,12 @@ CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text =
 /// --scene, all by default.
 CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes);
 
-/// --config, by default the package's own configuration; required where ROS does not know the
-/// package (its environment is not sourced), or in a build without ROS.
-void addConfig(CLI::App& app, std::string& folder);
+/// The package's own configuration; empty where ROS does not know the package (its environment is
+/// not sourced), or in a build without ROS.
+std::optional<ConfigFolder> installedConfig();
+/// --config, a folder that is laid over the installedConfig(). Without one the option is required
+/// and names a complete folder.
+void addConfig(CLI::App& app, ConfigFolder& config);
 /// --out, required.
 void addOut(CLI::App& app, std::string& out, const std::string& text);
 /// --jobs, from 1 to 256.
@@ -88,17 +92,18 @@ std::string checkType(const std::string& name);
 /// collisions of recordings default to replay, commands that measure methods to history.
 /// `may_adapt`: mode adaptive is one of them.
 void addMode(CLI::App& app, Mode& mode, bool may_adapt);
-/// --method of attack, one that the configuration in the folder `config` knows; empty: the suite's
-/// own. Both must outlive the reading of the line.
-CLI::Option* addMethod(CLI::App& app, std::string& method, const std::string& config);
+/// --method of attack, one that the configuration knows; empty: the suite's own. Both must outlive
+/// the reading of the line.
+CLI::Option* addMethod(CLI::App& app, std::string& method, const ConfigFolder& config);
 /// Throws CLI::ValidationError for an unknown method of that option, naming the known ones.
-void checkMethod(const std::string& option, const std::string& method, const std::string& config);
+void checkMethod(const std::string& option, const std::string& method, const ConfigFolder& config);
 /// --planner-file: a learned planner in place of the one that the configuration names.
 void addPlannerFile(CLI::App& app, std::string& file);
-/// Puts the file of --planner-file, if one is given, into the options. Where one of the planners is
-/// learned, its file is tried: throws PlannerFileError before the work begins.
+/// Puts the file of --planner-file, if one is given and its licence is allowed, into the options of
+/// planners. Where one of the planners is learned, its file is tried: throws PlannerFileError
+/// before the work begins.
 void usePlannerFile(const std::string& file, const std::vector<std::string>& planners,
-                    PlannerOptions& options);
+                    Config& config);
 /// What results of these planners depend on besides the configuration: the learned one's file.
 void addPlannerFingerprint(ResumableFile::Options& options,
                            const std::vector<std::string>& planners,
@@ -107,8 +112,10 @@ void addPlannerFingerprint(ResumableFile::Options& options,
 void addBackground(CLI::App& app, Background& background);
 
 /// What every result over logs depends on: configuration, models and the source of logs.
-ResumableFile::Options inputsOf(const Config& config, const std::string& config_folder,
-                                const LogSource& logs);
+ResumableFile::Options inputsOf(const Config& config, const LogSource& logs);
+/// Adds the weights of a learned baseline, which its results depend on besides; nothing for other
+/// methods.
+void addWeightsOf(const std::string& method, const Config& config, ResumableFile::Options& options);
 
 /// Shows on stderr how far the reading of nuScenes tables is; nothing on other ranks than the
 /// master.

@@ -83,7 +83,7 @@ TestPlan planOf(const PlannerTestArguments& arguments, const Config& config) {
 
 Config loadTestConfig(const PlannerTestArguments& arguments) {
   Config config = loadRunConfig(arguments.config);
-  usePlannerFile(arguments.planner_file, arguments.planners, config.planners);
+  usePlannerFile(arguments.planner_file, arguments.planners, config);
   return config;
 }
 
@@ -119,7 +119,8 @@ PlannerTestRun::PlannerTestRun(PlannerTestArguments arguments)
       results_path_((fs::path(arguments_.out) / "results.jsonl").string()) {}
 
 ResumableFile::Options PlannerTestRun::runOptions(const PlannerCases& cases) const {
-  ResumableFile::Options options = inputsOf(config_, arguments_.config, arguments_.logs);
+  ResumableFile::Options options = inputsOf(config_, arguments_.logs);
+  for (const auto& [name, value] : arguments_.fingerprints) options[name] = value;
   options["cases"] = cases.fingerprint();
   options["planners"] = joined(arguments_.planners);
   options["attacker_policy"] = joined(arguments_.policies);

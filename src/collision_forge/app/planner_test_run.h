@@ -25,8 +25,9 @@ struct PlannerTestArguments {
   std::size_t worst = 3;
   std::string out;
   std::string report;
-  std::string config;
+  ConfigFolder config;
   int jobs = defaultJobs();
+  ResumableFile::Options fingerprints;  ///< what else the results depend on
 };
 
 /// --planners, --planner-file, --background, --worst, --out, --jobs, --report and --config.

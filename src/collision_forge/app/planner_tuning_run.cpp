@@ -29,19 +29,9 @@ namespace fs = std::filesystem;
 
 /// The planners.yaml that is tuned.
 struct PlannersFile {
-  std::string path;
+  std::string path = "planners.yaml";
   std::string text;
 };
-
-PlannersFile readPlannersFile(const std::string& config) {
-  PlannersFile file{config + "/planners.yaml", ""};
-  std::ifstream stream(file.path, std::ios::binary);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  if (!stream) throw std::runtime_error(file.path + ": cannot be read");
-  file.text = content.str();
-  return file;
-}
 
 /// Everything that every rank works with.
 struct Tuning {
@@ -53,10 +43,11 @@ struct Tuning {
 };
 
 Tuning openTuning(const TuningArguments& arguments, const Config& config, TuningCases cases) {
-  const PlannersFile file = readPlannersFile(arguments.config);
-  const std::string grid_path =
-      arguments.grid.empty() ? arguments.config + "/tuning.yaml" : arguments.grid;
-  const PlannerGrid grid = readPlannerGrid(grid_path, arguments.planner);
+  const PlannersFile file{"planners.yaml", arguments.config.text("planners.yaml")};
+  const PlannerGrid grid =
+      arguments.grid.empty()
+          ? readPlannerGrid(openConfigFile(arguments.config, "tuning.yaml"), arguments.planner)
+          : readPlannerGrid(arguments.grid, arguments.planner);
   std::vector<PlannerVariant> variants =
       variantsOf(grid, file.path, file.text, config.attack.verification.limits);
   for (PlannerVariant& variant : variants) {
@@ -69,7 +60,7 @@ Tuning openTuning(const TuningArguments& arguments, const Config& config, Tuning
 /// What the results of both parts depend on.
 ResumableFile::Options runOptions(const Tuning& tuning) {
   const TuningArguments& arguments = tuning.arguments;
-  ResumableFile::Options options = inputsOf(tuning.config, arguments.config, arguments.logs);
+  ResumableFile::Options options = inputsOf(tuning.config, arguments.logs);
   options["planner"] = arguments.planner;
   addPlannerFingerprint(options, {arguments.planner}, tuning.config.planners);
   options["background"] = toString(arguments.background);
@@ -80,6 +71,7 @@ ResumableFile::Options runOptions(const Tuning& tuning) {
     }
   }
   options["grid"] = std::to_string(tuning.variants.size()) + " variants, fingerprint " + found;
+  for (const auto& [name, value] : tuning.cases.fingerprints) options[name] = value;
   options["train"] = tuning.cases.train->fingerprint();
   return options;
 }
@@ -169,7 +161,7 @@ ReportInputs reportInputs(const Tuning& tuning) {
 int tunePlanner(const TuningArguments& arguments,
                 const std::function<TuningCases(const Config&)>& open) {
   Config config = loadRunConfig(arguments.config);
-  usePlannerFile(arguments.planner_file, {arguments.planner}, config.planners);
+  usePlannerFile(arguments.planner_file, {arguments.planner}, config);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   const Tuning tuning = openTuning(arguments, config, open(config));
   std::vector<PlannerTestResult> train;

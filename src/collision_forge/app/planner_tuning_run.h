@@ -23,7 +23,7 @@ struct TuningArguments {
   Background background = Background::kReplay;
   std::string out;
   std::string report;
-  std::string config;
+  ConfigFolder config;
   int jobs = defaultJobs();
 };
 
@@ -33,6 +33,7 @@ struct TuningCases {
   std::unique_ptr<PlannerCases> test;
   /// Scenario files of `test` for the page of --report.
   std::vector<std::string> test_files = {};
+  ResumableFile::Options fingerprints = {};  ///< what else the results depend on
 };
 
 /// Tunes a planner on the cases that `open` returns, or goes on where a run stopped; writes

@@ -28,7 +28,7 @@ struct Arguments {
   std::string method;
   Mode mode = Mode::kReplay;
   std::uint64_t seed = 0;
-  std::string config;
+  ConfigFolder config;
 };
 
 std::shared_ptr<const IndexedScene> recordingOf(const Arguments& arguments, const Config& config) {

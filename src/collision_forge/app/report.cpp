@@ -14,7 +14,7 @@ namespace {
 struct Arguments {
   ReportInputs inputs;
   std::string out;
-  std::string config;
+  ConfigFolder config;
 };
 
 int report(const Arguments& arguments, const std::vector<RowFormat>& formats) {

@@ -29,7 +29,7 @@ struct Arguments {
   LogSource logs;
   std::vector<std::string> scenes;
   std::string out;
-  std::string config;
+  ConfigFolder config;
   std::optional<double> stride;
   std::optional<double> min_ego_speed;
   std::vector<double> ttas;

@@ -5,9 +5,9 @@
 
 namespace forge {
 
-Config loadRunConfig(const std::string& directory) {
-  Ranks::watch(loadRankOptions(directory));
-  return loadConfig(directory);
+Config loadRunConfig(const ConfigFolder& folder) {
+  Ranks::watch(loadRankOptions(folder));
+  return loadConfig(folder);
 }
 
 }  // namespace forge

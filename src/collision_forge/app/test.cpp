@@ -66,6 +66,9 @@ int testOnScenarios(const Arguments& arguments) {
 }
 
 int test(Arguments arguments) {
+  if (arguments.until_hit) {
+    addWeightsOf(arguments.method, loadConfig(arguments.config), arguments.fingerprints);
+  }
   if (arguments.policies.empty()) {
     arguments.policies = {arguments.until_hit ? "adaptive" : "fixed"};
   }

@@ -151,7 +151,7 @@ TEST_F(ScenarioNetLogsTest, ReadsWhatOthersConvert) {
   EXPECT_THAT(first.outgoing, ElementsAre("13"));
   EXPECT_NEAR(*first.speed_limit, 10.0, 1e-12);
   EXPECT_EQ(first.polygon.size(), 4U);
-  EXPECT_NEAR(first.polygon.at(0).y(), 0.5 * shippedConfig().conversion.lane_width, 1e-12);
+  EXPECT_NEAR(first.polygon.at(0).y(), 0.5 * kLaneWidth, 1e-12);
   EXPECT_THAT(logged.lanes->map().lanes[1].incoming, ElementsAre("12"));
   EXPECT_TRUE(logged.lanes->map().lanes[1].is_connector);
   EXPECT_EQ(logged.lanes->map().drivable_area.size(), 2U);

@@ -3,26 +3,65 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "io/logs/nuscenes_fixture.h"
+
 namespace forge {
 namespace {
 
-TEST(AddGeneratorMethods, AddsTheMethodsOfEachAndLoadsNothingYet) {
-  MethodRegistry registry;
-  addGeneratorMethods({"", "", "", {}, {{"c_strive", {"/absent.pt"}}, {"c_sgan", {}}}, {}},
-                      registry);
-  EXPECT_THAT(registry.names(), testing::ElementsAre("c_sgan", "c_strive", "strive_optimised"));
-  EXPECT_TRUE(registry.at("c_sgan").is_seeded);
+/// Generator weights of a configuration with this text.
+class GeneratorWeights : public testing::Test {
+ protected:
+  GeneratorWeights() {
+    std::filesystem::create_directory(folder_.path() + "/study");
+    options_.folder = folder_.path();
+  }
+
+  void write(const std::string& text) {
+    folder_.write("study/generator_weights.yaml", text);
+    addGeneratorMethods(options_, registry_);
+  }
+
+  std::string refusal(const std::string& method) const {
+    try {
+      registry_.at(method).make({});
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  TemporaryFolder folder_;
+  ModelOptions options_;
+  MethodRegistry registry_;
+};
+
+TEST_F(GeneratorWeights, NeedNotBeThereToNameTheMethods) {
+  addGeneratorMethods(options_, registry_);
+  EXPECT_THAT(registry_.names(),
+              testing::IsSupersetOf({"c_mid", "c_sgan", "c_strive", "strive_optimised"}));
+  EXPECT_TRUE(registry_.at("c_sgan").is_seeded);
 }
 
-TEST(AddGeneratorMethods, OneWithoutAFileIsRefusedByName) {
-  MethodRegistry registry;
-  addGeneratorMethods({"", "", "", {}, {{"c_sgan", {}}}, {}}, registry);
-  try {
-    registry.at("c_sgan").make({});
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("c_sgan in models.yaml names no file"));
-  }
+TEST_F(GeneratorWeights, OneWithoutAFileIsRefusedByName) {
+  write("c_sgan: []\n");
+  EXPECT_THAT(refusal("c_sgan"),
+              testing::HasSubstr("c_sgan in study/generator_weights.yaml names"));
+}
+
+TEST_F(GeneratorWeights, ForNonCommercialUseAreRefusedByTheKeyThatSwitchesThemOff) {
+  options_.non_commercial_weights = false;
+  folder_.write("study/non_commercial.txt", "mine.pt\n");
+  write("c_sgan: [mine.pt]\n");
+  EXPECT_EQ(refusal("c_sgan"),
+            "c_sgan needs weights that models.non_commercial_weights in models.yaml: false "
+            "switches off");
+}
+
+TEST(GeneratorOf, IsTheModelThatAMethodNeeds) {
+  EXPECT_EQ(generatorOf("strive_optimised"), "c_strive");
+  EXPECT_EQ(generatorOf("search"), "");
 }
 
 }  // namespace

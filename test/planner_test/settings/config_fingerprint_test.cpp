@@ -15,8 +15,6 @@ TEST(FingerprintsOf, NameEveryYamlFileThatResultsDependOn) {
   folder.write("a.yaml", "foobar");
   folder.write("attacked_bag.yaml", "a");
   folder.write("drawing.yaml", "a");
-  folder.write("training.yaml", "a");
-  folder.write("planner_training.yaml", "a");
   folder.write("report.yaml", "a");
   folder.write("topics_mine.yaml", "a");
   folder.write("tuning.yaml", "a");
@@ -63,6 +61,17 @@ TEST(FingerprintsOf, ChangeWithTheFile) {
   const auto before = fingerprintsOf({}, folder.path());
   folder.write("a.yaml", "x: 2\n");
   EXPECT_NE(fingerprintsOf({}, folder.path()), before);
+}
+
+TEST(FingerprintsOf, ChangeWithAnOverlayAndNotWithComments) {
+  const TemporaryFolder folder;
+  const TemporaryFolder overlay;
+  folder.write("a.yaml", "a: {x: 1, y: [2, 3]}\n");
+  const auto before = fingerprintsOf({}, folder.path());
+  overlay.write("a.yaml", "a: {x: 2}\n");
+  EXPECT_NE(fingerprintsOf({}, {folder.path(), overlay.path()}), before);
+  overlay.write("a.yaml", "# the same\na:\n  y: [2, 3]\n  x: 1\n");
+  EXPECT_EQ(fingerprintsOf({}, {folder.path(), overlay.path()}), before);
 }
 
 TEST(FingerprintOfAll, ChangesWithNameAndContentOfAFile) {

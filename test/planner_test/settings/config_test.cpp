@@ -1,5 +1,6 @@
 #include "collision_forge/planner_test/settings/config.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <sstream>
 
 #include "collision_forge/study/settings/study_config.h"
+#include "io/logs/nuscenes_fixture.h"
 
 namespace forge {
 namespace {
@@ -28,10 +30,7 @@ class SpoiltConfig : public testing::Test {
 
   void restore() const {
     fs::remove_all(directory_);
-    fs::create_directories(directory_);
-    for (const auto& entry : fs::directory_iterator(kShipped)) {
-      fs::copy(entry.path(), directory_ / entry.path().filename());
-    }
+    fs::copy(kShipped, directory_, fs::copy_options::recursive);
   }
 
   void write(const std::string& file, const std::string& text) const {
@@ -91,9 +90,9 @@ class SpoiltConfig : public testing::Test {
 TEST_F(SpoiltConfig, UnspoiltCopyLoads) { EXPECT_EQ(complaint(), ""); }
 
 TEST_F(SpoiltConfig, TheProductNeedsNoFileOfTheStudy) {
-  for (const char* file :
-       {"dataset.yaml", "evaluation.yaml", "generators.yaml", "network_published.yaml",
-        "planner_training.yaml", "speed_model_fit.yaml", "training.yaml"}) {
+  for (const char* file : {"study/dataset.yaml", "study/evaluation.yaml", "study/generators.yaml",
+                           "study/network_published.yaml", "study/planner_training.yaml",
+                           "study/speed_model_fit.yaml", "study/training.yaml"}) {
     ASSERT_TRUE(fs::remove(directory_ / file)) << file;
   }
   EXPECT_NO_THROW(loadConfig(directory_.string()));
@@ -188,11 +187,11 @@ TEST_F(SpoiltConfig, TypeRulesAreReadByName) {
 }
 
 TEST_F(SpoiltConfig, ColorsAreThreeSharesOfOne) {
-  const std::string shipped = "lane_color: [0.68, 0.71, 0.74]";
+  const std::string shipped = "ego_color: [0.12, 0.40, 0.80]";
   for (const char* color : {"[0.68, 0.71]", "[0.68, 0.71, 0.74, 1.0]", "blue", "[0.68, 0.71, 255]",
                             "[-0.1, 0.71, 0.74]", "[.nan, 0.71, 0.74]", "[red, 0.71, 0.74]"}) {
-    expectComplaint("drawing.yaml", shipped, std::string("lane_color: ") + color,
-                    {"drawing.lane_color"});
+    expectComplaint("drawing.yaml", shipped, std::string("ego_color: ") + color,
+                    {"drawing.ego_color"});
   }
   expectComplaint("drawing.yaml", "png_width: 900", "png_width: 10",
                   {"drawing.png_width", "= 10", "within 64"});
@@ -215,7 +214,7 @@ TEST_F(SpoiltConfig, PlannersAreCalledBetweenStepsOfARollout) {
 /// Every number of these files has a sign; -1 is outside all of their domains.
 TEST_F(SpoiltConfig, NegativeValuesAreRefusedWhereverTheyMakeNoSense) {
   for (const char* file : {"vehicle_limits.yaml", "prediction.yaml", "search.yaml", "encoding.yaml",
-                           "methods.yaml", "crash_definition.yaml", "planners.yaml"}) {
+                           "crash_definition.yaml", "planners.yaml"}) {
     restore();
     std::stringstream content;
     content << std::ifstream(directory_ / file).rdbuf();

@@ -62,7 +62,7 @@ TEST(PlannerGrid, BadFilesAreRefusedByKey) {
   const auto complaint = [](const std::string& text) { return complaintOf([&] { gridOf(text); }); };
   EXPECT_PRED2(hasAll, complaint("idm:\n  a.b: [1.0]\n"),
                (std::vector<std::string>{"grid.yaml", "pdm is missing"}));
-  EXPECT_PRED2(hasAll, complaint("pdm: {}\n"), (std::vector<std::string>{"pdm has no keys"}));
+  EXPECT_PRED2(hasAll, complaint("pdm: {}\n"), (std::vector<std::string>{"pdm: has no keys"}));
   EXPECT_PRED2(hasAll, complaint("pdm:\n  a.b: []\n"),
                (std::vector<std::string>{"pdm.a.b", "is not a list of numbers"}));
   EXPECT_PRED2(hasAll, complaint("pdm:\n  a.b: [1.0, fast]\n"),

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/config/config_folder.h"
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/study/generators/traffic_generator.h"
 #include "io/logs/nuscenes_fixture.h"
@@ -18,7 +18,8 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 std::string configText() {
-  return textOfSections(COLLISION_FORGE_SOURCE_DIR "/config/generators.yaml", sectionsOf("c_sgan"));
+  return ConfigFolder(COLLISION_FORGE_SOURCE_DIR "/config")
+      .textOfSections(configFileOf("c_sgan"), sectionsOf("c_sgan"));
 }
 
 std::shared_ptr<TrafficGenerator> made(const GeneratorOptions& options, std::uint64_t seed) {

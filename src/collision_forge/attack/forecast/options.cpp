@@ -24,16 +24,6 @@ void readOptions(Section& section, PredictionOptions& options) {
   options.network_pattern_tolerance = section.nonNegative("network_pattern_tolerance");
 }
 
-static void readOptions(Section& section, FeatureWeights& weights) {
-  const char* const features[kSpeedFeatures] = {
-      "speed",     "acceleration", "acceleration_before", "acceleration_long_before",
-      "turn_rate", "bend_braking", "bend_turn",           "bend_curvature",
-      "headway",   "closing"};
-  for (std::size_t i = 0; i < kSpeedFeatures; ++i) {
-    weights[i] = section.nonNegative(features[i]);
-  }
-}
-
 void readOptions(Section& section, SpeedModelFitOptions& options) {
   options.intervals = section.count("intervals", 1);
   options.centers = section.count("centers", 1);
@@ -47,7 +37,6 @@ void readOptions(Section& section, SpeedModelFitOptions& options) {
   options.standing_speed = section.nonNegative("standing_speed");
   options.standing_profiles = section.count("standing_profiles", 1);
   options.standing_ridge = section.positive("standing_ridge");
-  section.read("feature_weights", options.feature_weights);
 }
 
 static void readOptions(Section& section, EgoPathOptions& options) {

@@ -29,10 +29,15 @@ struct PredictionOptions {
   double network_pattern_tolerance = 0.0;
 };
 
+/// The features of a driving situation (featuresOf()), in this order, with the unit of their
+/// weights: speed over the last 0.5 s (s/m); acceleration over the last 1 s, 0.5 s earlier, and
+/// over the 1 s before that (s2/m); turn rate (s/rad); braking for the bend ahead (s2/m), its turn
+/// (1/rad) and its curvature (0.1 m); wished over actual gap to the vehicle ahead; closing in on it
+/// (s).
 inline constexpr int kSpeedFeatures = 10;
 using FeatureWeights = std::array<double, kSpeedFeatures>;
 
-/// config/speed_model_fit.yaml
+/// config/study/speed_model_fit.yaml
 struct SpeedModelFitOptions {
   int intervals = 0;
   int centers = 0;
@@ -46,7 +51,8 @@ struct SpeedModelFitOptions {
   double standing_speed = 0.0;
   int standing_profiles = 0;
   double standing_ridge = 0.0;
-  FeatureWeights feature_weights = {};  ///< in the order of the keys of feature_weights
+  /// Of a difference between two situations; 1 halves how near they are at sqrt(3).
+  FeatureWeights feature_weights = {0.25, 1.0, 0.75, 0.25, 2.5, 0.35, 1.14, 1.3, 0.25, 4.0};
 };
 
 /// config/ego_futures.yaml, section paths

@@ -31,7 +31,8 @@ const char* toString(EgoHead head);
 /// Throws std::invalid_argument for an unknown name.
 EgoHead egoHeadFromString(const std::string& name);
 
-/// config/training.yaml, section features, where each number's unit stands. Kept in the weights.
+/// config/study/training.yaml, section features, where each number's unit stands. Kept in the
+/// weights.
 struct PatternFeatureOptions {
   EgoHead head = EgoHead::kRegionProposal;
   int history_frames = 0;  ///< of PredictionOptions, when a network is trained
@@ -48,7 +49,7 @@ struct PatternFeatureOptions {
   double target_spacing = 0.0;
 };
 
-/// config/training.yaml, section network. Kept in the weights.
+/// config/study/training.yaml, section network. Kept in the weights.
 struct PatternNetworkOptions {
   int hidden = 0;
   int scene = 0;

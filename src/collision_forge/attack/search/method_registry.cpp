@@ -91,7 +91,9 @@ std::string withoutNetworks(const std::string& method) {
 
 const MethodForesight& networksOf(const MethodSetup& setup) {
   if (!setup.networks) {
-    throw std::invalid_argument("pattern_network in models.yaml names no file");
+    throw std::invalid_argument(
+        "pattern_network in models.yaml names no file, or "
+        "models.non_commercial_weights there is false");
   }
   return *setup.networks;
 }

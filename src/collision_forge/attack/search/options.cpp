@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/config/config_folder.h"
 
 namespace forge {
 
@@ -70,14 +70,6 @@ static void readOptions(Section& section, SearchOptions& options) {
   options.exact_distance = section.positive("exact_distance");
   options.exact_heading = section.positive("exact_heading");
   options.confidence_curve = section.risingShares("confidence_curve");
-}
-
-void readOptions(Section& section, NominalOptions& options) {
-  options.end_distance = section.positive("end_distance");
-  options.side_distance = section.positive("side_distance");
-  options.lane_change_ahead = section.nonNegative("lane_change_ahead");
-  options.lane_change_side = section.nonNegative("lane_change_side");
-  options.lane_change_heading = section.angle("lane_change_heading");
 }
 
 void readOptions(Section& section, RequestListOptions& options) {
@@ -197,10 +189,9 @@ static void readOptions(Section& file, AttackOptions& options) {
   file.read("steering", options.steering);
 }
 
-void readAttackOptions(const std::string& directory, AttackOptions& options) {
+void readAttackOptions(const ConfigFolder& directory, AttackOptions& options) {
   readConfigFile(directory, "prediction", options.prediction);
   readConfigFile(openConfigFile(directory, "search.yaml"), options);
-  readConfigFile(directory, "verification", options.verification);
   readConfigFile(directory, "believability", options.verification.believability);
   Section limits = openConfigFile(directory, "vehicle_limits.yaml");
   Section inner = limits.section("vehicle_limits");

@@ -11,6 +11,7 @@
 
 namespace forge {
 
+class ConfigFolder;
 class Section;
 
 /// config/search.yaml, section bicycle_family
@@ -166,13 +167,13 @@ struct SearchOptions {
   std::vector<double> confidence_curve;  ///< at shares evenly spread over [0, 1]
 };
 
-/// config/methods.yaml, section nominal
+/// Where the attackers of COLLIDE end, as seen from the ego: recovered from the files of the set.
 struct NominalOptions {
-  double end_distance = 0.0;
-  double side_distance = 0.0;
-  double lane_change_ahead = 0.0;
-  double lane_change_side = 0.0;
-  double lane_change_heading = 0.0;
+  double end_distance = 4.0;   ///< m between the middles, in front (opposite direction) or behind
+  double side_distance = 3.0;  ///< m to the left or right (junction crossing, ltap)
+  double lane_change_ahead = 2.0;       ///< m ahead, plus the sine of the heading
+  double lane_change_side = 1.0;        ///< m to the left or right, plus the cosine of the heading
+  double lane_change_heading = 0.3491;  ///< rad (20 degrees) to the ego; the files have 10 to 30
 };
 
 /// Everything that the road from a snapshot to an attacker trajectory is tuned by.
@@ -204,10 +205,9 @@ struct RequestListOptions {
 };
 
 void readOptions(Section& section, RequestListOptions& options);
-void readOptions(Section& section, NominalOptions& options);
 
-/// Reads prediction.yaml, search.yaml, verification.yaml, vehicle_limits.yaml and ego_futures.yaml
-/// of a folder.
-void readAttackOptions(const std::string& directory, AttackOptions& options);
+/// Reads prediction.yaml, search.yaml, believability.yaml, vehicle_limits.yaml and
+/// ego_futures.yaml.
+void readAttackOptions(const ConfigFolder& directory, AttackOptions& options);
 
 }  // namespace forge

@@ -86,8 +86,13 @@ DriveState driveStateOf(const Motion& motion, const DriveLimits& limits, double 
 void readOptions(Section& section, DriveLimitOptions& options) {
   Section drivable = section.section("drivable");
   for (const VehicleClass vehicle_class : kVehicleClasses) {
+    DriveLimits& limits = options.rows[static_cast<std::size_t>(vehicle_class)];
+    if (vehicle_class == VehicleClass::kEmergency) {  // ambulances are vans
+      limits = options.rows[static_cast<std::size_t>(VehicleClass::kVan)];
+      continue;
+    }
     Section row = drivable.section(toString(vehicle_class));
-    readRow(row, options.rows[static_cast<std::size_t>(vehicle_class)]);
+    readRow(row, limits);
     row.finish();
   }
   drivable.finish();

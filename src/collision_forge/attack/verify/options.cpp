@@ -33,9 +33,4 @@ void readOptions(Section& section, BelievabilityOptions& options) {
   options.max_off_road = section.share("max_off_road");
 }
 
-void readOptions(Section& section, VerificationOptions& options) {
-  options.overlap_tolerance = section.positive("overlap_tolerance");
-  options.off_road_interval = section.positive("off_road_interval");
-}
-
 }  // namespace forge

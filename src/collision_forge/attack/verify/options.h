@@ -33,22 +33,20 @@ struct BelievabilityOptions {
   double max_off_road = 0.0;
 };
 
-/// config/verification.yaml
+/// How a trajectory is verified.
 struct VerificationOptions {
   VehicleLimits limits;        ///< of attackers by LimitSet::kStrict
   DriveLimitOptions drivable;  ///< of attackers by LimitSet::kDrivable
   BelievabilityOptions believability;
-  int motion_frames = 0;          ///< of PredictionOptions
-  double standstill_speed = 0.0;  ///< of PredictionOptions
-  double overlap_tolerance = 0.0;
-  double off_road_interval = 0.0;
+  int motion_frames = 0;             ///< of PredictionOptions
+  double standstill_speed = 0.0;     ///< of PredictionOptions
+  double overlap_tolerance = 0.001;  ///< m; contacts shallower than this may be missed
+  double off_road_interval = 0.5;  ///< s between the poses of which the off-road share is the mean
 };
 
 void readOptions(Section& section, VehicleLimits& limits);
 /// config/vehicle_limits.yaml
 void readVehicleLimits(Section& section, VerificationOptions& options);
-/// Without the limits, which have a file of their own.
-void readOptions(Section& section, VerificationOptions& options);
 void readOptions(Section& section, BelievabilityOptions& options);
 
 }  // namespace forge

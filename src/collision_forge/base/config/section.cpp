@@ -1,12 +1,14 @@
 #include "collision_forge/base/config/section.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
 #include <utility>
+
+#include "collision_forge/base/config/config_folder.h"
+#include "collision_forge/base/config/nearest_names.h"
+#include "collision_forge/base/config/section_layer.h"
 
 namespace forge {
 namespace {
@@ -21,34 +23,44 @@ std::string rangeText(double min, double max) {
   return text.str();
 }
 
-}  // namespace
-
-Section::Section(std::string file, std::string name, const YAML::Node& node)
-    : file_(std::move(file)),
-      name_(std::move(name)),
-      node_(std::make_shared<const YAML::Node>(node)) {
-  if (!node.IsMap()) fail(name_.empty() ? "the file" : name_, node, "is not a mapping");
-  for (const auto& entry : node) {
-    if (!entry.first.IsScalar()) fail(pathOf(textOf(entry.first)), entry.second, "has no name");
-    const std::string key = entry.first.Scalar();
-    if (!unread_.insert(key).second) fail(pathOf(key), entry.second, "is given twice");
-  }
+std::string relativeTo(const SectionLayer& value, const std::string& path) {
+  return std::filesystem::path(value.file).parent_path() / path;
 }
 
-Section Section::section(const std::string& key) { return {file_, pathOf(key), take(key)}; }
+}  // namespace
+
+Section::Section(std::string name, std::vector<SectionLayer> layers) : name_(std::move(name)) {
+  for (const SectionLayer& layer : layers) {
+    if (!layer.node.IsMap()) fail(name_.empty() ? "the file" : name_, layer, "is not a mapping");
+    std::set<std::string> keys;
+    for (const auto& entry : layer.node) {
+      const SectionLayer value{layer.file, entry.second};
+      if (!entry.first.IsScalar()) fail(pathOf(textOf(entry.first)), value, "has no name");
+      const std::string key = entry.first.Scalar();
+      if (!keys.insert(key).second) fail(pathOf(key), value, "is given twice");
+    }
+    unread_.insert(keys.begin(), keys.end());
+  }
+  layers_ = std::make_shared<const std::vector<SectionLayer>>(std::move(layers));
+}
+
+Section Section::section(const std::string& key) {
+  mark(key);
+  return {pathOf(key), layersOf(key)};
+}
 
 double Section::positive(const std::string& key) {
-  const YAML::Node node = take(key);
-  const double value = toNumber(key, node);
-  if (!(value > 0.0)) fail(pathOf(key), node, "is not positive");
-  return value;
+  const SectionLayer value = take(key);
+  const double number = toNumber(key, value);
+  if (!(number > 0.0)) fail(pathOf(key), value, "is not positive");
+  return number;
 }
 
 double Section::within(const std::string& key, double min, double max) {
-  const YAML::Node node = take(key);
-  const double value = toNumber(key, node);
-  if (!(value >= min && value <= max)) fail(pathOf(key), node, rangeText(min, max));
-  return value;
+  const SectionLayer value = take(key);
+  const double number = toNumber(key, value);
+  if (!(number >= min && number <= max)) fail(pathOf(key), value, rangeText(min, max));
+  return number;
 }
 
 double Section::atLeast(const std::string& key, double min) {
@@ -56,159 +68,165 @@ double Section::atLeast(const std::string& key, double min) {
 }
 
 int Section::count(const std::string& key, int min, int max) {
-  const YAML::Node node = take(key);
-  int value = 0;
-  if (!YAML::convert<int>::decode(node, value)) fail(pathOf(key), node, "is not an integer");
-  if (value < min || value > max) fail(pathOf(key), node, rangeText(min, max));
-  return value;
+  const SectionLayer value = take(key);
+  int number = 0;
+  if (!YAML::convert<int>::decode(value.node, number)) {
+    fail(pathOf(key), value, "is not an integer");
+  }
+  if (number < min || number > max) fail(pathOf(key), value, rangeText(min, max));
+  return number;
 }
 
 std::vector<double> Section::positives(const std::string& key) {
-  const YAML::Node node = take(key);
-  if (!node.IsSequence() || node.size() == 0) fail(pathOf(key), node, "is not a list of numbers");
-  std::vector<double> values;
-  for (const YAML::Node& entry : node) {
-    values.push_back(toNumber(key, entry));
-    if (!(values.back() > 0.0)) fail(pathOf(key), entry, "is not positive");
+  const SectionLayer value = take(key);
+  std::vector<double> values = numbersIn(key, value);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!(values[i] > 0.0)) fail(pathOf(key), {value.file, value.node[i]}, "is not positive");
   }
   return values;
 }
 
 std::vector<double> Section::numbers(const std::string& key, double min, double max) {
-  const YAML::Node node = take(key);
-  if (!node.IsSequence() || node.size() == 0) fail(pathOf(key), node, "is not a list of numbers");
-  std::vector<double> values;
-  for (const YAML::Node& entry : node) {
-    values.push_back(toNumber(key, entry));
-    if (!(values.back() >= min && values.back() <= max)) {
-      fail(pathOf(key), entry, rangeText(min, max));
-    }
+  const SectionLayer value = take(key);
+  std::vector<double> values = numbersIn(key, value);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] >= min && values[i] <= max) continue;
+    fail(pathOf(key), {value.file, value.node[i]}, rangeText(min, max));
   }
   return values;
 }
 
 std::vector<double> Section::risingShares(const std::string& key) {
-  const YAML::Node node = take(key);
-  if (!node.IsSequence() || node.size() < 2) fail(pathOf(key), node, "is not a list of numbers");
-  std::vector<double> values;
-  for (const YAML::Node& entry : node) {
-    const double value = toNumber(key, entry);
-    if (!(value >= 0.0 && value <= 1.0)) fail(pathOf(key), entry, rangeText(0.0, 1.0));
-    if (!values.empty() && value < values.back()) {
-      fail(pathOf(key), entry, "is below the one before");
-    }
-    values.push_back(value);
+  const SectionLayer value = take(key);
+  std::vector<double> values = numbersIn(key, value, 2);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const SectionLayer entry{value.file, value.node[i]};
+    if (!(values[i] >= 0.0 && values[i] <= 1.0)) fail(pathOf(key), entry, rangeText(0.0, 1.0));
+    if (i > 0 && values[i] < values[i - 1]) fail(pathOf(key), entry, "is below the one before");
   }
   return values;
 }
 
 std::vector<double> Section::colorShares(const std::string& key) {
-  const YAML::Node node = take(key);
-  if (!node.IsSequence() || node.size() != 3) {
-    fail(pathOf(key), node, "is not [red, green, blue]");
+  const SectionLayer value = take(key);
+  if (!value.node.IsSequence() || value.node.size() != 3) {
+    fail(pathOf(key), value, "is not [red, green, blue]");
   }
-  std::vector<double> shares;
-  for (const YAML::Node& entry : node) {
-    shares.push_back(toNumber(key, entry));
-    if (!(shares.back() >= 0.0 && shares.back() <= 1.0)) {
-      fail(pathOf(key), node, rangeText(0.0, 1.0));
-    }
+  std::vector<double> shares = numbersIn(key, value);
+  for (const double share : shares) {
+    if (!(share >= 0.0 && share <= 1.0)) fail(pathOf(key), value, rangeText(0.0, 1.0));
   }
   return shares;
 }
 
 std::size_t Section::indexOf(const std::string& key, const std::vector<std::string>& names) {
-  const YAML::Node node = take(key);
-  const auto found = std::find(names.begin(), names.end(), textOf(node));
+  const SectionLayer value = take(key);
+  const auto found = std::find(names.begin(), names.end(), textOf(value.node));
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   std::string known;
   for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-  fail(pathOf(key), node, "is none of " + known);
+  fail(pathOf(key), value, "is none of " + known);
 }
 
 std::string Section::text(const std::string& key) {
-  const YAML::Node node = take(key);
-  if (!node.IsScalar()) fail(pathOf(key), node, "is not a text");
-  return node.Scalar();
+  const SectionLayer value = take(key);
+  if (!value.node.IsScalar()) fail(pathOf(key), value, "is not a text");
+  return value.node.Scalar();
 }
 
 std::string Section::path(const std::string& key) {
-  const std::string file = text(key);
-  return file.empty() ? file : seenFromFolder(file);
+  const SectionLayer value = take(key);
+  if (!value.node.IsScalar()) fail(pathOf(key), value, "is not a text");
+  return value.node.Scalar().empty() ? "" : relativeTo(value, value.node.Scalar());
 }
 
 std::vector<std::string> Section::paths(const std::string& key) {
-  const YAML::Node node = take(key);
-  if (!node.IsSequence()) fail(pathOf(key), node, "is not a list of paths");
+  const SectionLayer value = take(key);
+  if (!value.node.IsSequence()) fail(pathOf(key), value, "is not a list of paths");
   std::vector<std::string> files;
-  for (const YAML::Node& entry : node) {
-    if (!entry.IsScalar() || entry.Scalar().empty()) fail(pathOf(key), entry, "is not a path");
-    files.push_back(seenFromFolder(entry.Scalar()));
+  for (const YAML::Node& entry : value.node) {
+    if (!entry.IsScalar() || entry.Scalar().empty()) {
+      fail(pathOf(key), {value.file, entry}, "is not a path");
+    }
+    files.push_back(relativeTo(value, entry.Scalar()));
   }
   return files;
 }
 
 void Section::refuse(const std::string& key, const std::string& problem) const {
-  throw ConfigError(file_ + ": " + pathOf(key) + ": " + problem);
+  const std::vector<SectionLayer> values = layersOf(key.substr(0, key.find('.')));
+  const std::string& file = (values.empty() ? *layers_ : values).back().file;
+  throw ConfigError(file + ": " + pathOf(key) + ": " + problem);
 }
 
 void Section::finish() const {
   if (unread_.empty()) return;
   const std::string& key = *unread_.begin();
-  fail(pathOf(key), (*node_)[key], "is an unknown key");
-}
-
-std::string Section::seenFromFolder(const std::string& file) const {
-  return std::filesystem::path(file_).parent_path() / file;
+  fail(pathOf(key), layersOf(key).back(), "is an unknown key" + nearestNameHint(key, read_));
 }
 
 std::string Section::pathOf(const std::string& key) const {
   return name_.empty() ? key : name_ + "." + key;
 }
 
-void Section::fail(const std::string& path, const YAML::Node& node,
-                   const std::string& problem) const {
-  throw ConfigError(file_ + ": " + path + " = " + textOf(node) + " " + problem);
-}
-
-YAML::Node Section::take(const std::string& key) {
-  if (unread_.erase(key) == 0) throw ConfigError(file_ + ": " + pathOf(key) + " is missing");
-  return (*node_)[key];
-}
-
-double Section::toNumber(const std::string& key, const YAML::Node& node) const {
-  double value = 0.0;
-  if (!YAML::convert<double>::decode(node, value)) fail(pathOf(key), node, "is not a number");
-  if (!std::isfinite(value)) fail(pathOf(key), node, "is not finite");
-  return value;
-}
-
-Section openConfigFile(const std::string& directory, const std::string& name) {
-  const std::string path = directory + "/" + name;
-  try {
-    return {path, "", YAML::LoadFile(path)};
-  } catch (const YAML::Exception& error) {
-    throw ConfigError(path + ": " + error.what());
+std::vector<SectionLayer> Section::layersOf(const std::string& key) const {
+  std::vector<SectionLayer> found;
+  for (const SectionLayer& layer : *layers_) {
+    const YAML::Node& mapping = layer.node;
+    const YAML::Node value = mapping[key];
+    if (value) found.push_back({layer.file, value});
   }
+  return found;
+}
+
+void Section::fail(const std::string& path, const SectionLayer& value, const std::string& problem) {
+  throw ConfigError(value.file + ": " + path + " = " + textOf(value.node) + " " + problem);
+}
+
+void Section::mark(const std::string& key) {
+  read_.push_back(key);
+  if (unread_.erase(key) > 0) return;
+  throw ConfigError(layers_->front().file + ": " + pathOf(key) + " is missing");
+}
+
+SectionLayer Section::take(const std::string& key) {
+  mark(key);
+  SectionLayer taken;
+  for (SectionLayer& value : layersOf(key)) {
+    const bool is_repeated = !taken.file.empty() && textOf(value.node) == textOf(taken.node);
+    if (!is_repeated) taken = std::move(value);
+  }
+  return taken;
+}
+
+double Section::toNumber(const std::string& key, const SectionLayer& value) const {
+  double number = 0.0;
+  if (!YAML::convert<double>::decode(value.node, number)) {
+    fail(pathOf(key), value, "is not a number");
+  }
+  if (!std::isfinite(number)) fail(pathOf(key), value, "is not finite");
+  return number;
+}
+
+std::vector<double> Section::numbersIn(const std::string& key, const SectionLayer& value,
+                                       std::size_t least) const {
+  if (!value.node.IsSequence() || value.node.size() < least) {
+    fail(pathOf(key), value, "is not a list of numbers");
+  }
+  std::vector<double> numbers;
+  for (const YAML::Node& entry : value.node) {
+    numbers.push_back(toNumber(key, {value.file, entry}));
+  }
+  return numbers;
+}
+
+Section openConfigFile(const ConfigFolder& folder, const std::string& name) {
+  return folder.open(name);
 }
 
 Section openConfigText(const std::string& path, const std::string& text) {
   try {
-    return {path, "", YAML::Load(text)};
-  } catch (const YAML::Exception& error) {
-    throw ConfigError(path + ": " + error.what());
-  }
-}
-
-std::string textOfSections(const std::string& path, const std::vector<std::string>& keys) {
-  try {
-    const YAML::Node all = YAML::LoadFile(path);
-    YAML::Node chosen;
-    for (const std::string& key : keys) {
-      if (!all[key]) throw ConfigError(path + ": " + key + " is missing");
-      chosen[key] = all[key];
-    }
-    return YAML::Dump(chosen) + "\n";
+    return {"", {{path, YAML::Load(text)}}};
   } catch (const YAML::Exception& error) {
     throw ConfigError(path + ": " + error.what());
   }

@@ -9,20 +9,23 @@
 
 #include "collision_forge/base/config/config_error.h"
 
-namespace YAML {
-class Node;
-}
-
 namespace forge {
 
-/// One mapping of a configuration file. Every read checks the value; finish() finds the keys that
-/// nobody read. All throw ConfigError.
+class ConfigFolder;
+struct SectionLayer;
+
+/// One mapping of a configuration file, merged from several files if an overlay changes it
+/// (ConfigFolder). Every read checks the value; finish() finds the keys that nobody read. All throw
+/// ConfigError, which names the file that gives the value.
 ///
 /// The reader of a struct of options stands beside it, in the options.cpp of its room:
 /// `void readOptions(Section& section, Options& options)`.
 class Section {
  public:
-  Section(std::string file, std::string name, const YAML::Node& node);
+  /// `layers` must not be empty: the same mapping in each of the files that have it, values of
+  /// later ones before those of earlier ones. `name` is the mapping's path in the file, "" for all
+  /// of it.
+  Section(std::string name, std::vector<SectionLayer> layers);
 
   Section section(const std::string& key);
   /// The mapping under a key by its readOptions(), to which `more` is handed; then finish().
@@ -61,13 +64,21 @@ class Section {
     return choices[indexOf(key, names)].second;
   }
   std::string text(const std::string& key);
-  /// The path of a file that is given as seen from the configuration's folder; "" stays "".
+  /// The path of a file that is given relative to the folder of its file; "" stays "".
   std::string path(const std::string& key);
   /// None or more such paths.
   std::vector<std::string> paths(const std::string& key);
 
   /// Throws the error of a value that the section cannot check.
   [[noreturn]] void refuse(const std::string& key, const std::string& problem) const;
+
+  /// Marks keys that may be there as read.
+  void ignore(const std::set<std::string>& keys) {
+    for (const std::string& key : keys) unread_.erase(key);
+  }
+
+  /// True for a key that is there and was not read yet.
+  bool has(const std::string& key) const { return unread_.count(key) > 0; }
 
   /// Keys that were not read yet.
   const std::set<std::string>& unread() const { return unread_; }
@@ -76,29 +87,32 @@ class Section {
 
  private:
   std::string pathOf(const std::string& key) const;
-  std::string seenFromFolder(const std::string& file) const;
-  [[noreturn]] void fail(const std::string& path, const YAML::Node& node,
-                         const std::string& problem) const;
-  YAML::Node take(const std::string& key);
-  double toNumber(const std::string& key, const YAML::Node& node) const;
+  /// The layers that have the key, each with the value there.
+  std::vector<SectionLayer> layersOf(const std::string& key) const;
+  [[noreturn]] static void fail(const std::string& path, const SectionLayer& value,
+                                const std::string& problem);
+  /// Marks the key as read; throws if no layer has it.
+  void mark(const std::string& key);
+  /// The value of the last layer that does not repeat the one below it.
+  SectionLayer take(const std::string& key);
+  double toNumber(const std::string& key, const SectionLayer& value) const;
+  /// At least `least` numbers.
+  std::vector<double> numbersIn(const std::string& key, const SectionLayer& value,
+                                std::size_t least = 1) const;
   std::vector<double> colorShares(const std::string& key);
   std::size_t indexOf(const std::string& key, const std::vector<std::string>& names);
 
-  std::string file_;
   std::string name_;
-  std::shared_ptr<const YAML::Node> node_;
+  std::shared_ptr<const std::vector<SectionLayer>> layers_;
   std::set<std::string> unread_;
+  std::vector<std::string> read_;
 };
 
-/// The whole of one file of a folder of configuration.
-Section openConfigFile(const std::string& directory, const std::string& name);
+/// The whole of one file of the configuration.
+Section openConfigFile(const ConfigFolder& folder, const std::string& name);
 
 /// The same of a file's text; `path` is what errors name.
 Section openConfigText(const std::string& path, const std::string& text);
-
-/// The text of a file with these of its mappings alone. Throws ConfigError for one that cannot be
-/// read or lacks one of them.
-std::string textOfSections(const std::string& path, const std::vector<std::string>& keys);
 
 /// Reads a whole file by its readOptions().
 template <class Options, class... More>
@@ -107,11 +121,11 @@ void readConfigFile(Section file, Options& options, const More&... more) {
   file.finish();
 }
 
-/// Reads the only mapping of the file KEY.yaml by its readOptions().
+/// Reads the only mapping of the file KEY.yaml of the configuration by its readOptions().
 template <class Options, class... More>
-void readConfigFile(const std::string& directory, const std::string& key, Options& options,
+void readConfigFile(const ConfigFolder& folder, const std::string& key, Options& options,
                     const More&... more) {
-  Section file = openConfigFile(directory, key + ".yaml");
+  Section file = openConfigFile(folder, key + ".yaml");
   file.read(key, options, more...);
   file.finish();
 }

@@ -11,6 +11,9 @@ namespace forge {
 
 enum class DrivingSide { kRight, kLeft };
 
+/// m; of a lane without an outline: the usual width of a road of two lanes and more in towns.
+inline constexpr double kLaneWidth = 3.5;
+
 /// A lane, or a lane connector (the path through a junction). Global map frame.
 struct Lane {
   std::string id;

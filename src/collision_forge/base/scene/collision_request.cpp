@@ -1,7 +1,7 @@
 #include "collision_forge/base/scene/collision_request.h"
 
+#include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/base/geometry/enum_words.h"
-#include "collision_forge/base/scene/request_words.h"
 
 namespace forge {
 namespace {

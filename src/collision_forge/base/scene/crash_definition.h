@@ -13,8 +13,8 @@ struct TypeDefinition {
   double min_heading = 0.0;  ///< at first contact
   double max_heading = 0.0;
   double nominal_heading = 0.0;
-  double min_approach = 0.0;  ///< now
-  double max_approach = 0.0;
+  double min_approach = 0.0;     ///< now; from any side unless the configuration says otherwise
+  double max_approach = 3.1416;  ///< as the files round pi
 };
 using TypeDefinitions = std::map<CollisionType, TypeDefinition>;
 

@@ -9,22 +9,22 @@
 
 namespace forge {
 
-/// What input may hold: config/input_limits.yaml, where each number's unit stands. What is beyond
-/// is damaged, and would cost time and memory without bound.
+/// What input may hold: config/input_limits.yaml, where the unit of each of its keys stands. What
+/// is beyond is damaged, and would cost time and memory without bound.
 struct InputLimits {
   double max_coordinate = 0.0;
-  double min_box = 0.0;
-  double max_box = 0.0;
+  double min_box = 0.1;   ///< m; length and width of a box; the smallest of nuScenes are 0.2 m
+  double max_box = 50.0;  ///< m; twice the longest road train
   double max_speed = 0.0;
-  double max_time = 0.0;
-  double max_past = 0.0;
-  double max_trajectory = 0.0;
-  int max_points = 0;
-  double min_radius = 0.0;
+  double max_time = 4294967295.0;  ///< s on the clock of a recording; the last that ROS can say
+  double max_past = 3600.0;        ///< s from a state of a vehicle's past to now
+  double max_trajectory = 60.0;    ///< s from now to the last point of a trajectory
+  int max_points = 5000;           ///< of a trajectory, a past or a centreline
+  double min_radius = 0.1;         ///< m of a map's arcs; the tightest of data/embedded is 0.5 m
   int max_agents = 0;
   int max_lanes = 0;
   int max_map_points = 0;
-  int max_line = 0;
+  int max_line = 16000000;  ///< bytes; 16 attackers, each with a past of 5000 states, are 8 MB
 };
 
 /// Input beyond the limits. The message names where it is, the field, its value and the limit.

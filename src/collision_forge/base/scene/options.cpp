@@ -19,18 +19,10 @@ void readOptions(Section& section, LiveOptions& live) {
 
 void readOptions(Section& section, InputLimits& limits) {
   limits.max_coordinate = section.positive("max_coordinate");
-  limits.min_box = section.positive("min_box");
-  limits.max_box = section.atLeast("max_box", limits.min_box);
   limits.max_speed = section.positive("max_speed");
-  limits.max_time = section.positive("max_time");
-  limits.max_past = section.positive("max_past");
-  limits.max_trajectory = section.positive("max_trajectory");
-  limits.max_points = section.count("max_points", 2);
-  limits.min_radius = section.positive("min_radius");
   limits.max_agents = section.count("max_agents", 1);
   limits.max_lanes = section.count("max_lanes", 1);
   limits.max_map_points = section.count("max_map_points", 1);
-  limits.max_line = section.count("max_line", 1);
 }
 
 static void readOptions(Section& section, TypeDefinition& definition) {
@@ -38,6 +30,7 @@ static void readOptions(Section& section, TypeDefinition& definition) {
   definition.max_heading = section.angle("max_heading", definition.min_heading);
   definition.nominal_heading =
       section.within("nominal_heading", definition.min_heading, definition.max_heading);
+  if (!section.has("min_approach")) return;
   definition.min_approach = section.angle("min_approach");
   definition.max_approach = section.angle("max_approach", definition.min_approach);
 }

@@ -1,8 +1,5 @@
 #include "collision_forge/base/scene/request_words.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include "collision_forge/base/geometry/enum_words.h"
 
 namespace forge {
@@ -15,12 +12,6 @@ constexpr EnumWord<LimitSet> kLimitWords[] = {
 };
 
 }  // namespace
-
-std::string lowered(std::string word) {
-  std::transform(word.begin(), word.end(), word.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return word;
-}
 
 std::string collisionTypeWords() {
   return "lane_change (LC), opposite_direction (OD, HO, head_on), rear_end (RE), "

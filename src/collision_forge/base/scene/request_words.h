@@ -9,9 +9,6 @@
 /// type's own header has none.
 namespace forge {
 
-/// Words mean the same in capitals on the command line and in messages, which read them so.
-std::string lowered(std::string word);
-
 /// The names that collisionTypeFromString() takes, as "lane_change (LC), opposite_direction (OD,
 /// HO, head_on), ...".
 std::string collisionTypeWords();

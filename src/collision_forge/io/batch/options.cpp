@@ -1,6 +1,6 @@
 #include "collision_forge/io/batch/options.h"
 
-#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/config/config_folder.h"
 
 namespace forge {
 
@@ -9,9 +9,9 @@ void readOptions(Section& section, RankOptions& options) {
   options.max_meeting = section.atLeast("max_meeting", 1.0);
 }
 
-RankOptions loadRankOptions(const std::string& directory) {
+RankOptions loadRankOptions(const ConfigFolder& folder) {
   RankOptions options;
-  readConfigFile(directory, "ranks", options);
+  readConfigFile(folder, "ranks", options);
   return options;
 }
 

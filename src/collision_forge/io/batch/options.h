@@ -1,9 +1,8 @@
 #pragma once
 
-#include <string>
-
 namespace forge {
 
+class ConfigFolder;
 class Section;
 
 /// config/ranks.yaml, where each number's unit and source stand.
@@ -14,7 +13,7 @@ struct RankOptions {
 
 void readOptions(Section& section, RankOptions& options);
 
-/// Reads ranks.yaml of the folder. Throws ConfigError.
-RankOptions loadRankOptions(const std::string& directory);
+/// Reads ranks.yaml of the configuration. Throws ConfigError.
+RankOptions loadRankOptions(const ConfigFolder& folder);
 
 }  // namespace forge

@@ -11,43 +11,43 @@ struct Color {
   double blue = 0.0;
 };
 
-/// config/drawing.yaml, where each number's unit stands.
+/// config/drawing.yaml, where the unit of each of its keys stands, and the look of pictures.
 struct DrawingOptions {
   int png_width = 0;
   int png_height = 0;
-  double png_font_size = 0.0;
+  double png_font_size = 14.0;  ///< pixels; lines and marks scale with it
 
   int gif_width = 0;
   int gif_height = 0;
-  double gif_font_size = 0.0;
+  double gif_font_size = 10.5;  ///< pixels
   double gif_frames_per_second = 0.0;
-  double gif_contact_hold = 0.0;
+  double gif_contact_hold = 1.0;  ///< s that the frame at contact is shown longer
 
   double seconds_before_now = 0.0;
-  double view_margin = 0.0;
-  double min_extent = 0.0;
-  double close_up_extent = 0.0;
-  double scale_bar = 0.0;
-  double ghost_interval = 0.0;
-  double ghost_opacity = 0.0;
+  double view_margin = 8.0;       ///< m kept free around both paths
+  double min_extent = 45.0;       ///< m seen at least along the shorter side of the highest map
+  double close_up_extent = 16.0;  ///< m seen in the close-up of the contact
+  double scale_bar = 10.0;        ///< m
+  double ghost_interval = 1.0;    ///< s between the faded boxes from now to contact
+  double ghost_opacity = 0.22;    ///< 0 invisible, 1 solid; the boxes at now are twice as strong
 
-  Color background_color;
-  Color text_color;
-  Color muted_text_color;
-  Color drivable_color;
-  Color walkway_color;
-  Color lane_color;
-  Color connector_color;
-  Color agent_color;
+  Color background_color{1.0, 1.0, 1.0};
+  Color text_color{0.13, 0.15, 0.18};
+  Color muted_text_color{0.42, 0.45, 0.50};
+  Color drivable_color{0.90, 0.91, 0.92};
+  Color walkway_color{0.95, 0.92, 0.87};
+  Color lane_color{0.68, 0.71, 0.74};       ///< centrelines and their arrow heads
+  Color connector_color{0.81, 0.83, 0.85};  ///< paths through junctions
+  Color agent_color{0.56, 0.63, 0.70};
   Color ego_color;
   Color attacker_color;
-  Color recorded_attacker_color;
-  Color pattern_ego_color;
-  Color pattern_attacker_color;
-  Color contact_color;
-  Color passed_color;
-  Color partial_color;
-  Color failed_color;
+  Color recorded_attacker_color{0.90, 0.45, 0.45};  ///< the attacker's drive in the recording
+  Color pattern_ego_color{0.52, 0.20, 0.68};        ///< outline of the ego's box in the pattern
+  Color pattern_attacker_color{0.98, 0.58, 0.10};   ///< outline of the attacker's box there
+  Color contact_color{1.0, 0.87, 0.12};
+  Color passed_color{0.10, 0.52, 0.25};   ///< as wanted: a condition holds, a planner not hit
+  Color partial_color{0.80, 0.47, 0.05};  ///< a contact, but not the wanted one
+  Color failed_color{0.78, 0.12, 0.12};   ///< not as wanted: no crash, a planner hit
 };
 
 void readOptions(Section& section, DrawingOptions& options);

@@ -5,25 +5,6 @@
 namespace forge {
 namespace {
 
-constexpr AgentClass kClasses[] = {AgentClass::kCar,
-                                   AgentClass::kTruck,
-                                   AgentClass::kBus,
-                                   AgentClass::kTrailer,
-                                   AgentClass::kConstructionVehicle,
-                                   AgentClass::kEmergencyVehicle,
-                                   AgentClass::kMotorcycle,
-                                   AgentClass::kBicycle,
-                                   AgentClass::kPedestrian,
-                                   AgentClass::kAnimal,
-                                   AgentClass::kStaticObject};
-
-void readHeights(Section section, ExportOptions& options) {
-  for (const AgentClass agent_class : kClasses) {
-    options.heights[agent_class] = section.positive(toString(agent_class));
-  }
-  section.finish();
-}
-
 void readOrigins(Section section, ExportOptions& options) {
   const std::set<std::string> locations = section.unread();
   for (const std::string& location : locations) {
@@ -35,20 +16,13 @@ void readOrigins(Section section, ExportOptions& options) {
   }
 }
 
-void readNumbers(Section section, ExportOptions& options) {
-  options.step = section.positive("step");
-  options.history = section.nonNegative("history");
-  options.tail = section.nonNegative("tail");
-  options.radius = section.positive("radius");
-  options.lane_width = section.positive("lane_width");
-  section.finish();
-}
-
 }  // namespace
 
 void readOptions(Section& section, ExportOptions& options) {
-  readNumbers(section.section("export"), options);
-  readHeights(section.section("heights"), options);
+  Section numbers = section.section("export");
+  options.history = numbers.nonNegative("history");
+  options.radius = numbers.positive("radius");
+  numbers.finish();
   readOrigins(section.section("origins"), options);
 }
 

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/base/files/plain_name.h"
-#include "collision_forge/base/scene/nearest_names.h"
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/io/logs/nuscenes_json.h"
 

@@ -1,5 +1,8 @@
 #include "collision_forge/io/logs/options.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include "collision_forge/base/config/section.h"
@@ -9,7 +12,6 @@ namespace forge {
 void readOptions(Section& section, ConversionOptions& options) {
   options.map_radius = section.positive("map_radius");
   options.centerline_resolution = section.positive("centerline_resolution");
-  options.lane_width = section.positive("lane_width");
 }
 
 void readOptions(Section& section, AttackedBagOptions& options) {
@@ -34,15 +36,35 @@ static void readOptions(Section& section, std::map<std::string, std::vector<std:
 }
 
 void readOptions(Section& section, ModelOptions& options) {
+  options.non_commercial_weights =
+      section.choice<bool>("non_commercial_weights", {{"true", true}, {"false", false}});
   options.pattern_network = section.path("pattern_network");
   options.speed_model = section.path("speed_model");
-  section.read("generator_weights", options.generator_weights);
 }
 
-void readOptions(Section& section, CollideOptions& options) {
-  options.box = {section.positive("box_length"), section.positive("box_width")};
-  options.tail = section.positive("tail");
-  options.held_out_share = section.share("held_out_share");
+bool isNonCommercial(const std::string& file) {
+  const std::filesystem::path path(file);
+  std::ifstream list(path.parent_path() / "non_commercial.txt");
+  for (std::string name; std::getline(list, name);) {
+    if (name == path.filename()) return true;
+  }
+  return false;
+}
+
+std::string allowedWeights(const ModelOptions& options, const std::string& file) {
+  return options.non_commercial_weights || !isNonCommercial(file) ? file : "";
+}
+
+std::map<std::string, std::vector<std::string>> generatorWeights(const ModelOptions& options) {
+  std::map<std::string, std::vector<std::string>> weights;
+  readConfigFile(openConfigFile(options.folder, "study/generator_weights.yaml"), weights);
+  for (auto& [model, files] : weights) {
+    const bool is_allowed = std::all_of(files.begin(), files.end(), [&](const std::string& file) {
+      return allowedWeights(options, file) == file;
+    });
+    if (!is_allowed) files.clear();
+  }
+  return weights;
 }
 
 DrivingSide drivingSide(const DataOptions& options, const std::string& location) {

@@ -95,8 +95,6 @@ std::vector<std::vector<Vector2>> holesOf(const PickleField& polygon) {
 /// Lanes, walkways and ground of map_features.
 class MapReader {
  public:
-  explicit MapReader(double lane_width) : lane_width_(lane_width) {}
-
   LaneMap read(const PickleField& features) {
     for (const auto& [id, feature] : features.entries()) {
       const std::string type = feature.at("type").text();
@@ -116,7 +114,7 @@ class MapReader {
     lane.is_intersection = inside && inside->flag();
     lane.centerline = centerline(feature.at("polyline").points());
     if (const auto outline = feature.find("polygon")) lane.polygon = outline->points();
-    if (lane.polygon.size() < 3) lane.polygon = stripAlong(lane.centerline, lane_width_);
+    if (lane.polygon.size() < 3) lane.polygon = stripAlong(lane.centerline, kLaneWidth);
     if (const auto limit = feature.find("speed_limit_kmh")) {
       if (limit->number() > 0.0) lane.speed_limit = limit->number() / kKilometresAnHour;
     }
@@ -174,7 +172,6 @@ class MapReader {
     }
   }
 
-  double lane_width_;
   LaneMap map_;
 };
 
@@ -303,7 +300,7 @@ class DescriptionReader {
   }
 
   LaneMap readMap(const std::string& location) {
-    LaneMap map = MapReader(options_.conversion.lane_width).read(root_.at("map_features"));
+    LaneMap map = MapReader().read(root_.at("map_features"));
     map.location = location;
     map.driving_side = sideOf(own_, location, options_);
     if (const auto areas = own_ ? own_->find("drivable_area") : std::nullopt) {

@@ -22,7 +22,7 @@ const LogFormat& scenarioNetFormat();
 /// bag has no time 0. The ego is `metadata.sdc_id`; its box is that of the configuration, and
 /// `warnings` get a line where the file has another. Frames are the steps of the file, or, of a
 /// file of this suite, those that were recorded. What has no class of this suite gets one by type
-/// and length. A lane without an outline is a strip as wide as `conversion.lane_width`. Drivable
+/// and length. A lane without an outline is a strip as wide as kLaneWidth. Drivable
 /// are the lanes' outlines; a file of this suite says it better.
 ///
 /// Throws PickleError, and std::runtime_error naming file and field for a description that lacks

@@ -22,21 +22,28 @@ Load loader() {
 /// A model that is loaded once, by whoever needs it first.
 class LazyModel {
  public:
-  LazyModel(std::string name, std::vector<std::string> paths)
-      : name_(std::move(name)), paths_(std::move(paths)) {}
+  LazyModel(std::string name, ModelOptions options)
+      : name_(std::move(name)), options_(std::move(options)) {}
 
   const TrafficMethods& get() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (paths_.empty()) {
-      throw std::invalid_argument("generator_weights: " + name_ + " in models.yaml names no file");
-    }
-    if (!loaded_) loader()(name_, paths_, loaded_);
+    if (!loaded_) load();
     return *loaded_;
   }
 
  private:
+  void load() {
+    const std::vector<std::string> paths = generatorWeights(options_)[name_];
+    if (!paths.empty()) return loader()(name_, paths, loaded_);
+    throw std::invalid_argument(
+        name_ +
+        (options_.non_commercial_weights
+             ? std::string(" in study/generator_weights.yaml names no file")
+             : " needs weights that " + std::string(kNonCommercialKey) + ": false switches off"));
+  }
+
   std::string name_;
-  std::vector<std::string> paths_;
+  ModelOptions options_;
   std::mutex mutex_;
   std::shared_ptr<const TrafficMethods> loaded_;
 };
@@ -49,31 +56,36 @@ struct LearnedMethod {
 };
 
 constexpr LearnedMethod kMethods[] = {
-    {"c_sgan", "c_sgan", "rival: Social-GAN, told type and TTA, as the paper compares with"},
     {"c_mid", "c_mid", "rival: MID, a diffusion model, told type and TTA"},
+    {"c_sgan", "c_sgan", "rival: Social-GAN, told type and TTA, as the paper compares with"},
     {"c_strive", "c_strive", "rival: STRIVE's traffic model, told type and TTA"},
     {"c_strive", "strive_optimised", "rival: STRIVE's search in the latent space for the request"},
     {"published_network", "published_network",
      "the paper's network as published, region proposal, one quintic"},
-    {"published_network_target_points", "published_network_target_points",
-     "the same with the ranking of target points"},
     {"published_network_regression", "published_network_regression",
      "the same with the regression of the ego's place"},
+    {"published_network_target_points", "published_network_target_points",
+     "the same with the ranking of target points"},
 };
 
 }  // namespace
 
 void addGeneratorMethods(const ModelOptions& options, MethodRegistry& registry) {
-  for (const auto& [name, paths] : options.generator_weights) {
-    const auto model = std::make_shared<LazyModel>(name, paths);
-    for (const LearnedMethod& method : kMethods) {
-      if (name != method.model) continue;
-      registry.add(
-          {method.name, method.description, true, [model, method](const MethodSetup& setup) {
-             return model->get().method(method.name, setup.options, setup.unseen_scene);
-           }});
-    }
+  std::map<std::string, std::shared_ptr<LazyModel>> models;
+  for (const LearnedMethod& method : kMethods) {
+    std::shared_ptr<LazyModel>& model = models[method.model];
+    if (!model) model = std::make_shared<LazyModel>(method.model, options);
+    registry.add({method.name, method.description, true, [model, method](const MethodSetup& setup) {
+                    return model->get().method(method.name, setup.options, setup.unseen_scene);
+                  }});
   }
+}
+
+std::string generatorOf(const std::string& method) {
+  for (const LearnedMethod& known : kMethods) {
+    if (method == known.name) return known.model;
+  }
+  return "";
 }
 
 }  // namespace forge

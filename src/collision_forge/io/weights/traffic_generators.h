@@ -26,10 +26,14 @@ class TrafficMethods {
                                                      const std::string& unseen_scene) const = 0;
 };
 
-/// Adds the methods of each of `options.generator_weights`. A model is loaded when a method is
-/// first made of it, and the library with libtorch along with it; making throws
-/// std::invalid_argument for one without a file, and TrafficGeneratorError.
+/// Adds the methods of the learned baselines. The weights of a model are looked up
+/// (generatorWeights()) and loaded when a method is first made of it, and the library with libtorch
+/// along with them; making throws std::invalid_argument for a model without a file, ConfigError and
+/// TrafficGeneratorError.
 void addGeneratorMethods(const ModelOptions& options, MethodRegistry& registry);
+
+/// The model whose weights a method needs; "" for a method of no learned baseline.
+std::string generatorOf(const std::string& method);
 
 }  // namespace forge
 

@@ -17,14 +17,14 @@ struct IdmOptions {
   IdmParameters law;
   LeadSearch lead;  ///< its margin is that of the background traffic alone
   double horizon = 0.0;
-  double step = 0.0;
+  double step = 0.5;  ///< s between points of a plan; nuPlan
 };
 
 /// config/planners.yaml, section idm.published.
 struct PublishedIdmOptions {
   IdmParameters law;
-  double step = 0.0;
-  IntegrationTolerance tolerance;
+  double step = 0.1;  ///< s over which the law is integrated at a time; published
+  IntegrationTolerance tolerance{1.0e-3, 1.0e-6};  ///< relative; m and m/s: SciPy's defaults
 };
 
 /// nuPlan's IDMPlanner. The path are the centrelines of the lanes along the route (laneRoute(); the

@@ -6,20 +6,21 @@
 
 namespace forge {
 
-/// config/planners.yaml, section lqr, where each number's unit and source stand.
+/// The controller that follows a trajectory with the bicycle; numbers of nuPlan's LQRTracker.
 struct LqrOptions {
-  double step = 0.0;
-  int horizon = 0;
-  double speed_weight = 0.0;
-  double acceleration_weight = 0.0;
-  double lateral_weight = 0.0;
-  double heading_weight = 0.0;
-  double steering_weight = 0.0;
-  double steering_rate_weight = 0.0;
-  double stop_speed = 0.0;
-  double stop_gain = 0.0;
-  double jerk_penalty = 0.0;
-  double curvature_rate_penalty = 0.0;
+  double step = 0.1;                  ///< s between the poses of a reference
+  int horizon = 10;                   ///< steps looked ahead
+  double speed_weight = 10.0;         ///< of a squared error of speed (m/s), longitudinal Q
+  double acceleration_weight = 1.0;   ///< of the squared acceleration (m/s2), longitudinal R
+  double lateral_weight = 1.0;        ///< of a squared lateral error (m), lateral Q ...
+  double heading_weight = 10.0;       ///< ... of a squared heading error (rad) ...
+  double steering_weight = 0.0;       ///< ... of the squared steering angle (rad)
+  double steering_rate_weight = 1.0;  ///< of the squared steering rate (rad/s), lateral R
+  double stop_speed =
+      0.2;  ///< m/s; below it, if the reference is too, speed alone is controlled ...
+  double stop_gain = 0.5;                ///< 1/s ... proportionally
+  double jerk_penalty = 0.0001;          ///< of the squared jerk (m/s3) in the fit of speeds
+  double curvature_rate_penalty = 0.01;  ///< of the squared curvature rate (1/(m s)) in its fit
 };
 
 /// What the fit of the speeds keeps low.

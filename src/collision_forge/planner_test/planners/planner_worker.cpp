@@ -18,7 +18,9 @@ constexpr std::uint32_t kLongestText = 1 << 20;  // bytes
 std::vector<std::string> commandOf(const TorchscriptFileOptions& options) {
   const std::string program = packageProgram("planner_worker");
   if (options.file.empty()) {
-    throw PlannerFileError("torchscript.file of planners.yaml names no file");
+    throw PlannerFileError(
+        "torchscript.file of planners.yaml names no file, or "
+        "models.non_commercial_weights in models.yaml is false");
   }
   if (!fs::exists(program)) {
     throw PlannerFileError(options.file + ": this build runs no learned planners: " + program +

@@ -7,13 +7,13 @@
 
 namespace forge {
 
-/// config/planners.yaml, section planning, where each number's unit and source stand.
+/// The way that the ego is meant to take: its recording, then lanes.
 struct RouteOptions {
-  double spacing = 0.0;
-  double length_ahead = 0.0;
-  double join_distance = 0.0;
-  double end_lane_distance = 0.0;
-  double end_lane_heading = 0.0;
+  double spacing = 1.0;             ///< m between its points, at least
+  double length_ahead = 100.0;      ///< m along lanes after the recording: 8 s at 12.5 m/s
+  double join_distance = 5.0;       ///< m after the recording's end that these lanes are joined at
+  double end_lane_distance = 3.0;   ///< m from the recording's end to a lane
+  double end_lane_heading = 0.785;  ///< rad (45 degrees) between both
 };
 
 /// The way that a recorded ego is meant to take: its recorded positions at least `spacing` apart,

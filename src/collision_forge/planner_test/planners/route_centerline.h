@@ -7,14 +7,14 @@
 
 namespace forge {
 
-/// config/planners.yaml, section route_centerline, where each number's unit and source stand.
+/// How the lane centrelines along a route are found, which IDM and PDM-Closed follow.
 struct RouteCenterlineOptions {
-  double spacing = 0.0;
-  double route_lane_distance = 0.0;
-  double route_lane_heading = 0.0;
-  double lane_change_cost = 0.0;
-  double off_lane_cost = 0.0;
-  double lane_change_length = 0.0;
+  double spacing = 2.0;  ///< m between the places of the route that lanes are looked for
+  double route_lane_distance = 4.0;  ///< m; lanes farther from the route, about one beside, are off
+  double route_lane_heading = 0.8;   ///< rad between the route and a lane
+  double lane_change_cost = 20.0;    ///< m; worth as much distance from the centreline, summed
+  double off_lane_cost = 5.0;        ///< m; the same for a place on no lane
+  double lane_change_length = 20.0;  ///< m over which a change of lanes is smoothed
 };
 
 /// The lane centrelines along a route: of the lanes near each place of the route, those that follow

@@ -6,8 +6,6 @@ namespace forge {
 
 void readOptions(Section& section, ReportOptions& options) {
   options.seconds_before_now = section.nonNegative("seconds_before_now");
-  options.map_margin = section.positive("map_margin");
-  options.map_tolerance = section.nonNegative("map_tolerance");
 }
 
 }  // namespace forge

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <string>
-
 #include "collision_forge/attack/network/options.h"
 #include "collision_forge/attack/search/options.h"
 #include "collision_forge/attack/verify/options.h"
 #include "collision_forge/base/config/config_error.h"
+#include "collision_forge/base/config/config_folder.h"
 #include "collision_forge/base/scene/options.h"
 #include "collision_forge/io/answers/options.h"
 #include "collision_forge/io/drawing/options.h"
@@ -29,8 +28,13 @@ struct Config : AnswerOptions {
   ExportOptions exports;
 };
 
-/// Reads the product's files of config/ in `directory`. Throws ConfigError for a missing, unknown
-/// or malformed key.
-Config loadConfig(const std::string& directory);
+/// Reads the product's files of config/. If `non_commercial_weights` is false, the paths of weights
+/// that are for non-commercial use are empty. Throws ConfigError for a missing, unknown or
+/// malformed key, and for an unknown file of an overlay.
+Config loadConfig(const ConfigFolder& folder);
+
+/// Whether weights for non-commercial use are in use, their names, and the key that switches them
+/// off: a sentence for people.
+std::string describeWeights(const Config& config);
 
 }  // namespace forge

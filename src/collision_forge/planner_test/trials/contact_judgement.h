@@ -3,17 +3,18 @@
 #include <optional>
 
 #include "collision_forge/base/scene/crash_definition.h"
+#include "collision_forge/planner_test/planners/pdm_options.h"
 #include "collision_forge/planner_test/trials/crash_scenario.h"
 
 namespace forge {
 
-/// config/planners.yaml, section rollout.fault, where each number's unit and source stand.
+/// Who is to blame for a contact, as nuPlan derives it.
 struct FaultOptions {
-  double standstill_speed = 0.0;
-  double behind_angle = 0.0;
-  double front_tolerance = 0.0;
-  double off_road_share = 0.0;
-  double lane_radius = 0.0;
+  double standstill_speed = 0.05;                          ///< m/s; slower is stopped; nuPlan
+  double behind_angle = PdmScoringOptions().behind_angle;  ///< rad; nuPlan
+  double front_tolerance = 0.01;  ///< m between the ego's front edge and the other, for a front one
+  double off_road_share = 0.05;  ///< of the box off the drivable area; more is off the road; STRIVE
+  double lane_radius = 15.0;     ///< m; lanes that may hold the ego come as near
 };
 
 /// How the ego came to touch somebody, as nuPlan tells collisions apart; the first that fits.

@@ -16,15 +16,16 @@ namespace forge {
 /// config/planners.yaml, section avoidability, where each number's unit and source stand.
 struct AvoidabilityOptions {
   double interval = 0.0;
-  double step = 0.0;
+  double step = 0.1;  ///< s; that of RolloutOptions
   std::vector<double> accelerations;
-  std::vector<double> offsets;
-  std::vector<double> durations;
-  double return_time = 0.0;
-  double min_return_distance = 0.0;
-  double margin = 0.0;
+  std::vector<double> offsets = {0.0,  1.0, -1.0, 2.0,
+                                 -2.0, 3.5, -3.5};   ///< m to the left of the ego's way
+  std::vector<double> durations = {1.0, 2.0, 20.0};  ///< s that the acceleration lasts
+  double return_time = 0.4;  ///< s in which an offset is steered to at the speed of then ...
+  double min_return_distance = 3.0;  ///< m, at least
+  double margin = 0.1;  ///< m kept to everybody at the points of a motion, before it is verified
   int draws = 0;
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 1;  ///< of the draws
   int tries = 0;
 };
 

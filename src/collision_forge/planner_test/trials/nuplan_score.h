@@ -13,19 +13,20 @@
 
 namespace forge {
 
-/// config/planners.yaml, section nuplan_score, where each number's unit and source stand.
+/// The numbers of nuplan-devkit's metrics; angles, distances and limits of comfort are those of
+/// PdmScoringOptions.
 struct NuplanScoreOptions {
-  double min_progress_share = 0.0;
-  double least_progress = 0.0;
-  double ttc_horizon = 0.0;
-  double direction_window = 0.0;
-  double max_overspeed = 0.0;
-  int acceleration_window = 0;
-  int rate_window = 0;
-  double progress_weight = 0.0;
-  double ttc_weight = 0.0;
-  double speed_limit_weight = 0.0;
-  double comfort_weight = 0.0;
+  double min_progress_share = 0.2;  ///< of the recorded ego's progress; less is no progress
+  double least_progress = 2.0;      ///< m; less counts as this, of ego and recording
+  double ttc_horizon = 0.95;        ///< s; a collision sooner, at constant velocities, is too close
+  double direction_window = 1.0;    ///< s over which driving off the route's lanes is summed
+  double max_overspeed = 2.23;      ///< m/s over the limit in the mean; the score is then 0
+  int acceleration_window = 8;      ///< states over which accelerations are smoothed
+  int rate_window = 15;             ///< states that jerk and rates of the yaw are derived from
+  double progress_weight = 5.0;
+  double ttc_weight = 5.0;
+  double speed_limit_weight = 4.0;  ///< where a lane has a limit; nuScenes' have none
+  double comfort_weight = 2.0;
 };
 
 /// A rollout in the terms of nuPlan's closed-loop score (nuplan-devkit, evaluation metrics); every

@@ -7,10 +7,10 @@
 
 namespace forge {
 
-/// config/planners.yaml, section rollout, where each number's unit and source stand.
+/// config/planners.yaml, section rollout, where unit and source of its key stand.
 struct RolloutOptions {
   double step = 0.0;
-  double hard_braking = 0.0;
+  double hard_braking = PdmComfortOptions().max_braking;  ///< m/s2
   FaultOptions fault;
 };
 

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/config/config_folder.h"
 
 namespace forge {
 namespace {
@@ -52,11 +52,14 @@ NumberPlace findNumber(const std::string& path, const YAML::Node& root, const st
 }  // namespace
 
 PlannerGrid readPlannerGrid(const std::string& path, const std::string& planner) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const std::filesystem::path file(path);
-  Section section = openConfigFile(file.parent_path().empty() ? "." : file.parent_path().string(),
-                                   file.filename().string())
-                        .section(planner);
+  const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
+  return readPlannerGrid(openConfigFile(folder, file.filename().string()), planner);
+}
+
+PlannerGrid readPlannerGrid(Section file, const std::string& planner) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Section section = file.section(planner);
   const std::set<std::string> keys = section.unread();
   PlannerGrid grid;
   for (const std::string& key : keys) {
@@ -66,7 +69,7 @@ PlannerGrid readPlannerGrid(const std::string& path, const std::string& planner)
     }
     grid[key] = std::move(values);
   }
-  if (grid.empty()) throw ConfigError(path + ": " + planner + " has no keys");
+  if (grid.empty()) file.refuse(planner, "has no keys");
   return grid;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/base/config/section.h"
 #include "collision_forge/planner_test/trials/options.h"
 
 namespace forge {
@@ -16,6 +17,7 @@ using PlannerGrid = std::map<std::string, std::vector<double>>;
 
 /// Section `planner` of a file like config/tuning.yaml. Throws ConfigError for a missing section,
 /// one without keys, and a value that is no list of different numbers.
+PlannerGrid readPlannerGrid(Section file, const std::string& planner);
 PlannerGrid readPlannerGrid(const std::string& path, const std::string& planner);
 
 /// The numbers that planners.yaml, whose text is `text`, has for the keys of the grid. Throws

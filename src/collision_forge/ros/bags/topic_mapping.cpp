@@ -5,15 +5,13 @@
 #include <filesystem>
 #include <set>
 
-#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/config/config_folder.h"
 #include "collision_forge/base/scene/request_words.h"
 
 namespace forge {
 namespace {
 
 constexpr char kTransforms[] = "tf2_msgs/TFMessage";
-
-bool has(const Section& section, const std::string& key) { return section.unread().count(key) > 0; }
 
 /// A text that is not empty.
 std::string wordIn(Section& section, const std::string& key) {
@@ -46,7 +44,7 @@ PoseFields poseIn(Section& section, const std::string& prefix) {
   PoseFields pose;
   pose.position = numbersIn(section.section("position"), {"x", "y", "z"}, prefix);
   Section orientation = section.section("orientation");
-  if (has(orientation, "yaw")) {
+  if (orientation.has("yaw")) {
     pose.orientation = numbersIn(orientation, {"yaw"}, prefix)[0];
   } else {
     pose.orientation = numbersIn(orientation, {"x", "y", "z", "w"}, prefix);
@@ -59,8 +57,8 @@ TopicFields topicIn(Section& section) {
   TopicFields fields;
   fields.topic = wordIn(section, "topic");
   fields.type = wordIn(section, "type");
-  fields.stamp = has(section, "stamp") ? wordIn(section, "stamp") : "header.stamp";
-  if (has(section, "frame_id")) fields.frame_id = wordIn(section, "frame_id");
+  fields.stamp = section.has("stamp") ? wordIn(section, "stamp") : "header.stamp";
+  if (section.has("frame_id")) fields.frame_id = wordIn(section, "frame_id");
   fields.frame_id_path = "header.frame_id";
   return fields;
 }
@@ -104,7 +102,7 @@ AgentClass classIn(Section& section, const std::string& key) {
 
 void readClasses(Section section, const std::string& prefix, AgentsMapping& agents) {
   agents.classification = prefix + wordIn(section, "field");
-  if (has(section, "probability")) agents.probability = prefix + wordIn(section, "probability");
+  if (section.has("probability")) agents.probability = prefix + wordIn(section, "probability");
   Section values = section.section("values");
   const std::set<std::string> words = values.unread();
   for (const std::string& word : words) agents.classes[word] = classIn(values, word);
@@ -132,7 +130,7 @@ AgentsMapping agentsIn(Section section) {
   readClasses(section.section("class"), each, agents);
   agents.pose = poseIn(section, each);
   agents.size = numbersIn(section.section("size"), {"length", "width", "height"}, each);
-  if (has(section, "velocity")) agents.velocity = velocityIn(section.section("velocity"), each);
+  if (section.has("velocity")) agents.velocity = velocityIn(section.section("velocity"), each);
   section.finish();
   return agents;
 }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/ros/messages/topic_names.h"
 

@@ -47,10 +47,11 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
 
   void start(ros::NodeHandle node) override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
+    NODELET_INFO_STREAM(describeWeights(config_));
     loadLogged("methods", [&] {
       finder_ = std::make_unique<AttackFinder>(node, getPrivateNodeHandle(), config_);
     });
-    configuration_ = fingerprintOfAll(config_, nodeConfigFolder(getPrivateNodeHandle()));
+    configuration_ = fingerprintOfAll(config_, config_.folder);
     scenes_ = std::make_unique<SceneMemory>(config_.live);
     patterns_ =
         node.advertise<collision_forge::PredictedPatterns>(names::kPredictedPatterns, 1, true);

@@ -9,13 +9,13 @@
 
 namespace forge {
 
-std::string nodeConfigFolder(const ros::NodeHandle& private_node) {
-  return private_node.param<std::string>("config_dir",
-                                         ros::package::getPath("collision_forge") + "/config");
+ConfigFolder packageConfig(const std::string& overlay) {
+  return {ros::package::getPath("collision_forge") + "/config", overlay};
 }
 
 Config loadNodeConfig(const ros::NodeHandle& private_node) {
-  return loadLogged("configuration", [&] { return loadConfig(nodeConfigFolder(private_node)); });
+  const auto overlay = private_node.param<std::string>("config_dir", "");
+  return loadLogged("configuration", [&] { return loadConfig(packageConfig(overlay)); });
 }
 
 LaneMapSubscriber::LaneMapSubscriber(ros::NodeHandle& node, const InputLimits& limits,

@@ -25,10 +25,11 @@ namespace forge {
 /// Messages of a topic that may wait: a bag may be played as fast as it can be read.
 inline constexpr int kTopicQueue = 10000;
 
-/// The folder named by the private parameter `config_dir`, by default the package's own config/.
-std::string nodeConfigFolder(const ros::NodeHandle& private_node);
+/// The package's own config/, over which `overlay` is laid unless it is empty.
+ConfigFolder packageConfig(const std::string& overlay);
 
-/// The configuration in that folder. Throws ConfigError.
+/// The configuration of a node, whose private parameter `config_dir` names the overlay. Throws
+/// ConfigError.
 Config loadNodeConfig(const ros::NodeHandle& private_node);
 
 /// What `load` returns. The nodelet loader does not tell what an exception of onInit() says: it is

@@ -7,9 +7,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <mutex>
-#include <sstream>
 #include <utility>
 
 #include "collision_forge/base/config/section.h"
@@ -39,14 +37,6 @@ using Response = collision_forge::TestPlanner::Response;
 
 [[noreturn]] void refuse(std::uint8_t code, const std::string& message) {
   throw TestRefusal(code, message);
-}
-
-std::string readText(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw std::runtime_error(path + ": cannot be read");
-  return text.str();
 }
 
 /// A node's working folder is not that of who starts it.
@@ -84,8 +74,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
   void start(ros::NodeHandle node) override {
     const ros::NodeHandle& own = getPrivateNodeHandle();
     config_ = loadNodeConfig(own);
-    planners_path_ = nodeConfigFolder(own) + "/planners.yaml";
-    planners_text_ = readText(planners_path_);
+    planners_text_ = config_.folder.text("planners.yaml");
     loadLogged("scenarios", [&] { openSources(own); });
     loadLogged("network", [&] { foresight_ = loadForesight(config_); });
     external_ =
@@ -195,8 +184,9 @@ class PlannerTesterNodelet : public QueuedNodelet {
       }
     }
     try {
-      TrialOptions options = readTrialOptions(planners_path_, planners_text_, values,
+      TrialOptions options = readTrialOptions("planners.yaml", planners_text_, values,
                                               config_.attack.verification.limits);
+      options.torchscript.file = config_.planners.torchscript.file;
       options.torchscript.workers = config_.planners.torchscript.workers;
       return options;
     } catch (const ConfigError& error) {
@@ -281,7 +271,6 @@ class PlannerTesterNodelet : public QueuedNodelet {
   }
 
   Config config_;
-  std::string planners_path_;
   std::string planners_text_;
   std::unique_ptr<TrialScenarios> scenarios_;
   Foresight foresight_;  // of attackers that see and react

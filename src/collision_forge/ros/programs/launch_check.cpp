@@ -8,13 +8,14 @@
 
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/ros/injection/injection.h"
+#include "collision_forge/ros/nodes/node_support.h"
 
 /// usage: launch_check NAME:=VALUE...
 ///
 /// Checks arguments of a launch file before roslaunch starts a node: a file or folder must be at
-/// each path that is not empty, `bag` may not be empty, `config_dir` must hold a valid
-/// configuration, and `after_contact` is a word. The first wrong argument is named in one line on
-/// stderr, and the exit code is 1.
+/// each path that is not empty, `bag` may not be empty, `config_dir` must hold valid
+/// files of a configuration, and `after_contact` is a word. The first wrong argument is named in
+/// one line on stderr, and the exit code is 1.
 namespace forge {
 namespace {
 
@@ -35,7 +36,7 @@ void check(const std::string& argument) {
     throw std::runtime_error("no such file or folder");
   }
   if (access(path.c_str(), R_OK) != 0) throw std::runtime_error("not readable");
-  if (name == "config_dir") loadConfig(path);
+  if (name == "config_dir") loadConfig(packageConfig(path));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ void addLimit(CLI::App& app, std::size_t& limit, CLI::Option* collide) {
       ->needs(collide);
 }
 
-void checkClipMethods(const std::vector<std::string>& methods, const std::string& config) {
+void checkClipMethods(const std::vector<std::string>& methods, const ConfigFolder& config) {
   try {
     const StudyConfig read = loadStudyConfig(config);
     const MethodRegistry known = clipMethods(loadMethods(read), nullptr, read.evaluation);

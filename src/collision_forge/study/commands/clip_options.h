@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/base/config/config_folder.h"
+
 /// Options of commands that read clips of COLLIDE.
 namespace forge {
 
@@ -18,6 +20,6 @@ CLI::Option* addSplit(CLI::App& app, std::string& split, CLI::Option* collide);
 void addLimit(CLI::App& app, std::size_t& limit, CLI::Option* collide);
 
 /// Throws CLI::ValidationError for a name that clipMethods() does not know.
-void checkClipMethods(const std::vector<std::string>& methods, const std::string& config);
+void checkClipMethods(const std::vector<std::string>& methods, const ConfigFolder& config);
 
 }  // namespace forge

@@ -38,7 +38,7 @@ struct Arguments {
   Mode mode = Mode::kHistory;
   bool seen_scenes = false;
   std::string out;
-  std::string config;
+  ConfigFolder config;
 };
 
 std::vector<std::string> pathsOf(const Arguments& arguments) {

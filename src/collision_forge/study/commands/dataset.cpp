@@ -28,7 +28,7 @@ struct Arguments {
   std::vector<std::string> scenes;
   std::string out;
   std::string report;
-  std::string config;
+  ConfigFolder config;
   std::uint64_t seed = 0;
   int jobs = defaultJobs();
 
@@ -58,7 +58,7 @@ std::vector<SceneRequest> listRequests(const Arguments& arguments,
 
 ResumableFile::Options runOptions(const Arguments& arguments, const StudyConfig& config,
                                   const std::vector<SceneRequest>& requests) {
-  ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
+  ResumableFile::Options options = studyInputsOf(config, arguments.logs);
   options["seed"] = std::to_string(arguments.seed);
   options["wanted_clips"] = fingerprintOf(requests);
   return options;

@@ -53,7 +53,7 @@ void addCrash(CLI::App& app, EvaluationArguments& arguments, CLI::Option* reques
 }
 
 /// The methods are those that the configuration knows; of clips there are more.
-void completePlan(const CLI::App& app, const std::string& directory, bool is_of_clips,
+void completePlan(const CLI::App& app, const ConfigFolder& folder, bool is_of_clips,
                   EvaluationPlan& plan) {
   if (plan.protocol == Protocol::kPublished && app.count("--report") > 0) {
     throw CLI::ValidationError("--report", "a page is of the strict protocol alone");
@@ -64,7 +64,7 @@ void completePlan(const CLI::App& app, const std::string& directory, bool is_of_
                                              ": adaptive needs another --method");
   }
   try {
-    const StudyConfig config = loadStudyConfig(directory);
+    const StudyConfig config = loadStudyConfig(folder);
     MethodRegistry methods = loadMethods(config);
     if (is_of_clips) methods = clipMethods(methods, nullptr, config.evaluation);
     plan.is_seeded = methods.at(plan.method).is_seeded;

@@ -37,7 +37,7 @@ std::vector<std::string> listClips(const EvaluationArguments& arguments,
 
 ResumableFile::Options runOptions(const EvaluationArguments& arguments, const StudyConfig& config,
                                   const std::vector<std::string>& paths) {
-  ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
+  ResumableFile::Options options = studyInputsOf(config, arguments.logs);
   options["collide"] = std::filesystem::canonical(arguments.collide).string();
   options["clips"] = fingerprintOfFiles(paths);
   options["split"] = arguments.split;

@@ -68,7 +68,7 @@ EvaluationPlan planOf(const EvaluationArguments& arguments, const StudyConfig& c
 
 ResumableFile::Options runOptions(const EvaluationArguments& arguments, const StudyConfig& config,
                                   const EvaluationPlan& plan, const WantedRequests& wanted) {
-  ResumableFile::Options options = inputsOf(config, arguments.config, arguments.logs);
+  ResumableFile::Options options = studyInputsOf(config, arguments.logs);
   options["requests"] = fingerprintOf(wanted.requests);
   options["method"] = plan.method;
   options["mode"] = toString(plan.mode);

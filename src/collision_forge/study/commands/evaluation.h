@@ -25,7 +25,7 @@ struct EvaluationArguments {
   LogSource logs;  ///< of clips the maps of a nuScenes root
   std::string out;
   std::string report;  ///< folder of the page of forge report; empty: none
-  std::string config;
+  ConfigFolder config;
   EvaluationPlan plan;             ///< its limits and `believable` are those below
   std::optional<LimitSet> limits;  ///< these two of requests, by default those of the configuration
   std::optional<bool> believable;

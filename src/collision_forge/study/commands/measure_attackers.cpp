@@ -20,7 +20,7 @@ namespace {
 struct Arguments {
   LogSource logs;
   std::vector<std::string> scenarios;
-  std::string config;
+  ConfigFolder config;
   std::size_t drives = 20;
   std::uint64_t seed = 0;
   int jobs = defaultJobs();

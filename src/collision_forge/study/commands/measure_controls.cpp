@@ -22,7 +22,7 @@ struct Arguments {
   LogSource logs;
   std::string requests;
   std::string out;
-  std::string config;
+  ConfigFolder config;
   std::string method;
   int jobs = defaultJobs();
 };
@@ -61,7 +61,7 @@ std::vector<AnsweredQuestion> answerAll(const Arguments& arguments, const StudyC
   std::vector<AnsweredQuestion> answered;
   Run run;
   run.path = arguments.out + "/results.csv";
-  run.options = inputsOf(config, arguments.config, arguments.logs);
+  run.options = studyInputsOf(config, arguments.logs);
   run.options["requests"] = list.fingerprint;
   if (!arguments.method.empty()) run.options["method"] = arguments.method;
   run.layout.header = controlCsvHeader();

@@ -18,7 +18,7 @@ namespace {
 struct Arguments {
   LogSource logs;
   std::string out;
-  std::string config;
+  ConfigFolder config;
   std::vector<double> nows = {4.0, 8.0, 12.0};
   std::vector<double> ttas = {2.0, 4.0, 6.0};
 };

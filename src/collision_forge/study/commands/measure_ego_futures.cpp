@@ -24,7 +24,7 @@ constexpr double kMinSpeed = 2.0;  // m/s; slower egos mostly stand
 
 struct Arguments {
   LogSource logs;
-  std::string config;
+  ConfigFolder config;
   double stride = 2.0;  // s
 };
 

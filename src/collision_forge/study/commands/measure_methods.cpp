@@ -26,7 +26,7 @@ struct Arguments {
   std::vector<std::string> methods;
   Mode mode = Mode::kHistory;
   std::size_t limit = 0;
-  std::string config;
+  ConfigFolder config;
 };
 
 /// How much time of the processor one method's answers took.

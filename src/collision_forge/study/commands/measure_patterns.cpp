@@ -28,7 +28,7 @@ struct Arguments {
   std::string collide;
   std::string dataroot;
   std::string split = "val";
-  std::string config;
+  ConfigFolder config;
   bool unseen = false;
   bool seen_scenes = false;
 };

@@ -20,7 +20,7 @@ struct Arguments {
   std::vector<std::string> scenes;
   std::vector<std::string> planners = plannerNames();
   std::string planner_file;
-  std::string config;
+  ConfigFolder config;
 };
 
 /// How much time of the processor one planner's steps took, and what was around the ego.
@@ -74,7 +74,7 @@ void print(Measurement& measurement) {
 
 int measure(const Arguments& arguments) {
   Config config = loadConfig(arguments.config);
-  usePlannerFile(arguments.planner_file, arguments.planners, config.planners);
+  usePlannerFile(arguments.planner_file, arguments.planners, config);
   SceneSource scenes(arguments.logs, arguments.scenes, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<Measurement> measurements;

@@ -25,7 +25,7 @@ constexpr double kDriving = 2.0;  // m/s; slower cases are told apart
 struct Arguments {
   LogSource logs;
   std::string out;
-  std::string config;
+  ConfigFolder config;
   int folds = 5;
   std::uint64_t seed = 0;
 };

@@ -5,9 +5,16 @@
 
 namespace forge {
 
-StudyConfig loadStudyRunConfig(const std::string& directory) {
-  Ranks::watch(loadRankOptions(directory));
-  return loadStudyConfig(directory);
+StudyConfig loadStudyRunConfig(const ConfigFolder& folder) {
+  Ranks::watch(loadRankOptions(folder));
+  return loadStudyConfig(folder);
+}
+
+ResumableFile::Options studyInputsOf(const StudyConfig& config, const LogSource& logs) {
+  ResumableFile::Options options = inputsOf(config, logs);
+  options.merge(studyFingerprints(config.folder));
+  for (const auto& [model, paths] : generatorWeights(config)) addWeights(model, paths, options);
+  return options;
 }
 
 }  // namespace forge

@@ -21,9 +21,11 @@ struct Arguments : PlannerTestArguments {
   std::string method;
 };
 
-int testOnClips(const Arguments& arguments) {
-  const PlannerTestRun test(arguments);
+int testOnClips(Arguments arguments) {
   const StudyConfig config = loadStudyConfig(arguments.config);
+  arguments.fingerprints = studyFingerprints(arguments.config);
+  addWeightsOf(arguments.method, config, arguments.fingerprints);
+  const PlannerTestRun test(arguments);
   std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
   if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
   const auto cases =

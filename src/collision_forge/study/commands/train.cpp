@@ -20,10 +20,10 @@ namespace {
 int train(TrainingRun& run) {
   const StudyConfig config = loadStudyConfig(run.config);
   run.config_files = configFingerprints(run.config);
+  run.config_files.merge(studyFingerprints(run.config));
   run.options = config;
   run.planners = config.planners;
-  run.generators =
-      configFileOf(run.generator) == "generators" ? config.generators : config.published_network;
+  run.generators = isPublishedNetwork(run.generator) ? config.published_network : config.generators;
 #ifdef COLLISION_FORGE_WITHOUT_ROS
   forgeTrain(run);
 #else

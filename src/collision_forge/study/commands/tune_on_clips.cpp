@@ -26,7 +26,13 @@ TuningCases openClips(const Arguments& arguments, const StudyConfig& config) {
     return openClipCases(paths, arguments.logs.path, ClipAttacker::kHistory, method,
                          ClipAnswers::kAll, config);
   };
-  return {open(halves.first, arguments.train_method), open(halves.second, arguments.test_method)};
+  ResumableFile::Options fingerprints = studyFingerprints(arguments.config);
+  addWeightsOf(arguments.train_method, config, fingerprints);
+  addWeightsOf(arguments.test_method, config, fingerprints);
+  return {open(halves.first, arguments.train_method),
+          open(halves.second, arguments.test_method),
+          {},
+          std::move(fingerprints)};
 }
 
 /// --train-method and --test-method.

@@ -37,8 +37,6 @@ void readOptions(Section& section, DatasetOptions& options, double time_margin) 
   options.split.train_share = section.share("train_share");
   options.split.val_share =
       section.within("val_share", 0.0, 1.0 - options.split.train_share + kShareRounding);
-  options.sheet_columns = section.count("sheet_columns", 1);
-  options.sheet_rows = section.count("sheet_rows", 1);
 }
 
 }  // namespace forge

@@ -20,7 +20,7 @@ struct SplitOptions {
   double val_share = 0.0;
 };
 
-/// config/dataset.yaml, where each number's unit and source stand.
+/// config/study/dataset.yaml, where the unit and source of each of its keys stand.
 struct DatasetOptions {
   double begin_stride = 0.0;
   double min_length = 0.0;
@@ -33,8 +33,8 @@ struct DatasetOptions {
   double max_off_road_share = 0.0;
   BalanceOptions balance;
   SplitOptions split;
-  int sheet_columns = 0;
-  int sheet_rows = 0;
+  int sheet_columns = 4;  ///< pictures side by side on the sheet of a type: as many as can be seen
+  int sheet_rows = 3;
 };
 
 /// `time_margin` is that of SearchOptions, which attacks keep to the ends of every time tolerance.

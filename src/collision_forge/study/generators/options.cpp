@@ -6,6 +6,9 @@
 
 namespace forge {
 
+// Weights of earlier versions also hold numbers of training, which no longer have a key and are
+// ignored: a trained model does not depend on them.
+
 static void readOptions(Section& section, TrafficLaneOptions& options) {
   options.reach = section.positive("reach");
   options.max_lanes = section.count("max_lanes", 1, kMaxModelCount);
@@ -22,10 +25,10 @@ static void readOptions(Section& section, TrafficOptions& options, int history_f
 }
 
 static void readOptions(Section& section, SocialGanOptions& options) {
+  section.ignore({"max_gradient", "discriminator_steps", "variety"});
   options.epochs = section.count("epochs", 1);
   options.batch = section.count("batch", 1);
   options.learning_rate = section.positive("learning_rate");
-  options.max_gradient = section.positive("max_gradient");
   options.embedding = section.count("embedding", 1, kMaxModelWidth);
   options.encoder = section.count("encoder", 1, kMaxModelWidth);
   options.decoder = section.count("decoder", 1, kMaxModelWidth);
@@ -35,19 +38,16 @@ static void readOptions(Section& section, SocialGanOptions& options) {
   options.noise = section.count("noise", 1, kMaxModelWidth);
   if (options.noise >= options.decoder) section.refuse("noise", "is not less than decoder");
   options.discriminator = section.count("discriminator", 1, kMaxModelWidth);
-  options.discriminator_steps = section.count("discriminator_steps", 1, kMaxModelSteps);
-  options.variety = section.count("variety", 1, kMaxModelCount);
   options.step_scale = section.positive("step_scale");
   options.position_scale = section.positive("position_scale");
 }
 
 static void readOptions(Section& section, MidOptions& options) {
+  section.ignore({"attacker_weight", "encoder_dropout", "dropout"});
   options.epochs = section.count("epochs", 1);
   options.batch = section.count("batch", 1);
   options.learning_rate = section.positive("learning_rate");
-  options.attacker_weight = section.positive("attacker_weight");
   options.encoder = section.count("encoder", 1, kMaxModelWidth);
-  options.encoder_dropout = section.share("encoder_dropout");
   options.width = section.count("width", 4, kMaxModelWidth);
   options.layers = section.count("layers", 1, kMaxModelCount);
   options.heads = section.count("heads", 1, kMaxModelCount);
@@ -55,7 +55,6 @@ static void readOptions(Section& section, MidOptions& options) {
     section.refuse("width", "is no multiple of 4 and of heads");
   }
   options.feed_forward = section.count("feed_forward", 1, kMaxModelWidth);
-  options.dropout = section.share("dropout");
   options.diffusion_steps = section.count("diffusion_steps", 1, kMaxModelSteps);
   constexpr double kLeastBeta = 1e-6;  // with none at all a step divides by 0
   constexpr double kMostBeta = 0.999;
@@ -73,10 +72,11 @@ static void readOptions(Section& section, MidOptions& options) {
 }
 
 static void readOptions(Section& section, StriveOptions& options) {
+  section.ignore({"max_gradient", "noise", "attacker_weight", "divergence_weight",
+                  "divergence_steps", "overlap_weight", "off_lanes_weight"});
   options.epochs = section.count("epochs", 1);
   options.batch = section.count("batch", 1);
   options.learning_rate = section.positive("learning_rate");
-  options.max_gradient = section.positive("max_gradient");
   options.hidden = section.count("hidden", 1, kMaxModelWidth);
   options.feature = section.count("feature", 1, kMaxModelWidth);
   options.latent = section.count("latent", 1, kMaxModelWidth);
@@ -92,38 +92,17 @@ static void readOptions(Section& section, StriveOptions& options) {
   options.turn_scale = section.positive("turn_scale");
   options.acceleration_scale = section.positive("acceleration_scale");
   options.turn_change_scale = section.positive("turn_change_scale");
-  options.noise = section.nonNegative("noise");
-  options.attacker_weight = section.positive("attacker_weight");
-  options.divergence_weight = section.nonNegative("divergence_weight");
-  options.divergence_steps = section.count("divergence_steps", 1);
-  options.overlap_weight = section.nonNegative("overlap_weight");
-  options.off_lanes_weight = section.nonNegative("off_lanes_weight");
-}
-
-static void readOptions(Section& section, StriveAttackOptions& options) {
-  options.iterations = section.count("iterations", 1, kMaxModelSteps);
-  options.hold = section.count("hold", 1, kMaxModelSteps);
-  options.window = section.count("window", 0, kMaxModelSteps);
-  options.learning_rate = section.positive("learning_rate");
-  options.temperature = section.positive("temperature");
-  options.crash_weight = section.nonNegative("crash_weight");
-  options.heading_weight = section.nonNegative("heading_weight");
-  options.prior_weight = section.nonNegative("prior_weight");
-  options.attacker_prior_weight = section.nonNegative("attacker_prior_weight");
-  options.stay_weight = section.nonNegative("stay_weight");
-  options.attacker_stay_weight = section.nonNegative("attacker_stay_weight");
-  options.overlap_weight = section.nonNegative("overlap_weight");
-  options.off_lanes_weight = section.nonNegative("off_lanes_weight");
 }
 
 static void readOptions(Section& section, PublishedNetworkOptions& options) {
+  section.ignore({"decay", "dropout", "positive_weight", "anchors_loss", "anchor_offset_loss",
+                  "target_points_loss", "regression_loss", "ego_yaw_loss", "attacker_offset_loss",
+                  "attacker_yaw_loss", "selection_loss"});
   options.epochs = section.count("epochs", 1);
   options.batch = section.count("batch", 1);
   options.learning_rate = section.positive("learning_rate");
   options.decay_from = section.count("decay_from", 0);
   options.decay_every = section.count("decay_every", 1);
-  options.decay = section.share("decay");
-  options.dropout = section.share("dropout");
   options.width = section.count("width", 1, kMaxModelWidth);
   options.condition = section.count("condition", 1, kMaxModelWidth);
   options.selector = section.count("selector", 1, kMaxModelWidth);
@@ -133,15 +112,6 @@ static void readOptions(Section& section, PublishedNetworkOptions& options) {
   options.anchor_scale = section.positive("anchor_scale");
   options.place_scale = section.positive("place_scale");
   options.positive_radius = section.positive("positive_radius");
-  options.positive_weight = section.positive("positive_weight");
-  options.anchors_loss = section.nonNegative("anchors_loss");
-  options.anchor_offset_loss = section.nonNegative("anchor_offset_loss");
-  options.target_points_loss = section.nonNegative("target_points_loss");
-  options.regression_loss = section.nonNegative("regression_loss");
-  options.ego_yaw_loss = section.nonNegative("ego_yaw_loss");
-  options.attacker_offset_loss = section.nonNegative("attacker_offset_loss");
-  options.attacker_yaw_loss = section.nonNegative("attacker_yaw_loss");
-  options.selection_loss = section.nonNegative("selection_loss");
 }
 
 std::vector<std::string> trafficModelNames() {
@@ -153,22 +123,22 @@ std::vector<std::string> trafficModelNames() {
           "published_network_regression"};
 }
 
-static bool isPublished(const std::string& model) {
+bool isPublishedNetwork(const std::string& model) {
   return model.rfind("published_network", 0) == 0;
 }
 
 std::string configFileOf(const std::string& model) {
-  return isPublished(model) ? "network_published" : "generators";
+  return isPublishedNetwork(model) ? "study/network_published.yaml" : "study/generators.yaml";
 }
 
 std::vector<std::string> sectionsOf(const std::string& model) {
-  if (isPublished(model)) return {"traffic", "training", "lanes", "network"};
-  if (model == "c_strive") return {"traffic", "training", "lanes", "c_strive", "strive_optimised"};
-  return {"traffic", "training", model};
+  if (isPublishedNetwork(model)) return {"traffic", "lanes", "network"};
+  if (model == "c_strive") return {"traffic", "lanes", "c_strive"};
+  return {"traffic", model};
 }
 
 std::vector<std::string> sectionsOfGenerators() {
-  return {"traffic", "training", "lanes", "c_sgan", "c_mid", "c_strive", "strive_optimised"};
+  return {"traffic", "lanes", "c_sgan", "c_mid", "c_strive"};
 }
 
 void readOptions(Section& file, GeneratorOptions& options, const std::vector<std::string>& sections,
@@ -177,14 +147,11 @@ void readOptions(Section& file, GeneratorOptions& options, const std::vector<std
     return std::find(sections.begin(), sections.end(), name) != sections.end();
   };
   file.read("traffic", options.traffic, history_frames);
-  Section training = file.section("training");
-  options.validation_share = training.share("validation_share");
-  training.finish();
+  file.ignore({"training", "strive_optimised"});
   if (has("lanes")) file.read("lanes", options.traffic.lanes);
   if (has("c_sgan")) file.read("c_sgan", options.c_sgan);
   if (has("c_mid")) file.read("c_mid", options.c_mid);
   if (has("c_strive")) file.read("c_strive", options.c_strive);
-  if (has("strive_optimised")) file.read("strive_optimised", options.strive_optimised);
   if (has("network")) file.read("network", options.published_network);
 }
 

@@ -12,7 +12,7 @@ inline constexpr int kMaxModelWidth = 1024;   ///< of a layer
 inline constexpr int kMaxModelCount = 256;    ///< of frames, agents, lanes, points, layers, samples
 inline constexpr int kMaxModelSteps = 10000;  ///< of a search, of diffusion
 
-/// config/generators.yaml, section lanes, where each number's unit stands.
+/// config/study/generators.yaml, section lanes, where each number's unit stands.
 struct TrafficLaneOptions {
   double reach = 0.0;
   int max_lanes = 0;  ///< 0: a model that sees none
@@ -20,7 +20,7 @@ struct TrafficLaneOptions {
   double spacing = 0.0;
 };
 
-/// config/generators.yaml, section traffic, where each number's unit stands.
+/// config/study/generators.yaml, section traffic, where each number's unit stands.
 struct TrafficOptions {
   int history_frames = 0;  ///< of PredictionOptions; the last one is now
   int future_frames = 0;
@@ -30,12 +30,13 @@ struct TrafficOptions {
   TrafficLaneOptions lanes;
 };
 
-/// config/generators.yaml, section c_sgan, where each number's unit and source stand.
+/// config/study/generators.yaml, section c_sgan, where the unit and source of each of its keys
+/// stand; "there" is Social-GAN (Gupta et al. 2018), scripts/run_traj.sh.
 struct SocialGanOptions {
   int epochs = 0;
   int batch = 0;
   double learning_rate = 0.0;
-  double max_gradient = 0.0;
+  double max_gradient = 1.5;  ///< norm, of the generator
   int embedding = 0;
   int encoder = 0;
   int decoder = 0;
@@ -44,25 +45,26 @@ struct SocialGanOptions {
   int context_layer = 0;
   int noise = 0;
   int discriminator = 0;
-  int discriminator_steps = 0;
-  int variety = 0;
+  int discriminator_steps = 2;  ///< for one of the generator
+  int variety = 10;             ///< samples, of which the best one of a scene counts
   double step_scale = 0.0;
   double position_scale = 0.0;
 };
 
-/// config/generators.yaml, section c_mid, where each number's unit and source stand.
+/// config/study/generators.yaml, section c_mid, where the unit and source of each of its keys
+/// stand; "there" is MID (Gu et al. 2022), configs/baseline.yaml.
 struct MidOptions {
   int epochs = 0;
   int batch = 0;
   double learning_rate = 0.0;
-  double attacker_weight = 0.0;
+  double attacker_weight = 3.0;  ///< of the attacker's error, as 1 of anybody else's; 1 there
   int encoder = 0;
-  double encoder_dropout = 0.0;
+  double encoder_dropout = 0.25;
   int width = 0;  ///< a multiple of 4 and of `heads`
   int layers = 0;
   int heads = 0;
   int feed_forward = 0;
-  double dropout = 0.0;
+  double dropout = 0.1;
   int diffusion_steps = 0;
   double beta_first = 0.0;
   double beta_last = 0.0;
@@ -74,12 +76,13 @@ struct MidOptions {
   double target_scale = 0.0;
 };
 
-/// config/generators.yaml, section c_strive, where each number's unit and source stand.
+/// config/study/generators.yaml, section c_strive, where the unit and source of each of its keys
+/// stand; "there" is STRIVE (Rempe et al. 2022), configs/train_traffic.cfg.
 struct StriveOptions {
   int epochs = 0;
   int batch = 0;
   double learning_rate = 0.0;
-  double max_gradient = 0.0;
+  double max_gradient = 1.0;  ///< norm; none there
   int hidden = 0;
   int feature = 0;
   int latent = 0;
@@ -95,40 +98,41 @@ struct StriveOptions {
   double turn_scale = 0.0;
   double acceleration_scale = 0.0;
   double turn_change_scale = 0.0;
-  double noise = 0.0;
-  double attacker_weight = 0.0;
-  double divergence_weight = 0.0;
-  int divergence_steps = 0;
-  double overlap_weight = 0.0;
-  double off_lanes_weight = 0.0;
+  double noise = 0.01;           ///< of the scaled past in training
+  double attacker_weight = 3.0;  ///< of its reconstruction; 1 there
+  double divergence_weight = 0.004;
+  int divergence_steps = 6000;  ///< in which this weight rises from 0; 20 epochs there
+  double overlap_weight = 0.05;
+  double off_lanes_weight = 0.1;
 };
 
-/// config/generators.yaml, section strive_optimised, where each number's unit and source stand.
+/// STRIVE's search in the latent space (configs/adv_gen_*.cfg), for the method strive_optimised.
 struct StriveAttackOptions {
-  int iterations = 0;
-  int hold = 0;
-  int window = 0;
-  double learning_rate = 0.0;
-  double temperature = 0.0;
-  double crash_weight = 0.0;
-  double heading_weight = 0.0;
-  double prior_weight = 0.0;
-  double attacker_prior_weight = 0.0;
-  double stay_weight = 0.0;
-  double attacker_stay_weight = 0.0;
-  double overlap_weight = 0.0;
-  double off_lanes_weight = 0.0;
+  int iterations = 200;  ///< at most
+  int hold = 10;         ///< iterations with the crash that end the search; none do there
+  int window = 1;        ///< frames before the time asked for in which the crash may be
+  double learning_rate = 0.05;
+  double temperature = 1.0;  ///< m, of the nearest frame
+  double crash_weight = 2.0;
+  double heading_weight = 5.0;  ///< of the relative heading of the type; none there
+  double prior_weight = 1.0;    ///< of all but the attacker
+  double attacker_prior_weight = 0.005;
+  double stay_weight = 0.5;  ///< of all but the attacker
+  double attacker_stay_weight = 0.05;
+  double overlap_weight = 20.0;    ///< of all but the ego
+  double off_lanes_weight = 20.0;  ///< of all but the ego
 };
 
-/// config/network_published.yaml, section network, where each number's unit and source stand.
+/// config/study/network_published.yaml, section network, where the unit and source of each of its
+/// keys stand; "there" is the code released with arXiv 2510.12206.
 struct PublishedNetworkOptions {
   int epochs = 0;
   int batch = 0;
   double learning_rate = 0.0;
   int decay_from = 0;
   int decay_every = 0;
-  double decay = 0.0;
-  double dropout = 0.0;
+  double decay = 0.75;   ///< the rate's factor each time, as there
+  double dropout = 0.1;  ///< before the last layers of the heads
   int width = 0;
   int condition = 0;
   int selector = 0;
@@ -138,22 +142,23 @@ struct PublishedNetworkOptions {
   double anchor_scale = 0.0;
   double place_scale = 0.0;
   double positive_radius = 0.0;
-  double positive_weight = 0.0;
-  double anchors_loss = 0.0;
-  double anchor_offset_loss = 0.0;
-  double target_points_loss = 0.0;
-  double regression_loss = 0.0;
-  double ego_yaw_loss = 0.0;
-  double attacker_offset_loss = 0.0;
-  double attacker_yaw_loss = 0.0;
-  double selection_loss = 0.0;
+  double positive_weight = 28.0;  ///< of a positive anchor, one of another counts 1; 27 to 29 there
+  // Weights of the losses, each summed over a clip, then averaged over a batch.
+  double anchors_loss = 0.02;       ///< 0.001 there, of a loss whose logit was a probability
+  double anchor_offset_loss = 0.1;  ///< 0.008 there, over all anchors; here over the positive ones
+  double target_points_loss = 1.0;  ///< not published
+  double regression_loss = 0.4;     ///< not published
+  double ego_yaw_loss = 10.0;       ///< as there, like all below
+  double attacker_offset_loss = 0.4;
+  double attacker_yaw_loss = 20.0;
+  double selection_loss = 1.0;
 };
 
-/// config/generators.yaml, a member a section, or network_published.yaml, which has the last one.
-/// What a model was made with is kept in its weights.
+/// config/study/generators.yaml, a member a section, or network_published.yaml, which has the last
+/// one. What a model was made with is kept in its weights.
 struct GeneratorOptions {
   TrafficOptions traffic;
-  double validation_share = 0.0;
+  double validation_share = 0.1;  ///< of the scenes, to find the best epoch
   SocialGanOptions c_sgan;
   MidOptions c_mid;
   StriveOptions c_strive;
@@ -164,7 +169,10 @@ struct GeneratorOptions {
 /// The models that there are: "c_sgan", "c_mid", "c_strive" and "published_network" with each head.
 std::vector<std::string> trafficModelNames();
 
-/// The file of config/ that a model's numbers stand in, without its ending.
+/// True for the models that read `published_network` of GeneratorOptions.
+bool isPublishedNetwork(const std::string& model);
+
+/// The file of config/ that a model's numbers stand in.
 std::string configFileOf(const std::string& model);
 
 /// The mappings of that file that a model needs.

@@ -2,23 +2,48 @@
 
 #include "collision_forge/base/config/section.h"
 #include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/planner_test/settings/config_fingerprint.h"
 
 namespace forge {
+namespace {
 
-StudyConfig loadStudyConfig(const std::string& directory) {
+Section openStudyFile(const ConfigFolder& folder, const std::string& name) {
+  return openConfigFile(folder, "study/" + name + ".yaml");
+}
+
+/// Reads the only mapping of the file study/KEY.yaml by its readOptions().
+template <class Options, class... More>
+void readStudyFile(const ConfigFolder& folder, const std::string& key, Options& options,
+                   const More&... more) {
+  Section file = openStudyFile(folder, key);
+  file.read(key, options, more...);
+  file.finish();
+}
+
+}  // namespace
+
+StudyConfig loadStudyConfig(const ConfigFolder& folder) {
   StudyConfig config;
-  static_cast<Config&>(config) = loadConfig(directory);
-  readConfigFile(directory, "speed_model_fit", config.speed_model_fit);
-  readConfigFile(openConfigFile(directory, "training.yaml"), static_cast<LearningOptions&>(config));
-  readConfigFile(directory, "planner_training", config.planner_training);
+  static_cast<Config&>(config) = loadConfig(folder);
+  readStudyFile(folder, "speed_model_fit", config.speed_model_fit);
+  readConfigFile(openStudyFile(folder, "training"), static_cast<LearningOptions&>(config));
+  readStudyFile(folder, "planner_training", config.planner_training);
   const int history_frames = config.attack.prediction.history_frames;
-  readConfigFile(openConfigFile(directory, "generators.yaml"), config.generators,
-                 sectionsOfGenerators(), history_frames);
-  readConfigFile(openConfigFile(directory, "network_published.yaml"), config.published_network,
+  readConfigFile(openStudyFile(folder, "generators"), config.generators, sectionsOfGenerators(),
+                 history_frames);
+  readConfigFile(openStudyFile(folder, "network_published"), config.published_network,
                  sectionsOf("published_network"), history_frames);
-  readConfigFile(directory, "evaluation", config.evaluation);
-  readConfigFile(directory, "dataset", config.dataset, config.attack.search.time_margin);
+  readStudyFile(folder, "evaluation", config.evaluation);
+  readStudyFile(folder, "dataset", config.dataset, config.attack.search.time_margin);
   return config;
+}
+
+std::map<std::string, std::string> studyFingerprints(const ConfigFolder& folder) {
+  std::map<std::string, std::string> found;
+  for (const char* name : {"study/dataset.yaml", "study/evaluation.yaml"}) {
+    found[std::string("config/") + name] = fingerprintOfValues(folder, name);
+  }
+  return found;
 }
 
 }  // namespace forge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "collision_forge/attack/forecast/options.h"
@@ -17,8 +18,12 @@ struct StudyConfig : LearningOptions {
   GeneratorOptions published_network;  ///< of network_published.yaml
 };
 
-/// loadConfig() and the study's files in `directory`. Throws ConfigError for a missing, unknown or
+/// loadConfig() and the files of config/study/. Throws ConfigError for a missing, unknown or
 /// malformed key.
-StudyConfig loadStudyConfig(const std::string& directory);
+StudyConfig loadStudyConfig(const ConfigFolder& folder);
+
+/// The fingerprints of the study's files that its results depend on; those of training are
+/// described by the run itself.
+std::map<std::string, std::string> studyFingerprints(const ConfigFolder& folder);
 
 }  // namespace forge

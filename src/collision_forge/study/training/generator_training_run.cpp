@@ -182,12 +182,12 @@ void trainGenerator(const TrainingRun& run) {
     throw TrainingError("a generator is trained on clips: --collide");
   }
   const std::set<std::string> left_out = leftOutScenes(run);
-  const std::string file = configFileOf(run.generator) + ".yaml";
+  const std::string file = configFileOf(run.generator);
   const std::string asked = "generator = " + run.generator + "\n";
   const OutputLock lock = openRunFolder(run, asked + describeRun(run, 1, file));
   torch::set_num_threads(run.threads);
   GeneratorTrainer trainer(run, {run.generator,
-                                 textOfSections(run.config + "/" + file, sectionsOf(run.generator)),
+                                 run.config.textOfSections(file, sectionsOf(run.generator)),
                                  run.generators.traffic.history_frames,
                                  0,
                                  {left_out.begin(), left_out.end()}});

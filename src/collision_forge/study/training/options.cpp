@@ -10,23 +10,10 @@ static void readOptions(Section& section, TrainingOptions& options, double max_t
   options.batch = section.count("batch", 1);
   options.times = section.count("times", 1);
   options.learning_rate = section.positive("learning_rate");
-  options.weight_decay = section.nonNegative("weight_decay");
   options.dropout = section.within("dropout", 0.0, kMaxDropout);
-  options.context_dropout = section.share("context_dropout");
-  options.max_gradient = section.positive("max_gradient");
-  options.heading_weight = section.nonNegative("heading_weight");
-  options.offset_weight = section.nonNegative("offset_weight");
-  options.selection_weight = section.nonNegative("selection_weight");
-  options.clip_weight = section.positive("clip_weight");
-  options.hidden_history_share = section.share("hidden_history_share");
-  options.mirrored_share = section.share("mirrored_share");
   options.validation_share = section.share("validation_share");
   options.max_tta = max_tta;
   options.min_vehicle_speed = section.nonNegative("min_vehicle_speed");
-  options.vehicle_stride = section.positive("vehicle_stride");
-  options.noise_along = section.nonNegative("noise_along");
-  options.noise_along_exponent = section.positive("noise_along_exponent");
-  options.noise_across = section.nonNegative("noise_across");
 }
 
 void readOptions(Section& section, PlannerTrainingOptions& options) {
@@ -39,12 +26,6 @@ void readOptions(Section& section, PlannerTrainingOptions& options) {
   options.max_gradient = section.positive("max_gradient");
   options.heading_weight = section.nonNegative("heading_weight");
   options.mirrored_share = section.share("mirrored_share");
-  options.hidden_history_share = section.share("hidden_history_share");
-  options.moved_share = section.share("moved_share");
-  options.lateral_noise = section.nonNegative("lateral_noise");
-  options.heading_noise = section.nonNegative("heading_noise");
-  options.return_time = section.positive("return_time");
-  options.min_future = section.positive("min_future");
 }
 
 void readOptions(Section& file, LearningOptions& options) {

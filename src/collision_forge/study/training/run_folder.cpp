@@ -105,7 +105,7 @@ std::string describeRun(const TrainingRun& run, int ranks, const std::string& co
        << "\ndevice = " << run.device << "\nranks = " << ranks << '\n';
   for (const auto& [name, found] : run.config_files) text << name << " = " << found << '\n';
   text << '\n';
-  text << readText(run.config + "/" + config);
+  text << run.config.text(config);
   return text.str();
 }
 

@@ -16,7 +16,7 @@ namespace forge {
 namespace {
 
 /// The processes that mpirun started, which end together where one is silent.
-TrainingRanks launchedRanks(const std::string& config) {
+TrainingRanks launchedRanks(const ConfigFolder& config) {
   Ranks::watch(loadRankOptions(config));
   const Ranks& ranks = Ranks::get();
   return {ranks.rank(), ranks.size(),
@@ -106,7 +106,8 @@ void trainPatternNetwork(const TrainingRun& run) {
   const TrainingRanks ranks = launchedRanks(run.config);
   const bool is_first = ranks.rank == 0;
   std::optional<OutputLock> lock;
-  if (is_first) lock.emplace(openRunFolder(run, describeRun(run, ranks.size, "training.yaml")));
+  if (is_first)
+    lock.emplace(openRunFolder(run, describeRun(run, ranks.size, "study/training.yaml")));
   PatternTrainer trainer(options.pattern_features, options.pattern_layers, options.training,
                          run.device, run.threads, run.seed);
   trainer.trainTogether(ranks);

@@ -13,8 +13,8 @@ namespace forge {
 /// What a network is trained on, how, and where the run is written.
 struct TrainingRun {
   TrainingSources sources;
-  std::string out;     ///< folder of the run
-  std::string config;  ///< folder with the configuration files, for these two
+  std::string out;      ///< folder of the run
+  ConfigFolder config;  ///< the configuration, for these two
   /// Fingerprints of those that results depend on beside the one that is trained by, by name.
   std::map<std::string, std::string> config_files;
   LearningOptions options;

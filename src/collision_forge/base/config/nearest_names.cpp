@@ -1,8 +1,7 @@
-#include "collision_forge/base/scene/nearest_names.h"
+#include "collision_forge/base/config/nearest_names.h"
 
 #include <algorithm>
-
-#include "collision_forge/base/scene/request_words.h"
+#include <cctype>
 
 namespace forge {
 namespace {
@@ -18,6 +17,12 @@ std::size_t editsBetween(const std::string& word, const std::string& name) {
 }
 
 }  // namespace
+
+std::string lowered(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return word;
+}
 
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));

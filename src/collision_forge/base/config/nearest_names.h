@@ -7,6 +7,10 @@
 
 namespace forge {
 
+/// Returns the word in lower case: words mean the same in capitals on the command line and in
+/// messages.
+std::string lowered(std::string word);
+
 /// Returns the number of edits that make one text the other: insertions, deletions, replacements
 /// and swaps of neighbouring characters. Takes time and memory proportional to the product of the
 /// lengths.

@@ -1,4 +1,4 @@
-#include "collision_forge/base/scene/nearest_names.h"
+#include "collision_forge/base/config/nearest_names.h"
 
 #include <gtest/gtest.h>
 

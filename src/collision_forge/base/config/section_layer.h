@@ -1,0 +1,15 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <string>
+
+namespace forge {
+
+/// A value of a configuration file, and the file that gives it.
+struct SectionLayer {
+  std::string file;
+  YAML::Node node;
+};
+
+}  // namespace forge
