@@ -108,9 +108,11 @@ class CollisionForge:
 
     def generate(self, collision: Collision, tta: Optional[float] = None, *, at: Optional[Time] = None,
                  method: str = '', **controls: Any) -> Attack:
-        """An attack of a type, `tta` s from now; or what `possible()` has told to be possible, with its controls.
+        """An attack of a type, `tta` s from now; or exactly the attack that `possible()` has listed.
 
-        at: stamp of the frame of agents that is now; controls: as of `control_fields()`. Raises Declined.
+        With a tta, a method, an instant or controls other than those of the list, the listed attacker and manoeuvre
+        are asked for anew. at: stamp of the frame of agents that is now; controls: as of `control_fields()`. Raises
+        Declined.
         """
         return self._generate(collision, tta, at, method, fields_of(controls), False)
 
@@ -125,12 +127,16 @@ class CollisionForge:
     def _generate(self, collision: Collision, tta: Optional[float], at: Optional[Time], method: str,
                   controls: Dict[str, Any], adaptive: bool) -> Attack:
         if isinstance(collision, PossibleCollision):
-            at, tta = at or collision.now, collision.tta if tta is None else tta
-            own = {'choice': 'new'} if collision.added else {'attacker_id': collision.attacker}
-            controls = {**collision.controls, 'manoeuvre': collision.manoeuvre, 'alternatives': 1, **own,
-                        **{name: value for name, value in controls.items() if value != control_fields()[name]}}
+            changed = {name: value for name, value in controls.items() if value != control_fields()[name]}
+            if at or tta or method or changed or adaptive:
+                own = {'choice': 'new'} if collision.added else {'attacker_id': collision.attacker}
+                own.update(manoeuvre=collision.manoeuvre, alternatives=1)
+            else:
+                own = {'alternative': collision.alternative}
+            controls = {**collision.controls, **own, **changed}
             listed = controls.pop('method')
             method = method or listed
+            at, tta = at or collision.now, collision.tta if tta is None else tta
             collision = collision.collision_type
         if tta is None:
             raise TypeError('generate() needs tta, s from now to impact')

@@ -171,6 +171,7 @@ class PossibleCollision(Result):
     now: Time = field(repr=False)
     collision_type: str
     tta: float            # s from now, to ask for
+    alternative: int      # which attack of the answer to the request, from 1 on
     attacker: str         # its id; of one that is added its id then
     attacker_class: str
     added: bool           # nobody recorded it
@@ -183,9 +184,9 @@ class PossibleCollision(Result):
 
     @classmethod
     def of(cls, message: Any, now: Time, controls: Dict[str, Any]) -> 'PossibleCollision':
-        return cls(now, message.collision_type, message.tta, message.attacker_id, message.attacker_class, message.added,
-                   message.manoeuvre, message.confidence, message.contact_after, message.impact_speed, controls,
-                   message)
+        return cls(now, message.collision_type, message.tta, message.alternative, message.attacker_id,
+                   message.attacker_class, message.added, message.manoeuvre, message.confidence, message.contact_after,
+                   message.impact_speed, controls, message)
 
 
 @dataclass(frozen=True, repr=False)

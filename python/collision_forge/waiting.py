@@ -1,6 +1,8 @@
 """Waiting for nodes and messages, by the wall clock: under `use_sim_time` the ROS clock may stand still."""
+import http.client
 import threading
 import time
+import xmlrpc.client
 from typing import Any, Callable, List, Optional, Sequence, Set
 
 import rosgraph
@@ -8,7 +10,8 @@ import rospy
 
 from collision_forge.errors import ForgeError, NotReady
 
-INTERVAL = 0.02  # s between two looks
+INTERVAL = 0.02       # s between two looks
+MASTER_ANSWERS = 5.0  # s; a master of this machine takes milliseconds
 
 
 def wait_until(missing: Callable[[], Sequence[str]], timeout: float) -> None:
@@ -69,14 +72,27 @@ class Inbox:
         self._subscriber.unregister()
 
 
+class LimitedTransport(xmlrpc.client.Transport):
+    """Calls to a master that fail where it does not answer, in place of waiting for ever."""
+
+    def make_connection(self, host: Any) -> http.client.HTTPConnection:
+        connection = super().make_connection(host)
+        connection.timeout = MASTER_ANSWERS
+        return connection
+
+
 class Graph:
     """Who publishes, hears and answers what, as the master knows it."""
 
     def __init__(self) -> None:
+        uri = rosgraph.get_master_uri()
         try:
-            entries = rosgraph.Master(rospy.get_name()).getSystemState()
-        except (OSError, rosgraph.MasterException) as error:
-            raise ForgeError('no ROS master at {}: {}'.format(rosgraph.get_master_uri(), error)) from error
+            master = xmlrpc.client.ServerProxy(uri, transport=LimitedTransport())
+            _, _, entries = master.getSystemState(rospy.get_name())
+        except (OSError, ValueError, http.client.HTTPException, xmlrpc.client.Error) as error:
+            # Without the stack of the call, which names nothing that a caller can mend.
+            raise ForgeError('no ROS master answers at ROS_MASTER_URI = {} ({}): start one, for example with '
+                             'roslaunch collision_forge replay.launch bag:=BAG'.format(uri, error)) from None
         self.publishers, self.subscribers, self.services = (
             {name: set(nodes) for name, nodes in kind} for kind in entries)
 

@@ -212,7 +212,7 @@ class OneCrash : public testing::Test {
       }
       return placeAt(places, time());
     };
-    return {placeOf("ego"), placeOf("attacker")};
+    return {placeOf("ego"), placeOf("other")};
   }
 
   /// What OpenSCENARIO, CommonRoad and ScenarioNet are written from.

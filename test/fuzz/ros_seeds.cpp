@@ -175,8 +175,9 @@ void writeScene(rosbag::Bag& bag) {
 void writeAttack(rosbag::Bag& bag) {
   const ros::Time now = stampOf(kNow);
   bag.write(bagTopic(names::kAttack), now, attack());
-  bag.write(bagTopic(names::kAttackRequest), now,
-            attackRequest(believableRequestFor(CollisionType::kRearEnd), attack(), "fingerprint"));
+  bag.write(
+      bagTopic(names::kAttackRequest), now,
+      attackRequest(believableRequestFor(CollisionType::kRearEnd), attack(), "fingerprint", 1));
 }
 
 void writeForeign(rosbag::Bag& bag) {
@@ -198,7 +199,7 @@ std::vector<std::string> bagSeeds() {
 std::vector<std::string> messageSeeds() {
   collision_forge::EncodedScene scene;
   scene.snapshot = toMessage(busyRoad());
-  const auto asked = attackRequest(believableRequestFor(CollisionType::kRearEnd), attack(), "f");
+  const auto asked = attackRequest(believableRequestFor(CollisionType::kRearEnd), attack(), "f", 1);
   collision_forge::PlannedTrajectory planned;
   planned.points = attack().trajectory.points;
   return {told("AgentArray", agentsAtNow()),

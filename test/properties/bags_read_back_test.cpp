@@ -32,7 +32,7 @@ class Bags {
     BagAttack attack;
     attack.attack = toMessage(scenario.answer, "search", asked.now);
     attack.tested_report = toMessage(tested, scenario.answer.trajectory.attacker_id, asked.now);
-    attack.request = attackRequest(asked.request, attack.attack, "of a test");
+    attack.request = attackRequest(asked.request, attack.attack, "of a test", 1);
     attack.after_contact = after;
     const std::string path = folder_.path() + "/attacked.bag";
     injectIntoBag(bagOf(scenario.asked.scene), path, attack,

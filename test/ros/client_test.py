@@ -223,13 +223,15 @@ class ClientTest(road.RoadTest):
 
     def test_what_is_possible_can_be_generated(self):
         self.play()
-        possible = self.forge.possible([TYPE, 'rear_end'], [TTA])
+        possible = self.forge.possible([TYPE, 'rear_end'], [TTA], alternatives=8)
+        self.assertGreater(max(collision.alternative for collision in possible), 1)
         self.assertGreater(len(possible), 0)
         self.assertIsNone(self.forge.attack, 'nothing is published')
         for collision in possible:
             attack = self.forge.generate(collision)
-            self.assertEqual((attack.collision_type, attack.attacker_class, attack.added, attack.report.manoeuvre),
-                             (collision.collision_type, collision.attacker_class, collision.added, collision.manoeuvre))
+            self.assertEqual((attack.collision_type, attack.attacker, attack.report.manoeuvre, attack.report.confidence),
+                             (collision.collision_type, collision.attacker, collision.manoeuvre, collision.confidence))
+            self.assertAlmostEqual(attack.report.contact.t, collision.contact_after)
 
     def test_answers_for_each_type_and_time(self):
         self.play()

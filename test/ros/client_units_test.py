@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """The Python client's data, errors and programs, without a master."""
 import math
+import os
+import socket
 import subprocess
 import tempfile
 import time
@@ -67,11 +69,35 @@ class ErrorsTest(unittest.TestCase):
         self.assertEqual(str(raised.exception), 'waited 0.1 s in vain for a spoon; a fork')
 
 
+class NoMasterTest(unittest.TestCase):
+    """Where nobody answers as a master, the client ends with one line that says what to start."""
+
+    def said_at(self, uri):
+        environment = {**os.environ, 'ROS_MASTER_URI': uri}
+        said = subprocess.run(['/usr/bin/python3', '-c', 'from collision_forge import CollisionForge; CollisionForge()'],
+                              env=environment, stderr=subprocess.PIPE, universal_newlines=True, timeout=60, check=False)
+        self.assertNotEqual(said.returncode, 0)
+        self.assertNotIn('xmlrpc', said.stderr)
+        return said.stderr.splitlines()[-1]
+
+    def test_names_the_address_and_what_to_start(self):
+        for uri in ('http://localhost:1', 'nonsense'):
+            line = self.said_at(uri)
+            self.assertIn('no ROS master answers at ROS_MASTER_URI = ' + uri, line)
+            self.assertIn('roslaunch collision_forge', line)
+
+    def test_does_not_wait_for_one_that_never_answers(self):
+        with socket.socket() as silent:
+            silent.bind(('localhost', 0))
+            silent.listen(1)
+            self.assertIn('timed out', self.said_at('http://localhost:{}'.format(silent.getsockname()[1])))
+
+
 class ControlsTest(unittest.TestCase):
     def test_they_are_all_that_a_request_has(self):
         beside = {'collision_type', 'tta'}
         self.assertEqual(set(control_fields()), set(msg.CollisionRequest.__slots__) - beside)
-        beside |= {'stamp', 'adaptive', 'method'}
+        beside |= {'stamp', 'adaptive', 'method', 'alternative'}
         self.assertEqual(set(control_fields()), set(srv.GenerateCollisionRequest.__slots__) - beside)
 
     def test_bands_and_truth(self):

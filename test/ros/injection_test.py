@@ -7,6 +7,7 @@ import subprocess
 
 import rosbag
 import rospy
+import yaml
 
 import road
 
@@ -105,6 +106,13 @@ class InjectionTest(road.RoadTest):
         package = (road.PACKAGE_FOLDER / 'package.xml').read_text()
         self.assertIn('<version>{}</version>'.format(message.version), package)
         self.assertRegex(message.configuration, '^[0-9a-f]{16}$')
+
+    def test_the_view_for_rviz_holds_the_contact_before_it_comes(self):
+        """As far ahead of the ego as the ego drives in 4 s at 15 m/s, in any direction."""
+        layout = yaml.safe_load((road.PACKAGE_FOLDER / 'rviz/attacked_bag.rviz').read_text())
+        view = layout['Visualization Manager']['Views']['Current']
+        self.assertEqual(view['Target Frame'], 'base_link')
+        self.assertGreater(layout['Window Geometry']['Height'] / 2 / view['Scale'], 60.0)
 
     def test_pictures_are_drawn(self):
         png = (self.folder / 'attack.png').read_bytes()

@@ -23,6 +23,13 @@ TEST(LabelPlaces, LieBesideTheirBoxAndOnNoOther) {
   EXPECT_GT(boxes.size(), 4U);
 }
 
+TEST(LabelPlaces, SweepABoxAlongItsVelocity) {
+  const OrientedBox swept = sweptBox(kCar, {0.0, 3.0}, 2.0);
+  EXPECT_TRUE(overlaps(swept, {{0.0, 7.5, 0.0}, {0.1, 0.1}}));
+  EXPECT_FALSE(overlaps(swept, {{0.0, -3.0, 0.0}, {0.1, 0.1}}));
+  EXPECT_NEAR(sweptBox(kCar, {0.0, 0.0}, 2.0).center.yaw, kCar.center.yaw, 1e-12);
+}
+
 TEST(LabelPlaces, CoverTheFewestWhereNoneIsFree) {
   const BoxSize text = textSize("0", 1.0);
   // Everything is covered once, all but what lies above the car twice.

@@ -152,6 +152,24 @@ TEST_F(LiveSceneTest, KeepsTheWordsInTheirPlaceWhileOthersPassUnderThem) {
   EXPECT_EQ(place_of_words(), before);
 }
 
+TEST_F(LiveSceneTest, PutsTheVerdictBesideAllThatTheOthersDriveOver) {
+  showCrash(13.2);
+  live_.verdict = &tested_;
+  const auto place = [this] {
+    const Marker words = shown("words_plate")[0];
+    return OrientedBox{{words.pose.position.x, words.pose.position.y, 0.0},
+                       {words.scale.x, words.scale.y}};
+  };
+  scene_.agents[1] = track("passing", collision_forge::Agent::CAR, -10.0, place().center.y);
+  scene_.header.stamp = ros::Time(12.0);
+  EXPECT_TRUE(overlaps(place(), {{14.0, place().center.y, 0.0}, {60.0, 1.9}}));
+  live_.words_obstacles = coveredByOthers(live_);
+  for (const OrientedBox& covered : live_.words_obstacles) {
+    EXPECT_FALSE(overlaps(place(), covered));
+  }
+  EXPECT_EQ(live_.words_obstacles.size(), 1U) << "the attacker is no other";
+}
+
 TEST_F(LiveSceneTest, LooksAtEgoAttackerAndContact) {
   attack_.report.attacker_at_contact.x = 74.0;
   attack_.report.ego_at_contact.x = 69.0;

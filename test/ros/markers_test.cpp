@@ -300,6 +300,20 @@ TEST(CrashMarkers, KeepTheWordsInTheirPlaceWhileTheVehiclesCome) {
   EXPECT_EQ(places[2], places[0]);
 }
 
+TEST(CrashMarkers, PutTheWordsBesideTheObstacles) {
+  const collision_forge::Attack shown = attack();
+  CrashView view;
+  view.attack = &shown;
+  view.header = header(11.0);
+  const auto place = [&view] {
+    const auto plate = inNamespace(crashMarkers(view), "words_plate")[0];
+    return OrientedBox{{plate.pose.position.x, plate.pose.position.y, 0.0},
+                       {plate.scale.x, plate.scale.y}};
+  };
+  view.words_obstacles = {place()};
+  EXPECT_FALSE(overlaps(place(), view.words_obstacles[0]));
+}
+
 TEST(AnnotationMarkers, HoldABoxForEverybodyAndANameForWhatCanAttack) {
   collision_forge::AgentArray agents;
   agents.header = header(5.0);

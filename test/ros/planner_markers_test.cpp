@@ -34,6 +34,10 @@ PlannerTrial standing() {
   return trial;
 }
 
+ShownRollout shown(const PlannerTrial& trial, const std::string& planner = "idm") {
+  return shownRollout(trial, scenario(), planner, shippedOptions().verification.drivable);
+}
+
 std::vector<Marker> inNamespace(const MarkerArray& array, const std::string& name_space) {
   std::vector<Marker> found;
   std::copy_if(array.markers.begin() + 1, array.markers.end(), std::back_inserter(found),
@@ -74,7 +78,7 @@ TEST(PlannerMarkers, ShowEveryProposalWithItsEnd) {
 constexpr double kEnd = kNow + 2.0;
 
 TEST(RolloutMarkers, ShowEverybodyAtTheInstantWithoutTheOutcome) {
-  const MarkerArray array = rolloutMarkers(standing(), scenario(), "idm", kNow + 1.0);
+  const MarkerArray array = rolloutMarkers(shown(standing(), "idm"), kNow + 1.0);
   EXPECT_EQ(array.markers.front().action, Marker::DELETEALL);
   ASSERT_EQ(inNamespace(array, "ego").size(), 1U);
   ASSERT_EQ(inNamespace(array, "attacker").size(), 1U);
@@ -88,19 +92,19 @@ TEST(RolloutMarkers, ShowEverybodyAtTheInstantWithoutTheOutcome) {
 TEST(RolloutMarkers, ShowThoseWhoReactAsTheyDrove) {
   PlannerTrial trial = standing();
   trial.outcome.others = {futureTrack("parked", kCarSize, {50.0, -4.0, 0.0}, 0.0)};
-  const MarkerArray array = rolloutMarkers(trial, scenario(), "idm", kNow);
+  const MarkerArray array = rolloutMarkers(shown(trial, "idm"), kNow);
   EXPECT_NEAR(inNamespace(array, "agents")[0].pose.position.x, 50.0, 1e-6);
 }
 
 TEST(RolloutMarkers, WithoutAContactTellWhatHappenedAtTheEnd) {
   PlannerTrial trial = standing();
-  const MarkerArray array = rolloutMarkers(trial, scenario(), "idm", kEnd);
+  const MarkerArray array = rolloutMarkers(shown(trial, "idm"), kEnd);
   EXPECT_EQ(reportOf(array), "idm: no contact in 2.00 s\nno way to avoid it was found");
   EXPECT_TRUE(inNamespace(array, "contact").empty());
 
   trial.outcome.failure = PlannerFailure::kTimedOut;
   trial.avoidability.last = Avoidance{EvasiveManoeuvre::kBraking, kNow + 1.5, {}, 0.0};
-  EXPECT_EQ(reportOf(rolloutMarkers(trial, scenario(), "external", kEnd)),
+  EXPECT_EQ(reportOf(rolloutMarkers(shown(trial, "external"), kEnd)),
             "external: fails, timed_out\nafter 2.00 s\navoidable up to 1.5 s by braking");
 }
 
@@ -113,19 +117,57 @@ TEST(RolloutMarkers, ShowTheContactAtTheEnd) {
   contact.impact_speed = 5.0;
   contact.at_fault = false;
   trial.outcome.contact = contact;
-  const MarkerArray array = rolloutMarkers(trial, scenario(), "pdm", kEnd);
+  trial.outcome.attacker = scenario().attacker;
+  const MarkerArray array = rolloutMarkers(shown(trial, "pdm"), kEnd);
   EXPECT_EQ(reportOf(array),
             "pdm: touches the attacker\nafter 2.00 s, impact 5.0 m/s\nnot at fault\n"
             "no way to avoid it was found");
   EXPECT_EQ(inNamespace(array, "contact").size(), 1U);
-  EXPECT_TRUE(inNamespace(rolloutMarkers(trial, scenario(), "pdm", kNow), "contact").empty());
+  EXPECT_TRUE(inNamespace(rolloutMarkers(shown(trial, "pdm"), kNow), "contact").empty());
 
   trial.outcome.contact->other_id = "parked";
   trial.outcome.contact->is_attacker = false;
   trial.outcome.contact->at_fault = true;
-  const MarkerArray other = rolloutMarkers(trial, scenario(), "pdm", kEnd);
+  const MarkerArray other = rolloutMarkers(shown(trial, "pdm"), kEnd);
   EXPECT_NE(reportOf(other).find("touches parked\n"), std::string::npos);
   EXPECT_NE(reportOf(other).find("\nat fault\n"), std::string::npos);
+}
+
+TEST(RolloutMarkers, ShowWhoeverIsTouchedSlideToAStandWithTheEgo) {
+  for (const char* touched : {"attacker", "parked"}) {
+    PlannerTrial trial = standing();
+    for (TrajectoryPoint& point : trial.outcome.driven) point.speed = 20.0;
+    trial.outcome.attacker = scenario().attacker;
+    trial.outcome.contact = PlannerContact();
+    trial.outcome.contact->other_id = touched;
+    trial.outcome.contact->is_attacker = touched == std::string("attacker");
+    trial.outcome.contact->time = kEnd;
+    const ShownRollout rollout = shown(trial);
+    ASSERT_GT(rollout.standTime(), kEnd + 0.5);
+    const auto moved = [&](const std::string& name) {
+      const auto x = [&](double time) {
+        return inNamespace(rolloutMarkers(rollout, time), name)[0].pose.position.x;
+      };
+      return x(kEnd + 10.0) - x(kEnd);
+    };
+    EXPECT_GT(moved("ego"), 0.5);
+    const bool is_attacker = trial.outcome.contact->is_attacker;
+    EXPECT_NEAR(moved(is_attacker ? "attacker" : "agents"), moved("ego"), 1e-6) << touched;
+    if (!is_attacker) {
+      EXPECT_LT(moved("attacker"), -0.5) << "nobody stops the attacker";
+    }
+  }
+}
+
+TEST(RolloutMarkers, KeepTheWordsOffTheOthers) {
+  const ShownRollout rollout = shown(standing());
+  PlannerTrial trial = standing();
+  trial.outcome.others = {futureTrack("parked", kCarSize, {0.0, 4.0, 0.0}, 0.0)};
+  const auto y = [](const ShownRollout& of) {
+    return inNamespace(rolloutMarkers(of, kEnd), "report")[0].pose.position.y;
+  };
+  EXPECT_GT(std::abs(y(shown(trial)) - 4.0), kCarSize.width);
+  EXPECT_LT(std::abs(y(rollout) - 4.0), kCarSize.width + 2.0) << "where nobody is, it is nearer";
 }
 
 }  // namespace

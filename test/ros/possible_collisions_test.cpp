@@ -102,6 +102,8 @@ TEST(ListPossible, TellsEveryAttackInShortTheSurestFirst) {
   EXPECT_EQ(found[2].attacker_id, "c");
   EXPECT_EQ(found[1].collision_type, "lane_change");
   EXPECT_EQ(found[1].tta, 4.0);
+  EXPECT_EQ(found[0].alternative, 2u);
+  EXPECT_EQ(found[1].alternative, 1u);
   EXPECT_EQ(found[1].attacker_class, "car");
   EXPECT_EQ(found[1].manoeuvre, "cut_in");
   EXPECT_NEAR(found[1].contact_after, 3.75, 1e-6);

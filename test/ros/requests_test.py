@@ -121,6 +121,27 @@ class RequestsTest(AttackedTest):
             self.assertEqual(single.summary.startswith(answer.collision_type + ' by '), answer.code == 0)
             self.assert_close(single.attack, answer.attack, tolerance=0.0)
 
+    def test_alternatives_are_listed_too_the_surest_first(self):
+        self.show(drive(6, lambda seconds: traffic(seconds) + [agent('beside', -12.0 + 10.5 * seconds, 3.5)]))
+        self.ask_for_code('OK', attacker='beside')
+        wanted = CollisionRequest(believable='false', alternatives=8)
+        listed = list_collisions(collision_types=['RE'], ttas=[3.0, 4.0], request=wanted).collisions
+        self.assertEqual({one.collision_type for one in listed}, {'rear_end'})
+        for tta in (3.0, 4.0):
+            sure = [one.confidence for one in listed if one.tta == tta]
+            self.assertGreater(len(sure), 1)
+            self.assertEqual(sure, sorted(sure, reverse=True))
+        for row in listed:
+            attack = ask(row.collision_type, row.tta, alternatives=8, alternative=row.alternative).attack
+            self.assertEqual((attack.trajectory.attacker_id, attack.report.confidence),
+                             (row.attacker_id, row.confidence))
+            self.assertAlmostEqual((attack.report.contact_time - attack.header.stamp).to_sec(), row.contact_after)
+
+    def test_an_alternative_that_there_is_not_is_declined(self):
+        self.attacked()
+        answer = self.ask_for_code('NO_ATTACK_WITHIN_LIMITS', alternatives=16, alternative=16)
+        self.assertIn('alternative = 16: there are', answer.message)
+
     def test_lists_leave_the_patterns_of_the_attack(self):
         self.attacked()
         list_collisions()

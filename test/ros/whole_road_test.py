@@ -211,5 +211,26 @@ class RoundaboutTest(live.WholeRoadTest):
         answer = self.ask_for_code('NO_RECORDING', 'rear_end', 4.0, mode='replay')
         self.assertIn('scene-0007', answer.message)
 
+class DriveOnTest(live.WholeRoadTest):
+    SCENES = ['scene-0005']
+    ARGUMENTS = {'after_contact': 'drive_on'}
+
+    def test_after_the_contact_the_picture_shows_both_drive_on(self):
+        answer, _ = self.play_and_ask('rear_end', 'replay', 0)
+        report = answer.attack.report
+        seconds = (report.contact_time - self.player.start).to_sec() + 0.5
+        picture = self.play_clock_to(seconds)
+        for name, namespace, at_contact in (('ego', 'ego', report.ego_at_contact),
+                                            ('attacker', 'attacker', report.attacker_at_contact)):
+            place, _, _ = live.shown_box(picture, namespace)
+            driven = abs(place - complex(at_contact.x, at_contact.y))
+            self.assertGreater(driven, 0.5, name)
+        stamp = self.player.start + rospy.Duration(seconds)
+        point = min(answer.attack.trajectory.points, key=lambda point: abs((point.stamp - stamp).to_sec()))
+        place, _, _ = live.shown_box(picture, 'attacker')
+        self.assertLess(abs(place - complex(point.pose.position.x, point.pose.position.y)), 0.1 * 15.0)
+        self.assertEqual([marker for marker in picture.markers if marker.ns == 'contact'], [])
+
+
 if __name__ == '__main__':
     live.main('whole_road_test')

@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
+#include <QSpinBox>
 
 #include <chrono>
 #include <mutex>
@@ -72,6 +73,10 @@ class Suite {
     const std::lock_guard<std::mutex> guard(lock_);
     return asked_;
   }
+  collision_forge::CollisionRequest listed() {
+    const std::lock_guard<std::mutex> guard(lock_);
+    return listed_;
+  }
   double sought() {
     const std::lock_guard<std::mutex> guard(lock_);
     return sought_;
@@ -117,9 +122,16 @@ class Suite {
     return true;
   }
 
-  bool list(ListCollisions::Request& /*request*/, ListCollisions::Response& response) {
+  bool list(ListCollisions::Request& request, ListCollisions::Response& response) {
+    const std::lock_guard<std::mutex> guard(lock_);
+    listed_ = request.request;
     response.now = kListed;
+    if (request.request.seed == 7) {
+      response.message = "nothing is possible; no road\nsecond line";
+      return true;
+    }
     response.collisions.resize(2);
+    response.collisions[0].alternative = response.collisions[1].alternative = 1;
     response.collisions[0].collision_type = "rear_end";
     response.collisions[0].attacker_id = "a1";
     response.collisions[0].confidence = 0.5;
@@ -162,6 +174,7 @@ class Suite {
   ros::ServiceServer step_;
   std::mutex lock_;
   GenerateCollision::Request asked_;
+  collision_forge::CollisionRequest listed_;
   double sought_ = 0.0;
   std::string tested_;
   ros::AsyncSpinner spinner_{2, &queue_};
@@ -202,9 +215,38 @@ TEST_F(PanelTest, ListsWhatIsPossibleInAPauseAndAsksForTheRowThatIsChosen) {
   button("generate")->click();
   ASSERT_TRUE(says("status", "2 attacks"));
   EXPECT_EQ(suite_.asked().collision_type, "lane_change");
-  EXPECT_EQ(suite_.asked().attacker_id, "b2");
-  EXPECT_EQ(suite_.asked().manoeuvre, "merge");
+  EXPECT_EQ(suite_.asked().tta, 3.0);
+  EXPECT_EQ(suite_.asked().alternative, 1U);
+  EXPECT_EQ(suite_.asked().attacker_id, suite_.listed().attacker_id)
+      << "nothing that the list did not";
+  EXPECT_EQ(suite_.asked().manoeuvre, suite_.listed().manoeuvre);
   EXPECT_EQ(suite_.asked().stamp, kListed);
+  // The answer had two attacks, which are the rows now.
+  table().selectRow(1);
+  button("generate")->click();
+  EXPECT_TRUE(comes([&] { return suite_.asked().alternative == 2U; }));
+  EXPECT_EQ(suite_.asked().collision_type, "lane_change");
+  EXPECT_EQ(suite_.asked().tta, 3.0);
+}
+
+TEST_F(PanelTest, TellsWhyNothingIsPossibleTheWholeReasonInTheTooltip) {
+  panel_.findChild<QSpinBox*>("seed")->setValue(7);
+  button("list")->click();
+  ASSERT_TRUE(says("status", "no road"));
+  EXPECT_EQ(text("status"), "nothing is possible; no road");
+  EXPECT_THAT(panel_.findChild<QLabel*>("status")->toolTip().toStdString(),
+              HasSubstr("second line"));
+}
+
+TEST_F(PanelTest, ListsWhatIsPossibleOfAnyTypeTimeAttackerAndManoeuvre) {
+  panel_.findChild<QComboBox*>("type")->setCurrentText("lane_change");
+  panel_.findChild<QComboBox*>("manoeuvre")->setCurrentText("merge");
+  button("list")->click();
+  ASSERT_TRUE(comes([&] { return table().rowCount() == 2; }));
+  EXPECT_EQ(suite_.listed().collision_type, "");
+  EXPECT_EQ(suite_.listed().tta, 0.0);
+  EXPECT_EQ(suite_.listed().manoeuvre, "");
+  EXPECT_EQ(suite_.listed().believable, "true");
 }
 
 TEST_F(PanelTest, AsksAboutTheNewestSceneOnceARowIsNoLongerAskedFor) {
@@ -235,7 +277,6 @@ TEST_F(PanelTest, AsksForTheSurestOfWhatIsPossibleUnlessATypeIsChosen) {
   button("generate")->click();
   ASSERT_TRUE(says("status", "2 attacks"));
   EXPECT_EQ(suite_.asked().collision_type, "lane_change");
-  EXPECT_EQ(suite_.asked().attacker_id, "b2");
   EXPECT_EQ(suite_.asked().stamp, kListed);
 }
 

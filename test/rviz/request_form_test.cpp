@@ -31,13 +31,8 @@ TEST(RequestForm, AsksForWhatWasChosen) {
   EXPECT_EQ(request.choice, "existing");
 }
 
-TEST(RequestForm, AsksForACollisionOfTheTableWithoutChangingItsFields) {
-  RequestForm form;
-  const auto request = form.requestOf(cutIn());
-  EXPECT_EQ(request.collision_type, "lane_change");
-  EXPECT_EQ(request.attacker_id, "a1");
-  EXPECT_EQ(request.choice, "existing");
-  EXPECT_EQ(form.request().collision_type, "");
+TEST(RequestForm, AsksForAnyTypeUnlessOneIsChosen) {
+  EXPECT_EQ(RequestForm().request().collision_type, "");
 }
 
 TEST(RequestForm, WritesNumbersWithAPointWhateverTheLanguage) {
@@ -71,18 +66,6 @@ TEST(RequestForm, ForgetsAManoeuvreThatAnotherTypeDoesNotHave) {
   form.choose(rear_end);
   EXPECT_EQ(form.request().collision_type, "rear_end");
   EXPECT_EQ(form.request().manoeuvre, "");
-}
-
-TEST(RequestForm, AsksWhatIsPossibleOfAnyTypeTimeAndAttacker) {
-  RequestForm form;
-  form.choose(cutIn());
-  const auto request = form.anyRequest();
-  EXPECT_EQ(request.collision_type, "");
-  EXPECT_EQ(request.tta, 0.0);
-  EXPECT_EQ(request.attacker_id, "");
-  EXPECT_EQ(request.manoeuvre, "");
-  EXPECT_EQ(request.mode, form.request().mode);
-  EXPECT_EQ(request.believable, "true");
 }
 
 TEST(RequestForm, KeepsTheAttackerWhenOthersComeAndGo) {

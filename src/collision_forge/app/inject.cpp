@@ -10,6 +10,7 @@
 #include "collision_forge/app/instant.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/attack/policy/adaptive_answer.h"
+#include "collision_forge/attack/search/alternatives.h"
 #include "collision_forge/attack/search/request_check.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/base/files/output_lock.h"
@@ -38,7 +39,7 @@ struct Arguments {
   ConfigFolder config;
   std::string method;
   double now = 0.0;
-  int alternative = 1;
+  std::uint32_t alternative = 1;
   collision_forge::CollisionRequest request;
   RequestControls controls;
   Mode mode = Mode::kReplay;
@@ -111,17 +112,6 @@ void checkOutputs(const Arguments& arguments) {
   for (const char* ending : {".png", ".gif"}) checkPicture(arguments.draw + ending, arguments);
 }
 
-/// The attack that is to be injected, `number` 1 the method's own; declined where there are fewer.
-Realization alternativeOf(const Realization& first, int number) {
-  if (first.status.code != StatusCode::kOk || number == 1) return first;
-  const std::size_t others = first.alternatives.size();
-  const auto place = static_cast<std::size_t>(number) - 2;
-  if (place < others) return first.alternatives[place];
-  return declined({StatusCode::kNoAttackWithinLimits,
-                   "--alternative " + std::to_string(number) + ": there are " +
-                       std::to_string(others + 1) + " distinct attacks only"});
-}
-
 /// Without plans where the attacker does not react.
 AdaptiveAnswer answerOf(const MethodMaker& maker, const Moment& moment, const Scene& scene,
                         const CollisionRequest& request, const Arguments& arguments,
@@ -132,9 +122,10 @@ AdaptiveAnswer answerOf(const MethodMaker& maker, const Moment& moment, const Sc
         answerAdaptively(*maker.make(), moment, scene, config.ego_vehicle, request, setup),
         request);
   }
-  const Realization first =
-      generateCollision(*maker.make(), moment, request, config.attack.prediction);
-  return {alternativeOf(first, arguments.alternative), {}, {}};
+  return {attackOf(generateCollision(*maker.make(), moment, request, config.attack.prediction),
+                   arguments.alternative),
+          {},
+          {}};
 }
 
 /// What is written into the bag.
@@ -151,9 +142,9 @@ collision_forge::AttackRequest requestMessage(const TestedAttack& attack,
                                               const Scene& scene, const Arguments& arguments,
                                               const Config& config) {
   collision_forge::AttackRequest message =
-      attackRequest(attack.request, attack_message, fingerprintOfAll(config, config.folder));
+      attackRequest(attack.request, attack_message, fingerprintOfAll(config, config.folder),
+                    arguments.alternative);
   message.now = attack.now - scene.frame_times.front();
-  message.alternative = static_cast<std::uint32_t>(arguments.alternative);
   message.after_contact = toString(arguments.after_contact);
   message.bag = fs::path(arguments.bag).filename().string();
   return message;

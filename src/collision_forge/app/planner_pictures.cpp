@@ -44,10 +44,8 @@ ScenarioView viewOfHit(const PlannerCase& one, const PlannerRow& row, const Conf
   report.impact_speed = contact.impact_speed;
   report.overlap = sideOverlap({report.ego_at_contact, view.future.ego.size}, report.ego_side,
                                {report.attacker_at_contact, scenario.attacker.size});
-  if (contact.is_attacker) {
-    view.crash = motionAfterContact(report, outcome.attacker, view.future.ego,
-                                    config.attack.verification.drivable);
-  }
+  view.crash = motionAfterContact(report, outcome.attacker, view.future.ego,
+                                  config.attack.verification.drivable);
   view.seconds_after_stand = config.attacked_bag.seconds_after_stand;
   return view;
 }

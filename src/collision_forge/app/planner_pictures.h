@@ -11,8 +11,8 @@
 /// Pictures of planners under test.
 namespace forge {
 
-/// The hit of a planner: the ego and the attacker as they drove, up to the contact of the row's
-/// outcome, which must have one and its motions, and what follows a contact with the attacker.
+/// The hit of a planner: the ego and the attacker as they drove up to the contact of the row's
+/// outcome, which must be one with the attacker and have its motions, and what follows it.
 ScenarioView viewOfHit(const PlannerCase& one, const PlannerRow& row, const Config& config);
 
 /// The escape from that hit, which the row must have: what the ego could have done instead, and the

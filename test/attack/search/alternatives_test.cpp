@@ -127,6 +127,19 @@ TEST(FindAlternatives, HasTheSurestFirstAndNoAlternativesOfAlternatives) {
   for (const Realization& other : found) EXPECT_TRUE(other.alternatives.empty());
 }
 
+TEST(AttackOf, GivesEachAttackOfAnAnswerAloneAndDeclinesWhatThereIsNot) {
+  const Realization answer = Case().answer();
+  const std::size_t count = 1 + answer.alternatives.size();
+  EXPECT_EQ(Case::nameOf(attackOf(answer, 1)), Case::nameOf(answer));
+  EXPECT_EQ(Case::nameOf(attackOf(answer, count)), Case::nameOf(answer.alternatives.back()));
+  EXPECT_TRUE(attackOf(answer, 1).alternatives.empty());
+  for (const std::size_t number : {std::size_t{0}, count + 1}) {
+    EXPECT_EQ(attackOf(answer, number).status.code, StatusCode::kNoAttackWithinLimits);
+  }
+  const Status nobody{StatusCode::kNoCandidate, "nobody"};
+  EXPECT_EQ(attackOf(declined(nobody), 2).status.message, "nobody");
+}
+
 TEST(AreDistinct, ByManoeuvreOrAttackerAndAddedOnesByClassOrSide) {
   const Case scene;
   const auto attack = [](const std::string& id, Manoeuvre manoeuvre) {

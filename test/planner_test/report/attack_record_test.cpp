@@ -52,13 +52,13 @@ TEST(AttackRecord, HasTheMotionAfterTheContactUpToSomeSecondsAfterTheStand) {
   EXPECT_THAT(record({}), Not(HasSubstr("\"crash\":")));
   const std::string line = record({{}, crash()});
   EXPECT_THAT(line, HasSubstr(R"("crash":{"ego":{"t":[10000,100)"));
-  EXPECT_THAT(line, HasSubstr(R"("attacker":{"t":[10000,100)"));
+  EXPECT_THAT(line, HasSubstr(R"("other":{"t":[10000,100)"));
   const auto motionOf = [&](const std::string& who) {
     const std::size_t begin = line.find('"' + who + "\":{", line.find("\"crash\":"));
     return decodedMotion(line.substr(begin, line.find('}', begin) - begin));
   };
   const DecodedMotion ego = motionOf("ego");
-  const DecodedMotion attacker = motionOf("attacker");
+  const DecodedMotion attacker = motionOf("other");
   const PostCrashMotion motion = crash().motion;
   EXPECT_NEAR(ego.t.back(), motion.standTime() + 2.0 - kNow, 1e-3);
   for (std::size_t i = 0; i < ego.t.size(); ++i) {
@@ -107,6 +107,9 @@ TEST(PlannerRecord, HasTheMotionWhereThePageHasTheAttack) {
   EXPECT_THAT(plannerRecord(result, row, shown), Not(HasSubstr("\"crash\":")));
   shown.crash = crash();
   EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("crash":{"ego":{"t":[10000,100)"));
+  shown.crash->other =
+      Track{"parked", AgentClass::kCar, {}, {{kNow, {}}, {kNow + 9.0, {}}, {kNow + 11.0, {}}}};
+  EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("other":{"t":[0,9000,1000,100)"));
   row.escape_drive = Escape{{EvasiveManoeuvre::kBraking, kNow + 1.0, row.outcome.driven, 0.0}, {}};
   EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("escape":{"t":[0,100)"));
 }

@@ -118,4 +118,15 @@ std::vector<Realization> findAlternatives(const Realization& first, const Attack
   return found;
 }
 
+Realization attackOf(Realization answer, std::size_t number) {
+  if (answer.status.code != StatusCode::kOk) return answer;
+  std::vector<Realization> others = std::move(answer.alternatives);
+  answer.alternatives.clear();
+  if (number == 1) return answer;
+  if (number >= 2 && number - 2 < others.size()) return others[number - 2];
+  return declined({StatusCode::kNoAttackWithinLimits,
+                   "alternative = " + std::to_string(number) + ": there are " +
+                       std::to_string(others.size() + 1) + " distinct attacks only"});
+}
+
 }  // namespace forge

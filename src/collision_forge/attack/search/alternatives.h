@@ -22,4 +22,9 @@ std::vector<Realization> findAlternatives(const Realization& first, const Attack
                                           const Moment& moment, const CollisionRequest& request,
                                           const PredictionOptions& options);
 
+/// Returns attack `number` of an answer, alone: 1 is the method's own, from 2 on follow the
+/// alternatives in their order. Returns kNoAttackWithinLimits where the answer has fewer, and an
+/// answer without an attack as it is.
+Realization attackOf(Realization answer, std::size_t number);
+
 }  // namespace forge

@@ -51,16 +51,22 @@ AgentState PostCrashMotion::egoAt(double time) const { return stateAfter(ego_, t
 
 AgentState PostCrashMotion::attackerAt(double time) const { return stateAfter(attacker_, time); }
 
+std::optional<PostCrashMotion> motionAfterContact(double contact_time, const Track& other,
+                                                  const Track& ego,
+                                                  const DriveLimitOptions& options) {
+  const auto crashed_ego = crashedAt(contact_time, ego);
+  const auto crashed_other = crashedAt(contact_time, other);
+  if (!crashed_ego || !crashed_other) return std::nullopt;
+  return PostCrashMotion(*crashed_ego, *crashed_other, options);
+}
+
 std::optional<PostCrashMotion> motionAfterContact(double contact_time,
                                                   const AttackerTrajectory& trajectory,
                                                   const Track& ego,
                                                   const DriveLimitOptions& options) {
   const Track attacker{trajectory.attacker_id, trajectory.agent_class, trajectory.size,
                        toStates(trajectory.points)};
-  const auto crashed_ego = crashedAt(contact_time, ego);
-  const auto crashed_attacker = crashedAt(contact_time, attacker);
-  if (!crashed_ego || !crashed_attacker) return std::nullopt;
-  return PostCrashMotion(*crashed_ego, *crashed_attacker, options);
+  return motionAfterContact(contact_time, attacker, ego, options);
 }
 
 std::optional<PostCrashMotion> motionAfterContact(const CollisionReport& report,

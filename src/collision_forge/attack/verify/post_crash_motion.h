@@ -43,8 +43,13 @@ class PostCrashMotion {
   BrakingSlide slide_;
 };
 
-/// Returns the motion after a contact at `contact_time`, seconds. Empty if the trajectory or the
-/// ego's track has no state at that time.
+/// Returns the motion after a contact at `contact_time`, seconds, where `other` is the vehicle that
+/// the ego touches. Empty if one of the two tracks has no state at that time.
+std::optional<PostCrashMotion> motionAfterContact(double contact_time, const Track& other,
+                                                  const Track& ego,
+                                                  const DriveLimitOptions& options);
+
+/// The same where the attacker is that vehicle.
 std::optional<PostCrashMotion> motionAfterContact(double contact_time,
                                                   const AttackerTrajectory& trajectory,
                                                   const Track& ego,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "collision_forge/attack/policy/attacker_policy.h"
+#include "collision_forge/base/scene/clock.h"
 #include "collision_forge/io/scenarios/request_fields.h"
 #include "collision_forge/planner_test/report/compact_motion.h"
 #include "collision_forge/planner_test/trials/planner_result_file.h"
@@ -63,6 +64,18 @@ void writePlansInShort(JsonLineWriter& writer, const std::vector<AttackerPlan>& 
   });
 }
 
+TrajectoryPoint pointOf(const AgentState& state) {
+  return {state.time, state.pose, state.velocity.dot(state.pose.heading()), 0.0, 0.0};
+}
+
+std::vector<TrajectoryPoint> pointsBefore(double end, const Track& track) {
+  std::vector<TrajectoryPoint> points;
+  for (const AgentState& state : track.states) {
+    if (state.time < end - kTimeEpsilon) points.push_back(pointOf(state));
+  }
+  return points;
+}
+
 /// Speed and acceleration along the heading.
 template <typename StateAtTime>
 std::vector<TrajectoryPoint> pointsAfterContact(const ShownCrash& crash, const StateAtTime& at) {
@@ -71,9 +84,7 @@ std::vector<TrajectoryPoint> pointsAfterContact(const ShownCrash& crash, const S
   const int steps = static_cast<int>(std::ceil(duration / kCrashStep));
   std::vector<TrajectoryPoint> points;
   for (int i = 0; i <= steps; ++i) {
-    const double time = begin + std::min(i * kCrashStep, duration);
-    const AgentState state = at(time);
-    points.push_back({time, state.pose, state.velocity.dot(state.pose.heading()), 0.0, 0.0});
+    points.push_back(pointOf(at(begin + std::min(i * kCrashStep, duration))));
   }
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     points[i].acceleration =
@@ -87,9 +98,12 @@ void writeCrash(JsonLineWriter& writer, const ShownCrash& crash, double now) {
   writer.beginObject("crash");
   writeTrajectory(writer, "ego",
                   pointsAfterContact(crash, [&](double time) { return motion.egoAt(time); }), now);
-  writeTrajectory(writer, "attacker",
-                  pointsAfterContact(crash, [&](double time) { return motion.attackerAt(time); }),
-                  now);
+  auto other = pointsAfterContact(crash, [&](double time) { return motion.attackerAt(time); });
+  if (crash.other) {
+    const auto before = pointsBefore(motion.contactTime(), *crash.other);
+    other.insert(other.begin(), before.begin(), before.end());
+  }
+  writeTrajectory(writer, "other", other, now);
   writer.endObject();
 }
 

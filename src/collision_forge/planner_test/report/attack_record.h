@@ -12,10 +12,11 @@
 
 namespace forge {
 
-/// What ego and attacker do after a contact, as the page shows it.
+/// What the ego and the vehicle that it touches do after a contact, as the page shows it.
 struct ShownCrash {
   PostCrashMotion motion;
   double seconds_after_stand = 0.0;  ///< from when both stand to the end of what is shown
+  std::optional<Track> other = {};   ///< the touched vehicle as it drove; empty for the attacker
 };
 
 /// An attack against the recording.
@@ -39,7 +40,7 @@ struct PictureLink {
 /// What is known of a planner's test beyond its results.
 struct ShownTest {
   bool has_attack = false;               ///< the page has the attack, so that motions can be shown
-  std::optional<ShownCrash> crash = {};  ///< after a contact with the attacker
+  std::optional<ShownCrash> crash = {};  ///< after a contact
   std::vector<PictureLink> pictures = {};
 };
 

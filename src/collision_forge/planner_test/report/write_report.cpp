@@ -20,6 +20,7 @@
 #include "collision_forge/planner_test/report/shell_commands.h"
 #include "collision_forge/planner_test/report/weakness_files.h"
 #include "collision_forge/planner_test/trials/planner_cases.h"
+#include "collision_forge/planner_test/trials/planner_crash.h"
 #include "collision_forge/planner_test/trials/planner_result_file.h"
 
 namespace forge {
@@ -229,7 +230,7 @@ class ReportBuilder {
             pictures.find({result.name, rowName(test.planner, test.attacker.policy)});
         row.test = page_.add(plannerRecord(
             result, test,
-            {attack != nullptr, attack ? crashOf(test, *attack) : std::nullopt,
+            {attack != nullptr, attack ? crashOf(test, *attack, result.scene) : std::nullopt,
              links != pictures.end() ? linksTo(links->second) : std::vector<PictureLink>()}));
       }
       if (!known || !isPlannerName(test.planner)) continue;
@@ -263,17 +264,23 @@ class ReportBuilder {
     return picturesBeside(file.path, results, settings_.options.input_limits);
   }
 
-  /// Empty without a contact of the planner's ego with the attacker, or without the drive.
-  std::optional<ShownCrash> crashOf(const PlannerRow& test, const ListedAttack& attack) const {
-    const RolloutOutcome& outcome = test.outcome;
-    if (!outcome.contact || !outcome.contact->is_attacker || outcome.driven.empty()) {
-      return std::nullopt;
-    }
-    AttackerTrajectory attacker = attack.attacker;
-    attacker.points = outcome.attacker.points;
-    const Track ego{kEgoId, AgentClass::kCar, attack.ego, toStates(outcome.driven)};
-    return shownCrash(motionAfterContact(outcome.contact->time, attacker, ego,
-                                         settings_.options.attack.verification.drivable));
+  /// Empty without a contact of the planner's ego, without the drive, and where it is not known how
+  /// the touched vehicle drove.
+  std::optional<ShownCrash> crashOf(const PlannerRow& test, const ListedAttack& attack,
+                                    const std::string& scene) const {
+    RolloutOutcome outcome = test.outcome;
+    if (outcome.driven.empty()) return std::nullopt;
+    const std::vector<TrajectoryPoint> points = outcome.attacker.points;
+    outcome.attacker = attack.attacker;
+    outcome.attacker.points = points;
+    const std::vector<Track> nobody;
+    const auto crash =
+        forge::crashOf(outcome, attack.ego, scenes_ ? scenes_->at(scene)->scene.agents : nobody,
+                       settings_.options.attack.verification.drivable);
+    if (!crash) return std::nullopt;
+    std::optional<ShownCrash> shown = shownCrash(crash->motion);
+    if (!outcome.contact->is_attacker) shown->other = crash->other;
+    return shown;
   }
 
   void addScenes() {

@@ -20,6 +20,7 @@
 #include "collision_forge/ros/injection/frame_between.h"
 #include "collision_forge/ros/injection/record_clock.h"
 #include "collision_forge/ros/injection/sliding_ego.h"
+#include "collision_forge/ros/markers/marker_parts.h"
 #include "collision_forge/ros/markers/markers.h"
 #include "collision_forge/ros/messages/conversions.h"
 #include "collision_forge/ros/messages/object_array.h"
@@ -41,6 +42,7 @@ constexpr const char* kAttackTopics[] = {names::kAttack,        names::kTestedRe
                                          names::kAttackEgoPath, names::kAttackMarkers};
 
 constexpr double kMapInterval = 1.0;  // s between two messages of map_markers
+constexpr double kWordsReach = 40.0;  // m from the contact; the words stand nearer
 
 using Header = boost::shared_ptr<ros::M_string>;
 
@@ -92,6 +94,7 @@ class Injection {
     findCrash();
     findEnd();
     makeFrames();
+    findWordsObstacles();
     next_frame_ = frames_.begin();
   }
 
@@ -162,6 +165,19 @@ class Injection {
       before = agents;
     }
     frames_.erase(frames_.upper_bound({end_, ros::TIME_MAX}), frames_.end());
+  }
+
+  /// The places of the others near the contact from now on, which the words leave free.
+  void findWordsObstacles() {
+    const Vector2 contact = fromMessage(shown_.report.attacker_at_contact).position();
+    for (const auto& [stamp, frame] : frames_) {
+      if (!hasContact() || !frame.is_recorded || frame.agents.header.stamp < now_) continue;
+      for (const collision_forge::Agent& agent : frame.agents.agents) {
+        const OrientedBox box{fromMessage(agent.pose), sizeOf(agent.size)};
+        const bool is_near = (box.center.position() - contact).norm() < kWordsReach;
+        if (is_near && agent.id != trajectory_.attacker_id) words_obstacles_.push_back(box);
+      }
+    }
   }
 
   void addFrame(const AttackedFrame& frame) {
@@ -252,6 +268,7 @@ class Injection {
     if (agents.header.stamp >= now_) {
       view.attack = &shown_;
       view.attacker = attackerIn(agents);
+      view.words_obstacles = words_obstacles_;
     }
     return crashMarkers(view);
   }
@@ -397,6 +414,7 @@ class Injection {
   std::map<std::string, ros::Time> ego_times_;  ///< by topic: when its last message was recorded
   AttackedFrames frames_;
   AttackedFrames::const_iterator next_frame_;  ///< that is not yet shown
+  std::vector<OrientedBox> words_obstacles_;   ///< of every picture
   std::map<std::string, int> left_out_;        ///< by topic
   Header agents_header_;
   Header markers_header_;  ///< null until markers of annotations have come

@@ -1,14 +1,15 @@
 #include "collision_forge/ros/markers/label_places.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace forge {
 namespace {
 
-constexpr double kLetterWidth = 0.55;  // of its height
-constexpr double kLineHeight = 1.25;   // of a letter's height
-constexpr double kMargin = 0.4;        // m between a text and a box
-constexpr int kRings = 3;              // of places around a box, each further by half a text
+constexpr double kLetterWidth = 0.55;   // of its height
+constexpr double kLineHeight = 1.25;    // of a letter's height
+constexpr double kMargin = 0.4;         // m between a text and a box
+constexpr double kSameDistance = 1e-6;  // m; of places that are as near the first one is taken
 
 /// Half of what a box covers along x and y.
 Vector2 halfExtent(const OrientedBox& box) {
@@ -40,21 +41,33 @@ BoxSize textSize(const std::string& text, double letter_height) {
 }
 
 LabelSide freestSide(const OrientedBox& box, const BoxSize& text,
-                     const std::vector<OrientedBox>& obstacles) {
+                     const std::vector<OrientedBox>& obstacles, int rings) {
   const BoxSize needed{text.length + 2 * kMargin, text.width + 2 * kMargin};
   LabelSide best;
   best.covered = obstacles.size() + 1;
-  for (int ring = 0; ring < kRings; ++ring) {
+  double best_distance = 0.0;
+  for (int ring = 0; ring < rings; ++ring) {
     for (const Vector2& direction :
          {Vector2(0, 1), Vector2(0, -1), Vector2(1, 0), Vector2(-1, 0), Vector2(1, 1),
           Vector2(-1, 1), Vector2(1, -1), Vector2(-1, -1)}) {
       LabelSide side{direction, ring, 0};
       const Vector2 place = placeBeside(box, text, side);
       side.covered = countCovered({{place.x(), place.y(), 0.0}, needed}, obstacles);
-      if (side.covered < best.covered) best = side;
+      const double distance = (place - box.center.position()).norm();
+      const bool is_nearer = distance < best_distance - kSameDistance;
+      if (side.covered > best.covered || (side.covered == best.covered && !is_nearer)) continue;
+      best = side;
+      best_distance = distance;
     }
   }
   return best;
+}
+
+OrientedBox sweptBox(const OrientedBox& box, const Vector2& velocity, double duration) {
+  const Vector2 way = velocity * duration;
+  const Vector2 middle = box.center.position() + way / 2.0;
+  const double yaw = way.norm() > box.size.width ? std::atan2(way.y(), way.x()) : box.center.yaw;
+  return {{middle.x(), middle.y(), yaw}, {box.size.length + way.norm(), box.size.width}};
 }
 
 Vector2 placeBeside(const OrientedBox& box, const BoxSize& text, const LabelSide& side) {

@@ -4,6 +4,7 @@
 
 #include "collision_forge/base/geometry/touch_point.h"
 #include "collision_forge/ros/markers/crash_words.h"
+#include "collision_forge/ros/markers/label_places.h"
 #include "collision_forge/ros/markers/marker_parts.h"
 #include "collision_forge/ros/markers/shown_motion.h"
 #include "collision_forge/ros/messages/conversions.h"
@@ -161,10 +162,25 @@ void addWords(const LiveScene& live, const OrientedBox& attacker, double scale,
   const std::string words = live.crash && !live.verdict
                                 ? std::string(kContactWords)
                                 : crashWords(*live.attack, live.verdict, live.now);
-  addAttackWords(*live.attack, placeOfWords(live, attacker), attacker, words, scale, markers);
+  addAttackWords(*live.attack, {placeOfWords(live, attacker), live.words_obstacles}, attacker,
+                 words, scale, markers);
 }
 
 }  // namespace
+
+std::vector<OrientedBox> coveredByOthers(const LiveScene& live) {
+  double duration = kCrashView;
+  if (!live.crash && live.attack->report.contact) {
+    duration += std::max(0.0, (live.attack->report.contact_time - live.now).toSec());
+  }
+  std::vector<OrientedBox> covered;
+  for (const AgentTrack& agent : live.scene->agents) {
+    if (!isHere(agent, live) || isAttacker(agent, live)) continue;
+    const Vector2 velocity = fromMessage(agent.states.back()).velocity;
+    covered.push_back(sweptBox(shownBox(agent, live), velocity, duration));
+  }
+  return covered;
+}
 
 visualization_msgs::MarkerArray liveMarkers(const LiveScene& live) {
   MarkerList markers(live.scene->header);
@@ -198,7 +214,8 @@ std::optional<ShownArea> shownArea(const LiveScene& live) {
     boxes.push_back({fromMessage(predicted.attacker_at_contact), attacker->size});
   }
   const double scale = letterScale(areaAround(boxes, kCrashWidth));
-  boxes.push_back(wordsBox(*live.attack, placeOfWords(live, *attacker), scale));
+  boxes.push_back(
+      wordsBox(*live.attack, {placeOfWords(live, *attacker), live.words_obstacles}, scale));
   return areaAround(boxes, kCrashWidth);
 }
 

@@ -25,7 +25,12 @@ struct LiveScene {
   std::optional<Pose2> ego = {};  ///< as /tf has it; empty: predicted from the scene
   /// What follows the contact; empty where `now` is before the contact.
   std::optional<PostCrashMotion> crash = {};
+  std::vector<OrientedBox> words_obstacles = {};  ///< as of WordsPlace
 };
+
+/// Returns what the agents other than the attacker cover from now until the view leaves the
+/// contact, if they keep their velocities: what the words of the attack are not to cover.
+std::vector<OrientedBox> coveredByOthers(const LiveScene& live);
 
 /// Everybody where they are between the frames, with their trails. Of an attack under way its
 /// attacker as it drives ("attacker"), as recorded ("recorded"), and in words the countdown or the

@@ -20,10 +20,10 @@ constexpr double kEgoWay = 40.0;         // m before the contact that words leav
 constexpr char kMostWords[] = "contact not as asked:\n\n";
 
 /// What the words of an attack are not to cover, as far as the attack alone says.
-std::vector<OrientedBox> obstaclesOf(const collision_forge::Attack& attack) {
+std::vector<OrientedBox> obstaclesOf(const collision_forge::Attack& attack,
+                                     std::vector<OrientedBox> obstacles) {
   const auto& report = attack.report;
   const BoxSize size = sizeOf(attack.trajectory.size);
-  std::vector<OrientedBox> obstacles;
   for (std::size_t i = 0; i < attack.trajectory.points.size(); ++i) {
     const auto& point = attack.trajectory.points[i];
     if (report.contact && point.stamp > report.contact_time) break;
@@ -64,16 +64,15 @@ void addWords(const std::string& name_space, const std::string& words, const Vec
   markers.addText(name_space, words, middle, letter_height, kTextHeight, colors::kText);
 }
 
-OrientedBox wordsBox(const collision_forge::Attack& attack, const OrientedBox& place,
-                     double scale) {
-  const LabelSide side =
-      freestSide(place, textSize(kMostWords, kWordsLetterHeight), obstaclesOf(attack));
+OrientedBox wordsBox(const collision_forge::Attack& attack, const WordsPlace& place, double scale) {
+  const LabelSide side = freestSide(place.box, textSize(kMostWords, kWordsLetterHeight),
+                                    obstaclesOf(attack, place.obstacles), kFarRings);
   const BoxSize size = textSize(kMostWords, scale * kWordsLetterHeight);
-  const Vector2 middle = placeBeside(place, size, side);
+  const Vector2 middle = placeBeside(place.box, size, side);
   return {{middle.x(), middle.y(), 0.0}, size};
 }
 
-void addAttackWords(const collision_forge::Attack& attack, const OrientedBox& place,
+void addAttackWords(const collision_forge::Attack& attack, const WordsPlace& place,
                     const OrientedBox& attacker, const std::string& words, double scale,
                     MarkerList& markers) {
   const OrientedBox box = wordsBox(attack, place, scale);
@@ -81,7 +80,7 @@ void addAttackWords(const collision_forge::Attack& attack, const OrientedBox& pl
   addWords("words", words, middle, scale * kWordsLetterHeight, markers);
   const std::string id = shortId(attack.trajectory.attacker_id);
   const BoxSize size = textSize(id, scale * kIdLetterHeight);
-  const bool is_above = middle.y() > place.center.y;
+  const bool is_above = middle.y() > place.box.center.y;
   const Vector2 id_middle = placeBeside(attacker, size, {{0.0, is_above ? -1.0 : 1.0}});
   if (overlaps({{id_middle.x(), id_middle.y(), 0.0}, size}, box)) return;
   markers.addText("ids", id, id_middle, scale * kIdLetterHeight, kTextHeight, colors::kText);

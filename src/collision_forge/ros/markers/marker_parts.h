@@ -48,15 +48,21 @@ void addId(const std::string& id, const OrientedBox& framed, const OrientedBox& 
 void addWords(const std::string& name_space, const std::string& words, const Vector2& middle,
               double letter_height, MarkerList& markers);
 
-/// Returns what the words of an attack fill beside `place`, on the side that covers least of the
-/// ways of both vehicles to the contact.
-OrientedBox wordsBox(const collision_forge::Attack& attack, const OrientedBox& place, double scale);
+/// Where the words of an attack stand: beside `box`, on the side that covers least of the ways of
+/// both vehicles to the contact and of `obstacles`.
+struct WordsPlace {
+  OrientedBox box;
+  std::vector<OrientedBox> obstacles;
+};
 
-/// Adds the words of an attack, its countdown or its verdict ("words"), beside `place`, and above
-/// or below it, on the other side, the short form of the attacker's id ("ids") beside `attacker`.
-/// The sides depend on the attack alone, so that the texts keep their places while everybody moves.
-/// The id is left out while it would lie on the words.
-void addAttackWords(const collision_forge::Attack& attack, const OrientedBox& place,
+/// Returns what the words of an attack fill.
+OrientedBox wordsBox(const collision_forge::Attack& attack, const WordsPlace& place, double scale);
+
+/// Adds the words of an attack, its countdown or its verdict ("words"), and above or below
+/// `attacker`, on the other side, the short form of its id ("ids"). The sides depend on the attack
+/// and the place alone: the texts keep their places while everybody moves. The id is left out while
+/// it would lie on the words.
+void addAttackWords(const collision_forge::Attack& attack, const WordsPlace& place,
                     const OrientedBox& attacker, const std::string& words, double scale,
                     MarkerList& markers);
 

@@ -184,7 +184,8 @@ void addWords(const CrashView& view, MarkerList& markers) {
   const Pose2 end = fromMessage(points.back().pose);
   const OrientedBox place{report.contact ? fromMessage(report.attacker_at_contact) : end, size};
   const ros::Time& now = view.header.stamp;
-  addAttackWords(attack, place, view.attacker ? boxOf(*view.attacker) : place,
+  addAttackWords(attack, {place, view.words_obstacles},
+                 view.attacker ? boxOf(*view.attacker) : place,
                  crashWords(attack, verdictBy(now, attack, &report), now), 1.0, markers);
 }
 

@@ -43,6 +43,7 @@ struct CrashView {
   std::optional<OrientedBox> ego;                    ///< empty where nobody knows
   const collision_forge::Attack* attack = nullptr;   ///< null before it was made, as the next
   const collision_forge::Agent* attacker = nullptr;  ///< as it stands then
+  std::vector<OrientedBox> words_obstacles = {};     ///< as of WordsPlace
 };
 
 /// The boxes of ego and attacker as they stand, attackMarkers(), and in words the countdown or,

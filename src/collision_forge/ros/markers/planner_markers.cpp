@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "collision_forge/base/geometry/touch_point.h"
+#include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/base/scene/short_id.h"
 #include "collision_forge/planner_test/trials/avoidance_words.h"
@@ -14,6 +15,7 @@
 namespace forge {
 namespace {
 
+constexpr double kWayStep = 0.5;           // s between the places that words leave free
 constexpr double kProposalHeight = 4.4;    // m, under the ways
 constexpr double kProposalWidth = 0.12;    // m
 constexpr double kProposalDiameter = 0.5;  // m, of the disc at its end
@@ -44,8 +46,9 @@ void addProposals(const std::vector<std::vector<Pose2>>& proposals, MarkerList& 
   markers.addLines("proposals", lines, kProposalWidth, kProposalHeight, colors::kProposal);
 }
 
-std::string words(const PlannerTrial& trial, double now, const std::string& planner) {
-  const RolloutOutcome& outcome = trial.outcome;
+std::string words(const ShownRollout& shown, const std::string& planner) {
+  const RolloutOutcome& outcome = shown.trial.outcome;
+  const double now = shown.now();
   std::string text = planner;
   if (outcome.contact) {
     const PlannerContact& contact = *outcome.contact;
@@ -60,7 +63,7 @@ std::string words(const PlannerTrial& trial, double now, const std::string& plan
   } else {
     text += formatted(": no contact in %.2f s", outcome.duration);
   }
-  const std::optional<Avoidance>& last = trial.avoidability.last;
+  const std::optional<Avoidance>& last = shown.trial.avoidability.last;
   if (!last && outcome.failure != PlannerFailure::kNone) return text;
   if (!last) return text + "\nno way to avoid it was found";
   return text + "\navoidable " + avoidanceWords(last->manoeuvre, last->start - now, false);
@@ -71,59 +74,73 @@ colors::MarkerColor colorOf(const Track& agent, const std::string& attacker_id) 
   return colors::agentColor(static_cast<std::uint8_t>(agent.agent_class));
 }
 
-/// The attacker first, then the others: as they drove if they react, else as recorded.
-std::vector<Track> agentsOf(const PlannerTrial& trial, const CrashScenario& scenario) {
-  std::vector<Track> agents = othersFromNow(scenario);
-  for (Track& agent : agents) {
-    for (const Track& driven : trial.outcome.others) {
-      if (driven.id == agent.id) agent = driven;
+/// Where an agent is in the picture; empty where nobody knows.
+std::optional<Pose2> shownPose(const Track& agent, const ShownRollout& shown, double time) {
+  if (shown.crash && agent.id == shown.crash->other.id && time > shown.end()) {
+    return shown.crash->motion.attackerAt(time).pose;
+  }
+  const Track* driven = findTrack(shown.trial.outcome.others, agent.id);
+  const auto state =
+      driven != nullptr ? stateAt(*driven, std::min(time, shown.end())) : stateAt(agent, time);
+  if (!state) return std::nullopt;
+  return state->pose;
+}
+
+OrientedBox egoBox(const ShownRollout& shown, double time) {
+  const std::vector<TrajectoryPoint>& driven = shown.trial.outcome.driven;
+  const Pose2 pose = shown.crash && time > shown.end()
+                         ? shown.crash->motion.egoAt(time).pose
+                         : stateAt({"", {}, {}, toStates(driven)},
+                                   std::clamp(time, driven.front().time, driven.back().time))
+                               ->pose;
+  return {pose, shown.scenario.ego.size};
+}
+
+/// What the words are not to cover: the ways of everybody up to the stand.
+std::vector<OrientedBox> waysOf(const ShownRollout& shown) {
+  std::vector<OrientedBox> ways;
+  const std::vector<Track> agents = othersFromNow(shown.scenario);
+  for (double time = shown.now(); time < shown.standTime() + kWayStep; time += kWayStep) {
+    ways.push_back(egoBox(shown, std::min(time, shown.standTime())));
+    for (const Track& agent : agents) {
+      const auto pose = shownPose(agent, shown, time);
+      if (pose) ways.push_back({*pose, agent.size});
     }
   }
-  return agents;
+  return ways;
 }
 
-Pose2 poseAt(const std::vector<TrajectoryPoint>& points, double time) {
-  return stateAt({"", {}, {}, toStates(points)},
-                 std::clamp(time, points.front().time, points.back().time))
-      ->pose;
-}
-
-double endOf(const PlannerTrial& trial) { return trial.outcome.driven.back().time; }
-
-/// What the outcome in words fills: on the side of the ego's end that leaves both ways free.
-OrientedBox outcomeBox(const PlannerTrial& trial, const CrashScenario& scenario, double scale) {
-  std::vector<OrientedBox> ways;
-  for (const TrajectoryPoint& point : trial.outcome.driven) {
-    ways.push_back({point.pose, scenario.ego.size});
-  }
-  for (const TrajectoryPoint& point : scenario.attacker.points) {
-    if (point.time <= endOf(trial)) ways.push_back({point.pose, scenario.attacker.size});
-  }
-  const OrientedBox ego{trial.outcome.driven.back().pose, scenario.ego.size};
-  const std::string text = words(trial, scenario.snapshot.now, "");
-  const LabelSide side = freestSide(ego, textSize(text, kWordsLetterHeight), ways);
-  const BoxSize size = textSize(text, scale * kWordsLetterHeight);
-  const Vector2 middle = placeBeside(ego, size, side);
+/// What the outcome in words fills: beside the place where the ego comes to a stand.
+OrientedBox outcomeBox(const ShownRollout& shown, double scale) {
+  const BoxSize size = textSize(words(shown, ""), scale * kWordsLetterHeight);
+  const Vector2 middle = placeBeside(egoBox(shown, shown.standTime()), size, shown.words_side);
   return {{middle.x(), middle.y(), 0.0}, size};
 }
 
-/// At the end of the rollout.
-void addContactOf(const PlannerTrial& trial, const OrientedBox& ego,
-                  const std::vector<Track>& agents, MarkerList& markers) {
-  if (!trial.outcome.contact) return;
-  for (const Track& agent : agents) {
-    const auto state = stateAt(agent, endOf(trial));
-    if (!state || agent.id != trial.outcome.contact->other_id) continue;
-    markers.addDisc("contact", touchPoint(ego, {state->pose, agent.size}), kContactDiameter,
-                    kContactHeight, colors::kContact);
-  }
+/// The vehicles touch at the end of the rollout.
+void addContactOf(const ShownRollout& shown, MarkerList& markers) {
+  if (!shown.crash) return;
+  const PostCrashMotion& motion = shown.crash->motion;
+  const OrientedBox other{motion.attackerAt(shown.end()).pose, shown.crash->other.size};
+  markers.addDisc("contact", touchPoint(egoBox(shown, shown.end()), other), kContactDiameter,
+                  kContactHeight, colors::kContact);
 }
 
 }  // namespace
 
+ShownRollout shownRollout(const PlannerTrial& trial, const CrashScenario& scenario,
+                          const std::string& planner, const DriveLimitOptions& limits) {
+  ShownRollout shown{trial, scenario, planner,
+                     crashOf(trial.outcome, scenario.ego.size, scenario.recorded.agents, limits)};
+  shown.words_side =
+      freestSide(egoBox(shown, shown.standTime()), textSize(words(shown, ""), kWordsLetterHeight),
+                 waysOf(shown), kFarRings);
+  return shown;
+}
+
 visualization_msgs::MarkerArray plannerMarkers(const PlannerTrial& trial,
                                                const CrashScenario& scenario) {
-  const double end = endOf(trial);
+  const double end = trial.outcome.driven.back().time;
   MarkerList markers(headerAt(scenario.snapshot.now));
   addWay("recorded_ego", pointsOf(scenario.recorded.ego), end, scenario.ego.size,
          colors::kRecordedEgo, markers);
@@ -134,39 +151,37 @@ visualization_msgs::MarkerArray plannerMarkers(const PlannerTrial& trial,
   return markers.take();
 }
 
-visualization_msgs::MarkerArray rolloutMarkers(const PlannerTrial& trial,
-                                               const CrashScenario& scenario,
-                                               const std::string& planner, double time) {
-  const double now = scenario.snapshot.now;
-  const double shown = std::min(time, endOf(trial));
-  MarkerList markers(headerAt(shown));
-  const OrientedBox ego{poseAt(trial.outcome.driven, shown), scenario.ego.size};
-  markers.addBox("ego", ego, kVehicleHeight, colors::kEgo);
-  const std::vector<Track> agents = agentsOf(trial, scenario);
-  for (const Track& agent : agents) {
-    const auto state = stateAt(agent, shown);
-    if (!state) continue;
-    const bool attacks = agent.id == scenario.attacker.attacker_id;
-    markers.addBox(attacks ? "attacker" : "agents", {state->pose, agent.size}, kVehicleHeight,
-                   colorOf(agent, scenario.attacker.attacker_id));
+visualization_msgs::MarkerArray rolloutMarkers(const ShownRollout& shown, double time) {
+  const double instant = std::min(time, shown.standTime());
+  MarkerList markers(headerAt(instant));
+  markers.addBox("ego", egoBox(shown, instant), kVehicleHeight, colors::kEgo);
+  const std::string& attacker_id = shown.scenario.attacker.attacker_id;
+  for (const Track& agent : othersFromNow(shown.scenario)) {
+    const auto pose = shownPose(agent, shown, instant);
+    if (!pose) continue;
+    markers.addBox(agent.id == attacker_id ? "attacker" : "agents", {*pose, agent.size},
+                   kVehicleHeight, colorOf(agent, attacker_id));
   }
-  const bool is_over = shown == endOf(trial);
-  if (is_over) addContactOf(trial, ego, agents, markers);
-  const double scale = letterScale(rolloutArea(trial, scenario, shown));
-  addWords(
-      "report",
-      is_over ? words(trial, now, planner) : planner + formatted(" drives, %.1f s", shown - now),
-      outcomeBox(trial, scenario, scale).center.position(), scale * kWordsLetterHeight, markers);
+  const bool is_over = time >= shown.end();
+  if (is_over) addContactOf(shown, markers);
+  const double scale = letterScale(rolloutArea(shown, instant));
+  addWords("report",
+           is_over ? words(shown, shown.planner)
+                   : shown.planner + formatted(" drives, %.1f s", instant - shown.now()),
+           outcomeBox(shown, scale).center.position(), scale * kWordsLetterHeight, markers);
   return markers.take();
 }
 
-ShownArea rolloutArea(const PlannerTrial& trial, const CrashScenario& scenario, double time) {
-  const double shown = std::min(time, endOf(trial));
-  std::vector<OrientedBox> boxes{{trial.outcome.driven.back().pose, scenario.ego.size},
-                                 {poseAt(trial.outcome.driven, shown), scenario.ego.size}};
-  boxes.push_back({poseAt(scenario.attacker.points, shown), scenario.attacker.size});
+ShownArea rolloutArea(const ShownRollout& shown, double time) {
+  const double instant = std::min(time, shown.standTime());
+  std::vector<OrientedBox> boxes{egoBox(shown, shown.standTime()), egoBox(shown, instant)};
+  const Track attacker = attackerTrack(shown.scenario);
+  if (const auto pose =
+          shownPose(attacker, shown, std::min(instant, attacker.states.back().time))) {
+    boxes.push_back({*pose, attacker.size});
+  }
   const double scale = letterScale(areaAround(boxes, kCrashWidth));
-  boxes.push_back(outcomeBox(trial, scenario, scale));
+  boxes.push_back(outcomeBox(shown, scale));
   return areaAround(boxes, kCrashWidth);
 }
 

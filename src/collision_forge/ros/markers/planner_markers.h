@@ -4,7 +4,9 @@
 
 #include <string>
 
+#include "collision_forge/planner_test/trials/planner_crash.h"
 #include "collision_forge/planner_test/trials/planner_trial.h"
+#include "collision_forge/ros/markers/label_places.h"
 #include "collision_forge/ros/markers/shown_area.h"
 
 namespace forge {
@@ -15,16 +17,34 @@ namespace forge {
 visualization_msgs::MarkerArray plannerMarkers(const PlannerTrial& trial,
                                                const CrashScenario& scenario);
 
+/// A planner's test in motion.
+struct ShownRollout {
+  PlannerTrial trial;
+  CrashScenario scenario;
+  std::string planner;
+  std::optional<PlannerCrash> crash = {};  ///< crashOf() the trial's outcome
+  LabelSide words_side = {};               ///< of the place where the ego comes to a stand
+
+  double now() const { return scenario.snapshot.now; }
+  /// The end of the rollout: the contact, where there is one.
+  double end() const { return trial.outcome.driven.back().time; }
+  /// When the ego stands after the contact; the end of the rollout without a contact.
+  double standTime() const { return crash ? crash->motion.standTime() : end(); }
+};
+
+/// `limits` bound the braking of crashed vehicles. The words leave free the ways of everybody.
+ShownRollout shownRollout(const PlannerTrial& trial, const CrashScenario& scenario,
+                          const std::string& planner, const DriveLimitOptions& limits);
+
 /// One instant of the rollout: the boxes of the ego as the planner drove it, of the attacker and of
-/// all other agents, and in words the time since the test's now. From the end of the rollout on all
-/// stand as they stood then, with the contact, and the words are the outcome. `time` is in seconds
-/// on the scenario's clock. Starts with DELETEALL.
-visualization_msgs::MarkerArray rolloutMarkers(const PlannerTrial& trial,
-                                               const CrashScenario& scenario,
-                                               const std::string& planner, double time);
+/// all other agents, and in words the time since the test's now. From the end of the rollout on the
+/// words are the outcome. After a contact the ego and the vehicle that it touches move as the crash
+/// has it, and all others as recorded; who reacted to the ego stands. From standTime() on all
+/// stand. `time` is in seconds on the scenario's clock. Starts with DELETEALL.
+visualization_msgs::MarkerArray rolloutMarkers(const ShownRollout& shown, double time);
 
 /// Returns the part of the map that holds the ego and the attacker at `time`, and where the ego
-/// ends.
-ShownArea rolloutArea(const PlannerTrial& trial, const CrashScenario& scenario, double time);
+/// comes to a stand.
+ShownArea rolloutArea(const ShownRollout& shown, double time);
 
 }  // namespace forge

@@ -6,11 +6,12 @@ namespace forge {
 
 collision_forge::AttackRequest attackRequest(const CollisionRequest& request,
                                              const collision_forge::Attack& attack,
-                                             const std::string& configuration) {
+                                             const std::string& configuration,
+                                             std::uint32_t alternative) {
   collision_forge::AttackRequest message;
   message.header = attack.header;
   message.request = toMessage(request);
-  message.alternative = 1;
+  message.alternative = alternative;
   message.method = attack.method;
   message.version = COLLISION_FORGE_VERSION;
   message.configuration = configuration;

@@ -10,9 +10,11 @@
 namespace forge {
 
 /// What an attack was asked for, of which instant, by which method and version. `configuration` is
-/// a fingerprintOfAll(). It is the method's own attack; what tells of a bag is left empty.
+/// a fingerprintOfAll(), `alternative` the number of the attack as of attackOf(). The fields that
+/// describe a bag are left empty.
 collision_forge::AttackRequest attackRequest(const CollisionRequest& request,
                                              const collision_forge::Attack& attack,
-                                             const std::string& configuration);
+                                             const std::string& configuration,
+                                             std::uint32_t alternative);
 
 }  // namespace forge

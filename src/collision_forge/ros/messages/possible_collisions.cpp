@@ -29,10 +29,12 @@ std::variant<std::vector<CollisionType>, Status> typesNamed(const std::vector<st
 }
 
 collision_forge::PossibleCollision inShort(const collision_forge::CollisionAnswer& answer,
-                                           const collision_forge::Attack& attack) {
+                                           const collision_forge::Attack& attack,
+                                           std::uint32_t number) {
   collision_forge::PossibleCollision collision;
   collision.collision_type = answer.collision_type;
   collision.tta = answer.tta;
+  collision.alternative = number;
   collision.attacker_id = attack.trajectory.attacker_id;
   collision.attacker_class = toString(static_cast<AgentClass>(attack.trajectory.agent_class));
   collision.added = attack.trajectory.added;
@@ -109,8 +111,11 @@ Status listPossible(const std::vector<collision_forge::CollisionAnswer>& answers
     if (isOfTheScene(code)) continue;
     if (code != StatusCode::kOk) return {code, answer.message};
     const auto first = static_cast<std::ptrdiff_t>(collisions.size());
-    collisions.push_back(inShort(answer, answer.attack));
-    for (const auto& attack : answer.alternatives) collisions.push_back(inShort(answer, attack));
+    std::uint32_t number = 1;
+    collisions.push_back(inShort(answer, answer.attack, number));
+    for (const auto& attack : answer.alternatives) {
+      collisions.push_back(inShort(answer, attack, ++number));
+    }
     std::stable_sort(collisions.begin() + first, collisions.end(),
                      [](const auto& a, const auto& b) { return a.confidence > b.confidence; });
   }

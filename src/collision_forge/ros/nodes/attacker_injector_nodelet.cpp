@@ -23,7 +23,7 @@ class AttackerInjectorNodelet : public QueuedNodelet {
  private:
   void start(ros::NodeHandle node) override {
     const Config config = loadNodeConfig(getPrivateNodeHandle());
-    const auto choose = [this] { return afterContact(); };
+    const auto choose = [this] { return nodeAfterContact(getPrivateNodeHandle()); };
     agents_ = node.advertise<collision_forge::AgentArray>(names::kInjectedAgents, kTopicQueue);
     objects_ = node.advertise<ObjectArray>(names::kInjectedObjects, kTopicQueue);
     injector_.emplace(config, loadLogged("choice", choose),
@@ -40,15 +40,6 @@ class AttackerInjectorNodelet : public QueuedNodelet {
   void publish(const collision_forge::AgentArray& agents) {
     agents_.publish(agents);
     objects_.publish(toObjects(agents));
-  }
-
-  AfterContact afterContact() {
-    const auto word = getPrivateNodeHandle().param<std::string>("after_contact", "stop");
-    try {
-      return liveAfterContact(word);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("after_contact = \"" + word + "\" is " + error.what());
-    }
   }
 
   void receiveAttack(const collision_forge::Attack& message) {

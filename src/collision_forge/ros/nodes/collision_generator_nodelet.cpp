@@ -17,6 +17,7 @@
 #include <variant>
 
 #include "collision_forge/attack/network/network_ego_futures.h"
+#include "collision_forge/attack/search/alternatives.h"
 #include "collision_forge/io/batch/printable.h"
 #include "collision_forge/planner_test/settings/config_fingerprint.h"
 #include "collision_forge/ros/injection/live_attacker.h"
@@ -142,7 +143,8 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
   Status generateOne(const Request& message, Response& response) {
     const auto parsed = fromMessage(requestIn(message), config_.crash);
     if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
-    const CollisionRequest& request = std::get<CollisionRequest>(parsed);
+    CollisionRequest request = std::get<CollisionRequest>(parsed);
+    if (message.alternative == 1) request.alternatives = 1;
     if (message.adaptive && request.mode == Mode::kReplay) {
       return {StatusCode::kInvalidInput,
               "adaptive = true is not for mode = replay, which knows what comes"};
@@ -151,16 +153,18 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     if (const Status* none = std::get_if<Status>(&found)) return *none;
     const Moment& moment = std::get<Moment>(found);
     std::optional<PatternPrediction> first;  // alternatives are predicted for, too
-    const Realization answer =
+    Realization answer =
         finder_->answer(moment, request, message.method, [&](const PatternPrediction& prediction) {
           if (!first) first = prediction;
         });
+    if (message.alternative != 0) answer = attackOf(std::move(answer), message.alternative);
     if (answer.status.code != StatusCode::kOk) return answer.status;
     if (first) showPatterns(*first, moment.snapshot.now);
     collision_forge::CollisionAnswer shown =
         toMessage(request, answer, nameOf(message.method), moment.snapshot.now);
     showEgoPath(moment, first ? &first->future.ego : nullptr, answer.trajectory);
-    requests_.publish(attackRequest(request, shown.attack, configuration_));
+    requests_.publish(
+        attackRequest(request, shown.attack, configuration_, std::max(1U, message.alternative)));
     setOut(moment, request, answer, shown.attack);
     response.attack = std::move(shown.attack);
     response.alternatives = std::move(shown.alternatives);

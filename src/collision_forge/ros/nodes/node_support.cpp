@@ -76,4 +76,13 @@ std::variant<CheckedRequest, Status> checkedRequest(
   return checked;
 }
 
+AfterContact nodeAfterContact(const ros::NodeHandle& private_node) {
+  const auto word = private_node.param<std::string>("after_contact", "stop");
+  try {
+    return liveAfterContact(word);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("after_contact = \"" + word + "\" is " + error.what());
+  }
+}
+
 }  // namespace forge

@@ -19,6 +19,7 @@
 #include "collision_forge/base/scene/scene.h"
 #include "collision_forge/io/batch/printable.h"
 #include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/ros/injection/injection.h"
 
 namespace forge {
 
@@ -123,5 +124,9 @@ class OwnThreadService {
   ros::AsyncSpinner spinner_;
   ros::ServiceServer server_;
 };
+
+/// Returns the private parameter `after_contact` of a node, kStop where it is not set. Throws as
+/// liveAfterContact(), naming the parameter.
+AfterContact nodeAfterContact(const ros::NodeHandle& private_node);
 
 }  // namespace forge

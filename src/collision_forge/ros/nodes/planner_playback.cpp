@@ -5,7 +5,6 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include "collision_forge/ros/markers/markers.h"
-#include "collision_forge/ros/markers/planner_markers.h"
 #include "collision_forge/ros/messages/topic_names.h"
 
 namespace forge {
@@ -23,8 +22,9 @@ std_msgs::Header mapHeader() {
 
 }  // namespace
 
-PlannerPlayback::PlannerPlayback(ros::NodeHandle node)
-    : ways_(node, names::kPlannerMarkers),
+PlannerPlayback::PlannerPlayback(ros::NodeHandle node, const DriveLimitOptions& drivable)
+    : drivable_(drivable),
+      ways_(node, names::kPlannerMarkers),
       scenes_(node.advertise<visualization_msgs::MarkerArray>(names::kPlannerSceneMarkers, 1)),
       areas_(node.advertise<geometry_msgs::PolygonStamped>(names::kShownArea, 1)),
       is_shown_(node.advertise<std_msgs::Bool>(names::kPlannerTestShown, 1, true)) {
@@ -38,9 +38,9 @@ PlannerPlayback::PlannerPlayback(ros::NodeHandle node)
 void PlannerPlayback::play(const PlannerTrial& trial, const CrashScenario& scenario,
                            const std::string& planner) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  shown_ = Shown{trial, scenario, planner, ros::WallTime::now()};
+  shown_ = shownRollout(trial, scenario, planner, drivable_);
+  begin_ = moved_ = ros::WallTime::now();
   clock_ = ros::Time::now();
-  moved_ = ros::WallTime::now();
   was_still_ = false;
   ways_.publish(plannerMarkers(trial, scenario));
   publishWhetherShown();
@@ -55,13 +55,13 @@ void PlannerPlayback::show(const ros::WallTimerEvent& /*event*/) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!shown_) return;
   const ros::WallTime now = ros::WallTime::now();
-  const double duration = shown_->trial.outcome.driven.back().time - shown_->scenario.snapshot.now;
-  const double since = (now - shown_->begin).toSec();
+  const double duration = shown_->standTime() - shown_->now();
+  const double since = (now - begin_).toSec();
   if (ros::Time::isSimTime() && isReplaceable(since, duration)) return clear();
-  if (since > duration + kEndShown) shown_->begin = now;
-  const double time = shown_->scenario.snapshot.now + (now - shown_->begin).toSec();
-  scenes_.publish(rolloutMarkers(shown_->trial, shown_->scenario, shown_->planner, time));
-  areas_.publish(toMessage(rolloutArea(shown_->trial, shown_->scenario, time), mapHeader()));
+  if (since > duration + kEndShown) begin_ = now;
+  const double time = shown_->now() + (now - begin_).toSec();
+  scenes_.publish(rolloutMarkers(*shown_, time));
+  areas_.publish(toMessage(rolloutArea(*shown_, time), mapHeader()));
 }
 
 void PlannerPlayback::repeat(const ros::WallTimerEvent& /*event*/) {

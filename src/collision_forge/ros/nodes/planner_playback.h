@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "collision_forge/planner_test/trials/planner_trial.h"
+#include "collision_forge/ros/markers/planner_markers.h"
 #include "collision_forge/ros/markers/repeated_markers.h"
 
 namespace forge {
@@ -18,32 +18,28 @@ namespace forge {
 /// that runs all the time the rollout plays once. Thread-safe.
 class PlannerPlayback {
  public:
-  explicit PlannerPlayback(ros::NodeHandle node);
+  /// `drivable` limits the braking of crashed vehicles.
+  PlannerPlayback(ros::NodeHandle node, const DriveLimitOptions& drivable);
 
   /// Shows a test in place of the one before.
   void play(const PlannerTrial& trial, const CrashScenario& scenario, const std::string& planner);
   void stop();
 
  private:
-  struct Shown {
-    PlannerTrial trial;
-    CrashScenario scenario;
-    std::string planner;
-    ros::WallTime begin;  ///< of this pass
-  };
-
   void show(const ros::WallTimerEvent& event);
   void repeat(const ros::WallTimerEvent& event);
   bool isReplaceable(double since, double duration);
   void clear();
   void publishWhetherShown();
 
+  DriveLimitOptions drivable_;
   RepeatedMarkers ways_;
   ros::Publisher scenes_;
   ros::Publisher areas_;
   ros::Publisher is_shown_;
   std::mutex mutex_;
-  std::optional<Shown> shown_;
+  std::optional<ShownRollout> shown_;
+  ros::WallTime begin_;     ///< of this pass
   ros::Time clock_;         ///< of the replay, at the last look
   ros::WallTime moved_;     ///< when the replay's clock was last seen to move
   bool was_still_ = false;  ///< the replay, since the test is shown

@@ -5,9 +5,13 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "collision_forge/attack/verify/contact_watch.h"
 #include "collision_forge/base/scene/input_limits.h"
+#include "collision_forge/ros/injection/injection.h"
 #include "collision_forge/ros/markers/crash_words.h"
 #include "collision_forge/ros/markers/live_scene.h"
 #include "collision_forge/ros/markers/marker_parts.h"
@@ -33,6 +37,8 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   void start(ros::NodeHandle node) override {
     const Config config = loadNodeConfig(getPrivateNodeHandle());
     limits_ = config.input_limits;
+    after_contact_ =
+        loadLogged("choice", [this] { return nodeAfterContact(getPrivateNodeHandle()); });
     drivable_ = config.attack.verification.drivable;
     watch_.emplace(config.ego_vehicle.size, config.live.answerAge(), config.attack.verification);
     map_markers_ = RepeatedMarkers(node, names::kMapMarkers);
@@ -170,15 +176,28 @@ class SceneVisualizerNodelet : public QueuedNodelet {
       live.verdict = verdictBy(live.now, *attack_, tested_.get());
       live.crash = crashBy(live, ego);
     }
+    placeWords(live);
     scene_markers_.publish(liveMarkers(live));
     showPlan(live);
     if (const auto area = shownArea(live)) areas_.publish(toMessage(*area, live.scene->header));
   }
 
-  /// Empty before the contact. A contact that only the verdict knows, as that of a replay that was
-  /// joined later, is shown where the boxes touched: nobody knows the speed of the ego.
+  /// The words of an attack take a place when the attack comes, and another one at its contact.
+  void placeWords(LiveScene& live) {
+    if (!live.attack) return;
+    const WordsOf words_of{live.attack->header.stamp, live.attack->trajectory.attacker_id,
+                           live.crash.has_value()};
+    if (words_of != words_of_) words_obstacles_ = coveredByOthers(live);
+    words_of_ = words_of;
+    live.words_obstacles = words_obstacles_;
+  }
+
+  /// Empty before the contact, and where both drive on after it. A contact that only the verdict
+  /// knows, as that of a replay that was joined later, is shown where the boxes touched: nobody
+  /// knows the speed of the ego.
   std::optional<PostCrashMotion> crashBy(const LiveScene& live,
                                          const std::optional<AgentState>& ego) const {
+    if (after_contact_ == AfterContact::kDriveOn) return std::nullopt;
     const auto& known = watch_->crash();
     if (known) return live.now.toSec() >= known->contactTime() ? known : std::nullopt;
     const auto predicted = ego ? watch_->crashBefore(*ego) : std::nullopt;
@@ -210,10 +229,12 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     if (scene.header.stamp < patterns_start_) showPatterns(noMarkers(scene.header), ros::Time());
   }
 
+  using WordsOf = std::tuple<ros::Time, std::string, bool>;  // attack, attacker, after the contact
   enum class Shown { kNothing, kPlan, kPast, kOutdated };
 
   InputLimits limits_;
   DriveLimitOptions drivable_;
+  AfterContact after_contact_ = AfterContact::kStop;
   std::optional<ContactWatch> watch_;
   std::unique_ptr<EgoPoses> ego_poses_;
   RepeatedMarkers map_markers_;
@@ -226,6 +247,8 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   collision_forge::CollisionReportConstPtr tested_;  ///< the newest
   Shown shown_ = Shown::kNothing;                    ///< on attack_markers
   bool is_planner_test_shown_ = false;
+  WordsOf words_of_;
+  std::vector<OrientedBox> words_obstacles_;
   visualization_msgs::MarkerArray patterns_;  ///< on pattern_markers
   ros::Time patterns_start_;                  ///< "now" of the patterns that are shown; zero: none
   std::vector<ros::Subscriber> subscribers_;

@@ -65,6 +65,10 @@ QString problemOf(const Answer& answer, const char* service) {
   return failureText(answer->code, answer->message);
 }
 
+QString firstLine(const std::string& text) {
+  return QString::fromStdString(text.substr(0, text.find('\n'))).toHtmlEscaped();
+}
+
 /// The answer and its alternatives, as if they had been asked for one by one.
 std::vector<collision_forge::PossibleCollision> attacksIn(
     const GenerateCollision::Response& response, double tta) {
@@ -94,10 +98,10 @@ GeneratePanel::GeneratePanel(QWidget* parent)
   connect(test_, &QPushButton::clicked, this, &GeneratePanel::testPlanner);
   connect(planner_, &QComboBox::currentTextChanged, this, &rviz::Panel::configChanged);
   connect(table_, &PossibleTable::chosen, this, &GeneratePanel::choose);
-  const auto forget_row = [this] { is_row_chosen_ = false; };
+  const auto forget_row = [this] { row_.reset(); };
   connect(form_, &RequestForm::changed, this, forget_row);
   connect(player_, &PlayerButtons::moved, this, forget_row);
-  connect(player_, &PlayerButtons::failed, status_, &QLabel::setText);
+  connect(player_, &PlayerButtons::failed, this, [this](const QString& text) { say(text); });
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &GeneratePanel::showCrash);
   timer->start(kCountdownPeriod);
@@ -121,7 +125,7 @@ void GeneratePanel::createWidgets() {
   table_->setToolTip("Choose a row to ask for it");
   table_->setMinimumHeight(kTableLines * table_->fontMetrics().lineSpacing());
   status_ = label("status", kStatusLines);
-  status_->setText("Choose what to ask for, then Generate.");
+  say("Choose what to ask for, then Generate.");
   crash_ = label("crash", kCrashLines);
   QFont large = crash_->font();
   large.setPointSizeF(1.2 * large.pointSizeF());
@@ -175,74 +179,94 @@ void GeneratePanel::subscribe() {
 }
 
 void GeneratePanel::generate() {
-  GenerateCollision::Request request = form_->request();
-  if (request.collision_type.empty()) {
-    is_surest_wanted_ = true;
-    return askWhatIsPossible({request.tta});
-  }
-  if (is_row_chosen_) request.stamp = listed_;
-  ask(request);
+  if (row_) return ask(requestOf(*row_));
+  const GenerateCollision::Request request = form_->request();
+  if (!request.collision_type.empty()) return ask(request);
+  is_surest_wanted_ = true;
+  askWhatIsPossible(request, {request.tta});
+}
+
+void GeneratePanel::say(const QString& text, const QString& whole) {
+  status_->setText(text);
+  status_->setToolTip(whole);
 }
 
 void GeneratePanel::ask(GenerateCollision::Request request) {
   generate_->setEnabled(false);
-  status_->setText("Generating ...");
-  asked_tta_ = request.tta;
+  say("Generating ...");
+  asked_ = request;
   generating_.start(names::kGenerateCollision, request);
 }
 
 void GeneratePanel::choose(const collision_forge::PossibleCollision& collision) {
   form_->choose(collision);
-  is_row_chosen_ = true;
+  row_ = collision;
 }
 
 void GeneratePanel::setTable(const std::vector<collision_forge::PossibleCollision>& collisions,
-                             const ros::Time& now) {
+                             GenerateCollision::Request request, const ros::Time& now) {
   table_->setCollisions(collisions);
-  listed_ = now;
-  is_row_chosen_ = false;
+  listed_ = std::move(request);
+  listed_.stamp = now;
+  row_.reset();
+}
+
+GenerateCollision::Request GeneratePanel::requestOf(
+    const collision_forge::PossibleCollision& row) const {
+  GenerateCollision::Request request = listed_;
+  request.collision_type = row.collision_type;
+  request.tta = row.tta;
+  request.alternative = row.alternative;
+  return request;
 }
 
 void GeneratePanel::showAnswer(const ServiceCall<GenerateCollision>::Answer& answer) {
   generate_->setEnabled(true);
   const QString problem = problemOf(answer, names::kGenerateCollision);
-  status_->setText(problem.isEmpty() ? "An attack was found." : problem);
+  say(problem.isEmpty() ? "An attack was found." : problem);
   if (!problem.isEmpty() || answer->alternatives.empty()) return;
-  const auto attacks = attacksIn(*answer, asked_tta_);
-  status_->setText(QString("%1 attacks, the first is driven.").arg(attacks.size()));
-  setTable(attacks, answer->attack.header.stamp);
+  const auto attacks = attacksIn(*answer, asked_.tta);
+  say(QString("%1 attacks, the first is driven.").arg(attacks.size()));
+  setTable(attacks, asked_, answer->attack.header.stamp);
 }
 
 void GeneratePanel::list() {
   is_surest_wanted_ = false;
-  askWhatIsPossible({});
+  GenerateCollision::Request each = form_->request();
+  each.attacker_id.clear();
+  each.choice.clear();
+  each.manoeuvre.clear();
+  askWhatIsPossible(each, {});
 }
 
-void GeneratePanel::askWhatIsPossible(const std::vector<double>& ttas) {
+/// Of all types.
+void GeneratePanel::askWhatIsPossible(GenerateCollision::Request each,
+                                      const std::vector<double>& ttas) {
   player_->pause();
   for (QPushButton* button : {list_, generate_}) button->setEnabled(false);
-  status_->setText("Looking for what is possible ...");
+  say("Looking for what is possible ...");
+  each.collision_type.clear();
+  each.tta = 0.0;
+  each.alternatives = 1;
+  each_ = each;
   ListCollisions::Request request;
   request.ttas = ttas;
-  request.request = form_->anyRequest();
-  if (is_surest_wanted_) {
-    const GenerateCollision::Request wanted = form_->request();
-    request.request.attacker_id = wanted.attacker_id;
-    request.request.choice = wanted.choice;
-  }
-  request.method = form_->method();
+  request.request = requestIn(each);
+  request.method = each.method;
   listing_.start(names::kListCollisions, request);
 }
 
 void GeneratePanel::showPossible(const ServiceCall<ListCollisions>::Answer& answer) {
   for (QPushButton* button : {list_, generate_}) button->setEnabled(true);
   const QString problem = problemOf(answer, names::kListCollisions);
-  status_->setText(problem);
+  say(problem);
   if (!problem.isEmpty()) return;
-  setTable(answer->collisions, answer->now);
-  status_->setText(answer->collisions.empty() ? "Nothing is possible at this instant."
-                                              : "Possible now; choose one, then Generate.");
-  if (is_surest_wanted_ && !answer->collisions.empty()) askForSurest();
+  setTable(answer->collisions, each_, answer->now);
+  if (answer->collisions.empty()) {
+    return say(firstLine(answer->message), QString::fromStdString(answer->message));
+  }
+  say("Possible now; choose one, then Generate.");
+  if (is_surest_wanted_) askForSurest();
 }
 
 /// Of the table.
@@ -252,15 +276,16 @@ void GeneratePanel::askForSurest() {
       std::max_element(collisions.begin(), collisions.end(),
                        [](const auto& a, const auto& b) { return a.confidence < b.confidence; });
   table_->mark(static_cast<int>(std::distance(collisions.begin(), surest)));
-  GenerateCollision::Request request = form_->requestOf(*surest);
-  request.stamp = listed_;
+  GenerateCollision::Request request = requestOf(*surest);
+  request.alternatives = form_->request().alternatives;
+  request.alternative = 0;  // with all others beside it
   ask(request);
 }
 
 void GeneratePanel::testPlanner() {
   player_->pause();
   test_->setEnabled(false);
-  status_->setText("Testing " + planner_->currentText() + " ...");
+  say("Testing " + planner_->currentText() + " ...");
   TestPlanner::Request request;
   request.planner = planner_->currentText().toStdString();
   request.attacker_policy = attack_->adaptive ? "adaptive" : "fixed";
@@ -270,7 +295,7 @@ void GeneratePanel::testPlanner() {
 void GeneratePanel::showOutcome(const ServiceCall<TestPlanner>::Answer& answer) {
   test_->setEnabled(true);
   const QString problem = problemOf(answer, names::kTestPlanner);
-  status_->setText(problem.isEmpty() ? outcomeText(answer->outcome) : problem);
+  say(problem.isEmpty() ? outcomeText(answer->outcome) : problem);
 }
 
 void GeneratePanel::showAttack(const collision_forge::AttackConstPtr& attack) {

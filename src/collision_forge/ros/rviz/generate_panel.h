@@ -8,6 +8,8 @@
 #include <ros/ros.h>
 #include <rviz/panel.h>
 
+#include <optional>
+
 #include "collision_forge/ros/rviz/service_call.h"
 
 class QComboBox;
@@ -21,10 +23,10 @@ class PossibleTable;
 class RequestForm;
 
 /// Plays, asks what is possible, asks generate_collision for an attack, shows what becomes of the
-/// newest attack, whoever asked for it, and tests planners in it. Asks for a row of the table at
-/// the instant that the table is of, until another field is changed or the player is moved; else
-/// about the newest scene. Where any type may come, asks first what is possible, then for the
-/// surest.
+/// newest attack, whoever asked for it, and tests planners in it. For a row of the table the panel
+/// repeats the request that the row answers, at the table's instant, until a field is changed or
+/// the player is moved; else it asks about the newest scene. Where any type may come, asks first
+/// what is possible, then for the surest.
 class GeneratePanel : public rviz::Panel {
   Q_OBJECT
 
@@ -39,15 +41,20 @@ class GeneratePanel : public rviz::Panel {
   void createLayout();
   QWidget* createTexts();
   void subscribe();
+  /// Of the newest call. `whole` is the tooltip.
+  void say(const QString& text, const QString& whole = {});
   void generate();
   void ask(collision_forge::GenerateCollision::Request request);
   void list();
-  void askWhatIsPossible(const std::vector<double>& ttas);
+  void askWhatIsPossible(collision_forge::GenerateCollision::Request each,
+                         const std::vector<double>& ttas);
   void askForSurest();
   void testPlanner();
   void choose(const collision_forge::PossibleCollision& collision);
   void setTable(const std::vector<collision_forge::PossibleCollision>& collisions,
-                const ros::Time& now);
+                collision_forge::GenerateCollision::Request request, const ros::Time& now);
+  collision_forge::GenerateCollision::Request requestOf(
+      const collision_forge::PossibleCollision& row) const;
   void showAnswer(const ServiceCall<collision_forge::GenerateCollision>::Answer& answer);
   void showPossible(const ServiceCall<collision_forge::ListCollisions>::Answer& answer);
   void showOutcome(const ServiceCall<collision_forge::TestPlanner>::Answer& answer);
@@ -68,10 +75,12 @@ class GeneratePanel : public rviz::Panel {
   QLabel* crash_ = nullptr;        ///< countdown or verdict
   QLabel* attack_text_ = nullptr;  ///< the newest attack
 
-  ros::Time listed_;               ///< the instant that the table is of
-  bool is_row_chosen_ = false;     ///< that the fields are those of
-  bool is_surest_wanted_ = false;  ///< of the list that is asked for
-  double asked_tta_ = 0.0;         ///< s, of the newest call
+  /// The request that the rows of the table answer, each with its own type, time and number.
+  collision_forge::GenerateCollision::Request listed_;
+  std::optional<collision_forge::PossibleCollision> row_;  ///< the chosen one
+  bool is_surest_wanted_ = false;                          ///< of the list that is asked for
+  collision_forge::GenerateCollision::Request asked_;      ///< of the newest generate_collision
+  collision_forge::GenerateCollision::Request each_;       ///< of the newest list_collisions
 
   ros::NodeHandle node_;
   std::vector<ros::Subscriber> subscribers_;

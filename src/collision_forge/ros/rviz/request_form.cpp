@@ -88,6 +88,7 @@ RequestForm::RequestForm(QWidget* parent) : QWidget(parent) {
 
 void RequestForm::createFields() {
   type_ = new QComboBox;
+  type_->setObjectName("type");
   type_->addItem(kAny);
   for (const CollisionType type : kCollisionTypes) type_->addItem(toString(type));
   type_->setToolTip("any: the collision that is surest at that time to accident");
@@ -97,6 +98,7 @@ void RequestForm::createFields() {
   tta_->setValue(4.0);
   tta_->setSuffix(" s");
   manoeuvre_ = new QComboBox;
+  manoeuvre_->setObjectName("manoeuvre");
   keepWidth(*manoeuvre_);
   offerManoeuvres();
   attacker_ = new QComboBox;
@@ -122,6 +124,7 @@ void RequestForm::createFields() {
   alternatives_->setRange(1, kMostAlternatives);
   alternatives_->setToolTip("Attacks asked for; the table below lists them");
   seed_ = new QSpinBox;
+  seed_->setObjectName("seed");
   seed_->setRange(0, std::numeric_limits<int>::max());
 }
 
@@ -159,16 +162,11 @@ void RequestForm::offerManoeuvres() {
   offer(*manoeuvre_, kAny, names);
 }
 
-template <typename Request>
-void RequestForm::fillDriving(Request& request) const {
+collision_forge::GenerateCollision::Request RequestForm::request() const {
+  collision_forge::GenerateCollision::Request request;
   request.believable = believable_->isChecked() ? "true" : "false";
   request.mode = mode_->currentText().toStdString();
   request.seed = static_cast<std::uint64_t>(seed_->value());
-}
-
-collision_forge::GenerateCollision::Request RequestForm::request() const {
-  collision_forge::GenerateCollision::Request request;
-  fillDriving(request);
   request.collision_type = chosenIn(*type_);
   request.tta = tta_->value();
   request.manoeuvre = chosenIn(*manoeuvre_);
@@ -177,29 +175,9 @@ collision_forge::GenerateCollision::Request RequestForm::request() const {
   request.choice = choice_->currentText().toStdString();
   request.adaptive = adaptive_->isChecked();
   request.alternatives = static_cast<std::uint32_t>(alternatives_->value());
-  request.method = method();
+  request.method = chosenIn(*method_, kDefaultMethod);
   return request;
 }
-
-collision_forge::GenerateCollision::Request RequestForm::requestOf(
-    const collision_forge::PossibleCollision& collision) const {
-  collision_forge::GenerateCollision::Request request = this->request();
-  request.collision_type = collision.collision_type;
-  request.tta = collision.tta;
-  request.manoeuvre = collision.manoeuvre;
-  request.attacker_id = collision.added ? std::string() : collision.attacker_id;
-  request.choice = toString(collision.added ? AttackerChoice::kNew : AttackerChoice::kExisting);
-  return request;
-}
-
-collision_forge::CollisionRequest RequestForm::anyRequest() const {
-  collision_forge::CollisionRequest request;
-  fillDriving(request);
-  if (adaptive_->isChecked()) request.mode = toString(Mode::kAdaptive);
-  return request;
-}
-
-std::string RequestForm::method() const { return chosenIn(*method_, kDefaultMethod); }
 
 void RequestForm::choose(const collision_forge::PossibleCollision& collision) {
   type_->setCurrentText(QString::fromStdString(collision.collision_type));

@@ -1,14 +1,11 @@
 #pragma once
 
-#include <collision_forge/CollisionRequest.h>
 #include <collision_forge/GenerateCollision.h>
 #include <collision_forge/PossibleCollision.h>
 #include <rviz/config.h>
 
 #include <QMap>
 #include <QWidget>
-
-#include <string>
 
 class QCheckBox;
 class QComboBox;
@@ -26,13 +23,6 @@ class RequestForm : public QWidget {
 
   /// `collision_type` is empty where any type is asked for.
   collision_forge::GenerateCollision::Request request() const;
-  /// The same with type, time, attacker and manoeuvre of a collision.
-  collision_forge::GenerateCollision::Request requestOf(
-      const collision_forge::PossibleCollision& collision) const;
-  /// The same of any type, time, attacker and manoeuvre.
-  collision_forge::CollisionRequest anyRequest() const;
-  /// Empty: the default one.
-  std::string method() const;
 
   /// Sets type, time, attacker and manoeuvre.
   void choose(const collision_forge::PossibleCollision& collision);
@@ -53,8 +43,6 @@ class RequestForm : public QWidget {
   void connectFields();
   void offerManoeuvres();
   QString shownId(const QString& id);
-  template <typename Request>
-  void fillDriving(Request& request) const;
 
   QComboBox* type_ = nullptr;
   QDoubleSpinBox* tta_ = nullptr;

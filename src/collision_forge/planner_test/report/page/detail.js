@@ -6,7 +6,6 @@ import {TopView} from './top_view.js';
 import {OUTCOME_NOTES, amount, degrees, element, title} from './words.js';
 
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
-const AFTER_CONTACT = 1.5; // s shown after a planner's contact with somebody else than the attacker
 const FAR_LESS = 0.8; // of the height of the view
 
 /** "scenarios:3, Left turn across path, 4.0 s from now, car, cut in"; of a test its planner comes second. */
@@ -25,10 +24,12 @@ export function worldOf({now, tta, scene, attack, test}) {
   const crash = drive ? drive.crash : attack && attack.crash;
   const withCrash = (motion, after) => (after ? continued(motion, motionOf(after)) : motion);
   const attackerId = attack && attack.attacker.id;
+  const touchedId = drive && test.contact ? test.contact.other : attackerId;
+  const touched = (id, motion) => withCrash(motion, crash && id === touchedId && crash.other);
   const size = attack ? {length: attack.ego_length, width: attack.ego_width} : scene;
   for (const agent of scene ? scene.agents : []) {
     const role = {...agent, motion: motionOf(agent.motion, offset)};
-    if (agent.id !== attackerId) world.others.push(role);
+    if (agent.id !== attackerId) world.others.push({...role, motion: touched(agent.id, role.motion)});
     else world.roles.push({...role, color: 'attacker', isPale: true, name: 'Attacker as recorded'});
   }
   if (scene && scene.ego.t.length) {
@@ -39,7 +40,7 @@ export function worldOf({now, tta, scene, attack, test}) {
       name: isCrashed ? 'Ego, recorded up to the contact' : 'Ego as recorded'});
     world.begin = Math.max(world.roles[world.roles.length - 1].motion.t[0], -3);
   }
-  if (attack) addAttacker(world, attack, drive, (motion) => withCrash(motion, crash && crash.attacker));
+  if (attack) addAttacker(world, attack, drive, (motion) => touched(attackerId, motion));
   if (drive) {
     world.roles.push({motion: withCrash(motionOf(drive.ego), crash && crash.ego), ...size, color: 'ego', isEgo: true,
       isTimed: true, isFollowed: true, isHeld: true, name: 'Ego as the planner drives it'});
@@ -47,7 +48,7 @@ export function worldOf({now, tta, scene, attack, test}) {
       world.roles.push({motion: motionOf(drive.escape), ...size, color: 'escape', isPale: true,
         name: 'Ego as it could have escaped'});
     }
-    if (test.contact && !crash) world.end = Math.min(world.end, test.contact.t + AFTER_CONTACT);
+    if (crash) world.end = motionOf(crash.ego).t.slice(-1)[0];
   }
   // Without the recording nobody knows the ego, so nothing is shown after the predicted contact.
   if (attack && !attack.recorded && !drive && attack.report.contact) world.end = attack.report.contact_t;

@@ -1,0 +1,72 @@
+#include "collision_forge/planner_test/trials/planner_crash.h"
+
+#include <gtest/gtest.h>
+
+#include "planner_test/trials/rollout_scenes.h"
+
+namespace forge {
+namespace {
+
+const DriveLimitOptions& limits() { return shippedConfig().attack.verification.drivable; }
+
+/// A car stands in the way of the ego, the attacker comes from far behind.
+CrashScenario blocked() {
+  return roadScenario(8.0, straightDrive({-60.0, 0.0, 0.0}, 5.0, 6.0),
+                      {straightCar("parked", {10.0, 0.0, 0.0}, 0.0)});
+}
+
+/// The ego keeps 8 m/s up to its contact after 0.5 s.
+RolloutOutcome outcomeWith(const std::string& id, const CrashScenario& scenario) {
+  RolloutOutcome outcome;
+  outcome.attacker = scenario.attacker;
+  for (int i = 0; i <= 5; ++i) {
+    outcome.driven.push_back({kNow + 0.1 * i, {0.8 * i, 0.0, 0.0}, 8.0});
+  }
+  outcome.contact = PlannerContact();
+  outcome.contact->other_id = id;
+  outcome.contact->is_attacker = id == scenario.attacker.attacker_id;
+  outcome.contact->time = kNow + 0.5;
+  return outcome;
+}
+
+TEST(PlannerCrash, OfAnotherVehiclePushesThatOneAndTheEgoAlike) {
+  const CrashScenario scenario = blocked();
+  const auto crash = crashOf(outcomeWith("parked", scenario), scenario.ego.size,
+                             scenario.recorded.agents, limits());
+  ASSERT_TRUE(crash);
+  EXPECT_EQ(crash->other.id, "parked");
+  EXPECT_EQ(crash->motion.contactTime(), kNow + 0.5);
+  const double stand = crash->motion.standTime();
+  EXPECT_GT(crash->motion.attackerAt(stand).pose.x, 10.5);
+  EXPECT_NEAR(crash->motion.attackerAt(stand).pose.x - 10.0,
+              crash->motion.egoAt(stand).pose.x - 4.0, 1e-9);
+}
+
+TEST(PlannerCrash, TakesTheVehicleAsItDroveWhereItReacted) {
+  const CrashScenario scenario = blocked();
+  RolloutOutcome outcome = outcomeWith("parked", scenario);
+  outcome.others = {futureTrack("parked", kCarSize, {12.0, 0.0, 0.0}, 0.0)};
+  EXPECT_EQ(crashOf(outcome, scenario.ego.size, scenario.recorded.agents, limits())
+                ->motion.attackerAt(kNow)
+                .pose.x,
+            12.0);
+}
+
+TEST(PlannerCrash, TakesTheAttackerAsItDrove) {
+  const CrashScenario scenario = blocked();
+  const auto crash = crashOf(outcomeWith(scenario.attacker.attacker_id, scenario),
+                             scenario.ego.size, scenario.recorded.agents, limits());
+  ASSERT_TRUE(crash);
+  EXPECT_NEAR(crash->motion.attackerAt(kNow + 0.5).pose.x, -57.5, 1e-6);
+}
+
+TEST(PlannerCrash, IsNoneWithoutAContactAndOfSomebodyUnknown) {
+  const CrashScenario scenario = blocked();
+  RolloutOutcome outcome = outcomeWith("nobody", scenario);
+  EXPECT_FALSE(crashOf(outcome, scenario.ego.size, scenario.recorded.agents, limits()));
+  outcome.contact.reset();
+  EXPECT_FALSE(crashOf(outcome, scenario.ego.size, scenario.recorded.agents, limits()));
+}
+
+}  // namespace
+}  // namespace forge
