@@ -88,7 +88,8 @@ void answer(const collision_forge::RealizeTrajectory::Request& message) {
                {snapshot, future, request, fuzzedLanes()},
                static_cast<bool>(message.exact),
                ways,
-               message.any_motion ? SearchedMotion::kAny : SearchedMotion::kByRoutes},
+               message.any_motion ? SearchedMotion::kAny : SearchedMotion::kByRoutes,
+               message.in_turn ? std::optional<double>(message.enough) : std::nullopt},
               quickOptions());
   if (found.status.code != StatusCode::kOk) return;
   require(found.report.verified(), "the attack is not verified");

@@ -52,6 +52,35 @@ struct Case {
   Realization result() const { return resultIn(future()); }
 };
 
+/// Declines everything, and counts what it is asked.
+class CountingRealizer : public TrajectoryRealizer {
+ public:
+  Realization realize(const RealizationTask& task) const override {
+    ++calls;
+    in_turn += task.enough.has_value();
+    return declined({StatusCode::kNoAttackWithinLimits, "is only counted"});
+  }
+  mutable int calls = 0;
+  mutable int in_turn = 0;
+};
+
+TEST(AddedVehicle, AllCarsAreAskedForInOneCall) {
+  Case scene;
+  scene.request.type = CollisionType::kRearEnd;
+  const Snapshot all = scene.past();
+  const Snapshot now = scene.snapshot();
+  const Future known = scene.future();
+  const LaneIndex lanes(scene.map);
+  const AddedVehicleInput input{now, &all, known, scene.request, lanes};
+  const AddedVehicles vehicles = addVehicles(input, scene.options);
+  ASSERT_GT(vehicles.found.size(), 3u);
+  ASSERT_TRUE(isCarLike(vehicles.found.back().track.agent_class));
+  const CountingRealizer realizer;
+  realizeByAdded(vehicles, input, scene.options, realizer, SearchedMotion::kByRoutes);
+  EXPECT_EQ(realizer.calls, 1);
+  EXPECT_EQ(realizer.in_turn, 1);
+}
+
 TEST(AddedVehicle, CrashesAsAskedIntoAnEgoThatIsAlone) {
   Case scene;
   for (const CollisionType type : {CollisionType::kRearEnd, CollisionType::kOppositeDirection,

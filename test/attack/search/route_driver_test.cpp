@@ -35,9 +35,10 @@ class RouteTest : public testing::Test {
   /// The style by which it was planned.
   static std::optional<std::size_t> plan(const RouteDriver& route, const RoutePlan& wanted,
                                          std::vector<PlannedStep>& planned) {
-    const auto speed = route.speedFor(wanted, kStep);
+    RouteReach reach;
+    const auto speed = route.speedFor(wanted, kStep, reach);
     if (!speed) return std::nullopt;
-    route.plan(wanted, *speed, kStep, kSteps, planned);
+    route.plan(wanted, route.courseAt(wanted, *speed, kStep), kStep, kSteps, planned);
     return speed->style;
   }
 

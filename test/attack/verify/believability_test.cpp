@@ -65,7 +65,7 @@ std::vector<TrajectoryPoint> pulledOut(double across) {
 TEST(RoadUse, OfOneWhoPullsOutBeginsWithTheManoeuvre) {
   const LaneIndex lanes(twoLaneRoad());
   const auto useUntilManoeuvre = [&](const std::vector<TrajectoryPoint>& points, double contact) {
-    return roadUseUntilManoeuvre(points, kCarSize, kNow + contact, lanes, kOptions);
+    return roadUseOfAttack(points, kCarSize, kNow + contact, lanes, kOptions);
   };
   EXPECT_EQ(useUntilManoeuvre(pulledOut(-3.0), 4.0).on_lane, 1.0) << "who is parked is on no lane";
   // It drives beside the lane for longer than a manoeuvre lasts.

@@ -83,7 +83,8 @@ std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const DriveOnOpt
                        input.vehicle.size.width + 2.0 * clearance};
     for (const double share : options.speed_shares) {
       for (std::size_t style = 0; style < route.styles.size(); ++style) {
-        along.plan(plan, {style, share * input.state.speed}, step, input.steps, planned);
+        along.plan(plan, along.courseAt(plan, {style, share * input.state.speed}, step), step,
+                   input.steps, planned);
         driver.drive(input.state, input.time, planned, points);
         const auto touch = firstTouch(points, size, others);
         if (!touch) return points;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -18,6 +20,7 @@ namespace forge {
 namespace {
 
 constexpr double kMinContact = 0.3;  // s from now
+constexpr double kAnyWorth = std::numeric_limits<double>::lowest();
 
 bool isCar(const AddedVehicle& vehicle) { return isCarLike(vehicle.track.agent_class); }
 
@@ -309,9 +312,10 @@ Track within(const Track& track, const Snapshot& snapshot) {
   return seen;
 }
 
-/// realize() by all of these vehicles.
+/// realize() by all of these vehicles; `enough` as in RealizationTask.
 Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehicleInput& input,
-                      const TrajectoryRealizer& realizer, SearchedMotion motion) {
+                      const TrajectoryRealizer& realizer, SearchedMotion motion,
+                      const std::optional<double>& enough) {
   Snapshot snapshot = input.snapshot;
   std::vector<CollisionPattern> patterns;
   AttackerWays ways;
@@ -320,8 +324,12 @@ Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehi
     patterns.insert(patterns.end(), vehicle.patterns.begin(), vehicle.patterns.end());
     ways.emplace(vehicle.track.id, vehicle.way);
   }
-  Realization answer = realizer.realize(
-      {patterns, {snapshot, input.future, input.request, input.lanes}, false, ways, motion});
+  Realization answer = realizer.realize({patterns,
+                                         {snapshot, input.future, input.request, input.lanes},
+                                         false,
+                                         ways,
+                                         motion,
+                                         enough});
   if (answer.status.code != StatusCode::kOk) return answer;
   const auto vehicle = std::find_if(
       vehicles.begin(), vehicles.end(),
@@ -347,23 +355,25 @@ Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInpu
   const auto motorcycles = std::partition_point(first, end, isCar);
   // Along routes, where the ego is known, the first one that can is as good as any; else cars, and
   // motorcycles, are tried together.
-  auto next = first;
-  for (auto from = first; from != end; from = next) {
-    const bool is_together = !input.isFutureKnown() || motion == SearchedMotion::kAny;
-    next = is_together ? (from < motorcycles ? motorcycles : end) : std::next(from);
-    Realization answer = realizeBy({from, next}, input, realizer, motion);
+  const bool is_in_turn = input.isFutureKnown() && motion == SearchedMotion::kByRoutes;
+  for (const auto& [from, to] : {std::pair(first, motorcycles), std::pair(motorcycles, end)}) {
+    if (from == to) continue;
+    const bool is_last_resort =
+        from == motorcycles && input.request.attacker_class != AgentClass::kMotorcycle;
+    const double cost = is_last_resort ? options.added.riding_cost : 0.0;
+    std::optional<double> enough;
+    if (is_in_turn) enough = options.search.good_share;
+    if (is_in_turn && is_last_resort) enough = is_found ? worthOf(best) + cost : kAnyWorth;
+    Realization answer = realizeBy({from, to}, input, realizer, motion, enough);
     if (answer.status.code != StatusCode::kOk) {
       if (from == first) best.status = answer.status;
       continue;
     }
-    const bool is_last_resort = !isCarLike(answer.trajectory.agent_class) &&
-                                input.request.attacker_class != AgentClass::kMotorcycle;
-    if (is_last_resort) answer.effort += options.added.riding_cost;
+    answer.effort += cost;
     if (is_found && worthOf(answer) <= worthOf(best)) continue;
     is_found = true;
     best = std::move(answer);
-    // After the first motorcycle come motorcycles alone.
-    if (worthOf(best) >= options.search.good_share || is_last_resort) break;
+    if (worthOf(best) >= options.search.good_share) break;
   }
   return best;
 }

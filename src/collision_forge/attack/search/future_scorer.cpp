@@ -168,9 +168,8 @@ bool FutureScorer::fitsType(double contact, std::size_t future, const Track& att
                      driving_side_);
 }
 
-int FutureScorer::firstOther(const Track& attacker,
-                             const std::vector<TrajectoryPoint>& points) const {
-  int first = steps_;
+int FutureScorer::firstOther(const Track& attacker, const std::vector<TrajectoryPoint>& points,
+                             int first) const {
   const double attacker_radius = circumradius(attacker.size);
   for (const Other& other : others_) {
     if (other.id == attacker.id) continue;
@@ -238,15 +237,20 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
     }
     std::swap(gaps, gaps_before);
   }
-  const int other = firstOther(attacker, points);
+  double last = -1.0;
   for (std::size_t i = 0; i < count_; ++i) {
     Outcome& outcome = outcomes[i];
     outcome.gap = least_gaps[i];
     outcome.hit = outcome.deep && outcome.contact >= first_in_time_ &&
                   outcome.contact <= last_in_time_ && outcome.contact > 0.0 &&
-                  outcome.contact < other && headingFits(outcome.heading, band_) &&
+                  headingFits(outcome.heading, band_) &&
                   (rules_ == TypeRules::kAngle || fitsType(outcome.contact, i, attacker, points));
+    if (outcome.hit) last = std::max(last, outcome.contact);
   }
+  if (last < 0.0) return;
+  // Somebody else counts who is touched before the last of the hits.
+  const int other = firstOther(attacker, points, std::min(steps_, static_cast<int>(last) + 1));
+  for (Outcome& outcome : outcomes) outcome.hit = outcome.hit && outcome.contact < other;
 }
 
 /// The future whose contact is told; there has to be one that is hit.

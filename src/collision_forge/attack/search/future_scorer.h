@@ -57,7 +57,9 @@ class FutureScorer {
   Met metAt(double contact, std::size_t future, const std::vector<TrajectoryPoint>& points) const;
   bool fitsType(double contact, std::size_t future, const Track& attacker,
                 const std::vector<TrajectoryPoint>& points) const;
-  int firstOther(const Track& attacker, const std::vector<TrajectoryPoint>& points) const;
+  /// The step before `first` at which somebody else is touched, or else `first`.
+  int firstOther(const Track& attacker, const std::vector<TrajectoryPoint>& points,
+                 int first) const;
 
   std::size_t count_ = 0;   // futures
   std::size_t padded_ = 0;  // a row of the arrays below

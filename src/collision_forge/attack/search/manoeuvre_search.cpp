@@ -4,8 +4,10 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -232,23 +234,28 @@ class ManoeuvreSearch {
         std::abs(plan.at.across) > route_.max_departure) {
       return false;
     }
-    const auto speed = speedFor(*candidate.route, plan);
+    const auto& speed = driveAlong(*candidate.route, plan);
     if (!speed) return false;
     style = speed->style;
-    candidate.route->plan(plan, *speed, search_.step, count, planned_);
+    candidate.route->plan(plan, course_, search_.step, count, planned_);
     contender.driver->drive(contender.drive_start, input_.snapshot.now, planned_, points_);
     return true;
   }
 
-  /// Drafts that differ across the route alone come one after the other.
-  std::optional<RouteSpeed> speedFor(const RouteDriver& route, const RoutePlan& plan) {
+  /// The speed of the plan; course_ is its drive along the route. Drafts that differ across the
+  /// route alone come one after the other.
+  const std::optional<RouteSpeed>& driveAlong(const RouteDriver& route, const RoutePlan& plan) {
     const bool is_same = last_route_ == &route && last_plan_.arrival == plan.arrival &&
                          last_plan_.at.along == plan.at.along && last_plan_.late == plan.late &&
                          last_plan_.late_acceleration == plan.late_acceleration &&
                          last_plan_.wait == plan.wait;
-    if (!is_same) last_speed_ = route.speedFor(plan, search_.step);
+    if (is_same) return last_speed_;
     last_route_ = &route;
     last_plan_ = plan;
+    RouteReach& reach =
+        reaches_[{&route, plan.arrival, plan.late, plan.late_acceleration, plan.wait}];
+    last_speed_ = route.speedFor(plan, search_.step, reach);
+    if (last_speed_) course_ = route.courseAt(plan, *last_speed_, search_.step);
     return last_speed_;
   }
 
@@ -437,6 +444,9 @@ class ManoeuvreSearch {
   const RouteDriver* last_route_ = nullptr;
   RoutePlan last_plan_;
   std::optional<RouteSpeed> last_speed_;
+  RouteCourse course_;
+  // By the route, and by what RouteDriver::speedFor() says.
+  std::map<std::tuple<const RouteDriver*, double, double, double, double>, RouteReach> reaches_;
   std::vector<PlannedStep> planned_;
   std::vector<TrajectoryPoint> points_;
   std::vector<TrajectoryPoint> whole_;

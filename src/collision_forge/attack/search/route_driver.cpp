@@ -113,17 +113,24 @@ RouteDriver::Cruise RouteDriver::cruiseOf(const RoutePlan& wanted, const RouteSp
           step,        wanted.wait};
 }
 
-std::optional<RouteSpeed> RouteDriver::speedFor(const RoutePlan& wanted, double step) const {
+std::optional<RouteSpeed> RouteDriver::speedFor(const RoutePlan& wanted, double step,
+                                                RouteReach& reach) const {
   RouteSpeed found;
   const auto beyond = [&](double speed) {
     return drive(cruiseOf(wanted, {found.style, speed}, step), nullptr) - wanted.at.along;
   };
   const double high = options_.limit_share * limits_.max_speed;
   const auto isNear = [](double a, double b) { return std::abs(a - b) < kSpeedPrecision; };
+  const auto beyondAt = [&](double speed, std::vector<std::optional<double>>& known) {
+    known.resize(options_.styles.size());
+    std::optional<double>& along = known[found.style];
+    if (!along) along = drive(cruiseOf(wanted, {found.style, speed}, step), nullptr);
+    return *along - wanted.at.along;
+  };
   for (; found.style < options_.styles.size(); ++found.style) {
-    const double slowest = beyond(0.0);
+    const double slowest = beyondAt(0.0, reach.slowest);
     if (slowest > options_.precision) continue;
-    const double fastest = beyond(high);
+    const double fastest = beyondAt(high, reach.fastest);
     if (fastest < -options_.precision) continue;
     if (slowest >= 0.0) return RouteSpeed{found.style, 0.0};
     if (fastest <= 0.0) return RouteSpeed{found.style, high};
@@ -135,12 +142,19 @@ std::optional<RouteSpeed> RouteDriver::speedFor(const RoutePlan& wanted, double 
   return std::nullopt;
 }
 
-void RouteDriver::plan(const RoutePlan& wanted, const RouteSpeed& speed, double step,
+RouteCourse RouteDriver::courseAt(const RoutePlan& wanted, const RouteSpeed& speed,
+                                  double step) const {
+  RouteCourse course;
+  course.end = drive(cruiseOf(wanted, speed, step), &course.alongs);
+  course.places.reserve(course.alongs.size());
+  for (const double along : course.alongs) course.places.push_back(path_.at(along));
+  return course;
+}
+
+void RouteDriver::plan(const RoutePlan& wanted, const RouteCourse& course, double step,
                        std::size_t steps, std::vector<PlannedStep>& planned) const {
-  const Cruise cruise = cruiseOf(wanted, speed, step);
-  std::vector<double> alongs;
-  alongs.reserve(steps);
-  const double end = drive(cruise, &alongs);
+  const std::vector<double>& alongs = course.alongs;
+  const double end = course.end;
   const double before = wanted.arrival - static_cast<double>(alongs.size() - 1) * step;
   const double last_speed = std::max(0.0, (end - alongs.back()) / std::max(1e-6, before));
   // Across the path: as kept so far, then in a fifth-order polynomial to the arrival.
@@ -173,7 +187,7 @@ void RouteDriver::plan(const RoutePlan& wanted, const RouteSpeed& speed, double 
     const double duration = i + 1 < alongs.size() ? step : std::max(1e-6, before);
     const double before_along = i > 0 ? alongs[i - 1] : alongs[i];
     const double speed = i > 0 ? (next - before_along) / (step + duration) : now_.speed;
-    const ReferencePath::Place place = path_.at(alongs[i]);
+    const ReferencePath::Place& place = course.places[i];
     double offset = kept;
     double rate = 0.0;
     if (time < from) {

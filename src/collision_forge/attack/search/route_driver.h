@@ -27,6 +27,20 @@ struct RouteSpeed {
   double speed = 0.0;     ///< m/s that it chooses
 };
 
+/// How far along its route each style leads at the least and at the greatest speed, m; what nobody
+/// has asked for is empty.
+struct RouteReach {
+  std::vector<std::optional<double>> slowest;
+  std::vector<std::optional<double>> fastest;
+};
+
+/// A drive along a route, without what happens across it.
+struct RouteCourse {
+  std::vector<double> alongs;                ///< m, a step each, until the arrival
+  std::vector<ReferencePath::Place> places;  ///< there
+  double end = 0.0;                          ///< m along, at the arrival
+};
+
 /// A driver who follows a route: keeps its offset from the route's middle, drives at a speed that
 /// it chooses once, slower in bends and wandering a little, and leaves the lane only for what
 /// happens at the arrival.
@@ -44,11 +58,17 @@ class RouteDriver {
 
   /// How the driver gets to the plan's place along the path in time, by the tamest of
   /// RouteDriverOptions::styles that does, in steps of `step` seconds. Empty where none does. Tells
-  /// the same for plans with the same times, place along and late acceleration.
-  std::optional<RouteSpeed> speedFor(const RoutePlan& wanted, double step) const;
+  /// the same for plans with the same times, place along and late acceleration. `reach` is what is
+  /// known so far of plans with the same arrival, late, late_acceleration and wait.
+  std::optional<RouteSpeed> speedFor(const RoutePlan& wanted, double step, RouteReach& reach) const;
 
-  /// A step every `step` seconds from now on, straight on after the arrival.
-  void plan(const RoutePlan& wanted, const RouteSpeed& speed, double step, std::size_t steps,
+  /// The drive at a speed, the same for plans with the same arrival, late, late_acceleration and
+  /// wait.
+  RouteCourse courseAt(const RoutePlan& wanted, const RouteSpeed& speed, double step) const;
+
+  /// A step every `step` seconds from now on along the plan's course, straight on after the
+  /// arrival.
+  void plan(const RoutePlan& wanted, const RouteCourse& course, double step, std::size_t steps,
             std::vector<PlannedStep>& planned) const;
 
  private:

@@ -40,8 +40,8 @@ TrackDriver::TrackDriver(const DriveLimits& limits, double margin, double previe
       step_(step) {}
 
 /// The angle at which the rear axle drives an arc through the target's rear axle.
-double TrackDriver::steeringTo(const DriveState& state, const PlannedStep& target) const {
-  const Vector2 heading = state.axle.heading();
+double TrackDriver::steeringTo(const DriveState& state, const Vector2& heading,
+                               const PlannedStep& target) const {
   const Vector2 to = target.middle.position() - limits_.axle_to_middle * target.middle.heading() -
                      state.axle.position();
   const double distance = to.squaredNorm();
@@ -67,13 +67,13 @@ double TrackDriver::nextSteering(double wanted, const DriveState& state) const {
                     state.steering + change);
 }
 
-double TrackDriver::nextAcceleration(double wanted, double steering,
+double TrackDriver::nextAcceleration(double wanted, double tangent, double next_tangent,
                                      const DriveState& state) const {
   const double change = limits_.max_jerk * step_;
-  const double tightest = std::max(std::abs(state.steering), std::abs(steering));
+  const double tightest = std::max(std::abs(tangent), std::abs(next_tangent));
   // As fast as it may be then: across the vehicle that counts squared.
   const double faster = state.speed + std::max(0.0, state.acceleration + change) * step_;
-  const double lateral = faster * faster * std::tan(tightest) / limits_.wheelbase;
+  const double lateral = faster * faster * tightest / limits_.wheelbase;
   const double grip =
       std::sqrt(std::max(0.0, limits_.max_braking * limits_.max_braking - lateral * lateral));
   // Brakes are let go in time to stand without a jolt.
@@ -81,7 +81,7 @@ double TrackDriver::nextAcceleration(double wanted, double steering,
   const double least = -std::min(grip, softly);
   double most = std::min(grip, limits_.forwardAt(state.speed));
   most = std::min(most, (limits_.max_speed - state.speed) / step_);
-  if (const double bend = std::tan(std::abs(steering)) / limits_.wheelbase; bend > kStraight) {
+  if (const double bend = std::abs(next_tangent) / limits_.wheelbase; bend > kStraight) {
     // The speed changes by the mean of both accelerations.
     const double fastest = std::sqrt(limits_.max_lateral_acceleration / bend);
     most = std::min(most, 2.0 * (fastest - state.speed) / step_ - state.acceleration);
@@ -94,6 +94,7 @@ double TrackDriver::nextAcceleration(double wanted, double steering,
 void TrackDriver::drive(const DriveState& start, double now, const std::vector<PlannedStep>& plan,
                         std::vector<TrajectoryPoint>& points) const {
   DriveState state = start;
+  double tangent = std::tan(state.steering);
   points.resize(plan.size());
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const Vector2 heading = state.axle.heading();
@@ -102,18 +103,19 @@ void TrackDriver::drive(const DriveState& start, double now, const std::vector<P
                  {middle.x(), middle.y(), wrapAngle(state.axle.yaw)},
                  state.speed,
                  state.acceleration,
-                 std::tan(state.steering) / limits_.wheelbase};
+                 tangent / limits_.wheelbase};
     if (i + 1 == plan.size()) break;
     PlannedStep target = plan[std::min(i + preview_, plan.size() - 1)];
     if (i + preview_ >= plan.size()) {
       const double beyond = static_cast<double>(i + preview_ + 1 - plan.size()) * step_;
       target.middle = compose(target.middle, {beyond * std::max(1.0, target.speed), 0.0, 0.0});
     }
-    const double steering = nextSteering(steeringTo(state, target), state);
+    const double steering = nextSteering(steeringTo(state, heading, target), state);
+    const double next_tangent = std::tan(steering);
     const double behind = (plan[i].middle.position() - middle).dot(heading);
     const double wanted = (plan[i + 1].speed - plan[i].speed) / step_ +
                           kSpeedGain * (plan[i].speed - state.speed) + kWayGain * behind;
-    const double acceleration = nextAcceleration(wanted, steering, state);
+    const double acceleration = nextAcceleration(wanted, tangent, next_tangent, state);
     // Steering angle and acceleration change evenly over the step.
     const double faster =
         std::max(0.0, state.speed + 0.5 * (state.acceleration + acceleration) * step_);
@@ -125,6 +127,7 @@ void TrackDriver::drive(const DriveState& start, double now, const std::vector<P
     state.speed = faster < kStanding && acceleration < 0.0 ? 0.0 : faster;
     state.acceleration = state.speed > 0.0 ? acceleration : 0.0;
     state.steering = steering;
+    tangent = next_tangent;
   }
 }
 

@@ -32,9 +32,12 @@ class TrackDriver {
              std::vector<TrajectoryPoint>& points) const;
 
  private:
-  double steeringTo(const DriveState& state, const PlannedStep& target) const;
+  double steeringTo(const DriveState& state, const Vector2& heading,
+                    const PlannedStep& target) const;
   double nextSteering(double wanted, const DriveState& state) const;
-  double nextAcceleration(double wanted, double steering, const DriveState& state) const;
+  /// Both tangents are of the steering angle, now and a step later.
+  double nextAcceleration(double wanted, double tangent, double next_tangent,
+                          const DriveState& state) const;
 
   DriveLimits limits_;
   double max_tangent_;   // of the steering angle

@@ -37,6 +37,56 @@ bool findsRoad(const Vector2& from, const Vector2& direction, const AreaRaster& 
   return false;
 }
 
+/// Where somebody is held to keep to its lane: from a point on, until a time.
+struct LaneStretch {
+  std::vector<TrajectoryPoint>::const_iterator first;
+  double until;
+};
+
+/// Adds what the use of the ground at a point is to the sums in `use`.
+void addGround(const Pose2& pose, const BoxSize& size, const LaneIndex& lanes,
+               const BelievabilityOptions& options, RoadUse& use) {
+  const Ground ground = groundBelow({pose, size}, lanes);
+  use.off_road += static_cast<double>(ground.off_road);
+  use.on_walkway += ground.on_walkway > 0;
+  use.on_island += isOnIsland(pose, lanes, options.island_reach);
+}
+
+/// Adds what the use of lanes at a point is to the sums in `use`.
+void addLanes(const Pose2& pose, const LaneIndex& lanes, const BelievabilityOptions& options,
+              RoadUse& use) {
+  const bool on_lane = lanes.grid().isOnLane(pose, options.lane_distance, options.lane_heading);
+  use.on_lane += on_lane;
+  use.wrong_way += !on_lane && lanes.grid().isWrongWay(pose, options.lane_distance);
+}
+
+/// The use of the ground to `until`, of the lanes along `on_lanes`; each to the first point at or
+/// after its end.
+RoadUse roadUseOf(const std::vector<TrajectoryPoint>& points, const BoxSize& size, double until,
+                  const LaneStretch& on_lanes, const LaneIndex& lanes,
+                  const BelievabilityOptions& options) {
+  RoadUse use;
+  std::size_t count = 0;
+  for (const TrajectoryPoint& point : points) {
+    addGround(point.pose, size, lanes, options, use);
+    ++count;
+    if (point.time >= until) break;
+  }
+  std::size_t on_lanes_count = 0;
+  for (auto point = on_lanes.first; point != points.end(); ++point) {
+    addLanes(point->pose, lanes, options, use);
+    ++on_lanes_count;
+    if (point->time >= on_lanes.until) break;
+  }
+  const auto divide = [](double& sum, std::size_t by) {
+    if (by > 0) sum /= static_cast<double>(by);
+  };
+  use.off_road /= static_cast<double>(kBoxPlaces);
+  for (double* sum : {&use.off_road, &use.on_walkway, &use.on_island}) divide(*sum, count);
+  for (double* sum : {&use.on_lane, &use.wrong_way}) divide(*sum, on_lanes_count);
+  return use;
+}
+
 /// The lane's direction is the type's, widened by `slack` radians.
 bool directionFits(double relative_heading, const TypeDefinition& band, CollisionType type,
                    DrivingSide driving_side, double slack) {
@@ -54,27 +104,7 @@ const LaneIndex& drivenLanes(const CollisionRequest& request, const LaneIndex& l
 
 RoadUse roadUse(const std::vector<TrajectoryPoint>& points, const BoxSize& size, double until,
                 const LaneIndex& lanes, const BelievabilityOptions& options) {
-  RoadUse use;
-  std::size_t count = 0;
-  for (const TrajectoryPoint& point : points) {
-    const Pose2& pose = point.pose;
-    const Ground ground = groundBelow({pose, size}, lanes);
-    const bool on_lane = lanes.grid().isOnLane(pose, options.lane_distance, options.lane_heading);
-    use.on_lane += on_lane;
-    use.wrong_way += !on_lane && lanes.grid().isWrongWay(pose, options.lane_distance);
-    use.off_road += static_cast<double>(ground.off_road);
-    use.on_walkway += ground.on_walkway > 0;
-    use.on_island += isOnIsland(pose, lanes, options.island_reach);
-    ++count;
-    if (point.time >= until) break;
-  }
-  if (count == 0) return use;
-  use.off_road /= static_cast<double>(kBoxPlaces);
-  for (double* share :
-       {&use.on_lane, &use.wrong_way, &use.off_road, &use.on_walkway, &use.on_island}) {
-    *share /= static_cast<double>(count);
-  }
-  return use;
+  return roadUseOf(points, size, until, {points.begin(), until}, lanes, options);
 }
 
 bool isOnIsland(const Pose2& pose, const LaneIndex& lanes, double reach) {
@@ -117,31 +147,19 @@ std::vector<FittingLane> fittingLanes(const OrientedBox& ego, const TypeDefiniti
   return found;
 }
 
-RoadUse roadUseUntilManoeuvre(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
-                              double contact, const LaneIndex& lanes,
-                              const BelievabilityOptions& options) {
-  const auto moves = [](const TrajectoryPoint& point) { return point.speed > kStandstill; };
-  const auto first = std::find_if(points.begin(), points.end(), moves);
-  if (first == points.begin()) {
-    return roadUse(points, size, contact - options.before_contact, lanes, options);
-  }
-  const double until = contact - options.pull_out;
-  RoadUse use = roadUse(points, size, until, lanes, options);
-  const RoadUse moving = roadUse({first, points.end()}, size, until, lanes, options);
-  const bool has_moved = first != points.end() && first->time < until;
-  use.on_lane = has_moved ? moving.on_lane : 1.0;
-  use.wrong_way = has_moved ? moving.wrong_way : 0.0;
-  return use;
-}
-
 RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
                         double contact, const LaneIndex& lanes,
                         const BelievabilityOptions& options) {
-  RoadUse whole = roadUse(points, size, contact, lanes, options);
-  const RoadUse before = roadUseUntilManoeuvre(points, size, contact, lanes, options);
-  whole.on_lane = before.on_lane;
-  whole.wrong_way = before.wrong_way;
-  return whole;
+  const auto moves = [](const TrajectoryPoint& point) { return point.speed > kStandstill; };
+  const auto first = std::find_if(points.begin(), points.end(), moves);
+  const bool pulls_out = first != points.begin();
+  const double until = contact - (pulls_out ? options.pull_out : options.before_contact);
+  RoadUse use = roadUseOf(points, size, contact, {first, until}, lanes, options);
+  if (pulls_out && (first == points.end() || first->time >= until)) {
+    use.on_lane = 1.0;
+    use.wrong_way = 0.0;
+  }
+  return use;
 }
 
 std::string whyUnbelievable(const RoadUse& road, const std::vector<TrajectoryPoint>& points,

@@ -24,14 +24,10 @@ const LaneIndex& drivenLanes(const CollisionRequest& request, const LaneIndex& l
 RoadUse roadUse(const std::vector<TrajectoryPoint>& points, const BoxSize& size, double until,
                 const LaneIndex& lanes, const BelievabilityOptions& options);
 
-/// The same until before_contact seconds before `contact`, or pull_out seconds before it for who
-/// stands at the first point. Of on_lane and wrong_way the points before it moves off count
-/// nothing: 1 and 0 if it moves off no earlier.
-RoadUse roadUseUntilManoeuvre(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
-                              double contact, const LaneIndex& lanes,
-                              const BelievabilityOptions& options);
-
-/// The same with off_road, on_walkway and on_island until `contact`.
+/// The same until `contact`, with on_lane and wrong_way until the manoeuvre alone: until
+/// before_contact seconds before `contact`, or pull_out seconds before it for who stands at the
+/// first point. Of these two the points before it moves off count nothing: 1 and 0 if it moves off
+/// no earlier.
 RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
                         double contact, const LaneIndex& lanes,
                         const BelievabilityOptions& options);

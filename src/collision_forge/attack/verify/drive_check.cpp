@@ -33,12 +33,15 @@ struct Step {
   double lateral() const { return speed() * turn / duration; }
 };
 
-Step stepBetween(const TrajectoryPoint& a, const TrajectoryPoint& b, double axle_to_middle) {
+Vector2 axleOf(const TrajectoryPoint& point, double axle_to_middle) {
+  return point.pose.position() - axle_to_middle * point.pose.heading();
+}
+
+/// `way`: of the rear axle, m.
+Step stepBetween(const TrajectoryPoint& a, const TrajectoryPoint& b, const Vector2& way) {
   Step step;
   step.duration = b.time - a.time;
   step.turn = angleBetween(a.pose.yaw, b.pose.yaw);
-  const Vector2 way = (b.pose.position() - axle_to_middle * b.pose.heading()) -
-                      (a.pose.position() - axle_to_middle * a.pose.heading());
   const Vector2 halfway = Pose2{0.0, 0.0, a.pose.yaw + 0.5 * step.turn}.heading();
   step.along = way.dot(halfway);
   step.across = halfway.x() * way.y() - halfway.y() * way.x();
@@ -69,6 +72,7 @@ class Check {
   }
 
   void start(const TrajectoryPoint& point, const DriveState& start) {
+    axle_ = axleOf(point, limits_.axle_to_middle);
     const Pose2 middle = compose(start.axle, {limits_.axle_to_middle, 0.0, 0.0});
     worst_.check("continues_pose", (point.pose.position() - middle.position()).norm(),
                  kStartDistance);
@@ -76,7 +80,9 @@ class Check {
   }
 
   void add(const TrajectoryPoint& from, const TrajectoryPoint& to) {
-    const Step step = stepBetween(from, to, limits_.axle_to_middle);
+    const Vector2 axle = axleOf(to, limits_.axle_to_middle);
+    const Step step = stepBetween(from, to, axle - axle_);
+    axle_ = axle;
     const double speed = step.speed();
     worst_.check("no_reversing", -step.along, kBackwards);
     worst_.check("no_slip", std::abs(step.across), kSlip);
@@ -148,6 +154,7 @@ class Check {
   const DriveLimits& limits_;
   double max_tangent_;
   WorstLimit worst_;
+  Vector2 axle_ = Vector2::Zero();  // rear, at the last point
   bool is_first_ = true;
   Step before_;
   double start_speed_ = 0.0;

@@ -65,16 +65,20 @@ AreaRaster::~AreaRaster() {
 
 bool AreaRaster::contains(const Vector2& point) const {
   const Vector2 cell = (point - origin_) / kCell;
-  if (!(cell.x() >= 0.0 && cell.y() >= 0.0)) return false;
-  const Vector2 tile = (cell / kCells).array().floor();
-  if (tile.x() >= columns_ || tile.y() >= rows_) return false;
+  const bool is_within = cell.x() >= 0.0 && cell.y() >= 0.0 && cell.x() < columns_ * kCells &&
+                         cell.y() < rows_ * kCells;
+  if (!is_within) return false;
+  // The coordinates are not negative, so that conversion rounds down.
+  const int column = static_cast<int>(cell.x());
+  const int row = static_cast<int>(cell.y());
+  const Vector2 tile(column / kCells, row / kCells);
   const std::size_t index =
-      static_cast<std::size_t>(tile.y()) * static_cast<std::size_t>(columns_) +
-      static_cast<std::size_t>(tile.x());
-  const Vector2 inside = (cell - tile * kCells).array().floor();
-  return tileAt(index,
-                origin_ + tile * (kCell * kCells))[static_cast<std::size_t>(inside.y()) * kCells +
-                                                   static_cast<std::size_t>(inside.x())];
+      static_cast<std::size_t>(row / kCells) * static_cast<std::size_t>(columns_) +
+      static_cast<std::size_t>(column / kCells);
+  return tileAt(
+      index,
+      origin_ + tile * (kCell *
+                        kCells))[static_cast<std::size_t>(row % kCells * kCells + column % kCells)];
 }
 
 const AreaRaster::Tile& AreaRaster::tileAt(std::size_t index, const Vector2& corner) const {
