@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/base/files/resumable_file.h"
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/logs/log_source.h"
 #include "collision_forge/planner_test/settings/config.h"

@@ -2,6 +2,7 @@
 
 #include "collision_forge/io/batch/options.h"
 #include "collision_forge/io/batch/ranks.h"
+#include "collision_forge/planner_test/settings/config_fingerprint.h"
 
 namespace forge {
 
