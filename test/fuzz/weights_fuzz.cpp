@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "attack/network/sample_network.h"
+#include "collision_forge/attack/network/network_pattern_predictor.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
@@ -12,8 +13,8 @@ namespace {
 void predict(const std::shared_ptr<const PatternNetwork>& network) {
   static const Snapshot snapshot = junctionSnapshot();
   static const LaneIndex lanes = lanesOf(snapshot);
-  const auto predictor = Foresight{nullptr, network, {}}.patterns(configuration().attack);
-  const PatternPrediction found = predictor->predict(snapshot, lanes, requestFor(), nullptr);
+  const NetworkPatternPredictor predictor(configuration().attack, Foresight{nullptr, network, {}});
+  const PatternPrediction found = predictor.predict(snapshot, lanes, requestFor(), nullptr);
   for (const CollisionPattern& pattern : found.patterns) {
     require(pattern.attacker_offset.isFinite(), "a pattern is not finite");
   }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/scene/whole_attack.h"
+#include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/base/scene/request_words.h"
 
 namespace forge {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "collision_forge/base/config/config_folder.h"
 #include "collision_forge/base/config/section.h"
 
 namespace forge {
@@ -9,7 +10,7 @@ namespace {
 
 DrawingOptions shipped() {
   DrawingOptions options;
-  readConfigFile(COLLISION_FORGE_SOURCE_DIR "/config", "drawing", options);
+  readConfigFile(ConfigFolder(COLLISION_FORGE_SOURCE_DIR "/config"), "drawing", options);
   return options;
 }
 

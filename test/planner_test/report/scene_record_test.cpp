@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const ReportOptions kOptions{1.0, 50.0, 0.1, 0};
+const ReportOptions kOptions{1.0, 50.0, 0.1};
 
 SceneExtent extentFromNow() {
   SceneExtent extent;
