@@ -100,7 +100,7 @@ std::vector<std::string> listedIn(const std::string& help) {
   std::istringstream lines(help.substr(help.find("\n\n", help.find("--help,")) + 1));
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("  ", 0) != 0 || line[2] == ' ') continue;
-    names.push_back(line.substr(2, line.find("  ", 2) - 2));
+    if (line[2] != '-') names.push_back(line.substr(2, line.find("  ", 2) - 2));
   }
   return names;
 }

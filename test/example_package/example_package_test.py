@@ -18,7 +18,8 @@ class ExamplePackage(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
-        cls.environment = dict(os.environ, LD_LIBRARY_PATH=str(cls.folder / 'install' / 'lib'))
+        install = cls.folder / 'install'
+        cls.environment = dict(os.environ, LD_LIBRARY_PATH=str(install / 'lib'), ROS_PACKAGE_PATH=str(install / 'share'))
         cls.run_program('cmake', '--install', BUILD_DIR, '--prefix', cls.folder / 'install')
         cls.run_program('cmake', '-S', PACKAGE_FOLDER / 'test' / 'example_package', '-B', cls.folder / 'build',
                         '-DCMAKE_PREFIX_PATH={}'.format(cls.folder / 'install'),
@@ -40,7 +41,7 @@ class ExamplePackage(unittest.TestCase):
     def test_headers_are_installed_under_the_name_of_the_package_alone(self):
         include = self.folder / 'install' / 'include'
         self.assertEqual(['collision_forge'], [path.name for path in include.iterdir()])
-        self.assertTrue((include / 'collision_forge' / 'attack' / 'attack_method.h').exists())
+        self.assertTrue((include / 'collision_forge' / 'attack' / 'search' / 'attack_method.h').exists())
 
     def test_the_python_client_is_installed_beside_the_messages(self):
         folder = self.folder / 'install' / 'lib' / 'python3' / 'dist-packages'

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "collision_forge/base/config/config_file.h"
 #include "collision_forge/base/config/config_folder.h"
 #include "collision_forge/planner_test/trials/planner_grid.h"
 #include "collision_forge/ros/bags/topic_mapping.h"

@@ -18,7 +18,7 @@
 #include <memory>
 
 #include "collision_forge/attack/search/request_check.h"
-#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/config/config_file.h"
 #include "collision_forge/base/map/lane_queries.h"
 #include "collision_forge/io/scenarios/scenario_file.h"
 #include "collision_forge/planner_test/trials/planner_grid.h"

@@ -1,6 +1,6 @@
 #include "properties/random_scenes.h"
 
-#include "collision_forge/attack/search/attack_method.h"
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/io/answers/request_answerer.h"
 #include "collision_forge/io/weights/pattern_network_file.h"

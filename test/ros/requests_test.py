@@ -6,7 +6,7 @@ import live
 import road
 import rospy
 from live import ask, until
-from made_up import HISTORY, SPEED, MadeUpTest, drive, traffic, transform_of
+from made_up import HISTORY, SPEED, MadeUpTest, agent, drive, traffic, transform_of
 from rosgraph_msgs.msg import Clock
 from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage

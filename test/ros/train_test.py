@@ -74,7 +74,7 @@ class TrainTest(road.RoadTest):
 
     def test_a_planner_is_trained_that_does_not_know_its_fold(self):
         out, again = self.folder / 'planner', self.folder / 'planner_again'
-        path = self.config / 'planner_training.yaml'
+        path = self.config / 'study' / 'planner_training.yaml'
         shipped = path.read_text()
         path.write_text(re.sub(r'(?m)^(  epochs: )\S+', r'\g<1>2', re.sub(r'(?m)^(  hidden: )\S+', r'\g<1>8', shipped)))
         for folder in (out, again):

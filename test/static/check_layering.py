@@ -5,6 +5,7 @@ The table is the first one under the heading HEADING. Of its columns `folder` an
 1. Every C++ file under src/ is src/collision_forge/FOLDER/NAME, and FOLDER (as base/map) is in the table.
 2. A file includes files of its own folder and of folders above it in the table, and no others.
 3. A library of LIBRARIES is included only by folders whose row names it, and no header of ours carries it further.
+4. No two files of one folder include each other, however far round. A header and its source count as one file.
 """
 import itertools
 import re
@@ -97,6 +98,28 @@ def table_violations(includes, table):
                 yield '{}: row {} names {}, which it does not include'.format(DOCUMENT, folder, library)
 
 
+def cycles(includes):
+    """A cycle of files of one folder for each file that is on one, the shortest of those through it."""
+    units = {}
+    for file, included in includes.items():
+        unit = str(PurePath(file).with_suffix(''))
+        inside = {str(PurePath(other).with_suffix('')) for other in included
+                  if other in includes and folder_of(other) == folder_of(file)}
+        units.setdefault(unit, set()).update(inside - {unit})
+    seen = set()
+    for start in units:
+        paths, reached = [[start]], {start}
+        for path in paths:
+            for following in sorted(units[path[-1]]):
+                if following == start and not seen & set(path):
+                    seen.update(path)
+                    yield 'src/' + ' -> '.join(PurePath(unit).name for unit in path + [start]) + \
+                        ': a cycle in ' + folder_of(start)
+                elif following not in reached:
+                    reached.add(following)
+                    paths.append(path + [following])
+
+
 def violations(source_dir):
     table = read_table(Path(source_dir, DOCUMENT).read_text(encoding='utf-8'))
     if not table:
@@ -107,7 +130,7 @@ def violations(source_dir):
     found = list(table_violations(includes, table))
     for file in includes:
         found += ['src/{}: {}'.format(file, violation) for violation in file_violations(file, includes, table)]
-    return found
+    return found + list(cycles(includes))
 
 
 def main(source_dir):

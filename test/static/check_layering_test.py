@@ -74,6 +74,11 @@ class CheckLayering(unittest.TestCase):
         files['collision_forge/study/training/a.cpp'] = 'collision_forge/study/training/b.h'
         self.assertEqual([], violations_of(rows, files))
 
+    def test_files_of_a_folder_that_include_each_other_are_found_once(self):
+        files = ours(base__map__a_h='', base__map__a_cpp='collision_forge/base/map/b.h',
+                     base__map__b_h='collision_forge/base/map/c.h', base__map__c_h='collision_forge/base/map/a.h')
+        self.assertEqual(['src/a -> b -> c -> a: a cycle in base/map'], violations_of([MAP], files))
+
 
 if __name__ == '__main__':
     unittest.main()

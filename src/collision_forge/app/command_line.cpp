@@ -62,12 +62,7 @@ std::string complaintOfWord(const std::string& word, const CLI::App& command) {
     }
     return name + " is no option" + nearestNameHint(name, names);
   }
-  for (const CLI::App* part : partsOf(command)) {
-    if (part->get_name() == "study" && isOfTheStudy(word)) {
-      return word + " is now forge study " + word;
-    }
-    names.push_back(part->get_name());
-  }
+  for (const CLI::App* part : partsOf(command)) names.push_back(part->get_name());
   return word + (names.empty() ? " is not expected" : " is no command") +
          nearestNameHint(word, names);
 }
@@ -138,6 +133,10 @@ CLI::App& CommandLine::add(const std::string& heading, const std::string& name,
 }
 
 std::optional<int> CommandLine::parse(int argc, const char* const* argv) {
+  if (argc > 1 && isOfTheStudy(argv[1])) {
+    std::fprintf(stderr, "forge: %s is now forge study %s\n", argv[1], argv[1]);
+    return kExitUsage;
+  }
   try {
     app_.parse(argc, argv);
     if (runs_.count(chosen()) == 0) throw CLI::RequiredError("a command");

@@ -11,6 +11,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/attack/policy/adaptive_answer.h"
 #include "collision_forge/attack/search/alternatives.h"
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/request_check.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/base/files/output_lock.h"

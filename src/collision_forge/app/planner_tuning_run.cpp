@@ -12,6 +12,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
 #include "collision_forge/app/run_config.h"
+#include "collision_forge/base/config/config_file.h"
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/base/files/fingerprint.h"
 #include "collision_forge/base/scene/number_words.h"

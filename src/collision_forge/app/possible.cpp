@@ -7,7 +7,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/instant.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/attack/search/attack_method.h"
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/request_check.h"
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/base/scene/short_id.h"

@@ -9,7 +9,7 @@
 
 #include "attack/search/test_scenes.h"
 #include "collision_forge/attack/policy/adaptive_attacker.h"
-#include "collision_forge/attack/search/attack_method.h"
+#include "collision_forge/attack/search/generate_collision.h"
 
 namespace forge {
 

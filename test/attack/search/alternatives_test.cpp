@@ -5,6 +5,7 @@
 #include <set>
 
 #include "attack/search/test_scenes.h"
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/search/request_check.h"
 

@@ -1,4 +1,4 @@
-#include "collision_forge/attack/search/attack_method.h"
+#include "collision_forge/attack/search/generate_collision.h"
 
 #include <gtest/gtest.h>
 

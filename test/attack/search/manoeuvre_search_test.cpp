@@ -6,6 +6,7 @@
 #include <string>
 
 #include "attack/search/test_scenes.h"
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/realizer.h"
 #include "collision_forge/attack/verify/drive_check.h"
 #include "collision_forge/attack/verify/verification.h"

@@ -9,6 +9,7 @@
 
 #include "attack/search/test_scenes.h"
 #include "collision_forge/attack/forecast/kinematic_prediction.h"
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/search/realizer.h"
 

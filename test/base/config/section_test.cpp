@@ -1,4 +1,4 @@
-#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/config/config_file.h"
 
 #include <gtest/gtest.h>
 

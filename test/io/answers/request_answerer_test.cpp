@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/planner_test/settings/config.h"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "collision_forge/base/config/config_file.h"
 #include "collision_forge/base/config/config_folder.h"
-#include "collision_forge/base/config/section.h"
 
 namespace forge {
 namespace {

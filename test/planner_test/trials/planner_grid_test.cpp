@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/config/config_file.h"
 #include "collision_forge/planner_test/settings/config.h"
 #include "io/logs/nuscenes_fixture.h"
 

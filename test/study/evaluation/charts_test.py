@@ -6,7 +6,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAMS = Path(__file__).resolve().parents[2] / 'python' / 'collision_forge_study'
+PROGRAMS = Path(__file__).resolve().parents[3] / 'python' / 'collision_forge_study'
 sys.path.insert(0, str(PROGRAMS))
 import charts  # noqa: E402
 

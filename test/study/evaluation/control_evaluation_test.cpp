@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/study/settings/study_config.h"
 

@@ -10,7 +10,7 @@ from unittest import mock
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-PROGRAMS = Path(__file__).resolve().parents[2] / 'python' / 'collision_forge_study'
+PROGRAMS = Path(__file__).resolve().parents[3] / 'python' / 'collision_forge_study'
 sys.path.insert(0, str(PROGRAMS))
 import distances  # noqa: E402
 import motion  # noqa: E402

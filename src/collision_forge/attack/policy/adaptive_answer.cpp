@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "collision_forge/attack/policy/recorded_drive.h"
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/judge.h"
 
 namespace forge {

@@ -6,8 +6,8 @@
 #include "collision_forge/attack/forecast/ego_futures.h"
 #include "collision_forge/attack/policy/attacker_policy.h"
 #include "collision_forge/attack/policy/options.h"
-#include "collision_forge/attack/search/attack_search.h"
 #include "collision_forge/attack/search/options.h"
+#include "collision_forge/attack/search/search_task.h"
 #include "collision_forge/base/scene/collision_request.h"
 #include "collision_forge/base/scene/crash_definition.h"
 

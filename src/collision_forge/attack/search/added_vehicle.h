@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "collision_forge/attack/search/added_ways.h"
-#include "collision_forge/attack/search/attack_search.h"
 #include "collision_forge/attack/search/options.h"
 #include "collision_forge/attack/search/realizer.h"
+#include "collision_forge/attack/search/search_task.h"
 #include "collision_forge/base/map/reference_path.h"
 #include "collision_forge/base/scene/attack.h"
 #include "collision_forge/base/scene/scene.h"

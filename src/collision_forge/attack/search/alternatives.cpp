@@ -102,7 +102,7 @@ std::vector<Realization> findAlternatives(const Realization& first, const Attack
   std::vector<Realization> found = {first};
   for (const CollisionRequest& asked : furtherRequests(first, snapshot, request, options)) {
     if (static_cast<int>(found.size()) >= request.alternatives) break;
-    Realization answer = generateCollision(method, moment, asked, options);
+    Realization answer = generateOne(method, moment, asked, options);
     if (answer.status.code != StatusCode::kOk) continue;
     const bool is_new = std::all_of(found.begin(), found.end(), [&](const Realization& other) {
       return areDistinct(answer, other, snapshot);

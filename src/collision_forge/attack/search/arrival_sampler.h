@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "collision_forge/attack/forecast/random.h"
-#include "collision_forge/attack/search/attack_search.h"
 #include "collision_forge/attack/search/contender.h"
+#include "collision_forge/attack/search/search_task.h"
 
 namespace forge {
 

@@ -1,6 +1,5 @@
 #include "collision_forge/attack/search/attack_method.h"
 
-#include "collision_forge/attack/search/alternatives.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/search/request_check.h"
 
@@ -12,8 +11,8 @@ Realization attempt(const AttackMethod& method, const Moment& moment,
   return method.answer({moment.snapshot, std::nullopt, moment.lanes, moment.past}, request);
 }
 
-Realization generateCollision(const AttackMethod& method, const Moment& moment,
-                              const CollisionRequest& asked, const PredictionOptions& options) {
+Realization generateOne(const AttackMethod& method, const Moment& moment,
+                        const CollisionRequest& asked, const PredictionOptions& options) {
   const CollisionRequest request = withFullId(asked, moment.snapshot);
   const Status status = checkRequest(request, moment.snapshot, options);
   if (status.code != StatusCode::kOk) return declined(status);
@@ -22,11 +21,7 @@ Realization generateCollision(const AttackMethod& method, const Moment& moment,
   }
   Realization answer = attempt(method, moment, request);
   const Status verdict = verdictOn(answer, request);
-  if (verdict.code != StatusCode::kOk) return declined(verdict);
-  if (request.alternatives > 1) {
-    answer.alternatives = findAlternatives(answer, method, moment, request, options);
-  }
-  return answer;
+  return verdict.code == StatusCode::kOk ? answer : declined(verdict);
 }
 
 }  // namespace forge

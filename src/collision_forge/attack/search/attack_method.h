@@ -21,11 +21,10 @@ class AttackMethod {
 Realization attempt(const AttackMethod& method, const Moment& moment,
                     const CollisionRequest& request);
 
-/// The way from a request to a verified attack. Refuses without asking the method as checkRequest()
-/// does, and with kNoRecording in replay mode at a moment without a recorded future; an attack that
-/// is not verified is kNoAttackWithinLimits. With findAlternatives() where the request asks for
-/// more than one.
-Realization generateCollision(const AttackMethod& method, const Moment& moment,
-                              const CollisionRequest& request, const PredictionOptions& options);
+/// The way from a request to one verified attack, whatever `alternatives` says. Declines without
+/// asking the method what checkRequest() declines, and with kNoRecording a request in replay mode
+/// at a moment without a recorded future; an attack that is not verified is kNoAttackWithinLimits.
+Realization generateOne(const AttackMethod& method, const Moment& moment,
+                        const CollisionRequest& request, const PredictionOptions& options);
 
 }  // namespace forge

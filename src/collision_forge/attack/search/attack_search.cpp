@@ -379,10 +379,6 @@ class Search {
 
 }  // namespace
 
-bool isExact(const PatternMiss& miss, const SearchOptions& options) {
-  return miss.distance <= options.exact_distance && miss.heading <= options.exact_heading;
-}
-
 std::vector<FoundAttack> searchAttacks(const SearchInput& input, const AttackOptions& options) {
   if (input.isByRoutes()) return searchManoeuvres(input, options);
   return Search(input, options).run();

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "collision_forge/attack/search/attack_search.h"
 #include "collision_forge/attack/search/route_driver.h"
+#include "collision_forge/attack/search/search_task.h"
 #include "collision_forge/attack/search/track_driver.h"
 #include "collision_forge/attack/search/trajectory_family.h"
 #include "collision_forge/base/map/reference_path.h"

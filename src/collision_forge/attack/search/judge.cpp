@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "collision_forge/attack/search/attack_search.h"
+#include "collision_forge/attack/search/search_task.h"
 #include "collision_forge/base/scene/number_words.h"
 
 namespace forge {

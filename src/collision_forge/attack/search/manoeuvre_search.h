@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "collision_forge/attack/search/attack_search.h"
+#include "collision_forge/attack/search/search_task.h"
 
 namespace forge {
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "collision_forge/base/config/config_file.h"
 #include "collision_forge/base/config/config_folder.h"
 
 namespace forge {

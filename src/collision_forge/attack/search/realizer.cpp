@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/attack/search/attack_search.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/base/scene/input_limits.h"

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "collision_forge/attack/search/attack_search.h"
 #include "collision_forge/attack/search/options.h"
+#include "collision_forge/attack/search/search_task.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/base/scene/attack.h"
 

@@ -6,7 +6,6 @@
 #include <sstream>
 #include <utility>
 
-#include "collision_forge/base/config/config_folder.h"
 #include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/base/config/section_layer.h"
 
@@ -218,18 +217,6 @@ std::vector<double> Section::numbersIn(const std::string& key, const SectionLaye
     numbers.push_back(toNumber(key, {value.file, entry}));
   }
   return numbers;
-}
-
-Section openConfigFile(const ConfigFolder& folder, const std::string& name) {
-  return folder.open(name);
-}
-
-Section openConfigText(const std::string& path, const std::string& text) {
-  try {
-    return {"", {{path, YAML::Load(text)}}};
-  } catch (const YAML::Exception& error) {
-    throw ConfigError(path + ": " + error.what());
-  }
 }
 
 }  // namespace forge

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "collision_forge/attack/policy/adaptive_answer.h"
+#include "collision_forge/attack/search/generate_collision.h"
 
 namespace forge {
 

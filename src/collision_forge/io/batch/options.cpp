@@ -1,5 +1,6 @@
 #include "collision_forge/io/batch/options.h"
 
+#include "collision_forge/base/config/config_file.h"
 #include "collision_forge/base/config/config_folder.h"
 
 namespace forge {

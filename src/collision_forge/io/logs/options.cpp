@@ -5,7 +5,7 @@
 #include <fstream>
 #include <utility>
 
-#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/config/config_file.h"
 
 namespace forge {
 

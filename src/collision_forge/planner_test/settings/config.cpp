@@ -1,4 +1,5 @@
 #include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/base/config/config_file.h"
 
 namespace forge {
 namespace {

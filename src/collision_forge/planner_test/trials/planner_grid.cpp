@@ -11,6 +11,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "collision_forge/base/config/config_file.h"
 #include "collision_forge/base/config/config_folder.h"
 
 namespace forge {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "collision_forge/base/config/config_file.h"
 #include "collision_forge/base/config/config_folder.h"
 #include "collision_forge/base/scene/request_words.h"
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/request_check.h"
 #include "collision_forge/attack/search/search_method.h"
 #include "collision_forge/base/scene/formatted.h"

@@ -3,6 +3,7 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/base/files/output_lock.h"

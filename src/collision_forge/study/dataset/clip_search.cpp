@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/pattern_predictor.h"
 #include "collision_forge/attack/search/search_method.h"
 #include "collision_forge/attack/verify/strict_outcome.h"

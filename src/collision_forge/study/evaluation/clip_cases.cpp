@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/base/files/file_fingerprint.h"
 #include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/io/collide/collide_scene.h"

@@ -9,7 +9,7 @@
 
 #include "collision_forge/attack/forecast/options.h"
 #include "collision_forge/attack/search/method_registry.h"
-#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/config/config_file.h"
 
 namespace forge {
 namespace {

@@ -1,6 +1,6 @@
 #include "collision_forge/study/settings/study_config.h"
 
-#include "collision_forge/base/config/section.h"
+#include "collision_forge/base/config/config_file.h"
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/planner_test/settings/config_fingerprint.h"
 
