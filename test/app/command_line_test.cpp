@@ -285,7 +285,7 @@ TEST(CommandLine, BulkCommandsEndWithAPageWhereOneIsAskedFor) {
   EXPECT_EQ(read("test" + kLogs + " --out out --until-hit --report page").exit_code, std::nullopt);
   const std::string clips = " --dataroot " + kDataroot + " --collide " + kDataroot +
                             " --out out --report page --config " + kConfig;
-  EXPECT_EQ(read("test" + clips).exit_code, std::nullopt);
+  EXPECT_EQ(read("study test" + clips).exit_code, std::nullopt);
   EXPECT_EQ(read("study evaluate" + clips).exit_code, std::nullopt);
   const Reading published = read("study evaluate" + clips + " --protocol published");
   EXPECT_EQ(published.exit_code, kExitUsage);

@@ -239,8 +239,8 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
 TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   int count = 0;
   for (const auto& [file, text] : shippedFiles()) {
-    // They have keys that are names of places and methods.
-    if (file == "locations.yaml" || file == "study/generator_weights.yaml") continue;
+    if (file == "export.yaml" || file == "locations.yaml") continue;  // keys are names of places
+    if (file == "study/generator_weights.yaml") continue;             // keys are names of methods
     std::size_t begin = 0;
     for (; begin < text.size(); begin = text.find('\n', begin) + 1) {
       const std::size_t key = text.find_first_not_of(' ', begin);
