@@ -120,7 +120,6 @@ PlannerTestRun::PlannerTestRun(PlannerTestArguments arguments)
 
 ResumableFile::Options PlannerTestRun::runOptions(const PlannerCases& cases) const {
   ResumableFile::Options options = inputsOf(config_, arguments_.logs);
-  for (const auto& [name, value] : arguments_.fingerprints) options[name] = value;
   options["cases"] = cases.fingerprint();
   options["planners"] = joined(arguments_.planners);
   options["attacker_policy"] = joined(arguments_.policies);
@@ -163,10 +162,12 @@ void PlannerTestRun::drawWorst(const PlannerCases& cases,
   }
 }
 
-std::vector<PlannerTestResult> PlannerTestRun::run(const PlannerCases& cases) const {
+std::vector<PlannerTestResult> PlannerTestRun::run(
+    const PlannerCases& cases, const ResumableFile::Options& fingerprints) const {
   Run run;
   run.path = results_path_;
   run.options = runOptions(cases);
+  run.options.insert(fingerprints.begin(), fingerprints.end());
   run.jobs = arguments_.jobs;
   PlanningTimes times;
   const auto test = [&](const PlannerCase& one) {

@@ -27,7 +27,6 @@ struct PlannerTestArguments {
   std::string report;
   ConfigFolder config;
   int jobs = defaultJobs();
-  ResumableFile::Options fingerprints;  ///< what else the results depend on
 };
 
 /// --planners, --planner-file, --background, --worst, --out, --jobs, --report and --config.
@@ -43,10 +42,12 @@ class PlannerTestRun {
   const TestPlan& plan() const { return plan_; }
   const std::string& resultsPath() const { return results_path_; }
 
-  /// Drives the planners through the cases, or goes on where a run stopped. The master writes
-  /// tables and pictures to OUT, prints the summary and returns the results; other ranks return
-  /// none. Throws std::runtime_error where no case could be tested.
-  std::vector<PlannerTestResult> run(const PlannerCases& cases) const;
+  /// Drives the planners through the cases, or goes on where a run stopped. `fingerprints`: what
+  /// the results depend on beside the configuration, the logs, the cases and the planners. The
+  /// master writes tables and pictures to OUT, prints the summary and returns the results; other
+  /// ranks return none. Throws std::runtime_error where no case could be tested.
+  std::vector<PlannerTestResult> run(const PlannerCases& cases,
+                                     const ResumableFile::Options& fingerprints = {}) const;
 
   /// Writes the page of --report, where it is asked for, of `attacks` and of the results.
   void writePage(const std::vector<std::string>& attacks, const LogSource& logs) const;

@@ -42,7 +42,9 @@ struct DrawnCases {
 int testOnDraw(const Arguments& arguments) {
   const PlannerTestRun test(arguments);
   const DrawnCases drawn(arguments, test.config());
-  const std::vector<PlannerTestResult> results = test.run(drawn.requests);
+  ResumableFile::Options fingerprints;
+  addWeightsOf(arguments.method, test.config(), fingerprints);
+  const std::vector<PlannerTestResult> results = test.run(drawn.requests, fingerprints);
   if (!isMaster()) return kExitOk;
   reportWeaknesses(drawn.requests, results, KeptDrives(test.resultsPath()), arguments.out,
                    test.config());
@@ -66,9 +68,6 @@ int testOnScenarios(const Arguments& arguments) {
 }
 
 int test(Arguments arguments) {
-  if (arguments.until_hit) {
-    addWeightsOf(arguments.method, loadConfig(arguments.config), arguments.fingerprints);
-  }
   if (arguments.policies.empty()) {
     arguments.policies = {arguments.until_hit ? "adaptive" : "fixed"};
   }

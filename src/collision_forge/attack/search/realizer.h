@@ -23,9 +23,9 @@ struct RealizationTask {
 };
 
 /// Searches (searchAttacks()) from the patterns, and returns the first attack that AttackJudge
-/// accepts, the best first, with the pattern that it came from. Of attackers that are searched one
-/// after the other it returns the attack of greatest worth, or why the first has none. Same input
-/// and seed, same answer. Throws InputError for a pattern whose attacker is not in the
+/// accepts, the best first, with the pattern that it came from. If the attackers are searched one
+/// after the other, it returns the attack of greatest worthOf(), or why the first has none. Same
+/// input and seed, same answer. Throws InputError for a pattern whose attacker is not in the
 /// snapshot, whose time is not after now, or with a number that is not finite or a tolerance below
 /// 0.
 Realization realize(const RealizationTask& task, const AttackOptions& options);

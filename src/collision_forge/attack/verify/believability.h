@@ -26,8 +26,8 @@ RoadUse roadUse(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
 
 /// The same until `contact`, with on_lane and wrong_way until the manoeuvre alone: until
 /// before_contact seconds before `contact`, or pull_out seconds before it for who stands at the
-/// first point. Of these two the points before it moves off count nothing: 1 and 0 if it moves off
-/// no earlier.
+/// first point. For an attacker that stands, these two shares begin where it moves off; they are 1
+/// and 0 if it moves off no earlier.
 RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
                         double contact, const LaneIndex& lanes,
                         const BelievabilityOptions& options);

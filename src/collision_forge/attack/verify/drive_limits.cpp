@@ -1,7 +1,6 @@
 #include "collision_forge/attack/verify/drive_limits.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "collision_forge/base/config/section.h"
 #include "collision_forge/base/geometry/enum_words.h"
@@ -33,8 +32,6 @@ void readRow(Section& section, DriveLimits& row) {
 }
 
 }  // namespace
-
-double DriveLimits::maxCurvature() const { return std::tan(max_steering_angle) / wheelbase; }
 
 const char* toString(VehicleClass vehicle_class) { return wordOf(kClassWords, vehicle_class); }
 

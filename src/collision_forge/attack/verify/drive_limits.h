@@ -28,8 +28,6 @@ struct DriveLimits {
     return speed <= switching_speed ? max_forward_acceleration
                                     : max_forward_acceleration * switching_speed / speed;
   }
-  /// Of the rear axle's path at the greatest steering angle, 1/m.
-  double maxCurvature() const;
 };
 
 /// The rows of config/vehicle_limits.yaml.

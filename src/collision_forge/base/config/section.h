@@ -17,7 +17,7 @@ struct SectionLayer;
 /// (ConfigFolder). Every read checks the value; finish() finds the keys that nobody read. All throw
 /// ConfigError, which names the file that gives the value.
 ///
-/// The reader of a struct of options stands beside it, in the options.cpp of its room:
+/// The reader of a struct of options stands beside it, in the options.cpp of its folder:
 /// `void readOptions(Section& section, Options& options)`.
 class Section {
  public:

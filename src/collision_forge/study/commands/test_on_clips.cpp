@@ -21,17 +21,17 @@ struct Arguments : PlannerTestArguments {
   std::string method;
 };
 
-int testOnClips(Arguments arguments) {
-  const StudyConfig config = loadStudyConfig(arguments.config);
-  arguments.fingerprints = studyFingerprints(arguments.config);
-  addWeightsOf(arguments.method, config, arguments.fingerprints);
+int testOnClips(const Arguments& arguments) {
   const PlannerTestRun test(arguments);
+  const StudyConfig config = loadStudyConfig(arguments.config);
+  ResumableFile::Options fingerprints = studyFingerprints(arguments.config);
+  addWeightsOf(arguments.method, config, fingerprints);
   std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
   if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
   const auto cases =
       openClipCases(paths, arguments.logs.path, arguments.attacker, arguments.method,
                     arguments.unverified ? ClipAnswers::kAll : ClipAnswers::kVerified, config);
-  test.run(*cases);
+  test.run(*cases, fingerprints);
   if (isMaster()) test.writePage({}, {});  // clips are in no file that a page is made of
   return kExitOk;
 }
