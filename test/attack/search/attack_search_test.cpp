@@ -178,7 +178,6 @@ TEST(SearchAttacks, PreferAFollowerOfTheLaneToOneOffTheRoad) {
     careful += attacks[0].off_road;
     scene.options.search.off_road_weight = 0.0;
     scene.options.search.good_off_road = 1.0;
-    scene.options.search.lane_paths = 0;
     careless += scene.found().at(0).off_road;
   }
   EXPECT_LT(careful, 0.5 * careless);

@@ -43,7 +43,7 @@ class RouteTest : public testing::Test {
   }
 
   static double speedAt(const std::vector<PlannedStep>& planned, std::size_t i) {
-    return (planned[i + 1].middle.position() - planned[i].middle.position()).norm() / kStep;
+    return (planned[i + 1].middle - planned[i].middle).norm() / kStep;
   }
 
   const RouteDriverOptions options_ = shippedOptions().route;
@@ -60,11 +60,11 @@ TEST_F(RouteTest, ArrivesInTimeAtTheOffsetAndTheHeadingAskedFor) {
   std::vector<PlannedStep> planned;
   ASSERT_TRUE(plan(route, wanted, planned));
   ASSERT_EQ(planned.size(), kSteps);
-  EXPECT_NEAR(planned[40].middle.x, 38.0, 0.4);
-  EXPECT_NEAR(planned[40].middle.y, 2.0, 0.1);
-  EXPECT_NEAR(planned[40].middle.yaw, 0.2, 0.02);
+  EXPECT_NEAR(planned[40].middle.x(), 38.0, 0.4);
+  EXPECT_NEAR(planned[40].middle.y(), 2.0, 0.1);
+  EXPECT_NEAR(planned[40].pose().yaw, 0.2, 0.02);
   for (std::size_t i = 0; i <= 24; ++i) {
-    EXPECT_LT(std::abs(planned[i].middle.y - 0.3), 0.2)
+    EXPECT_LT(std::abs(planned[i].middle.y() - 0.3), 0.2)
         << "keeps its offset until it departs, " << i;
   }
 }
@@ -78,7 +78,7 @@ TEST_F(RouteTest, StartsWhereItIsIfTheArrivalIsLessThanAStepAway) {
     wanted.departure = departure;
     std::vector<PlannedStep> planned;
     ASSERT_TRUE(plan(route, wanted, planned));
-    EXPECT_NEAR(planned[0].middle.y, 0.3, 1e-9) << departure;
+    EXPECT_NEAR(planned[0].middle.y(), 0.3, 1e-9) << departure;
   }
 }
 
@@ -113,7 +113,7 @@ TEST_F(RouteTest, SlowsDownForABend) {
   ASSERT_TRUE(style);
   const double lateral = options_.styles[*style].lateral;
   for (std::size_t i = 0; i + 6 < planned.size(); ++i) {
-    if (planned[i].middle.x < 62.0) continue;
+    if (planned[i].middle.x() < 62.0) continue;
     EXPECT_LT(speedAt(planned, i), 1.25 * std::sqrt(lateral * 12.0)) << i;
   }
 }
@@ -127,7 +127,7 @@ TEST_F(RouteTest, BrakesLateWhereThatIsAskedFor) {
   wanted.late = 1.5;
   wanted.late_acceleration = -4.0;
   ASSERT_TRUE(plan(route, wanted, planned));
-  EXPECT_NEAR(planned[40].middle.x, 36.0, 0.4);
+  EXPECT_NEAR(planned[40].middle.x(), 36.0, 0.4);
   EXPECT_LT(speedAt(planned, 38) + 3.0, speedAt(planned, 24));
 }
 
@@ -139,8 +139,8 @@ TEST_F(RouteTest, WhoStandsMayWait) {
   wanted.wait = 2.5;
   wanted.at = {5.0, 0.0, 0.0};
   ASSERT_TRUE(plan(route, wanted, planned));
-  for (std::size_t i = 0; i <= 25; ++i) EXPECT_NEAR(planned[i].middle.x, 2.0, 1e-6) << i;
-  EXPECT_NEAR(planned[50].middle.x, 5.0, 0.4);
+  for (std::size_t i = 0; i <= 25; ++i) EXPECT_NEAR(planned[i].middle.x(), 2.0, 1e-6) << i;
+  EXPECT_NEAR(planned[50].middle.x(), 5.0, 0.4);
 }
 
 }  // namespace

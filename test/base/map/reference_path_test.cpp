@@ -23,37 +23,6 @@ std::vector<Vector2> mirrored(std::vector<Vector2> points) {
   return points;
 }
 
-Lane makeLane(const std::string& id, const std::vector<Vector2>& points,
-              const std::vector<std::string>& outgoing = {}) {
-  Lane lane;
-  lane.id = id;
-  lane.outgoing = outgoing;
-  for (const Vector2& point : points) lane.centerline.push_back({point.x(), point.y(), 0.0});
-  return lane;
-}
-
-/// Along +x, parting at x = 20 to the left, straight on and to the right.
-LaneMap fork() {
-  const auto from20 = [](std::vector<Vector2> points) {
-    for (Vector2& point : points) point.x() += 20.0;
-    return points;
-  };
-  LaneMap map;
-  map.lanes = {makeLane("in", {{0, 0}, {10, 0}, {20, 0}}, {"left", "straight", "right", "bare"}),
-               makeLane("left", from20(leftBend(15.0, 24.0, 1.0))),
-               makeLane("straight", {{20, 0}, {40, 0}}, {"after"}),
-               makeLane("right", from20(mirrored(leftBend(15.0, 24.0, 1.0)))),
-               makeLane("bare", {}),
-               makeLane("after", {{40, 0}, {90, 0}}),
-               makeLane("beside", {{0, 1.5}, {30, 1.5}})};
-  return map;
-}
-
-std::vector<ReferencePath> ahead(const LaneMap& map, const Pose2& pose, double distance,
-                                 std::size_t max_paths) {
-  return pathsAhead(LaneIndex(std::make_shared<LaneMap>(map)), pose, distance, 1.0, 0.5, max_paths);
-}
-
 TEST(ReferencePath, TellsItsBendsEveryMetre) {
   const ReferencePath left(Polyline(leftBend(15.0, 30.4, 1.0)));
   const std::vector<double> bends = left.bends();
@@ -147,47 +116,6 @@ TEST(ReferencePath, OfAShortLineGoesOnAsTheLineDoes) {
   EXPECT_NEAR(path.length(), 0.3, 1e-9);
   EXPECT_NEAR(path.at(5.0).pose.y, 5.0, 1e-9);
   EXPECT_NEAR(path.at(5.0).pose.yaw, M_PI_2, 1e-9);
-}
-
-TEST(PathsAhead, FollowEveryBranchTheStraightestFirst) {
-  const auto paths = ahead(fork(), {2.0, 0.3, 0.0}, 30.0, 10);
-  ASSERT_EQ(paths.size(), 3u) << "a lane without a centreline is no branch";
-  for (const ReferencePath& path : paths) {
-    EXPECT_NEAR(path.at(0.0).pose.x, 2.0, 1e-9) << "they begin beside the pose";
-    EXPECT_NEAR(path.at(0.0).pose.y, 0.0, 1e-9) << "on the lane";
-  }
-  EXPECT_NEAR(paths[0].at(35.0).pose.y, 0.0, 1e-6);
-  EXPECT_GT(paths[1].at(35.0).pose.y, 5.0) << "the others in the order of the map";
-  EXPECT_LT(paths[2].at(35.0).pose.y, -5.0);
-}
-
-TEST(PathsAhead, AreAtMostAsManyAsAskedFor) {
-  EXPECT_TRUE(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 0).empty());
-  EXPECT_EQ(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 1).size(), 1u);
-  EXPECT_EQ(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 2).size(), 2u);
-}
-
-TEST(PathsAhead, TakeNearerLanesFirst) {
-  const auto y_at_start = [](double y) {
-    std::vector<double> starts;
-    for (const ReferencePath& path : ahead(fork(), {2.0, y, 0.0}, 10.0, 10)) {
-      starts.push_back(path.at(0.0).pose.y);
-    }
-    return starts;
-  };
-  EXPECT_EQ(y_at_start(0.7), (std::vector<double>{0.0, 1.5}));
-  EXPECT_EQ(y_at_start(0.8), (std::vector<double>{1.5, 0.0}));
-  EXPECT_EQ(y_at_start(-0.5), (std::vector<double>{0.0}));
-}
-
-TEST(PathsAhead, ComeToAnEndInARingOfLanes) {
-  LaneMap map;
-  map.lanes = {makeLane("a", {{0, 0}, {2, 0}}, {"b"}), makeLane("b", {{2, 0}, {2, 2}}, {"c"}),
-               makeLane("c", {{2, 2}, {0, 2}}, {"d"}), makeLane("d", {{0, 2}, {0, 0}}, {"a"})};
-  const auto paths = ahead(map, {0.5, 0.0, 0.0}, 1e6, 10);
-  ASSERT_EQ(paths.size(), 1u);
-  EXPECT_GT(paths[0].length(), 6.0) << "once around, the corners cut";
-  EXPECT_LT(paths[0].length(), 100.0);
 }
 
 TEST(ReferencePath, APoseIsSeenFromThePath) {

@@ -106,7 +106,7 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
   }
   const ReferencePath::Place place = path.at(drive.at(-steps));
   DriveState start;
-  start.axle = compose(planned_.front().middle, {-limits.axle_to_middle, 0.0, 0.0});
+  start.axle = compose(planned_.front().pose(), {-limits.axle_to_middle, 0.0, 0.0});
   start.speed = std::min(planned_.front().speed, limits.max_speed);
   start.steering = std::clamp(std::atan(limits.wheelbase * place.curvature),
                               -limits.max_steering_angle, limits.max_steering_angle);

@@ -46,7 +46,7 @@ SearchOptions searchOptionsFor(const SearchInput& input, const AttackOptions& op
 struct Candidate {
   const Contender* contender = nullptr;
   const Aim* aim = nullptr;
-  const TrajectoryFamily* family = nullptr;  // null: the bicycle, by its knots
+  bool is_quintic = false;  // else the bicycle, by its knots
   AimedArrival aimed;
   SteeringKnots knots;
   FutureScore score;
@@ -115,13 +115,11 @@ class Search {
   void drawFor(const Contender& contender) {
     if (!sampler_.canReach(contender)) return;
     for (const Aim& aim : contender.aims) {
-      for (const auto& family : contender.quintics) {
-        Candidate candidate = candidateFor(contender, aim);
-        candidate.family = family.get();
-        for (int i = 0; i < search_.draws; ++i) {
-          candidate.aimed = drawn(contender, aim, i, true);
-          consider(candidate);
-        }
+      Candidate candidate = candidateFor(contender, aim);
+      candidate.is_quintic = true;
+      for (int i = 0; i < search_.draws; ++i) {
+        candidate.aimed = drawn(contender, aim, i, true);
+        consider(candidate);
       }
     }
   }
@@ -134,15 +132,14 @@ class Search {
     return aimed;
   }
 
-  bool drive(const Candidate& candidate, const DriveStart& start,
+  void drive(const Candidate& candidate, const DriveStart& start,
              std::vector<TrajectoryPoint>& points) const {
-    if (candidate.family) {
-      if (!candidate.family->drive(start, candidate.aimed.arrival, points)) return false;
+    if (candidate.is_quintic) {
+      driveQuintic(start, candidate.aimed.arrival, points);
     } else {
       bicycle_.roll(start, candidate.knots, candidate.aimed.arrival.time, points);
     }
     if (candidate.contender->driver) follow(*candidate.contender, points);
-    return true;
   }
 
   /// Drives as the class of the vehicle allows to where the points lead.
@@ -164,14 +161,14 @@ class Search {
   void consider(Candidate& candidate) {
     const DriveStart& start = candidate.contender->start;
     candidate.score = {};
-    if (!drive(candidate, start, points_)) return;
+    drive(candidate, start, points_);
     const double until = start.now + input_.request.tta + input_.request.crash.time_tolerance;
     if (!keepsItsLimits(*candidate.contender, until)) return;
     candidate.score = scorer_.score(*candidate.contender->track, points_, candidate.aim->ego);
     candidate.objective = candidate.score.share +
                           search_.closeness_weight * candidate.score.closeness -
                           (input_.exact ? 1.0 : search_.pattern_weight) * missCost(candidate);
-    std::vector<Candidate>& kept = candidate.family ? quintics_ : bicycles_;
+    std::vector<Candidate>& kept = candidate.is_quintic ? quintics_ : bicycles_;
     const bool full = static_cast<int>(kept.size()) >= search_.kept;
     if (full && candidate.objective < kept.back().objective) return;
     const BoxSize& size = candidate.contender->track->size;
@@ -249,7 +246,7 @@ class Search {
       const std::size_t rank =
           std::min(random_.index(parents.size()), random_.index(parents.size()));
       Candidate candidate = parents[rank];
-      if (candidate.family) {
+      if (candidate.is_quintic) {
         sampler_.move(candidate.aimed, scale);
       } else {
         moveKnots(candidate.knots, scale);
@@ -274,7 +271,7 @@ class Search {
         if (cornerMiss(missBetween(wanted, met), candidate.contender->track->size) < kHome) break;
         sampler_.shift(candidate.aimed,
                        {wanted.x - met.x, wanted.y - met.y, angleBetween(met.yaw, wanted.yaw)});
-        if (candidate.family || solve(candidate)) consider(candidate);
+        if (candidate.is_quintic || solve(candidate)) consider(candidate);
       }
     }
   }

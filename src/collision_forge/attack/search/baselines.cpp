@@ -60,7 +60,7 @@ AttackerTrajectory drivenTo(const Pose2& pose, const EndMotion& end, double tta,
   arrival.end_acceleration = end.acceleration;
   const int steps = static_cast<int>(std::lround((tta + search.tail) / search.step));
   AttackerTrajectory trajectory{attacker.id, attacker.agent_class, attacker.size, {}};
-  QuinticFamily().drive({motion, now, search.step, steps + 1}, arrival, trajectory.points);
+  driveQuintic({motion, now, search.step, steps + 1}, arrival, trajectory.points);
   return trajectory;
 }
 

@@ -226,13 +226,6 @@ class Problem {
 
 }  // namespace
 
-bool BicycleFamily::drive(const DriveStart& start, const Arrival& arrival,
-                          std::vector<TrajectoryPoint>& points) const {
-  const auto knots = solve(start, arrival);
-  if (knots) roll(start, *knots, arrival.time, points);
-  return knots.has_value();
-}
-
 void BicycleFamily::roll(const DriveStart& start, const SteeringKnots& steering, double duration,
                          std::vector<TrajectoryPoint>& points) const {
   Knots knots;

@@ -69,9 +69,6 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
   Motion& motion = entry->start.motion;
   motion.speed = std::clamp(motion.speed, 0.0, limits.max_speed);
   if (motion.speed < prediction.standstill_speed) motion.acceleration = 0.0;
-  const double tta = input.request.tta;
-  const double reach =
-      tta * std::min(limits.max_speed, motion.speed + 0.5 * limits.max_forward_acceleration * tta);
   const CrashDefinition& crash = input.request.crash;
   if (crash.limits == LimitSet::kDrivable || crash.believable || input.underway != nullptr) {
     entry->limits = driveLimitsOf(agent, options.verification);
@@ -80,18 +77,7 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
     entry->drive_start = input.underway != nullptr ? input.underway->state
                                                    : driveStateNow(agent, options.verification);
   }
-  if (input.isByRoutes()) {
-    addRoutes(*entry, input, options);
-    return entry;
-  }
-  entry->paths =
-      pathsAhead(drivenLanes(input.request, input.lanes), agent.states.back().pose,
-                 reach + kBeyondReach, prediction.on_lane_distance, prediction.on_lane_heading,
-                 static_cast<std::size_t>(options.search.lane_paths));
-  entry->quintics.push_back(std::make_unique<QuinticFamily>());
-  for (const ReferencePath& path : entry->paths) {
-    entry->quintics.push_back(std::make_unique<QuinticFamily>(path));
-  }
+  if (input.isByRoutes()) addRoutes(*entry, input, options);
   return entry;
 }
 

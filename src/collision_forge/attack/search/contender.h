@@ -9,7 +9,6 @@
 #include "collision_forge/attack/search/search_task.h"
 #include "collision_forge/attack/search/track_driver.h"
 #include "collision_forge/attack/search/trajectory_family.h"
-#include "collision_forge/base/map/reference_path.h"
 
 namespace forge {
 
@@ -35,9 +34,8 @@ struct Contender {
   DriveState drive_start;  ///< the same as a single track, where it drives by its class
   /// Within the limits of its class; empty where any motion within the strict limits will do.
   std::optional<TrackDriver> driver;
-  std::vector<ReferencePath> paths;                         ///< along lanes
-  std::vector<std::unique_ptr<TrajectoryFamily>> quintics;  ///< free, then one a path
-  std::vector<RouteDriver> routes;  ///< in place of paths and quintics, if it is to be believable
+  std::vector<RouteDriver>
+      routes;  ///< with SearchedMotion::kByRoutes: the paths that it may follow
 };
 
 /// The vehicles of the patterns, the most promising first and at most SearchOptions::max_attackers.

@@ -118,17 +118,19 @@ class ManoeuvreSearch {
     for (const auto& [best, contender] : ranked) draftFor(*contender);
   }
 
-  /// The drafts that a contender's routes lead to, of those that are due.
+  /// Considers the due drafts along each route of the contender, until one is good.
   void draftFor(const Contender& contender) {
     const double meant = contender.aims.front().pattern->time - input_.snapshot.now;
     const bool has_way = input_.ways.count(contender.track->id) > 0;
     for (const RouteDriver& route : contender.routes) {
       for (const std::size_t ego : sampler_.egos()) {
         for (const double early : route_.contacts) {
+          if (isGood()) return;
           const double contact = std::clamp(meant + early, sampler_.earliest(), sampler_.latest());
           draftAt(contender, route, ego, contact);
-          // Who has a way of its own comes along it at the right time.
-          if (has_way) break;
+          // Other contact times are tried against the first of the ego's futures alone, and not by
+          // a vehicle that was added for this contact time.
+          if (has_way || ego != sampler_.egos().front()) break;
         }
       }
     }

@@ -46,7 +46,6 @@ static void readOptions(Section& section, SearchOptions& options) {
   options.time_margin = section.positive("time_margin");
   options.overlap_margin = section.nonNegative("overlap_margin");
   options.max_attackers = section.count("max_attackers", 1);
-  options.lane_paths = section.count("lane_paths", 0);
   options.ego_poses = section.count("ego_poses", 1);
   options.draws = section.count("draws", 1);
   options.homed = section.count("homed", 0);

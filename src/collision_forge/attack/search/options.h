@@ -140,7 +140,6 @@ struct SearchOptions {
   double time_margin = 0.0;
   double overlap_margin = 0.0;
   int max_attackers = 0;
-  int lane_paths = 0;
   int ego_poses = 0;
   int draws = 0;
   int homed = 0;

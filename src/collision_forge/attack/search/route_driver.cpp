@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -116,28 +117,35 @@ RouteDriver::Cruise RouteDriver::cruiseOf(const RoutePlan& wanted, const RouteSp
 std::optional<RouteSpeed> RouteDriver::speedFor(const RoutePlan& wanted, double step,
                                                 RouteReach& reach) const {
   RouteSpeed found;
+  reach.styles.resize(options_.styles.size());
   const auto beyond = [&](double speed) {
-    return drive(cruiseOf(wanted, {found.style, speed}, step), nullptr) - wanted.at.along;
+    const auto [known, is_new] = reach.styles[found.style].try_emplace(speed, 0.0);
+    if (is_new) known->second = drive(cruiseOf(wanted, {found.style, speed}, step), nullptr);
+    return known->second - wanted.at.along;
   };
   const double high = options_.limit_share * limits_.max_speed;
   const auto isNear = [](double a, double b) { return std::abs(a - b) < kSpeedPrecision; };
-  const auto beyondAt = [&](double speed, std::vector<std::optional<double>>& known) {
-    known.resize(options_.styles.size());
-    std::optional<double>& along = known[found.style];
-    if (!along) along = drive(cruiseOf(wanted, {found.style, speed}, step), nullptr);
-    return *along - wanted.at.along;
-  };
   for (; found.style < options_.styles.size(); ++found.style) {
-    const double slowest = beyondAt(0.0, reach.slowest);
+    const double slowest = beyond(0.0);
     if (slowest > options_.precision) continue;
-    const double fastest = beyondAt(high, reach.fastest);
+    const double fastest = beyond(high);
     if (fastest < -options_.precision) continue;
     if (slowest >= 0.0) return RouteSpeed{found.style, 0.0};
     if (fastest <= 0.0) return RouteSpeed{found.style, high};
+    // The faster, the farther: the known speeds on both sides of the wanted place are the bracket.
+    const std::map<double, double>& known = reach.styles[found.style];
+    const auto above = std::find_if(known.begin(), known.end(), [&](const auto& speed) {
+      return speed.second >= wanted.at.along;
+    });
+    const auto below = std::prev(above);
+    const double low_speed = below->first, high_speed = above->first;
+    if (isNear(low_speed, high_speed))
+      return RouteSpeed{found.style, 0.5 * (low_speed + high_speed)};
     std::uintmax_t most = kMostTrials;
-    const auto [below, above] =
-        boost::math::tools::toms748_solve(beyond, 0.0, high, slowest, fastest, isNear, most);
-    return RouteSpeed{found.style, 0.5 * (below + above)};
+    const auto [slower, faster] = boost::math::tools::toms748_solve(
+        beyond, low_speed, high_speed, below->second - wanted.at.along,
+        above->second - wanted.at.along, isNear, most);
+    return RouteSpeed{found.style, 0.5 * (slower + faster)};
   }
   return std::nullopt;
 }
@@ -171,16 +179,17 @@ void RouteDriver::plan(const RoutePlan& wanted, const RouteCourse& course, doubl
   const Quintic across({kept, leaning, 0.0}, {wanted.at.across - wanted.lead * drift, drift, 0.0},
                        moving);
   planned.resize(steps);
-  Pose2 arrived;
+  PlannedStep arrived;
   for (std::size_t i = 0; i < steps; ++i) {
     const double time = static_cast<double>(i) * step;
     PlannedStep& at = planned[i];
     if (i >= alongs.size()) {
       if (i == alongs.size()) {
         const Pose2 place = path_.at(end).pose;
-        arrived = compose(place, {0.0, wanted.at.across, wanted.at.lean});
+        arrived = {compose(place, {0.0, wanted.at.across, wanted.at.lean}), last_speed};
       }
-      at = {compose(arrived, {(time - wanted.arrival) * last_speed, 0.0, 0.0}), last_speed};
+      at = arrived;
+      at.middle += (time - wanted.arrival) * last_speed * arrived.heading;
       continue;
     }
     const double next = i + 1 < alongs.size() ? alongs[i + 1] : end;
@@ -198,8 +207,12 @@ void RouteDriver::plan(const RoutePlan& wanted, const RouteCourse& course, doubl
       rate = state.velocity;
     }
     const double stretch = std::max(0.1, 1.0 - place.curvature * offset);
-    const double lean = speed > kStandstill ? std::atan2(rate, speed * stretch) : 0.0;
-    at = {compose(place.pose, {0.0, offset, lean}), std::hypot(speed * stretch, rate)};
+    const Vector2& along = place.heading;
+    const Vector2 across_path{-along.y(), along.x()};
+    const Vector2 velocity = speed * stretch * along + rate * across_path;
+    at.middle = place.pose.position() + offset * across_path;
+    at.speed = velocity.norm();
+    at.heading = speed > kStandstill ? Vector2(velocity / at.speed) : along;
   }
 }
 

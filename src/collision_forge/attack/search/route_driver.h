@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -27,11 +28,10 @@ struct RouteSpeed {
   double speed = 0.0;     ///< m/s that it chooses
 };
 
-/// How far along its route each style leads at the least and at the greatest speed, m; what nobody
-/// has asked for is empty.
+/// The distance along a route that each style drives until the arrival, m, by the speed that the
+/// driver chooses, m/s: the speeds that were computed so far.
 struct RouteReach {
-  std::vector<std::optional<double>> slowest;
-  std::vector<std::optional<double>> fastest;
+  std::vector<std::map<double, double>> styles;
 };
 
 /// A drive along a route, without what happens across it.

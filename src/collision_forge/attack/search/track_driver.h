@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "collision_forge/attack/verify/drive_limits.h"
@@ -7,10 +8,19 @@
 
 namespace forge {
 
-/// One step of a plan that is to be driven.
+/// One step of a plan that is to be driven: the state that the middle of the box should have.
 struct PlannedStep {
-  Pose2 middle;        ///< where the box's middle should be, global map frame
-  double speed = 0.0;  ///< m/s along the heading
+  PlannedStep() = default;
+  PlannedStep(const Vector2& middle, const Vector2& heading, double speed)
+      : middle(middle), heading(heading), speed(speed) {}
+  PlannedStep(const Pose2& pose, double speed)
+      : PlannedStep(pose.position(), pose.heading(), speed) {}
+
+  Pose2 pose() const { return {middle.x(), middle.y(), std::atan2(heading.y(), heading.x())}; }
+
+  Vector2 middle = Vector2::Zero();    ///< m, map frame
+  Vector2 heading = Vector2::UnitX();  ///< unit vector, map frame
+  double speed = 0.0;                  ///< m/s along the heading
 };
 
 /// Drives a single track along a plan, within the limits of its vehicle: the front wheels are

@@ -6,7 +6,6 @@
 
 #include "collision_forge/attack/forecast/motion_estimate.h"
 #include "collision_forge/attack/search/options.h"
-#include "collision_forge/base/map/reference_path.h"
 #include "collision_forge/base/scene/attack.h"
 
 namespace forge {
@@ -28,30 +27,12 @@ struct DriveStart {
   int points = 0;     ///< how many, the first at now
 };
 
-/// A way of driving from now to an arrival and straight on from there. Implementations are
-/// immutable. `points` is overwritten. False when the family has no such motion; a motion may still
-/// break the limits.
-class TrajectoryFamily {
- public:
-  virtual ~TrajectoryFamily() = default;
-  virtual bool drive(const DriveStart& start, const Arrival& arrival,
-                     std::vector<TrajectoryPoint>& points) const = 0;
-};
-
-/// A quintic polynomial on each axis, of the map or, with a reference path, along and across that
-/// path (Werling et al. 2010, "Optimal trajectory generation for dynamic street scenarios in a
-/// Frenet frame"): with it the attacker keeps to its lane as far as the arrival allows.
-class QuinticFamily : public TrajectoryFamily {
- public:
-  QuinticFamily() = default;
-  /// The path must outlive the family.
-  explicit QuinticFamily(const ReferencePath& path) : path_(&path) {}
-  bool drive(const DriveStart& start, const Arrival& arrival,
-             std::vector<TrajectoryPoint>& points) const override;
-
- private:
-  const ReferencePath* path_ = nullptr;
-};
+/// Drives a quintic polynomial on each axis of the map from the start to the arrival, and straight
+/// on from there (Werling et al. 2010, "Optimal trajectory generation for dynamic street scenarios
+/// in a Frenet frame"). Overwrites `points` with DriveStart::points points; the motion may break
+/// the limits.
+void driveQuintic(const DriveStart& start, const Arrival& arrival,
+                  std::vector<TrajectoryPoint>& points);
 
 /// What steers the bicycle: values at instants evenly spread from now to the end of the steering,
 /// linear in between. Acceleration along the heading in m/s2, curvature in 1/m.
@@ -63,14 +44,10 @@ struct SteeringKnots {
 
 /// A kinematic bicycle steered by knots of acceleration and curvature, held to the limits at every
 /// step. Can turn from rest, brake and turn hard: what a quintic cannot.
-class BicycleFamily : public TrajectoryFamily {
+class BicycleFamily {
  public:
   BicycleFamily(const VehicleLimits& limits, const BicycleOptions& options)
       : limits_(limits), options_(options) {}
-
-  /// solve(), then roll(). The arrival's start and end acceleration are not used.
-  bool drive(const DriveStart& start, const Arrival& arrival,
-             std::vector<TrajectoryPoint>& points) const override;
 
   /// Knots that bring the bicycle to the arrival, found by damped least squares (Levenberg 1944,
   /// Marquardt 1963); empty when it stays further than `max_miss` away.

@@ -20,8 +20,9 @@ class ReferencePath {
   /// A place on the path.
   struct Place {
     Pose2 pose;
+    Vector2 heading;         ///< unit vector along the path, map frame
     double curvature = 0.0;  ///< 1/m, positive to the left
-    double stretch = 1.0;    ///< metres of way a metre of arc length, below 1 in sharp bends
+    double stretch = 1.0;    ///< metres of path per metre of arc length, below 1 in sharp bends
   };
 
   static constexpr double kBendSpacing = 1.0;  ///< m between bends()
@@ -57,12 +58,5 @@ class ReferencePath {
   double spacing_;                 // metres between controls
   std::vector<Vector2> controls_;  // of the spline, and one beyond either end
 };
-
-/// The ways ahead of a pose: from each lane that it may be driving on (see LaneIndex::lanesNear),
-/// along every branch, for `distance` metres or until the lanes end. At most `max_paths`, those of
-/// nearer lanes and straighter ways first.
-std::vector<ReferencePath> pathsAhead(const LaneIndex& lanes, const Pose2& pose, double distance,
-                                      double max_lane_distance, double max_lane_heading,
-                                      std::size_t max_paths);
 
 }  // namespace forge
