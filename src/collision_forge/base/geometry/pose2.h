@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 
 namespace forge {
@@ -20,7 +22,7 @@ struct Pose2 {
 
   Vector2 position() const { return {x, y}; }
   /// Unit vector along the heading.
-  Vector2 heading() const;
+  Vector2 heading() const { return {std::cos(yaw), std::sin(yaw)}; }
   bool isFinite() const;
 };
 
