@@ -88,8 +88,7 @@ void answer(const collision_forge::RealizeTrajectory::Request& message) {
                {snapshot, future, request, fuzzedLanes()},
                static_cast<bool>(message.exact),
                ways,
-               message.any_motion ? SearchedMotion::kAny : SearchedMotion::kByRoutes,
-               message.in_turn ? std::optional<double>(message.enough) : std::nullopt},
+               message.any_motion ? SearchedMotion::kAny : SearchedMotion::kByRoutes},
               quickOptions());
   if (found.status.code != StatusCode::kOk) return;
   require(found.report.verified(), "the attack is not verified");

@@ -65,29 +65,6 @@ TEST(Realize, ReturnsAVerifiedAttackThatHoldsWhenVerifiedAgain) {
   EXPECT_EQ(again.off_road_share, result.report.off_road_share);
 }
 
-TEST(Realize, AttackersInTurnEndAtTheFirstThatIsEnough) {
-  Case attack;
-  attack.snapshot.agents.push_back(pastTrack("second", kCarSize, {-30.0, 0.5, 0.0}, 14.0));
-  CollisionPattern second = attack.pattern;
-  second.attacker_id = "second";
-  const LaneIndex lanes(attack.map);
-  const auto attackerOf = [&](const std::vector<CollisionPattern>& patterns, double enough) {
-    const Realization found = realize({patterns,
-                                       {attack.snapshot, attack.future, attack.request, lanes},
-                                       false,
-                                       kNoWays,
-                                       SearchedMotion::kByRoutes,
-                                       enough},
-                                      attack.options);
-    EXPECT_EQ(found.status.code, StatusCode::kOk) << found.status.message;
-    return found.trajectory.attacker_id;
-  };
-  EXPECT_EQ(attackerOf({second, attack.pattern}, 0.0), "second");
-  EXPECT_EQ(attackerOf({attack.pattern, second}, 0.0), "attacker");
-  attack.snapshot.agents.back() = pastTrack("second", kCarSize, {-400.0, 0.5, 0.0}, 5.0);
-  EXPECT_EQ(attackerOf({second, attack.pattern}, 0.0), "attacker") << "the first one is too far";
-}
-
 TEST(Realize, NamesThePatternAimedAtAndHowFarTheContactIsFromIt) {
   const Case attack;
   const Realization result = attack.result();

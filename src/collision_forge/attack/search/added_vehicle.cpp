@@ -20,7 +20,6 @@ namespace forge {
 namespace {
 
 constexpr double kMinContact = 0.3;  // s from now
-constexpr double kAnyWorth = std::numeric_limits<double>::lowest();
 
 bool isCar(const AddedVehicle& vehicle) { return isCarLike(vehicle.track.agent_class); }
 
@@ -312,10 +311,9 @@ Track within(const Track& track, const Snapshot& snapshot) {
   return seen;
 }
 
-/// realize() by all of these vehicles; `enough` as in RealizationTask.
+/// realize() by all of these vehicles.
 Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehicleInput& input,
-                      const TrajectoryRealizer& realizer, SearchedMotion motion,
-                      const std::optional<double>& enough) {
+                      const TrajectoryRealizer& realizer, SearchedMotion motion) {
   Snapshot snapshot = input.snapshot;
   std::vector<CollisionPattern> patterns;
   AttackerWays ways;
@@ -324,12 +322,8 @@ Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehi
     patterns.insert(patterns.end(), vehicle.patterns.begin(), vehicle.patterns.end());
     ways.emplace(vehicle.track.id, vehicle.way);
   }
-  Realization answer = realizer.realize({patterns,
-                                         {snapshot, input.future, input.request, input.lanes},
-                                         false,
-                                         ways,
-                                         motion,
-                                         enough});
+  Realization answer = realizer.realize(
+      {patterns, {snapshot, input.future, input.request, input.lanes}, false, ways, motion});
   if (answer.status.code != StatusCode::kOk) return answer;
   const auto vehicle = std::find_if(
       vehicles.begin(), vehicles.end(),
@@ -353,18 +347,12 @@ Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInpu
   const auto first = vehicles.found.begin();
   const auto end = vehicles.found.end();
   const auto motorcycles = std::partition_point(first, end, isCar);
-  // Along routes, where the ego is known, the first one that can is as good as any; else cars, and
-  // motorcycles, are tried together.
-  const bool is_in_turn = input.isFutureKnown() && motion == SearchedMotion::kByRoutes;
   for (const auto& [from, to] : {std::pair(first, motorcycles), std::pair(motorcycles, end)}) {
     if (from == to) continue;
     const bool is_last_resort =
         from == motorcycles && input.request.attacker_class != AgentClass::kMotorcycle;
     const double cost = is_last_resort ? options.added.riding_cost : 0.0;
-    std::optional<double> enough;
-    if (is_in_turn) enough = options.search.good_share;
-    if (is_in_turn && is_last_resort) enough = is_found ? worthOf(best) + cost : kAnyWorth;
-    Realization answer = realizeBy({from, to}, input, realizer, motion, enough);
+    Realization answer = realizeBy({from, to}, input, realizer, motion);
     if (answer.status.code != StatusCode::kOk) {
       if (from == first) best.status = answer.status;
       continue;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -37,7 +36,10 @@ void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot
   }
 }
 
-Realization realizeTogether(const RealizationTask& task, const AttackOptions& options) {
+}  // namespace
+
+Realization realize(const RealizationTask& task, const AttackOptions& options) {
+  checkPatterns(task.patterns, task.input.snapshot);
   const VerificationInput& input = task.input;
   AttackJudge judge(input, options, task.exact);
   const std::vector<FoundAttack> attacks =
@@ -53,41 +55,6 @@ Realization realizeTogether(const RealizationTask& task, const AttackOptions& op
     if (judge.accepts(found, agent, attack.hits)) return found;
   }
   return declined(judge.refusal(task.patterns));
-}
-
-/// The patterns of each attacker, the attackers in the order of their first patterns.
-std::vector<std::vector<CollisionPattern>> byAttacker(
-    const std::vector<CollisionPattern>& patterns) {
-  std::vector<std::vector<CollisionPattern>> groups;
-  for (const CollisionPattern& pattern : patterns) {
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& other) {
-      return other.front().attacker_id == pattern.attacker_id;
-    });
-    if (group == groups.end()) group = groups.emplace(groups.end());
-    group->push_back(pattern);
-  }
-  return groups;
-}
-
-Realization realizeInTurn(const RealizationTask& task, const AttackOptions& options) {
-  std::optional<Realization> best;
-  for (const std::vector<CollisionPattern>& patterns : byAttacker(task.patterns)) {
-    Realization answer = realizeTogether(
-        {patterns, task.input, task.exact, task.ways, task.motion, std::nullopt}, options);
-    const bool is_found = answer.status.code == StatusCode::kOk;
-    const bool has_attack = best && best->status.code == StatusCode::kOk;
-    if (best && (!is_found || (has_attack && worthOf(answer) <= worthOf(*best)))) continue;
-    best = std::move(answer);
-    if (is_found && worthOf(*best) >= *task.enough) break;
-  }
-  return best ? *best : realizeTogether(task, options);
-}
-
-}  // namespace
-
-Realization realize(const RealizationTask& task, const AttackOptions& options) {
-  checkPatterns(task.patterns, task.input.snapshot);
-  return task.enough ? realizeInTurn(task, options) : realizeTogether(task, options);
 }
 
 }  // namespace forge

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "collision_forge/attack/search/options.h"
@@ -17,17 +16,12 @@ struct RealizationTask {
   bool exact = false;                  ///< the contact is at one of the patterns (isExact())
   const AttackerWays& ways = kNoWays;  ///< of believable attackers, as the next
   SearchedMotion motion = SearchedMotion::kByRoutes;
-  /// With a value, the attackers are searched one after the other, in the order of the patterns,
-  /// until the worthOf() of an attack is so much. Without one they are searched together.
-  std::optional<double> enough = std::nullopt;
 };
 
 /// Searches (searchAttacks()) from the patterns, and returns the first attack that AttackJudge
-/// accepts, the best first, with the pattern that it came from. If the attackers are searched one
-/// after the other, it returns the attack of greatest worthOf(), or why the first has none. Same
-/// input and seed, same answer. Throws InputError for a pattern whose attacker is not in the
-/// snapshot, whose time is not after now, or with a number that is not finite or a tolerance below
-/// 0.
+/// accepts, the best first, with the pattern that it came from. Same input and seed, same answer.
+/// Throws InputError for a pattern whose attacker is not in the snapshot, whose time is not after
+/// now, or with a number that is not finite or a tolerance below 0.
 Realization realize(const RealizationTask& task, const AttackOptions& options);
 
 /// Drives attackers into patterns. Implementations are immutable and may be used from many threads.
