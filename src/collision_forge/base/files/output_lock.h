@@ -11,9 +11,9 @@ namespace forge {
 /// killed process is reused. Another file of that name stays unchanged and is an error.
 class OutputLock {
  public:
+  static constexpr const char* kFileName = ".lock";
   /// Creates the folder; the destructor removes it if it is still empty. Throws std::runtime_error
   /// naming the output, and the id of the process that holds the lock.
-  static constexpr const char* kFileName = ".lock";
   static OutputLock ofFolder(const std::string& folder);
   /// Throws as ofFolder(), and if `path` exists and is not a file.
   static OutputLock ofFile(const std::string& path);
