@@ -64,7 +64,7 @@ TEST(Section, ErrorsNameFileKeyValueAndRange) {
   EXPECT_EQ(complaint("a: [0, 2]", [](Section& s) { s.risingShares("a"); }),
             "car.yaml: a = 2 is not within 0 to 1");
   EXPECT_EQ(complaint("a: [1]", [](Section& s) { s.text("a"); }),
-            "car.yaml: a = [1] is not a text");
+            "car.yaml: a = [1] is not a string");
 }
 
 TEST(Section, KeysThatAreMissingUnknownOrTwiceAreNamed) {

@@ -86,7 +86,7 @@ TEST_F(AsideFileTest, AFullDiskLosesNothing) {
   writeText(path_, "before");
   const std::map<std::size_t, std::string> complaints = {
       {9, ": cannot be written: File too large"},
-      {std::size_t{1} << 20U, ": cannot be written to its end; is the disk full?"}};
+      {std::size_t{1} << 20U, ": could not be written completely; is the disk full?"}};
   for (const auto& [size, complaint] : complaints) {
     const FileSizeLimit limit(8);  // bytes
     EXPECT_EQ(complaintOf([&, size = size] { writeText(path_, std::string(size, 'x')); }),
@@ -168,8 +168,9 @@ TEST_F(AsideFileTest, FollowsNoLinkThatSomebodyPlanted) {
 }
 
 TEST_F(AsideFileTest, ReplacesFilesAlone) {
-  EXPECT_EQ(complaintOf([] { AsideFile("/dev/null"); }), "/dev/null: is there and no file");
-  EXPECT_EQ(complaintOf([&] { writeText(folder_, "text"); }), folder_ + ": is there and no file");
+  EXPECT_EQ(complaintOf([] { AsideFile("/dev/null"); }), "/dev/null: exists and is not a file");
+  EXPECT_EQ(complaintOf([&] { writeText(folder_, "text"); }),
+            folder_ + ": exists and is not a file");
   EXPECT_TRUE(fs::is_directory(folder_));
 }
 

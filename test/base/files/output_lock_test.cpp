@@ -50,7 +50,7 @@ TEST_F(OutputLockTest, NamesTheProcessThatHasIt) {
 TEST_F(OutputLockTest, FolderThatCannotBeMadeIsNamed) {
   std::ofstream(out_) << "a file";
   const auto lock = [&] { return OutputLock::ofFolder(out_ + "/in"); };
-  EXPECT_EQ(complaintOf(lock), out_ + "/in: cannot be made: Not a directory");
+  EXPECT_EQ(complaintOf(lock), out_ + "/in: cannot be created: Not a directory");
 }
 
 TEST_F(OutputLockTest, EndsWithoutATrace) {
@@ -77,9 +77,9 @@ TEST_F(OutputLockTest, OfAKilledProcessIsTakenOver) {
 
 TEST_F(OutputLockTest, AFileOfThatNameIsLeftAsItIs) {
   const std::string mine = folder_.write("out.bag.lock", "yarn.lock 1");
-  EXPECT_EQ(
-      complaintOf([&] { return OutputLock::ofFile(file_); }),
-      file_ + ": cannot be written: " + mine + ": is in the way: it is no lock of this program");
+  EXPECT_EQ(complaintOf([&] { return OutputLock::ofFile(file_); }),
+            file_ + ": cannot be written: " + mine +
+                ": is not a lock file of this program; delete it, or choose another output");
   std::ifstream file(mine);
   std::string text;
   std::getline(file, text);

@@ -94,7 +94,7 @@ TEST_F(ResumableFileTest, AnAlteredLineIsRefusedAndCanBeDoneAgain) {
     });
     FAIL() << "taken";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr(part_ + ": line 2: is not as it was written"));
+    EXPECT_THAT(error.what(), HasSubstr(part_ + ": line 2: was altered"));
   }
   EXPECT_THAT(lines, ElementsAre("one"));
   EXPECT_EQ(contentOf(part_), "one\ntvo\nthree\n");

@@ -102,7 +102,7 @@ TEST(InputLimits, TheEgoAndTheFramesOfAScene) {
   EXPECT_THAT(errorOfScene([](Scene& scene) { scene.frame_times[0] = -1.0; }),
               StartsWith("log: frames[0].time = -1 is outside 0 to 4294967295"));
   EXPECT_THAT(errorOfScene([](Scene& scene) { scene.agents.resize(20001); }),
-              StartsWith("log: agents: 20001, more than 20000"));
+              StartsWith("log: agents: 20001 is above the limit of 20000"));
   EXPECT_THAT(errorOfScene([](Scene& scene) {
                 LaneMap map = oneLane();
                 map.lanes[0].centerline[1].x = 1e9;
@@ -121,10 +121,9 @@ TEST(InputLimits, AgentsBeyondAreLeftOutWithAWarningAKind) {
   checkScene(spoilt, shippedLimits(), "log", &warnings);
   ASSERT_EQ(spoilt.agents.size(), 1u);
   EXPECT_EQ(spoilt.agents[0].id, "c");
-  EXPECT_THAT(
-      warnings,
-      ElementsAre("2 agents whose box is beyond the limits of input left out (first: a)",
-                  "1 agents whose motion is beyond the limits of input left out (first: b)"));
+  EXPECT_THAT(warnings,
+              ElementsAre("2 agents with a box beyond the input limits left out (first: a)",
+                          "1 agents with a motion beyond the input limits left out (first: b)"));
 }
 
 TEST(InputLimits, SnapshotsAndFutures) {
@@ -153,19 +152,19 @@ TEST(InputLimits, AFutureWithoutStatesOfTheEgoIsRefused) {
   EXPECT_EQ(future.agents[0].id, "b");
   future.ego_samples[1].states.clear();
   EXPECT_EQ(errorOf([&] { checkFuture(future, shippedLimits(), "future"); }),
-            "future: ego_samples[1]: states: there are none");
+            "future: ego_samples[1]: states is empty");
   future.ego.states.clear();
   EXPECT_EQ(errorOf([&] { checkFuture(future, shippedLimits(), "future"); }),
-            "future: ego: states: there are none");
+            "future: ego: states is empty");
 }
 
 TEST(InputLimits, TrajectoriesNamePointAndField) {
   EXPECT_EQ(errorOfTrajectory([](auto& spoilt) { spoilt.size.length = 1e9; }),
             "attack: attacker \"a\": size.length = 1000000000 is outside 0.1 to 50");
   EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points.clear(); }),
-              HasSubstr("points: there are none"));
+              HasSubstr("points is empty"));
   EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points.resize(5001); }),
-              HasSubstr("points: 5001, more than 5000"));
+              HasSubstr("points: 5001 is above the limit of 5000"));
   EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points[1].time = 80.0; }),
               HasSubstr("points[1].time from the first point = 69.5 is outside 0 to 60"));
   EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points[1].time = 10.5; }),
@@ -201,7 +200,7 @@ TEST(InputLimits, PlansAreFewPointsNearby) {
             "plan: points[3].y = -60000 is outside -50000 to 50000");
   plan.emplace_back();
   EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }),
-            "plan: points: 5001, more than 5000");
+            "plan: points: 5001 is above the limit of 5000");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TEST(PatienceDeathTest, EndsTheProcessAndTellsWhatItWaitedFor) {
     std::this_thread::sleep_for(std::chrono::seconds(60));
   };
   EXPECT_EXIT(wait(), testing::ExitedWithCode(EXIT_FAILURE),
-              "process [0-9]+ has waited 0.05 s for somebody, so the run ends");
+              "process [0-9]+ has waited 0.05 s for somebody; the run ends");
 }
 
 }  // namespace

@@ -156,7 +156,7 @@ TEST_F(RunTest, ItemsThatAreNotTheRunsAreRefusedByLine) {
   leavePartOf("another header\n");
   expectComplaint(squares(), part_ + ": line 1");
   leavePartOf(expected(kCount + 1));
-  expectComplaint(squares(), "there are 40 numbers only");
+  expectComplaint(squares(), "there are only 40 numbers");
 }
 
 TEST_F(RunTest, AnErrorKeepsTheItemsBeforeIt) {

@@ -158,8 +158,7 @@ TEST(CollideClip, EveryNumberSurvivesWritingAndReading) {
 
 TEST(CollideClip, NameErrorsNameTheField) {
   EXPECT_THAT(complaintAboutName("_f00d", ""), HasSubstr("ten parts"));
-  EXPECT_THAT(complaintAboutName("hcis", "hcos"),
-              HasSubstr("\"hcos\" of the name is not \"hcis\""));
+  EXPECT_THAT(complaintAboutName("hcis", "hcos"), HasSubstr("\"hcos\" is not \"hcis\""));
   EXPECT_THAT(complaintAboutName("LTAP", "XY"), HasSubstr("type = \"XY\""));
   EXPECT_THAT(complaintAboutName("scene-0911", ""), HasSubstr("scene = \"\""));
   EXPECT_THAT(complaintAboutName("_2-14-", "_6-14-"), HasSubstr("placement = \"6\""));
@@ -182,7 +181,8 @@ TEST(CollideClip, RowErrorsNameLineColumnAndValue) {
               HasSubstr("line 10: X = \"1e9\" is outside -50000 to 50000"));
   EXPECT_THAT(complaintAfter("2.5,1.25", "-1e308,1.25"),
               HasSubstr("line 10: V = \"-1e308\" is outside -150 to 150"));
-  EXPECT_THAT(complaintAfter("2.5,1.25", "2.5"), HasSubstr("line 10: 5 values, the header has 6"));
+  EXPECT_THAT(complaintAfter("2.5,1.25", "2.5"),
+              HasSubstr("line 10: 5 values, but the header has 6"));
   EXPECT_THAT(complaintAfter("1542800668198393", "1.5e9"),
               HasSubstr("line 2: TIMESTAMP = \"1.5e9\""));
   EXPECT_THAT(complaintAfter("aaaa,", ","), HasSubstr("line 2: TRACK_ID = \"\" is empty"));
@@ -193,7 +193,7 @@ TEST(CollideClip, TimestampsMustIncreaseAndAgree) {
               HasSubstr("line 3: TIMESTAMP = \"1542800668198393\" is not after"));
   EXPECT_THAT(
       complaintAfter("ego,1542800669198393", "ego,1542800669198394"),
-      HasSubstr("line 14: TIMESTAMP = \"1542800669198394\" is another than that of frame 2"));
+      HasSubstr("line 14: TIMESTAMP = \"1542800669198394\" differs from the timestamp of frame 2"));
 }
 
 TEST(CollideClip, EveryTrackMustHaveARowAFrame) {

@@ -25,7 +25,7 @@ TEST(CaptionText, NamesTheAttackersClassAndOrigin) {
 
 TEST(CaptionText, TheVerdictSaysWhatTheRecordingHasAndTheFirstConditionThatFails) {
   ScenarioView view = sampleView();
-  EXPECT_EQ(verdictText(view), "crash as asked in the recording");
+  EXPECT_EQ(verdictText(view), "requested crash in the recording");
   EXPECT_EQ(verdictOf(view), Verdict::kWanted);
   const auto reason = [&view] {
     return verdictText(view).substr(verdictText(view).find(": ") + 2);
@@ -59,7 +59,7 @@ TEST(CaptionText, AnEscapeHasNoContactAndThatIsWanted) {
   view.planner = "pdm";
   view.report.contact = false;
   view.escaped_hit = view.snapshot.now + 3.25;
-  EXPECT_EQ(verdictText(view), "escapes the hit");
+  EXPECT_EQ(verdictText(view), "avoids the hit");
   EXPECT_EQ(verdictOf(view), Verdict::kWanted);
   EXPECT_EQ(rowOf(view, "Contact").value, "none (hit: +3.25 s)");
   EXPECT_EQ(rowOf(view, "Contact").passed, true);
@@ -68,10 +68,10 @@ TEST(CaptionText, AnEscapeHasNoContactAndThatIsWanted) {
 TEST(CaptionText, AnOutcomeTellsTimeAngleAndWhatIsNotAsAsked) {
   ScenarioView view = sampleView();
   view.report.relative_heading = -0.21;  // rad
-  EXPECT_EQ(outcomeText(view).contact, "touches after 2.0 s, 12°");
-  EXPECT_EQ(outcomeText(view).verdict, "as asked");
+  EXPECT_EQ(outcomeText(view).contact, "contact after 2.0 s, 12°");
+  EXPECT_EQ(outcomeText(view).verdict, "as requested");
   view.report.first_other_id = "truck";
-  EXPECT_EQ(outcomeText(view).verdict, "somebody else first");
+  EXPECT_EQ(outcomeText(view).verdict, "another agent first");
   view.report.on_time = false;
   EXPECT_EQ(outcomeText(view).verdict, "another time");
   view.report.contact = false;

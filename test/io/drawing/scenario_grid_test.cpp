@@ -77,7 +77,7 @@ TEST_F(DrawScenarioGrid, WhatCameIsToldWhenItHasComeRefusalsAtOnce) {
     }
     return false;
   };
-  EXPECT_FALSE(hasText(before, 0)) << "touches after 2.04 s";
+  EXPECT_FALSE(hasText(before, 0)) << "contact after 2.04 s";
   EXPECT_TRUE(hasText(after, 0));
   EXPECT_TRUE(hasText(before, 1)) << "asked for after 2 s";
   EXPECT_TRUE(hasText(before, 2));

@@ -155,7 +155,7 @@ TEST_F(ScenarioNetLogsTest, ReadsWhatOthersConvert) {
   EXPECT_THAT(logged.lanes->map().lanes[1].incoming, ElementsAre("12"));
   EXPECT_TRUE(logged.lanes->map().lanes[1].is_connector);
   EXPECT_EQ(logged.lanes->map().drivable_area.size(), 2U);
-  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("the box of ego_vehicle.yaml is taken")));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("the size of ego_vehicle.yaml is used")));
 }
 
 TEST_F(ScenarioNetLogsTest, APolylineMayBeAListOfPoints) {
@@ -175,7 +175,7 @@ TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsTurned) {
   description.length = 2.0;
   description.width = 9.0;
   read(description.content());
-  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("taken for each other"), HasSubstr("9 m by 2 m")));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("are swapped"), HasSubstr("9 m by 2 m")));
   std::swap(description.length, description.width);
   EXPECT_EQ(read(description.content()).recording.frames.at(0).annotations.at(0).category,
             "vehicle.truck");
@@ -197,7 +197,7 @@ TEST_F(ScenarioNetLogsTest, NamesWhatIsWrong) {
   no_number.json.replace(begin, no_number.json.find('}', begin) + 1 - begin, "NaN");
   EXPECT_THAT([&] { read(no_number); },
               testing::ThrowsMessage<std::runtime_error>(
-                  HasSubstr("map_features.12.speed_limit_kmh: is no finite number")));
+                  HasSubstr("map_features.12.speed_limit_kmh: is not a finite number")));
   EXPECT_THROW(readBytes("cos\nsystem\n."), PickleError);
 }
 

@@ -104,9 +104,9 @@ TEST(JsonLine, MissingUnknownAndDoubleFieldsAreNamed) {
               HasSubstr("list: line 3: field a is missing"));
   EXPECT_THAT(complaintOf(R"({"stray":"x"})", kNothing),
               HasSubstr("field stray = \"x\" is an unknown field"));
-  EXPECT_THAT(complaintOf(R"({"a":1,"a":1})", kNothing), HasSubstr("field a = 1 is there twice"));
+  EXPECT_THAT(complaintOf(R"({"a":1,"a":1})", kNothing), HasSubstr("field a = 1 is a duplicate"));
   EXPECT_THAT(complaintOf(R"({"a\u0000b":1,"a\u0000b":2})", kNothing),
-              HasSubstr("field a\\u0000b = 1 is there twice"));
+              HasSubstr("field a\\u0000b = 1 is a duplicate"));
   EXPECT_THAT(complaintOf(R"({"a\u0000b":1})", kNothing),
               HasSubstr("field a\\u0000b = 1 is an unknown field"));
   EXPECT_THAT(complaintOf(R"({"o":{"x":1,"x":2}})", [](JsonObject& object) { object.object("o"); }),

@@ -19,7 +19,10 @@ const LogSource kEmbedded{COLLISION_FORGE_SOURCE_DIR "/data/embedded", ""};
 
 TEST(LogSource, SeveralVersionsAreNamed) {
   const TemporaryFolder folder;
-  EXPECT_THAT(errorOf([&] { versionOf({folder.path(), ""}); }), HasSubstr("no folder in it"));
+  EXPECT_THAT(errorOf([&] {
+                versionOf({folder.path(), ""});
+              }),
+              HasSubstr("no subfolder has tables"));
   folder.write("v1.0-mini/scene.json", "[]");
   EXPECT_EQ(versionOf({folder.path(), ""}), "v1.0-mini");
   folder.write("v1.0-trainval/scene.json", "[]");

@@ -122,7 +122,7 @@ TEST(RequestFile, ProblemsOfAFileNameFileAndLine) {
   replaceIn(absent, "scene-0001", "scene-0002");
   EXPECT_THAT(complaintAboutFile(folder.path() + "/none"),
               AllOf(HasSubstr(folder.path() + "/none"), HasSubstr("cannot be opened")));
-  EXPECT_THAT(complaintAboutFile(folder.write("empty", "")), HasSubstr("holds no request"));
+  EXPECT_THAT(complaintAboutFile(folder.write("empty", "")), HasSubstr("has no request"));
   EXPECT_THAT(complaintAboutFile(folder.write("absent", good + absent)),
               AllOf(HasSubstr("absent: line 2: field scene"), HasSubstr("scene-0002")));
   EXPECT_THAT(complaintAboutFile(folder.write("gap", good + "\n" + good)),

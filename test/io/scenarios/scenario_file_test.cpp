@@ -199,7 +199,7 @@ TEST(ScenarioFile, OlderVersionsAreToBeGeneratedAnew) {
   for (const char* old : {"1", "2", "3", "4"}) {
     EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":6", std::string("\"version\":") + old),
                 AllOf(HasSubstr(std::string("version = ") + old + " is neither 5 nor 6"),
-                      HasSubstr("generate the file anew")));
+                      HasSubstr("generate the file again")));
   }
 }
 
@@ -273,7 +273,7 @@ TEST(ScenarioFile, NumbersBeyondTheLimitsNameFieldValueAndLimit) {
        "attacker.trajectory[1].x = 1000000000.0 is outside -50000 to 50000"},
       {"\"t\":0.1,", "\"t\":1e9,",
        "attacker.trajectory[1].t = 1000000000.0 is outside -3600 to 60"},
-      {"\"t\":0.1,", "\"t\":0,", "attacker.trajectory[1].t = 0 is not after the one before"},
+      {"\"t\":0.1,", "\"t\":0,", "attacker.trajectory[1].t = 0 is not after the previous time"},
       {"\"v\":9.05", "\"v\":1e3", "attacker.trajectory[1].v = 1000.0 is outside -150 to 150"},
       {"{\"x\":40,", "{\"x\":-4e5,", "pattern.ego.x = -400000.0 is outside"},
       {"\"tolerance\":1.5", "\"tolerance\":-1", "pattern.tolerance = -1 is outside 0 to"},

@@ -121,7 +121,7 @@ TEST_F(SpeedModelFile, MalformedFilesAreNamed) {
   const std::string good = content();
   const std::size_t second = good.find('\n') + 1;
   EXPECT_EQ(complaintAbout(good), "");
-  EXPECT_NE(complaintAbout("").find("holds no model"), std::string::npos);
+  EXPECT_NE(complaintAbout("").find("has no model"), std::string::npos);
   EXPECT_NE(complaintAbout(good.substr(0, second + 50)).find("line 2: invalid JSON"),
             std::string::npos);
   expectComplaint(good, "speed model 1", "speed model 9", {"line 1", "field format", "model 9"});

@@ -47,7 +47,7 @@ TEST_F(GeneratorWeights, NeedNotBeThereToNameTheMethods) {
 TEST_F(GeneratorWeights, OneWithoutAFileIsRefusedByName) {
   write("c_sgan: []\n");
   EXPECT_THAT(refusal("c_sgan"),
-              testing::HasSubstr("c_sgan in study/generator_weights.yaml names"));
+              testing::HasSubstr("c_sgan has no file in study/generator_weights.yaml"));
 }
 
 TEST_F(GeneratorWeights, ForNonCommercialUseAreRefusedByTheKeyThatSwitchesThemOff) {
@@ -56,7 +56,7 @@ TEST_F(GeneratorWeights, ForNonCommercialUseAreRefusedByTheKeyThatSwitchesThemOf
   write("c_sgan: [mine.pt]\n");
   EXPECT_EQ(refusal("c_sgan"),
             "c_sgan needs weights that models.non_commercial_weights in models.yaml: false "
-            "switches off");
+            "excludes");
 }
 
 TEST(GeneratorOf, IsTheModelThatAMethodNeeds) {

@@ -136,14 +136,14 @@ std::vector<std::string> ConfigFolder::files(const std::string& part) const {
 
 void ConfigFolder::check() const {
   if (overlay_.empty()) return;
-  if (!fs::is_directory(overlay_)) throw ConfigError(overlay_ + ": is no folder");
+  if (!fs::is_directory(overlay_)) throw ConfigError(overlay_ + ": is not a folder");
   std::vector<std::string> known = yamlFiles(complete_, "");
   for (std::string& name : yamlFiles(complete_, kStudy)) known.push_back(std::move(name));
   for (const char* part : {"", kStudy}) {
     for (const std::string& name : yamlFiles(overlay_, part)) {
       const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
       if (is_known || name.rfind("topics_", 0) == 0) continue;
-      throw ConfigError(overlay_ + "/" + name + ": is no file of the configuration in " +
+      throw ConfigError(overlay_ + "/" + name + ": is not a file of the configuration in " +
                         complete_ + hintFor(name, known));
     }
   }

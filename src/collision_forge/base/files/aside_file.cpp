@@ -49,7 +49,7 @@ Descriptor makePart(const std::string& part) {
 
 AsideFile::AsideFile(const std::string& path) : path_(path), stream_(&buffer_) {
   if (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_)) {
-    throw std::runtime_error(path_ + ": is there and no file");
+    throw std::runtime_error(path_ + ": exists and is not a file");
   }
   if (std::filesystem::exists(path_ + ".part") && std::filesystem::exists(path_ + ".part.sums")) {
     throw std::runtime_error(path_ + ": an unfinished run is in " + path_ +
@@ -73,7 +73,7 @@ AsideFile::~AsideFile() {
 
 void AsideFile::commit() {
   if (!stream_.good()) {  // errno may be of something else by now
-    throw std::runtime_error(path_ + ": cannot be written to its end; is the disk full?");
+    throw std::runtime_error(path_ + ": could not be written completely; is the disk full?");
   }
   if (!stream_.flush() || ::fsync(buffer_.fd()) != 0) fail();
   if (std::rename(part_path_.c_str(), path_.c_str()) != 0) fail();

@@ -41,7 +41,7 @@ bool isLock(const std::string& begin) {
 OutputLock OutputLock::ofFolder(const std::string& folder) {
   std::error_code error;
   const bool is_new = fs::create_directories(folder, error);
-  if (error) throw std::runtime_error(folder + ": cannot be made: " + error.message());
+  if (error) throw std::runtime_error(folder + ": cannot be created: " + error.message());
   OutputLock lock(folder, (fs::path(folder) / kFileName).string());
   if (is_new) lock.made_folder_ = folder;
   return lock;
@@ -49,7 +49,7 @@ OutputLock OutputLock::ofFolder(const std::string& folder) {
 
 OutputLock OutputLock::ofFile(const std::string& path) {
   if (fs::exists(path) && !fs::is_regular_file(path)) {
-    throw std::runtime_error(path + ": is there and no file");
+    throw std::runtime_error(path + ": exists and is not a file");
   }
   return OutputLock(path, path + kFileName);
 }
@@ -70,8 +70,9 @@ OutputLock::OutputLock(const std::string& output, std::string lock_path)
     }
     if (!file.isNamed(lock_path_)) continue;  // who had it before has ended, and removed it
     if (!isLock(beginOf(file))) {
-      throw std::runtime_error(output + ": cannot be written: " + lock_path_ +
-                               ": is in the way: it is no lock of this program");
+      throw std::runtime_error(
+          output + ": cannot be written: " + lock_path_ +
+          ": is not a lock file of this program; delete it, or choose another output");
     }
     lock_ = std::move(file);
   }

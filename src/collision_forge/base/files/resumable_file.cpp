@@ -49,11 +49,10 @@ std::string valueOf(const ResumableFile::Options& options, const std::string& na
 /// Refuses to go on with `what`, which was begun with other options than these.
 void checkOptions(const std::string& path, const std::string& what,
                   const ResumableFile::Options& options) {
-  const std::string remedy =
-      "; finish it as it was begun, or remove it to begin anew, or write elsewhere";
+  const std::string remedy = "; reuse those options, delete it, or choose another output";
   if (!fs::exists(optionsPath(path))) {
-    throw std::runtime_error(what + ": is there, but not " + optionsPath(path) +
-                             ", which says what it was made with" + remedy);
+    throw std::runtime_error(what + ": exists without " + optionsPath(path) +
+                             ", which records its options" + remedy);
   }
   const ResumableFile::Options before = readOptions(optionsPath(path));
   ResumableFile::Options all = options;
@@ -63,8 +62,8 @@ void checkOptions(const std::string& path, const std::string& what,
     const std::string was = valueOf(before, name);
     const std::string is = valueOf(options, name);
     if (was == is) continue;
-    throw std::runtime_error(what + ": was begun with " + name + " = " + was + ", now " + name +
-                             " = " + is + remedy);
+    throw std::runtime_error(what + ": exists and was made with " + name + " = " + was + ", not " +
+                             name + " = " + is + remedy);
   }
 }
 
@@ -75,7 +74,8 @@ Descriptor openToAppend(const std::string& path) {
 }
 
 void cut(const Descriptor& file, const std::string& path, std::int64_t size) {
-  if (::ftruncate(file.get(), size) != 0) failWith(path, "cannot be cut to its complete items");
+  if (::ftruncate(file.get(), size) != 0)
+    failWith(path, "cannot be truncated to its complete items");
 }
 
 /// All bytes or none, as far as that can be had; `size` is that of the file before.
@@ -109,7 +109,7 @@ ResumableFile::ResumableFile(const std::string& path, const Options& options,
     return;
   }
   file_ = openToAppend(part_);
-  if (!file_.lock()) failWith(part_, "is being written");
+  if (!file_.lock()) failWith(part_, "is being written by another process");
   if (fs::file_size(part_) == 0) {
     writeOptions(optionsPath(path_), options);
   } else {
@@ -120,13 +120,13 @@ ResumableFile::ResumableFile(const std::string& path, const Options& options,
 
 void ResumableFile::checkHeader(const std::string& path, const std::string& line) const {
   if (line == layout_.header) return;
-  throw std::runtime_error(path + ": line 1: \"" + line + "\" is another header");
+  throw std::runtime_error(path + ": line 1: \"" + line + "\" is not the expected header");
 }
 
 void ResumableFile::checkSum(const std::string& sum, const std::string& where) const {
   if (sum == sum_) return;
-  throw std::runtime_error(where + ": is not as it was written: its checksum in " + sums_path_ +
-                           " is another; remove it and all lines after it to do them again");
+  throw std::runtime_error(where + ": was altered: its checksum in " + sums_path_ +
+                           " differs; delete it and all lines after it to compute them again");
 }
 
 std::size_t ResumableFile::resume(

@@ -125,7 +125,7 @@ void WorkerProcess::await(short events) {
     if (found < 0 && errno != EINTR) throw std::runtime_error(std::strerror(errno));
     if (found != 0) continue;
     std::ostringstream problem;
-    problem << "no answer within " << timeout_ << " s";
+    problem << "no response within " << timeout_ << " s";
     throw WorkerTimeout(problem.str());
   }
 }
@@ -162,6 +162,6 @@ double WorkerProcess::processorTime() const {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-void WorkerProcess::failGone() { throw std::runtime_error("its process ended " + howEnded(end())); }
+void WorkerProcess::failGone() { throw std::runtime_error("the process ended " + howEnded(end())); }
 
 }  // namespace forge

@@ -46,7 +46,8 @@ AreaRaster::AreaRaster(const std::vector<Polygon>& area) : area_(area) {
   if (all.isEmpty()) return;
   if (!(all.sizes().maxCoeff() <= kLargest)) {
     std::ostringstream complaint;
-    complaint << "an area of " << all.sizes().x() << " x " << all.sizes().y() << " m is too large";
+    complaint << "area of " << all.sizes().x() << " x " << all.sizes().y()
+              << " m is above the limit of 100 km";
     throw std::invalid_argument(complaint.str());
   }
   // At whole tiles of the map's frame, so that a part of the map has the cells of the whole.

@@ -27,7 +27,7 @@ std::vector<LaneSample> samplesOf(const std::vector<std::optional<Polyline>>& ce
     const double length = centerlines[lane]->length();
     if (!(length <= kLongest)) {
       std::ostringstream complaint;
-      complaint << "a centreline of " << length << " m is too long";
+      complaint << "centreline of " << length << " m is above the limit of 100 km";
       throw std::invalid_argument(complaint.str());
     }
     const int steps = static_cast<int>(std::ceil(length / kSpacing));

@@ -89,10 +89,10 @@ ReferencePath::ReferencePath(double spacing, std::vector<Vector2> controls)
                          std::all_of(controls_.begin(), controls_.end(),
                                      [](const Vector2& p) { return p.allFinite(); });
   if (!is_usable) {
-    throw std::invalid_argument("a way of " + std::to_string(controls_.size()) + " points, " +
-                                std::to_string(spacing_) + " m apart, is none: it needs " +
-                                std::to_string(kMinControls) +
-                                " points or more, finite ones, and a distance above 0");
+    throw std::invalid_argument("reference path with " + std::to_string(controls_.size()) +
+                                " points, " + std::to_string(spacing_) +
+                                " m apart, is invalid: it needs " + std::to_string(kMinControls) +
+                                " finite points or more and a spacing above 0");
   }
 }
 

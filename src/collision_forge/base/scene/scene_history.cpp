@@ -49,7 +49,7 @@ bool SceneHistory::isLate(double time) const {
 }
 
 int SceneHistory::add(Frame frame) {
-  if (!frame.ego.isFinite()) throw std::invalid_argument("the ego's pose is not a number");
+  if (!frame.ego.isFinite()) throw std::invalid_argument("the ego's pose is not finite");
   if (!frames_.empty() && frame.time <= frames_.back().time) frames_.clear();
   const auto usable_end = std::stable_partition(frame.agents.begin(), frame.agents.end(), isUsable);
   const auto dropped = static_cast<int>(std::distance(usable_end, frame.agents.end()));

@@ -116,8 +116,8 @@ bool RankWatch::haveOthersLeft() const {
 void RankWatch::endRun(int silent) const {
   std::fprintf(
       stderr,
-      "\nrank %d (%s) has not been heard of for %g s, so the run ends; what was done is kept: "
-      "run the same command again to go on\n",
+      "\nrank %d (%s) sent no heartbeat for %g s; the run ends. Finished results are kept: "
+      "run the same command again to continue\n",
       silent, names_[silent].c_str(), max_silence_);
   MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
   std::abort();

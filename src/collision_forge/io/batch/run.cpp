@@ -25,8 +25,8 @@ class Results {
   explicit Results(const Run& run)
       : run_(run),
         file_(run.path, withProgram(run.options), run.layout),
-        notice_("\ninterrupted; what was done is in " + run.path +
-                ".part: run the same command again to go on\n"),
+        notice_("\ninterrupted; finished results are in " + run.path +
+                ".part: run the same command again to continue\n"),
         done_(resume()),
         progress_(run.items, static_cast<double>(done_) / static_cast<double>(run.count)) {}
 
@@ -49,20 +49,20 @@ class Results {
     const std::size_t done = file_.resume(
         [&](const std::string& where, const std::string& lines) { take(index++, where, lines); });
     if (file_.isComplete() && done < run_.count) {
-      throw std::runtime_error(run_.path + ": holds " + std::to_string(done) + " of " +
+      throw std::runtime_error(run_.path + ": has " + std::to_string(done) + " of " +
                                std::to_string(run_.count) + " " + run_.items);
     }
     if (done > 0) {
       printLine(std::to_string(done) + " of " + std::to_string(run_.count) + " " + run_.items +
-                " were done before");
+                " were done in an earlier run");
     }
     return done;
   }
 
   void take(std::size_t index, const std::string& where, const std::string& lines) const {
     if (index >= run_.count) {
-      throw std::runtime_error(where + ": there are " + std::to_string(run_.count) + " " +
-                               run_.items + " only");
+      throw std::runtime_error(where + ": there are only " + std::to_string(run_.count) + " " +
+                               run_.items);
     }
     run_.take(index, where, lines);
   }

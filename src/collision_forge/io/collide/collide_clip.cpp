@@ -86,7 +86,7 @@ class NameParser {
  private:
   [[noreturn]] void fail(const char* field, std::string_view value,
                          const std::string& problem) const {
-    throw CollideError(path_ + ": " + field + " = \"" + std::string(value) + "\" of the name " +
+    throw CollideError(path_ + ": file name: " + field + " = \"" + std::string(value) + "\" " +
                        problem);
   }
 
@@ -175,7 +175,7 @@ class RowReader {
     ++line_;
     values_ = split(line, ',');
     if (values_.size() != columns_) {
-      throw CollideError(where() + std::to_string(values_.size()) + " values, the header has " +
+      throw CollideError(where() + std::to_string(values_.size()) + " values, but the header has " +
                          std::to_string(columns_));
     }
     const double speed = within(kSpeed, limits_.max_speed);
@@ -187,7 +187,7 @@ class RowReader {
     const std::size_t frame = track.frames.size();
     if (frame > static_cast<std::size_t>(clip_.collision_frame)) {
       fail(kTrackId, "has more rows than the " + std::to_string(clip_.collision_frame + 1) +
-                         " of the name's frame");
+                         " of the file name's frame");
     }
     const bool is_missing = speed == 0.0 && pose.x == 0.0 && pose.y == 0.0 && pose.yaw == 0.0;
     if (is_missing && (track.id == kEgoId || track.id == clip_.attacker_id)) {
@@ -204,7 +204,7 @@ class RowReader {
       if (track.frames.size() == frames) continue;
       throw CollideError(path_ + ": TRACK_ID = \"" + track.id + "\" has " +
                          std::to_string(track.frames.size()) + " rows, not the " +
-                         std::to_string(frames) + " of the name's frame");
+                         std::to_string(frames) + " of the file name's frame");
     }
     for (const std::string& id : {std::string(kEgoId), clip_.attacker_id}) {
       if (numbers_.count(id) == 0) {
@@ -258,10 +258,10 @@ class RowReader {
     if (timestamps_.size() <= frame) timestamps_.resize(frame + 1);
     if (timestamps_[frame] && *timestamps_[frame] != timestamp) {
       fail(kTimestamp,
-           "is another than that of frame " + std::to_string(frame) + " of the tracks before");
+           "differs from the timestamp of frame " + std::to_string(frame) + " of earlier tracks");
     }
     if (frame > 0 && timestamps_[frame - 1] && timestamp <= *timestamps_[frame - 1]) {
-      fail(kTimestamp, "is not after that of the frame before");
+      fail(kTimestamp, "is not after the timestamp of the previous frame");
     }
     timestamps_[frame] = timestamp;
   }

@@ -22,7 +22,7 @@ constexpr EnumWord<ClipObstacle> kObstacleTexts[] = {
     {ClipObstacle::kTrajectoryEnds, "with a trajectory that ends before the collision frame"},
     {ClipObstacle::kNoCar, "by a motorcycle, which readers would take for a car"},
     {ClipObstacle::kUnfitName,
-     "with a name of map, scene or attacker that cannot be part of a file's"},
+     "with a name of map, scene or attacker that cannot be part of a file name"},
 };
 
 namespace fs = std::filesystem;
@@ -92,7 +92,7 @@ std::size_t frameAt(const Scene& scene, double time) {
       std::find_if(scene.frame_times.begin(), scene.frame_times.end(),
                    [=](double frame) { return std::abs(frame - time) <= kTimeEpsilon; });
   if (found == scene.frame_times.end()) {
-    throw std::invalid_argument("now = " + numberText(time) + " s is no frame of " + scene.name);
+    throw std::invalid_argument("now = " + numberText(time) + " s is not a frame of " + scene.name);
   }
   return static_cast<std::size_t>(found - scene.frame_times.begin());
 }

@@ -86,8 +86,8 @@ void drawScenarioPng(const std::string& path, const ScenarioView& view,
 void drawScenarioSheet(const std::string& path, const std::vector<ScenarioView>& views, int columns,
                        const DrawingOptions& options) {
   if (views.empty() || columns < 1) {
-    throw std::invalid_argument("a sheet of " + std::to_string(views.size()) + " pictures in " +
-                                std::to_string(columns) + " columns");
+    throw std::invalid_argument("sheet of " + std::to_string(views.size()) + " pictures in " +
+                                std::to_string(columns) + " columns needs at least one of each");
   }
   drawAside(path, [&](std::ostream& file) { writeSheet(file, views, columns, options); });
 }

@@ -27,7 +27,7 @@ constexpr double kTextMargin = 0.5;  // left free beside the widest text of a ce
 GridLayout layoutGrid(const GridMeasures& measures) {
   const double font = measures.font_size;
   if (font <= 0) {
-    throw std::invalid_argument("no room to draw with a font of " + numberText(font));
+    throw std::invalid_argument("font size must be above 0, is " + numberText(font));
   }
   GridLayout layout;
   const auto pixels = [font](double fonts) { return std::round(fonts * font); };

@@ -36,7 +36,7 @@ std::vector<Vector2> centers(const Viewport& viewport, const std::vector<Oriente
 void checkDrawable(const ScenarioView& view, const DrawingOptions& options, bool has_attack) {
   if (options.gif_frames_per_second <= 0 || options.ghost_interval <= 0 ||
       options.min_extent <= 0 || options.close_up_extent <= 0) {
-    throw std::runtime_error("drawing options: rate, interval and extents must be above zero");
+    throw std::runtime_error("drawing options: rate, interval and extents must be above 0");
   }
   const std::vector<TrajectoryPoint>& points = view.trajectory.points;
   if (has_attack && points.empty()) throw std::runtime_error("the attacker's trajectory is empty");
@@ -46,7 +46,7 @@ void checkDrawable(const ScenarioView& view, const DrawingOptions& options, bool
   const bool spanned = key_time >= view.snapshot.now - kTimeTolerance &&
                        key_time <= points.back().time + kTimeTolerance;
   if (!spanned) {
-    throw std::runtime_error("the attacker's trajectory does not span now to the contact at " +
+    throw std::runtime_error("the attacker's trajectory does not cover now to the contact at " +
                              numberText(key_time) + " s");
   }
 }

@@ -64,8 +64,8 @@ class RecordBuilder {
         step_(context.options.step) {
     const double now = scenario.asked.now;
     if (!stateAt(scene_.ego, now)) {
-      throw std::runtime_error("the ego is not in " + scene_.name + " at now = " + numberText(now) +
-                               " s");
+      throw std::runtime_error("the ego has no pose in " + scene_.name +
+                               " at now = " + numberText(now) + " s");
     }
     const double known = std::min(history, now - scene_.ego.states.front().time);
     now_step_ = static_cast<std::size_t>(std::floor(known / step_ + kTimeEpsilon));
@@ -149,7 +149,7 @@ class RecordBuilder {
       return stateAt(scene_.ego, time);
     });
     if (track.states.size() < count_) {
-      throw std::runtime_error("the ego is lost for a time in " + scene_.name);
+      throw std::runtime_error("the ego's track has a gap in " + scene_.name);
     }
     track.id = kEgoId;
     return track;
@@ -241,8 +241,8 @@ CrashRecord crashRecord(const Scenario& scenario, std::size_t line, double histo
   const std::string& scene = scenario.asked.scene;
   if (!isPlainWord(scene)) {
     throw std::runtime_error("scene = \"" + scene +
-                             "\" cannot be part of a file's name: letters, digits, '-', '_' and "
-                             "'.' can");
+                             "\" cannot be part of a file name: use letters, digits, '-', '_' and "
+                             "'.'");
   }
   return RecordBuilder(scenario, history, context).build(scene + "_" + std::to_string(line));
 }

@@ -73,7 +73,7 @@ Track sampled(const Track& track, const std::vector<RowTime>& rows, double max_g
 Track egoTrack(const Scene& scene, const std::vector<RowTime>& rows) {
   Track ego = sampled(scene.ego, rows, kMaxGap);
   if (ego.states.size() < rows.size()) {
-    throw std::runtime_error("the ego is lost for a time in " + scene.name);
+    throw std::runtime_error("the ego's track has a gap in " + scene.name);
   }
   ego.id = kEgoId;
   return ego;

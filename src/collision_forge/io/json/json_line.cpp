@@ -51,7 +51,7 @@ JsonObject::JsonObject(std::string where, std::string path, const Value& value)
   }
   for (const auto& member : value.GetObject()) {
     const std::string key = stringOf(member.name);
-    if (!unread_.insert(key).second) fail(key, "is there twice");
+    if (!unread_.insert(key).second) fail(key, "is a duplicate");
   }
 }
 

@@ -83,12 +83,12 @@ std::string versionOf(const LogSource& source) {
   const std::vector<std::string> found = versionsIn(source.path);
   if (found.size() == 1) return found.front();
   if (found.empty()) {
-    throw NuScenesError(source.path + ": no folder in it has tables (" + kScenes + ")");
+    throw NuScenesError(source.path + ": no subfolder has tables (" + kScenes + ")");
   }
   std::string names;
   for (const std::string& name : found) names += (names.empty() ? "" : ", ") + name;
   throw NuScenesError(source.path +
-                      ": has tables of several versions; --version says which: " + names);
+                      ": has tables of several versions; choose one with --version: " + names);
 }
 
 std::map<std::string, std::string> fingerprintsOf(const LogSource& source) {

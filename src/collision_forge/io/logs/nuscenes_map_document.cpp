@@ -101,7 +101,8 @@ std::vector<MapRow> NuScenesMapDocument::rows(const char* layer_name) const {
 
 std::vector<MapRow> NuScenesMapDocument::entries(const char* layer_name) const {
   const Value& object = layer(layer_name);
-  if (!object.IsObject()) throw NuScenesError(path_ + ": layer " + layer_name + " is no object");
+  if (!object.IsObject())
+    throw NuScenesError(path_ + ": layer " + layer_name + " is not an object");
   std::vector<MapRow> entries;
   entries.reserve(object.MemberCount());
   for (const auto& entry : object.GetObject()) {

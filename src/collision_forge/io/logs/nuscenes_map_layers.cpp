@@ -91,7 +91,7 @@ class LayerReader {
     for (const MapRow& row : document_.rows(layer)) {
       if (!lane_tokens_.insert(row.token).second) {
         throw NuScenesError(path_ + ": " + layer + ": token " + row.token +
-                            ": field token is there twice");
+                            ": field token is a duplicate");
       }
       const auto polygon = row.value.FindMember("polygon_token");
       const bool has_polygon = polygon != row.value.MemberEnd() && !polygon->value.IsNull();
@@ -152,7 +152,7 @@ class LayerReader {
         if (path && path->length() > 0.0) paths.push_back(*path);
       }
       if (!is_usable) {
-        warnings_.add("unusable arclines (numbers out of range, or no such shape)", entry.token);
+        warnings_.add("unusable arclines (number out of range, or unknown shape)", entry.token);
       } else if (!paths.empty()) {
         layers_.arclines[entry.token] = std::move(paths);
       }

@@ -152,7 +152,7 @@ Scene toScene(const NuScenesRecording& recording, const EgoVehicle& ego,
   for (const auto& [category, found] : unknown_categories) {
     if (warnings == nullptr) break;
     warnings->push_back(recording.name + ": unknown category '" + category + "' of " +
-                        std::to_string(found.size()) + " instances taken as static objects");
+                        std::to_string(found.size()) + " instances treated as static objects");
   }
   return scene;
 }

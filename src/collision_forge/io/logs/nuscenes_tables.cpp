@@ -24,8 +24,8 @@ void checkInstantsDiffer(const std::vector<std::uint32_t>& rows, const Timestamp
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (timestamp_of(rows[i]) != timestamp_of(rows[i - 1])) continue;
     throw NuScenesError(path + ": token " + tokens.text(rows[i]) + ": field timestamp " +
-                        std::to_string(timestamp_of(rows[i])) + " is that of " +
-                        tokens.text(rows[i - 1]) + " in the same scene too");
+                        std::to_string(timestamp_of(rows[i])) + " is also the timestamp of " +
+                        tokens.text(rows[i - 1]) + " in the same scene");
   }
 }
 
@@ -121,7 +121,7 @@ NuScenesRecording NuScenesRoot::readScene(const std::string& name) const {
   if (scene == tables_->scenes.end()) throwUnknownScene(*tables_, name);
   const std::string where = tables_->folder + "/";
   if (!scene->is_wanted) {
-    throw NuScenesError(where + "scene.json: " + name + " is not among the scenes asked for");
+    throw NuScenesError(where + "scene.json: " + name + " is not among the selected scenes");
   }
   if (scene->samples.empty()) throw NuScenesError(where + "sample.json: no sample of " + name);
   if (scene->sweeps.empty()) {

@@ -38,7 +38,7 @@ AgentClass classOf(const std::string& type, const std::optional<PickleField>& me
                    double length) {
   if (const auto given = metadata ? metadata->find("class") : std::nullopt) {
     if (const auto known = agentClassFromString(given->text())) return *known;
-    given->fail("\"" + given->text() + "\" is no class of this suite");
+    given->fail("\"" + given->text() + "\" is not a known agent class");
   }
   if (type == "VEHICLE") return length > kLongestCar ? AgentClass::kTruck : AgentClass::kCar;
   if (type == "PEDESTRIAN") return AgentClass::kPedestrian;
@@ -231,7 +231,7 @@ class DescriptionReader {
     times_ = field.column();
     for (std::size_t i = 0; i < times_.size(); ++i) {
       if (std::isfinite(times_[i]) && (i == 0 || times_[i] > times_[i - 1])) continue;
-      field.fail("row " + std::to_string(i) + " is not after the one before");
+      field.fail("row " + std::to_string(i) + " is not after the previous time");
     }
     if (times_.size() < 2) field.fail("has fewer than two times");
     const auto start = own_ ? own_->find("start") : std::nullopt;
@@ -261,19 +261,19 @@ class DescriptionReader {
       }
     }
     if (!has_ego) root_.at("tracks").fail("lacks the ego \"" + ego + "\" of metadata.sdc_id");
-    if (recording.ego_poses.empty()) root_.at("tracks").fail("the ego is nowhere valid");
+    if (recording.ego_poses.empty()) root_.at("tracks").fail("the ego is valid in no row");
   }
 
   void addEgo(Track ego, NuScenesRecording& recording) {
     const EgoVehicle& vehicle = options_.ego_vehicle;
     if (ego.size.width > ego.size.length) {
       std::swap(ego.size.width, ego.size.length);
-      warn("length and width of the ego are taken for each other");
+      warn("the ego is wider than long: length and width are swapped");
     }
     if (std::abs(ego.size.length - vehicle.size.length) > kSameSize ||
         std::abs(ego.size.width - vehicle.size.width) > kSameSize) {
       warn("the ego is " + numberText(ego.size.length) + " m by " + numberText(ego.size.width) +
-           " m there; the box of ego_vehicle.yaml is taken");
+           " m in the file; the size of ego_vehicle.yaml is used");
     }
     for (const AgentState& state : ego.states) {
       const Pose2 base = compose(state.pose, {-vehicle.center_offset, 0.0, 0.0});
@@ -340,7 +340,7 @@ std::map<std::string, std::string> descriptionsIn(const std::string& folder) {
     if (!isDescription(entry.path())) continue;
     const std::string path = entry.path().string();
     const auto [same, is_new] = found.emplace(nameOf(entry.path()), path);
-    if (!is_new) throw std::runtime_error(path + ": has the name of " + same->second);
+    if (!is_new) throw std::runtime_error(path + ": has the same scene name as " + same->second);
   }
   return found;
 }

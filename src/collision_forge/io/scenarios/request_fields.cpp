@@ -94,20 +94,21 @@ void readControls(JsonObject& object, CollisionRequest& request, bool may_lack) 
   }
   if (has("attacker_class")) {
     request.attacker_class =
-        readWordOrNull(object, "attacker_class", agentClassFromString, "is no class of agents");
+        readWordOrNull(object, "attacker_class", agentClassFromString, "is not an agent class");
   }
   if (has("manoeuvre")) {
-    request.manoeuvre = readWordOrNull(object, "manoeuvre", manoeuvreFromString, "is no manoeuvre");
+    request.manoeuvre =
+        readWordOrNull(object, "manoeuvre", manoeuvreFromString, "is not a manoeuvre");
   }
   if (has("ego_side")) {
-    request.ego_side = readWordOrNull(object, "ego_side", sideFromString, "is no side of a box");
+    request.ego_side = readWordOrNull(object, "ego_side", sideFromString, "is not a side of a box");
   }
   if (has("impact_speed")) request.impact_speed = readRange(object, "impact_speed");
   if (has("overlap")) request.overlap = readRange(object, "overlap");
   if (has("alternatives")) {
     const std::uint64_t count = object.count("alternatives");
     if (count > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {
-      object.fail("alternatives", "is too many");
+      object.fail("alternatives", "is too large");
     }
     request.alternatives = static_cast<int>(count);
   }

@@ -38,8 +38,8 @@ class LazyModel {
     throw std::invalid_argument(
         name_ +
         (options_.non_commercial_weights
-             ? std::string(" in study/generator_weights.yaml names no file")
-             : " needs weights that " + std::string(kNonCommercialKey) + ": false switches off"));
+             ? std::string(" has no file in study/generator_weights.yaml")
+             : " needs weights that " + std::string(kNonCommercialKey) + ": false excludes"));
   }
 
   std::string name_;
@@ -56,14 +56,15 @@ struct LearnedMethod {
 };
 
 constexpr LearnedMethod kMethods[] = {
-    {"c_mid", "c_mid", "rival: MID, a diffusion model, told type and TTA"},
-    {"c_sgan", "c_sgan", "rival: Social-GAN, told type and TTA, as the paper compares with"},
-    {"c_strive", "c_strive", "rival: STRIVE's traffic model, told type and TTA"},
-    {"c_strive", "strive_optimised", "rival: STRIVE's search in the latent space for the request"},
+    {"c_mid", "c_mid", "baseline: MID, a diffusion model, given type and TTA"},
+    {"c_sgan", "c_sgan", "baseline: Social-GAN, given type and TTA, as in the paper"},
+    {"c_strive", "c_strive", "baseline: STRIVE's traffic model, given type and TTA"},
+    {"c_strive", "strive_optimised",
+     "baseline: STRIVE's search in the latent space for the request"},
     {"published_network", "published_network",
      "the paper's network as published, region proposal, one quintic"},
     {"published_network_regression", "published_network_regression",
-     "the same with the regression of the ego's place"},
+     "the same with the regression of the ego's position"},
     {"published_network_target_points", "published_network_target_points",
      "the same with the ranking of target points"},
 };
