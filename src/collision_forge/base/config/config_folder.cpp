@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr char kStudy[] = "study";
 
-/// Null for an overlay's file that holds comments alone.
+/// Returns a null node for a file that holds only comments.
 YAML::Node load(const std::string& path) {
   try {
     return YAML::LoadFile(path);
@@ -71,7 +71,7 @@ std::string readAll(const std::string& path) {
   return content.str();
 }
 
-/// The file in each of the folders that has it, the complete folder's first.
+/// Returns the file of each folder that has it, the complete folder's first.
 std::vector<SectionLayer> layersOf(const std::string& complete, const std::string& overlay,
                                    const std::string& file) {
   std::vector<SectionLayer> layers = {{complete + "/" + file, load(complete + "/" + file)}};
@@ -88,7 +88,7 @@ YAML::Node mergedFile(const std::string& complete, const std::string& overlay,
   return layers.size() == 1 ? layers.front().node : merged(layers.front().node, layers.back().node);
 }
 
-/// The nearest of the names, or the one with the same file name in another part.
+/// Returns a hint with the same file name in another part, or else the most similar name.
 std::string hintFor(const std::string& file, const std::vector<std::string>& names) {
   const fs::path path(file);
   for (const std::string& name : names) {

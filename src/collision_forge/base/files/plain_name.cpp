@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-constexpr std::size_t kLongest = 200;  // bytes; file systems have 255, and endings come after it
+constexpr std::size_t kLongest = 200;  // bytes; file systems allow 255, and endings are appended
 constexpr std::size_t kShown = 40;     // bytes of a name that is too long
 
 bool isControl(char letter) {

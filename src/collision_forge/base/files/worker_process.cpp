@@ -28,8 +28,8 @@ double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Starts the program; what it prints goes to stderr. With a `stream`, which becomes its
-/// kWorkerStream, it is in a group of its own, so that Ctrl-C is not for it: whoever asked for it
+/// Starts the program with its stdout redirected to stderr. With a `stream`, which becomes its
+/// kWorkerStream, the program gets its own process group, so that Ctrl-C does not end it: its owner
 /// decides when it ends.
 pid_t spawn(const std::vector<std::string>& command, std::optional<int> stream = {}) {
   std::vector<char*> arguments;

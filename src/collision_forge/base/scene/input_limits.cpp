@@ -16,7 +16,7 @@ template <typename... Parts>
   throw InputError(message.str());
 }
 
-/// False for NaN.
+/// Returns false for NaN.
 bool isWithin(double value, double min, double max) { return value >= min && value <= max; }
 
 void check(double value, double min, double max, const std::string& field) {
@@ -71,13 +71,13 @@ void checkTrack(const Track& track, const InputLimits& limits, const std::string
   }
 }
 
-/// A predicted or recorded future of the ego has at least one state.
+/// Checks a future of the ego, which must have at least one state.
 void checkFutureTrack(const Track& track, const InputLimits& limits, const std::string& name) {
   if (track.states.empty()) refuse(name, ": states is empty");
   checkTrack(track, limits, name);
 }
 
-/// Why an agent of a recording cannot be used; null for one that can.
+/// Returns the reason why an agent cannot be used; null if it can.
 const char* problemOf(const Track& agent, const InputLimits& limits) {
   if (!isWithin(agent.size, limits)) return "with a box beyond the input limits";
   const bool is_within =

@@ -56,7 +56,7 @@ int SceneHistory::add(Frame frame) {
   frame.agents.erase(usable_end, frame.agents.end());
   frames_.push_back(std::move(frame));
   const double oldest = frames_.back().time - kFrameInterval * (count_ + 1);
-  // Where frames are rare, those that are shown are kept however old they are.
+  // At low frame rates, the frames of a snapshot are kept whatever their age.
   while (static_cast<int>(frames_.size()) > count_ && frames_.front().time < oldest) {
     frames_.pop_front();
   }

@@ -13,13 +13,13 @@
 namespace forge {
 namespace {
 
-/// With the version of the program, that of package.xml.
+/// Adds the version of the program, from package.xml.
 ResumableFile::Options withProgram(ResumableFile::Options options) {
   options["program"] = "collision_forge " COLLISION_FORGE_VERSION;
   return options;
 }
 
-/// What the master alone has.
+/// State of the master.
 class Results {
  public:
   explicit Results(const Run& run)
@@ -43,7 +43,7 @@ class Results {
   }
 
  private:
-  /// How many items a run before left.
+  /// Returns the number of items that an earlier run left.
   std::size_t resume() {
     std::size_t index = 0;
     const std::size_t done = file_.resume(
@@ -82,7 +82,7 @@ void carryOut(const Run& run) {
   try {
     if (isMaster()) results = std::make_unique<Results>(run);
   } catch (...) {
-    error = std::current_exception();  // the other ranks wait for items, or for the end
+    error = std::current_exception();  // the other ranks wait for items or the end
   }
   dispatch(error ? 0 : run.count, run.work,
            [&](std::size_t index, const std::string& lines) { results->add(index, lines); },
@@ -92,7 +92,7 @@ void carryOut(const Run& run) {
 }
 
 std::optional<std::size_t> agree(const std::function<std::size_t()>& decide) {
-  std::vector<double> numbers = {0.0, 0.0};  // the decision, and whether there is none
+  std::vector<double> numbers = {0.0, 0.0};  // the decision, and 1 if `decide` threw
   std::exception_ptr error;
   try {
     const std::size_t decision = decide();

@@ -55,7 +55,7 @@ std::optional<Number> toNumber(std::string_view text) {
 
 // ---- the file's name ----
 
-/// (FRAME - 8) / 12: the time to the collision as the paper feeds it to its network.
+/// Returns (FRAME - 8) / 12: the time to the collision as the paper gives it to its network.
 double normalizedTta(int collision_frame) { return (collision_frame - kMinCollisionFrame) / 12.0; }
 
 class NameParser {
@@ -134,7 +134,7 @@ class NameParser {
   std::string stem_;
 };
 
-/// The shortest text that reads back as the same number, as Python writes it.
+/// Returns the shortest text that reads back as the same number, in Python's notation.
 std::string shortest(double value) {
   constexpr double kLeastFixed = 1e-4;
   const bool fixed = value == 0.0 || std::abs(value) >= kLeastFixed;
@@ -155,7 +155,7 @@ class RowReader {
   RowReader(const std::string& path, const InputLimits& limits, CollideClip& clip)
       : path_(path), limits_(limits), clip_(clip) {}
 
-  /// Where the line stands that is to be read next.
+  /// Returns the position of the next line, for messages.
   std::string nextWhere() const { return whereOf(line_ + 1); }
 
   void readHeader(std::string_view line) {
@@ -197,7 +197,7 @@ class RowReader {
     track.frames.push_back(is_missing ? std::nullopt : std::optional<CollideState>({pose, speed}));
   }
 
-  /// After the last row.
+  /// Checks the clip after the last row.
   void finish() {
     const auto frames = static_cast<std::size_t>(clip_.collision_frame) + 1;
     for (const CollideTrack& track : clip_.tracks) {
@@ -235,7 +235,7 @@ class RowReader {
     return *number;
   }
 
-  /// To either side of 0.
+  /// Returns a number in [-largest, largest].
   double within(Column column, double largest) const {
     const double number = real(column);
     if (std::abs(number) > largest) {
@@ -253,7 +253,7 @@ class RowReader {
     return clip_.tracks[entry->second];
   }
 
-  /// All tracks share the instants of the frames.
+  /// Checks that all tracks have the same timestamp in a frame.
   void checkTimestamp(std::int64_t timestamp, std::size_t frame) {
     if (timestamps_.size() <= frame) timestamps_.resize(frame + 1);
     if (timestamps_[frame] && *timestamps_[frame] != timestamp) {
@@ -277,7 +277,7 @@ class RowReader {
   std::vector<std::optional<std::int64_t>> timestamps_;
 };
 
-/// Degrees that read back as the same radians, with as few digits as it takes.
+/// Returns degrees that read back as the same radians, with as few digits as possible.
 std::string degreesText(double radians) {
   const double degrees = radians / kDegree;
   constexpr int kMaxDigits = 17;
@@ -290,7 +290,7 @@ std::string degreesText(double radians) {
         *toNumber<double>({buffer.data(), static_cast<std::size_t>(end - buffer.data())});
     if (rounded * kDegree == radians) return shortest(rounded);
   }
-  // The division may have been off by the last bit.
+  // The division may be off by one bit.
   for (const double near :
        {std::nextafter(degrees, -INFINITY), std::nextafter(degrees, INFINITY)}) {
     if (near * kDegree == radians) return shortest(near);
@@ -330,7 +330,7 @@ std::string composeCollideName(const CollideName& name) {
   }
   const auto* type = std::find_if(kTypeNames.begin(), kTypeNames.end(),
                                   [&](const auto& entry) { return entry.first == name.type; });
-  constexpr double kAngleSteps = 100.0;  // a degree
+  constexpr double kAngleSteps = 100.0;  // per degree
   const double degrees = std::round(name.angle / kDegree * kAngleSteps) / kAngleSteps;
   std::ostringstream text;
   text << "data_hcis_" << name.batch << "_trainval_" << name.city << '_' << type->second << '_'

@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kDegreesPerRadian = 57.29577951308232;
 
-/// The name as people read it, as "construction vehicle".
+/// Returns a name for people, as "construction vehicle".
 std::string plainName(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }
 
-/// The first condition of verified() that does not hold; some does not.
+/// Returns the first condition of verified() that fails; at least one must fail.
 std::string shortcoming(const CollisionReport& report) {
   if (!report.contact) return "no contact";
   if (!report.type_kept) return "another type";
@@ -49,7 +49,7 @@ std::vector<CaptionRow> speedRows(const ScenarioView& view) {
        std::nullopt}};
 }
 
-/// When the boxes touch, and how the attacker heads then.
+/// Returns the contact time and the relative heading at contact.
 std::vector<CaptionRow> impactRows(const ScenarioView& view) {
   const CollisionReport& report = view.report;
   const std::string time = signedSeconds(report.contact_time - view.snapshot.now, 2);

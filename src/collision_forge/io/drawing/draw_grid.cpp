@@ -30,7 +30,7 @@ void checkCells(const ScenarioGrid& grid, const DrawingOptions& options) {
   }
 }
 
-/// Evenly spaced from now to the end, which is held.
+/// Returns evenly spaced frames from t0 to the end; the last one is held.
 std::vector<AnimationFrame> planFrames(double end, const DrawingOptions& options) {
   const double rate = options.gif_frames_per_second;
   const auto last = static_cast<int>(std::ceil(end * rate - kTimeTolerance));

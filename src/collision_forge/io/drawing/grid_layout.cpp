@@ -20,7 +20,7 @@ constexpr double kColumnGap = 0.9;
 constexpr double kRowGap = 0.8;
 constexpr double kAboveLegend = 0.5;
 constexpr double kPadding = 1.0;
-constexpr double kTextMargin = 0.5;  // left free beside the widest text of a cell
+constexpr double kTextMargin = 0.5;  // on each side of a cell's widest text
 
 }  // namespace
 

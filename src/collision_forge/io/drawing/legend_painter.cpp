@@ -8,7 +8,7 @@ namespace forge {
 
 namespace {
 
-/// The body of a small vehicle that heads right.
+/// Returns the outline of a small vehicle that heads right.
 std::vector<Vector2> markBox(const Vector2& center, double font) {
   const double half_length = 0.85 * font;
   const double half_width = 0.38 * font;

@@ -14,9 +14,9 @@ namespace forge {
 namespace {
 
 constexpr double kTimeTolerance = 1e-6;  // s
-constexpr double kFarLess = 0.8;         // of a height
+constexpr double kFarLess = 0.8;         // share of a height
 
-/// Metres between the lowest and the highest point where `rightwards` points to the right.
+/// Returns the extent of the points, m, across the direction `rightwards`.
 double heightOf(const std::vector<Vector2>& points, double rightwards) {
   const Vector2 up(-std::sin(rightwards), std::cos(rightwards));
   Eigen::AlignedBox<double, 1> extent;
@@ -131,7 +131,7 @@ void ScenePainter::paintGhosts(Canvas& canvas, const Viewport& viewport, double 
   for (int i = 0; motion_.now() + i * step < motion_.keyTime() - step / 4; ++i) {
     const double time = motion_.now() + i * step;
     if (time < from - kTimeTolerance) continue;
-    // The boxes at now stand out: they tell where the solid trail ends.
+    // The boxes at t0 are stronger: they mark the end of the solid trail.
     const double opacity = (i == 0 ? 2 : 1) * options_.ghost_opacity;
     const auto ego = motion_.egoAt(time);
     const auto attacker = motion_.attackerAt(time);

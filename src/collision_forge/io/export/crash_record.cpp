@@ -16,8 +16,8 @@
 namespace forge {
 namespace {
 
-constexpr double kTouchDepth = 5e-3;   // m that boxes overlap at least after the contact
-constexpr double kCropSpacing = 10.0;  // m between the points that lanes are sought around
+constexpr double kTouchDepth = 5e-3;   // m, least overlap of the boxes after contact
+constexpr double kCropSpacing = 10.0;  // m between the points around which lanes are selected
 
 bool isPlainWord(const std::string& text) {
   const auto isPlain = [](unsigned char letter) {
@@ -26,14 +26,14 @@ bool isPlainWord(const std::string& text) {
   return !text.empty() && text.front() != '.' && std::all_of(text.begin(), text.end(), isPlain);
 }
 
-/// Adds the lanes that connectors of a crop come from and lead to: a connector to nowhere is no
-/// road.
+/// Adds the lanes before and after each connector of a crop: a connector without them is not a
+/// valid road.
 void completeConnectors(const LaneMap& map, LaneMap& crop) {
   std::unordered_map<std::string, const Lane*> lanes;
   for (const Lane& lane : map.lanes) lanes.emplace(lane.id, &lane);
   std::unordered_set<std::string> kept;
   for (const Lane& lane : crop.lanes) kept.insert(lane.id);
-  for (std::size_t i = 0; i < crop.lanes.size(); ++i) {  // grows
+  for (std::size_t i = 0; i < crop.lanes.size(); ++i) {  // the list grows
     if (!crop.lanes[i].is_connector) continue;
     const Lane& whole = *lanes.at(crop.lanes[i].id);
     for (const auto* ids : {&whole.incoming, &whole.outgoing}) {
@@ -53,7 +53,7 @@ void completeConnectors(const LaneMap& map, LaneMap& crop) {
   }
 }
 
-/// Puts one record together.
+/// Builds one record.
 class RecordBuilder {
  public:
   RecordBuilder(const Scenario& scenario, double history, const RecordContext& context)
@@ -108,8 +108,8 @@ class RecordBuilder {
                                                    : std::floor(steps + kTimeEpsilon));
   }
 
-  /// The attacker's pose, moved towards the ego until their boxes overlap: the contact is found to
-  /// a tolerance, and readers test the boxes as they are.
+  /// Returns the attacker's pose, moved towards the ego until their boxes overlap: the contact is
+  /// found within a tolerance, but readers test exact boxes.
   Pose2 overlapping(const Pose2& ego, Pose2 attacker) const {
     const auto gaps = axisGaps({ego, scene_.ego.size}, {attacker, drive_.size});
     const auto widest = std::max_element(
@@ -120,15 +120,15 @@ class RecordBuilder {
     return attacker;
   }
 
-  /// s of the record, to the microsecond.
+  /// Returns the record's time of a step, s, to the microsecond.
   double timeOf(std::size_t index) const {
     return std::round(static_cast<double>(index) * step_ * 1e6) / 1e6;
   }
 
-  /// s of the scene.
+  /// Returns the scene's time of a step, s.
   double sceneTime(std::size_t index) const { return begin_ + static_cast<double>(index) * step_; }
 
-  /// The track's states at the steps at which `at` has one.
+  /// Returns the states at the steps for which `at` returns one.
   template <class StateAtTime>
   Track sampled(const Track& like, const StateAtTime& at) const {
     Track track{like.id, like.agent_class, like.size, {}};
@@ -215,12 +215,12 @@ class RecordBuilder {
   const Scene& scene_;
   const RecordContext& context_;
   double step_;
-  double begin_ = 0.0;  // s of the scene
+  double begin_ = 0.0;  // s, scene's clock
   std::size_t now_step_ = 0;
   std::size_t count_ = 0;
   Track drive_;
-  std::optional<double> contact_;         // s of the scene
-  std::optional<PostCrashMotion> crash_;  // with a contact
+  std::optional<double> contact_;         // s, scene's clock
+  std::optional<PostCrashMotion> crash_;  // set with a contact
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kScenes = "scene.json";
 
-/// The folders with tables, sorted.
+/// Returns the names of the folders that have tables, sorted.
 std::vector<std::string> versionsIn(const std::string& path) {
   std::vector<std::string> found;
   std::error_code ignored;
@@ -32,7 +32,7 @@ std::vector<std::string> versionsIn(const std::string& path) {
 bool isNuScenesRoot(const std::string& path) { return fs::is_directory(fs::path(path) / "maps"); }
 
 std::vector<std::string> namesIn(const LogSource& source) {
-  constexpr std::size_t kName = 1;  // position among the fields read
+  constexpr std::size_t kName = 1;  // index in the list of fields
   std::vector<std::string> names;
   readTable(source.path + "/" + versionOf(source) + "/" + kScenes, {"token", "name"},
             [&](const JsonRow& row) { names.emplace_back(row.text(kName)); });

@@ -26,7 +26,7 @@ constexpr std::pair<int, int> kOldestVersion = {1, 3};
 
 std::string textOf(const Value& value) { return {value.GetString(), value.GetStringLength()}; }
 
-/// "1.3" or later, by its two first numbers: "1.10" is later than "1.3".
+/// Returns true for "1.3" or later, compared by the first two numbers: "1.10" is later than "1.3".
 bool isSupported(std::string_view version) {
   std::pair<int, int> numbers;
   const char* const end = version.data() + version.size();

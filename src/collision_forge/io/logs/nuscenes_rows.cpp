@@ -24,7 +24,7 @@ constexpr const char* kEgoPoseChannel = "LIDAR_TOP";
 
 std::string inQuotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
-/// Reads table after table into `tables_`; each step needs those before it.
+/// Reads the tables into `tables_`, in order; each step needs the earlier ones.
 class TableReader {
  public:
   TableReader(const std::string& folder, const std::vector<std::string>& only,
@@ -81,7 +81,7 @@ class TableReader {
     return follow(index, row, field, row.text(field), table);
   }
 
-  /// A text that becomes part of the names of files.
+  /// Returns a text that becomes part of file names; fails if it is not valid there.
   static std::string nameOfFiles(const JsonRow& row, std::size_t field) {
     std::string name(row.text(field));
     const std::string fault = nameFault(name);
@@ -89,7 +89,8 @@ class TableReader {
     return name;
   }
 
-  /// A table of tokens with one text each, for instance names; the texts by token number.
+  /// Reads a table of tokens with one text each, for instance names; returns the texts by token
+  /// number.
   std::vector<std::string> readTexts(const std::string& table, const std::string& field,
                                      TokenIndex& index) {
     std::vector<std::string> texts;

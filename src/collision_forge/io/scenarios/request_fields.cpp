@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// `from_string` of the text, or fails.
+/// Returns `from_string` of the text; fails if it has no value.
 template <typename FromString>
 auto readWord(JsonObject& object, const char* key, FromString from_string, const char* problem) {
   const auto value = from_string(object.text(key));
@@ -33,7 +33,7 @@ std::optional<Range> readRange(JsonObject& object, const char* key) {
   return read;
 }
 
-/// Null where it is empty, nothing where that is left out.
+/// Writes the word; without a value, writes null or, with `leaves_out`, nothing.
 template <typename Value>
 void writeWord(JsonLineWriter& writer, const char* key, const std::optional<Value>& value,
                bool leaves_out) {

@@ -11,15 +11,15 @@ namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/scenario";
-// 1: pattern was the contact, not what was aimed at; 2: nothing of classes, added vehicles,
-// controls and believability; 3: no alternatives; 4: nothing of adaptive attackers; 5: as 6,
-// without tolerance, effort, first_other_t and off_road.
+// 1: pattern was the contact, not the prediction; 2: no classes, added vehicles, constraints or
+// believability; 3: no alternatives; 4: no adaptive attackers; 5: as 6, without tolerance, effort,
+// first_other_t and off_road.
 constexpr int kVersion = 6;
 constexpr int kOldestVersion = 5;
-// m, of a line of version 5: the tolerance of all patterns but a network's own (prediction.yaml)
+// m, for lines of version 5: the tolerance of all patterns except a network's own (prediction.yaml)
 // when such files were written.
 constexpr double kToleranceOfVersion5 = 4.0;
-constexpr double kMicroseconds = 1e6;  // in a second
+constexpr double kMicroseconds = 1e6;  // per second
 constexpr const char* kRecorded = "recorded";
 constexpr const char* kAdded = "added";
 
@@ -59,13 +59,13 @@ void writeStatus(JsonLineWriter& writer, const Status& status) {
   writer.endObject();
 }
 
-/// Speeds are written to the micrometre a second, so that they are read as they were written.
+/// Writes speeds rounded to 1e-6 m/s, so that reading and writing gives the same bytes.
 void writePast(JsonLineWriter& writer, const std::vector<AgentState>& past, double now) {
   if (past.empty()) {
     writer.null("past");
     return;
   }
-  constexpr double kMicrometres = 1e6;  // in a metre
+  constexpr double kMicrometres = 1e6;  // per metre
   writer.beginArray("past");
   for (const AgentState& state : past) {
     const double speed = state.velocity.dot(state.pose.heading());
@@ -142,7 +142,7 @@ void writeAnswer(JsonLineWriter& writer, const Realization& answer, double now) 
   writer.endArray();
 }
 
-/// What the numbers of a line are read with.
+/// Context for reading the numbers of a line.
 struct LineContext {
   const InputLimits& limits;
   int version = kVersion;
@@ -151,7 +151,7 @@ struct LineContext {
   bool isOld() const { return version < kVersion; }
 };
 
-/// s on the scene's clock.
+/// Returns a time on the scene's clock, s.
 double readTime(JsonObject& object, const char* key, const LineContext& line) {
   return line.now + object.within(key, -line.limits.max_past, line.limits.max_trajectory);
 }
@@ -177,7 +177,7 @@ Pose2 readPose(JsonObject object, const LineContext& line) {
   return pose;
 }
 
-/// Fails unless the time is after that of the state before.
+/// Fails unless the time is after the previous state's.
 template <typename State>
 void checkTime(const JsonObject& entry, double time, const std::vector<State>& before) {
   if (!before.empty() && time <= before.back().time)
@@ -210,7 +210,7 @@ Status readStatus(JsonObject object) {
   return status;
 }
 
-/// `is_added`: it must be there, else it must not.
+/// Reads "past", which must hold states if `is_added` and be null otherwise.
 std::vector<AgentState> readPast(JsonObject& object, bool is_added, const LineContext& line) {
   std::vector<AgentState> past;
   auto entries = object.objectsOrNull("past", line.limits.max_points);
@@ -371,7 +371,7 @@ EgoVehicle readEgo(JsonObject object, const InputLimits& limits) {
   return ego;
 }
 
-/// Returns the version.
+/// Checks the format and returns its version.
 int readFormat(JsonObject& object) {
   if (object.text("format") != kFormat) {
     object.fail("format", std::string("is not ") + kFormat);
@@ -396,7 +396,7 @@ void readAttack(JsonObject& object, const Scenario& scenario, const LineContext&
   if (!line.isOld()) answer.effort = object.number("effort");
 }
 
-/// The attack is null unless the answer is OK.
+/// Reads the attack, which must be null unless the status is OK.
 void readAnswer(JsonObject& object, const Scenario& scenario, const LineContext& line,
                 Realization& answer) {
   const bool is_attack = answer.status.code == StatusCode::kOk;

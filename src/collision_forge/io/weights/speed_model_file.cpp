@@ -118,7 +118,7 @@ SpeedModelWeights readLine(const std::string& where, const std::string& line) {
   return weights;
 }
 
-/// One model of the file, checked.
+/// Reads and checks one model of the file.
 SpeedModelWeights readWeights(const std::string& where, const std::string& line) {
   try {
     SpeedModelWeights weights = readLine(where, line);

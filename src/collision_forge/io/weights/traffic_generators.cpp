@@ -9,7 +9,7 @@ namespace {
 
 using Load = decltype(&forgeLoadGenerator);
 
-/// libtorch takes seconds to load, which who asks for no generator need not wait for.
+/// Loads the library on first use: libtorch takes seconds to load.
 Load loader() {
   void* library = ::dlopen("libcollision_forge_training.so", RTLD_NOW);
   if (!library)
@@ -19,7 +19,7 @@ Load loader() {
   return reinterpret_cast<Load>(function);
 }
 
-/// A model that is loaded once, by whoever needs it first.
+/// A model that is loaded once, on first use.
 class LazyModel {
  public:
   LazyModel(std::string name, ModelOptions options)
@@ -48,7 +48,7 @@ class LazyModel {
   std::shared_ptr<const TrafficMethods> loaded_;
 };
 
-/// A method that lives on a model.
+/// A method that runs on a learned model.
 struct LearnedMethod {
   const char* model;
   const char* name;
