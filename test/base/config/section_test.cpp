@@ -32,7 +32,7 @@ std::string complaint(const std::string& text, const std::function<void(Section&
   return "";
 }
 
-TEST(Section, ReadsWhatIsThere) {
+TEST(Section, ReadsValues) {
   Section section = sectionOf(
       "{length: 4.5, doors: 5, name: Zoe, share: 1, angle: 3.1416, list: [1, -2], plus: [1, 2], "
       "rising: [0, 0.5, 0.5, 1]}");
@@ -67,7 +67,7 @@ TEST(Section, ErrorsNameFileKeyValueAndRange) {
             "car.yaml: a = [1] is not a string");
 }
 
-TEST(Section, KeysThatAreMissingUnknownOrTwiceAreNamed) {
+TEST(Section, NamesMissingUnknownAndDuplicateKeys) {
   EXPECT_EQ(complaint("{}", [](Section& s) { s.positive("a"); }), "car.yaml: a is missing");
   EXPECT_EQ(complaint("a: {b: 1}", [](Section& s) { s.section("a").finish(); }),
             "car.yaml: a.b = 1 is an unknown key");
@@ -77,13 +77,13 @@ TEST(Section, KeysThatAreMissingUnknownOrTwiceAreNamed) {
   EXPECT_NE(complaint("a: [", [](Section&) {}).find("car.yaml: "), std::string::npos);
 }
 
-TEST(Section, APathIsSeenFromTheFolderOfTheFile) {
+TEST(Section, PathsAreRelativeToTheFile) {
   EXPECT_EQ(openConfigText("etc/car.yaml", "a: b/c").path("a"), "etc/b/c");
   EXPECT_EQ(openConfigText("etc/car.yaml", "a: /b/c").path("a"), "/b/c");
   EXPECT_EQ(openConfigText("etc/car.yaml", "a: \"\"").path("a"), "");
 }
 
-TEST(Section, ReadsOptionsByTheReaderBesideThem) {
+TEST(Section, ReadsStructsWithReadOptions) {
   Wheel wheel;
   Section section = sectionOf("{front: {radius: 0.3}, rear: {radius: 0.4, width: 1}}");
   section.read("front", wheel);

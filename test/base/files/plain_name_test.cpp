@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-TEST(NameFault, IsNoneOfPlainNames) {
+TEST(NameFault, AcceptsPlainNames) {
   for (const std::string& name : {std::string("scene-0001"), std::string("a b"), std::string("..."),
                                   std::string("-"), std::string("\u00e9"), std::string(200, 'x')}) {
     EXPECT_EQ(nameFault(name), "");
@@ -15,7 +15,7 @@ TEST(NameFault, IsNoneOfPlainNames) {
   }
 }
 
-TEST(NameFault, TellsWhatLeadsElsewhere) {
+TEST(NameFault, RejectsNamesThatLeaveTheFolder) {
   const std::string text = "\" is not a valid file name: it ";
   EXPECT_EQ(nameFault(""), "\"" + text + "is empty");
   EXPECT_EQ(nameFault("."), "\"." + text + "is the name of a folder");
@@ -28,7 +28,7 @@ TEST(NameFault, TellsWhatLeadsElsewhere) {
             "\"" + std::string(40, 'x') + "..." + text + "is longer than 200 bytes");
 }
 
-TEST(PathIn, LeadsNowhereElse) {
+TEST(PathIn, StaysInTheFolder) {
   EXPECT_THROW(pathIn("/out", "../evil.bag"), std::runtime_error);
   EXPECT_THROW(pathIn("/out", "/abs/evil.bag"), std::runtime_error);
   EXPECT_THROW(pathIn("/out", ".."), std::runtime_error);

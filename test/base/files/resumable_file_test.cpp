@@ -64,7 +64,7 @@ TEST_F(ResumableFileTest, HasItsNameOnlyWhenComplete) {
   EXPECT_TRUE(fs::exists(path_ + ".options"));
 }
 
-TEST_F(ResumableFileTest, GoesOnAfterTheLastCompleteLine) {
+TEST_F(ResumableFileTest, ResumesAfterTheLastCompleteLine) {
   {
     ResumableFile file(path_, kOptions);
     resumed(file);
@@ -83,7 +83,7 @@ TEST_F(ResumableFileTest, GoesOnAfterTheLastCompleteLine) {
   EXPECT_EQ(contentOf(path_), "one\ntwo\nthree\n");
 }
 
-TEST_F(ResumableFileTest, AnAlteredLineIsRefusedAndCanBeDoneAgain) {
+TEST_F(ResumableFileTest, RejectsAnAlteredLineThatCanBeRepeated) {
   leavePart(path_, "one\ntwo\nthree\n");
   writeText(path_ + ".options", "mode: history\nversion: v1.0-mini\n");
   std::ofstream(part_) << "one\ntvo\nthree\n";
@@ -107,7 +107,7 @@ TEST_F(ResumableFileTest, AnAlteredLineIsRefusedAndCanBeDoneAgain) {
   EXPECT_FALSE(fs::exists(part_ + ".sums"));
 }
 
-TEST_F(ResumableFileTest, LinesThatChangedPlacesAreRefused) {
+TEST_F(ResumableFileTest, RejectsReorderedLines) {
   leavePart(path_, "one\ntwo\n");
   writeText(path_ + ".options", "mode: history\nversion: v1.0-mini\n");
   std::ofstream(part_) << "two\none\n";
@@ -115,7 +115,7 @@ TEST_F(ResumableFileTest, LinesThatChangedPlacesAreRefused) {
   EXPECT_THROW(resumed(file), std::runtime_error);
 }
 
-TEST_F(ResumableFileTest, WhatHasNoChecksumYetIsDoneAgain) {
+TEST_F(ResumableFileTest, RepeatsItemsWithoutChecksum) {
   leavePart(path_, "one\ntwo\n");
   writeText(path_ + ".options", "mode: history\nversion: v1.0-mini\n");
   for (const std::uintmax_t left : {17 + 5, 17, 16, 0}) {  // killed while it was written, or before
@@ -127,7 +127,7 @@ TEST_F(ResumableFileTest, WhatHasNoChecksumYetIsDoneAgain) {
   }
 }
 
-TEST_F(ResumableFileTest, WhatTheReaderThrowsLeavesTheFile) {
+TEST_F(ResumableFileTest, AnExceptionOfTheReaderKeepsTheFile) {
   {
     ResumableFile file(path_, kOptions);
     resumed(file);
@@ -141,7 +141,7 @@ TEST_F(ResumableFileTest, WhatTheReaderThrowsLeavesTheFile) {
   EXPECT_EQ(contentOf(part_), "one\ntw");
 }
 
-TEST_F(ResumableFileTest, ACompleteFileIsLeftAlone) {
+TEST_F(ResumableFileTest, KeepsACompleteFile) {
   {
     ResumableFile file(path_, kOptions);
     resumed(file);
@@ -155,7 +155,7 @@ TEST_F(ResumableFileTest, ACompleteFileIsLeftAlone) {
               AllOf(HasSubstr(path_ + ":"), HasSubstr("mode = history, now mode = replay")));
 }
 
-TEST_F(ResumableFileTest, OtherOptionsAreRefusedOnceThereAreLines) {
+TEST_F(ResumableFileTest, RejectsOtherOptionsOnceThereAreLines) {
   { const ResumableFile file(path_, kOptions); }
   EXPECT_EQ(complaint({{"mode", "replay"}}), "") << "nothing to lose yet";
   std::ofstream(part_) << "one\n";
@@ -165,12 +165,12 @@ TEST_F(ResumableFileTest, OtherOptionsAreRefusedOnceThereAreLines) {
   EXPECT_EQ(contentOf(part_), "one\n");
 }
 
-TEST_F(ResumableFileTest, TwoWritersAtOnceAreRefused) {
+TEST_F(ResumableFileTest, RejectsASecondWriter) {
   const ResumableFile file(path_, kOptions);
   EXPECT_THAT(complaint(), AllOf(HasSubstr(part_), HasSubstr("is being written")));
 }
 
-TEST_F(ResumableFileTest, AFullDiskKeepsTheLinesBefore) {
+TEST_F(ResumableFileTest, KeepsEarlierLinesOnAFullDisk) {
   ResumableFile file(path_, kOptions);
   resumed(file);
   file.append("one");
@@ -185,7 +185,7 @@ TEST_F(ResumableFileTest, AFullDiskKeepsTheLinesBefore) {
   EXPECT_EQ(contentOf(part_), "one\n");
 }
 
-TEST_F(ResumableFileTest, AnItemOfSeveralLinesIsCutOffWhole) {
+TEST_F(ResumableFileTest, CutsOffIncompleteItemsOfSeveralLines) {
   const ItemLayout layout = {"header", 2};
   {
     ResumableFile file(path_, kOptions, layout);

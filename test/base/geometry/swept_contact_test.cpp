@@ -146,7 +146,7 @@ TEST(FirstContact, EndsForExtremeInput) {
   EXPECT_FALSE(firstContact(left, right, 0.0));
 }
 
-TEST(FirstContact, RefusesNumbersThatAreNotFinite) {
+TEST(FirstContact, RejectsNumbersThatAreNotFinite) {
   const BoxMotion good{{0, 0, 0}, {1, 0, 0}, {4.0, 2.0}};
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

@@ -101,7 +101,7 @@ TEST(AreaRaster, AgreesWithThePolygonsAwayFromTheirEdges) {
   }
 }
 
-TEST(AreaRaster, IsHalfACellWrongAtMost) {
+TEST(AreaRaster, IsAccurateToHalfACell) {
   // Edges that are not on the grid of cells, which begins at the lower left corner.
   LaneMap map;
   map.drivable_area = {rectangle(0.0, 0.0, 20.2, 10.3)};
@@ -114,7 +114,7 @@ TEST(AreaRaster, IsHalfACellWrongAtMost) {
   }
 }
 
-TEST(AreaRaster, TakesHolesOutAndTheUnionOfPolygons) {
+TEST(AreaRaster, RespectsHolesAndUnions) {
   LaneMap map;
   map.drivable_area = {rectangle(0.0, 0.0, 40.0, 40.0)};
   map.drivable_area[0].holes = {rectangle(10.0, 10.0, 30.0, 30.0).exterior};
@@ -145,7 +145,7 @@ TEST(AreaRaster, NothingIsDrivableBeyondTheMap) {
   EXPECT_FALSE(raster.contains({0.0, nan}));
 }
 
-TEST(AreaRaster, AnswersTheSameToManyThreadsAtOnce) {
+TEST(AreaRaster, IsConsistentAcrossThreads) {
   const LaneMap map = stars(3);
   const AreaRaster alone(map.drivable_area);
   const AreaRaster shared(map.drivable_area);
@@ -167,7 +167,7 @@ TEST(AreaRaster, AnswersTheSameToManyThreadsAtOnce) {
   }
 }
 
-TEST(AreaRaster, OfAPartHasTheCellsOfTheWhole) {
+TEST(AreaRaster, OfACropHasTheSameCells) {
   const LaneMap whole = stars(7);
   LaneMap part;
   part.drivable_area = {whole.drivable_area[3]};

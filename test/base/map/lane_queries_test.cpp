@@ -179,7 +179,7 @@ TEST(PathAhead, ALaneThatSwervesTurnsMoreThanOneThatDoesNot) {
   EXPECT_EQ(makeIndex(map).straightestSuccessor(0), 1u) << "the first of equals";
 }
 
-TEST(PathAhead, EndsWithTheLanesAndGoesStraightOn) {
+TEST(PathAhead, EndsWithTheLanesAndContinuesStraight) {
   const LaneIndex index = makeIndex(fork());
   const Polyline path = index.pathAhead(2, 0.0, 500.0);
   EXPECT_NEAR(path.length(), 40.0, 0.01);
@@ -205,7 +205,7 @@ TEST(PathAhead, JointsThatDoNotMeetExactlyBendNothing) {
   }
 }
 
-TEST(PathAhead, GoesRoundARingAndEndsOnATinyOne) {
+TEST(PathAhead, FollowsALoopAndEndsOnATinyOne) {
   LaneMap map;
   map.lanes = {makeLane("a", arc({10, 0, M_PI_2}, 10 * M_PI, M_PI), {"b"}),
                makeLane("b", arc({-10, 0, -M_PI_2}, 10 * M_PI, M_PI), {"a"}),
@@ -249,7 +249,7 @@ TEST(PathsAhead, BranchesBeyondTheDistanceAreNotTaken) {
   EXPECT_EQ(makeIndex(twoForks()).pathsAhead(0, 5.0, 10.0, 10).size(), 1u);
 }
 
-TEST(PathsAhead, KeepsToTheLargestNumber) {
+TEST(PathsAhead, AreAtMostMaxPathsOverBranches) {
   const LaneIndex index = makeIndex(twoForks());
   EXPECT_EQ(lanesOf(index.pathsAhead(0, 5.0, 60.0, 2)),
             (std::vector<std::vector<std::size_t>>{{0, 2, 4}, {0, 1}}));

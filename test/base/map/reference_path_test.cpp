@@ -54,7 +54,7 @@ std::vector<ReferencePath> ahead(const LaneMap& map, const Pose2& pose, double d
   return pathsAhead(LaneIndex(std::make_shared<LaneMap>(map)), pose, distance, 1.0, 0.5, max_paths);
 }
 
-TEST(ReferencePath, TellsItsBendsEveryMetre) {
+TEST(ReferencePath, ReturnsCurvatureEveryMetre) {
   const ReferencePath left(Polyline(leftBend(15.0, 30.4, 1.0)));
   const std::vector<double> bends = left.bends();
   ASSERT_EQ(bends.size(), static_cast<std::size_t>(left.length()) + 1);
@@ -68,7 +68,7 @@ TEST(ReferencePath, TellsItsBendsEveryMetre) {
   }
 }
 
-TEST(ReferencePath, HasAnotherOneBesideIt) {
+TEST(ReferencePath, HasAParallelPath) {
   const ReferencePath left(Polyline(leftBend(15.0, 30.0, 1.0)));
   const ReferencePath inside = left.beside(2.0);
   EXPECT_NEAR(inside.length(), left.length() * 13.0 / 15.0, 0.6) << "nearer to the middle";
@@ -79,7 +79,7 @@ TEST(ReferencePath, HasAnotherOneBesideIt) {
   EXPECT_NEAR(left.beside(-2.0).length(), left.length() * 17.0 / 15.0, 0.6);
 }
 
-TEST(ReferencePath, BeyondEitherEndGoesStraightOn) {
+TEST(ReferencePath, ContinuesStraightBeyondItsEnds) {
   const ReferencePath path(Polyline(leftBend(20.0, 20.0, 1.0)));
   for (const double beyond : {0.5, 3.0, 50.0}) {
     const ReferencePath::Place before = path.at(-beyond);
@@ -97,7 +97,7 @@ TEST(ReferencePath, BeyondEitherEndGoesStraightOn) {
   }
 }
 
-TEST(ReferencePath, OfABendHasItsCurvatureAndHeading) {
+TEST(ReferencePath, CurvatureAndHeadingMatchTheBend) {
   for (const double radius : {10.0, 20.0, 60.0}) {
     for (const double side : {1.0, -1.0}) {
       const std::vector<Vector2> left = leftBend(radius, 30.0, 0.5);
@@ -115,7 +115,7 @@ TEST(ReferencePath, OfABendHasItsCurvatureAndHeading) {
   }
 }
 
-TEST(ReferencePath, TakesTheKinksOutOfALine) {
+TEST(ReferencePath, SmoothsKinks) {
   // A corner of 0.6 rad within a line, as between two lanes that do not join smoothly.
   const Vector2 corner(15.0, 0.0);
   const Vector2 end = corner + 15.0 * Vector2(std::cos(0.6), std::sin(0.6));
@@ -131,7 +131,7 @@ TEST(ReferencePath, TakesTheKinksOutOfALine) {
   EXPECT_GT(path.at(15.0).pose.y, 0.1);
 }
 
-TEST(ReferencePath, ProjectsOntoTheClosestPlace) {
+TEST(ReferencePath, ProjectsToTheClosestPoint) {
   const ReferencePath path(Polyline(leftBend(20.0, 40.0, 1.0)));
   for (double s = -5.0; s <= 45.0; s += 1.37) {
     for (const double lateral : {-3.0, 0.0, 3.0}) {
@@ -142,7 +142,7 @@ TEST(ReferencePath, ProjectsOntoTheClosestPlace) {
   }
 }
 
-TEST(ReferencePath, OfAShortLineGoesOnAsTheLineDoes) {
+TEST(ReferencePath, ContinuesAShortLine) {
   const ReferencePath path(Polyline({{0.0, 0.0}, {0.0, 0.3}}));
   EXPECT_NEAR(path.length(), 0.3, 1e-9);
   EXPECT_NEAR(path.at(5.0).pose.y, 5.0, 1e-9);
@@ -161,7 +161,7 @@ TEST(PathsAhead, FollowEveryBranchTheStraightestFirst) {
   EXPECT_LT(paths[2].at(35.0).pose.y, -5.0);
 }
 
-TEST(PathsAhead, AreAtMostAsManyAsAskedFor) {
+TEST(PathsAhead, AreAtMostMaxPaths) {
   EXPECT_TRUE(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 0).empty());
   EXPECT_EQ(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 1).size(), 1u);
   EXPECT_EQ(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 2).size(), 2u);
@@ -180,7 +180,7 @@ TEST(PathsAhead, TakeNearerLanesFirst) {
   EXPECT_EQ(y_at_start(-0.5), (std::vector<double>{0.0}));
 }
 
-TEST(PathsAhead, ComeToAnEndInARingOfLanes) {
+TEST(PathsAhead, EndInALoopOfLanes) {
   LaneMap map;
   map.lanes = {makeLane("a", {{0, 0}, {2, 0}}, {"b"}), makeLane("b", {{2, 0}, {2, 2}}, {"c"}),
                makeLane("c", {{2, 2}, {0, 2}}, {"d"}), makeLane("d", {{0, 2}, {0, 0}}, {"a"})};
@@ -190,7 +190,7 @@ TEST(PathsAhead, ComeToAnEndInARingOfLanes) {
   EXPECT_LT(paths[0].length(), 100.0);
 }
 
-TEST(ReferencePath, APoseIsSeenFromThePath) {
+TEST(ReferencePath, ReturnsFrenetCoordinates) {
   const ReferencePath path(Polyline(leftBend(40.0, 60.0, 1.0)));
   const Pose2 place = path.at(25.0).pose;
   const PathPose seen = path.seen(compose(place, {0.0, -1.5, 0.3}));

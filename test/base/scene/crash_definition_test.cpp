@@ -66,7 +66,7 @@ TEST(ContactFits, ARearEndEndsWhereTheBoxesAreFurtherApartAcrossThanAlong) {
   }
 }
 
-TEST(ContactFits, ARearEndLooksAtTheShadowOfATurnedBox) {
+TEST(ContactFits, ARearEndUsesTheProjectionOfARotatedBox) {
   const double yaw = 0.17;
   const double reach_x = 2.0 + 2.5 * std::cos(yaw) + 1.1 * std::sin(yaw);
   const double reach_y = 1.0 + 2.5 * std::sin(yaw) + 1.1 * std::cos(yaw);

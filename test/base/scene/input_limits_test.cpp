@@ -77,7 +77,7 @@ std::string errorOfTrajectory(const std::function<void(AttackerTrajectory&)>& sp
   return errorOf([&] { checkTrajectory(spoilt, shippedLimits(), "attack"); });
 }
 
-TEST(InputLimits, PointsOfMapsNameWhereTheyAre) {
+TEST(InputLimits, ErrorsInMapsNameThePoint) {
   EXPECT_EQ(errorOfMap([](LaneMap& map) { map.lanes[0].centerline[1].x = 1e9; }),
             "town: lane \"a\": centerline[1].x = 1000000000 is outside -50000 to 50000");
   EXPECT_EQ(errorOfMap([](LaneMap& map) { map.lanes[0].centerline[0].yaw = kNan; }),
@@ -90,7 +90,7 @@ TEST(InputLimits, PointsOfMapsNameWhereTheyAre) {
               StartsWith("town: lane \"a\": speed_limit = 1000 is outside 0 to 150"));
 }
 
-TEST(InputLimits, TheEgoAndTheFramesOfAScene) {
+TEST(InputLimits, ChecksEgoAndFramesOfAScene) {
   EXPECT_EQ(errorOfScene([](Scene& scene) { scene.ego.states[1].pose.y = -6e4; }),
             "log: ego: states[1].y = -60000 is outside -50000 to 50000");
   EXPECT_THAT(errorOfScene([](Scene& scene) { scene.ego.states[1].velocity.x() = 200.0; }),
@@ -111,7 +111,7 @@ TEST(InputLimits, TheEgoAndTheFramesOfAScene) {
               StartsWith("log: lane \"a\""));
 }
 
-TEST(InputLimits, AgentsBeyondAreLeftOutWithAWarningAKind) {
+TEST(InputLimits, RemovesAgentsBeyondTheLimitsWithAWarningPerKind) {
   Scene spoilt = scene();
   spoilt.agents.push_back(car("d"));
   spoilt.agents[0].size.width = 0.05;
@@ -126,7 +126,7 @@ TEST(InputLimits, AgentsBeyondAreLeftOutWithAWarningAKind) {
                           "1 agents with a motion beyond the input limits left out (first: b)"));
 }
 
-TEST(InputLimits, SnapshotsAndFutures) {
+TEST(InputLimits, ChecksSnapshotsAndFutures) {
   Snapshot snapshot{10.5, car(kEgoId), {car("a"), car("b")}, nullptr};
   snapshot.agents[0].states[1].pose.x = 1e9;
   EXPECT_NO_THROW(checkSnapshot(snapshot, shippedLimits(), "scene"));
@@ -144,7 +144,7 @@ TEST(InputLimits, SnapshotsAndFutures) {
               StartsWith("future: ego_samples[0]: states[0].time = nan is outside"));
 }
 
-TEST(InputLimits, AFutureWithoutStatesOfTheEgoIsRefused) {
+TEST(InputLimits, RejectsAFutureWithoutStatesOfTheEgo) {
   Future future{car(kEgoId), {car("a"), car("b")}, {car(kEgoId), car(kEgoId)}};
   future.agents[0].states.clear();
   EXPECT_NO_THROW(checkFuture(future, shippedLimits(), "future"));
@@ -158,7 +158,7 @@ TEST(InputLimits, AFutureWithoutStatesOfTheEgoIsRefused) {
             "future: ego: states is empty");
 }
 
-TEST(InputLimits, TrajectoriesNamePointAndField) {
+TEST(InputLimits, ErrorsInTrajectoriesNamePointAndField) {
   EXPECT_EQ(errorOfTrajectory([](auto& spoilt) { spoilt.size.length = 1e9; }),
             "attack: attacker \"a\": size.length = 1000000000 is outside 0.1 to 50");
   EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points.clear(); }),
@@ -177,7 +177,7 @@ TEST(InputLimits, TrajectoriesNamePointAndField) {
               HasSubstr("past[1].x = 1000000000 is outside"));
 }
 
-TEST(InputLimits, PatternsAreWithinThem) {
+TEST(InputLimits, PatternsMustBeWithinTheLimits) {
   const CollisionPattern good{CollisionType::kRearEnd, "a", 12.0, {{1.0, 2.0, 0.0}, {4.0, 2.0}},
                               {-4.0, 0.0, 0.0},        5.0};
   EXPECT_NO_THROW(checkPattern(good, shippedLimits(), "answer"));
@@ -191,7 +191,7 @@ TEST(InputLimits, PatternsAreWithinThem) {
               StartsWith("answer: pattern ego.width = 0 is outside"));
 }
 
-TEST(InputLimits, PlansAreFewPointsNearby) {
+TEST(InputLimits, PlansMustHaveFewPointsNearby) {
   std::vector<TrajectoryPoint> plan(5000);
   plan[7].pose.x = kNan;
   EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }), "");

@@ -28,13 +28,13 @@ bool isAllowed(CollisionType type, const IndexedScene& recording) {
   return roadAllowsAsked(asked, recording, config);
 }
 
-TEST(AllowedRequests, AreThoseWithALaneOfTheTypesDirection) {
+TEST(AllowedRequests, RequireALaneOfTheTypesDirection) {
   const IndexedScene recording = onTwoLanes();
   EXPECT_TRUE(isAllowed(CollisionType::kRearEnd, recording));
   EXPECT_FALSE(isAllowed(CollisionType::kJunctionCrossing, recording));
 }
 
-TEST(AllowedRequests, AreJudgedWhereTheEgoIsAtTheTimeAskedFor) {
+TEST(AllowedRequests, AreJudgedAtTheEgosPlaceAtImpact) {
   IndexedScene recording = onTwoLanes();
   for (AgentState& state : recording.scene.ego.states) {
     if (state.time > kNow + 2.0) state.pose = {0.0, 1000.0, 0.0};
@@ -42,7 +42,7 @@ TEST(AllowedRequests, AreJudgedWhereTheEgoIsAtTheTimeAskedFor) {
   EXPECT_FALSE(isAllowed(CollisionType::kRearEnd, recording));
 }
 
-TEST(AllowedRequests, AreAllWhereNoLaneIsKnown) {
+TEST(AllowedRequests, IncludeAllWithoutLanes) {
   IndexedScene recording = onTwoLanes();
   recording.lanes = std::make_shared<const LaneIndex>(emptyMap());
   EXPECT_TRUE(isAllowed(CollisionType::kJunctionCrossing, recording));

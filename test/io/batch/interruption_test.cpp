@@ -19,7 +19,7 @@ class InterruptionNoticeDeathTest : public testing::TestWithParam<int> {
   }
 };
 
-TEST_P(InterruptionNoticeDeathTest, SaysSoBeforeTheSignalEndsTheProcess) {
+TEST_P(InterruptionNoticeDeathTest, PrintsTheMessageBeforeTheSignalEndsTheProcess) {
   EXPECT_EXIT(raiseIn(SIG_DFL), testing::KilledBySignal(GetParam()), "written up to here");
 }
 
@@ -27,7 +27,7 @@ TEST_P(InterruptionNoticeDeathTest, AnIgnoredSignalStaysIgnored) {
   EXPECT_EXIT(raiseIn(SIG_IGN), testing::ExitedWithCode(0), "^$");
 }
 
-TEST_P(InterruptionNoticeDeathTest, WhatASignalDidBeforeItDoesAfterwards) {
+TEST_P(InterruptionNoticeDeathTest, RestoresTheEarlierHandlers) {
   EXPECT_EXIT(
       {
         ::signal(GetParam(), [](int /*signal*/) { ::_exit(7); });

@@ -9,12 +9,12 @@
 namespace forge {
 namespace {
 
-TEST(Patience, LastsForWhatEndsInTime) {
+TEST(Patience, DoesNothingWhenTheWaitEndsInTime) {
   { const Patience patience(0.05, "nobody"); }
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
 }
 
-TEST(PatienceDeathTest, EndsTheProcessAndTellsWhatItWaitedFor) {
+TEST(PatienceDeathTest, EndsTheProcessAndReportsWhatItAwaited) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const auto wait = [] {
     const Patience patience(0.05, "somebody");

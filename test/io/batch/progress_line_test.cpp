@@ -30,21 +30,21 @@ class ProgressLineTest : public testing::Test {
   double time_ = 1000.0;  // s
 };
 
-TEST_F(ProgressLineTest, TellsShareRateAndTimeLeft) {
+TEST_F(ProgressLineTest, ShowsShareRateAndTimeLeft) {
   ProgressLine line("requests", 0.0, output(false));
   time_ += 20.0;
   line.show(50, 200);  // 2.5 a second, 150 to go
   EXPECT_EQ(printed(), "requests  25 %, 2.5/s, 60 s left\n");
 }
 
-TEST_F(ProgressLineTest, WhatWasDoneBeforeCountsForTheShareAlone) {
+TEST_F(ProgressLineTest, EarlierWorkCountsForTheShareOnly) {
   ProgressLine line("requests", 0.5, output(false));
   time_ += 20.0;
   line.show(124, 200);  // 24 in 20 s, 76 to go
   EXPECT_EQ(printed(), "requests  62 %, 1.2/s, 63 s left\n");
 }
 
-TEST_F(ProgressLineTest, PipedThereIsALineEveryTenSecondsAndOneAtTheEnd) {
+TEST_F(ProgressLineTest, InAPipeItPrintsALineEveryTenSecondsAndOneAtTheEnd) {
   ProgressLine line("scenes", 0.0, output(false));
   int lines = 0;
   for (int second = 1; second <= 35; ++second) {
@@ -119,7 +119,7 @@ std::string shownOnATerminal(const std::function<void()>& print) {
   return lines.substr(1);
 }
 
-TEST(PrintLine, StandsAloneOnATerminalThatShowsProgress) {
+TEST(PrintLine, ReplacesTheProgressLineOnATerminal) {
   const std::string shown = shownOnATerminal([] {
     double time = 0.0;
     ProgressLine progress("work", 0.0, {std::cerr, true, [&] { return time += 1.0; }});

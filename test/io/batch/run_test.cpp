@@ -104,7 +104,7 @@ class RunTest : public testing::Test {
   std::vector<std::string> taken_;
 };
 
-TEST_F(RunTest, ResultsAreTakenAndWrittenInOrderByTheMasterAlone) {
+TEST_F(RunTest, OnlyTheMasterTakesAndWritesResultsInOrder) {
   carryOut(squares());
   EXPECT_EQ(taken_.size(), isMaster() ? kCount : 0u);
   EXPECT_EQ(fs::exists(path_), isMaster());
@@ -113,7 +113,7 @@ TEST_F(RunTest, ResultsAreTakenAndWrittenInOrderByTheMasterAlone) {
   }
 }
 
-TEST_F(RunTest, AStoppedRunGoesOnAfterTheLastWholeItem) {
+TEST_F(RunTest, ResumesAfterTheLastCompleteItem) {
   leavePartOf(expected(7) + "7\n");  // killed within an item
   forge::Run run = squares();
   const auto work = run.work;
@@ -128,7 +128,7 @@ TEST_F(RunTest, AStoppedRunGoesOnAfterTheLastWholeItem) {
   EXPECT_FALSE(fs::exists(part_));
 }
 
-TEST_F(RunTest, ACompleteFileIsReadAndLeftAlone) {
+TEST_F(RunTest, ReadsACompleteFileAndKeepsIt) {
   leave(path_, expected());
   forge::Run run = squares();
   run.work = [](std::size_t) -> std::string { throw std::logic_error("nothing is to be done"); };
@@ -138,7 +138,7 @@ TEST_F(RunTest, ACompleteFileIsReadAndLeftAlone) {
   EXPECT_FALSE(fs::exists(part_));
 }
 
-TEST_F(RunTest, OtherOptionsAreRefusedAndNothingIsLost) {
+TEST_F(RunTest, RejectsOtherOptionsAndKeepsTheFile) {
   leavePartOf(expected(7));
   forge::Run run = squares();
   run.options = {{"power", "3"}};
@@ -150,7 +150,7 @@ TEST_F(RunTest, OtherOptionsAreRefusedAndNothingIsLost) {
   }
 }
 
-TEST_F(RunTest, ItemsThatAreNotTheRunsAreRefusedByLine) {
+TEST_F(RunTest, RejectsForeignItemsByLine) {
   leavePartOf(expected(2) + "3\n9\n");
   expectComplaint(squares(), part_ + ": line 6: is not of 2");
   leavePartOf("another header\n");
@@ -172,11 +172,11 @@ TEST_F(RunTest, AnErrorKeepsTheItemsBeforeIt) {
   }
 }
 
-TEST(RunAgree, AllRanksHaveTheMastersDecision) {
+TEST(RunAgree, AllRanksReturnTheMastersDecision) {
   EXPECT_EQ(agree([] { return isMaster() ? 7u : 3u; }), 7u);
 }
 
-TEST(RunAgree, AnErrorIsTheMastersAndTheOthersHaveNothing) {
+TEST(RunAgree, AnErrorOfTheMasterLeavesOtherRanksWithoutDecision) {
   const auto decide = []() -> std::size_t {
     if (isMaster()) throw std::runtime_error("undecided");
     return 1;

@@ -53,7 +53,7 @@ TEST(WorkerPool, KeepsTheException) {
   EXPECT_THROW(std::rethrow_exception(results[0].error), std::out_of_range);
 }
 
-TEST(WorkerPool, DropsWhatIsNotBegunWhenItEnds) {
+TEST(WorkerPool, DropsPendingItemsWhenItEnds) {
   std::atomic<int> worked{0};
   std::atomic<bool> has_begun{false};
   {

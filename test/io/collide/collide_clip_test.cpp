@@ -124,7 +124,7 @@ TEST(CollideClip, RowsOfZerosAreMissingFrames) {
   EXPECT_NEAR(track.frames[8]->pose.yaw, M_PI / 2.0, 1e-15);
 }
 
-TEST(CollideClip, EveryNumberSurvivesWritingAndReading) {
+TEST(CollideClip, RoundTripsEveryNumber) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 3.21, 20, 7.1, {-31.3, 0.2, 0.3}, 9.7);
   for (CollideTrack& track : clip.tracks) {
     double noise = 0.1234567890123456;

@@ -108,7 +108,7 @@ TEST(CollideExport, NameHasEveryField) {
             "4-3-0.5833333333333334-15_7.25_attacker");
 }
 
-TEST(CollideExport, PlacementIsThatOfTheTypeAndTheContact) {
+TEST(CollideExport, PlacementFollowsTypeAndContact) {
   const Pose2 ego{10.0, 20.0, M_PI_2};  // heads along y: its left is towards -x
   const auto at = [&](double x, double y, double turn) {
     return Pose2{x, y, wrapAngle(ego.yaw + turn)};
@@ -131,7 +131,7 @@ TEST(CollideExport, CollisionFrameIsTheNearestToTheTta) {
   }
 }
 
-TEST(CollideExport, AnAddedAttackerIsAsItsPastSaysUpToNow) {
+TEST(CollideExport, AddedAttackerFollowsItsPastUpToT0) {
   Scenario scenario = attack();
   AttackerTrajectory& trajectory = scenario.answer.trajectory;
   trajectory.attacker_id = "added";
@@ -148,7 +148,7 @@ TEST(CollideExport, AnAddedAttackerIsAsItsPastSaysUpToNow) {
   EXPECT_EQ(obstacleOf(scenario), ClipObstacle::kAttackerMissing);
 }
 
-TEST(CollideExport, OthersAreTheVehiclesInTheFramesInWhichTheyAre) {
+TEST(CollideExport, OtherVehiclesAppearInTheirRecordedFrames) {
   const CollideClip clip = clipOf(attack());
   std::vector<std::string> ids;
   for (const CollideTrack& track : clip.tracks) ids.push_back(track.id);
@@ -161,7 +161,7 @@ TEST(CollideExport, OthersAreTheVehiclesInTheFramesInWhichTheyAre) {
   }
 }
 
-TEST(CollideExport, WhatIsReadAgainCollidesUnderThePublishedProtocol) {
+TEST(CollideExport, RoundTrippedClipCollidesUnderThePublishedProtocol) {
   const TemporaryFolder folder;
   CollideExporter exporter(folder.path());
   exporter.add(attack(), recording(), 3);
@@ -187,7 +187,7 @@ TEST(CollideExport, WhatIsReadAgainCollidesUnderThePublishedProtocol) {
   EXPECT_NEAR(0.1 * (outcome.step - 5 * kCollideNowFrame), contact, 0.1 + 0.04);
 }
 
-TEST(CollideExport, WhatTheLayoutCannotHoldHasItsObstacle) {
+TEST(CollideExport, ReportsWhyTheLayoutCannotHoldAnAttack) {
   Scenario early = attack();
   early.asked.now = frameTime(6);
   EXPECT_EQ(obstacleOf(early), ClipObstacle::kShortHistory);
@@ -255,7 +255,7 @@ TEST(CollideExport, ObstaclesAreCountedAndNamed) {
   EXPECT_EQ(listCollideClips(folder.path(), "val").size(), 1u);
 }
 
-TEST(CollideExport, ClipsThatAreThereAreLeftAloneAndMissingOnesWritten) {
+TEST(CollideExport, WritesOnlyMissingClips) {
   const TemporaryFolder folder;
   const auto exportTwo = [&] {
     CollideExporter exporter(folder.path());

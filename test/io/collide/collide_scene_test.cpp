@@ -38,7 +38,7 @@ TEST(CollideScene, HistoryOfEgoAndOthersIsAsRecorded) {
   EXPECT_EQ(agent(snapshot.agents, "third").states.back().time, clip.now());
 }
 
-TEST(CollideScene, NothingOfTheAttackersHistoryIsShown) {
+TEST(CollideScene, HidesTheAttackersHistory) {
   CollideClip clip = clipWithThird();
   const Snapshot straight = snapshotAt(toScene(clip, kOptions, nullptr), clip.now(), 8);
   for (std::size_t frame = 0; frame < kCollideNowFrame; ++frame) {
@@ -69,7 +69,7 @@ TEST(CollideScene, AttackersDerivedMotionIsItsRecordedSpeed) {
   EXPECT_NEAR(motion.yaw_rate, 0.0, 1e-9);
 }
 
-TEST(CollideScene, FutureIsRecordedThenStraightOn) {
+TEST(CollideScene, FutureIsRecordedThenConstantVelocity) {
   CollideClip clip = clipWithThird();
   // The ego's last interval: 3 m ahead and 1 m left, heading 0.5 rad.
   CollideState& last = *clip.tracks[1].frames[kLastFrame];

@@ -23,7 +23,7 @@ TEST(CaptionText, NamesTheAttackersClassAndOrigin) {
   EXPECT_NE(detailsText(view).find("by an added construction vehicle"), std::string::npos);
 }
 
-TEST(CaptionText, TheVerdictSaysWhatTheRecordingHasAndTheFirstConditionThatFails) {
+TEST(CaptionText, TheVerdictNamesTheFirstFailedCondition) {
   ScenarioView view = sampleView();
   EXPECT_EQ(verdictText(view), "requested crash in the recording");
   EXPECT_EQ(verdictOf(view), Verdict::kWanted);
@@ -45,7 +45,7 @@ TEST(CaptionText, TheVerdictSaysWhatTheRecordingHasAndTheFirstConditionThatFails
   EXPECT_EQ(verdictOf(view), Verdict::kUnwanted);
 }
 
-TEST(CaptionText, APictureOfATestNamesThePlannerAndWhetherItIsHit) {
+TEST(CaptionText, APlannerTestNamesThePlannerAndTheHit) {
   ScenarioView view = sampleView();
   view.planner = "pdm against adaptive";
   EXPECT_EQ(titleText(view), "pdm against adaptive: Rear end in scene-0001");
@@ -54,7 +54,7 @@ TEST(CaptionText, APictureOfATestNamesThePlannerAndWhetherItIsHit) {
   EXPECT_EQ(rowOf(view, "Contact").passed, false);
 }
 
-TEST(CaptionText, AnEscapeHasNoContactAndThatIsWanted) {
+TEST(CaptionText, AnAvoidedHitHasNoContactAndIsWanted) {
   ScenarioView view = sampleView();
   view.planner = "pdm";
   view.report.contact = false;
@@ -65,7 +65,7 @@ TEST(CaptionText, AnEscapeHasNoContactAndThatIsWanted) {
   EXPECT_EQ(rowOf(view, "Contact").passed, true);
 }
 
-TEST(CaptionText, AnOutcomeTellsTimeAngleAndWhatIsNotAsAsked) {
+TEST(CaptionText, AnOutcomeShowsTimeAngleAndTheFailedCondition) {
   ScenarioView view = sampleView();
   view.report.relative_heading = -0.21;  // rad
   EXPECT_EQ(outcomeText(view).contact, "contact after 2.0 s, 12°");

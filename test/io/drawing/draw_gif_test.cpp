@@ -93,7 +93,7 @@ class DrawGif : public testing::Test {
   std::string path_ = temporaryPath("scenario.gif");
 };
 
-TEST_F(DrawGif, HasTheAskedWidthFramesAndDelays) {
+TEST_F(DrawGif, HasTheConfiguredWidthFramesAndDelays) {
   const Animation animation = draw();
   EXPECT_EQ(animation.width, options_.gif_width);
   EXPECT_LE(animation.height, options_.gif_height);

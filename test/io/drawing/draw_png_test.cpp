@@ -83,7 +83,7 @@ TEST_F(DrawPng, ARoadThatLeadsNorthLiesLevelWithNorthToTheRight) {
   EXPECT_GT(north.y(), 0.0);
 }
 
-TEST_F(DrawPng, ShowsEverybodyWhereTheyAreAtContact) {
+TEST_F(DrawPng, ShowsAllVehiclesAtContact) {
   options_.view_margin = 12.0;
   draw();
   EXPECT_EQ(onMap({10, 0}), packedColor(options_.ego_color));
@@ -102,7 +102,7 @@ TEST_F(DrawPng, MarksTheContactOnMapAndCloseUp) {
   EXPECT_EQ(onCloseUp({5, 0}), packedColor(options_.attacker_color));
 }
 
-TEST_F(DrawPng, RefusesWhatCannotBeDrawnAndKeepsTheOldFile) {
+TEST_F(DrawPng, RejectsInvalidViewsAndKeepsTheOldFile) {
   draw();
   const std::string before = readBytes(path_);
   view_.trajectory.points.resize(5);

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-TEST(GridTexts, BesideARowStandsWhatWasAskedFor) {
+TEST(GridTexts, RowLabelsShowTheRequest) {
   GridCell cell{sampleView(), ""};
   cell.view.pattern.type = CollisionType::kLtap;
   cell.view.tta = 4.5;
@@ -17,7 +17,7 @@ TEST(GridTexts, BesideARowStandsWhatWasAskedFor) {
   EXPECT_EQ(texts.scene, "scene-0001");
 }
 
-TEST(GridTexts, UnderACellStandsWhatCameOrWhyNothingDid) {
+TEST(GridTexts, CaptionsShowTheOutcomeOrTheReason) {
   GridCell missed{sampleView(), ""};
   missed.view.report.contact = false;
   const GridRowTexts texts =

@@ -64,7 +64,7 @@ TEST_F(DrawScenarioGrid, EveryCellIsItsScenarioAtItsContact) {
   EXPECT_EQ(at(image, grid, 0, 1, {-18.9, 0}), packedColor(options_.attacker_color));
 }
 
-TEST_F(DrawScenarioGrid, WhatCameIsToldWhenItHasComeRefusalsAtOnce) {
+TEST_F(DrawScenarioGrid, OutcomesAppearAtContactAndRejectionsAtOnce) {
   const GridPainter grid = painter(PictureKind::kAnimation);
   const Image before = grid.paint(2.0);
   const Image after = grid.paint(2.1);
@@ -83,7 +83,7 @@ TEST_F(DrawScenarioGrid, WhatCameIsToldWhenItHasComeRefusalsAtOnce) {
   EXPECT_TRUE(hasText(before, 2));
 }
 
-TEST_F(DrawScenarioGrid, CellsPlayInStepAndStandStillAfterTheirRowsEnd) {
+TEST_F(DrawScenarioGrid, CellsAreSynchronousAndHoldTheirLastFrame) {
   ScenarioView early = sampleView();
   early.report.contact_time = 101.0;
   early.report.ego_at_contact = {4.8, 0.0, 0.0};
@@ -105,7 +105,7 @@ TEST_F(DrawScenarioGrid, CellsPlayInStepAndStandStillAfterTheirRowsEnd) {
   EXPECT_NE(at(last, grid, 1, 2, {5, 8}), packedColor(options_.agent_color));
 }
 
-TEST_F(DrawScenarioGrid, EndsWhereNothingMoreIsKnown) {
+TEST_F(DrawScenarioGrid, EndsWithTheKnownMotion) {
   grid_.rows.pop_back();
   for (GridCell& cell : grid_.rows[0]) cell.view.seconds_after_stand = 60.0;
   EXPECT_NEAR(painter().end(), 4.0, 1e-6) << "the ego's future";
@@ -113,7 +113,7 @@ TEST_F(DrawScenarioGrid, EndsWhereNothingMoreIsKnown) {
   EXPECT_NEAR(painter().end(), 3.0, 1e-6) << "an attacker that goes on";
 }
 
-TEST_F(DrawScenarioGrid, GridsOfNothingAndUnevenOnesAreRefused) {
+TEST_F(DrawScenarioGrid, RejectsEmptyAndUnevenGrids) {
   EXPECT_THROW(drawScenarioGridPng(path_, {{"one"}, {}}, options_), std::invalid_argument);
   EXPECT_THROW(drawScenarioGridGif(path_, {{}, {{}}}, options_), std::invalid_argument);
   grid_.rows[1].pop_back();

@@ -32,7 +32,7 @@ TEST(ScenarioMotion, AnAddedAttackerComesFromItsOwnPast) {
   EXPECT_EQ(motion.othersAt(99.0).size(), 1U);
 }
 
-TEST(ScenarioMotion, EgoAndAttackerMoveAsTheCrashHasItFromTheContactOn) {
+TEST(ScenarioMotion, FollowsThePostCrashMotionAfterContact) {
   const ScenarioView view = sampleCrash();
   const ScenarioMotion motion(view);
   EXPECT_DOUBLE_EQ(motion.egoAt(102.04)->center.x, 10.0);
@@ -53,7 +53,7 @@ TEST(ScenarioMotion, AnAnimationEndsSomeSecondsAfterTheStandOrWithTheRecording) 
   EXPECT_NEAR(ScenarioMotion(view).endTime(), 103.04, 1e-6) << "not before both stand";
 }
 
-TEST(ScenarioMotion, OthersInThePathAtContactWereElsewhereWhenPassed) {
+TEST(ScenarioMotion, AgentsInThePathAtContactWereElsewhereWhenPassed) {
   ScenarioView view = sampleView();
   EXPECT_TRUE(ScenarioMotion(view).passedOthers().empty()) << "the truck stands beside the road";
   // Crosses from the north: at contact it is on the attacker's path, 12.5 m behind the contact.
@@ -68,7 +68,7 @@ TEST(ScenarioMotion, OthersInThePathAtContactWereElsewhereWhenPassed) {
   EXPECT_NEAR(passed.front().then.box.center.y, 6.0, 1.0 + 1e-6);
 }
 
-TEST(ScenarioMotion, OfAnEscapeTheKeyTimeIsThatOfTheHit) {
+TEST(ScenarioMotion, KeyTimeOfAnAvoidedHitIsTheHit) {
   ScenarioView view = sampleView();
   view.report.contact = false;
   EXPECT_DOUBLE_EQ(ScenarioMotion(view).keyTime(), view.pattern.time);

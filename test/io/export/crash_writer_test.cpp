@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(CrashWriter, WritesToItsFolderAlone) {
+TEST(CrashWriter, WritesOnlyToItsFolder) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() + "/out");
   for (const std::string& format : exportFormats()) {

@@ -93,7 +93,7 @@ class ScenarioNetLogsTest : public testing::Test {
   std::vector<std::string> warnings_;
 };
 
-TEST_F(ScenarioNetLogsTest, WhatWasRecordedComesBack) {
+TEST_F(ScenarioNetLogsTest, RoundTripsARecording) {
   SceneSource tables({kEmbedded, ""}, {"scene-0001"}, shippedConfig(), 1);
   const auto told = tables.at("scene-0001");
   folder_.write(
@@ -135,7 +135,7 @@ TEST_F(ScenarioNetLogsTest, WhatWasRecordedComesBack) {
   EXPECT_EQ(back.map->driving_side, map.driving_side);
 }
 
-TEST_F(ScenarioNetLogsTest, ReadsWhatOthersConvert) {
+TEST_F(ScenarioNetLogsTest, ReadsDescriptionsOfOtherConverters) {
   const LoggedScene logged = read(Description().content());
   EXPECT_EQ(logged.recording.name, "sd_waymo_v1_a");
   EXPECT_EQ(logged.recording.ego_poses.at(0).timestamp_us, 1000000);
@@ -170,7 +170,7 @@ TEST_F(ScenarioNetLogsTest, APolylineMayBeAListOfPoints) {
   EXPECT_EQ(lane.centerline[1].y, 0.5);
 }
 
-TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsTurned) {
+TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsSwapped) {
   Description description;
   description.length = 2.0;
   description.width = 9.0;
@@ -181,7 +181,7 @@ TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsTurned) {
             "vehicle.truck");
 }
 
-TEST_F(ScenarioNetLogsTest, NamesWhatIsWrong) {
+TEST_F(ScenarioNetLogsTest, ErrorsNameFileAndField) {
   Description no_ego;
   no_ego.ego = "70";
   EXPECT_THAT(problemOf(no_ego), HasSubstr("tracks: lacks the ego \"70\" of metadata.sdc_id"));

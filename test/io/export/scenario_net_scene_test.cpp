@@ -68,7 +68,7 @@ TEST(ScenarioNetScene, RowsEveryStepAreBetweenTheFrames) {
   EXPECT_THAT(json, HasSubstr(validItem(seen)));
 }
 
-TEST(ScenarioNetScene, WhoIsOutOfSightForATimeIsZeroThere) {
+TEST(ScenarioNetScene, RowsOutOfSightAreZero) {
   const Scene scene = sampleScene();
   const Track& bicycle = scene.agents.back();
   ASSERT_EQ(bicycle.id, "bicycle");
@@ -83,7 +83,7 @@ TEST(ScenarioNetScene, WhoIsOutOfSightForATimeIsZeroThere) {
               })));
 }
 
-TEST(ScenarioNetScene, AFrameAtWhichSomebodyWasNotAnnotatedIsFilledAtStepsAlone) {
+TEST(ScenarioNetScene, FillsFramesWithoutAnnotationOnlyAtEveryStep) {
   Scene scene = sampleScene();
   Track& walker = scene.agents[1];
   ASSERT_EQ(walker.id, "walker");
@@ -98,7 +98,7 @@ TEST(ScenarioNetScene, AFrameAtWhichSomebodyWasNotAnnotatedIsFilledAtStepsAlone)
   EXPECT_NE(json.find(always), json.rfind(always));  // of the ego and the walker
 }
 
-TEST(ScenarioNetScene, TheMetadataTellClockFramesAndGround) {
+TEST(ScenarioNetScene, MetadataHoldClockFramesAndGround) {
   Scene scene = sampleScene();
   auto map = std::make_shared<LaneMap>(*scene.map);
   map->driving_side = DrivingSide::kLeft;
@@ -130,7 +130,7 @@ TEST(ScenarioNetScene, FramesWithoutTheEgoAreLeftOut) {
   EXPECT_THAT(told(scene, RowTimes::kEveryStep), HasSubstr(R"("length":81,)"));
 }
 
-TEST(ScenarioNetScene, ASceneWithoutAFrameOfTheEgoIsRefused) {
+TEST(ScenarioNetScene, RejectsASceneWithoutTheEgo) {
   Scene scene = sampleScene();
   scene.frame_times.clear();
   EXPECT_THROW(told(scene, RowTimes::kEveryStep), std::runtime_error);

@@ -77,7 +77,7 @@ TEST(JsonNumbers, IntegersStayIntegers) {
   EXPECT_FALSE(document[6].IsInt());
 }
 
-TEST(JsonNumbers, WhatNoDoubleHoldsIsRefused) {
+TEST(JsonNumbers, RejectsNumbersBeyondTheRangeOfDouble) {
   const std::string too_big = "code " + std::to_string(rapidjson::kParseErrorNumberTooBig);
   double value = 0.0;
   for (const std::string text :

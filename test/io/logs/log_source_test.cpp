@@ -48,14 +48,14 @@ NuScenesRecording recorded() {
       .recording;
 }
 
-TEST(LogSource, ARecordingWhoseEgoIsFarAwayIsRefused) {
+TEST(LogSource, RejectsARecordingWithTheEgoBeyondTheLimits) {
   NuScenesRecording recording = recorded();
   recording.ego_poses[0].translation.y() = -6e4;
   EXPECT_THAT(errorOf<InputError>([&] { keepWithin(recording, config(), nullptr); }),
               testing::AllOf(HasSubstr("scene-0001: ego: states[0].y"), HasSubstr("-50000")));
 }
 
-TEST(LogSource, WhatIsBeyondTheLimitsIsNotInARecording) {
+TEST(LogSource, RemovesInstancesBeyondTheLimits) {
   NuScenesRecording recording = recorded();
   const std::string id = recording.frames[0].annotations.at(0).instance;
   const auto countOf = [&](bool is_it) {

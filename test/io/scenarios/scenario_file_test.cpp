@@ -125,7 +125,7 @@ std::string complaintAbout(std::string line, const std::string& from, const std:
   return "";
 }
 
-TEST(ScenarioFile, PlansGoWithAdaptiveAttacksAlone) {
+TEST(ScenarioFile, OnlyAdaptiveAttacksHavePlans) {
   const std::string line = scenarioLine(adaptiveAttack());
   EXPECT_THAT(complaintAbout(line, R"("mode":"adaptive")", R"("mode":"history")"),
               AllOf(HasSubstr("plans"), HasSubstr("line 9")));
@@ -138,7 +138,7 @@ TEST(ScenarioFile, PlansGoWithAdaptiveAttacksAlone) {
 
 TEST(ScenarioFile, AnAttackHasTheDocumentedForm) { EXPECT_EQ(scenarioLine(attack()), kAttackLine); }
 
-TEST(ScenarioFile, ARefusalHasNullsAndItsMessage) {
+TEST(ScenarioFile, ARejectionHasNullsAndItsMessage) {
   EXPECT_THAT(
       scenarioLine(refusal()),
       AllOf(
@@ -148,7 +148,7 @@ TEST(ScenarioFile, ARefusalHasNullsAndItsMessage) {
               R"("pattern":null,"confidence":null,"effort":null,"report":null,"alternatives":[],"plans":[],"ego":{)")));
 }
 
-TEST(ScenarioFile, AWholeAttackIsReadBack) {
+TEST(ScenarioFile, RoundTripsAWholeAttack) {
   Scenario scenario = attack();
   scenario.asked.request.type = CollisionType::kLaneChange;
   scenario.answer = wholeAttack(kNow);
@@ -190,12 +190,12 @@ TEST(ScenarioFile, AFileOfVersion5IsReadWithTheToleranceOfItsSearch) {
   expectSame(read, expected);
 }
 
-TEST(ScenarioFile, AFieldOfVersion6InAFileOfVersion5IsRefused) {
+TEST(ScenarioFile, RejectsAFieldOfVersion6InVersion5) {
   EXPECT_THAT(complaintAbout(kAttackLine, R"("version":6)", R"("version":5)"),
               HasSubstr("file: line 9: field "));
 }
 
-TEST(ScenarioFile, OlderVersionsAreToBeGeneratedAnew) {
+TEST(ScenarioFile, RejectsOlderVersions) {
   for (const char* old : {"1", "2", "3", "4"}) {
     EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":6", std::string("\"version\":") + old),
                 AllOf(HasSubstr(std::string("version = ") + old + " is neither 5 nor 6"),
@@ -290,7 +290,7 @@ TEST(ScenarioFile, NumbersBeyondTheLimitsNameFieldValueAndLimit) {
               HasSubstr("attacker.past[0].t = -100000.0 is outside -3600 to 60"));
 }
 
-TEST(ScenarioFile, TrajectoriesHaveOneToAsManyPointsAsTheLimitsHave) {
+TEST(ScenarioFile, TrajectoriesHaveFromOnePointToTheLimit) {
   Scenario scenario = attack();
   std::vector<TrajectoryPoint>& points = scenario.answer.trajectory.points;
   points.clear();
@@ -304,7 +304,7 @@ TEST(ScenarioFile, TrajectoriesHaveOneToAsManyPointsAsTheLimitsHave) {
 }
 
 /// As many as may be asked for, by vehicles with as long a past as may be.
-TEST(ScenarioFile, TheLimitOfLinesLeavesRoomForAllAttacksWithTheirPasts) {
+TEST(ScenarioFile, TheLineLimitAllowsAllAlternativesWithTheirPasts) {
   Scenario scenario = addedAttack();
   AttackerTrajectory& trajectory = scenario.answer.trajectory;
   const int max_points = shippedLimits().max_points;

@@ -72,7 +72,7 @@ class SpeedModelFile : public testing::Test {
   std::string path_;
 };
 
-TEST_F(SpeedModelFile, WhatIsWrittenIsReadToFiveDigits) {
+TEST_F(SpeedModelFile, RoundTripsAModelToFiveDigits) {
   const SpeedModel written = smallModel();
   writeSpeedModel(written, path_);
   EXPECT_FALSE(fs::exists(path_ + ".part"));
@@ -103,7 +103,7 @@ TEST_F(SpeedModelFile, WhatIsWrittenIsReadToFiveDigits) {
   EXPECT_GT(a.standing.rows(), 0);
 }
 
-TEST_F(SpeedModelFile, WhatWasReadIsWrittenAsItWas) {
+TEST_F(SpeedModelFile, RoundTripsAFile) {
   writeSpeedModel(smallModel(), path_);
   const std::string first = content();
   writeSpeedModel(readSpeedModel(path_), path_);
