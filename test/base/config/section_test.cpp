@@ -20,7 +20,7 @@ namespace {
 
 Section sectionOf(const std::string& text) { return openConfigText("car.yaml", text); }
 
-/// What is complained about when `read` reads a text; empty when nothing is.
+/// Returns the error message of `read` on a text; "" if it succeeds.
 std::string complaint(const std::string& text, const std::function<void(Section&)>& read) {
   try {
     Section section = sectionOf(text);

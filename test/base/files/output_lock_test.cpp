@@ -89,7 +89,7 @@ TEST_F(OutputLockTest, KeepsAnotherFileOfThatName) {
 TEST_F(OutputLockTest, OnlyOneProcessHoldsIt) {
   constexpr int kProcesses = 8;
   constexpr int kTimes = 500;
-  const std::string alone = folder_.path() + "/alone";  // there while somebody has the lock
+  const std::string alone = folder_.path() + "/alone";  // exists while a process holds the lock
   std::vector<pid_t> children;
   for (int process = 0; process < kProcesses; ++process) {
     children.push_back(::fork());
@@ -101,7 +101,7 @@ TEST_F(OutputLockTest, OnlyOneProcessHoldsIt) {
         is_alone &= fs::create_directory(alone);
         fs::remove(alone);
       } catch (const std::runtime_error&) {
-        continue;  // another has it
+        continue;  // another process holds it
       }
     }
     ::_exit(is_alone ? 0 : 1);

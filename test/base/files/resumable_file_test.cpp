@@ -71,7 +71,7 @@ TEST_F(ResumableFileTest, ResumesAfterTheLastCompleteLine) {
     file.append("one");
     file.append("two");
   }
-  std::ofstream(part_, std::ios::app) << "thr";  // killed while it was written
+  std::ofstream(part_, std::ios::app) << "thr";  // killed while writing
   ResumableFile file(path_, kOptions);
   std::vector<std::string> places;
   file.resume([&](const std::string& where, const std::string& line) {
@@ -98,7 +98,7 @@ TEST_F(ResumableFileTest, RejectsAnAlteredLineThatCanBeRepeated) {
   }
   EXPECT_THAT(lines, ElementsAre("one"));
   EXPECT_EQ(contentOf(part_), "one\ntvo\nthree\n");
-  std::ofstream(part_) << "one\n";  // as the message says
+  std::ofstream(part_) << "one\n";  // the remedy in the message
   ResumableFile file(path_, kOptions);
   EXPECT_THAT(resumed(file), ElementsAre("one"));
   file.append("two");
@@ -118,7 +118,8 @@ TEST_F(ResumableFileTest, RejectsReorderedLines) {
 TEST_F(ResumableFileTest, RepeatsItemsWithoutChecksum) {
   leavePart(path_, "one\ntwo\n");
   writeText(path_ + ".options", "mode: history\nversion: v1.0-mini\n");
-  for (const std::uintmax_t left : {17 + 5, 17, 16, 0}) {  // killed while it was written, or before
+  for (const std::uintmax_t left :
+       {17 + 5, 17, 16, 0}) {  // killed during or before writing the checksum
     fs::resize_file(part_ + ".sums", left);
     ResumableFile file(path_, kOptions);
     EXPECT_EQ(resumed(file).size(), left / 17) << left;

@@ -10,7 +10,7 @@ namespace {
 
 WorkerProcess shell(const std::string& script) { return WorkerProcess({"/bin/sh", "-c", script}); }
 
-/// What receive() complains of.
+/// Returns the error message of receive().
 template <typename Error>
 std::string complaintOf(WorkerProcess& process) {
   char byte = 0;

@@ -96,7 +96,7 @@ TEST(OrientedBox, KnownCases) {
   EXPECT_NEAR(distance(unit, {{5.0, 6.0, 0.0}, {2.0, 2.0}}), 5.0, 1e-12);
   EXPECT_NEAR(intersectionArea(unit, unit), 4.0, 1e-12);
   EXPECT_NEAR(intersectionOverUnion(unit, unit), 1.0, 1e-12);
-  // A square within, and the octagon of a square turned by 45 degrees.
+  // A square inside, and the octagon shared with a square rotated by 45 degrees.
   EXPECT_NEAR(intersectionArea(unit, {{0.2, 0.1, 0.7}, {0.5, 0.5}}), 0.25, 1e-12);
   EXPECT_NEAR(intersectionArea(unit, {{0.0, 0.0, M_PI_4}, {2.0, 2.0}}), 8.0 * (M_SQRT2 - 1.0),
               1e-12);
@@ -126,7 +126,7 @@ TEST(TouchedSide, IsTheSideOfTheOtherBox) {
   }
 }
 
-/// Asks every line along the side's normal on its own whether it meets `other`.
+/// Tests for every line along the side's normal whether it intersects `other`.
 double overlapByLines(const OrientedBox& box, Side side, const OrientedBox& other) {
   constexpr int kLines = 20000;
   const bool is_across = side == Side::kFront || side == Side::kRear;

@@ -109,7 +109,8 @@ TEST(Polyline, LateralIsPositiveOnTheLeft) {
     const Polyline line(randomPoints(random));
     const double offset = random.between(-1.0, 1.0);
     const double arc_length = random.between(0.0, line.length());
-    // Off the middle of a chord, so that the side is plain; skipped where another part is nearer.
+    // Off the middle of a chord, so that the side is unambiguous; skipped if another part is
+    // nearer.
     const auto& s = line.arcLengths();
     std::size_t k = 0;
     while (s[k + 1] < arc_length) {

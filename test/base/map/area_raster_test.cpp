@@ -30,7 +30,7 @@ Polygon rectangle(double min_x, double min_y, double max_x, double max_y) {
   return {{{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}}, {}};
 }
 
-/// A star about a middle, with corners at random distances.
+/// A star around a centre, with corners at random distances.
 std::vector<Vector2> star(Random& random, const Vector2& middle, double low, double high) {
   std::vector<Vector2> ring;
   for (int i = 0; i < 13; ++i) {
@@ -102,7 +102,7 @@ TEST(AreaRaster, AgreesWithThePolygonsAwayFromTheirEdges) {
 }
 
 TEST(AreaRaster, IsAccurateToHalfACell) {
-  // Edges that are not on the grid of cells, which begins at the lower left corner.
+  // Edges that are not on the grid of cells.
   LaneMap map;
   map.drivable_area = {rectangle(0.0, 0.0, 20.2, 10.3)};
   const AreaRaster raster(map.drivable_area);

@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// A circle of `radius` about (0, radius) from the origin on, to the left, a point every `spacing`.
+/// A circle of `radius` around (0, radius) from the origin, to the left, a point every `spacing`.
 std::vector<Vector2> leftBend(double radius, double length, double spacing) {
   std::vector<Vector2> points;
   for (int i = 0; i * spacing <= length + 1e-9; ++i) {
@@ -32,7 +32,7 @@ Lane makeLane(const std::string& id, const std::vector<Vector2>& points,
   return lane;
 }
 
-/// Along +x, parting at x = 20 to the left, straight on and to the right.
+/// A lane along +x that forks at x = 20 to the left, straight on and to the right.
 LaneMap fork() {
   const auto from20 = [](std::vector<Vector2> points) {
     for (Vector2& point : points) point.x() += 20.0;

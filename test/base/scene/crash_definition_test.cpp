@@ -9,7 +9,7 @@ namespace {
 
 constexpr BoxSize kEgo{4.0, 2.0};
 constexpr BoxSize kAttacker{5.0, 2.2};
-constexpr double kBit = 1e-6;  // to either side of a border
+constexpr double kBit = 1e-6;  // to either side of a bound
 constexpr DrivingSide kBothSides[] = {DrivingSide::kRight, DrivingSide::kLeft};
 
 bool fits(CollisionType type, const Pose2& offset, DrivingSide side = DrivingSide::kRight) {

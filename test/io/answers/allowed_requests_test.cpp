@@ -8,7 +8,8 @@
 namespace forge {
 namespace {
 
-/// The ego drives along x on a road with two lanes that way, from 10 s before now to 10 s after.
+/// The ego drives along x on a road with two lanes in that direction, from 10 s before to 10 s
+/// after t0.
 IndexedScene onTwoLanes() {
   const auto map = twoLaneRoad();
   IndexedScene recording{{}, std::make_shared<const LaneIndex>(map)};

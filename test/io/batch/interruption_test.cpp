@@ -10,7 +10,7 @@ namespace {
 
 class InterruptionNoticeDeathTest : public testing::TestWithParam<int> {
  protected:
-  /// In a process of its own: raises the signal, and leaves with 0 if that does not end it.
+  /// Raises the signal in a process of its own, which exits with 0 if the signal does not end it.
   [[noreturn]] static void raiseIn(void (*before)(int)) {
     ::signal(GetParam(), before);
     const InterruptionNotice notice("written up to here\n");

@@ -19,7 +19,7 @@ class ProgressLineTest : public testing::Test {
   ProgressLine::Output output(bool is_terminal) {
     return {stream_, is_terminal, [this] { return time_; }};
   }
-  /// What has been printed since the last call.
+  /// Returns the output since the last call.
   std::string printed() {
     const std::string text = stream_.str();
     stream_.str("");
@@ -88,13 +88,13 @@ TEST_F(ProgressLineTest, WorkThatEndsEarlyEndsItsLine) {
   EXPECT_EQ(printed(), "");
 }
 
-/// What `print` leaves on a terminal that stdout and stderr go to.
+/// Returns the output of `print` on a terminal that is both stdout and stderr.
 std::string shownOnATerminal(const std::function<void()>& print) {
   const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
   EXPECT_EQ(::grantpt(terminal), 0);
   EXPECT_EQ(::unlockpt(terminal), 0);
   const int screen = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY);
-  std::fflush(nullptr);  // or the child writes what waits to be written, too
+  std::fflush(nullptr);  // or the child would write buffered output, too
   const pid_t child = ::fork();
   if (child == 0) {
     ::dup2(screen, STDOUT_FILENO);

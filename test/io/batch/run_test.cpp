@@ -13,7 +13,7 @@
 #include "collision_forge/io/batch/ranks.h"
 #include "io/logs/nuscenes_fixture.h"
 
-// These tests are run twice, as those of dispatch(): by themselves, and by ranks of mpirun.
+// These tests run twice, as dispatch_test.cpp: in one process, and in ranks of mpirun.
 namespace forge {
 namespace {
 
@@ -29,7 +29,7 @@ std::string contentOf(const std::string& path) {
   return content.str();
 }
 
-/// Squares of the first numbers, two lines an item.
+/// Squares of the first numbers, two lines per item.
 class RunTest : public testing::Test {
  protected:
   forge::Run squares() {
@@ -63,7 +63,7 @@ class RunTest : public testing::Test {
     return text;
   }
 
-  /// What a run before left.
+  /// Creates the files of an interrupted run.
   void leave(const std::string& path, const std::string& text) const {
     if (!isMaster()) return;
     std::ofstream(path) << text;
@@ -78,7 +78,7 @@ class RunTest : public testing::Test {
     std::ofstream(path_ + ".options") << "power: 2\nprogram: " << program << "\n";
   }
 
-  /// What carryOut() throws here; empty for nothing.
+  /// Returns the error message of carryOut(); "" if there is none.
   std::string complaintOf(const forge::Run& run) {
     try {
       carryOut(run);
@@ -88,7 +88,7 @@ class RunTest : public testing::Test {
     return "";
   }
 
-  /// Errors are the master's.
+  /// Only the master gets errors.
   void expectComplaint(const forge::Run& run, const std::string& text) {
     const std::string complaint = complaintOf(run);
     if (isMaster()) {

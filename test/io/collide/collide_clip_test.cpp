@@ -19,7 +19,7 @@ const char* const kName =
     "data_hcis_v4.6_trainval_singapore-onenorth_LTAP_scene-0911_2-14-0.08333333333333333-9_92.4_"
     "f00d.csv";
 
-/// Ten frames of ego, attacker and a third that is there in frame 8 alone.
+/// Ten frames of ego, attacker and a third vehicle that is present only in frame 8.
 std::string smallFile() {
   std::ostringstream text;
   text << "TRACK_ID,TIMESTAMP,V,X,Y,YAW\n";
@@ -34,7 +34,7 @@ std::string smallFile() {
   return text.str();
 }
 
-/// What reading says; empty when it succeeds.
+/// Returns the error message of reading; "" if it succeeds.
 std::string complaint(const std::string& name, const std::string& text) {
   const TemporaryFolder folder;
   try {
@@ -45,7 +45,7 @@ std::string complaint(const std::string& name, const std::string& text) {
   return "";
 }
 
-/// The complaint about smallFile() with the first `from` replaced.
+/// Returns the error message for smallFile() with the first `from` replaced.
 std::string complaintAfter(const std::string& from, const std::string& to) {
   std::string text = smallFile();
   const std::size_t at = text.find(from);
@@ -53,7 +53,7 @@ std::string complaintAfter(const std::string& from, const std::string& to) {
   return complaint(kName, text.replace(at, from.size(), to));
 }
 
-/// The complaint about smallFile() under a name with the first `from` replaced.
+/// Returns the error message for smallFile() under a name with the first `from` replaced.
 std::string complaintAboutName(const std::string& from, const std::string& to) {
   std::string name = kName;
   const std::size_t at = name.find(from);
@@ -61,7 +61,7 @@ std::string complaintAboutName(const std::string& from, const std::string& to) {
   return complaint(name.replace(at, from.size(), to), smallFile());
 }
 
-/// smallFile() without the lines that contain `part`.
+/// Returns smallFile() without the lines that contain `part`.
 std::string without(const std::string& part) {
   std::istringstream lines(smallFile());
   std::string text;

@@ -12,7 +12,7 @@ const CollideOptions kOptions{{4.7, 2.0}, 2.0, 0.1};
 constexpr int kLastFrame = 11;
 constexpr double kRounding = 1e-6;  // m and s; times since 1970 have 1e-7 s
 
-/// An attacker 20 m behind at 8 m/s, and somebody who stands beside.
+/// An attacker 20 m behind at 8 m/s, and a vehicle at rest beside the road.
 CollideClip clipWithThird() {
   CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {-20.0, 0.0, 0.0}, 8.0);

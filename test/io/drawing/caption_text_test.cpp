@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// The row of that name; an empty one without it.
+/// Returns the row of that name; an empty row if there is none.
 CaptionRow rowOf(const ScenarioView& view, const std::string& name) {
   for (const CaptionRow& row : reportRows(view)) {
     if (row.name == name) return row;

@@ -36,7 +36,8 @@ class DrawPng : public testing::Test {
  protected:
   void TearDown() override { std::remove(path_.c_str()); }
 
-  /// Draws the view and says what is at a place on the ground, in the map and in the close-up.
+  /// Draws the view and returns the colours at points on the ground, in the map and in the
+  /// close-up.
   void draw() { drawScenarioPng(path_, view_, options_); }
   std::uint32_t onMap(const Vector2& world) const {
     return Picture(path_).at(painter().mapViewport().toPixel(world));
@@ -51,7 +52,7 @@ class DrawPng : public testing::Test {
   std::string path_ = temporaryPath("scenario.png");
 };
 
-/// The message of the error that drawing ends with; empty without one.
+/// Returns the error message of drawing; "" if it succeeds.
 template <typename Draw>
 std::string errorOf(const Draw& draw) {
   try {

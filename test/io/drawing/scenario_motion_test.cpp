@@ -47,7 +47,7 @@ TEST(ScenarioMotion, AnAnimationEndsSomeSecondsAfterTheStandOrWithTheRecording) 
   EXPECT_NEAR(ScenarioMotion(view).endTime(), 103.54, 1e-6);
   view.seconds_after_stand = 3.0;
   EXPECT_NEAR(ScenarioMotion(view).endTime(), 104.0, 1e-6) << "the recording's end";
-  view.future.ego.states.resize(6);  // up to 102.5 s, as an ego that was driven up to the contact
+  view.future.ego.states.resize(6);  // up to 102.5 s, as for an ego driven up to the contact
   EXPECT_NEAR(ScenarioMotion(view).endTime(), 104.0, 1e-6) << "the others are known up to then";
   for (Track& track : view.future.agents) track.states.resize(6);
   EXPECT_NEAR(ScenarioMotion(view).endTime(), 103.04, 1e-6) << "not before both stand";
@@ -64,7 +64,7 @@ TEST(ScenarioMotion, AgentsInThePathAtContactWereElsewhereWhenPassed) {
   const auto passed = ScenarioMotion(view).passedOthers();
   ASSERT_EQ(passed.size(), 1U);
   EXPECT_NEAR(passed.front().at_key_time.box.center.y, 0.0, 1e-9);
-  // The attacker's rear, 2.5 m behind its middle, leaves the truck's front at x = -3: 0.6 s before.
+  // The attacker's rear, 2.5 m behind its centre, leaves the truck's front at x = -3: 0.6 s before.
   EXPECT_NEAR(passed.front().then.box.center.y, 6.0, 1.0 + 1e-6);
 }
 

@@ -42,7 +42,7 @@ std::vector<Vector2> pointsOf(const xml_node& bound) {
   return points;
 }
 
-/// The states of a dynamic obstacle, the initial one first.
+/// Returns the states of a dynamic obstacle, the initial one first.
 std::vector<xml_node> statesOf(const xml_node& obstacle) {
   std::vector<xml_node> states = {obstacle.child("initialState")};
   for (const xml_node& state : obstacle.child("trajectory").children("state")) {
@@ -51,14 +51,14 @@ std::vector<xml_node> statesOf(const xml_node& obstacle) {
   return states;
 }
 
-/// Poses a metre apart along x, `length` metres from (x, y) on.
+/// Returns poses 1 m apart along x, over `length` metres from (x, y).
 std::vector<Pose2> straight(double x, double y, double length) {
   std::vector<Pose2> poses;
   for (double way = 0.0; way <= length; way += 1.0) poses.push_back({x + way, y, 0.0});
   return poses;
 }
 
-/// To the left, `radius` metres about the origin, for `angle` radians.
+/// Returns a left arc of `radius` metres around the origin over `angle` radians.
 std::vector<Pose2> leftBend(double radius, double angle) {
   std::vector<Pose2> poses;
   for (int i = 0; i <= 20; ++i) {
@@ -75,7 +75,7 @@ Lane laneAlong(const std::string& id, std::vector<Pose2> centerline) {
   return lane;
 }
 
-/// A track that is at (x, y) with `speed` along x at these steps.
+/// Returns a track at (x, y) with `speed` along x at these steps.
 Track trackAt(const std::string& id, AgentClass agent_class, const std::vector<int>& steps,
               double speed, double step = 0.1) {
   Track track{id, agent_class, {3.0, 1.5}, {}};
@@ -100,13 +100,13 @@ class CommonRoad : public testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  /// The element "commonRoad"; lives until the next call.
+  /// Returns the element "commonRoad"; valid until the next call.
   xml_node written(const CrashRecord& record, bool ego_free = false) {
     EXPECT_TRUE(document_.load_string(textOf(record, ego_free).c_str()));
     return document_.child("commonRoad");
   }
 
-  /// Of a record with these lanes.
+  /// Returns it for a record with these lanes.
   std::vector<xml_node> laneletsOf(const std::vector<Lane>& lanes) {
     CrashRecord record = slowCarRecord();
     record.lanes.lanes = lanes;
@@ -114,7 +114,7 @@ class CommonRoad : public testing::Test {
     return {range.begin(), range.end()};
   }
 
-  /// m, at the beginning of the only lanelet.
+  /// Returns the width of the only lanelet at its start, m.
   double widthOf(const Lane& lane) {
     const auto lanelets = laneletsOf({lane});
     EXPECT_EQ(lanelets.size(), 1U);

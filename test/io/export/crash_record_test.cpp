@@ -89,7 +89,7 @@ TEST(CrashRecord, AddedAttackerComesWithItsPast) {
   EXPECT_NEAR(record.attacker.states.front().time, 1.5, 1e-9);
   EXPECT_NEAR(record.attacker.states.front().pose.x, 31.0, 1e-6);
   EXPECT_EQ(otherOf(record, "a").states.size(),
-            56u);  // the car that was recorded is one of the others
+            56u);  // the recorded car is one of the other agents
 }
 
 TEST(CrashRecord, RejectsUnsafeNamesAndAMissingEgo) {

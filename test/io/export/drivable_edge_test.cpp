@@ -39,7 +39,7 @@ TEST(DrivableEdge, SharedBordersAreNoEdge) {
 }
 
 TEST(DrivableEdge, ALineIsCutWhereItLeadsIntoAnotherPolygon) {
-  // A street from the left runs into one from bottom to top.
+  // A street from the left joins one that runs from bottom to top.
   const auto lines =
       drivableEdges({rectangle(-30, -2, 0.2, 2), rectangle(-3, -30, 3, 30)}, kOrigin, kFar);
   const auto ends = [&](const Line& line) { return line.front().x() == -30.0; };

@@ -16,7 +16,7 @@ using pugi::xml_node;
 
 class OpenScenario : public testing::Test {
  protected:
-  /// The file of that ending, read again.
+  /// Returns the file of that ending, parsed.
   pugi::xml_document written(const CrashRecord& record, const std::string& ending,
                              bool ego_free = false) {
     makeOpenScenarioWriter(planFor(folder_.path(), ego_free))->write(record);

@@ -46,8 +46,8 @@ Pose2 endOf(const Road& road) {
   return alongArc(last.start, last.curvature, last.length);
 }
 
-/// What OpenDRIVE asks of every network: joints are mutual, connecting roads come from plain ones
-/// and lead to plain ones, roads that are joined meet, and every connection is listed once.
+/// Checks the rules of OpenDRIVE for every network: links are mutual, connecting roads connect
+/// plain roads, linked roads meet, and every connection is listed once.
 void expectSound(const RoadNetwork& network) {
   std::map<int, const Road*> roads;
   std::set<int> ids;

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Three rows in a square place of 40 m by 40 m.
+/// Three rows on a square area of 40 m by 40 m.
 PickleContent scenarioNamed(const std::string& name, std::optional<double> step = 0.1,
                             double radius = 60.0) {
   LaneMap map;

@@ -20,7 +20,7 @@ using testing::IsEmpty;
 
 const std::string kEmbedded = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
 
-/// A description in the words of ScenarioNet alone, as its converters of other data sets write it.
+/// A description with ScenarioNet's own fields only, as converters of other data sets write it.
 struct Description {
   void writeTrack(PickleWriter& writer, const char* id, const char* type) const {
     writer.beginObject(id);

@@ -57,12 +57,12 @@ class ScenarioNet : public testing::Test {
   void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// The path of the record's file.
+  /// Returns the path of the record's file.
   std::string fileOf(const CrashRecord& record) const {
     return pathIn(folder_, makeScenarioNetWriter(planIn(folder_))->write(record).at(0));
   }
 
-  /// What the record's file holds, as JSON.
+  /// Returns the content of the record's file as JSON.
   std::string written(const CrashRecord& record) const {
     return inlined(PickleWorkers().read(fileOf(record)));
   }

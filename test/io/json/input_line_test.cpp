@@ -21,7 +21,7 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
-/// What the error says of the first line, and the second.
+/// Returns the error message for the first line, and the second line.
 std::pair<std::string, std::string> complaintAndNextOf(const std::string& text) {
   std::istringstream stream(text);
   std::string line;

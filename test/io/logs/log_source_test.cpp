@@ -41,7 +41,7 @@ TEST(LogSource, WantedScenesAreInItsOrder) {
 
 Config config() { return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config"); }
 
-/// A scene of data/embedded, which has agents.
+/// A scene of data/embedded with agents.
 NuScenesRecording recorded() {
   return kEmbedded.format->open(kEmbedded, {{"scene-0001"}, config(), {}, {}})
       ->recording("scene-0001")

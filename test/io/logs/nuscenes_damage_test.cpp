@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// One change to one table, and what the message must name besides the file.
+/// One change to one table, and the texts that the message must contain besides the file.
 struct Damage {
   std::string name;
   std::string table;

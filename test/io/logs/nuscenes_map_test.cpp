@@ -92,7 +92,7 @@ TEST(NuScenesMap, refusesOldVersionsAndNamesThem) {
   }
 }
 
-/// A defect of the published maps, and the warning it must leave.
+/// A defect of the published maps, and the expected warning.
 struct Defect {
   std::string name;
   std::string from;

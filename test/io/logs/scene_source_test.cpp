@@ -54,7 +54,8 @@ TEST(SceneSource, CachesTheMostRecentlyUsedScenes) {
   EXPECT_EQ(scenes.at("scene-0001"), first.lock()) << "not read again";
 }
 
-/// Scenes without anything in them. Reading one ends when as many scenes are being read as wanted.
+/// A source of empty scenes. Reading a scene blocks until the wanted number of scenes is being
+/// read.
 struct SlowReader : SceneReader {
   static inline std::mutex mutex;
   static inline std::condition_variable changed;

@@ -75,7 +75,7 @@ const char* const kAttackLine =
     R"("believable":false,"unbelievable":"is on a walkway for 12 %"},"alternatives":[],"plans":[],)"
     R"("ego":{"length":4.084,"width":1.73,"center_offset":1.385}})";
 
-/// By a vehicle that was added, on a request that names all that can be.
+/// An attack by an added vehicle, on a request with every constraint set.
 Scenario addedAttack() {
   Scenario scenario = attack();
   CollisionRequest& request = scenario.asked.request;
@@ -94,7 +94,7 @@ Scenario addedAttack() {
   return scenario;
 }
 
-/// The attacker braked after half a second, and committed.
+/// The attacker braked after 0.5 s and was committed.
 Scenario adaptiveAttack() {
   Scenario scenario = attack();
   scenario.asked.request.mode = Mode::kAdaptive;
@@ -171,7 +171,7 @@ TEST(ScenarioFile, EveryFieldOfAWholeAttackIsFilled) {
   }
 }
 
-/// A line without the fields that version 5 did not have.
+/// Returns a line without the fields that version 5 does not have.
 std::string asOfVersion5(std::string line) {
   for (const char* field : {R"("tolerance":1.5,)", R"("effort":0.03125,)",
                             R"("first_other_t":null,)", R"("off_road":0.03,)"}) {
@@ -303,7 +303,7 @@ TEST(ScenarioFile, TrajectoriesHaveFromOnePointToTheLimit) {
   EXPECT_EQ(complaintAbout(scenarioLine(scenario), "", ""), "");
 }
 
-/// As many as may be asked for, by vehicles with as long a past as may be.
+/// The largest number of alternatives, by vehicles with the longest allowed past.
 TEST(ScenarioFile, TheLineLimitAllowsAllAlternativesWithTheirPasts) {
   Scenario scenario = addedAttack();
   AttackerTrajectory& trajectory = scenario.answer.trajectory;

@@ -31,7 +31,7 @@ class PatternNetworkFile : public testing::Test {
     return text.str();
   }
 
-  /// What reading a text says; empty when it succeeds.
+  /// Returns the error message of reading a text; "" if it succeeds.
   std::string complaintAbout(const std::string& text) const {
     std::ofstream(path_, std::ios::binary) << text;
     try {

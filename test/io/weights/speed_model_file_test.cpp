@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 const std::string kSource = COLLISION_FORGE_SOURCE_DIR;
 
-/// Drivers who keep their speed, nearly, or stand.
+/// Vehicles that almost keep their speed, or stand.
 SpeedModel smallModel() {
   std::vector<SpeedProfileRow> rows;
   for (int scene = 0; scene < 24; ++scene) {
@@ -46,7 +46,7 @@ class SpeedModelFile : public testing::Test {
     return text.str();
   }
 
-  /// What reading a text says; empty when it succeeds.
+  /// Returns the error message of reading a text; "" if it succeeds.
   std::string complaintAbout(const std::string& text) const {
     std::ofstream(path_) << text;
     try {
@@ -57,7 +57,7 @@ class SpeedModelFile : public testing::Test {
     return "";
   }
 
-  /// The complaint after the first `from` was replaced names file and `parts`.
+  /// Checks that the error message, after the first `from` is replaced, names the file and `parts`.
   void expectComplaint(const std::string& text, const std::string& from, const std::string& to,
                        const std::vector<std::string>& parts) const {
     const std::size_t at = text.find(from);

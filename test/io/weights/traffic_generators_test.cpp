@@ -10,7 +10,7 @@
 namespace forge {
 namespace {
 
-/// Generator weights of a configuration with this text.
+/// Returns the generator weights of a configuration with this text.
 class GeneratorWeights : public testing::Test {
  protected:
   GeneratorWeights() {
