@@ -23,7 +23,7 @@ foreach(test SilentRank.IsNamed SilentRank.ThatDealsIsNamed SilentRank.IsNamedWh
     COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe -np 2 $<TARGET_FILE:io_batch_tests> --gtest_filter=${test})
   set_tests_properties(${test} PROPERTIES
     ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1" TIMEOUT 60
-    PASS_REGULAR_EXPRESSION "rank [01] .process [0-9]+ on [^ ]+. has not been heard of for 1 s")
+    PASS_REGULAR_EXPRESSION "rank [01] .process [0-9]+ on [^ ]+. sent no heartbeat for 1 s")
 endforeach()
 # One that is not there when MPI starts or ends cannot be named.
 foreach(test SilentRank.ThatDoesNotComeIsNotWaitedFor SilentRank.ThatDoesNotComeToTheEndIsNotWaitedFor)

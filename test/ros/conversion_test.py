@@ -133,7 +133,7 @@ class BadConversionInputTest(road.RoadTest):
                 rows = json.loads(original)
                 rows[0][field] = name
                 (self.dataroot / VERSION / (table + '.json')).write_text(json.dumps(rows))
-                left = self.assert_refused([table + '.json', rows[0]['token'], field, 'cannot be the name of a file'])
+                left = self.assert_refused([table + '.json', rows[0]['token'], field, 'is not a valid file name'])
                 self.assertEqual(left, [])
                 (self.dataroot / VERSION / (table + '.json')).write_text(original)
         self.assertEqual(list(self.folder.glob('**/*evil*')), [])

@@ -196,7 +196,7 @@ class GenerateTest(road.RoadTest):
         self.assertFalse(self.out.exists())
         result = run(command or generate_command(self.requests, self.out, '--jobs', 2), **options)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn('{} of {} requests were done before'.format(kept, self.count), result.stderr)
+        self.assertIn('{} of {} requests were done in an earlier run'.format(kept, self.count), result.stderr)
         self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
         self.assertFalse(self.part.exists())
 
@@ -336,7 +336,7 @@ class GenerateTest(road.RoadTest):
             file.write_bytes(original + b'\n')
             result = run(command)
             self.assertEqual(result.returncode, 1, result.stderr)
-            self.assertRegex(result.stderr, 'was begun with {} = .*, now {} = '.format(name, name))
+            self.assertRegex(result.stderr, 'was made with {} = .*, not {} = '.format(name, name))
             file.write_bytes(original)
         self.assertEqual(run(command).returncode, 0)
         self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())

@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// A circle of `radius` about (0, radius) from the origin on, to the left, a point every `spacing`.
+/// A circle of `radius` around (0, radius) from the origin, to the left, a point every `spacing`.
 std::vector<Vector2> leftBend(double radius, double length, double spacing) {
   std::vector<Vector2> points;
   for (int i = 0; i * spacing <= length + 1e-9; ++i) {
@@ -23,7 +23,7 @@ std::vector<Vector2> mirrored(std::vector<Vector2> points) {
   return points;
 }
 
-TEST(ReferencePath, TellsItsBendsEveryMetre) {
+TEST(ReferencePath, ReturnsCurvatureEveryMetre) {
   const ReferencePath left(Polyline(leftBend(15.0, 30.4, 1.0)));
   const std::vector<double> bends = left.bends();
   ASSERT_EQ(bends.size(), static_cast<std::size_t>(left.length()) + 1);
@@ -37,7 +37,7 @@ TEST(ReferencePath, TellsItsBendsEveryMetre) {
   }
 }
 
-TEST(ReferencePath, HasAnotherOneBesideIt) {
+TEST(ReferencePath, HasAParallelPath) {
   const ReferencePath left(Polyline(leftBend(15.0, 30.0, 1.0)));
   const ReferencePath inside = left.beside(2.0);
   EXPECT_NEAR(inside.length(), left.length() * 13.0 / 15.0, 0.6) << "nearer to the middle";
@@ -48,7 +48,7 @@ TEST(ReferencePath, HasAnotherOneBesideIt) {
   EXPECT_NEAR(left.beside(-2.0).length(), left.length() * 17.0 / 15.0, 0.6);
 }
 
-TEST(ReferencePath, BeyondEitherEndGoesStraightOn) {
+TEST(ReferencePath, ContinuesStraightBeyondItsEnds) {
   const ReferencePath path(Polyline(leftBend(20.0, 20.0, 1.0)));
   for (const double beyond : {0.5, 3.0, 50.0}) {
     const ReferencePath::Place before = path.at(-beyond);
@@ -66,7 +66,7 @@ TEST(ReferencePath, BeyondEitherEndGoesStraightOn) {
   }
 }
 
-TEST(ReferencePath, OfABendHasItsCurvatureAndHeading) {
+TEST(ReferencePath, CurvatureAndHeadingMatchTheBend) {
   for (const double radius : {10.0, 20.0, 60.0}) {
     for (const double side : {1.0, -1.0}) {
       const std::vector<Vector2> left = leftBend(radius, 30.0, 0.5);
@@ -84,7 +84,7 @@ TEST(ReferencePath, OfABendHasItsCurvatureAndHeading) {
   }
 }
 
-TEST(ReferencePath, TakesTheKinksOutOfALine) {
+TEST(ReferencePath, SmoothsKinks) {
   // A corner of 0.6 rad within a line, as between two lanes that do not join smoothly.
   const Vector2 corner(15.0, 0.0);
   const Vector2 end = corner + 15.0 * Vector2(std::cos(0.6), std::sin(0.6));
@@ -100,7 +100,7 @@ TEST(ReferencePath, TakesTheKinksOutOfALine) {
   EXPECT_GT(path.at(15.0).pose.y, 0.1);
 }
 
-TEST(ReferencePath, ProjectsOntoTheClosestPlace) {
+TEST(ReferencePath, ProjectsToTheClosestPoint) {
   const ReferencePath path(Polyline(leftBend(20.0, 40.0, 1.0)));
   for (double s = -5.0; s <= 45.0; s += 1.37) {
     for (const double lateral : {-3.0, 0.0, 3.0}) {
@@ -111,7 +111,7 @@ TEST(ReferencePath, ProjectsOntoTheClosestPlace) {
   }
 }
 
-TEST(ReferencePath, OfAShortLineGoesOnAsTheLineDoes) {
+TEST(ReferencePath, ContinuesAShortLine) {
   const ReferencePath path(Polyline({{0.0, 0.0}, {0.0, 0.3}}));
   EXPECT_NEAR(path.length(), 0.3, 1e-9);
   EXPECT_NEAR(path.at(5.0).pose.y, 5.0, 1e-9);

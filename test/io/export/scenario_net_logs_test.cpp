@@ -20,7 +20,7 @@ using testing::IsEmpty;
 
 const std::string kEmbedded = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
 
-/// A description in the words of ScenarioNet alone, as its converters of other data sets write it.
+/// A description with ScenarioNet's own fields only, as converters of other data sets write it.
 struct Description {
   void writeTrack(PickleWriter& writer, const char* id, const char* type) const {
     writer.beginObject(id);
@@ -93,7 +93,7 @@ class ScenarioNetLogsTest : public testing::Test {
   std::vector<std::string> warnings_;
 };
 
-TEST_F(ScenarioNetLogsTest, WhatWasRecordedComesBack) {
+TEST_F(ScenarioNetLogsTest, RoundTripsARecording) {
   SceneSource tables({kEmbedded, ""}, {"scene-0001"}, shippedConfig(), 1);
   const auto told = tables.at("scene-0001");
   folder_.write(
@@ -135,7 +135,7 @@ TEST_F(ScenarioNetLogsTest, WhatWasRecordedComesBack) {
   EXPECT_EQ(back.map->driving_side, map.driving_side);
 }
 
-TEST_F(ScenarioNetLogsTest, ReadsWhatOthersConvert) {
+TEST_F(ScenarioNetLogsTest, ReadsDescriptionsOfOtherConverters) {
   const LoggedScene logged = read(Description().content());
   EXPECT_EQ(logged.recording.name, "sd_waymo_v1_a");
   EXPECT_EQ(logged.recording.ego_poses.at(0).timestamp_us, 1000000);
@@ -155,7 +155,7 @@ TEST_F(ScenarioNetLogsTest, ReadsWhatOthersConvert) {
   EXPECT_THAT(logged.lanes->map().lanes[1].incoming, ElementsAre("12"));
   EXPECT_TRUE(logged.lanes->map().lanes[1].is_connector);
   EXPECT_EQ(logged.lanes->map().drivable_area.size(), 2U);
-  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("the box of ego_vehicle.yaml is taken")));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("the size of ego_vehicle.yaml is used")));
 }
 
 TEST_F(ScenarioNetLogsTest, APolylineMayBeAListOfPoints) {
@@ -170,18 +170,18 @@ TEST_F(ScenarioNetLogsTest, APolylineMayBeAListOfPoints) {
   EXPECT_EQ(lane.centerline[1].y, 0.5);
 }
 
-TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsTurned) {
+TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsSwapped) {
   Description description;
   description.length = 2.0;
   description.width = 9.0;
   read(description.content());
-  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("taken for each other"), HasSubstr("9 m by 2 m")));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("are swapped"), HasSubstr("9 m by 2 m")));
   std::swap(description.length, description.width);
   EXPECT_EQ(read(description.content()).recording.frames.at(0).annotations.at(0).category,
             "vehicle.truck");
 }
 
-TEST_F(ScenarioNetLogsTest, NamesWhatIsWrong) {
+TEST_F(ScenarioNetLogsTest, ErrorsNameFileAndField) {
   Description no_ego;
   no_ego.ego = "70";
   EXPECT_THAT(problemOf(no_ego), HasSubstr("tracks: lacks the ego \"70\" of metadata.sdc_id"));
@@ -197,7 +197,7 @@ TEST_F(ScenarioNetLogsTest, NamesWhatIsWrong) {
   no_number.json.replace(begin, no_number.json.find('}', begin) + 1 - begin, "NaN");
   EXPECT_THAT([&] { read(no_number); },
               testing::ThrowsMessage<std::runtime_error>(
-                  HasSubstr("map_features.12.speed_limit_kmh: is no finite number")));
+                  HasSubstr("map_features.12.speed_limit_kmh: is not a finite number")));
   EXPECT_THROW(readBytes("cos\nsystem\n."), PickleError);
 }
 

@@ -10,13 +10,12 @@
 namespace forge {
 namespace {
 
-constexpr int kSmoothing = 2;  // points to either side that a point is the mean of
+constexpr int kSmoothing = 2;  // neighbours on each side in the moving average
 constexpr int kSmoothingRounds = 2;
-constexpr double kMinLength = 1.0;  // metres, shorter ways are none
-constexpr double kTightest = 0.8;  // of the radius of a bend that a path beside it is from the path
-constexpr double kMinBend = 1e-3;  // 1/m; straight is no bend
+constexpr double kTightest = 0.8;  // largest offset of a parallel path, as share of a bend's radius
+constexpr double kMinBend = 1e-3;  // 1/m; lower bound of bends()
 
-/// Points of the line from end to end, evenly spread, about a metre apart.
+/// Returns points of the line from end to end, evenly spaced by about 1 m.
 std::vector<Vector2> spread(const Polyline& line) {
   const int count = std::max(1, static_cast<int>(std::lround(line.length())));
   std::vector<Vector2> points;
@@ -45,10 +44,10 @@ ReferencePath::ReferencePath(double spacing, std::vector<Vector2> controls)
                          std::all_of(controls_.begin(), controls_.end(),
                                      [](const Vector2& p) { return p.allFinite(); });
   if (!is_usable) {
-    throw std::invalid_argument("a way of " + std::to_string(controls_.size()) + " points, " +
-                                std::to_string(spacing_) + " m apart, is none: it needs " +
-                                std::to_string(kMinControls) +
-                                " points or more, finite ones, and a distance above 0");
+    throw std::invalid_argument("reference path with " + std::to_string(controls_.size()) +
+                                " points, " + std::to_string(spacing_) +
+                                " m apart, is invalid: it needs " + std::to_string(kMinControls) +
+                                " finite points or more and a spacing above 0");
   }
 }
 
@@ -61,7 +60,7 @@ ReferencePath::ReferencePath(const Polyline& line) {
 void ReferencePath::setControls(const Polyline& line) {
   std::vector<Vector2> points = spread(line);
   spacing_ = line.length() / static_cast<double>(points.size() - 1);
-  // With an end repeated by its mirror image, the spline passes it straight.
+  // The mirrored neighbour of each end makes the spline end there with zero curvature.
   points.insert(points.begin(), 2.0 * points[0] - points[1]);
   points.push_back(2.0 * points.back() - points[points.size() - 2]);
   controls_ = std::move(points);
@@ -72,7 +71,7 @@ ReferencePath ReferencePath::beside(double across) const {
   std::vector<Vector2> points;
   for (std::size_t i = 0; i <= count; ++i) {
     const Place place = at(length() * static_cast<double>(i) / static_cast<double>(count));
-    // Within a bend that is tighter the path would go back.
+    // In a tighter bend the parallel path would run backwards.
     if (place.curvature * across > kTightest) continue;
     points.push_back(compose(place.pose, {0.0, across, 0.0}).position());
   }

@@ -15,11 +15,11 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Items a worker that may be under way or wait for their turn: enough that one slow item does not
-// stop the others, little enough to hold their results in memory.
+// Items per worker that may be pending or wait for their turn: enough that one slow item does not
+// stop the others, few enough to keep their results in memory.
 constexpr std::size_t kAheadPerWorker = 64;
-constexpr milliseconds kPoll{1};      // between two looks for messages; an item takes tens of these
-constexpr milliseconds kIdle{1'000};  // where there is nobody to get messages from
+constexpr milliseconds kPoll{1};      // between two polls for messages; an item takes tens of these
+constexpr milliseconds kIdle{1'000};  // without other ranks
 
 std::string textOf(const std::exception_ptr& error) {
   try {
@@ -49,7 +49,7 @@ ItemResult resultOf(const RankMessage& message) {
   return result;
 }
 
-/// Returns with the next message of a kind; others are dropped.
+/// Waits for the next message of a kind; drops others.
 void waitFor(const Ranks& ranks, MessageTag tag) {
   while (true) {
     const auto message = ranks.receive();
@@ -58,7 +58,7 @@ void waitFor(const Ranks& ranks, MessageTag tag) {
   }
 }
 
-/// The side of a run that deals and takes.
+/// The master's side of a run: assigns items and takes results.
 class Master {
  public:
   Master(std::size_t count, const WorkerPool::Work& work, const DispatchOptions& options)
@@ -81,7 +81,7 @@ class Master {
     }
   }
 
-  /// Returns when every other rank has left; what they still send is dropped.
+  /// Returns when every other rank has left; drops results that still arrive.
   void dismissOthers() const {
     tellOthers(MessageTag::kStop);
     for (int rank = 1; rank < ranks_.size(); ++rank) waitFor(ranks_, MessageTag::kLeft);
@@ -118,12 +118,12 @@ class Master {
   }
 
   const Ranks& ranks_;
-  std::vector<std::size_t> wanted_;  // items that each other rank could have now
+  std::vector<std::size_t> wanted_;  // number of items that each other rank can take now
   Ledger ledger_;
   WorkerPool pool_;
 };
 
-/// The side of a run in every other rank.
+/// The side of every other rank: works on the items that it receives.
 void serve(const WorkerPool::Work& work, int jobs) {
   const Ranks& ranks = Ranks::get();
   {

@@ -43,7 +43,7 @@ double ScenarioMotion::endTime() const {
   return std::max(standTime(), std::min(standTime() + view_.seconds_after_stand, lastKnownTime()));
 }
 
-/// Without a contact, the end of what ego and attacker drive; with one, the end of the recording.
+/// Without a contact, the end of the motion of ego and attacker; with one, of the recording.
 double ScenarioMotion::lastKnownTime() const {
   double last = view_.future.ego.states.back().time;
   if (!view_.report.contact) {

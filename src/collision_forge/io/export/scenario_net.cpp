@@ -69,8 +69,8 @@ class ScenarioNetWriter : public CrashWriter {
 std::unique_ptr<CrashWriter> makeScenarioNetWriter(const ExportPlan& plan) {
   if (plan.ego_free) {
     throw std::invalid_argument(
-        "format scenarionet has no free ego: its tracks have a state at every step; who replays "
-        "them may leave the ego's out");
+        "format scenarionet does not support a free ego: its tracks need a state at every step; "
+        "leave out the ego's track when replaying");
   }
   return std::make_unique<ScenarioNetWriter>(plan);
 }

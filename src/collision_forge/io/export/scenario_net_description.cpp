@@ -12,7 +12,7 @@
 namespace forge {
 namespace {
 
-// What the names of files are made of, as the format wants it.
+// Parts of the file names that the format prescribes.
 constexpr const char* kDataset = "collision_forge";
 constexpr const char* kVersion = "v1";
 constexpr const char* kEnding = ".pkl";

@@ -11,11 +11,11 @@
 namespace forge {
 namespace {
 
-constexpr double kTicks = 1e6;  // of the clock in a second
+constexpr double kTicks = 1e6;  // ticks of the clock per second
 
-/// When a row is.
+/// The time of a row.
 struct RowTime {
-  double of_scene = 0.0;  ///< s, on the scene's clock
+  double of_scene = 0.0;  ///< s from the first row
   double told = 0.0;      ///< s, from the first row on
 };
 
@@ -35,15 +35,15 @@ std::vector<RowTime> rowsAt(const std::vector<double>& times) {
   return rows;
 }
 
-/// The frames, and the times at which the ego was recorded.
+/// Returns the frame times and the times at which the ego was recorded.
 std::vector<double> recordedTimes(const Scene& scene, const std::vector<double>& frames) {
   std::set<double> times(frames.begin(), frames.end());
   for (const AgentState& state : scene.ego.states) times.insert(state.time);
   return {times.begin(), times.end()};
 }
 
-/// A step at a frame, to a tick, is at the frame's time, so that rounding does not step over
-/// somebody's first or last state.
+/// Returns a row every `step` s. A row within a tick of a frame gets the frame's time, so that
+/// rounding does not skip a track's first or last state.
 std::vector<RowTime> rowsEvery(double step, const std::vector<double>& frames) {
   std::vector<RowTime> rows;
   const double duration = frames.back() - frames.front();
@@ -58,7 +58,7 @@ std::vector<RowTime> rowsEvery(double step, const std::vector<double>& frames) {
   return rows;
 }
 
-/// The track's states at the rows at which it has one, over gaps of `max_gap` seconds.
+/// Returns the track's states at the rows, interpolated over gaps of at most `max_gap` s.
 Track sampled(const Track& track, const std::vector<RowTime>& rows, double max_gap) {
   Track result{track.id, track.agent_class, track.size, {}};
   for (const RowTime& row : rows) {
@@ -73,7 +73,7 @@ Track sampled(const Track& track, const std::vector<RowTime>& rows, double max_g
 Track egoTrack(const Scene& scene, const std::vector<RowTime>& rows) {
   Track ego = sampled(scene.ego, rows, kMaxGap);
   if (ego.states.size() < rows.size()) {
-    throw std::runtime_error("the ego is lost for a time in " + scene.name);
+    throw std::runtime_error("the ego's track has a gap in " + scene.name);
   }
   ego.id = kEgoId;
   return ego;

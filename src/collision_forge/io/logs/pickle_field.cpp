@@ -68,7 +68,7 @@ std::vector<std::pair<std::string, PickleField>> PickleField::entries() const {
 }
 
 std::vector<PickleField> PickleField::list() const {
-  if (!value_->IsArray()) fail("is no list");
+  if (!value_->IsArray()) fail("is not a list");
   std::vector<PickleField> found;
   for (const auto& value : value_->GetArray()) found.push_back({where_, value, content_});
   return found;
@@ -77,12 +77,12 @@ std::vector<PickleField> PickleField::list() const {
 bool PickleField::isText() const { return value_->IsString(); }
 
 std::string PickleField::text() const {
-  if (!isText()) fail("is no text");
+  if (!isText()) fail("is not a string");
   return value_->GetString();
 }
 
 double PickleField::number() const {
-  if (!value_->IsNumber() || !std::isfinite(value_->GetDouble())) fail("is no finite number");
+  if (!value_->IsNumber() || !std::isfinite(value_->GetDouble())) fail("is not a finite number");
   return value_->GetDouble();
 }
 
@@ -104,7 +104,7 @@ std::vector<std::string> PickleField::words() const {
 std::vector<double> PickleField::column(std::optional<std::size_t> rows) const {
   const std::vector<std::size_t> sizes = shape();
   if (sizes.empty() || sizes.size() > 2 || (sizes.size() == 2 && sizes[1] != 1)) {
-    fail("is no array of one dimension");
+    fail("is not an array of one dimension");
   }
   requireRows(rows, sizes[0]);
   return numbers();
@@ -122,7 +122,7 @@ std::vector<Vector2> PickleField::points(std::optional<std::size_t> rows) const 
 bool PickleField::isArray() const { return value_->IsObject() && value_->HasMember("ndarray"); }
 
 void PickleField::requireDict() const {
-  if (!value_->IsObject() || isArray()) fail("is no dict");
+  if (!value_->IsObject() || isArray()) fail("is not a dict");
 }
 
 void PickleField::requireRows(std::optional<std::size_t> rows, std::size_t found) const {
@@ -160,7 +160,7 @@ std::vector<double> PickleField::numbers() const {
 
 std::vector<std::int64_t> PickleField::integers() const {
   const std::vector<std::int64_t> found = items<std::int64_t>();
-  if (!found.empty() && !isOfIntegers()) fail("is no array of whole numbers");
+  if (!found.empty() && !isOfIntegers()) fail("is not an array of integers");
   return found;
 }
 
@@ -169,7 +169,7 @@ std::vector<Vector2> PickleField::pointsOfArray() const {
   const std::vector<double> all = numbers();
   std::vector<Vector2> found;
   if (all.empty()) return found;
-  if (sizes.size() != 2 || sizes[1] < 2) fail("is no array of points");
+  if (sizes.size() != 2 || sizes[1] < 2) fail("is not an array of points");
   for (std::size_t first = 0; first < all.size(); first += sizes[1]) {
     found.emplace_back(all[first], all[first + 1]);
   }
@@ -190,7 +190,7 @@ std::string PickleField::word() const {
   if (isText()) return value_->GetString();
   if (value_->IsInt64()) return std::to_string(value_->GetInt64());
   if (value_->IsUint64()) return std::to_string(value_->GetUint64());
-  fail("holds what is neither a text nor a whole number");
+  fail("has an element that is neither a string nor an integer");
 }
 
 }  // namespace forge

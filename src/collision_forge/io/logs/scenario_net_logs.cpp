@@ -22,11 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kEarliest = 1.0;          // s
-constexpr double kMicroseconds = 1e6;      // in a second
-constexpr double kKilometresAnHour = 3.6;  // in a metre a second
+constexpr double kEarliest = 1.0;          // s, earliest start of a scene
+constexpr double kMicroseconds = 1e6;      // per second
+constexpr double kKilometresAnHour = 3.6;  // km/h in 1 m/s
 constexpr double kLongestCar = 6.5;        // m; longer vehicles are trucks
-constexpr double kSameSize = 0.01;         // m
+constexpr double kSameSize = 0.01;         // m; tolerance on the ego's size
 
 std::int64_t microseconds(double seconds) { return std::llround(seconds * kMicroseconds); }
 
@@ -38,7 +38,7 @@ AgentClass classOf(const std::string& type, const std::optional<PickleField>& me
                    double length) {
   if (const auto given = metadata ? metadata->find("class") : std::nullopt) {
     if (const auto known = agentClassFromString(given->text())) return *known;
-    given->fail("\"" + given->text() + "\" is no class of this suite");
+    given->fail("\"" + given->text() + "\" is not a known agent class");
   }
   if (type == "VEHICLE") return length > kLongestCar ? AgentClass::kTruck : AgentClass::kCar;
   if (type == "PEDESTRIAN") return AgentClass::kPedestrian;
@@ -46,7 +46,7 @@ AgentClass classOf(const std::string& type, const std::optional<PickleField>& me
   return AgentClass::kStaticObject;
 }
 
-/// A track of the file, a state where it is valid; its box is the first one's.
+/// A track of the file with a state in each valid row; its box is the first valid row's.
 struct RecordedTrack {
   RecordedTrack(const std::string& id, const PickleField& field, const std::vector<double>& times);
 
@@ -83,7 +83,7 @@ RecordedTrack::RecordedTrack(const std::string& id, const PickleField& field,
   track.agent_class = classOf(field.at("type").text(), field.find("metadata"), track.size.length);
 }
 
-/// Of a dict: the outlines below "interiors".
+/// Returns the outlines in the dict's "interiors".
 std::vector<std::vector<Vector2>> holesOf(const PickleField& polygon) {
   std::vector<std::vector<Vector2>> holes;
   const auto interiors = polygon.find("interiors");
@@ -92,7 +92,7 @@ std::vector<std::vector<Vector2>> holesOf(const PickleField& polygon) {
   return holes;
 }
 
-/// Lanes, walkways and ground of map_features.
+/// Reads lanes and walkways of map_features.
 class MapReader {
  public:
   LaneMap read(const PickleField& features) {
@@ -129,7 +129,7 @@ class MapReader {
     map_.walkways.push_back({outline->points(), holesOf(feature)});
   }
 
-  /// Empty for a line without length.
+  /// Returns an empty list for a line of length 0.
   static std::vector<Pose2> centerline(const std::vector<Vector2>& points) {
     constexpr double kCoincidence = 1e-6;  // m, as Polyline
     const auto differs = [&](const Vector2& point) {
@@ -145,7 +145,7 @@ class MapReader {
     return poses;
   }
 
-  /// Makes links mutual, without those that lead out of the file.
+  /// Makes links mutual and drops links to lanes that are not in the file.
   void link() {
     std::unordered_map<std::string, std::size_t> places;
     for (const Lane& lane : map_.lanes) places.emplace(lane.id, places.size());
@@ -191,7 +191,7 @@ DrivingSide sideOf(const std::optional<PickleField>& own, const std::string& loc
   try {
     return drivingSide(options, location);
   } catch (const ConfigError&) {
-    return DrivingSide::kRight;  // as nearly all data sets that ScenarioNet converts
+    return DrivingSide::kRight;  // as in nearly all data sets that ScenarioNet converts
   }
 }
 
@@ -231,7 +231,7 @@ class DescriptionReader {
     times_ = field.column();
     for (std::size_t i = 0; i < times_.size(); ++i) {
       if (std::isfinite(times_[i]) && (i == 0 || times_[i] > times_[i - 1])) continue;
-      field.fail("row " + std::to_string(i) + " is not after the one before");
+      field.fail("row " + std::to_string(i) + " is not after the previous time");
     }
     if (times_.size() < 2) field.fail("has fewer than two times");
     const auto start = own_ ? own_->find("start") : std::nullopt;
@@ -261,19 +261,19 @@ class DescriptionReader {
       }
     }
     if (!has_ego) root_.at("tracks").fail("lacks the ego \"" + ego + "\" of metadata.sdc_id");
-    if (recording.ego_poses.empty()) root_.at("tracks").fail("the ego is nowhere valid");
+    if (recording.ego_poses.empty()) root_.at("tracks").fail("the ego is valid in no row");
   }
 
   void addEgo(Track ego, NuScenesRecording& recording) {
     const EgoVehicle& vehicle = options_.ego_vehicle;
     if (ego.size.width > ego.size.length) {
       std::swap(ego.size.width, ego.size.length);
-      warn("length and width of the ego are taken for each other");
+      warn("the ego is wider than long: length and width are swapped");
     }
     if (std::abs(ego.size.length - vehicle.size.length) > kSameSize ||
         std::abs(ego.size.width - vehicle.size.width) > kSameSize) {
       warn("the ego is " + numberText(ego.size.length) + " m by " + numberText(ego.size.width) +
-           " m there; the box of ego_vehicle.yaml is taken");
+           " m in the file; the size of ego_vehicle.yaml is used");
     }
     for (const AgentState& state : ego.states) {
       const Pose2 base = compose(state.pose, {-vehicle.center_offset, 0.0, 0.0});
@@ -323,8 +323,8 @@ class DescriptionReader {
   std::string path_;
   PickleField root_;
   PickleField metadata_;
-  std::optional<PickleField> own_;  // what the format has no word for, in files of this suite
-  std::vector<double> times_;       // of the rows
+  std::optional<PickleField> own_;  // fields of this package that the format does not define
+  std::vector<double> times_;       // of the rows, s
   std::vector<double> frame_times_;
 };
 
@@ -332,7 +332,7 @@ bool isDescription(const fs::path& path) {
   return path.extension() == ".pkl" && path.filename().string().rfind("sd_", 0) == 0;
 }
 
-/// By name, in that order.
+/// Returns the paths of the descriptions by scene name.
 std::map<std::string, std::string> descriptionsIn(const std::string& folder) {
   std::map<std::string, std::string> found;
   std::error_code ignored;
@@ -340,7 +340,7 @@ std::map<std::string, std::string> descriptionsIn(const std::string& folder) {
     if (!isDescription(entry.path())) continue;
     const std::string path = entry.path().string();
     const auto [same, is_new] = found.emplace(nameOf(entry.path()), path);
-    if (!is_new) throw std::runtime_error(path + ": has the name of " + same->second);
+    if (!is_new) throw std::runtime_error(path + ": has the same scene name as " + same->second);
   }
   return found;
 }

@@ -6,7 +6,7 @@
 namespace forge {
 namespace {
 
-/// The same, called by one thread at a time.
+/// Wraps `on_warnings` so that one thread calls it at a time.
 OnWarnings oneAtATime(OnWarnings on_warnings) {
   if (!on_warnings) return on_warnings;
   return [on_warnings = std::move(on_warnings), mutex = std::make_shared<std::mutex>()](
@@ -36,7 +36,7 @@ std::shared_ptr<const IndexedScene> SceneSource::at(const std::string& name) {
   return scene.get();
 }
 
-/// Reads a scene that is not held, without the lock.
+/// Reads a scene that is not cached; releases the lock while reading.
 SceneSource::ReadScene SceneSource::read(const std::string& name,
                                          std::unique_lock<std::mutex>& lock) {
   std::promise<std::shared_ptr<const IndexedScene>> promise;
