@@ -118,7 +118,7 @@ TEST(ReferencePath, ContinuesAShortLine) {
   EXPECT_NEAR(path.at(5.0).pose.yaw, M_PI_2, 1e-9);
 }
 
-TEST(ReferencePath, APoseIsSeenFromThePath) {
+TEST(ReferencePath, ReturnsFrenetCoordinates) {
   const ReferencePath path(Polyline(leftBend(40.0, 60.0, 1.0)));
   const Pose2 place = path.at(25.0).pose;
   const PathPose seen = path.seen(compose(place, {0.0, -1.5, 0.3}));
