@@ -7,6 +7,10 @@
 
 namespace forge {
 
+inline constexpr double kPreview = 0.8;  ///< s that the steering looks ahead
+/// Of every limit of the class; the rest is for readers that round poses.
+inline constexpr double kLimitShare = 0.93;
+
 /// One step of a plan that is to be driven.
 struct PlannedStep {
   Pose2 middle;        ///< where the box's middle should be, global map frame

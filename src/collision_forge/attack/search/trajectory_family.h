@@ -65,15 +65,16 @@ struct SteeringKnots {
 /// step. Can turn from rest, brake and turn hard: what a quintic cannot.
 class BicycleFamily : public TrajectoryFamily {
  public:
-  BicycleFamily(const VehicleLimits& limits, const BicycleOptions& options)
-      : limits_(limits), options_(options) {}
+  static constexpr double kMaxMiss = 1.0;  ///< m between arrival and reached position
+
+  explicit BicycleFamily(const VehicleLimits& limits) : limits_(limits) {}
 
   /// solve(), then roll(). The arrival's start and end acceleration are not used.
   bool drive(const DriveStart& start, const Arrival& arrival,
              std::vector<TrajectoryPoint>& points) const override;
 
   /// Knots that bring the bicycle to the arrival, found by damped least squares (Levenberg 1944,
-  /// Marquardt 1963); empty when it stays further than `max_miss` away.
+  /// Marquardt 1963); empty when it stays further than kMaxMiss away.
   std::optional<SteeringKnots> solve(const DriveStart& start, const Arrival& arrival) const;
 
   /// Steers for `duration` seconds, then goes straight on.
@@ -82,7 +83,6 @@ class BicycleFamily : public TrajectoryFamily {
 
  private:
   VehicleLimits limits_;
-  BicycleOptions options_;
 };
 
 }  // namespace forge
