@@ -29,7 +29,7 @@ const AttackOptions& quickOptions() {
     quick.search.corrections = quick.search.rounds = quick.search.perturbations = 1;
     quick.search.bicycle_targets = quick.search.bicycle_rounds = 1;
     quick.search.bicycle_perturbations = 1;
-    quick.route.rounds = quick.route.perturbations = quick.route.drafted = 1;
+    quick.route.rounds = quick.route.perturbations = 1;
     quick.route.ways = 2;
     return quick;
   }();

@@ -118,7 +118,7 @@ TEST_F(AddedDrivesTest, WhoStartsStandsNow) {
   EXPECT_EQ(drive_.back.front(), drive_.back.back()) << "stood all along";
   EXPECT_GT(drive_.at(1), drive_.at(0));
   ASSERT_TRUE(plan(meeting, {AddedManner::kStart, 1.2, true}));
-  const int waited = static_cast<int>(std::lround(options_.added.wait / AddedDrive::kStep));
+  const int waited = static_cast<int>(std::lround(AddedDrive::kWait / AddedDrive::kStep));
   EXPECT_EQ(drive_.at(-waited), drive_.at(0));
   EXPECT_LT(drive_.at(-waited - 1), drive_.at(0)) << "came there";
 }
@@ -167,8 +167,7 @@ TEST_F(AddedDrivesTest, InLaneChangesParkWhereThatIsAskedForOrTheEgoHasTheLane) 
   EXPECT_EQ(kindsOf(own).front(), AddedManner::kPark);
   EXPECT_EQ(kindsOf(beside).back(), AddedManner::kPark);
   scene_.request.manoeuvre = Manoeuvre::kPullOut;
-  EXPECT_EQ(kindsOf(own),
-            std::vector<AddedManner::Kind>(options_.added.parked.size(), AddedManner::kPark));
+  EXPECT_EQ(kindsOf(own), std::vector<AddedManner::Kind>(2, AddedManner::kPark));
   scene_.request.manoeuvre = Manoeuvre::kCutIn;
   EXPECT_FALSE(has(kindsOf(own), AddedManner::kPark));
 }

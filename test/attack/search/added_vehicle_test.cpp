@@ -119,7 +119,7 @@ TEST(AddedVehicle, RidesBesideTheEgoWhereNobodyCanBeParked) {
   ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
   EXPECT_EQ(answer.trajectory.agent_class, AgentClass::kMotorcycle);
   EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kDrift);
-  EXPECT_GE(answer.effort, scene.options.added.riding_cost);
+  EXPECT_GE(answer.effort, kRidingCost);
   scene.request.attacker_class = AgentClass::kMotorcycle;
   const Realization asked = scene.result();
   ASSERT_EQ(asked.status.code, StatusCode::kOk) << asked.status.message;

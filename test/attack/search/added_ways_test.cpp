@@ -71,13 +71,13 @@ TEST_F(AddedWaysTest, CapSpeedsInABendAndBeforeAndAfterIt) {
   for (double y = kRadius + 1.0; y < 60.0; y += 1.0)
     lane.centerline.push_back({kRadius, y, M_PI_2});
   const AddedWay& way = wayTo({0, 120.0, {}});
-  const double slowest = std::sqrt(options_.lateral * kRadius);
+  const double slowest = std::sqrt(AddedWay::kLateral * kRadius);
   EXPECT_NEAR(way.cap(60.0 + 0.5 * kRadius * M_PI_2), slowest, 0.3);
-  EXPECT_NEAR(way.cap(20.0), std::sqrt(slowest * slowest + 2.0 * options_.braking * 40.0), 1.5);
+  EXPECT_NEAR(way.cap(20.0), std::sqrt(slowest * slowest + 2.0 * AddedWay::kBraking * 40.0), 1.5);
   EXPECT_GT(way.cap(115.0), 1.5 * slowest) << "leaves the bend";
   for (std::size_t i = 1; i < way.caps.size(); ++i) {
     const double change = way.caps[i] * way.caps[i] - way.caps[i - 1] * way.caps[i - 1];
-    EXPECT_LE(std::abs(change), 2.0 * options_.braking + 1e-9) << i << " m along";
+    EXPECT_LE(std::abs(change), 2.0 * AddedWay::kBraking + 1e-9) << i << " m along";
   }
   EXPECT_EQ(way.cap(-5.0), way.caps.front());
   EXPECT_EQ(way.cap(1e4), way.caps.back());

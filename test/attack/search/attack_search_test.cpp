@@ -217,7 +217,7 @@ TEST(SearchAttacks, TheBicycleFindsWhatNoQuinticCan) {
   const double with_bicycle = share(scene.found());
   scene.options.search.bicycle_targets = 0;
   scene.options.search.bicycle_rounds = 0;
-  scene.options.steering.rounds = 0;
+  scene.options.search.steering_rounds = 0;
   EXPECT_EQ(share(scene.found()), 0.0);
   EXPECT_EQ(with_bicycle, 1.0);
 }
@@ -267,7 +267,7 @@ TEST(SearchAttacks, ExactlyPayForAMissMoreThanForAnythingElse) {
   scene.exact = true;
   const auto attacks = scene.found({scene.pattern("beside", atLeftRearCorner(-0.3), 11.0)});
   ASSERT_FALSE(attacks.empty());
-  EXPECT_TRUE(isExact(attacks[0].miss, scene.options.search));
+  EXPECT_TRUE(isExact(attacks[0].miss));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ struct Case {
     arrival.speed = end_speed;
   }
   bool drive() {
-    const BicycleFamily bicycle(options.verification.limits, options.bicycle);
+    const BicycleFamily bicycle(options.verification.limits);
     const auto knots = bicycle.solve(start, arrival);
     if (knots) bicycle.roll(start, *knots, arrival.time, points);
     return knots.has_value();
@@ -71,8 +71,7 @@ TEST(BicycleFamily, KnotsAreLinearInBetweenAndHeldToTheLimits) {
   SteeringKnots knots;
   knots.acceleration = {0.0, 2.0, 2.0, 100.0, -100.0};
   knots.curvature = {0.0, 0.02, -0.02, 9.0, 0.0};
-  BicycleFamily(motion.options.verification.limits, motion.options.bicycle)
-      .roll(motion.start, knots, 4.0, motion.points);
+  BicycleFamily(motion.options.verification.limits).roll(motion.start, knots, 4.0, motion.points);
   EXPECT_NEAR(motion.points[5].acceleration, 1.0, 1e-9);
   EXPECT_NEAR(motion.points[5].curvature, 0.01, 1e-9);
   EXPECT_NEAR(motion.points[15].acceleration, 2.0, 1e-9);
@@ -98,7 +97,7 @@ TEST(BicycleFamily, NeverBreaksTheLimitsAndAlwaysArrivesOnRandomArrivals) {
     if (!motion.drive()) continue;
     SCOPED_TRACE(i);
     ++driven;
-    EXPECT_LE(motion.miss(), motion.options.bicycle.max_miss + 1e-6);
+    EXPECT_LE(motion.miss(), BicycleFamily::kMaxMiss + 1e-6);
     motion.expectWithinLimits();
   }
   EXPECT_GT(driven, 200);
@@ -116,13 +115,12 @@ TEST(BicycleFamily, HasNoMotionToWhatCannotBeReached) {
 }
 
 TEST(BicycleFamily, TakesAMissOfUpToMaxMiss) {
-  // Two metres short of what full braking makes possible: 20 m/s stop in 25 m at 8 m/s2.
-  Case motion({}, 20.0, 4.0, {23.0, 0.0, 0.0}, 0.0);
-  EXPECT_FALSE(motion.drive());
-  motion.options.bicycle.max_miss = 3.0;
-  ASSERT_TRUE(motion.drive());
-  EXPECT_GT(motion.miss(), 1.0);
-  EXPECT_LE(motion.miss(), 3.0);
+  // 20 m/s stop in 25 m at 8 m/s2.
+  Case near({}, 20.0, 4.0, {24.5, 0.0, 0.0}, 0.0);
+  ASSERT_TRUE(near.drive());
+  EXPECT_GT(near.miss(), 0.1);
+  EXPECT_LE(near.miss(), BicycleFamily::kMaxMiss);
+  EXPECT_FALSE(Case({}, 20.0, 4.0, {23.0, 0.0, 0.0}, 0.0).drive());
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ TEST(FutureScorer, TellsTheContactInThePreferredFutureOrTheMiddleOneThatIsHit) {
 
 TEST(FutureScorer, HeadingsAreKeptWithAMarginToTheBand) {
   const TypeDefinition band = shippedCrash().types.at(CollisionType::kRearEnd);
-  const double narrowed = band.max_heading - shippedOptions().search.heading_margin;
+  const double narrowed = band.max_heading - kHeadingMargin;
   for (const double sign : {1.0, -1.0}) {
     Case scene;
     for (const double yaw : {narrowed - 0.002, narrowed + 0.002}) {

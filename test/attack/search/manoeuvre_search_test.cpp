@@ -133,7 +133,7 @@ TEST_F(ManoeuvreSearchTest, ABusDrivesAsABusCan) {
 TEST_F(ManoeuvreSearchTest, OfManyVehiclesTheOneThatCanIsFound) {
   // All but the leader are too far away to be there in time.
   std::vector<Track> others;
-  for (int i = 0; i <= options_.route.drafted; ++i) {
+  for (int i = 0; i <= kDrafted; ++i) {
     others.push_back(
         pastTrack("ahead " + std::to_string(i), kCarSize, {40.0 + 6.0 * i, 0.0, 0.0}, 14.0));
   }

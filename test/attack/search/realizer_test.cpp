@@ -6,9 +6,11 @@
 #include <stdexcept>
 
 #include "attack/search/test_scenes.h"
+
 #include "collision_forge/attack/forecast/kinematic_prediction.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/search/placement.h"
+#include "collision_forge/attack/search/search_task.h"
 #include "collision_forge/attack/verify/limits.h"
 
 namespace forge {
@@ -95,8 +97,8 @@ TEST(Realize, ExactlyAnswersWithThePatternAskedFor) {
   attack.pattern.attacker_offset = attackerOffset(kEgoSize, kCarSize, Side::kRear, 0.1, 0.5, 0.0);
   const Realization result = attack.result();
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
-  EXPECT_LE(result.miss.distance, attack.options.search.exact_distance);
-  EXPECT_LE(result.miss.heading, attack.options.search.exact_heading);
+  EXPECT_LE(result.miss.distance, kExactDistance);
+  EXPECT_LE(result.miss.heading, kExactHeading);
 }
 
 TEST(Realize, ExactlyRefusesAPatternThatNobodyCanCome) {

@@ -29,7 +29,7 @@ class RouteTest : public testing::Test {
     DriveState now;
     now.axle = {x - limits_.axle_to_middle, y, 0.0};
     now.speed = speed;
-    return {ReferencePath(bend()), now, limits_, options_};
+    return {ReferencePath(bend()), now, limits_};
   }
 
   /// The style by which it was planned.
@@ -46,7 +46,6 @@ class RouteTest : public testing::Test {
     return (planned[i + 1].middle - planned[i].middle).norm() / kStep;
   }
 
-  const RouteDriverOptions options_ = shippedOptions().route;
   const DriveLimits limits_ =
       driveLimitsOf(AgentClass::kCar, kCarSize, shippedOptions().verification.drivable);
 };
@@ -96,7 +95,7 @@ TEST_F(RouteTest, DrivesByTheTamestStyleThatArrives) {
     EXPECT_GE(*style, wildest) << "the farther, the harder";
     wildest = *style;
   }
-  EXPECT_EQ(wildest + 1, options_.styles.size());
+  EXPECT_EQ(wildest + 1, kDrivingStyles.size());
   wanted.at.along = 90.0;
   EXPECT_FALSE(plan(route, wanted, planned)) << "nobody gets there";
   wanted.at.along = 8.0;
@@ -111,7 +110,7 @@ TEST_F(RouteTest, SlowsDownForABend) {
   wanted.at = {66.0, 0.0, 0.0};
   const auto style = plan(route, wanted, planned);
   ASSERT_TRUE(style);
-  const double lateral = options_.styles[*style].lateral;
+  const double lateral = kDrivingStyles[*style].lateral;
   for (std::size_t i = 0; i + 6 < planned.size(); ++i) {
     if (planned[i].middle.x() < 62.0) continue;
     EXPECT_LT(speedAt(planned, i), 1.25 * std::sqrt(lateral * 12.0)) << i;

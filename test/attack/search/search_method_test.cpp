@@ -378,7 +378,7 @@ TEST(SearchMethod, TakesAnyBelievableMotionWhereNobodyCanAttackAlongARoute) {
   scene.request.choice = AttackerChoice::kExisting;
   const Realization along = scene.result();
   ASSERT_EQ(along.status.code, StatusCode::kOk) << along.status.message;
-  scene.options.route.reach = 0.01;  // so that no route leads to the ego
+  scene.options.route.ways = 0;  // so that no route leads to the ego
   for (const auto& choice : {AttackerChoice::kExisting, AttackerChoice::kAny}) {
     scene.request.choice = choice;
     const Realization answer = scene.result();

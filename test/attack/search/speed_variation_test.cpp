@@ -33,17 +33,16 @@ TEST(SpeedVariation, GainsTheWayOfItsAcceleration) {
 TEST(SpeedVariation, IsNoneByDefault) { EXPECT_EQ(SpeedVariation().way(-3.0), 0.0); }
 
 TEST(SpeedVariation, FollowsFromIdAndSeed) {
-  const RouteDriverOptions options = shippedOptions().route;
-  const SpeedVariation first = variationOf("a", 1, options);
-  EXPECT_EQ(variationOf("a", 1, options).phase, first.phase);
-  EXPECT_NE(variationOf("b", 1, options).phase, first.phase);
-  EXPECT_NE(variationOf("a", 2, options).phase, first.phase);
+  const SpeedVariation first = variationOf("a", 1);
+  EXPECT_EQ(variationOf("a", 1).phase, first.phase);
+  EXPECT_NE(variationOf("b", 1).phase, first.phase);
+  EXPECT_NE(variationOf("a", 2).phase, first.phase);
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const SpeedVariation variation = variationOf("a", seed, options);
+    const SpeedVariation variation = variationOf("a", seed);
     EXPECT_GE(variation.amplitude, 0.0);
-    EXPECT_LE(variation.amplitude, options.variation);
-    EXPECT_GE(variation.period, options.variation_periods.front());
-    EXPECT_LE(variation.period, options.variation_periods.back());
+    EXPECT_LE(variation.amplitude, kMaxVariation);
+    EXPECT_GE(variation.period, kShortestPeriod);
+    EXPECT_LE(variation.period, kLongestPeriod);
   }
 }
 

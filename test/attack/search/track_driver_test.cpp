@@ -18,10 +18,7 @@ DriveLimits limitsOf(AgentClass agent_class, const BoxSize& size) {
   return driveLimitsOf(agent_class, size, shippedOptions().verification.drivable);
 }
 
-TrackDriver driverOf(const DriveLimits& limits) {
-  const RouteDriverOptions options = shippedOptions().route;
-  return {limits, options.limit_share, options.preview, kStep};
-}
+TrackDriver driverOf(const DriveLimits& limits) { return {limits, kLimitShare, kPreview, kStep}; }
 
 DriveState stateAt(const Pose2& middle, double speed, const DriveLimits& limits) {
   DriveState state;

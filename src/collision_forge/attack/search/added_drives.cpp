@@ -6,10 +6,20 @@
 #include <optional>
 
 #include "collision_forge/attack/search/placement.h"
+#include "collision_forge/attack/search/route_driver.h"
 
 namespace forge {
 namespace {
 
+// m/s2 from now on of a vehicle that drove as the ego did so far.
+constexpr double kClosings[] = {0.6, 0.0, -0.6, 1.2, -1.2, -2.0};
+constexpr double kStarts[] = {1.2, 0.8, 1.8};  // m/s2 of a vehicle that stands now
+constexpr double kParked[] = {3.0, 5.0};       // m before the meeting, of a vehicle that pulls out
+constexpr double kLeastGap = 1.5;              // m to the ego until now, in the ego's lane
+constexpr double kRidingGap = 0.5;  // m from the ego's side to a motorcycle in its lane until now
+constexpr double kAside = 0.7;      // m from the lane's middle of a vehicle that crosses the centre
+                                    // line, if no vehicle that keeps to the middle can
+constexpr double kLeastCrossingSpeed = 4.5;  // m/s; slower vehicles do not get across in time
 constexpr double kStep = AddedDrive::kStep;
 constexpr double kGettingGoing = 0.4;  // s until somebody who stood has its acceleration
 constexpr double kOwnLane = 1.5;       // m from the middle of a way: the way is the ego's own
@@ -76,11 +86,7 @@ Pose2 AddedDrive::poseAt(const ReferencePath& path, int steps) const {
 }
 
 AddedDrives::AddedDrives(const AddedVehicleInput& input, const AttackOptions& options)
-    : input_(input),
-      added_(options.added),
-      route_(options.route),
-      past_(input.known()),
-      steps_back_(stepsBack(past_)) {}
+    : input_(input), added_(options.added), past_(input.known()), steps_back_(stepsBack(past_)) {}
 
 std::vector<AddedManner> AddedDrives::mannersOf(const AddedMeeting& meeting) const {
   switch (input_.request.type) {
@@ -117,7 +123,7 @@ std::vector<AddedManner> AddedDrives::mannersInLane(const AddedMeeting& meeting)
 
 std::vector<AddedManner> AddedDrives::mannersBeside(const AddedMeeting& meeting) const {
   std::vector<AddedManner> parks;
-  for (const double before : added_.parked) parks.push_back({AddedManner::kPark, before});
+  for (const double before : kParked) parks.push_back({AddedManner::kPark, before});
   std::vector<AddedManner> cruises;
   for (const double speed : speedsOf(meeting)) cruises.push_back({AddedManner::kCruise, speed});
   const std::optional<Manoeuvre>& asked = input_.request.manoeuvre;
@@ -138,23 +144,23 @@ std::vector<AddedManner> AddedDrives::mannersOncoming(const AddedMeeting& meetin
   std::vector<AddedManner> manners;
   // Who comes slowly cannot cross the centre line in time.
   for (const double speed : speedsOf(meeting)) {
-    if (speed >= added_.least_crossing_speed) manners.push_back({AddedManner::kCruise, speed});
+    if (speed >= kLeastCrossingSpeed) manners.push_back({AddedManner::kCruise, speed});
   }
   manners = joined({manners, followsOf(meeting)});
-  for (const double start : added_.starts) manners.push_back({AddedManner::kStart, start, false});
+  for (const double start : kStarts) manners.push_back({AddedManner::kStart, start, false});
   std::vector<AddedManner> nearer = manners;
-  for (AddedManner& manner : nearer) manner.aside = std::copysign(added_.aside, meeting.across);
+  for (AddedManner& manner : nearer) manner.aside = std::copysign(kAside, meeting.across);
   return joined({manners, nearer});
 }
 
 std::vector<AddedManner> AddedDrives::mannersCrossing(const AddedMeeting& meeting) const {
   const std::vector<double> speeds = speedsOf(meeting);
   std::vector<AddedManner> manners;
-  for (std::size_t i = 0; i < std::max(speeds.size(), added_.starts.size()); ++i) {
+  for (std::size_t i = 0; i < std::max(speeds.size(), std::size(kStarts)); ++i) {
     if (i < speeds.size()) manners.push_back({AddedManner::kCruise, speeds[i]});
-    if (i >= added_.starts.size()) continue;
-    manners.push_back({AddedManner::kStart, added_.starts[i], false});
-    manners.push_back({AddedManner::kStart, added_.starts[i], true});
+    if (i >= std::size(kStarts)) continue;
+    manners.push_back({AddedManner::kStart, kStarts[i], false});
+    manners.push_back({AddedManner::kStart, kStarts[i], true});
   }
   const std::vector<AddedManner> follows = followsOf(meeting);
   manners.insert(manners.begin() + std::min<std::ptrdiff_t>(2, manners.size()), follows.begin(),
@@ -173,7 +179,7 @@ std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
 
 std::vector<AddedManner> AddedDrives::trainsOf(const AddedMeeting& meeting) const {
   std::vector<AddedManner> trains;
-  for (const double closing : added_.closings) trains.push_back({AddedManner::kTrain, closing});
+  for (const double closing : kClosings) trains.push_back({AddedManner::kTrain, closing});
   return joined({trains, followsOf(meeting)});
 }
 
@@ -182,7 +188,7 @@ bool AddedDrives::plan(const AddedMeeting& meeting, const AddedManner& manner, c
   const PathPose place = meeting.seen(size);
   const double along = place.along;
   drive.aside = manner.aside;
-  if (manner.rides) drive.aside = besideEgo(meeting, place, added_.riding_gap);
+  if (manner.rides) drive.aside = besideEgo(meeting, place, kRidingGap);
   drive.back.clear();
   drive.contact = meeting.contact;
   drive.on.assign(static_cast<std::size_t>(std::ceil(meeting.contact / kStep)), 0.0);
@@ -210,7 +216,7 @@ bool AddedDrives::plan(const AddedMeeting& meeting, const AddedManner& manner, c
 /// Goes on backwards, no faster than bends allow, until everything is known or the way begins.
 void AddedDrives::cruiseBack(const AddedWay& way, double speed, double now,
                              std::vector<double>& back) const {
-  const double change = added_.braking * kStep;
+  const double change = AddedWay::kBraking * kStep;
   while (back.size() <= steps_back_ && back.back() >= 0.0) {
     const double wanted = std::min(speed, way.cap(back.back()));
     const double before = std::clamp(wanted, now - change, now + change);
@@ -258,7 +264,7 @@ bool AddedDrives::train(const AddedMeeting& meeting, double along, const BoxSize
   const double contact = meeting.contact;
   const double start = along - speed * contact - 0.5 * closing * contact * contact;
   const double gap = start - way.ego[0];
-  const double least = 0.5 * (past_.ego.size.length + size.length) + added_.least_gap;
+  const double least = 0.5 * (past_.ego.size.length + size.length) + kLeastGap;
   const double passing = 0.5 * (past_.ego.size.width + size.width);
   if (std::abs(way.ego_across - drive.aside) < passing && std::abs(gap) < least) return false;
   if (!goOn(meeting, start, speed, closing, drive)) return false;
@@ -298,7 +304,7 @@ bool AddedDrives::start(const AddedMeeting& meeting, double along, const AddedMa
   const double place = along - 0.5 * manner.value * moving * moving;
   const double mean = 2.0 * (along - place) / (meeting.contact * meeting.contact);
   if (!goOn(meeting, place, 0.0, mean, drive)) return false;
-  const auto waited = static_cast<std::size_t>(std::ceil(added_.wait / kStep));
+  const auto waited = static_cast<std::size_t>(std::ceil(AddedDrive::kWait / kStep));
   drive.back.assign(std::min(steps_back_, manner.waits ? waited : steps_back_) + 1, place);
   cruiseBack(*meeting.way, added_.speeds.front(), 0.0, drive.back);
   return true;
@@ -309,7 +315,7 @@ bool AddedDrives::park(const AddedMeeting& meeting, const PathPose& place, doubl
                        AddedDrive& drive) const {
   constexpr double kOutward = 0.15;  // a metre along
   drive.aside = besideEgo(meeting, place, kOutward * before);
-  if (std::abs(drive.aside) > route_.parking_distance) return false;
+  if (std::abs(drive.aside) > kParkingDistance) return false;
   drive.back.assign(steps_back_ + 1, place.along - before);
   return goOn(meeting, place.along - before, 0.0, 0.0, drive);
 }

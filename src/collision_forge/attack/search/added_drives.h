@@ -50,6 +50,8 @@ struct AddedManner {
 /// Where a vehicle is along its way, m.
 struct AddedDrive {
   static constexpr double kStep = AddedWay::kStep;  ///< s
+  /// s that a standing vehicle stands at least; its motion is estimated over so long.
+  static constexpr double kWait = 2.0;
 
   double aside = 0.0;        ///< m to the left of the way's middle
   std::vector<double> back;  ///< now, kStep before, ...; below 0 where the way has not begun
@@ -100,7 +102,6 @@ class AddedDrives {
 
   const AddedVehicleInput& input_;
   const AddedVehicleOptions& added_;
-  const RouteDriverOptions& route_;
   const Snapshot& past_;
   std::size_t steps_back_;
 };

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/attack/search/route_driver.h"
 #include "collision_forge/attack/verify/believability.h"
 #include "collision_forge/attack/verify/drive_check.h"
 
 namespace forge {
 namespace {
 
+constexpr double kClearance = 0.3;    // m to all recorded agents until now
+constexpr double kMinOnLane = 0.97;   // of the past
+constexpr double kMaxOffRoad = 0.01;  // of the box, in the past
 constexpr double kStep = AddedDrive::kStep;
 constexpr int kSteps = 2;           // of a drive, an instant of the traffic
 constexpr int kSmoothing = 3;       // steps to either side that a speed is told from
@@ -56,7 +60,7 @@ std::size_t AddedPast::clearSteps(const AddedDrive& drive, const ReferencePath& 
     const bool is_instant = i % kSteps == 0;
     if (drive.back[i] < 0.0 ||
         (is_instant && traffic_.touches(drive.poseAt(path, -static_cast<int>(i)), size,
-                                        -static_cast<int>(i / kSteps), added_.clearance))) {
+                                        -static_cast<int>(i / kSteps), kClearance))) {
       // Nothing is known of the steps between this and the instant before.
       const std::size_t past_instant = is_instant ? kSteps : i % kSteps;
       return i - std::min(i, past_instant);
@@ -92,13 +96,12 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
   const double ago = past_.now - frames[frame].time;
   const int steps = static_cast<int>(std::ceil(ago / kStep - 1e-6));
   const double begin = past_.now - kStep * steps;
-  const RouteDriverOptions& route = options_.route;
   const TrackDriver driver(
-      driveLimitsOf(track.agent_class, track.size, options_.verification.drivable),
-      route.limit_share, route.preview, kStep);
+      driveLimitsOf(track.agent_class, track.size, options_.verification.drivable), kLimitShare,
+      kPreview, kStep);
   const DriveLimits& limits = driver.limits();
   planned_.clear();
-  for (int i = -steps; i <= static_cast<int>(std::ceil(route.preview / kStep)); ++i) {
+  for (int i = -steps; i <= static_cast<int>(std::ceil(kPreview / kStep)); ++i) {
     const int from = std::max(i - kSmoothing, -steps);
     const int to = i + kSmoothing;
     const double speed = (drive.at(to) - drive.at(from)) / (kStep * (to - from));
@@ -115,7 +118,7 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
   if (findBrokenDrive(points_, start, past_.now, limits)) return "cannot keep their limits";
   for (int i = steps % kSteps; i <= steps; i += kSteps) {
     if (traffic_.touches(points_[static_cast<std::size_t>(i)].pose, track.size,
-                         (i - steps) / kSteps, added_.clearance)) {
+                         (i - steps) / kSteps, kClearance)) {
       return "would have touched somebody";
     }
   }
@@ -124,8 +127,8 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
   const bool is_parked = points_.back().speed == 0.0 && points_.front().speed == 0.0;
   if (is_parked && isInJunction(points_.back().pose)) return "would be parked in a junction";
   if (is_parked && facesTraffic(points_.back().pose)) return "would be parked against the traffic";
-  if ((!is_parked && road.on_lane < added_.min_on_lane) || road.on_walkway > 0.0 ||
-      road.on_island > 0.0 || road.off_road > added_.max_off_road) {
+  if ((!is_parked && road.on_lane < kMinOnLane) || road.on_walkway > 0.0 || road.on_island > 0.0 ||
+      road.off_road > kMaxOffRoad) {
     return "leave their lane or the road";
   }
   for (std::size_t i = frame; i < frames.size(); ++i) {
@@ -143,14 +146,13 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
 bool AddedPast::facesTraffic(const Pose2& pose) const {
   const Pose2 turned{pose.x, pose.y, wrapAngle(pose.yaw + M_PI)};
   return !input_.driven()
-              .lanesNear(turned, options_.route.parking_distance,
-                         options_.prediction.on_lane_heading)
+              .lanesNear(turned, kParkingDistance, options_.prediction.on_lane_heading)
               .empty();
 }
 
 bool AddedPast::isInJunction(const Pose2& pose) const {
-  const auto near = input_.driven().lanesNear(pose, options_.route.parking_distance,
-                                              options_.prediction.on_lane_heading);
+  const auto near =
+      input_.driven().lanesNear(pose, kParkingDistance, options_.prediction.on_lane_heading);
   return std::any_of(near.begin(), near.end(), [&](const LaneMatch& match) {
     const Lane& lane = input_.driven().map().lanes[match.lane];
     return lane.is_connector || lane.is_intersection;

@@ -13,12 +13,14 @@
 #include "collision_forge/attack/search/arrival_sampler.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/search/placement.h"
+#include "collision_forge/attack/search/route_driver.h"
 #include "collision_forge/attack/verify/believability.h"
 
 namespace forge {
 namespace {
 
-constexpr double kMinContact = 0.3;  // s from now
+constexpr double kContacts[] = {0.0, -0.3, 0.3, -0.45, 0.45};  // s, added to the requested time
+constexpr double kMinContact = 0.3;                            // s from now
 
 bool isCar(const AddedVehicle& vehicle) { return isCarLike(vehicle.track.agent_class); }
 
@@ -44,7 +46,7 @@ class Casting {
     const double now = past_.now;
     const std::vector<std::size_t> spread = spreadFutures(
         egos_, past_.ego.states.back().pose, now + input_.request.tta, options_.search.ego_poses);
-    for (const double early : added_.contacts) {
+    for (const double early : kContacts) {
       std::vector<AddedMeeting> meetings;
       for (const std::size_t ego : spread) {
         addMeetings(*egos_[ego], std::max(kMinContact, input_.request.tta + early), meetings);
@@ -138,12 +140,12 @@ class Casting {
     std::vector<AddedMeeting> possible;
     for (const HeadedPlacement& placement :
          placementsAlong(direction, type, input_.request.bands(), input_.lanes.map().driving_side,
-                         options_.route.heading_margin, options_.route.max_lean)) {
+                         kArrivalHeadingMargin, kMaxLean)) {
       if (!isSideAsked(placement.side)) continue;
       meeting.side = placement.side;
       meeting.heading = placement.heading;
       meeting.across = meeting.seen(size).across;
-      if (std::abs(meeting.across) < options_.route.max_departure) possible.push_back(meeting);
+      if (std::abs(meeting.across) < kMaxDeparture) possible.push_back(meeting);
     }
     // In the ego's own lane who follows or leads comes from either end, who is parked from either
     // side.
@@ -224,7 +226,7 @@ class Casting {
     const AddedKind kind = drawKind(manner.rides ? AgentClass::kMotorcycle : asked);
     const BoxSize size{kind.length, kind.width};
     const std::string name = newName(found);
-    const SpeedVariation variation = variationOf(name, input_.request.seed, options_.route);
+    const SpeedVariation variation = variationOf(name, input_.request.seed);
     if (!drives_.plan(meeting, manner, size, drive_, variation)) return "cannot drive so";
     const ReferencePath& path = meeting.way->path;
     const double ego_yaw = past_.ego.states.back().pose.yaw;
@@ -350,7 +352,7 @@ Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInpu
     if (from == to) continue;
     const bool is_last_resort =
         from == motorcycles && input.request.attacker_class != AgentClass::kMotorcycle;
-    const double cost = is_last_resort ? options.added.riding_cost : 0.0;
+    const double cost = is_last_resort ? kRidingCost : 0.0;
     Realization answer = realizeBy({from, to}, input, realizer, motion);
     if (answer.status.code != StatusCode::kOk) {
       if (from == first) best.status = answer.status;

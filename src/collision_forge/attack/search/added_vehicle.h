@@ -12,6 +12,9 @@
 
 namespace forge {
 
+/// Confidence that a motorcycle costs where the request names no class: few are on the roads.
+inline constexpr double kRidingCost = 0.15;
+
 /// A vehicle that nobody recorded, and how it could meet the ego.
 struct AddedVehicle {
   Track track;                             ///< from its first frame to now, at the frames' times

@@ -103,7 +103,7 @@ AimedArrival ArrivalSampler::wide(const Contender& contender, const Aim& aim, bo
   const BoxSize& ego_size = input_.snapshot.ego.size;
   const BoxSize& size = contender.track->size;
   aimed.offset = attackerOffset(ego_size, size, touchedSide({{}, ego_size}, {aim.touching, size}),
-                                wrapAngle(sign * heading), slide, search.depth);
+                                wrapAngle(sign * heading), slide, kContactDepth);
   aimed.contact = random_.uniform(earliest_, latest_);
   aimed.lead = std::max(0.0, random_.uniform(-search.max_lead, search.max_lead));
   const Pose2 target = compose(egoAt(aimed.ego, aimed.contact), aimed.offset);

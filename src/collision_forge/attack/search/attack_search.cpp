@@ -19,6 +19,16 @@
 namespace forge {
 namespace {
 
+constexpr double kEffortWeight = 0.02;  // cost of driving at the limits, share of the futures
+// 1/(m s) of curvature. Slower steering costs nothing, twice as fast steering half of
+// steering_weight. 0.8 rad/s at the wheels of a car with a wheelbase of 2.7 m: twice the limit of
+// CommonRoad's vehicle models (v_delta, 0.4 rad/s).
+constexpr double kQuickSteering = 0.3;
+constexpr int kPatience = 2;       // rounds after which steering an attacker ends that is still ...
+constexpr double kHopeless = 5.0;  // ... so many m short of the aim
+// Budget of the bicycle for plausible attackers that follow no route: they are the second try.
+constexpr int kAnyMotionBicycleTargets = 20;
+constexpr int kAnyMotionBicycleRounds = 2;
 constexpr double kShrink = 0.6;      // of the perturbations, a round
 constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit is within it
 constexpr double kHome = 0.02;       // m from the pattern: near enough
@@ -38,8 +48,8 @@ VehicleLimits scaled(VehicleLimits limits, double margin) {
 SearchOptions searchOptionsFor(const SearchInput& input, const AttackOptions& options) {
   SearchOptions search = options.search;
   if (!input.request.crash.believable) return search;
-  search.bicycle_targets = options.any_motion.bicycle_targets;
-  search.bicycle_rounds = options.any_motion.bicycle_rounds;
+  search.bicycle_targets = kAnyMotionBicycleTargets;
+  search.bicycle_rounds = kAnyMotionBicycleRounds;
   return search;
 }
 
@@ -63,8 +73,8 @@ class Search {
       : input_(input),
         options_(options),
         search_(searchOptionsFor(input, options)),
-        limits_(scaled(options.verification.limits, options.search.limit_margin)),
-        bicycle_(scaled(limits_, kRounding), options.bicycle),
+        limits_(scaled(options.verification.limits, kLimitMargin)),
+        bicycle_(scaled(limits_, kRounding)),
         scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
                 input.lanes.map().driving_side, options),
         ground_(input.lanes,
@@ -165,9 +175,8 @@ class Search {
     const double until = start.now + input_.request.tta + input_.request.crash.time_tolerance;
     if (!keepsItsLimits(*candidate.contender, until)) return;
     candidate.score = scorer_.score(*candidate.contender->track, points_, candidate.aim->ego);
-    candidate.objective = candidate.score.share +
-                          search_.closeness_weight * candidate.score.closeness -
-                          (input_.exact ? 1.0 : search_.pattern_weight) * missCost(candidate);
+    candidate.objective = candidate.score.share + kClosenessWeight * candidate.score.closeness -
+                          (input_.exact ? 1.0 : kPatternWeight) * missCost(candidate);
     std::vector<Candidate>& kept = candidate.is_quintic ? quintics_ : bicycles_;
     const bool full = static_cast<int>(kept.size()) >= search_.kept;
     if (full && candidate.objective < kept.back().objective) return;
@@ -177,7 +186,7 @@ class Search {
     candidate.off_road = ground_.offRoadShare(points_, arrival, size);
     candidate.steering = fastestSteering(points_, arrival, limits_);
     candidate.objective -= search_.off_road_weight * candidate.off_road +
-                           search_.effort_weight * effort(points_, arrival, limits_) +
+                           kEffortWeight * effort(points_, arrival, limits_) +
                            search_.steering_weight * beyond(candidate.steering);
     if (input_.request.crash.believable) candidate.objective -= beyondBelief(candidate);
     kept.insert(std::upper_bound(kept.begin(), kept.end(), candidate, better), candidate);
@@ -194,8 +203,7 @@ class Search {
     candidate.is_as_asked =
         whyUnbelievable(road, points_, track.size, lanes, believability).empty() &&
         (candidate.score.share == 0.0 || how_asked_.holds(track, points_, candidate.score.met));
-    return options_.route.off_lane_weight * (1.0 - road.on_lane) +
-           options_.route.wrong_way_weight * road.wrong_way +
+    return kOffLaneWeight * (1.0 - road.on_lane) + kWrongWayWeight * road.wrong_way +
            (candidate.is_as_asked ? 0.0 : kNotAsAsked);
   }
 
@@ -205,7 +213,7 @@ class Search {
     if (candidate.score.share == 0.0) return 1.0;
     candidate.miss = missBetween(candidate.aim->pattern->attacker_offset, candidate.score.contact);
     const double miss = beyondTolerance(candidate);
-    return miss / (miss + search_.near_pattern);
+    return miss / (miss + kNearPattern);
   }
 
   double beyondTolerance(const Candidate& candidate) const {
@@ -214,7 +222,7 @@ class Search {
 
   /// What steering counts: nothing while quick_steering is not exceeded, 1 when it is by far.
   double beyond(double steering) const {
-    return 1.0 - search_.quick_steering / std::max(search_.quick_steering, steering);
+    return 1.0 - kQuickSteering / std::max(kQuickSteering, steering);
   }
 
   static bool better(const Candidate& a, const Candidate& b) { return a.objective > b.objective; }
@@ -232,8 +240,8 @@ class Search {
       return !kept.empty() && kept.front().score.share >= search_.good_share &&
              kept.front().off_road <= search_.good_off_road &&
              kept.front().steering <= search_.good_steering && kept.front().is_as_asked &&
-             (input_.exact ? isExact(kept.front().miss, search_)
-                           : beyondTolerance(kept.front()) <= search_.exact_distance);
+             (input_.exact ? isExact(kept.front().miss)
+                           : beyondTolerance(kept.front()) <= kExactDistance);
     };
     return good(quintics_) || good(bicycles_);
   }
@@ -306,14 +314,13 @@ class Search {
   /// touch.
   void steerAnyhow() {
     const double end = sampler_.latest();
-    const SteeringOptions& steering = options_.steering;
     SteeringAim aim;
     aim.ego_size = input_.snapshot.ego.size;
     aim.band = input_.request.bands();
     aim.first_in_time = sampler_.earliest();
     aim.last_in_time = end;
-    aim.depth = search_.depth;
-    const int steps = static_cast<int>(std::ceil(end / steering.step));
+    aim.depth = kContactDepth;
+    const int steps = static_cast<int>(std::ceil(end / SteeringSearch::kStep));
     std::vector<std::pair<const Contender*, SteeringSearch>> searches;
     for (const auto& contender : contenders_) {
       if (!sampler_.canReach(*contender)) continue;
@@ -322,12 +329,11 @@ class Search {
         aim.ego.push_back(sampler_.egoAt(contender->aims.front().ego, end * i / steps));
       }
       aim.attacker_size = contender->track->size;
-      searches.emplace_back(contender.get(),
-                            SteeringSearch(contender->start, aim, limits_, steering));
+      searches.emplace_back(contender.get(), SteeringSearch(contender->start, aim, limits_));
     }
-    for (int round = 0; round < steering.rounds && !isGood(); ++round) {
+    for (int round = 0; round < search_.steering_rounds && !isGood(); ++round) {
       for (auto& [contender, search] : searches) {
-        if (round >= steering.patience && search.shortfall() > steering.hopeless) continue;
+        if (round >= kPatience && search.shortfall() > kHopeless) continue;
         Candidate candidate = candidateFor(*contender, contender->aims.front());
         candidate.aimed.ego = candidate.aim->ego;
         candidate.aimed.arrival.time = candidate.aimed.contact = end;

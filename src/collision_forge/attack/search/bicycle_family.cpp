@@ -8,6 +8,16 @@
 namespace forge {
 namespace {
 
+constexpr int kIterations = 12;        // of damped least squares, at most
+constexpr double kConvergence = 0.02;  // share of the cost; smaller gains end the iterations
+constexpr double kTurnHeading = 0.8;   // rad to the arrival's heading: a tight turn is tried, too
+// Deviations that have the same weight in least squares:
+constexpr double kPositionScale = 0.1;       // m
+constexpr double kHeadingScale = 0.03;       // rad
+constexpr double kSpeedScale = 3.0;          // m/s
+constexpr double kAccelerationScale = 40.0;  // m/s2 at a knot
+constexpr double kCurvatureScale = 1.0;      // 1/m at a knot
+
 constexpr int kKnots = SteeringKnots::kCount;  // of acceleration, and as many of curvature
 constexpr int kUnknowns = 2 * kKnots;
 using Knots = Eigen::Matrix<double, kUnknowns, 1>;
@@ -142,9 +152,8 @@ Knots aroundATurn(const DriveStart& start, const Arrival& arrival, const Vehicle
 /// Least squares for one arrival.
 class Problem {
  public:
-  Problem(const DriveStart& start, const Arrival& arrival, const VehicleLimits& limits,
-          const BicycleOptions& options)
-      : start_(start), arrival_(arrival), limits_(limits), options_(options) {}
+  Problem(const DriveStart& start, const Arrival& arrival, const VehicleLimits& limits)
+      : start_(start), arrival_(arrival), limits_(limits) {}
 
   /// From a first guess; empty when the arrival stays too far away.
   std::optional<Knots> solve(Knots knots) const {
@@ -152,13 +161,12 @@ class Problem {
     double cost = residuals.squaredNorm();
     double damping = kFirstDamping;
     bool going_on = true;
-    for (int i = 0; i < options_.iterations && going_on; ++i) {
+    for (int i = 0; i < kIterations && going_on; ++i) {
       const double before = cost;
-      going_on =
-          step(knots, residuals, cost, damping) && before - cost >= options_.convergence * before;
+      going_on = step(knots, residuals, cost, damping) && before - cost >= kConvergence * before;
     }
-    const double miss = residuals.head<2>().norm() * options_.position_scale;
-    return miss <= options_.max_miss ? std::make_optional(knots) : std::nullopt;
+    const double miss = residuals.head<2>().norm() * kPositionScale;
+    return miss <= BicycleFamily::kMaxMiss ? std::make_optional(knots) : std::nullopt;
   }
 
  private:
@@ -171,12 +179,12 @@ class Problem {
   Residuals residualsAt(const Knots& knots) const {
     const auto end = Rollout<double>(start_, arrival_.time, limits_, knots).end();
     Residuals residuals;
-    residuals[0] = (end.x - arrival_.pose.x) / options_.position_scale;
-    residuals[1] = (end.y - arrival_.pose.y) / options_.position_scale;
-    residuals[2] = angleBetween(arrival_.pose.yaw, end.yaw) / options_.heading_scale;
-    residuals[3] = (end.speed - arrival_.speed) / options_.speed_scale;
-    residuals.segment<kKnots>(kReached) = knots.head<kKnots>() / options_.acceleration_scale;
-    residuals.tail<kKnots>() = knots.tail<kKnots>() / options_.curvature_scale;
+    residuals[0] = (end.x - arrival_.pose.x) / kPositionScale;
+    residuals[1] = (end.y - arrival_.pose.y) / kPositionScale;
+    residuals[2] = angleBetween(arrival_.pose.yaw, end.yaw) / kHeadingScale;
+    residuals[3] = (end.speed - arrival_.speed) / kSpeedScale;
+    residuals.segment<kKnots>(kReached) = knots.head<kKnots>() / kAccelerationScale;
+    residuals.tail<kKnots>() = knots.tail<kKnots>() / kCurvatureScale;
     return residuals;
   }
 
@@ -185,13 +193,13 @@ class Problem {
     for (int i = 0; i < kUnknowns; ++i) sensitive[i] = Sensitive(knots[i], kUnknowns, i);
     const auto end = Rollout<Sensitive>(start_, arrival_.time, limits_, sensitive).end();
     Jacobian jacobian = Jacobian::Zero();
-    jacobian.row(0) = end.x.derivatives() / options_.position_scale;
-    jacobian.row(1) = end.y.derivatives() / options_.position_scale;
-    jacobian.row(2) = end.yaw.derivatives() / options_.heading_scale;
-    jacobian.row(3) = end.speed.derivatives() / options_.speed_scale;
+    jacobian.row(0) = end.x.derivatives() / kPositionScale;
+    jacobian.row(1) = end.y.derivatives() / kPositionScale;
+    jacobian.row(2) = end.yaw.derivatives() / kHeadingScale;
+    jacobian.row(3) = end.speed.derivatives() / kSpeedScale;
     auto own = jacobian.bottomRows<kUnknowns>().diagonal();
-    own.head<kKnots>().setConstant(1.0 / options_.acceleration_scale);
-    own.tail<kKnots>().setConstant(1.0 / options_.curvature_scale);
+    own.head<kKnots>().setConstant(1.0 / kAccelerationScale);
+    own.tail<kKnots>().setConstant(1.0 / kCurvatureScale);
     return jacobian;
   }
 
@@ -221,7 +229,6 @@ class Problem {
   const DriveStart& start_;
   const Arrival& arrival_;
   const VehicleLimits& limits_;
-  const BicycleOptions& options_;
 };
 
 }  // namespace
@@ -248,14 +255,14 @@ void BicycleFamily::roll(const DriveStart& start, const SteeringKnots& steering,
 
 std::optional<SteeringKnots> BicycleFamily::solve(const DriveStart& start,
                                                   const Arrival& arrival) const {
-  const Problem problem(start, arrival, limits_, options_);
+  const Problem problem(start, arrival, limits_);
   const Pose2 local = relativeTo(start.motion.pose, arrival.pose);
   std::optional<Knots> knots = problem.solve(alongAnArc(start, arrival, limits_));
   // Least squares finds no way around: where the arc leads nowhere, a tight turn to the side where
   // the arrival lies is tried, then one to the other.
   const double side = local.y >= 0.0 ? 1.0 : -1.0;
   for (const double turn : {side, -side}) {
-    if (knots || std::abs(local.yaw) < options_.turn_heading) break;
+    if (knots || std::abs(local.yaw) < kTurnHeading) break;
     knots = problem.solve(aroundATurn(start, arrival, limits_, turn));
   }
   if (!knots) return std::nullopt;

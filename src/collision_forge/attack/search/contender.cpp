@@ -11,48 +11,46 @@
 namespace forge {
 namespace {
 
+constexpr int kBranches = 8;           // ways ahead of a lane that are examined
 constexpr double kBeyondReach = 10.0;  // m that ways go on beyond what can be driven
 
 /// The ways along lanes that come near one of the ego's places around the time asked for.
 void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& options) {
-  const RouteDriverOptions& route = options.route;
   const PredictionOptions& prediction = options.prediction;
   const double tta = input.request.tta;
   const DriveState& now = entry.drive_start;
-  SpeedVariation variation = variationOf(entry.track->id, input.request.seed, route);
+  SpeedVariation variation = variationOf(entry.track->id, input.request.seed);
   if (input.underway != nullptr && !input.underway->driven.empty()) {
     const double since = input.snapshot.now - input.underway->driven.front().time;
     variation.phase += variation.frequency() * since;
   }
   if (const auto way = input.ways.find(entry.track->id); way != input.ways.end()) {
-    entry.routes.emplace_back(way->second, now, entry.driver->limits(), route, variation);
+    entry.routes.emplace_back(way->second, now, entry.driver->limits(), variation);
     return;
   }
   if (input.underway != nullptr) {
-    entry.routes.emplace_back(input.underway->way, now, entry.driver->limits(), route, variation);
+    entry.routes.emplace_back(input.underway->way, now, entry.driver->limits(), variation);
   }
-  const double reach = now.speed * tta + 0.5 * route.styles.back().forward * tta * tta;
+  const double reach = now.speed * tta + 0.5 * kDrivingStyles.back().forward * tta * tta;
   const auto nearEgo = [&](const Polyline& way) {
     return std::any_of(input.egos.begin(), input.egos.end(), [&](const Track* ego) {
       const auto state = stateAt(*ego, input.snapshot.now + tta).value_or(ego->states.back());
-      return way.project(state.pose.position()).distance < route.reach;
+      return way.project(state.pose.position()).distance < kRouteReach;
     });
   };
   const Pose2& pose = entry.track->states.back().pose;
   const LaneIndex& lanes = drivenLanes(input.request, input.lanes);
   // Who stands beside a lane may pull out into it.
-  const double aside = now.speed > 0.0
-                           ? prediction.on_lane_distance
-                           : std::max(prediction.on_lane_distance, route.parking_distance);
+  const double aside = now.speed > 0.0 ? prediction.on_lane_distance
+                                       : std::max(prediction.on_lane_distance, kParkingDistance);
   for (const LaneMatch& match : lanes.lanesNear(pose, aside, prediction.on_lane_heading)) {
     for (const LanePath& path :
          lanes.pathsAhead(match.lane, match.projection.arc_length, reach + kBeyondReach,
-                          static_cast<std::size_t>(route.branches))) {
-      if (static_cast<int>(entry.routes.size()) >= route.ways) return;
+                          static_cast<std::size_t>(kBranches))) {
+      if (static_cast<int>(entry.routes.size()) >= options.route.ways) return;
       const Polyline way(path.points);
       if (nearEgo(way)) {
-        entry.routes.emplace_back(ReferencePath(way), now, entry.driver->limits(), route,
-                                  variation);
+        entry.routes.emplace_back(ReferencePath(way), now, entry.driver->limits(), variation);
       }
     }
   }
@@ -72,8 +70,7 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
   const CrashDefinition& crash = input.request.crash;
   if (crash.limits == LimitSet::kDrivable || crash.believable || input.underway != nullptr) {
     entry->limits = driveLimitsOf(agent, options.verification);
-    entry->driver.emplace(entry->limits, options.route.limit_share, options.route.preview,
-                          options.search.step);
+    entry->driver.emplace(entry->limits, kLimitShare, kPreview, options.search.step);
     entry->drive_start = input.underway != nullptr ? input.underway->state
                                                    : driveStateNow(agent, options.verification);
   }

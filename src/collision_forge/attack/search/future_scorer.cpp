@@ -86,9 +86,8 @@ FutureScorer::FutureScorer(const std::vector<const Track*>& egos, const std::vec
   steps_ = static_cast<int>(std::floor((request.tta + tolerance) / search.step)) + 1;
   first_in_time_ = (request.tta - tolerance + search.time_margin) / search.step;
   last_in_time_ = (request.tta + tolerance - search.time_margin) / search.step;
-  band_.min_heading = band_.min_heading > 0.0 ? band_.min_heading + search.heading_margin : 0.0;
-  band_.max_heading =
-      band_.max_heading < M_PI - 1e-3 ? band_.max_heading - search.heading_margin : M_PI;
+  band_.min_heading = band_.min_heading > 0.0 ? band_.min_heading + kHeadingMargin : 0.0;
+  band_.max_heading = band_.max_heading < M_PI - 1e-3 ? band_.max_heading - kHeadingMargin : M_PI;
 
   origin_ = {egos.front()->states.front().pose.x, egos.front()->states.front().pose.y, 0.0};
   const std::size_t size = padded_ * static_cast<std::size_t>(steps_);

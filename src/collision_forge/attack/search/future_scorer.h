@@ -10,6 +10,9 @@
 
 namespace forge {
 
+/// rad (0.5 degrees) kept to either end of the band of headings of the type.
+inline constexpr double kHeadingMargin = 0.0087;
+
 /// How one motion of an attacker fares against the sampled futures of the ego.
 struct FutureScore {
   double share = 0.0;      ///< of the futures in which all conditions hold, [0, 1]

@@ -102,7 +102,7 @@ bool AttackJudge::accepts(Realization& attack, const Track& attacker,
                    [&](const Track* ego) { return isVerifiedIn(attack, *ego); })) {
     return false;
   }
-  if (exact_ && !isExact(attack.miss, options_.search)) {
+  if (exact_ && !isExact(attack.miss)) {
     ++rejections_["missed the pattern"];
     if (!nearest_ || attack.miss.distance < nearest_->distance) nearest_ = attack.miss;
     return false;

@@ -23,6 +23,16 @@
 namespace forge {
 namespace {
 
+// Drafts of every attacker. The values were chosen on recorded scenes (docs/results.md): s before
+// the contact unless stated otherwise.
+constexpr double kContacts[] = {0.0, -0.25, 0.25};           // s, added to the requested time
+constexpr double kDepartures[] = {1.0, 1.4, 0.8, 2.2, 3.0};  // the attacker leaves its lane
+constexpr double kLeads[] = {0.0, 0.5};                      // it has the offset of the contact
+constexpr double kLateBraking[] = {0.0, 3.0, 5.0};           // m/s2 of a leader before the contact
+constexpr double kStarts[] = {1.6, 2.3, 3.2};                // a standing attacker moves off
+constexpr double kDepartureWeight = 0.2;  // cost of each second off the lane before before_contact
+                                          // (config/believability.yaml), share of the futures
+constexpr double kOffRoadWeight = 1.0;    // cost of a wholly off-road drive, share of the futures
 constexpr double kSlides[] = {-0.7, 0.0, 0.7};
 constexpr double kShrink = 0.7;  // of the moves, a round
 
@@ -90,7 +100,7 @@ class ManoeuvreSearch {
     if (!input_.underway->draft || isGood()) return;
     candidate.is_underway = false;
     for (const std::size_t ego : sampler_.egos()) {
-      for (const double early : route_.contacts) {
+      for (const double early : kContacts) {
         candidate.draft = *input_.underway->draft;
         candidate.draft.ego = ego;
         candidate.draft.contact =
@@ -102,7 +112,7 @@ class ManoeuvreSearch {
 
   /// Where there are many contenders, one draft of each, and more of those that come nearest.
   void draft() {
-    const auto most = static_cast<std::size_t>(route_.drafted);
+    const auto most = static_cast<std::size_t>(kDrafted);
     std::vector<std::pair<double, const Contender*>> ranked;
     sketches_ = contenders_.size() > most;
     for (const auto& contender : contenders_) {
@@ -124,7 +134,7 @@ class ManoeuvreSearch {
     const bool has_way = input_.ways.count(contender.track->id) > 0;
     for (const RouteDriver& route : contender.routes) {
       for (const std::size_t ego : sampler_.egos()) {
-        for (const double early : route_.contacts) {
+        for (const double early : kContacts) {
           if (isGood()) return;
           const double contact = std::clamp(meant + early, sampler_.earliest(), sampler_.latest());
           draftAt(contender, route, ego, contact);
@@ -142,7 +152,7 @@ class ManoeuvreSearch {
     const PathPose seen = route.path().seen(pose);
     const double reach =
         circumradius(input_.snapshot.ego.size) + circumradius(contender.track->size);
-    if (std::abs(seen.across) > route_.reach || seen.along < route.start().along - reach) return;
+    if (std::abs(seen.across) > kRouteReach || seen.along < route.start().along - reach) return;
     // Along a bend the ways to the ego and to where the attacker shall be differ.
     const Pose2 meant = compose(pose, contender.aims.front().pattern->attacker_offset);
     const bool has_way = input_.ways.count(contender.track->id) > 0;
@@ -155,7 +165,7 @@ class ManoeuvreSearch {
     candidate.draft.contact = contact;
     for (const HeadedPlacement& placement :
          placementsAlong(direction, input_.request.type, input_.request.bands(),
-                         input_.lanes.map().driving_side, route_.heading_margin, route_.max_lean)) {
+                         input_.lanes.map().driving_side, kArrivalHeadingMargin, kMaxLean)) {
       if (input_.request.ego_side.value_or(placement.side) != placement.side) continue;
       candidate.draft.side = placement.side;
       candidate.draft.heading = placement.heading;
@@ -189,17 +199,17 @@ class ManoeuvreSearch {
     draft.side = candidate.draft.side;
     draft.heading = candidate.draft.heading;
     const bool leads = input_.request.type == CollisionType::kRearEnd && draft.side == Side::kFront;
-    for (const double start : route_.starts) {
+    for (const double start : kStarts) {
       draft.wait = draft.contact - start;
       if (candidate.contender->drive_start.speed > 0.0 || draft.wait <= 0.0) break;
       draft.departure = start;
       drafts.push_back(draft);
     }
     draft.wait = 0.0;
-    for (const double departure : route_.departures) {
+    for (const double departure : kDepartures) {
       draft.departure = departure;
       if (!leads) {
-        for (const double lead : route_.leads) {
+        for (const double lead : kLeads) {
           draft.lead = lead;
           drafts.push_back(draft);
           // A lean of a few degrees is part of all other types.
@@ -207,7 +217,7 @@ class ManoeuvreSearch {
         }
         continue;
       }
-      for (const double braking : route_.late_braking) {
+      for (const double braking : kLateBraking) {
         draft.late = braking > 0.0 ? departure : 0.0;
         draft.late_acceleration = -braking;
         drafts.push_back(draft);
@@ -221,7 +231,7 @@ class ManoeuvreSearch {
     const RouteDraft& draft = candidate.draft;
     const Contender& contender = *candidate.contender;
     const Pose2 offset = attackerOffset(input_.snapshot.ego.size, contender.track->size, draft.side,
-                                        draft.heading, draft.slide, search_.depth);
+                                        draft.heading, draft.slide, kContactDepth);
     const Pose2 target = compose(sampler_.egoAt(draft.ego, draft.contact), offset);
     RoutePlan plan;
     plan.arrival = draft.contact;
@@ -231,9 +241,8 @@ class ManoeuvreSearch {
     plan.late = draft.late;
     plan.late_acceleration = draft.late_acceleration;
     plan.wait = draft.wait;
-    if (plan.at.along < candidate.route->start().along - route_.precision ||
-        std::abs(plan.at.lean) > route_.max_lean ||
-        std::abs(plan.at.across) > route_.max_departure) {
+    if (plan.at.along < candidate.route->start().along - kArrivalPrecision ||
+        std::abs(plan.at.lean) > kMaxLean || std::abs(plan.at.across) > kMaxDeparture) {
       return false;
     }
     const auto& speed = driveAlong(*candidate.route, plan);
@@ -272,9 +281,8 @@ class ManoeuvreSearch {
     const Contender& contender = *candidate.contender;
     candidate.aim = nearestAim(candidate);
     candidate.score = scorer_.score(*contender.track, points_, candidate.draft.ego);
-    candidate.objective = candidate.score.share +
-                          search_.closeness_weight * candidate.score.closeness -
-                          search_.pattern_weight * missCost(candidate) - effortOf(candidate);
+    candidate.objective = candidate.score.share + kClosenessWeight * candidate.score.closeness -
+                          kPatternWeight * missCost(candidate) - effortOf(candidate);
     best_ = std::max(best_, candidate.objective);
     const bool full = static_cast<int>(kept_.size()) >= search_.kept;
     if (full && candidate.objective < kept_.back().objective) return;
@@ -285,9 +293,9 @@ class ManoeuvreSearch {
     const auto broken = findBrokenDrive(points_, contender.drive_start, until, contender.limits);
     if (broken && !may_be_any) return;
     judgeRoad(candidate);
-    candidate.objective -= route_.off_lane_weight * (1.0 - candidate.road.on_lane) +
-                           route_.off_road_weight * candidate.road.off_road +
-                           route_.wrong_way_weight * candidate.road.wrong_way;
+    candidate.objective -= kOffLaneWeight * (1.0 - candidate.road.on_lane) +
+                           kOffRoadWeight * candidate.road.off_road +
+                           kWrongWayWeight * candidate.road.wrong_way;
     if (candidate.road.on_walkway > 0.0 && !may_be_any) return;
     if ((!candidate.is_believable && !may_be_any) || !isAsAsked(candidate)) {
       candidate.objective -= kNotAsAsked;
@@ -340,13 +348,13 @@ class ManoeuvreSearch {
     candidate.miss = missBetween(candidate.aim->pattern->attacker_offset, candidate.score.contact);
     const double miss =
         candidate.aim->missedBy(candidate.miss, candidate.contender->track->size, input_.exact);
-    return miss / (miss + search_.near_pattern);
+    return miss / (miss + kNearPattern);
   }
 
   /// Of a lane that is left `departure` seconds before the contact.
   double departureCost(double departure) const {
     const double early = departure - options_.verification.believability.before_contact;
-    return route_.departure_weight * std::max(0.0, early);
+    return kDepartureWeight * std::max(0.0, early);
   }
 
   /// Of a plan underway without a draft the effort that it was made with is known as a sum alone:
@@ -356,7 +364,7 @@ class ManoeuvreSearch {
     if (candidate.is_underway && !input_.underway->draft) {
       return std::min(input_.underway->effort, departureCost(contact));
     }
-    return route_.styles[candidate.style].cost +
+    return kDrivingStyles[candidate.style].cost +
            departureCost(std::min(candidate.draft.departure, contact));
   }
 
@@ -368,7 +376,7 @@ class ManoeuvreSearch {
            (!how_asked_.isNamed() || kept_.front().objective > 0.0) &&
            kept_.front().is_believable && kept_.front().road.on_lane >= 1.0 &&
            kept_.front().road.off_road <= search_.good_off_road &&
-           (!input_.exact || isExact(kept_.front().miss, search_));
+           (!input_.exact || isExact(kept_.front().miss));
   }
 
   /// Moves away from the kept candidates, better ones more often.

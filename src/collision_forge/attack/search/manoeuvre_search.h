@@ -6,6 +6,8 @@
 
 namespace forge {
 
+inline constexpr int kDrafted = 6;  ///< vehicles that are searched further: best first drafts
+
 /// Searches for attacks by vehicles that drive as drivers do: along a route of lanes, at a speed
 /// that they choose once, until they leave their lane, brake or fail to brake, or cross, for the
 /// contact. Begins where the routes themselves lead to the ego, at the headings of the type, and

@@ -12,6 +12,9 @@
 namespace forge {
 namespace {
 
+constexpr double kSettling = 1.0;         // s in which the driver reaches a chosen speed
+constexpr double kReturnDistance = 80.0;  // m in which the offset from the lane's middle fades to
+                                          // 74 %, critically damped
 constexpr double kSpacing = ReferencePath::kBendSpacing;
 constexpr double kSpeedPrecision = 0.01;    // m/s, of the speed that is driven at, and ...
 constexpr std::uintmax_t kMostTrials = 20;  // ... of these to find it
@@ -33,15 +36,14 @@ struct RouteDriver::Cruise {
 };
 
 RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
-                         const RouteDriverOptions& options, const SpeedVariation& variation)
-    : path_(std::move(path)), options_(options), limits_(limits), now_(now), variation_(variation) {
+                         const SpeedVariation& variation)
+    : path_(std::move(path)), limits_(limits), now_(now), variation_(variation) {
   start_ = path_.seen(compose(now.axle, {limits.axle_to_middle, 0.0, 0.0}));
   const std::vector<double> bends = path_.bends();
-  for (const DrivingStyle& style : options.styles) {
+  for (const DrivingStyle& style : kDrivingStyles) {
     std::vector<float> caps(bends.size());
-    const double lateral =
-        std::min(style.lateral, options.limit_share * limits.max_lateral_acceleration);
-    const double braking = std::min(style.braking, options.limit_share * limits.max_braking);
+    const double lateral = std::min(style.lateral, kLimitShare * limits.max_lateral_acceleration);
+    const double braking = std::min(style.braking, kLimitShare * limits.max_braking);
     double next = limits.max_speed * limits.max_speed;
     for (std::size_t i = bends.size(); i-- > 0;) {
       next = std::min(next + 2.0 * braking * kSpacing, lateral / bends[i]);
@@ -54,8 +56,8 @@ RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveL
 double RouteDriver::keptOffset(double along) const {
   // Critically damped, from where and how the driver leans now.
   const double driven = std::max(0.0, along - start_.along);
-  const double fade = options_.return_distance;
-  const double slope = std::tan(std::clamp(start_.lean, -options_.max_lean, options_.max_lean));
+  const double fade = kReturnDistance;
+  const double slope = std::tan(std::clamp(start_.lean, -kMaxLean, kMaxLean));
   return (start_.across + (slope + start_.across / fade) * driven) * std::exp(-driven / fade);
 }
 
@@ -67,9 +69,9 @@ double RouteDriver::cap(std::size_t style, double along) const {
 
 /// Where the driver is at the arrival, along the path; on the way every step to `alongs`.
 double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) const {
-  const DrivingStyle& style = options_.styles[cruise.style];
-  const DrivingStyle& wildest = options_.styles.back();
-  const double share = options_.limit_share;
+  const DrivingStyle& style = kDrivingStyles[cruise.style];
+  const DrivingStyle& wildest = kDrivingStyles.back();
+  const double share = kLimitShare;
   const double wave_jerk = variation_.amplitude * variation_.frequency();
   double along = start_.along;
   double speed = now_.speed;
@@ -88,7 +90,7 @@ double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) con
     if (time < cruise.wait && speed == 0.0) continue;
     const double target = std::min(cruise.speed, cap(cruise.style, along + kLookahead * speed));
     double wanted =
-        std::clamp((target - speed) / options_.settling, -style.braking, style.forward) + wander;
+        std::clamp((target - speed) / kSettling, -style.braking, style.forward) + wander;
     double jerk = style.jerk + wave_jerk;
     if (time >= cruise.late_from) {
       wanted = cruise.late_acceleration;
@@ -117,19 +119,19 @@ RouteDriver::Cruise RouteDriver::cruiseOf(const RoutePlan& wanted, const RouteSp
 std::optional<RouteSpeed> RouteDriver::speedFor(const RoutePlan& wanted, double step,
                                                 RouteReach& reach) const {
   RouteSpeed found;
-  reach.styles.resize(options_.styles.size());
+  reach.styles.resize(kDrivingStyles.size());
   const auto beyond = [&](double speed) {
     const auto [known, is_new] = reach.styles[found.style].try_emplace(speed, 0.0);
     if (is_new) known->second = drive(cruiseOf(wanted, {found.style, speed}, step), nullptr);
     return known->second - wanted.at.along;
   };
-  const double high = options_.limit_share * limits_.max_speed;
+  const double high = kLimitShare * limits_.max_speed;
   const auto isNear = [](double a, double b) { return std::abs(a - b) < kSpeedPrecision; };
-  for (; found.style < options_.styles.size(); ++found.style) {
+  for (; found.style < kDrivingStyles.size(); ++found.style) {
     const double slowest = beyond(0.0);
-    if (slowest > options_.precision) continue;
+    if (slowest > kArrivalPrecision) continue;
     const double fastest = beyond(high);
-    if (fastest < -options_.precision) continue;
+    if (fastest < -kArrivalPrecision) continue;
     if (slowest >= 0.0) return RouteSpeed{found.style, 0.0};
     if (fastest <= 0.0) return RouteSpeed{found.style, high};
     // The faster, the farther: the known speeds on both sides of the wanted place are the bracket.

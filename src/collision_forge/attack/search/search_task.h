@@ -16,6 +16,22 @@
 
 namespace forge {
 
+/// Contact and pattern of a request for an exact contact differ by at most so much. A candidate
+/// also ends the search only if its contact is at most kExactDistance beyond the pattern's
+/// tolerance.
+inline constexpr double kExactDistance = 0.3;  ///< m
+inline constexpr double kExactHeading = 0.09;  ///< rad (5 degrees)
+
+/// Share of every vehicle limit that is used; the rest is for readers that round points.
+inline constexpr double kLimitMargin = 0.998;
+inline constexpr double kContactDepth = 0.25;  ///< m of overlap aimed at: no grazing contacts
+// Costs and values of a candidate, as shares of the sampled futures:
+inline constexpr double kClosenessWeight = 0.2;  ///< value of a near miss
+inline constexpr double kPatternWeight = 0.3;  ///< cost of a contact far from its pattern; half ...
+inline constexpr double kNearPattern = 0.5;    ///< ... this far (m) beyond the pattern's tolerance
+inline constexpr double kOffLaneWeight = 1.0;  ///< cost of driving on no lane until shortly before
+inline constexpr double kWrongWayWeight = 1.0;  ///< cost of driving against all lanes around
+
 /// What is chosen of an attack along a route; the rest follows.
 struct RouteDraft {
   std::size_t ego = 0;      ///< the future that it meets, an index into SearchInput::egos
@@ -35,7 +51,7 @@ struct RouteDraft {
 struct DraftedWay {
   ReferencePath way;
   RouteDraft draft;
-  std::size_t style = 0;  ///< of RouteDriverOptions::styles, by which it is driven
+  std::size_t style = 0;  ///< of kDrivingStyles, by which it is driven
 };
 
 /// One attack that the search found; drivable within the limits.
@@ -99,7 +115,7 @@ struct SearchInput {
   }
 };
 
-/// True within SearchOptions::exact_distance and exact_heading.
-bool isExact(const PatternMiss& miss, const SearchOptions& options);
+/// Returns true if `miss` is within kExactDistance and kExactHeading.
+bool isExact(const PatternMiss& miss);
 
 }  // namespace forge

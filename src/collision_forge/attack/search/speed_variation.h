@@ -3,9 +3,12 @@
 #include <cstdint>
 #include <string>
 
-#include "collision_forge/attack/search/options.h"
-
 namespace forge {
+
+// The wave of acceleration of a driver that keeps its speed; chosen as kDrivingStyles.
+inline constexpr double kMaxVariation = 1.0;    ///< m/s2
+inline constexpr double kShortestPeriod = 4.0;  ///< s
+inline constexpr double kLongestPeriod = 8.0;   ///< s
 
 /// How a driver's speed wanders, though it wants to drive evenly: nobody holds a pedal still. One
 /// wave of acceleration, a(t) = amplitude sin(2 pi t / period + phase), t from now.
@@ -21,7 +24,6 @@ struct SpeedVariation {
 };
 
 /// A vehicle's, by its id and the request's seed: the same for the same.
-SpeedVariation variationOf(const std::string& id, std::uint64_t seed,
-                           const RouteDriverOptions& options);
+SpeedVariation variationOf(const std::string& id, std::uint64_t seed);
 
 }  // namespace forge

@@ -28,13 +28,16 @@ struct SteeringAim {
 /// as coarse as the aim, and who else is in the way is not looked at.
 class SteeringSearch {
  public:
-  static constexpr int kWide = 16;  ///< motions are driven so many at a time
+  static constexpr int kWide = 16;        ///< motions are driven so many at a time
+  static constexpr double kStep = 0.1;    ///< s between the states of a motion that are examined
+  static constexpr int kConsidered = 20;  ///< motions that next() returns at most
+  static constexpr double kNear = 0.8;    ///< m short of the aim; next() returns no farther ones
 
-  /// Steers until last_in_time. `options` must outlive it.
-  SteeringSearch(const DriveStart& start, const SteeringAim& aim, const VehicleLimits& limits,
-                 const SteeringOptions& options);
+  /// Steers until last_in_time.
+  SteeringSearch(const DriveStart& start, const SteeringAim& aim, const VehicleLimits& limits);
 
-  /// One more round. What comes within `near` of the aim, nearest first, at most `considered`.
+  /// One more round. Returns the motions that come within kNear of the aim, nearest first, at most
+  /// kConsidered.
   std::vector<SteeringKnots> next(Random& random);
 
   /// How far the nearest one of the last round stays from the aim: the gap left in m, and headings
@@ -54,7 +57,6 @@ class SteeringSearch {
   void drawLike(const std::vector<Knots>& best);
 
   VehicleLimits limits_;
-  const SteeringOptions& options_;
   BoxSize ego_size_;
   BoxSize size_;
   TypeDefinition band_;

@@ -8,6 +8,10 @@
 
 namespace forge {
 
+inline constexpr double kPreview = 0.8;  ///< s that the steering looks ahead
+/// Share of every limit of the class that is used; the rest allows for readers that round poses.
+inline constexpr double kLimitShare = 0.93;
+
 /// One step of a plan that is to be driven: the state that the middle of the box should have.
 struct PlannedStep {
   PlannedStep() = default;

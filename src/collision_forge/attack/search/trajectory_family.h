@@ -46,11 +46,12 @@ struct SteeringKnots {
 /// step. Can turn from rest, brake and turn hard: what a quintic cannot.
 class BicycleFamily {
  public:
-  BicycleFamily(const VehicleLimits& limits, const BicycleOptions& options)
-      : limits_(limits), options_(options) {}
+  static constexpr double kMaxMiss = 1.0;  ///< m between arrival and reached position
+
+  explicit BicycleFamily(const VehicleLimits& limits) : limits_(limits) {}
 
   /// Knots that bring the bicycle to the arrival, found by damped least squares (Levenberg 1944,
-  /// Marquardt 1963); empty when it stays further than `max_miss` away.
+  /// Marquardt 1963); empty when it stays further than kMaxMiss away.
   std::optional<SteeringKnots> solve(const DriveStart& start, const Arrival& arrival) const;
 
   /// Steers for `duration` seconds, then goes straight on.
@@ -59,7 +60,6 @@ class BicycleFamily {
 
  private:
   VehicleLimits limits_;
-  BicycleOptions options_;
 };
 
 }  // namespace forge

@@ -23,7 +23,7 @@ struct PublishedOptions {
 struct PublishedSearchOptions {
   double heading_tolerance = 0.12;  ///< rad about the set's heading, less than `similar_heading`
   double latest = 1.0;              ///< s after the time asked for; contact may come at any before
-  double overlap_margin = 0.15;     ///< m, as in search.yaml, for `min_overlap`
+  double overlap_margin = 0.15;     ///< m, as of SearchOptions, for `min_overlap`
   double max_lead = 1.0;    ///< s straight on before the contact, at most, in half the draws
   double max_speed = 40.0;  ///< m/s of what is tried
   int kept = 80;            ///< best attacks that are judged by the protocol itself ...

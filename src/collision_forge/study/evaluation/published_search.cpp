@@ -75,7 +75,7 @@ AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOpti
   search.overlap_margin = wanted.overlap_margin;
   search.max_lead = wanted.max_lead;
   search.bicycle_targets = search.bicycle_rounds = 0;
-  options.steering.rounds = 0;
+  search.steering_rounds = 0;
   search.kept = wanted.kept;
   search.off_road_weight = 0.0;
   search.good_off_road = 1.0;
