@@ -39,14 +39,14 @@ class Sentences(unittest.TestCase):
         violations = [violation.split(' the sentence') for violation in violations_of(text)]
         return [violation[0] for violation in violations if len(violation) == 2]
 
-    def test_a_sentence_over_30_words_is_found_where_it_starts(self):
-        self.assertEqual([], violations_of(words(30).replace(' ', '\n') + '.'))
-        self.assertEqual(['README.md:3: the sentence "A word word word word ..." has 31 words, more than 30'],
-                         violations_of('x\n\nFirst. A ' + words(15) + '\n' + words(15) + '.'))
+    def test_a_sentence_over_45_words_is_found_where_it_starts(self):
+        self.assertEqual([], violations_of(words(45).replace(' ', '\n') + '.'))
+        self.assertEqual(['README.md:3: the sentence "A word word word word ..." has 46 words, more than 45'],
+                         violations_of('x\n\nFirst. A ' + words(22) + '\n' + words(23) + '.'))
 
     def test_no_sentence_ends_within_a_number_or_at_an_abbreviation(self):
-        self.assertEqual(['README.md:1:'], self.found('{0} 1.5 {0}'.format(words(15))))
-        self.assertEqual(['README.md:1:'], self.found('{0}, e.g. A\n{0}'.format(words(15))))
+        self.assertEqual(['README.md:1:'], self.found('{0} 1.5 {0}'.format(words(23))))
+        self.assertEqual(['README.md:1:'], self.found('{0}, e.g. A\n{0}'.format(words(23))))
 
 
 class Links(unittest.TestCase):
