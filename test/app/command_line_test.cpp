@@ -290,7 +290,7 @@ TEST(CommandLine, BulkCommandsEndWithAPageWhereOneIsAskedFor) {
   EXPECT_EQ(read("study evaluate" + clips).exit_code, std::nullopt);
   const Reading published = read("study evaluate" + clips + " --protocol published");
   EXPECT_EQ(published.exit_code, kExitUsage);
-  EXPECT_THAT(published.err, HasSubstr("--report: a page is of the strict protocol alone"));
+  EXPECT_THAT(published.err, HasSubstr("--report: the HTML report needs --protocol strict"));
 }
 
 TEST(RequestControls, SayWhatIsGivenAlone) {
