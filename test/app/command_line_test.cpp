@@ -232,19 +232,20 @@ TEST(CommandLine, TheVersionIsPrintedWithTheLicences) {
 
 TEST(CommandLine, HelpOfEveryCommandEndsWithTheExitCodes) {
   for (const auto& [name, options] : kComplete) {
-    EXPECT_THAT(read(name + " --help").out, HasSubstr("\nExit codes: 0 done, 1 error, 2 wrong"))
+    EXPECT_THAT(read(name + " --help").out,
+                HasSubstr("\nExit codes: 0 success, 1 error, 2 invalid"))
         << name;
   }
-  EXPECT_THAT(read("inject --help").out, HasSubstr("the bag is written all the same"));
+  EXPECT_THAT(read("inject --help").out, HasSubstr("the bag is written but its attack"));
 }
 
 TEST(CommandLine, MistypedWordsAreAnsweredWithTheNearest) {
   for (const auto& [line, named] : std::map<std::string, std::string>{
-           {"genrate --jobs 2", "forge: genrate is no command; did you mean generate?"},
+           {"genrate --jobs 2", "forge: unknown command genrate; did you mean generate?"},
            {"study measure covrage",
-            "forge study measure: covrage is no command; did you mean coverage?"},
-           {"inject --bagg a.bag", "forge inject: --bagg is no option; did you mean --bag?"},
-           {"inject --output=b.bag", "forge inject: --output is no option; did you mean --out?"},
+            "forge study measure: unknown command covrage; did you mean coverage?"},
+           {"inject --bagg a.bag", "forge inject: unknown option --bagg; did you mean --bag?"},
+           {"inject --output=b.bag", "forge inject: unknown option --output; did you mean --out?"},
            {"inject" + kComplete.at("inject") + " --mode repaly", "did you mean replay?"},
            {"possible" + kComplete.at("possible") + " --type rear_ned", "did you mean rear_end?"},
            {"test" + kComplete.at("test") + " --planners idm,pmd", "did you mean pdm?"}}) {
@@ -289,7 +290,7 @@ TEST(CommandLine, BulkCommandsEndWithAPageWhereOneIsAskedFor) {
   EXPECT_EQ(read("study evaluate" + clips).exit_code, std::nullopt);
   const Reading published = read("study evaluate" + clips + " --protocol published");
   EXPECT_EQ(published.exit_code, kExitUsage);
-  EXPECT_THAT(published.err, HasSubstr("--report: a page is of the strict protocol alone"));
+  EXPECT_THAT(published.err, HasSubstr("--report: the HTML report needs --protocol strict"));
 }
 
 TEST(RequestControls, SayWhatIsGivenAlone) {

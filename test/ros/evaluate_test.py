@@ -219,8 +219,8 @@ class EvaluateRequestsTest(road.RoadTest):
         times = self.result.stdout[len(table):].strip().splitlines()
         self.assertEqual(len(times), 2)
         for line in times:
-            self.assertRegex(line, r'^(search|replay)_\w+: [0-9.]+ ms on one core in the mean, median [0-9.]+ ms, '
-                                   r'95 % quantile [0-9.]+ ms \({} times in this process\)$'.format(len(self.listed)))
+            self.assertRegex(line, r'^(search|replay)_\w+: mean [0-9.]+ ms on one core, median [0-9.]+ ms, '
+                                   r'95 % quantile [0-9.]+ ms \({} measurements in this process\)$'.format(len(self.listed)))
         self.assertNotIn(' ms', table)
 
     def test_threads_and_ranks_do_not_change_a_byte(self):
@@ -231,7 +231,7 @@ class EvaluateRequestsTest(road.RoadTest):
             result = run_ranks(ranks, *self.command('--out', out))
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual(result.stdout.count('strict protocol'), 1, 'rank 0 alone reports')
-            searches = re.search(r'search_\w+: .* \((\d+) times in this process\)', result.stdout)
+            searches = re.search(r'search_\w+: .* \((\d+) measurements in this process\)', result.stdout)
             self.assertIn(int(searches.group(1)), range(1, len(self.listed) + 1) if ranks > 1 else [len(self.listed)])
             self.assert_as_expected(out)
 
@@ -243,7 +243,7 @@ class EvaluateRequestsTest(road.RoadTest):
         road.leave_part(out / 'results.csv', b''.join(lines[:1 + 4 * 10 + 2]), header=True, lines_per_item=4)
         result = self.run_on('--out', out)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn('({} times in this process)'.format(len(self.listed) - 10), result.stdout)
+        self.assertIn('({} measurements in this process)'.format(len(self.listed) - 10), result.stdout)
         self.assert_as_expected(out)
         for arguments, named in ((['--mode', 'replay'], 'mode = history'), (['--seeds', 2], 'seeds = 1'),
                                  (['--scene', 'scene-0007'], 'requests = ')):

@@ -125,7 +125,7 @@ class InjectionTest(road.RoadTest):
         self.assertGreater(len(gif), 10000)
 
     def test_answer_is_printed(self):
-        for text in ('rear_end by ' + self.attacker, 'crash as asked', 'after the contact: both slide to a stand',
+        for text in ('rear_end by ' + self.attacker, 'crash as asked', 'after the contact: both brake to a standstill',
                      str(self.ended), 'attack.png', 'attack.gif'):
             self.assertIn(text, self.result.stdout)
 
@@ -194,7 +194,7 @@ class RecordedCrashTest(road.RoadTest):
                 codes.add(result.returncode)
                 if result.returncode == 3:
                     last = result.stderr.splitlines()[-1]
-                    self.assertTrue(last.startswith('NOT_AS_ASKED: {} does not show the crash asked for: '.format(out)))
+                    self.assertTrue(last.startswith('NOT_AS_ASKED: {} does not show the requested collision: '.format(out)))
                     self.assertIn('contact not as asked: ' if tested.contact else 'no contact', last)
         self.assertIn(3, codes)
 

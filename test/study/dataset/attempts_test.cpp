@@ -57,7 +57,7 @@ TEST(ReadAttempt, RefusesALineOfSomethingElse) {
     readAttempt("file: line 3", line, sampleRequest(CollisionType::kLtap, 3.5), shippedLimits());
     FAIL() << "accepted";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("file: line 3: answers"));
+    EXPECT_THAT(error.what(), HasSubstr("file: line 3: belongs to the request"));
   }
 }
 

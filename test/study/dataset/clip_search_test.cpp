@@ -136,7 +136,7 @@ TEST_F(ClipSearch, AnAttackOffTheRoadIsRefused) {
 TEST_F(ClipSearch, AnAttackThatAReaderDoesNotSeeIsRefused) {
   // A reader takes the long bus for a car, 6.65 m shorter at its front.
   indexed_.scene.agents = {track("behind", {18.0, 2.5}, {-22.0, 0.0, 0.0}, 9.0)};
-  expectRefusal(StatusCode::kNoAttackWithinLimits, "protocol misses of the clip");
+  expectRefusal(StatusCode::kNoAttackWithinLimits, "the clip does not meet these measures of the ");
 }
 
 TEST_F(ClipSearch, AnUnknownFrameAndAnImpactAfterTheRecordingAreAnswered) {

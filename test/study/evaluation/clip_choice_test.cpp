@@ -70,7 +70,7 @@ TEST(DrawClips, MoreThanThereAreIsRefusedWithHowManyThereAre) {
     drawClips(somePaths(), 13, 2.0, 0);
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "of 16 clips in clips/val only 12 are long enough, not 13");
+    EXPECT_STREQ(error.what(), "only 12 of 16 clips in clips/val are long enough; 13 requested");
   }
 }
 
@@ -86,8 +86,8 @@ TEST(ClipNamed, TakesTheNameOrAPartThatIsOfOneAlone) {
 
 TEST(ClipNamed, UnknownAndAmbiguousNamesAreRefusedWithWhatThereIs) {
   const std::vector<std::string> paths = {"val/a1.csv", "val/a2.csv", "val/b.csv"};
-  EXPECT_EQ(errorOf(paths, "c"), "\"c\" is none of 3 clips in val, as a1");
-  EXPECT_EQ(errorOf(paths, "a"), "\"a\" is in the names of 2 clips, as a1 and a2");
+  EXPECT_EQ(errorOf(paths, "c"), "\"c\" matches none of 3 clips in val; names look like a1");
+  EXPECT_EQ(errorOf(paths, "a"), "\"a\" matches 2 clips, e.g. a1 and a2; give a longer part of the name");
 }
 
 }  // namespace

@@ -194,7 +194,7 @@ TEST_F(RequestEvaluationTest, AdaptiveAttackersStandBesideTheFixedOnes) {
   EXPECT_EQ(row.request->attack.has_value(), meets(row, "contact"));
   const auto looks = std::count_if(
       evaluated.times.begin(), evaluated.times.end(),
-      [](const SearchTime& time) { return time.method == "adaptive, a look at a frame"; });
+      [](const SearchTime& time) { return time.method == "adaptive, per update step"; });
   EXPECT_GT(looks, 4);
 }
 

@@ -23,7 +23,9 @@ std::string differenceOf(const std::string& begun, const std::string& now) {
       errorOf<std::runtime_error>([&] { static_cast<void>(openRunFolder(run, now)); });
   const std::string where = run.out + "/run.txt: ";
   EXPECT_EQ(complaint.substr(0, where.size()), where);
-  return complaint.substr(where.size());
+  const std::string remedy = "; use the same options or choose another --out";
+  EXPECT_THAT(complaint, testing::EndsWith(remedy));
+  return complaint.substr(where.size(), complaint.size() - where.size() - remedy.size());
 }
 
 TEST(OpenRunFolder, GoesOnWithTheSameRun) {
@@ -151,7 +153,7 @@ TEST_F(EpochTableTest, GoesOnWhereTheProcessWasKilledBetweenTwoFiles) {
 
 TEST_F(EpochTableTest, AStateThatWasAlteredIsRefused) {
   EXPECT_TRUE(hasState(run_));
-  const std::string refusal = statePath(run_) + ": is not as it was written: ";
+  const std::string refusal = statePath(run_) + ": the file was changed: ";
   std::string flipped = "state of 3";
   flipped[4] ^= 1;
   for (const std::string& altered : {flipped, std::string("state of"), std::string()}) {

@@ -32,7 +32,7 @@ struct Arguments {
   std::uint64_t seed = 0;
   int jobs = defaultJobs();
 
-  /// Every clip that was tried, with what came of it.
+  /// Returns the path of the file with every clip that was tried and its result.
   std::string attempts() const { return (fs::path(out) / "attempts.jsonl").string(); }
 };
 
@@ -49,9 +49,10 @@ std::vector<SceneRequest> listRequests(const Arguments& arguments,
     }
   }
   if (requests.empty()) {
-    throw std::runtime_error(arguments.logs.path + ": no scene is long enough for a clip of " +
-                             numberText(config.dataset.min_length) +
-                             " s (dataset.min_length) with an ego that moves");
+    throw std::runtime_error(
+        arguments.logs.path + ": no scene is long enough for a clip of " +
+        numberText(config.dataset.min_length) + " s (dataset.min_length) with an ego of at least " +
+        numberText(config.dataset.min_ego_speed) + " m/s (dataset.min_ego_speed)");
   }
   return requests;
 }
@@ -64,7 +65,8 @@ ResumableFile::Options runOptions(const Arguments& arguments, const StudyConfig&
   return options;
 }
 
-/// The name in the folder of the data set under which the page is; empty if it is elsewhere.
+/// Returns the first path component of the HTML report relative to the data set's folder, or an
+/// empty path without a report.
 fs::path pageIn(const Arguments& arguments) {
   if (arguments.report.empty()) return {};
   const fs::path page = fs::weakly_canonical(arguments.report)
@@ -72,24 +74,26 @@ fs::path pageIn(const Arguments& arguments) {
   return *page.begin();
 }
 
-/// Throws for a folder that holds anything but a data set that was begun, its lock and its page.
+/// Throws std::runtime_error if the output folder holds files that do not belong to an interrupted
+/// run.
 void checkFolder(const Arguments& arguments) {
   const bool begun = fs::exists(arguments.attempts()) || fs::exists(arguments.attempts() + ".part");
   if (begun) return;
   for (const auto& entry : fs::directory_iterator(arguments.out)) {
     const fs::path name = entry.path().filename();
     if (name == OutputLock::kFileName || name == pageIn(arguments)) continue;
-    throw std::runtime_error(arguments.out + ": holds other files; write elsewhere");
+    throw std::runtime_error(arguments.out + ": contains other files (" + name.string() +
+                             "); choose another --out");
   }
 }
 
-/// Says which types have no clip at all: the others are balanced without them.
+/// Warns about types without any valid clip; the other types are balanced without them.
 void warnOfMissingTypes(const std::vector<Attempt>& attempts) {
   for (const CollisionType type : kCollisionTypes) {
     const bool found = std::any_of(attempts.begin(), attempts.end(), [=](const Attempt& attempt) {
       return attempt.valid && attempt.asked.request.type == type;
     });
-    if (!found) printLine(std::string("warning: no clip of ") + toString(type) + " is valid");
+    if (!found) printLine(std::string("warning: no valid clip of type ") + toString(type));
   }
 }
 
@@ -121,7 +125,9 @@ int buildDataset(const Arguments& arguments) {
   if (!is_master) return kExitOk;
   warnOfMissingTypes(attempts);
   const auto chosen = chooseClips(attempts, config.dataset.balance, arguments.seed);
-  if (chosen.empty()) throw std::runtime_error(arguments.out + ": none of the clips is valid");
+  if (chosen.empty()) {
+    throw std::runtime_error(arguments.out + ": no clip is valid; see attempts.jsonl for reasons");
+  }
   std::cout << writeDataset(arguments.out, arguments.attempts(), attempts, chosen, config.dataset,
                             config.drawing, config.input_limits, scenes);
   if (!arguments.report.empty()) {
@@ -135,13 +141,13 @@ int buildDataset(const Arguments& arguments) {
 void addDataset(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kTraining, "study dataset",
-                           "Makes a data set of collisions of logs, in COLLIDE's layout.",
+                           "Makes a collision data set from logs, in COLLIDE's layout.",
                            [arguments] { return buildDataset(*arguments); });
   addSource(app, arguments->logs)->required();
   addScenes(app, arguments->scenes);
-  addOut(app, arguments->out, "folder to write; see docs/dataset.md");
-  addSeed(app, arguments->seed, "of lengths, headings, searches and the balance");
-  addJobs(app, arguments->jobs, "clips at a time, in every rank of mpirun");
+  addOut(app, arguments->out, "output folder; see docs/dataset.md");
+  addSeed(app, arguments->seed, "random seed of lengths, headings, attack searches and balancing");
+  addJobs(app, arguments->jobs, "clips searched in parallel on each MPI rank");
   addReportOption(app, arguments->report);
   addConfig(app, arguments->config);
 }

@@ -20,7 +20,7 @@ namespace forge {
 namespace {
 
 const std::vector<double> kHorizons = {2.0, 3.0, 4.0, 5.0, 6.0};  // s
-constexpr double kDriving = 2.0;  // m/s; slower cases are told apart
+constexpr double kDriving = 2.0;  // m/s; slower cases are reported separately
 
 struct Arguments {
   LogSource logs;
@@ -43,7 +43,7 @@ void printErrors(const char* title, const SpeedSituations& recorded,
   std::fprintf(stderr, "%s: %.1f s\n", title, duration.count());
 }
 
-/// Of scenes that a forecast was made without: how far it was off, and how often within.
+/// Prints the errors and interval coverage of forecasts on held-out scenes.
 void check(const SpeedSituations& recorded, const SpeedForecaster& model) {
   constexpr double kFastest = std::numeric_limits<double>::infinity();
   std::printf(
@@ -53,7 +53,8 @@ void check(const SpeedSituations& recorded, const SpeedForecaster& model) {
   printErrors("slow", recorded, model, -kFastest, kDriving);
 }
 
-/// To thousandths: what only the last digits of a machine differ in must not change the model.
+/// Rounds to thousandths, so that floating-point differences between machines do not change the
+/// model.
 void roundValues(SpeedProfileRow& row) {
   constexpr double kThousandths = 1e3;
   WayAhead& ahead = row.ahead;
@@ -63,7 +64,7 @@ void roundValues(SpeedProfileRow& row) {
   }
 }
 
-/// How the egos of all scenes drove.
+/// Collects the speed profiles of the egos of all scenes.
 SpeedSituations collect(const LogSource& logs, const StudyConfig& config) {
   SceneSource scenes(logs, {}, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
@@ -81,7 +82,7 @@ SpeedSituations collect(const LogSource& logs, const StudyConfig& config) {
   return SpeedSituations(std::move(rows));
 }
 
-/// Names the logs in what is wrong.
+/// Fits the model; adds the path of the logs to error messages.
 SpeedModel fitTo(const SpeedSituations& recorded, const Arguments& arguments,
                  const StudyConfig& config) {
   ProgressLine progress("models");
@@ -111,18 +112,18 @@ int fit(const Arguments& arguments) {
 
 void addSpeedsFit(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App& app = line.add(kTraining, "study speeds fit",
-                           "Fits a model of how drivers change their speed to recorded egos.",
-                           [arguments] { return fit(*arguments); });
+  CLI::App& app =
+      line.add(kTraining, "study speeds fit", "Fits the speed model of drivers to recorded egos.",
+               [arguments] { return fit(*arguments); });
   addSource(app, arguments->logs)->required();
-  addOut(app, arguments->out, "file of the model to write");
+  addOut(app, arguments->out, "output model file");
   app.add_option(
          "--folds", arguments->folds,
-         "further models that leave each scene out once, to measure on the scenes fitted to; "
-         "0: none, else 2 at least")
+         "number of additional models for cross-validation, each leaves a part of the scenes out; "
+         "0: none, else at least 2")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  addSeed(app, arguments->seed, "of what is drawn");
+  addSeed(app, arguments->seed, "random seed of clustering and folds");
   addConfig(app, arguments->config);
 }
 

@@ -27,7 +27,7 @@ Tensor relativeYaws(const PublishedTold& told, const TrafficBatch& batch, int hi
 
 namespace {
 
-/// The likeliest first, whom the request allows.
+/// See makePublishedPredictor().
 class PublishedPatternPredictor : public PatternPredictor {
  public:
   PublishedPatternPredictor(TellPatterns tell, const TrafficOptions& traffic,
@@ -45,7 +45,8 @@ class PublishedPatternPredictor : public PatternPredictor {
     if (allowed.empty()) {
       prediction.status = {StatusCode::kNoCandidate, "no vehicle within candidate_radius = " +
                                                          numberText(options_.candidate_radius) +
-                                                         " m, seen now and in the frame before"};
+                                                         " m was observed at t0 and in the frame "
+                                                         "before"};
       return prediction;
     }
     const TrafficClip clip = trafficOf(snapshot, allowed.front(), request, traffic_, &lanes);
@@ -55,7 +56,7 @@ class PublishedPatternPredictor : public PatternPredictor {
     if (!told.placed.item<bool>()) {
       prediction.status = {StatusCode::kRoadDoesNotAllow,
                            "no lane within " + numberText(traffic_.lanes.reach) +
-                               " m of the ego, where the crash could be"};
+                               " m of the ego at t0, on which the network could place the crash"};
       return prediction;
     }
     fillIn(told, batch, clip, allowed, snapshot, request, prediction);
@@ -63,7 +64,7 @@ class PublishedPatternPredictor : public PatternPredictor {
   }
 
  private:
-  /// The nearest to the ego first.
+  /// Returns the ids of the vehicles that the request allows, nearest to the ego first.
   std::vector<std::string> allowedBy(const CollisionRequest& request,
                                      const Snapshot& snapshot) const {
     if (request.attacker) return {*request.attacker};
@@ -80,7 +81,7 @@ class PublishedPatternPredictor : public PatternPredictor {
     return ids;
   }
 
-  /// A pattern for each of the allowed whom the network sees.
+  /// Appends a pattern for each allowed vehicle that is in the network's input.
   void fillIn(const PublishedTold& told, const TrafficBatch& batch, const TrafficClip& clip,
               const std::vector<std::string>& allowed, const Snapshot& snapshot,
               const CollisionRequest& request, PatternPrediction& prediction) const {
@@ -89,7 +90,7 @@ class PublishedPatternPredictor : public PatternPredictor {
     const auto number = [](const Tensor& tensor) {
       const double found = tensor.item<double>();
       if (!std::isfinite(found)) {
-        throw std::runtime_error("the published network tells a number that is not finite");
+        throw std::runtime_error("the published network returns values that are not finite");
       }
       return found;
     };
