@@ -10,6 +10,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/io/batch/printable.h"
+#include "collision_forge/io/batch/progress_line.h"
 
 namespace forge {
 namespace {
@@ -68,6 +69,11 @@ std::string complaintOfWord(const std::string& word, const CLI::App& command) {
 }
 
 }  // namespace
+
+int exitAfterUnreadable(const std::vector<std::string>& problems) {
+  for (const std::string& problem : problems) printLine("not read: " + problem);
+  return problems.empty() ? kExitOk : kExitError;
+}
 
 std::vector<const CLI::Option*> optionsOf(const CLI::App& command) {
   std::vector<const CLI::Option*> options = command.get_options();

@@ -13,6 +13,10 @@ namespace forge {
 /// still writes the bag if an attack exists that misses the recorded ego or hits it differently.
 enum ExitCode { kExitOk = 0, kExitError = 1, kExitUsage = 2, kExitNoAttack = 3 };
 
+/// Prints "not read: PROBLEM" for each scene that could not be read. Returns kExitOk if there is
+/// none, else kExitError.
+int exitAfterUnreadable(const std::vector<std::string>& problems);
+
 /// The command line of forge: holds the commands, parses the arguments, runs the selected command.
 class CommandLine {
  public:

@@ -124,7 +124,8 @@ AdaptiveAnswer answerOf(const MethodMaker& maker, const Moment& moment, const Sc
   if (request.mode == Mode::kAdaptive) {
     const AttackerSetup setup{maker.egoFutures(), config.attack, config.adaptive};
     return withoutMisses(
-        answerAdaptively(*maker.make(), moment, scene, config.ego_vehicle, request, setup),
+        answerAdaptively(*maker.make(), moment, scene,
+                         egoVehicleOf(scene, config.ego_vehicle.center_offset), request, setup),
         request);
   }
   return {attackOf(generateCollision(*maker.make(), moment, request, config.attack.prediction),

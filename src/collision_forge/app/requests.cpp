@@ -136,11 +136,11 @@ int makeRequests(const Arguments& arguments) {
   RoadCounts counts;
   ProgressLine progress("scenes");
   std::size_t done = 0;
-  for (const std::string& name : names) {
-    addRequestsOf(*scenes.at(name), options, asked, arguments.allowed_only, config, requests,
-                  counts);
+  const std::vector<std::string> unreadable = scenes.forEach([&](const IndexedScene& scene) {
+    addRequestsOf(scene, options, asked, arguments.allowed_only, config, requests, counts);
     progress.show(++done, names.size());
-  }
+  });
+  if (unreadable.size() == names.size()) return exitAfterUnreadable(unreadable);
   if (requests.empty()) {
     throw std::runtime_error(counts.empty()
                                  ? "these scenes and options yield no request (ego too slow, or "
@@ -149,10 +149,11 @@ int makeRequests(const Arguments& arguments) {
                                    "options; omit --allowed-only to list them");
   }
   writeRequests(arguments.out, requests, config.crash);
-  std::cout << counted(requests.size(), "request") << " over " << counted(names.size(), "scene")
-            << " written to " << arguments.out << "\n";
+  std::cout << counted(requests.size(), "request") << " over "
+            << counted(names.size() - unreadable.size(), "scene") << " written to " << arguments.out
+            << "\n";
   print(counts);
-  return kExitOk;
+  return exitAfterUnreadable(unreadable);
 }
 
 /// Rejects NaN and infinity, which the range validators of CLI11 accept.

@@ -55,7 +55,7 @@ int testOnDraw(const Arguments& arguments) {
   } else {
     test.writePage({weaknesses}, arguments.logs);
   }
-  return kExitOk;
+  return exitAfterUnreadable(drawn.requests.unreadable());
 }
 
 int testOnScenarios(const Arguments& arguments) {

@@ -32,6 +32,14 @@ TEST(SceneHistory, KeepsTheNewestFrames) {
   EXPECT_NEAR(snapshot.ego.states.back().velocity.x(), 4.0, 1e-12);
 }
 
+TEST(SceneHistory, TheEgoHasTheSizeThatWasSet) {
+  SceneHistory history(3, kVehicle);
+  history.add(frameAt(0.0));
+  EXPECT_EQ(history.snapshot().ego.size.length, kVehicle.size.length);
+  history.setEgoSize({5.286, 2.332});
+  EXPECT_EQ(history.snapshot().ego.size.length, 5.286);
+}
+
 TEST(SceneHistory, CollectsTheStatesOfEachAgentSortedById) {
   SceneHistory history(8, kVehicle);
   history.add(frameAt(0.0, {seen("b", {0.0, 0.0, 0.0}), seen("gone", {5.0, 5.0, 0.0})}));

@@ -108,6 +108,15 @@ TEST(SceneSource, RetriesASceneThatCouldNotBeRead) {
   EXPECT_EQ(SlowReader::reads.at("a"), 2);
 }
 
+TEST(SceneSource, ForEachLeavesOutScenesThatCannotBeRead) {
+  SceneSource scenes = slowSource(1, 1);
+  std::vector<std::string> names;
+  const auto problems =
+      scenes.forEach([&](const IndexedScene& scene) { names.push_back(scene.scene.name); });
+  EXPECT_EQ(names, std::vector<std::string>{"b"});
+  EXPECT_EQ(problems, std::vector<std::string>{"a: cannot be read"});
+}
+
 TEST(SceneSource, RefusesUnknownScenes) {
   EXPECT_THROW(SceneSource({kDataroot, kVersion}, {"scene-0099"}, config(), 1), NuScenesError);
   SceneSource scenes = source(1);

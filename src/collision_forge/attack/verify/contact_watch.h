@@ -22,6 +22,9 @@ class ContactWatch {
   void change(AttackerTrajectory trajectory);
   void stop();
 
+  /// Sets the size of the ego's box for all later poses, m.
+  void setEgoSize(const BoxSize& size) { ego_.size = size; }
+
   /// Middle of the ego's box; the velocity is derived from the poses. A pose that is not later than
   /// the one before is from a replay that went back; to before the contact, the contact is
   /// forgotten.

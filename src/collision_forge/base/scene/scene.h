@@ -28,6 +28,12 @@ struct Scene {
   std::shared_ptr<const LaneMap> map;
 };
 
+/// Returns the vehicle that the ego of the scene is: the size of its track, and the offset (m) of
+/// EgoVehicle, which no log contains.
+inline EgoVehicle egoVehicleOf(const Scene& scene, double center_offset) {
+  return {scene.ego.size, center_offset};
+}
+
 /// A scene as known at t0: states up to and including `now`, none later.
 struct Snapshot {
   double now = 0.0;  ///< t0: s, the time of the newest frame

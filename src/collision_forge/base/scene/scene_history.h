@@ -49,6 +49,9 @@ class SceneHistory {
   /// Starts with the frames and the map of `start`.
   SceneHistory(int frames, const EgoVehicle& ego, const Snapshot& start);
 
+  /// Sets the size of the ego's box in all later snapshots, m.
+  void setEgoSize(const BoxSize& size) { ego_.size = size; }
+
   /// Returns true if `time` is at most the newest frame's time and at most kRestart before it.
   bool isLate(double time) const;
 

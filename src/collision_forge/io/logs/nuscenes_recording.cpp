@@ -69,7 +69,7 @@ Track egoTrack(const NuScenesRecording& recording, const EgoVehicle& ego) {
   Track track;
   track.id = kEgoId;
   track.agent_class = AgentClass::kCar;
-  track.size = ego.size;
+  track.size = recording.ego_size.value_or(ego.size);
   track.states.reserve(recording.ego_poses.size());
   for (const NuScenesEgoPose& recorded : recording.ego_poses) {
     const Pose2 base{recorded.translation.x(), recorded.translation.y(), yawOf(recorded.rotation)};

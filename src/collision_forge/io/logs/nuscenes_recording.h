@@ -42,6 +42,7 @@ struct NuScenesRecording {
   std::string name;
   std::string description;
   std::string location;                    ///< name of the map, for instance "boston-seaport"
+  std::optional<BoxSize> ego_size;         ///< of the ego's box, if the log contains it
   std::vector<NuScenesEgoPose> ego_poses;  ///< timestamps strictly increasing
   std::vector<NuScenesFrame> frames;       ///< timestamps strictly increasing
 };
@@ -61,7 +62,8 @@ const char* categoryOf(AgentClass agent_class);
 void deriveVelocities(NuScenesRecording& recording);
 
 /// Projects the recording to the ground plane. Times are timestamp_us * 1e-6 s. Ego states are the
-/// box centre, `ego.center_offset` ahead of the recorded poses. Agent ids are instance tokens, in
+/// box centre, `ego.center_offset` ahead of the recorded poses; their size is the recording's
+/// ego_size, or else `ego.size`. Agent ids are instance tokens, in
 /// order of appearance; an agent keeps the size of its first annotation. An unknown category
 /// becomes a static object and adds a line to `warnings`, if given.
 Scene toScene(const NuScenesRecording& recording, const EgoVehicle& ego,

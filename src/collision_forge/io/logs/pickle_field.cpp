@@ -4,6 +4,7 @@
 #include <rapidjson/error/en.h>
 #include <rapidjson/memorystream.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -86,6 +87,11 @@ double PickleField::number() const {
   return value_->GetDouble();
 }
 
+double PickleField::rawNumber() const {
+  if (!value_->IsNumber()) fail("is not a number");
+  return value_->GetDouble();
+}
+
 bool PickleField::flag() const {
   if (!value_->IsBool()) fail("is neither True nor False");
   return value_->GetBool();
@@ -110,12 +116,17 @@ std::vector<double> PickleField::column(std::optional<std::size_t> rows) const {
   return numbers();
 }
 
-std::vector<Vector2> PickleField::points(std::optional<std::size_t> rows) const {
+std::vector<Vector2> PickleField::points() const {
+  std::vector<Vector2> found = isArray() ? pointsOfArray() : pointsOfList();
+  found.erase(std::remove_if(found.begin(), found.end(),
+                             [](const Vector2& point) { return !point.allFinite(); }),
+              found.end());
+  return found;
+}
+
+std::vector<Vector2> PickleField::pointRows(std::size_t rows) const {
   std::vector<Vector2> found = isArray() ? pointsOfArray() : pointsOfList();
   if (!found.empty()) requireRows(rows, found.size());
-  for (std::size_t row = 0; row < found.size(); ++row) {
-    if (!found[row].allFinite()) fail("row " + std::to_string(row) + " is not finite");
-  }
   return found;
 }
 
@@ -181,7 +192,7 @@ std::vector<Vector2> PickleField::pointsOfList() const {
   for (const PickleField& point : list()) {
     const std::vector<PickleField> numbers = point.list();
     if (numbers.size() < 2) fail("has a point of fewer than two numbers");
-    found.emplace_back(numbers[0].number(), numbers[1].number());
+    found.emplace_back(numbers[0].rawNumber(), numbers[1].rawNumber());
   }
   return found;
 }

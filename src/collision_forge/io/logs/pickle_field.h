@@ -38,16 +38,19 @@ class PickleField {
   std::string text() const;
   /// Returns a finite number.
   double number() const;
+  /// Returns a number, which may be infinite or NaN.
+  double rawNumber() const;
   bool flag() const;
   /// List or array of texts or integers: returns them as texts.
   std::vector<std::string> words() const;
   /// Array of one dimension, or of two with one column: returns its numbers. If `rows` is given,
   /// any other length throws.
   std::vector<double> column(std::optional<std::size_t> rows = std::nullopt) const;
-  /// Array of two dimensions, or list of lists: returns the first two numbers of each row. If
-  /// `rows` is given, a length other than `rows` or 0 throws. Throws for numbers that are not
-  /// finite.
-  std::vector<Vector2> points(std::optional<std::size_t> rows = std::nullopt) const;
+  /// Array of two dimensions, or list of lists: returns the first two numbers of each row, without
+  /// the rows that are not finite.
+  std::vector<Vector2> points() const;
+  /// The same with the rows that are not finite; throws if there are neither 0 nor `rows` rows.
+  std::vector<Vector2> pointRows(std::size_t rows) const;
 
  private:
   struct Content;

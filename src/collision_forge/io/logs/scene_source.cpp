@@ -1,6 +1,7 @@
 #include "collision_forge/io/logs/scene_source.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 namespace forge {
@@ -34,6 +35,22 @@ std::shared_ptr<const IndexedScene> SceneSource::at(const std::string& name) {
   const ReadScene scene = found->second;
   lock.unlock();
   return scene.get();
+}
+
+std::vector<std::string> SceneSource::forEach(
+    const std::function<void(const IndexedScene&)>& work) {
+  std::vector<std::string> unreadable;
+  for (const std::string& name : names()) {
+    std::shared_ptr<const IndexedScene> scene;
+    try {
+      scene = at(name);
+    } catch (const std::exception& error) {
+      unreadable.push_back(name + ": " + error.what());
+      continue;
+    }
+    work(*scene);
+  }
+  return unreadable;
 }
 
 /// Reads a scene that is not cached; releases the lock while reading.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <future>
 #include <list>
 #include <memory>
@@ -29,6 +30,10 @@ class SceneSource {
   /// Returns a scene. Throws as SceneReader::read(), in every thread that waits for the scene; the
   /// next call tries again.
   std::shared_ptr<const IndexedScene> at(const std::string& name);
+
+  /// Passes each selected scene to `work`, in the source's order. A scene that cannot be read is
+  /// left out; returns "NAME: REASON" for each of them.
+  std::vector<std::string> forEach(const std::function<void(const IndexedScene&)>& work);
 
  private:
   using ReadScene = std::shared_future<std::shared_ptr<const IndexedScene>>;

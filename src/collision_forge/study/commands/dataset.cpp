@@ -36,18 +36,21 @@ struct Arguments {
   std::string attempts() const { return (fs::path(out) / "attempts.jsonl").string(); }
 };
 
+/// Sets `unreadable` to the problems of SceneSource::forEach().
 std::vector<SceneRequest> listRequests(const Arguments& arguments,
                                        const std::vector<std::string>& scenes,
-                                       const StudyConfig& config) {
+                                       const StudyConfig& config,
+                                       std::vector<std::string>& unreadable) {
   SceneSource source(arguments.logs, scenes, config, 1);
   std::vector<SceneRequest> requests;
-  for (const std::string& name : source.names()) {
-    for (SceneRequest& request : listClipRequests(source.at(name)->scene, config.dataset,
+  const auto add = [&](const IndexedScene& indexed) {
+    for (SceneRequest& request : listClipRequests(indexed.scene, config.dataset,
                                                   config.attack.prediction, arguments.seed)) {
       request.request.crash = config.crash;
       requests.push_back(std::move(request));
     }
-  }
+  };
+  unreadable = source.forEach(add);
   if (requests.empty()) {
     throw std::runtime_error(
         arguments.logs.path + ": no scene is long enough for a clip of " +
@@ -103,7 +106,8 @@ int buildDataset(const Arguments& arguments) {
   const std::vector<std::string> names = wantedScenes(arguments.logs, arguments.scenes);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   if (is_master) checkFolder(arguments);
-  const std::vector<SceneRequest> requests = listRequests(arguments, names, config);
+  std::vector<std::string> unreadable;
+  const std::vector<SceneRequest> requests = listRequests(arguments, names, config, unreadable);
   SceneSource scenes(arguments.logs, names, config, static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
   std::vector<Attempt> attempts;
@@ -115,8 +119,9 @@ int buildDataset(const Arguments& arguments) {
   run.jobs = arguments.jobs;
   run.work = [&](std::size_t index) {
     const SceneRequest& asked = requests[index];
-    return scenarioLine({asked, config.ego_vehicle,
-                         findClip(asked, *scenes.at(asked.scene), config, config.dataset)});
+    const auto scene = scenes.at(asked.scene);
+    return scenarioLine({asked, egoVehicleOf(scene->scene, config.ego_vehicle.center_offset),
+                         findClip(asked, *scene, config, config.dataset)});
   };
   run.take = [&](std::size_t index, const std::string& where, const std::string& line) {
     attempts.push_back(readAttempt(where, line, requests[index], config.input_limits));
@@ -133,7 +138,7 @@ int buildDataset(const Arguments& arguments) {
   if (!arguments.report.empty()) {
     writeReport({{arguments.attempts()}, arguments.logs}, arguments.report, config);
   }
-  return kExitOk;
+  return exitAfterUnreadable(unreadable);
 }
 
 }  // namespace

@@ -51,7 +51,8 @@ void measureScene(const IndexedScene& indexed, const Config& config, Measurement
   const PlannerOptions& options = config.planners;
   const std::unique_ptr<Planner> planner = makePlanner(measurement.name, options, "").planner;
   planner->initialize({indexed.lanes, routeOf(scene.ego, *indexed.lanes, options.planning.route),
-                       config.ego_vehicle, options.car.wheelbase});
+                       egoVehicleOf(scene, config.ego_vehicle.center_offset),
+                       options.car.wheelbase});
   for (const double now : scene.frame_times) {
     const Observation observation =
         observationAt(scene, now, config.attack.prediction.history_frames);

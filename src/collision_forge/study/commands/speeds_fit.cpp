@@ -64,21 +64,24 @@ void roundValues(SpeedProfileRow& row) {
   }
 }
 
-/// Collects the speed profiles of the egos of all scenes.
-SpeedSituations collect(const LogSource& logs, const StudyConfig& config) {
+/// Collects the speed profiles of the egos of all scenes. Sets `unreadable` to the problems of
+/// SceneSource::forEach().
+SpeedSituations collect(const LogSource& logs, const StudyConfig& config,
+                        std::vector<std::string>& unreadable) {
   SceneSource scenes(logs, {}, config, 1, {}, showReading());
-  const std::vector<std::string> names = scenes.names();
+  const std::size_t count = scenes.names().size();
   std::vector<SpeedProfileRow> rows;
   ProgressLine progress("scenes");
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto indexed = scenes.at(names[i]);
+  std::size_t done = 0;
+  const auto add = [&](const IndexedScene& indexed) {
     for (SpeedProfileRow& row :
-         collectSpeedProfiles(indexed->scene, *indexed->lanes, config.attack.ego_futures.paths)) {
+         collectSpeedProfiles(indexed.scene, *indexed.lanes, config.attack.ego_futures.paths)) {
       roundValues(row);
       rows.push_back(std::move(row));
     }
-    progress.show(i + 1, names.size());
-  }
+    progress.show(++done, count);
+  };
+  unreadable = scenes.forEach(add);
   return SpeedSituations(std::move(rows));
 }
 
@@ -98,14 +101,15 @@ SpeedModel fitTo(const SpeedSituations& recorded, const Arguments& arguments,
 int fit(const Arguments& arguments) {
   const StudyConfig config = loadStudyConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFile(arguments.out);
-  const SpeedSituations recorded = collect(arguments.logs, config);
+  std::vector<std::string> unreadable;
+  const SpeedSituations recorded = collect(arguments.logs, config, unreadable);
   const SpeedModel fitted = fitTo(recorded, arguments, config);
   writeSpeedModel(fitted, arguments.out);
   std::printf("%d intervals of %zu scenes\n", static_cast<int>(fitted.weights().gains.cols()),
               recorded.scenes().size());
-  if (arguments.folds == 0) return kExitOk;
-  check(recorded, readSpeedModel(arguments.out));  // as it is used, rounded
-  return kExitOk;
+  if (arguments.folds > 0)
+    check(recorded, readSpeedModel(arguments.out));  // as it is used, rounded
+  return exitAfterUnreadable(unreadable);
 }
 
 }  // namespace

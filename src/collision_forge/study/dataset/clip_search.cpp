@@ -133,7 +133,7 @@ double drawnHeading(const CollisionRequest& request, const TypeDefinition& defin
 
 Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
                      const StudyOptions& study, const DatasetOptions& options) {
-  Scenario scenario{asked, study.ego_vehicle, {}};
+  Scenario scenario{asked, egoVehicleOf(indexed.scene, study.ego_vehicle.center_offset), {}};
   const auto found = momentAt(indexed, asked.now, kHistoryFrames);
   if (const Status* status = std::get_if<Status>(&found)) {
     scenario.answer.status = *status;

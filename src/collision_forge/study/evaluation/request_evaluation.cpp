@@ -279,7 +279,8 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
       Realization answer;
       if (kind.mode == Mode::kAdaptive) {
         AdaptiveAnswer adaptive = answerAdaptively(
-            *method, *moment, recording->scene, study_.ego_vehicle, seeded,
+            *method, *moment, recording->scene,
+            egoVehicleOf(recording->scene, study_.ego_vehicle.center_offset), seeded,
             {method_.egoFuturesWithoutScene(asked.scene), study_.attack, study_.adaptive});
         for (const double time : adaptive.milliseconds) {
           evaluated.times.push_back({"adaptive, per update step", time});

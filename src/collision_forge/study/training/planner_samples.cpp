@@ -65,8 +65,8 @@ std::vector<PlannerSample> plannerSamples(const Scene& scene,
                                           std::shared_ptr<const LaneIndex> lanes,
                                           const LearningOptions& options,
                                           const PlannerOptions& planners) {
-  DrivingTask task{lanes, routeOf(scene.ego, *lanes, planners.planning.route), options.ego_vehicle,
-                   planners.car.wheelbase};
+  DrivingTask task{lanes, routeOf(scene.ego, *lanes, planners.planning.route),
+                   egoVehicleOf(scene, options.ego_vehicle.center_offset), planners.car.wheelbase};
   PlannerInputs inputs(task, planners.route_centerline);
   const std::vector<TrajectoryPoint> motions = motionsOf(
       atFrames(scene.ego, scene.frame_times), scene.frame_times, options.attack.prediction);
