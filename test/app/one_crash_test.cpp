@@ -246,7 +246,7 @@ class OneCrash : public testing::Test {
   collision_forge::Attack message_;
 };
 
-TEST_F(OneCrash, MovesBothVehiclesOnAfterTheContact) {
+TEST_F(OneCrash, BothVehiclesMoveAfterTheContact) {
   ASSERT_TRUE(report_.contact);
   const Places places = inBag();
   const auto recorded = stateAt(recording_.scene.ego, time())->pose.position();

@@ -53,7 +53,7 @@ class CommandLine {
   std::map<const CLI::App*, Run> runs_;
 };
 
-/// Adds all commands except those of the study.
+/// Adds all commands except the study commands.
 void addCommands(CommandLine& line);
 
 /// Returns the direct subcommands of `command`, as "coverage" of "measure", without option groups,

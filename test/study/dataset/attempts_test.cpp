@@ -43,7 +43,7 @@ TEST(Attempt, LengthCountsTheFramesUntilImpact) {
   EXPECT_EQ(validAttempt(CollisionType::kRearEnd, 4.5).length(), 7 + 9);
 }
 
-TEST(ReadAttempt, TellsWhatWasAskedAndThatThereIsNoClip) {
+TEST(ReadAttempt, ReadsTheRequestAndThatNoClipWasFound) {
   const SceneRequest asked = sampleRequest(CollisionType::kLtap, 3.0);
   const Attempt attempt = readAttempt("line 1", lineOf(asked), asked, shippedLimits());
   EXPECT_EQ(attempt.asked.scene, "scene-0001");
@@ -51,7 +51,7 @@ TEST(ReadAttempt, TellsWhatWasAskedAndThatThereIsNoClip) {
   EXPECT_FALSE(attempt.valid);
 }
 
-TEST(ReadAttempt, RefusesALineOfSomethingElse) {
+TEST(ReadAttempt, RejectsALineOfAnotherRequest) {
   const std::string line = lineOf(sampleRequest(CollisionType::kLtap, 3.0));
   try {
     readAttempt("file: line 3", line, sampleRequest(CollisionType::kLtap, 3.5), shippedLimits());
@@ -61,7 +61,7 @@ TEST(ReadAttempt, RefusesALineOfSomethingElse) {
   }
 }
 
-TEST(ChooseClips, GivesPlacesAmongAllAttempts) {
+TEST(ChooseClips, ReturnsIndicesIntoAllAttempts) {
   std::vector<Attempt> attempts(5);
   attempts[1] = validAttempt(CollisionType::kLtap, 3.0);
   attempts[4] = validAttempt(CollisionType::kLtap, 3.0);

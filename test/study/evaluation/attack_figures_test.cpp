@@ -54,7 +54,7 @@ TEST(AttackFigures, WindowEndsBeforeTheContactOfTheReport) {
   EXPECT_EQ(figures.window->generated, 5u);
 }
 
-TEST(AttackFigures, PastOfOneThatWasAddedIsItsOwn) {
+TEST(AttackFigures, AnAddedAttackerUsesItsOwnPast) {
   Case c;
   c.recording.agents.erase(c.recording.agents.begin());
   EXPECT_FALSE(c.figures().window);
@@ -64,7 +64,7 @@ TEST(AttackFigures, PastOfOneThatWasAddedIsItsOwn) {
   EXPECT_TRUE(c.figures().window);
 }
 
-TEST(AttackFigures, LeastGapIsToAnybodyButTheEgoUntilTheContact) {
+TEST(AttackFigures, LeastGapExcludesTheEgoAndEndsAtTheContact) {
   Case c;
   EXPECT_NEAR(*c.figures().least_gap, 5.0 - kCarSize.width, 1e-9);
   // Stands where the attacker's front comes to at 4.5 s, half a second after the contact.
@@ -77,7 +77,7 @@ TEST(AttackFigures, LeastGapIsToAnybodyButTheEgoUntilTheContact) {
   EXPECT_FALSE(c.figures().least_gap);
 }
 
-TEST(AttackFigures, PeaksAreThoseUntilTheContact) {
+TEST(AttackFigures, PeaksEndAtTheContact) {
   Case c;
   for (TrajectoryPoint& point : c.answer.trajectory.points) {
     const double after = point.time - kNow;
@@ -92,7 +92,7 @@ TEST(AttackFigures, PeaksAreThoseUntilTheContact) {
   EXPECT_NEAR(figures.peaks.steering_rate, 0.01 * wheelbase, 1e-4);
 }
 
-TEST(AttackFigures, ColumnsReadBackAsThemselves) {
+TEST(AttackFigures, ColumnsRoundTrip) {
   Case c;
   c.answer.report.road = {0.1, 0.2, 0.3, 0.4, 0.5};
   const std::optional<AttackFigures> attack = c.figures();
@@ -114,7 +114,7 @@ TEST(AttackFigures, ColumnsReadBackAsThemselves) {
   }
 }
 
-TEST(RecordedMotion, IsOfEveryWindowWithItsRoadAndGap) {
+TEST(RecordedMotion, HasEachWindowWithRoadUseAndGap) {
   const Case c;
   const auto map = twoLaneRoad();
   IndexedScene recording{c.recording, std::make_shared<const LaneIndex>(map)};

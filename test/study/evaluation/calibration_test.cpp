@@ -18,7 +18,7 @@ std::vector<Promise> ladder(int count, int kept) {
   return promises;
 }
 
-TEST(Calibration, DecilesAreOfEqualNumberAndSorted) {
+TEST(Calibration, DecilesHaveEqualSizesAndAreSorted) {
   std::vector<Promise> promises = ladder(200, 70);
   std::reverse(promises.begin(), promises.end());
   const Calibration calibration = calibrate("angle bands", promises);
@@ -33,7 +33,7 @@ TEST(Calibration, DecilesAreOfEqualNumberAndSorted) {
   }
 }
 
-TEST(Calibration, LargestDifferenceIsOfEitherSign) {
+TEST(Calibration, LargestDifferenceIgnoresTheSign) {
   // Nothing is kept: the most promising tenth is the farthest off.
   const Calibration none = calibrate("", ladder(100, 0));
   EXPECT_NEAR(none.largestDifference(), 0.945, 1e-12);
@@ -41,7 +41,7 @@ TEST(Calibration, LargestDifferenceIsOfEitherSign) {
   EXPECT_NEAR(all.largestDifference(), 1.0 - 0.045, 1e-12);
 }
 
-TEST(Calibration, FewPromisesLeaveOutEmptyGroups) {
+TEST(Calibration, FewPromisesGiveNoEmptyGroups) {
   EXPECT_TRUE(calibrate("", {}).deciles.empty());
   EXPECT_EQ(calibrate("", {}).largestDifference(), 0.0);
   const Calibration three = calibrate("", ladder(3, 1));

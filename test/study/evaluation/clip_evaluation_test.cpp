@@ -70,7 +70,7 @@ TEST(ClipEvaluation, EveryPlanHasTheBaselinesAndItsSeeds) {
   }
 }
 
-TEST(ClipEvaluation, StrictRowsHaveEveryCondition) {
+TEST(ClipEvaluation, StrictRowsHaveAllConditions) {
   Evaluation evaluation;
   for (const char* method : {"recorded", "constant_velocity"}) {
     const ResultRow row = evaluation.row(rearEnd(), method);
@@ -81,7 +81,7 @@ TEST(ClipEvaluation, StrictRowsHaveEveryCondition) {
   }
 }
 
-TEST(ClipEvaluation, ApproachTellsTheTwoStrictColumnsApart) {
+TEST(ClipEvaluation, TheApproachDistinguishesTheTwoStrictColumns) {
   // From the left, 90 degrees: as a left turn across path only by the angle.
   const CollideClip clip =
       straightClip(CollisionType::kLtap, 90.0, 11, 5.0, {10.0, 13.0, -M_PI_2}, 5.0);
@@ -92,7 +92,7 @@ TEST(ClipEvaluation, ApproachTellsTheTwoStrictColumnsApart) {
   EXPECT_FALSE(meets(row, Protocol::kStrict, "type_full"));
 }
 
-TEST(ClipEvaluation, NotesNameTheBrokenLimitAndWhomTheAttackerTouches) {
+TEST(ClipEvaluation, NotesNameTheBrokenLimitAndTheTouchedAgent) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 11, 30.0, {-14.7, 0.0, 0.0}, 35.0);
   clip.tracks.push_back(straightClipTrack("third", {-10.0, 1.0, 0.0}, 30.5, 11));
   const ResultRow row = Evaluation().row(clip, "recorded");
@@ -101,7 +101,7 @@ TEST(ClipEvaluation, NotesNameTheBrokenLimitAndWhomTheAttackerTouches) {
   EXPECT_EQ(row.note, "max_speed 35.000 > 25.000; touches third");
 }
 
-TEST(ClipEvaluation, PublishedRowsCountFromNow) {
+TEST(ClipEvaluation, PublishedContactTimesAreRelativeToT0) {
   Evaluation evaluation;
   evaluation.plan.protocol = Protocol::kPublished;
   const ResultRow row = evaluation.row(rearEnd(), "recorded");
@@ -128,7 +128,7 @@ CollideClip brakingEgo(double deceleration) {
   return clip;
 }
 
-TEST(ClipEvaluation, AnAdaptiveAttackerReactsToWhatTheClipReveals) {
+TEST(ClipEvaluation, AnAdaptiveAttackerReactsToTheClip) {
   Evaluation evaluation;
   evaluation.lanes = std::make_shared<const LaneIndex>(twoLaneRoad());
   evaluation.plan.method = "search";
@@ -144,7 +144,7 @@ TEST(ClipEvaluation, AnAdaptiveAttackerReactsToWhatTheClipReveals) {
   EXPECT_THROW(evaluation.row(clip, "first_plan"), std::out_of_range);
 }
 
-TEST(ClipEvaluation, NetworksForeseeAndTheSearchWithoutThemStandsBeside) {
+TEST(ClipEvaluation, NetworkMethodsAreMeasuredBesideTheSearchWithoutNetworks) {
   Evaluation evaluation;
   evaluation.foresight = loadForesight(evaluation.config);
   const CollideClip clip =
@@ -177,7 +177,7 @@ TEST(ClipEvaluation, NetworkDrivesToItsLikeliestPattern) {
   EXPECT_TRUE(meets(row, Protocol::kStrict, "type_angle_bands"));
 }
 
-TEST(ClipEvaluation, SearchAsksForTheAngleBandsAlone) {
+TEST(ClipEvaluation, SearchUsesOnlyTheAngleBands) {
   // Crossing at now and at contact, asked for as a left turn across path, which comes from ahead.
   Evaluation evaluation;
   evaluation.plan.method = "search";
@@ -190,7 +190,7 @@ TEST(ClipEvaluation, SearchAsksForTheAngleBandsAlone) {
   EXPECT_FALSE(meets(row, Protocol::kStrict, "full_definitions"));
 }
 
-TEST(ClipEvaluation, LimitsAreTheStrictOnesWhateverIsConfigured) {
+TEST(ClipEvaluation, LimitsAreStrictForAnyConfiguration) {
   Evaluation evaluation;
   evaluation.plan.method = "search";
   evaluation.plan.mode = Mode::kReplay;

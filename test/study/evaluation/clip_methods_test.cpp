@@ -52,7 +52,7 @@ struct Lookahead {
   MethodRegistry registry;
 };
 
-TEST(ClipMethods, LookaheadArrivesAsTheSetsOwnAttacker) {
+TEST(ClipMethods, LookaheadArrivesWithTheMotionOfTheRecordedAttacker) {
   const Lookahead lookahead;
   const Realization answer = lookahead.answer();
   ASSERT_EQ(answer.status.code, StatusCode::kOk);
@@ -63,7 +63,7 @@ TEST(ClipMethods, LookaheadArrivesAsTheSetsOwnAttacker) {
   EXPECT_NEAR(answer.trajectory.points[at - 1].acceleration, (12.0 - 10.0) / 0.5, 1.0);
 }
 
-TEST(ClipMethods, LookaheadIsThereWithTheNetworkAlone) {
+TEST(ClipMethods, LookaheadExistsOnlyWithTheNetwork) {
   const Lookahead lookahead;
   EXPECT_TRUE(lookahead.registry.has("published_network_lookahead"));
   const MethodRegistry without =

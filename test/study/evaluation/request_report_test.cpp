@@ -84,7 +84,7 @@ std::vector<double> ratesOf(const RateTable& table) {
   return rates;
 }
 
-TEST(RequestReport, SearchesCountInTheirOwnColumnAlone) {
+TEST(RequestReport, SearchesCountOnlyInTheirColumn) {
   const auto tables = requestTables(sampleRows(), searchPlan());
   for (const char* name : {"angle_bands", "full_definitions", "type_angle_bands", "type_full"}) {
     EXPECT_THAT(tableNamed(tables, name).methods,
@@ -100,7 +100,7 @@ TEST(RequestReport, SearchesCountInTheirOwnColumnAlone) {
                   "replay_angle_bands", "replay_full_definitions"));
 }
 
-TEST(RequestReport, RatesOfWhatReplayMeetsAreOfTheseRequestsAlone) {
+TEST(RequestReport, RecallAgainstReplayCountsOnlyRequestsSolvedByReplay) {
   const auto tables = requestTables(sampleRows(), searchPlan());
   const RateTable& angle = tableNamed(tables, "angle_bands_given_replay");
   EXPECT_EQ(angle.rates[0].back().trials, 2);
@@ -111,7 +111,7 @@ TEST(RequestReport, RatesOfWhatReplayMeetsAreOfTheseRequestsAlone) {
   EXPECT_TRUE(full.measure.is_headline);
 }
 
-TEST(RequestReport, FullDefinitionsAreAlsoOfWhatTheRoadAllows) {
+TEST(RequestReport, FullDefinitionsHaveATableOfTheRequestsThatTheRoadAllows) {
   const auto tables = requestTables(withRoad(sampleRows()), searchPlan());
   for (const char* name : {"full_definitions", "type_full", "contact", "limits_kept"}) {
     EXPECT_EQ(tableNamed(tables, name).rates[0].back().trials, 2) << name;
@@ -126,7 +126,7 @@ TEST(RequestReport, FullDefinitionsAreAlsoOfWhatTheRoadAllows) {
   EXPECT_THAT(namesOf(tables), testing::Not(testing::Contains("angle_bands_of_allowed")));
 }
 
-TEST(RequestReport, AnswersToWhatTheRoadDoesNotAllowHaveARowOfTheirOwn) {
+TEST(RequestReport, SolvedRequestsThatTheRoadDoesNotAllowHaveATable) {
   std::vector<ResultRow> rows = withRoad(sampleRows());
   rows[9].status = "ROAD_DOES_NOT_ALLOW";  // of search_full_definitions
   const auto tables = requestTables(rows, believablePlan());
@@ -138,7 +138,7 @@ TEST(RequestReport, AnswersToWhatTheRoadDoesNotAllowHaveARowOfTheirOwn) {
   EXPECT_EQ(answered.rates[0].back().trials, 1);
 }
 
-TEST(RequestReport, BelievableAreCountedOfThoseThatTouchTheEgo) {
+TEST(RequestReport, PlausibilityIsCountedAmongAttacksWithContact) {
   std::vector<ResultRow> rows = sampleRows();
   rows[0].request->believable = true;  // both of constant_velocity
   rows[6].request->believable = false;
@@ -150,7 +150,7 @@ TEST(RequestReport, BelievableAreCountedOfThoseThatTouchTheEgo) {
   EXPECT_EQ(table.rates[2].back().trials, 0);
 }
 
-TEST(RequestReport, AnySeedOfReplayMakesARequestOneThatReplayMeets) {
+TEST(RequestReport, ARequestIsSolvedByReplayWithAnySeed) {
   std::vector<ResultRow> rows = sampleRows();
   ResultRow second = row("2", "replay_full_definitions", true, true);
   second.seed = 1;
@@ -160,7 +160,7 @@ TEST(RequestReport, AnySeedOfReplayMakesARequestOneThatReplayMeets) {
   EXPECT_EQ(full.rates[0].back().trials, 2);
 }
 
-TEST(RequestReport, OffRoadTableHasTheAttackTheOwnMotionAndTheDifference) {
+TEST(RequestReport, OffRoadTableComparesTheAttackWithTheRecordedMotion) {
   std::vector<ResultRow> rows = sampleRows();
   rows[2].off_road_share = 0.5;  // of search_angle_bands
   rows[2].own_off_road_share = 0.125;
@@ -174,7 +174,7 @@ TEST(RequestReport, OffRoadTableHasTheAttackTheOwnMotionAndTheDifference) {
   EXPECT_EQ(tableNamed(tables, "off_road_search_full_definitions").rates[0].back().trials, 0);
 }
 
-TEST(RequestReport, CalibrationsHoldTheHistorySearchesAgainstTheirColumns) {
+TEST(RequestReport, CalibrationsCoverTheHistorySearchesByColumn) {
   std::vector<ResultRow> rows = sampleRows();
   rows[9].confidence.reset();  // a search without an answer
   const auto calibrations = requestCalibrations(rows, searchPlan());

@@ -51,7 +51,7 @@ GeneratorMethod methodOf(std::shared_ptr<const TrafficGenerator> generator) {
   return {std::move(generator), shippedOptions()};
 }
 
-TEST(GeneratorMethod, TakesTheCandidateThatTouches) {
+TEST(GeneratorMethod, ChoosesTheCandidateWithContact) {
   const GeneratorMethod method = methodOf(std::make_shared<StraightGenerator>());
   const Realization answer = method.answer(closingIn(), requestFor());
   ASSERT_EQ(answer.status.code, StatusCode::kOk);
@@ -62,7 +62,7 @@ TEST(GeneratorMethod, TakesTheCandidateThatTouches) {
   EXPECT_NEAR(answer.trajectory.points[10].time, kNow + 1.0, 1e-9);
 }
 
-TEST(GeneratorMethod, DrivesOnAfterTheTimeAskedFor) {
+TEST(GeneratorMethod, ContinuesAfterTheRequestedTime) {
   const GeneratorMethod method = methodOf(std::make_shared<StraightGenerator>());
   CollisionRequest request = requestFor();
   request.attacker = "closing";
@@ -72,12 +72,12 @@ TEST(GeneratorMethod, DrivesOnAfterTheTimeAskedFor) {
               1e-9);
 }
 
-TEST(GeneratorMethod, NumbersThatAreNotFiniteAreAnError) {
+TEST(GeneratorMethod, NonFiniteValuesAreAnError) {
   const GeneratorMethod method = methodOf(std::make_shared<StraightGenerator>(NAN));
   EXPECT_THROW(method.answer(closingIn(), requestFor()), std::runtime_error);
 }
 
-TEST(RollOut, WhoWasNotSeenThroughoutLeaves) {
+TEST(RollOut, AgentsWithoutFullHistoryDisappear) {
   const StraightGenerator generator;
   TrafficClip clip = sampleClips(generator.traffic(), 1).front();
   clip.agents.push_back(clip.agents[1]);

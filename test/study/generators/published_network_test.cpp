@@ -112,7 +112,7 @@ long blockSize(long from, long to) {
 
 long linearSize(long from, long to) { return from * to + to; }
 
-TEST(PublishedNetwork, HasTheSizeOfThePublishedOne) {
+TEST(PublishedNetwork, HasThePublishedNumberOfWeights) {
   const long encoder =
       blockSize(7, 64) + 2 * blockSize(128, 64) + linearSize(128, 64) + 3 * linearSize(66, 64);
   const long condition =
@@ -140,7 +140,7 @@ TEST(PublishedNetwork, HasTheSizeOfThePublishedOne) {
   EXPECT_NEAR(expected.at(PublishedHead::kRegionProposal), 0.44e6, 0.01e6);
 }
 
-TEST(PublishedNetwork, LearnsAHandfulOfClipsByHeart) {
+TEST(PublishedNetwork, OverfitsAFewClips) {
   const GeneratorOptions options = quickOptions();
   const TrafficBatch batch = crashBatch(options.traffic);
   for (const PublishedHead head : kHeads) {
@@ -157,7 +157,7 @@ TEST(PublishedNetwork, LearnsAHandfulOfClipsByHeart) {
   }
 }
 
-TEST(PublishedNetwork, DrivesWhomItSelectsToThePatternOfTheType) {
+TEST(PublishedNetwork, DrivesTheSelectedAttackerToThePatternOfTheType) {
   for (const PublishedHead head : kHeads) {
     SCOPED_TRACE(static_cast<int>(head));
     const Moment moment = crashMoment();
@@ -179,7 +179,7 @@ TEST(PublishedNetwork, DrivesWhomItSelectsToThePatternOfTheType) {
   }
 }
 
-TEST(PublishedNetwork, TheOrderOfTheAgentsDoesNotMatter) {
+TEST(PublishedNetwork, IsInvariantToTheOrderOfAgents) {
   const auto model = trained(PublishedHead::kRegionProposal);
   Moment moment = crashMoment();
   const CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
@@ -191,7 +191,7 @@ TEST(PublishedNetwork, TheOrderOfTheAgentsDoesNotMatter) {
   EXPECT_NEAR(one.aim.attacker_offset.x, other.aim.attacker_offset.x, 1e-4);
 }
 
-TEST(PublishedNetwork, WhoAttacksInTrainingIsNotTold) {
+TEST(PublishedNetwork, TheInputDoesNotRevealTheAttacker) {
   const GeneratorOptions options = quickOptions();
   const auto model = trained(PublishedHead::kRegionProposal);
   TrafficBatch batch = crashBatch(options.traffic);
@@ -202,7 +202,7 @@ TEST(PublishedNetwork, WhoAttacksInTrainingIsNotTold) {
   EXPECT_EQ(errorsOf(*model, batch).at("selection_missed"), 1.0) << "another is in its place";
 }
 
-TEST(PublishedNetwork, DrivesTheAttackerThatIsAskedFor) {
+TEST(PublishedNetwork, DrivesTheRequestedAttacker) {
   const auto model = trained(PublishedHead::kRegionProposal);
   CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
   const Realization free = answerOf(*model, crashMoment(), request);
@@ -213,7 +213,7 @@ TEST(PublishedNetwork, DrivesTheAttackerThatIsAskedFor) {
   EXPECT_NEAR(named.aim.ego.center.x, free.aim.ego.center.x, 1e-4);
 }
 
-TEST(PublishedNetwork, TheAnswerMovesWithTheScene) {
+TEST(PublishedNetwork, TheAttackMovesWithTheScene) {
   const Pose2 origin{300.0, -120.0, 2.2};
   for (const PublishedHead head : kHeads) {
     SCOPED_TRACE(static_cast<int>(head));
@@ -229,7 +229,7 @@ TEST(PublishedNetwork, TheAnswerMovesWithTheScene) {
   }
 }
 
-TEST(PublishedNetwork, WithoutLanesAnchorsTellWhyThereIsNoAnswer) {
+TEST(PublishedNetwork, WithoutLanesHeadsWithAnchorsReportTheReason) {
   Moment moment = crashMoment();
   moment.snapshot.map = emptyMap();
   moment.lanes = std::make_shared<const LaneIndex>(emptyMap());

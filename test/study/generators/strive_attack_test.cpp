@@ -45,7 +45,7 @@ class StriveAttacks : public testing::Test {
 };
 std::shared_ptr<TrafficGenerator> StriveAttacks::model_;
 
-TEST_F(StriveAttacks, FindsTheCrashThatTheModelAloneDoesNotDrive) {
+TEST_F(StriveAttacks, FindsACrashThatTheModelAloneDoesNotPredict) {
   Moment moment = farBehind();
   moment.recorded = predictFuture(moment.snapshot, *moment.lanes, 8.0, shippedOptions().prediction);
   EXPECT_FALSE(answer("c_strive", moment).report.contact);
@@ -56,7 +56,7 @@ TEST_F(StriveAttacks, FindsTheCrashThatTheModelAloneDoesNotDrive) {
   EXPECT_NEAR(found.report.relative_heading, 0.0, 0.3);
 }
 
-TEST(StriveAttack, NumbersThatAreNotFiniteAreAnError) {
+TEST(StriveAttack, NonFiniteValuesAreAnError) {
   GeneratorOptions options = shippedConfig().generators;
   options.strive_optimised.iterations = 1;
   const auto model =

@@ -22,7 +22,7 @@ CollideClip clipWithOthers() {
   return clip;
 }
 
-TEST(TrafficOf, HasEgoThenAttackerThenWhoMovesNearestFirst) {
+TEST(TrafficOf, OrdersEgoAttackerThenMovingAgentsByDistance) {
   const TrafficClip traffic = trafficOf(clipWithOthers(), kCollide,
                                         withoutLanes(shippedConfig().generators.traffic), nullptr);
   EXPECT_EQ(traffic.scene, "scene-0001");
@@ -38,7 +38,7 @@ TEST(TrafficOf, HasEgoThenAttackerThenWhoMovesNearestFirst) {
   EXPECT_EQ(traffic.ids, (std::vector<std::string>{kEgoId, "attacker", "near", "far"}));
 }
 
-TEST(TrafficOf, KeepsAsManyAgentsAsTold) {
+TEST(TrafficOf, KeepsAtMostMaxAgents) {
   TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   options.max_agents = 3;
   const TrafficClip traffic = trafficOf(clipWithOthers(), kCollide, options, nullptr);
@@ -46,7 +46,7 @@ TEST(TrafficOf, KeepsAsManyAgentsAsTold) {
   EXPECT_NEAR(traffic.agents[2][7]->x, 10.0, kRounding);
 }
 
-TEST(TrafficOf, DoesNotShowTheAttackersHistory) {
+TEST(TrafficOf, HidesTheHistoryOfTheAttacker) {
   CollideClip clip = clipWithOthers();
   const TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   const TrafficClip straight = trafficOf(clip, kCollide, options, nullptr);
@@ -60,7 +60,7 @@ TEST(TrafficOf, DoesNotShowTheAttackersHistory) {
   }
 }
 
-TEST(TrafficOf, SnapshotIsSeenFromTheEgoUpToNow) {
+TEST(TrafficOf, ConvertsASnapshotToTheFrameOfTheEgo) {
   const Snapshot snapshot =
       snapshotOf(pastTrack(kEgoId, kEgoSize, {100.0, 50.0, M_PI_2}, 10.0),
                  {pastTrack("attacker", kCarSize, {100.0, 20.0, M_PI_2}, 14.0)}, twoLaneRoad());

@@ -114,7 +114,7 @@ void checkGradients(PatternTrainer trainer, const std::vector<TrainingSample>& s
   }
 }
 
-TEST_P(Heads, GradientsAreThoseOfTheLoss) {
+TEST_P(Heads, GradientsMatchFiniteDifferences) {
   const auto samples = samplesOf(features(), 3);
   TrainingOptions options = quickTraining();
   // which anchors' headings count is held by training, so differences would not agree
@@ -126,7 +126,7 @@ TEST_P(Heads, GradientsAreThoseOfTheLoss) {
   checkGradients(trainerOf(options, 3, features()), samples, "candidate_", true);
 }
 
-TEST_P(Heads, LearnAFewMomentsByHeart) {
+TEST_P(Heads, OverfitAFewMoments) {
   const auto samples = samplesOf(features(), 4);
   TrainingOptions options = quickTraining();
   options.epochs = 500;
@@ -153,7 +153,7 @@ TEST_P(Heads, LearnAFewMomentsByHeart) {
   EXPECT_NEAR(pose.y, time.ego.y, 0.5);
 }
 
-TEST_P(Heads, InferenceGivesTheLossOfTraining) {
+TEST_P(Heads, InferenceReproducesTheTrainingLoss) {
   const auto samples = samplesOf(features(), 4);
   TrainingOptions options = quickTraining();
   options.heading_weight = options.offset_weight = options.selection_weight = 0.0;
@@ -248,7 +248,7 @@ class TwoRanks {
   int rounds_ = 0;
 };
 
-TEST(PatternTrainer, TwoRanksStepByTheMeanOfTheirGradients) {
+TEST(PatternTrainer, TwoRanksAverageTheirGradients) {
   // two ranks with one moment each, and one process with both
   const std::vector<TrainingSample> samples = {samplesOf(smallFeatures(), 2)[1],
                                                samplesOf(smallFeatures(), 4)[3]};
@@ -272,7 +272,7 @@ TEST(PatternTrainer, TwoRanksStepByTheMeanOfTheirGradients) {
   }
 }
 
-TEST(PatternTrainer, RanksThatPartAreFoundOut) {
+TEST(PatternTrainer, DivergingRanksAreDetected) {
   const auto samples = samplesOf(smallFeatures(), 4);
   PatternTrainer trainer = trainerOf(quickTraining());
   trainer.trainTogether({0, 2, [](std::vector<double>& numbers) {
@@ -281,7 +281,7 @@ TEST(PatternTrainer, RanksThatPartAreFoundOut) {
   EXPECT_THROW(trainer.trainEpoch(samples, all(samples)), TrainingError);
 }
 
-TEST(PatternTrainer, RefusesDamagedAndForeignStates) {
+TEST(PatternTrainer, RejectsDamagedAndForeignStates) {
   const std::string path = (fs::path(testing::TempDir()) / "trainer_damaged.pt").string();
   writeText(path, trainerOf(quickTraining(), 1).state());
   PatternTrainer other = trainerOf(quickTraining(), 2);

@@ -68,7 +68,7 @@ TEST(DisplacementErrors, AreMeansOverThePosesUpToEachTime) {
   }
 }
 
-TEST(PlannerTrainer, LearnsWhatConstantVelocityDoesNotKnow) {
+TEST(PlannerTrainer, BeatsConstantVelocity) {
   const Learning learning = smallLearning();
   PlannerTrainer trainer(learning.options, 1, 0);
   const double first = trainer.trainEpoch(learning.samples, learning.all);
@@ -81,7 +81,7 @@ TEST(PlannerTrainer, LearnsWhatConstantVelocityDoesNotKnow) {
             0.5 * constantVelocityErrors(learning.samples, learning.all).means.back());
 }
 
-TEST(PlannerTrainer, SavesWhatItHasLearntAsAFileOfTheContract) {
+TEST(PlannerTrainer, SavesATorchScriptFileOfTheContract) {
   const TemporaryFolder folder;
   const Learning learning = smallLearning();
   PlannerTrainer trainer(learning.options, 1, 0);

@@ -231,7 +231,7 @@ RequestEvaluator::RequestEvaluator(SceneSource& scenes, const StudyOptions& stud
                                 " is not supported for requests; use strict");
   }
   if (!rows_.empty() && plan.is_seeded != method_.isSeeded()) {
-    throw std::invalid_argument("is_seeded of the plan differs from that of method " + plan.method);
+    throw std::invalid_argument("is_seeded of the plan contradicts the method " + plan.method);
   }
 }
 

@@ -186,7 +186,7 @@ RateTable believableTable(const std::vector<ResultRow>& rows, const EvaluationPl
     }
   }
   return tabulateTrials(
-      {"believable", "Believable, of those that touch the ego", std::nullopt, false}, trials);
+      {"believable", "Believable, of the attacks that touch the ego", std::nullopt, false}, trials);
 }
 
 /// Returns one table per measure, followed by the same over the requests that the road allows.
