@@ -19,7 +19,7 @@ const std::string kFile = std::string(COLLISION_FORGE_SOURCE_DIR) + "/package.xm
 const std::string kLogs =
     " --dataroot " + kDataroot + " --version v1.0-embedded --config " + kConfig;
 
-/// What comes of a line: the exit code where no command is run, and what is printed.
+/// The result of parsing a command line: the exit code if no command is run, and the output.
 struct Reading {
   std::optional<int> exit_code;
   std::string name;
@@ -27,7 +27,7 @@ struct Reading {
   std::string err;
 };
 
-/// A full command line, which has read `words`.
+/// A command line with all commands; read() parses a line.
 class Forge {
  public:
   Forge() {
@@ -59,7 +59,7 @@ class Forge {
 
 Reading read(const std::string& words) { return Forge().read(words); }
 
-/// A line for every command that lacks nothing.
+/// Valid options for each command.
 const std::map<std::string, std::string> kComplete = {
     {"convert", kLogs + " --out bags"},
     {"possible", " --bag a.bag --now 4 --config " + kConfig},
@@ -94,7 +94,7 @@ const std::map<std::string, std::string> kComplete = {
     {"completion bash", ""},
 };
 
-/// The commands that are listed below the headings of a help text.
+/// Returns the commands that a help text lists below its headings.
 std::vector<std::string> listedIn(const std::string& help) {
   std::vector<std::string> names;
   std::istringstream lines(help.substr(help.find("\n\n", help.find("--help,")) + 1));

@@ -38,7 +38,7 @@ class ExportMcapTest : public testing::Test {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   }
 
-  /// Returns what it prints, after the exit code.
+  /// Returns the exit code and the output.
   std::string run(const std::vector<std::string>& bags) const {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();

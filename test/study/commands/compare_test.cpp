@@ -23,14 +23,14 @@ std::string bytesOf(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// What came of a line, and what it printed.
+/// The exit code and output of a command line.
 struct Outcome {
   int exit_code = 0;
   std::string out;
   std::string err;
 };
 
-/// Clips in a folder: rear ends from now in 2 s, with 5 m/s and more, and one crossing in 3 s.
+/// A folder of clips: rear-end crashes with a TTA of 2 s at 5 m/s and more, one crossing with 3 s.
 class Compare : public testing::Test {
  protected:
   Compare() {
@@ -51,7 +51,7 @@ class Compare : public testing::Test {
     writeCollideClip(folder + "/" + names_.back(), clip);
   }
 
-  /// The configuration is named, as ROS may not know the package.
+  /// Passes --config, because ROS may not find the package.
   Outcome run(const std::vector<std::string>& words, const std::string& out) const {
     std::vector<std::string> all = {"forge",
                                     "study",

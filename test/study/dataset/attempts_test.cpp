@@ -21,7 +21,7 @@ SceneRequest sampleRequest(CollisionType type, double tta) {
   return asked;
 }
 
-/// A line of a clip that was not found.
+/// A line of a clip request without attack.
 std::string lineOf(const SceneRequest& asked) {
   Scenario scenario;
   scenario.asked = asked;
@@ -38,7 +38,7 @@ Attempt validAttempt(CollisionType type, double tta) {
 }
 
 TEST(Attempt, LengthCountsTheFramesUntilImpact) {
-  // Seven frames of 0.5 s before now, and one for each half second after it.
+  // Seven frames of 0.5 s before t0, and one for each half second after it.
   EXPECT_EQ(validAttempt(CollisionType::kRearEnd, 2.0).length(), 7 + 4);
   EXPECT_EQ(validAttempt(CollisionType::kRearEnd, 4.5).length(), 7 + 9);
 }

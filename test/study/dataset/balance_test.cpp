@@ -69,7 +69,7 @@ TEST(Balance, MaxRatioKeepsAsManyAsPossible) {
   }
 }
 
-/// Many of every kind, fewest left turns, few of the shortest length.
+/// Many clips of each kind, fewest left turns, few of the shortest length.
 std::vector<ClipKind> manyClips() {
   std::vector<ClipKind> clips;
   for (int i = 0; i < 400; ++i) {

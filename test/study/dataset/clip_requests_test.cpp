@@ -25,7 +25,7 @@ DatasetOptions options() {
   return options;
 }
 
-/// The ego straight on at 5 m/s in frames at these times.
+/// A scene with an ego that drives straight at 5 m/s, with frames at these times.
 Scene sceneOf(const std::vector<double>& times, double speed = 5.0) {
   Scene scene;
   scene.name = "scene-0007";

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 constexpr double kTta = 4.0;  // s
 
-/// The ego eastwards at 8 m/s on a road, `behind` 15 m behind it at 9 m/s.
+/// The ego drives east at 8 m/s on a road; the agent `behind` is 15 m behind it at 9 m/s.
 class ClipSearch : public testing::Test {
  protected:
   ClipSearch() {
@@ -134,7 +134,7 @@ TEST_F(ClipSearch, AnOffRoadAttackIsRejected) {
 }
 
 TEST_F(ClipSearch, AnAttackNotVisibleInTheClipIsRejected) {
-  // A reader takes the long bus for a car, 6.65 m shorter at its front.
+  // In the clip the long bus has the size of a car, which is 6.65 m shorter at its front.
   indexed_.scene.agents = {track("behind", {18.0, 2.5}, {-22.0, 0.0, 0.0}, 9.0)};
   expectRefusal(StatusCode::kNoAttackWithinLimits, "the clip does not meet these measures of the ");
 }

@@ -16,7 +16,7 @@ const StudyConfig& shipped() {
   return config;
 }
 
-/// A recording of one who drives along x at `speed` until 5 s after now.
+/// A recorded vehicle that drives along x at `speed` until 5 s after t0.
 Track drive(const std::string& id, const Pose2& now, double speed, int first = -20) {
   Track track{id, AgentClass::kCar, kCarSize, {}};
   for (int i = first; i <= 10; ++i) {
@@ -67,7 +67,7 @@ TEST(AttackFigures, AnAddedAttackerUsesItsOwnPast) {
 TEST(AttackFigures, LeastGapExcludesTheEgoAndEndsAtTheContact) {
   Case c;
   EXPECT_NEAR(*c.figures().least_gap, 5.0 - kCarSize.width, 1e-9);
-  // Stands where the attacker's front comes to at 4.5 s, half a second after the contact.
+  // Stands at the position of the attacker's front at 4.5 s, half a second after the contact.
   const double ahead = 45.0 + kCarSize.length;
   c.recording.agents.push_back(drive("standing", {ahead, 0.0, 0.0}, 0.0));
   EXPECT_NEAR(*c.figures().least_gap, 5.0 - kCarSize.width, 1e-9);
@@ -125,7 +125,7 @@ TEST(RecordedMotion, HasEachWindowWithRoadUseAndGap) {
   const auto on_lane = [](const RecordedMotion& motion) { return motion.road.on_lane; };
   EXPECT_GT(on_lane(motions.front()), 0.0);
   EXPECT_EQ(on_lane(motions.back()), 0.0);
-  // The attacker comes up to the ego: 60 - 5 t between the middles, t = 5 s at the end.
+  // The attacker approaches the ego: 60 - 5 t between the centres, t = 5 s at the end.
   const MotionWindow& last = motions[31 - kWindowSamples].window;
   EXPECT_EQ(last.id, "attacker");
   const double reach = 0.5 * (kCarSize.length + recording.scene.ego.size.length);

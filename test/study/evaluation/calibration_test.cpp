@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// `count` promises of 0, 1 / count, 2 / count and so on; the greatest `kept` of them are kept.
+/// `count` predictions with confidence 0, 1 / count, ...; the highest `kept` of them succeed.
 std::vector<Promise> ladder(int count, int kept) {
   std::vector<Promise> promises;
   for (int i = 0; i < count; ++i) {
@@ -34,7 +34,7 @@ TEST(Calibration, DecilesHaveEqualSizesAndAreSorted) {
 }
 
 TEST(Calibration, LargestDifferenceIgnoresTheSign) {
-  // Nothing is kept: the most promising tenth is the farthest off.
+  // No prediction succeeds, so the last decile has the largest difference.
   const Calibration none = calibrate("", ladder(100, 0));
   EXPECT_NEAR(none.largestDifference(), 0.945, 1e-12);
   const Calibration all = calibrate("", ladder(100, 100));

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The charts of the study: what they read, and that they are pictures of the same bytes every time."""
+"""Test the charts of the study: their input files, and that pictures are reproducible."""
 import subprocess
 import sys
 import tempfile

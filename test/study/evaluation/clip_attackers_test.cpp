@@ -24,7 +24,7 @@ const SearchOptions& search() {
   return options.search;
 }
 
-/// A clip whose attacker drives one quintic on each axis from frame 0 to the last.
+/// A clip in which the attacker follows one quintic per axis from frame 0 to the last.
 CollideClip quinticClip() {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {}, 5.0);
   const double duration = 0.5 * kLastFrame;
@@ -58,7 +58,7 @@ struct Nominal {
                            mode == Mode::kReplay ? &recorded : nullptr,
                            requestOf(clip, mode, 0.5, shippedCrash()), options);
   }
-  /// Where the attacker is at the last frame.
+  /// Position of the attacker at the last frame.
   TrajectoryPoint end() const {
     for (const TrajectoryPoint& point : trajectory().points) {
       if (point.time >= clip.times.back() - 1e-3) return point;
@@ -67,7 +67,7 @@ struct Nominal {
   }
 };
 
-/// The ego drives 5 m/s along x and is at (15, 0) at the last frame.
+/// The ego drives along x at 5 m/s and is at (15, 0) in the last frame.
 Nominal nominal(CollisionType type, double attacker_y) {
   return {straightClip(type, 0.0, kLastFrame, 5.0, {-10.0, attacker_y, 0.0}, 7.0)};
 }
@@ -124,7 +124,8 @@ TEST(Baselines, RecordedMotionDependsOnlyOnTheSixNearestFrames) {
     clip.tracks[0].frames[frame]->pose.y = 1.0;
   }
   const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, search());
-  for (std::size_t i = 0; i < 15; ++i) {  // up to frame 10, whose interval is the first to feel 13
+  for (std::size_t i = 0; i < 15;
+       ++i) {  // up to frame 10, the first interval that depends on frame 13
     EXPECT_NEAR(trajectory.points[i].curvature, 0.0, 1e-6) << i;
   }
   EXPECT_GT(std::abs(trajectory.points[25].curvature), 1e-3);
@@ -173,7 +174,7 @@ TEST(Baselines, NominalPosesAreThePublishedOnes) {
 TEST(Baselines, NominalUsesTheEgoFutureOfItsMode) {
   Nominal attack = nominal(CollisionType::kRearEnd, 0.0);
   for (int frame = kCollideNowFrame + 1; frame <= kLastFrame; ++frame) {
-    attack.clip.tracks[1].frames[frame]->pose.y = 2.0;  // which nobody can know at now
+    attack.clip.tracks[1].frames[frame]->pose.y = 2.0;  // unknown at t0
   }
   expectPose(attack.end().pose, 11.0, 0.0, 0.0);
   attack.mode = Mode::kReplay;

@@ -48,7 +48,7 @@ TEST(ClipCases, AMethodsAttackerIsSearchedForTheRequestOfTheClip) {
 }
 
 TEST(ClipCases, MissingAttackersAreCasesWithAllAnswers) {
-  // The attacker falls behind, and cannot touch the ego at its own speed.
+  // The attacker falls behind and cannot reach the ego at its speed.
   const CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, 11, 8.0, {-14.7, 0.0, 0.0}, 5.0);
   const std::string method = "constant_velocity";

@@ -18,7 +18,7 @@ std::string pathOf(CollisionType type, int last_frame, int variant) {
   return "clips/val/" + composeCollideName(clip);
 }
 
-/// Four of each type but LTAP, of which there is none; the first is too short, by half a second.
+/// Four clips of each type except LTAP; the first of each type is too short by 0.5 s.
 std::vector<std::string> somePaths() {
   std::vector<std::string> paths;
   for (const CollisionType type : kCollisionTypes) {

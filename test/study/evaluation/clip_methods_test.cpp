@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// Says that the attacker ends 4 m behind an ego at (10, 0), or that there is none.
+/// Predicts that the attacker ends 4 m behind an ego at (10, 0), or finds no candidate.
 class FixedPattern : public AttackMethod {
  public:
   explicit FixedPattern(StatusCode code) : code_(code) {}
@@ -27,7 +27,7 @@ class FixedPattern : public AttackMethod {
   StatusCode code_;
 };
 
-/// A rear end 2 s from now, whose attacker drives 10 m/s, and 12 m/s in the last frame.
+/// A rear-end clip with a TTA of 2 s; the attacker drives 10 m/s, 12 m/s in the last frame.
 struct Lookahead {
   explicit Lookahead(StatusCode code = StatusCode::kOk) {
     clip.tracks[0].frames.back()->speed = 12.0;

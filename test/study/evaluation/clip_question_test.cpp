@@ -17,7 +17,7 @@ std::shared_ptr<const LaneIndex> noLanes() {
   return std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>());
 }
 
-/// The attacker closes in from behind at 5 m/s and touches the ego 2 s from now.
+/// The attacker approaches from behind at 5 m/s relative speed; contact 2 s after t0.
 CollideClip rearEnd() {
   return straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-14.7, 0.0, 0.0}, 10.0);
 }
@@ -37,7 +37,7 @@ TEST(ClipQuestion, RequestsTheClipAtAnyConfidence) {
   ASSERT_TRUE(question.moment().recorded);
 }
 
-/// Keeps what it was given.
+/// Records its arguments.
 class Listener : public AttackMethod {
  public:
   Realization answer(const Moment& moment, const CollisionRequest& request) const override {

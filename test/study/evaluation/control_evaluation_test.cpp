@@ -55,7 +55,7 @@ TEST_F(ControlEvaluatorTest, AnAttackViolatesAControlWithAnotherValue) {
     kept[question.control] += keepsControls(attack.trajectory, question.asked.request, moment,
                                             config_.attack.verification);
   }
-  // Of the values of a control an attack has one; bands share their ends alone.
+  // An attack has exactly one value of each control; bands share only their ends.
   for (const auto& [control, count] : kept) EXPECT_EQ(count, 1) << control;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 const StudyConfig kConfig = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
 
-/// A request of a list that names controls of its own.
+/// A request of a list with controls, which the questions must ignore.
 SceneRequest listed(CollisionType type) {
   SceneRequest asked{"scene-0001", 12.5, {}};
   asked.request.type = type;

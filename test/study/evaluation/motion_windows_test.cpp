@@ -41,7 +41,7 @@ TEST(RecordedWindows, OmitStandingVehicles) {
       recordedWindows("scene", straightTrack("car", kCarSize, {}, 0.3, 0.0, 0.0, 3.0)).empty());
 }
 
-/// Recorded on y = 0; made to drive on 0.2 m beside it.
+/// Recorded on y = 0; the trajectory continues with an offset of 0.2 m.
 struct AttackCase {
   Track recorded = pastTrack("attacker", kCarSize, {}, 10.0);
   AttackerTrajectory trajectory = straightDrive({0.0, 0.2, 0.0}, 10.0, 8.0);

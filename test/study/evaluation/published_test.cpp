@@ -25,7 +25,7 @@ CollideClip rearEnd(double x) {
   return straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 0.0, {x, 0.0, 0.0}, 8.0);
 }
 
-/// The attacker's x at which it collides with the standing ego.
+/// Returns the attacker's x at which it collides with the standing ego.
 constexpr double kTouch = -4.7 + 0.18431;
 
 PublishedOutcome outcomeOf(const CollideClip& clip) {
@@ -44,7 +44,7 @@ void addStanding(CollideClip& clip, const std::string& id, const Pose2& pose) {
 }
 
 TEST(Published, HitIsAtTheFirstStepWithEnoughOverlap) {
-  // 13.2 m to go after the gap: 16.5 steps of 0.8 m.
+  // 13.2 m remain after the gap: 16.5 steps of 0.8 m.
   const PublishedOutcome outcome = outcomeOf(rearEnd(kTouch - 13.2));
   EXPECT_TRUE(outcome.isHit());
   EXPECT_EQ(outcome.step, kNowStep + 17);

@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Of any driving within the strict limits, which has both columns.
+/// A plan with strict limits and without plausibility, which has both columns.
 EvaluationPlan searchPlan(Mode mode = Mode::kHistory) {
   EvaluationPlan plan{Protocol::kStrict, "search", true, mode, 1};
   plan.limits = LimitSet::kStrict;
@@ -25,7 +25,7 @@ EvaluationPlan believablePlan() {
   return plan;
 }
 
-/// A row that meets the angle bands, or the full definitions as well, and has contact if so.
+/// A row that meets the angle bands, optionally also the full definitions, and then has contact.
 ResultRow row(const std::string& name, const std::string& method, bool angle, bool full,
               double confidence = 0.5) {
   ResultRow row;
@@ -41,7 +41,7 @@ ResultRow row(const std::string& name, const std::string& method, bool angle, bo
   return row;
 }
 
-/// Those of the second request are of one that the road does not allow.
+/// The road does not allow the second request.
 std::vector<ResultRow> withRoad(std::vector<ResultRow> rows) {
   for (ResultRow& row : rows) row.request->road_allows = row.name == "1";
   return rows;
@@ -77,7 +77,7 @@ const RateTable& tableNamed(const std::vector<RateTable>& tables, const std::str
   throw std::out_of_range(name);
 }
 
-/// The rates of all groups by method, in the table's order.
+/// Returns the rates of all groups by method, in the order of the table.
 std::vector<double> ratesOf(const RateTable& table) {
   std::vector<double> rates;
   for (const auto& of_method : table.rates) rates.push_back(of_method.back().value);

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The statistics of the scorecard on samples whose answers are known."""
+"""Test the statistics of the scorecard on samples with known results."""
 import csv
 import sys
 import tempfile
@@ -21,7 +21,7 @@ TIMES = 0.5 * (np.arange(motion.SAMPLES) - motion.MIDDLE)
 
 
 def drives(count, speed=8.0, acceleration=0.0, scenes=20, noise=0.0, generated=motion.SAMPLES, seed=1):
-    """Straight drives along x of cars; numbers or one a drive."""
+    """Return straight drives of cars along x; arguments are one number or one per drive."""
     rng = np.random.default_rng(seed)
     windows = np.zeros((count, motion.SAMPLES, 4))
     windows[:, :, 0] = 100.0 + TIMES
@@ -41,7 +41,7 @@ def random_motion(count, mean_speed, seed, scenes=20):
 
 class MotionTest(unittest.TestCase):
     def test_derivatives_are_exact_for_a_cubic(self):
-        # Over the jump of the yaw at pi; unevenly sampled.
+        # Across the wrap of the yaw at pi, unevenly sampled.
         times = TIMES + 0.05 * np.array([1, -1, 1, -1, 1, -1, 1])
         x, y, yaw = [1000.0, -6.0, 0.7, 0.2], [-500.0, 4.0, -0.3, 0.1], [np.pi, 0.3, -0.2, 0.05]
         window = np.stack([times] + [np.polyval(value[::-1], times) for value in (x, y, yaw)], axis=1)[None]
@@ -117,7 +117,7 @@ class ClassifierTest(unittest.TestCase):
 
 
 class ProgramTest(unittest.TestCase):
-    """The program on a small motion.csv."""
+    """Test the program on a small motion.csv."""
 
     def write(self, folder, attacks, recorded):
         columns = ('driver', 'scene', 'type', 'tta', 'attacker', 'class', 'length', 'width') + motion.ROAD_COLUMNS + \

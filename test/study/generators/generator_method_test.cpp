@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// Everybody goes on at the step that they made last, turned by what the noise says.
+/// Predicts that all agents repeat their last step, rotated by a random angle.
 class StraightGenerator : public TrafficGenerator {
  public:
   explicit StraightGenerator(double broken = 0.0)
@@ -36,7 +36,7 @@ class StraightGenerator : public TrafficGenerator {
   double broken_;
 };
 
-/// The ego at 10 m/s; one car closes in from behind by 5 m/s, and would touch it in 4 s.
+/// The ego drives 10 m/s; one car approaches from behind, 5 m/s faster, with contact after 4 s.
 Moment closingIn() {
   const double gap = 20.0 + 0.5 * (kEgoSize.length + kCarSize.length);
   const auto map = twoLaneRoad();
@@ -66,7 +66,7 @@ TEST(GeneratorMethod, ContinuesAfterTheRequestedTime) {
   const GeneratorMethod method = methodOf(std::make_shared<StraightGenerator>());
   CollisionRequest request = requestFor();
   request.attacker = "closing";
-  request.tta = 5.5;  // 11 frames: three iterations, of which the last is not used up
+  request.tta = 5.5;  // 11 frames: three iterations, the last one is used partly
   const Realization answer = method.answer(closingIn(), request);
   EXPECT_NEAR(answer.trajectory.points.back().time, kNow + 5.5 + shippedOptions().search.tail,
               1e-9);

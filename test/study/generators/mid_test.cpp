@@ -19,7 +19,7 @@ TrafficBatch sampleHistory(const std::vector<TrafficClip>& clips, const TrafficO
   return historyOf(sampleBatch(clips, options), options.history_frames);
 }
 
-/// Sample clips that swerve after now, every second one, of another type, to the right.
+/// Sample clips that swerve after t0; every second one has another type and swerves to the right.
 std::vector<TrafficClip> swervingClips(const TrafficOptions& options, int count) {
   std::vector<TrafficClip> clips = sampleClips(options, count);
   for (std::size_t i = 0; i < clips.size(); ++i) {
@@ -33,7 +33,7 @@ std::vector<TrafficClip> swervingClips(const TrafficOptions& options, int count)
   return clips;
 }
 
-/// Puts the numbers of one network into another of the same sizes.
+/// Copies the weights of one network to another of the same size.
 void copyNetwork(const TrafficGenerator& from, TrafficGenerator& to) {
   const torch::NoGradGuard no_gradients;
   const auto source = from.network()->parameters();

@@ -16,7 +16,7 @@ constexpr PublishedHead kHeads[] = {PublishedHead::kRegionProposal, PublishedHea
 
 GeneratorOptions publishedOptions() { return shippedConfig().published_network; }
 
-/// Learns faster than what is shipped.
+/// Options that train faster than the shipped ones.
 GeneratorOptions quickOptions() {
   GeneratorOptions options = publishedOptions();
   options.published_network.anchor_3 = 64;
@@ -60,7 +60,7 @@ TrafficBatch crashBatch(const TrafficOptions& options) {
   return sampleBatch(clips, options);
 }
 
-/// Means by their names.
+/// Returns the mean errors by name.
 std::map<std::string, double> errorsOf(const TrafficModel& model, const TrafficBatch& batch) {
   const torch::NoGradGuard no_gradients;
   model.network()->eval();
@@ -72,7 +72,7 @@ std::map<std::string, double> errorsOf(const TrafficModel& model, const TrafficB
   return errors;
 }
 
-/// One that knows crashBatch() by heart.
+/// Returns a model that is overfitted to crashBatch().
 std::shared_ptr<TrafficModel> trained(PublishedHead head) {
   static std::map<PublishedHead, std::shared_ptr<TrafficModel>> known;
   auto& model = known[head];
@@ -84,7 +84,7 @@ std::shared_ptr<TrafficModel> trained(PublishedHead head) {
   return model;
 }
 
-/// The moment of crashClip(), as seen from `origin`.
+/// Returns the moment of crashClip() with the ego at `origin`.
 Moment crashMoment(const Pose2& origin = {}) {
   const auto map = twoLaneRoad();
   for (Lane& lane : map->lanes) {
@@ -148,7 +148,7 @@ TEST(PublishedNetwork, OverfitsAFewClips) {
     const auto before = errorsOf(*makeSeeded(head, options), batch);
     auto after = errorsOf(*trained(head), batch);
     EXPECT_GT(before.at("ego_m"), 2.0);
-    // A lane has a point every 2 m, and a point alone is what the target points tell.
+    // Lanes have a point every 2 m, and the target-point head returns lane points.
     EXPECT_LT(after.at("ego_m"), 1.01);
     EXPECT_LT(after.at("offset_m"), 0.5);
     EXPECT_LT(after.at("ego_yaw_deg"), 2.0);

@@ -10,7 +10,7 @@
 namespace forge {
 namespace {
 
-/// The ego at 10 m/s, a car 18 m behind it on the same lane at 12 m/s: they do not meet within 4 s.
+/// The ego at 10 m/s, a car 18 m behind it on the same lane at 12 m/s: no contact within 4 s.
 Moment farBehind() {
   const auto map = twoLaneRoad();
   return {snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0),
@@ -18,7 +18,7 @@ Moment farBehind() {
           std::nullopt, std::make_shared<const LaneIndex>(map)};
 }
 
-/// A model that has learned to drive on, and its methods.
+/// A model trained to continue the motion, and its methods.
 class StriveAttacks : public testing::Test {
  protected:
   static void SetUpTestSuite() {

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// The nets of the configuration, as they are before training.
+/// Untrained networks with the shipped configuration.
 class StriveNets : public testing::Test {
  protected:
   StriveNets() {
@@ -67,7 +67,7 @@ TEST_F(StriveNets, EncodesAgentsAndLanesRelativeToEachAgent) {
   const StriveScene scene = network_->encode(batch);
   const torch::Tensor latent = torch::zeros({2, options_.c_strive.latent});
   const torch::Tensor driven = network_->drive(scene, latent, 4);
-  // the same, turned by a quarter and moved
+  // the same scene, rotated by 90 degrees and moved
   batch.poses = torch::stack({5.0 - batch.poses.select(3, 1), 7.0 + batch.poses.select(3, 0),
                               batch.poses.select(3, 2) + M_PI_2},
                              3);

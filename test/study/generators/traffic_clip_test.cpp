@@ -11,7 +11,7 @@ namespace {
 const CollideOptions kCollide{{4.7, 2.0}, 2.0, 0.1};
 constexpr double kRounding = 1e-5;  // m; times since 1970 have 1e-7 s
 
-/// A clip whose others are a car that moves, one that stands, and one that comes late.
+/// A clip with three other agents: a moving car, a standing one, and one that appears late.
 CollideClip clipWithOthers() {
   CollideClip clip = straightClip(CollisionType::kLtap, 90.0, 11, 5.0, {30.0, 3.0, M_PI}, 8.0);
   clip.tracks.push_back(standingClipTrack("standing", {0.0, 6.0, 0.0}, 11));

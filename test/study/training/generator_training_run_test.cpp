@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder with clips of six scenes, and runs on them.
+/// A folder with clips of six scenes, and training runs on them.
 class GeneratorTrainingRun : public testing::Test {
  protected:
   GeneratorTrainingRun() {

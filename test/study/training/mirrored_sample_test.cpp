@@ -10,7 +10,7 @@ namespace {
 constexpr float kTolerance = 1e-4F;
 constexpr double kTta = 3.0;  // s
 
-/// The ego in a bend before a fork, with a vehicle beside it: nothing is the same left and right.
+/// The ego in a bend before a fork, with a vehicle beside it: a scene without mirror symmetry.
 Snapshot bentSnapshot(double side) {
   auto map = emptyMap();
   Lane in;

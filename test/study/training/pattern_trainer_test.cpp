@@ -34,7 +34,7 @@ PatternTrainer trainerOf(const TrainingOptions& options, std::uint64_t seed = 0,
   return {features, smallLayers(), options, "cpu", 1, seed};
 }
 
-/// The ego at several speeds, driving on at a speed of its own; the second vehicle attacks.
+/// Samples with different ego speeds; the second vehicle is the attacker.
 std::vector<TrainingSample> samplesOf(const PatternFeatureOptions& options, int count) {
   std::vector<TrainingSample> samples;
   const EgoFutureOptions futures = shippedEgoFutureOptions();
@@ -90,7 +90,8 @@ INSTANTIATE_TEST_SUITE_P(PatternTrainer, Heads,
                                          EgoHead::kRegression),
                          [](const auto& info) { return std::string(toString(info.param)); });
 
-/// Derivatives against differences, of the layers whose names begin with `prefix` or of all others.
+/// Compares gradients with finite differences, for layers with names that begin with `prefix`, or
+/// for all others.
 void checkGradients(PatternTrainer trainer, const std::vector<TrainingSample>& samples,
                     const std::string& prefix, bool others) {
   std::map<std::string, std::vector<double>> gradients;
@@ -117,10 +118,10 @@ void checkGradients(PatternTrainer trainer, const std::vector<TrainingSample>& s
 TEST_P(Heads, GradientsMatchFiniteDifferences) {
   const auto samples = samplesOf(features(), 3);
   TrainingOptions options = quickTraining();
-  // which anchors' headings count is held by training, so differences would not agree
+  // The weights of the anchors' heading errors are detached, so finite differences would not agree.
   if (GetParam() != EgoHead::kRegression) options.heading_weight = 0.0;
   checkGradients(trainerOf(options, 3, features()), samples, "candidate_", false);
-  // what the ego's place is told by is trained by that alone
+  // The layers of the ego position are trained only by its loss.
   options.offset_weight = 0.0;
   options.selection_weight = 0.0;
   checkGradients(trainerOf(options, 3, features()), samples, "candidate_", true);
@@ -148,7 +149,7 @@ TEST_P(Heads, OverfitAFewMoments) {
   const TimedSample& time = samples[1].times.back();
   const Pose2 pose = medianPose(network.ego(
       network.withRequest(scene, requestFeatures(std::nullopt, time.tta)), time.anchors));
-  if (GetParam() == EgoHead::kTargetPoints) return;  // of several points near each other
+  if (GetParam() == EgoHead::kTargetPoints) return;  // several points are close to each other
   EXPECT_NEAR(pose.x, time.ego.x, 2.0);
   EXPECT_NEAR(pose.y, time.ego.y, 0.5);
 }
@@ -164,7 +165,7 @@ TEST_P(Heads, InferenceReproducesTheTrainingLoss) {
   double sum = 0.0;
   for (const TrainingSample& sample : samples) {
     SceneFeatures seen = sample.features;
-    if (sample.attack) {  // as training does to clips
+    if (sample.attack) {  // as in the training on clips
       for (Eigen::Index row = 8; row < seen.agent_mask.size(); ++row) {
         if (row % 8 != 7) seen.agent_mask[row] = 0.0F;
       }
@@ -217,7 +218,7 @@ TEST(PatternTrainer, ResumesToTheSameBits) {
   }
 }
 
-/// What MPI does, for two threads.
+/// Sums over two threads, as MPI over two ranks.
 class TwoRanks {
  public:
   TrainingRanks rank(int rank) {
@@ -228,7 +229,8 @@ class TwoRanks {
   void sumUp(std::vector<double>& numbers) {
     std::unique_lock<std::mutex> lock(mutex_);
     const int round = rounds_;
-    std::vector<double>& sum = sums_[round % 2];  // the other may begin the next round at once
+    std::vector<double>& sum =
+        sums_[round % 2];  // the other thread may begin the next round at once
     if (++arrived_ == 1) {
       sum = numbers;
       all_here_.wait(lock, [&] { return rounds_ != round; });

@@ -13,7 +13,7 @@ constexpr double kSpeed = 6.0;       // m/s
 constexpr std::size_t kFrames = 21;  // every half second, ten seconds in all
 constexpr std::size_t kFirst = 1;    // frame that has a motion
 
-/// East along the right lane at a constant speed.
+/// A scene with an ego that drives east along the right lane at constant speed.
 Scene straightScene() {
   Scene scene;
   scene.name = "straight";

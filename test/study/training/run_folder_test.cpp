@@ -13,7 +13,7 @@
 namespace forge {
 namespace {
 
-/// The complaint about a run that was begun with one text and goes on with another.
+/// Returns the difference reported for a run that is resumed with another description.
 std::string differenceOf(const std::string& begun, const std::string& now) {
   const TemporaryFolder folder;
   TrainingRun run;
@@ -41,7 +41,7 @@ TEST(OpenRunFolder, NamesTheFirstLineThatDiffers) {
             "line 2: the run was started with \"fold = 2\", not \"fold = 3\"");
 }
 
-/// Of a run on the embedded logs; drawing.yaml stands for the file that a network is trained by.
+/// Describes a run on the embedded logs; drawing.yaml stands in for a training configuration.
 std::string describedWith(const std::map<std::string, std::string>& config_files) {
   TrainingRun run;
   run.sources.logs.path = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
@@ -98,7 +98,7 @@ TEST(SplitByScene, KeepsTheSamplesOfASceneTogether) {
   EXPECT_TRUE(splitByScene(scenes, 0.0, 3).validation.empty());
 }
 
-/// A run of three epochs, and what is wrong with going on with it.
+/// A run folder with three finished epochs.
 class EpochTableTest : public testing::Test {
  protected:
   EpochTableTest() {
@@ -135,12 +135,12 @@ TEST_F(EpochTableTest, KeepsTheRowsOfFinishedEpochs) {
 
 TEST_F(EpochTableTest, ResumesAfterAKillBetweenTwoFiles) {
   const std::string sums = readText(sums_);
-  EpochTable(run_, kColumns, 3).add({1.0, 1.0});  // the row is there, its checksum is not
+  EpochTable(run_, kColumns, 3).add({1.0, 1.0});  // the row exists, its checksum does not
   EXPECT_TRUE(hasState(run_));
   EpochTable table(run_, kColumns, 3);
   table.add({1.0, 1.0});
   table.keep("state of 4");
-  writeText(statePath(run_), "state of 3");  // row and checksum are there, the state is not
+  writeText(statePath(run_), "state of 3");  // row and checksum exist, the state does not
   EXPECT_TRUE(hasState(run_));
   EpochTable again(run_, kColumns, 3);
   again.add({1.0, 1.0});
