@@ -47,7 +47,7 @@ class CommandLine {
   /// Returns the innermost selected command.
   const CLI::App* chosen() const;
   /// Returns the message for arguments that were rejected with `error`.
-  std::string complaintOf(const CLI::Error& error) const;
+  std::string errorText(const CLI::Error& error) const;
 
   CLI::App app_;
   std::map<const CLI::App*, Run> runs_;

@@ -161,7 +161,7 @@ TEST_P(Heads, InferenceReproducesTheTrainingLoss) {
   options.clip_weight = 1.0;
   PatternTrainer trainer = trainerOf(options, 2, features());
   const double loss = trainer.lossAndGradients(samples, nullptr);
-  const PatternNetwork network(trainer.presentWeights());
+  const PatternNetwork network(trainer.currentWeights());
   double sum = 0.0;
   for (const TrainingSample& sample : samples) {
     SceneFeatures seen = sample.features;
@@ -263,13 +263,13 @@ TEST(PatternTrainer, TwoRanksAverageTheirGradients) {
   TwoRanks ranks;
   PatternTrainer first = trainerOf(options);
   PatternTrainer second = trainerOf(options);
-  first.trainTogether(ranks.rank(0));
-  second.trainTogether(ranks.rank(1));
+  first.setRanks(ranks.rank(0));
+  second.setRanks(ranks.rank(1));
   std::thread other([&] { second.trainEpoch(samples, all(samples)); });
   first.trainEpoch(samples, all(samples));
   other.join();
-  for (const auto& [name, layer] : alone.presentWeights().layers) {
-    const RowMatrix difference = layer.matrix - first.presentWeights().layers.at(name).matrix;
+  for (const auto& [name, layer] : alone.currentWeights().layers) {
+    const RowMatrix difference = layer.matrix - first.currentWeights().layers.at(name).matrix;
     EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-4F) << name;
   }
 }
@@ -277,9 +277,9 @@ TEST(PatternTrainer, TwoRanksAverageTheirGradients) {
 TEST(PatternTrainer, DivergingRanksAreDetected) {
   const auto samples = samplesOf(smallFeatures(), 4);
   PatternTrainer trainer = trainerOf(quickTraining());
-  trainer.trainTogether({0, 2, [](std::vector<double>& numbers) {
-                           if (numbers.size() == 2) numbers[1] = numbers[0] + 1.0;
-                         }});
+  trainer.setRanks({0, 2, [](std::vector<double>& numbers) {
+                      if (numbers.size() == 2) numbers[1] = numbers[0] + 1.0;
+                    }});
   EXPECT_THROW(trainer.trainEpoch(samples, all(samples)), TrainingError);
 }
 
