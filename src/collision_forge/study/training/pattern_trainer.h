@@ -49,7 +49,7 @@ class PatternTrainer {
   /// and seed, and get the same weights, which depend on the number of ranks.
   void setRanks(TrainingRanks ranks);
 
-  /// Returns the number of epochs trained, including those of a loaded state.
+  /// Returns the number of epochs trained, including the epochs of a loaded state.
   int epochsDone() const;
 
   /// Trains one epoch on the samples with the indices `chosen`, in random order. Calls `on_batch`
