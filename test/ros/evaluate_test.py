@@ -173,9 +173,9 @@ class EvaluateRequestsTest(road.RoadTest):
                 self.assertIn(row['class'], ('car', 'truck', 'bus'), row)
                 self.assertGreaterEqual(float(row['on_lane']), 0.9, row)
         table = (self.expected / 'table.md').read_text()
-        for title in ('strict protocol, drivable limits, believable, history mode', 'All conditions, full definitions, %',
-                      'All conditions, full definitions, of what replay meets',
-                      'All conditions, full definitions, of what the road allows, %', 'Allowed by the road, %',
+        for title in ('strict protocol, drivable limits, plausible, history mode', 'All conditions, full definitions, %',
+                      'All conditions, full definitions, recall against replay mode',
+                      'All conditions, full definitions, requests allowed by the road, %', 'Allowed by the road, %',
                       '| search_full_definitions, answered though the road does not allow it |',
                       'mean share of the box: search_full_definitions, %', 'Calibration, full definitions, %',
                       'Largest difference: '):
@@ -194,7 +194,7 @@ class EvaluateRequestsTest(road.RoadTest):
         self.assertAlmostEqual(float(counted['value']), sum(float(row['on_lane']) for row in answered) / len(answered), 3)
         self.assertGreater(int(lines['on_lane', 'recorded', 'all']['trials']), 100)
         card = (self.expected / 'scorecard.md').read_text()
-        for title in ('strict protocol, drivable limits, believable', 'On a lane throughout, %', 'Least gap to anybody',
+        for title in ('strict protocol, drivable limits, plausible', 'On a lane throughout, %', 'Least gap to anybody',
                       'Greatest jerk until the contact'):
             self.assertIn(title, card)
 

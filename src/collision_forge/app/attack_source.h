@@ -17,6 +17,7 @@ class AttackSource {
  public:
   virtual ~AttackSource() = default;
 
+  /// Returns the number of attacks.
   virtual std::size_t count() const = 0;
   /// Returns the number that names the attack in the index file, from 1: the line in the scenario
   /// file, or the position in the list of bags.

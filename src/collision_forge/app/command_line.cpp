@@ -35,7 +35,7 @@ class ContentsFormatter : public CLI::Formatter {
 };
 
 /// Returns true for a command that has moved to forge study.
-bool isOfTheStudy(const std::string& word) {
+bool isFormerStudyCommand(const std::string& word) {
   const std::vector<std::string> words = {"compare", "dataset", "evaluate",
                                           "measure", "speeds",  "train"};
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -54,7 +54,7 @@ std::string versionText() {
 }
 
 /// Returns the message for an option or argument that `command` does not know.
-std::string complaintOfWord(const std::string& word, const CLI::App& command) {
+std::string unknownWordText(const std::string& word, const CLI::App& command) {
   const std::string name = word.substr(0, word.find('='));
   std::vector<std::string> names;
   if (name.front() == '-') {
@@ -97,11 +97,11 @@ CommandLine::CommandLine()
   app_.set_version_flag("--version", versionText, "Print version and licences");
   app_.footer(kExitCodes);
   app_.failure_message([this](const CLI::App*, const CLI::Error& error) {
-    return name() + ": " + complaintOf(error) + "\ntry: " + name() + " --help\n";
+    return name() + ": " + errorText(error) + "\ntry: " + name() + " --help\n";
   });
 }
 
-std::string CommandLine::complaintOf(const CLI::Error& error) const {
+std::string CommandLine::errorText(const CLI::Error& error) const {
   // A mistyped option also causes the error that a required option is missing; report the typo.
   const auto is = [&](CLI::ExitCodes code) {
     return error.get_exit_code() == static_cast<int>(code);
@@ -109,7 +109,7 @@ std::string CommandLine::complaintOf(const CLI::Error& error) const {
   const bool may_be_mistyped = is(CLI::ExitCodes::ExtrasError) || is(CLI::ExitCodes::RequiredError);
   const std::vector<std::string> unknown = chosen()->remaining();
   if (!may_be_mistyped || unknown.empty()) return error.what();
-  return complaintOfWord(unknown.front(), *chosen());
+  return unknownWordText(unknown.front(), *chosen());
 }
 
 CLI::App* CommandLine::child(CLI::App& parent, const std::string& name,
@@ -139,7 +139,7 @@ CLI::App& CommandLine::add(const std::string& heading, const std::string& name,
 }
 
 std::optional<int> CommandLine::parse(int argc, const char* const* argv) {
-  if (argc > 1 && isOfTheStudy(argv[1])) {
+  if (argc > 1 && isFormerStudyCommand(argv[1])) {
     std::fprintf(stderr, "forge: %s is now forge study %s\n", argv[1], argv[1]);
     return kExitUsage;
   }

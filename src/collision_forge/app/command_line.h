@@ -51,13 +51,13 @@ class CommandLine {
   /// Returns the innermost selected command.
   const CLI::App* chosen() const;
   /// Returns the message for arguments that were rejected with `error`.
-  std::string complaintOf(const CLI::Error& error) const;
+  std::string errorText(const CLI::Error& error) const;
 
   CLI::App app_;
   std::map<const CLI::App*, Run> runs_;
 };
 
-/// Adds all commands except those of the study.
+/// Adds all commands except the study commands.
 void addCommands(CommandLine& line);
 
 /// Returns the direct subcommands of `command`, as "coverage" of "measure", without option groups,

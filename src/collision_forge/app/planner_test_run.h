@@ -16,6 +16,7 @@
 /// Closed-loop tests of planners, independent of the source of the test cases.
 namespace forge {
 
+/// The command-line arguments of a planner test.
 struct PlannerTestArguments {
   LogSource logs;
   std::vector<std::string> planners = {"idm", "rule_based", "pdm"};  ///< names of plannerNames()

@@ -16,6 +16,7 @@
 /// Grid search over the parameters of a planner, independent of the source of the test cases.
 namespace forge {
 
+/// The command-line arguments of a tuning run.
 struct TuningArguments {
   std::string planner = "pdm";
   std::string planner_file;  ///< TorchScript file; empty: planners.yaml's

@@ -39,8 +39,8 @@ using Tallies = std::array<Tally, kEgoConducts.size()>;
 
 /// Runs all drives of one case. Returns one line: the five counts of each behaviour, then the
 /// broken limits, each preceded by a tab.
-std::string driveCase(const PlannerCases& cases, std::size_t index, const Arguments& arguments,
-                      const Foresight& foresight, const Config& config) {
+std::string stressCase(const PlannerCases& cases, std::size_t index, const Arguments& arguments,
+                       const Foresight& foresight, const Config& config) {
   const PlannerCase one = cases.at(index);
   Tallies tallies;
   std::string broken;
@@ -72,7 +72,7 @@ std::string driveCase(const PlannerCases& cases, std::size_t index, const Argume
   return line + broken;
 }
 
-/// Parses a line of driveCase() and adds it to the sums.
+/// Parses a line of stressCase() and adds it to the sums.
 void add(const std::string& line, Tallies& sums, std::string& broken) {
   const std::size_t end = line.find('\t');
   std::istringstream numbers(line.substr(0, end));
@@ -113,7 +113,7 @@ int measure(const Arguments& arguments) {
   const bool is_master = isMaster();
   dispatch(
       count,
-      [&](std::size_t index) { return driveCase(*cases, index, arguments, foresight, config); },
+      [&](std::size_t index) { return stressCase(*cases, index, arguments, foresight, config); },
       [&](std::size_t index, const std::string& line) {
         add(line, tallies, broken);
         progress.show(index + 1, count);

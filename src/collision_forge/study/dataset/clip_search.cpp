@@ -66,8 +66,8 @@ CrashDefinition clipCrash(CrashDefinition crash, const CollisionRequest& request
 /// Returns the measures of a protocol that the clip does not meet, as a message, or "". Ignores the
 /// motion limits, which cannot be derived from 2 Hz frames, and the similarity, because headings
 /// held between frames distort it in turns.
-std::string shortfall(const CollideClip& clip, const IndexedScene& indexed,
-                      const StudyOptions& study, Protocol protocol) {
+std::string unmetMeasures(const CollideClip& clip, const IndexedScene& indexed,
+                          const StudyOptions& study, Protocol protocol) {
   static const std::set<std::string> left_out = {"angle_bands", "full_definitions", "limits_kept",
                                                  "similar"};
   EvaluationPlan plan;
@@ -87,8 +87,9 @@ std::string shortfall(const CollideClip& clip, const IndexedScene& indexed,
 }
 
 /// Returns the reason why an attack cannot become a clip, or "".
-std::string objection(const Scenario& scenario, const IndexedScene& indexed, const Moment& moment,
-                      const StudyOptions& study, const DatasetOptions& options) {
+std::string rejectionReason(const Scenario& scenario, const IndexedScene& indexed,
+                            const Moment& moment, const StudyOptions& study,
+                            const DatasetOptions& options) {
   CollisionRequest request = scenario.asked.request;
   request.crash = study.crash;
   request.crash.time_tolerance = options.time_tolerance;
@@ -107,7 +108,7 @@ std::string objection(const Scenario& scenario, const IndexedScene& indexed, con
     return std::string("cannot be written in COLLIDE's layout: ") + toString(*obstacle);
   }
   for (const Protocol protocol : {Protocol::kStrict, Protocol::kPublished}) {
-    const std::string missed = shortfall(std::get<CollideClip>(clip), indexed, study, protocol);
+    const std::string missed = unmetMeasures(std::get<CollideClip>(clip), indexed, study, protocol);
     if (!missed.empty()) return missed;
   }
   return {};
@@ -147,7 +148,7 @@ Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
   const SearchMethod method(study.attack, std::make_shared<ContinuousPatterns>(study.attack));
   scenario.answer = generateCollision(method, moment, request, prediction);
   if (scenario.answer.status.code != StatusCode::kOk) return scenario.answer;
-  const std::string problem = objection(scenario, indexed, moment, study, options);
+  const std::string problem = rejectionReason(scenario, indexed, moment, study, options);
   if (problem.empty()) return scenario.answer;
   return declined({StatusCode::kNoAttackWithinLimits, problem});
 }

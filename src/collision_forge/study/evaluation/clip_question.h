@@ -31,6 +31,7 @@ MethodMaker clipMethod(const std::string& name, const CollideClip& clip,
 /// future is the clip's. The const members are thread-safe.
 class ClipQuestion {
  public:
+  /// `lanes`: map of the clip's city. `mode`: kHistory or kReplay.
   ClipQuestion(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes, Mode mode,
                const StudyOptions& study);
 

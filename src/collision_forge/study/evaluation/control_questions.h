@@ -18,8 +18,8 @@ struct ControlQuestion {
 
 /// Returns the questions derived from one request: one without controls, then one per value of each
 /// control, manoeuvres only of the request's type. Scene, t0, type, TTA, seed and crash definition
-/// are those of `listed`; its controls are ignored. All questions use replay mode, so that attacks
-/// can be verified against the recorded future. `name` is copied to each question.
+/// are copied from `listed`; its controls are ignored. All questions use replay mode, so that
+/// attacks can be verified against the recorded future. `name` is copied to each question.
 std::vector<ControlQuestion> controlQuestions(const std::string& name, const SceneRequest& listed,
                                               const ControlOptions& options);
 

@@ -37,6 +37,7 @@ struct ControlOptions {
   std::vector<double> overlaps;       ///< share 0..1 of the ego's hit side
 };
 
+/// The options of evaluations; only `controls` is read from a file.
 struct EvaluationOptions {
   CollideOptions collide;
   PublishedOptions published;

@@ -42,7 +42,7 @@ std::vector<RequestEvaluator::MethodRow> methodRows(const EvaluationPlan& plan) 
 }
 
 /// Returns the options with the plan's limits and plausibility and without a minimum confidence.
-StudyOptions measuring(StudyOptions study, const EvaluationPlan& plan) {
+StudyOptions withPlan(StudyOptions study, const EvaluationPlan& plan) {
   study.crash.min_confidence = 0.0;
   study.crash.limits = plan.limits;
   study.crash.believable = plan.believable;
@@ -221,7 +221,7 @@ RequestEvaluator::RequestEvaluator(SceneSource& scenes, const StudyOptions& stud
                                    const Foresight& foresight, const MethodRegistry& methods,
                                    const EvaluationPlan& plan)
     : scenes_(scenes),
-      study_(measuring(study, plan)),
+      study_(withPlan(study, plan)),
       plan_(plan),
       rows_(methodRows(plan)),
       baselines_(baselinesOf(methods, study.attack, foresight)),
@@ -231,7 +231,7 @@ RequestEvaluator::RequestEvaluator(SceneSource& scenes, const StudyOptions& stud
                                 " is not supported for requests; use strict");
   }
   if (!rows_.empty() && plan.is_seeded != method_.isSeeded()) {
-    throw std::invalid_argument("is_seeded of the plan differs from that of method " + plan.method);
+    throw std::invalid_argument("is_seeded of the plan contradicts the method " + plan.method);
   }
 }
 

@@ -47,7 +47,7 @@ struct EvaluatedRequest {
 /// Evaluates requests over recorded scenes. Thread-safe; deterministic across processes.
 ///
 /// - A seeded method runs at any confidence with the request's seed and the following ones. Its
-///   type rules are those of the row's column (angle bands or full definitions), and it counts only
+///   type rules depend on the row's column (angle bands or full definitions), and it counts only
 ///   in the measures of that column.
 /// - Attackers of the plan's method keep the plan's limits, and must be plausible if
 ///   `plan.believable`. Baselines are judged by the strict limits and need not be plausible.

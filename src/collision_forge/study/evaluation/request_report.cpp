@@ -94,7 +94,7 @@ std::vector<ResultRow> rowsThatRoadAllows(const std::vector<ResultRow>& rows, bo
 
 Measure ofWhatRoadAllows(Measure measure) {
   measure.name += "_of_allowed";
-  measure.title += ", of what the road allows";
+  measure.title += ", requests allowed by the road";
   return measure;
 }
 
@@ -119,7 +119,7 @@ bool isHistorySearch(const EvaluationPlan& plan) {
 
 Measure givenReplay(const Column& column) {
   const std::string& title = measuresOf(Protocol::kStrict)[column.headline].title;
-  return {column.given_name, title + ", of what replay meets", std::nullopt, true};
+  return {column.given_name, title + ", recall against replay mode", std::nullopt, true};
 }
 
 RateTable givenReplayTable(const std::vector<ResultRow>& rows, const Column& column,
@@ -170,7 +170,7 @@ RateTable solvedOffRoadTable(const std::vector<ResultRow>& rows, const Evaluatio
     }
   }
   return tabulateTrials(
-      {"answered_of_not_allowed", "Answered, of what the road does not allow", std::nullopt, false},
+      {"answered_of_not_allowed", "Solved, requests not allowed by the road", std::nullopt, false},
       trials);
 }
 
@@ -186,7 +186,7 @@ RateTable believableTable(const std::vector<ResultRow>& rows, const EvaluationPl
     }
   }
   return tabulateTrials(
-      {"believable", "Believable, of those that touch the ego", std::nullopt, false}, trials);
+      {"believable", "Plausible, of the attacks that touch the ego", std::nullopt, false}, trials);
 }
 
 /// Returns one table per measure, followed by the same over the requests that the road allows.

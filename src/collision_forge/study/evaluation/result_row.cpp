@@ -84,12 +84,12 @@ const std::vector<Measure>& measuresOf(Protocol protocol) {
   static const std::vector<Measure> strict = {
       {"angle_bands", "All conditions, angle bands", std::nullopt, true},
       {"full_definitions", "All conditions, full definitions", std::nullopt, true},
-      {"contact", "Contact after now", std::nullopt, false},
+      {"contact", "Contact after t0", std::nullopt, false},
       {"type_angle_bands", "Type, angle bands", std::nullopt, false},
       {"type_full", "Type, full definitions", std::nullopt, false},
       {"on_time", "On time", std::nullopt, false},
       {"limits_kept", "Limits kept", std::nullopt, false},
-      {"nobody_before", "Nobody touched before", std::nullopt, false}};
+      {"nobody_before", "No earlier contact", std::nullopt, false}};
   return protocol == Protocol::kPublished ? published : strict;
 }
 

@@ -13,6 +13,7 @@ namespace forge {
 
 /// The evaluation protocol: study/evaluation/published.h or attack/verify/strict_outcome.h.
 enum class Protocol { kPublished, kStrict };
+/// Returns "published" or "strict".
 const char* toString(Protocol protocol);
 
 /// Returns the measures of a protocol, in the order of ResultRow::meets. Published: collision,

@@ -154,11 +154,11 @@ struct Denoiser : nn::Module {
   Tensor noiseIn(const Tensor& noised, const Tensor& beta, const Tensor& context,
                  const Tensor& unknown) {
     const Tensor share = beta / options.beta_last;
-    const Tensor told = torch::cat({share, share.sin(), share.cos(), context}, 1);
-    const Tensor tokens = torch::dropout(input->forward(noised, told) + frame_numbers,
+    const Tensor inputs = torch::cat({share, share.sin(), share.cos(), context}, 1);
+    const Tensor tokens = torch::dropout(input->forward(noised, inputs) + frame_numbers,
                                          options.dropout, is_training());
     const Tensor seen = transformer(tokens, Tensor(), unknown);
-    return output_3->forward(output_2->forward(output_1->forward(seen, told), told), told);
+    return output_3->forward(output_2->forward(output_1->forward(seen, inputs), inputs), inputs);
   }
 
   MidOptions options;

@@ -140,12 +140,10 @@ struct PublishedNetworkOptions {
   int anchor_1 = 0;
   int anchor_2 = 0;
   int anchor_3 = 0;
-  double anchor_scale = 0.0;  ///< m, unit of anchor positions
-  double place_scale = 0.0;   ///< m, unit of the regressed ego position
-  double positive_radius =
-      0.0;  ///< m around the ego at the crash within which anchors are positive
-  double positive_weight =
-      28.0;  ///< loss weight of positive anchors; others have 1; original 27-29
+  double anchor_scale = 0.0;      ///< m, unit of anchor positions
+  double place_scale = 0.0;       ///< m, unit of the regressed ego position
+  double positive_radius = 0.0;   ///< m around the ego at the crash; anchors within it are positive
+  double positive_weight = 28.0;  ///< loss weight of positive anchors, others 1; original 27 to 29
   // Weights of the losses, each summed over a clip, then averaged over a batch.
   double anchors_loss = 0.02;       ///< original 0.001, for a loss with probabilities as logits
   double anchor_offset_loss = 0.1;  ///< over positive anchors; original 0.008 over all anchors

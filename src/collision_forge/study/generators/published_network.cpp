@@ -44,7 +44,7 @@ Tensor smoothL1(const Tensor& error) {
          error.size(0);
 }
 
-/// The recorded targets at the crash, in the layout of PublishedTold.
+/// The recorded targets at the crash, in the layout of PublishedPrediction.
 struct Truth {
   Tensor ego;           ///< [B, 3]
   Tensor offset;        ///< [B, 2]
@@ -89,7 +89,7 @@ class PublishedNetwork : public TrafficModel {
   /// Trains the three modules jointly with a weighted sum of losses and a decaying learning rate.
   std::vector<double> trainStep(const TrafficBatch& batch) override {
     const Truth truth = truthOf(batch, traffic_.history_frames);
-    const Seen seen = look(batch);
+    const Seen seen = encode(batch);
     const std::vector<Tensor> losses = {
         placeLoss(seen, truth),
         options_.ego_yaw_loss *
@@ -103,9 +103,9 @@ class PublishedNetwork : public TrafficModel {
     torch::stack(losses).sum().backward();
     steps_.step();
     ++batches_;
-    std::vector<double> told;
-    for (const Tensor& loss : losses) told.push_back(loss.item<double>());
-    return told;
+    std::vector<double> values;
+    for (const Tensor& loss : losses) values.push_back(loss.item<double>());
+    return values;
   }
 
   /// The error of the ego's position covers only clips with a predicted position.
@@ -140,8 +140,8 @@ class PublishedNetwork : public TrafficModel {
 
   /// Predicts from histories, which must be on the network's device. The module must be in eval
   /// mode.
-  PublishedTold tell(const TrafficBatch& batch) const {
-    const Seen seen = look(batch);
+  PublishedPrediction predict(const TrafficBatch& batch) const {
+    const Seen seen = encode(batch);
     const auto [placed, place] = egoPlace(seen);
     return {placed,
             place,
@@ -162,7 +162,7 @@ class PublishedNetwork : public TrafficModel {
 
   bool hasAnchors() const { return patterns_->head != PublishedHead::kRegression; }
 
-  Seen look(const TrafficBatch& batch) const {
+  Seen encode(const TrafficBatch& batch) const {
     const PublishedPieces pieces = piecesOf(batch, traffic_.lanes.reach);
     const Tensor graph = patterns_->graphOf(batch, pieces);
     Seen seen{patterns_->joined(graph.select(1, 0), batch.condition), {}, {}};
@@ -213,9 +213,9 @@ class PublishedNetwork : public TrafficModel {
         seen.scores, positive.to(torch::kFloat), {},
         torch::tensor(options_.positive_weight, seen.scores.options()), torch::Reduction::Sum);
     const Tensor which = positive.nonzero().squeeze(1);
-    const Tensor told = patterns_->shifts(anchors.place.index({which}),
-                                          seen.all.index_select(0, anchors.clip.index({which})));
-    const Tensor shifted = (told - missing.index({which})).abs().sum();
+    const Tensor predicted = patterns_->shifts(
+        anchors.place.index({which}), seen.all.index_select(0, anchors.clip.index({which})));
+    const Tensor shifted = (predicted - missing.index({which})).abs().sum();
     return (options_.anchors_loss * scored + options_.anchor_offset_loss * shifted) / ego.size(0);
   }
 
@@ -246,9 +246,9 @@ class PublishedNetwork : public TrafficModel {
 std::vector<ErrorSum> PublishedNetwork::errorsOn(const TrafficBatch& batch,
                                                  torch::Generator) const {
   const Truth truth = truthOf(batch, traffic_.history_frames);
-  const PublishedTold told = tell(batch);
+  const PublishedPrediction predicted = predict(batch);
   const auto attacker = static_cast<long>(kAttackerAgent);
-  const Tensor yaw = relativeYaws(told, batch, traffic_.history_frames).select(1, attacker);
+  const Tensor yaw = relativeYaws(predicted, batch, traffic_.history_frames).select(1, attacker);
   const auto sumOf = [](const Tensor& numbers) {
     return numbers.sum(torch::kFloat64).item<double>();
   };
@@ -256,12 +256,12 @@ std::vector<ErrorSum> PublishedNetwork::errorsOn(const TrafficBatch& batch,
     return sumOf(wrapped(error).abs()) * 180.0 / M_PI;
   };
   const auto count = static_cast<double>(batch.poses.size(0));
-  const Tensor apart = (told.ego_place - truth.ego.slice(1, 0, 2)).norm(2, 1);
-  return {{degrees(told.ego_yaw - truth.ego.select(1, 2)), count},
+  const Tensor apart = (predicted.ego_place - truth.ego.slice(1, 0, 2)).norm(2, 1);
+  return {{degrees(predicted.ego_yaw - truth.ego.select(1, 2)), count},
           {degrees(yaw - truth.attacker_yaw), count},
-          {sumOf((told.offset - truth.offset).norm(2, 1)), count},
-          {sumOf(told.selection.argmax(1) != attacker), count},
-          {sumOf(apart * told.placed), sumOf(told.placed)}};
+          {sumOf((predicted.offset - truth.offset).norm(2, 1)), count},
+          {sumOf(predicted.selection.argmax(1) != attacker), count},
+          {sumOf(apart * predicted.placed), sumOf(predicted.placed)}};
 }
 
 std::unique_ptr<const AttackMethod> PublishedNetwork::method(const std::string&,
@@ -269,7 +269,7 @@ std::unique_ptr<const AttackMethod> PublishedNetwork::method(const std::string&,
   patterns_->eval();
   const auto self = std::static_pointer_cast<const PublishedNetwork>(shared_from_this());
   const auto tell = [self](const TrafficBatch& batch) {
-    return self->tell(movedTo(batch, self->device_));
+    return self->predict(movedTo(batch, self->device_));
   };
   return std::make_unique<PatternQuinticMethod>(
       options, makePublishedPredictor(tell, traffic_, options.prediction));

@@ -56,7 +56,9 @@ struct PublishedPatterns : torch::nn::Module {
                           const torch::Tensor& intersection) const;
   /// Returns polyline features [N, width + 2], with the minimum x and y of each polyline.
   torch::Tensor polylinesOf(const torch::Tensor& vectors);
+  /// Returns the features of the egos' histories [B, width + 2].
   torch::Tensor egoPolylines(const TrafficBatch& batch);
+  /// Returns the features of the lane pieces [N, width + 2].
   torch::Tensor lanePolylines(const PublishedPieces& pieces);
   /// Returns the output of the global graph [B, 1 + L, width]: self-attention over ego and lanes.
   torch::Tensor graphOf(const TrafficBatch& batch, const PublishedPieces& pieces);

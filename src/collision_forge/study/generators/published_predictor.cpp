@@ -15,14 +15,15 @@ namespace forge {
 
 using torch::Tensor;
 
-Tensor relativeYaws(const PublishedTold& told, const TrafficBatch& batch, int history_frames) {
+Tensor relativeYaws(const PublishedPrediction& predicted, const TrafficBatch& batch,
+                    int history_frames) {
   const Tensor places = batch.poses.select(2, history_frames - 1).slice(2, 0, 2);
-  const Tensor from_ego = places - told.ego_place.unsqueeze(1);
-  const Tensor yaw = told.ego_yaw.unsqueeze(1);
+  const Tensor from_ego = places - predicted.ego_place.unsqueeze(1);
+  const Tensor yaw = predicted.ego_yaw.unsqueeze(1);
   const Tensor left =
       torch::cos(yaw) * from_ego.select(2, 1) - torch::sin(yaw) * from_ego.select(2, 0);
   const Tensor side = torch::where(left > 0.0, -1.0, 1.0);
-  return side * told.attacker_yaw.unsqueeze(1);
+  return side * predicted.attacker_yaw.unsqueeze(1);
 }
 
 namespace {
@@ -30,9 +31,9 @@ namespace {
 /// See makePublishedPredictor().
 class PublishedPatternPredictor : public PatternPredictor {
  public:
-  PublishedPatternPredictor(TellPatterns tell, const TrafficOptions& traffic,
+  PublishedPatternPredictor(RunPublishedNetwork run_network, const TrafficOptions& traffic,
                             const PredictionOptions& options)
-      : tell_(std::move(tell)), traffic_(traffic), options_(options) {}
+      : run_network_(std::move(run_network)), traffic_(traffic), options_(options) {}
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request,
@@ -52,14 +53,14 @@ class PublishedPatternPredictor : public PatternPredictor {
     const TrafficClip clip = trafficOf(snapshot, allowed.front(), request, traffic_, &lanes);
     const TrafficBatch batch = batchOf({{&clip, traffic_.history_frames - 1}}, traffic_, 0);
     const torch::NoGradGuard no_gradients;
-    const PublishedTold told = tell_(batch);
-    if (!told.placed.item<bool>()) {
+    const PublishedPrediction predicted = run_network_(batch);
+    if (!predicted.placed.item<bool>()) {
       prediction.status = {StatusCode::kRoadDoesNotAllow,
                            "no lane within " + numberText(traffic_.lanes.reach) +
                                " m of the ego at t0, on which the network could place the crash"};
       return prediction;
     }
-    fillIn(told, batch, clip, allowed, snapshot, request, prediction);
+    fillIn(predicted, batch, clip, allowed, snapshot, request, prediction);
     return prediction;
   }
 
@@ -82,11 +83,12 @@ class PublishedPatternPredictor : public PatternPredictor {
   }
 
   /// Appends a pattern for each allowed vehicle that is in the network's input.
-  void fillIn(const PublishedTold& told, const TrafficBatch& batch, const TrafficClip& clip,
-              const std::vector<std::string>& allowed, const Snapshot& snapshot,
-              const CollisionRequest& request, PatternPrediction& prediction) const {
-    const Tensor yaws = relativeYaws(told, batch, traffic_.history_frames)[0];
-    const Tensor offset = told.offset[0], place = told.ego_place[0];
+  void fillIn(const PublishedPrediction& predicted, const TrafficBatch& batch,
+              const TrafficClip& clip, const std::vector<std::string>& allowed,
+              const Snapshot& snapshot, const CollisionRequest& request,
+              PatternPrediction& prediction) const {
+    const Tensor yaws = relativeYaws(predicted, batch, traffic_.history_frames)[0];
+    const Tensor offset = predicted.offset[0], place = predicted.ego_place[0];
     const auto number = [](const Tensor& tensor) {
       const double found = tensor.item<double>();
       if (!std::isfinite(found)) {
@@ -95,8 +97,9 @@ class PublishedPatternPredictor : public PatternPredictor {
       return found;
     };
     const Pose2 now = estimateMotion(snapshot.ego, options_.motion_frames).pose;
-    const Pose2 ego = compose(now, {number(place[0]), number(place[1]), number(told.ego_yaw[0])});
-    const Tensor order = told.selection[0].argsort(0, true);
+    const Pose2 ego =
+        compose(now, {number(place[0]), number(place[1]), number(predicted.ego_yaw[0])});
+    const Tensor order = predicted.selection[0].argsort(0, true);
     for (long i = 0; i < order.size(0); ++i) {
       const long agent = order[i].item<long>();
       const std::string& id = clip.ids[static_cast<std::size_t>(agent)];
@@ -113,17 +116,17 @@ class PublishedPatternPredictor : public PatternPredictor {
     }
   }
 
-  TellPatterns tell_;
+  RunPublishedNetwork run_network_;
   TrafficOptions traffic_;
   PredictionOptions options_;
 };
 
 }  // namespace
 
-std::shared_ptr<const PatternPredictor> makePublishedPredictor(TellPatterns tell,
+std::shared_ptr<const PatternPredictor> makePublishedPredictor(RunPublishedNetwork run_network,
                                                                const TrafficOptions& traffic,
                                                                const PredictionOptions& options) {
-  return std::make_shared<PublishedPatternPredictor>(std::move(tell), traffic, options);
+  return std::make_shared<PublishedPatternPredictor>(std::move(run_network), traffic, options);
 }
 
 }  // namespace forge

@@ -11,7 +11,7 @@ namespace forge {
 
 /// The output of the published network for B clips with A agents: poses at the crash in the ego's
 /// frame at t0, in m and rad.
-struct PublishedTold {
+struct PublishedPrediction {
   torch::Tensor placed;        ///< [B] false: no anchors, so `ego_place` is undefined
   torch::Tensor ego_place;     ///< [B, 2] position of the ego
   torch::Tensor ego_yaw;       ///< [B]
@@ -22,15 +22,15 @@ struct PublishedTold {
 
 /// Returns the signed yaw [B, A] of each agent relative to the ego, assuming it is the attacker: an
 /// attacker from the left is turned to the right.
-torch::Tensor relativeYaws(const PublishedTold& told, const TrafficBatch& batch,
+torch::Tensor relativeYaws(const PublishedPrediction& predicted, const TrafficBatch& batch,
                            int history_frames);
 
 /// Runs the network on a batch of one clip. Called from several threads.
-using TellPatterns = std::function<PublishedTold(const TrafficBatch&)>;
+using RunPublishedNetwork = std::function<PublishedPrediction(const TrafficBatch&)>;
 
 /// Creates a predictor that returns one pattern per vehicle that the request allows, most likely
 /// first. The ego's position is always the network's, even in replay mode.
-std::shared_ptr<const PatternPredictor> makePublishedPredictor(TellPatterns tell,
+std::shared_ptr<const PatternPredictor> makePublishedPredictor(RunPublishedNetwork run_network,
                                                                const TrafficOptions& traffic,
                                                                const PredictionOptions& options);
 

@@ -223,7 +223,7 @@ class SocialGan : public TrafficGenerator {
   }
 
   /// Joins the history and the predicted steps for the discriminator.
-  Tensor wholeWay(const TrafficBatch& history, const Tensor& driven) const {
+  Tensor fullMotion(const TrafficBatch& history, const Tensor& driven) const {
     return torch::cat({stepsOf(history.poses, options_.step_scale), driven}, 2);
   }
 
@@ -239,7 +239,7 @@ class SocialGan : public TrafficGenerator {
     judge_steps_.zero_grad();
     const Tensor loss =
         judged(judge_->forward(stepsOf(batch.poses, options_.step_scale)), kRealLabel, there) +
-        judged(judge_->forward(wholeWay(history, driven)), kFakeLabel, there);
+        judged(judge_->forward(fullMotion(history, driven)), kFakeLabel, there);
     loss.backward();
     judge_steps_.step();
     return loss.item<double>();
@@ -267,7 +267,7 @@ class SocialGan : public TrafficGenerator {
     const Tensor best = torch::stack(errors).amin(0);
     const Tensor variety = (best / known.sum({1, 2}).clamp_min(1.0)).sum();
     const Tensor adversarial =
-        judged(judge_->forward(wholeWay(history, driven)), kRealLabel, there);
+        judged(judge_->forward(fullMotion(history, driven)), kRealLabel, there);
     (variety + adversarial).backward();
     nn::utils::clip_grad_norm_(driver_->parameters(), options_.max_gradient);
     driver_steps_.step();

@@ -68,11 +68,11 @@ class Strive : public TrafficGenerator {
     const StriveScene scene = network_->encode(history);
     const StriveLatent prior = network_->prior(scene);
     const StriveLatent posterior = network_->posterior(scene, batch);
-    const Tensor told = drive(scene, posterior);
+    const Tensor reconstructed = drive(scene, posterior);
     const Tensor free = drive(scene, prior);
-    const Tensor reconstruction = reconstructionOf(scene, batch, told);
+    const Tensor reconstruction = reconstructionOf(scene, batch, reconstructed);
     const Tensor kl = divergence(posterior, prior);
-    const Tensor overlap = strangersOverlap(scene, free);
+    const Tensor overlap = overlapOfOthers(scene, free);
     const Tensor off_lanes = egoOffLanes(scene, history, free);
     const double ramp = std::min(1.0, static_cast<double>(++steps_) / options_.divergence_steps);
     const Tensor loss = reconstruction + ramp * options_.divergence_weight * kl +
@@ -133,7 +133,7 @@ class Strive : public TrafficGenerator {
   }
 
   /// Returns the mean overlap of all pairs of agents except ego and attacker.
-  Tensor strangersOverlap(const StriveScene& scene, const Tensor& driven) const {
+  Tensor overlapOfOthers(const StriveScene& scene, const Tensor& driven) const {
     const Tensor apart = overlapOf(scene, driven, options_);
     const Tensor last =
         scene.agent.index_select(0, scene.to).maximum(scene.agent.index_select(0, scene.from));

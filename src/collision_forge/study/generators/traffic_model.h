@@ -38,6 +38,7 @@ class TrafficModel : public std::enable_shared_from_this<TrafficModel> {
   virtual std::vector<ErrorSum> errorsOn(const TrafficBatch& batch,
                                          torch::Generator noise) const = 0;
 
+  /// Return the number of epochs of a complete training, and of windows (clips) per batch.
   virtual int epochs() const = 0;
   virtual int batchSize() const = 0;
   /// Returns the options with which clips and batches for this model must be made.

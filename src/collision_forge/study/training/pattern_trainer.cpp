@@ -214,7 +214,7 @@ PatternTrainer::PatternTrainer(const PatternFeatureOptions& features,
 
 PatternTrainer::~PatternTrainer() = default;
 
-void PatternTrainer::trainTogether(TrainingRanks ranks) { state_->ranks = std::move(ranks); }
+void PatternTrainer::setRanks(TrainingRanks ranks) { state_->ranks = std::move(ranks); }
 
 int PatternTrainer::epochsDone() const { return state_->epochs; }
 
@@ -267,7 +267,7 @@ TrainingLosses PatternTrainer::losses(const std::vector<TrainingSample>& samples
 
 PatternWeights PatternTrainer::weights() const { return state_->exported(state_->average); }
 
-PatternWeights PatternTrainer::presentWeights() const { return state_->exported(state_->module); }
+PatternWeights PatternTrainer::currentWeights() const { return state_->exported(state_->module); }
 
 std::string PatternTrainer::state() const {
   torch::serialize::OutputArchive archive;

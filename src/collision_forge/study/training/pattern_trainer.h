@@ -47,8 +47,9 @@ class PatternTrainer {
 
   /// Distributes the following epochs over `ranks`. All ranks must have the same samples, options
   /// and seed, and get the same weights, which depend on the number of ranks.
-  void trainTogether(TrainingRanks ranks);
+  void setRanks(TrainingRanks ranks);
 
+  /// Returns the number of epochs trained, including the epochs of a loaded state.
   int epochsDone() const;
 
   /// Trains one epoch on the samples with the indices `chosen`, in random order. Calls `on_batch`
@@ -80,7 +81,7 @@ class PatternTrainer {
   /// For tests: adds `change` to weight `number` of a layer, counted as in lossAndGradients().
   void nudge(const std::string& layer, std::size_t number, double change);
   /// Returns the current weights, without averaging.
-  PatternWeights presentWeights() const;
+  PatternWeights currentWeights() const;
 
  private:
   struct State;

@@ -30,6 +30,7 @@ DisplacementErrors constantVelocityErrors(const std::vector<PlannerSample>& samp
 /// an L1 loss. Deterministic on one machine for the same samples, options and seed.
 class PlannerTrainer {
  public:
+  /// `threads`: CPU threads of libtorch; `seed`: of initial weights, sample order and augmentation.
   PlannerTrainer(const PlannerTrainingOptions& options, int threads, std::uint64_t seed);
   ~PlannerTrainer();
 

@@ -64,6 +64,7 @@ class EpochTable {
   /// whenever the process is killed.
   void keep(const std::string& state);
 
+  /// Returns the row added last, without line end. add() must have been called.
   const std::string& lastRow() const { return rows_.back(); }
 
  private:

@@ -114,7 +114,7 @@ void trainPatternNetwork(const TrainingRun& run) {
     lock.emplace(openRunFolder(run, describeRun(run, ranks.size, "study/training.yaml")));
   PatternTrainer trainer(options.pattern_features, options.pattern_layers, options.training,
                          run.device, run.threads, run.seed);
-  trainer.trainTogether(ranks);
+  trainer.setRanks(ranks);
   if (hasState(run)) trainer.load(statePath(run));
   ProgressLine reading("reading");
   const std::vector<TrainingSample> samples = collectTrainingSamples(
