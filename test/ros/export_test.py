@@ -88,7 +88,7 @@ class ExportTest(road.RoadTest):
         for words in (('commonroad',), ('openscenario', '--ego', 'free')):
             result = self.export(out, *words)
             self.assertEqual(result.returncode, 1)
-            self.assertIn('was begun with', result.stderr)
+            self.assertIn('was made with', result.stderr)
         self.assertEqual(self.files_in(out), before)
 
     def test_bad_lines_are_told(self):

@@ -40,20 +40,18 @@ void writeOptions(const std::string& path, const ResumableFile::Options& options
   file.commit();
 }
 
-/// Empty where there is none.
+/// Returns the value of an option; empty if it is not set.
 std::string valueOf(const ResumableFile::Options& options, const std::string& name) {
   const auto found = options.find(name);
   return found == options.end() ? "" : found->second;
 }
 
-/// Refuses to go on with `what`, which was begun with other options than these.
+/// Throws std::runtime_error if `what` was made with other options than these.
 void checkOptions(const std::string& path, const std::string& what,
                   const ResumableFile::Options& options) {
-  const std::string remedy =
-      "; finish it as it was begun, or remove it to begin anew, or write elsewhere";
   if (!fs::exists(optionsPath(path))) {
-    throw std::runtime_error(what + ": is there, but not " + optionsPath(path) +
-                             ", which says what it was made with" + remedy);
+    throw std::runtime_error(what + ": exists without " + optionsPath(path) +
+                             ", the record of its options: delete it, or choose another --out");
   }
   const ResumableFile::Options before = readOptions(optionsPath(path));
   ResumableFile::Options all = options;
@@ -63,8 +61,8 @@ void checkOptions(const std::string& path, const std::string& what,
     const std::string was = valueOf(before, name);
     const std::string is = valueOf(options, name);
     if (was == is) continue;
-    throw std::runtime_error(what + ": was begun with " + name + " = " + was + ", now " + name +
-                             " = " + is + remedy);
+    throw std::runtime_error(what + ": exists and was made with " + name + " = " + was + ", not " +
+                             is + ": reuse those options, delete it, or choose another --out");
   }
 }
 
